@@ -1,0 +1,52 @@
+//! From quantised positions to position, velocity and acceleration.
+//!
+//! An estimator sees one position per period and nothing else. It takes every position at
+//! its word: a missing sample is the caller's business.
+
+mod backward_difference;
+mod kalman;
+
+pub use backward_difference::BackwardDifference;
+pub use kalman::Kalman;
+
+/// Motion of a key's front at the latest sample, down positive.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// Position [m].
+    pub position: f64,
+    /// Velocity [m/s].
+    pub velocity: f64,
+    /// Acceleration [m/s²].
+    pub acceleration: f64,
+}
+
+impl Motion {
+    /// Returns rest at `position` [m].
+    #[must_use]
+    pub const fn at_rest(position: f64) -> Self {
+        Self { position, velocity: 0.0, acceleration: 0.0 }
+    }
+}
+
+/// Estimates motion from one position per period.
+pub trait Estimator {
+    /// Takes the next measured position [m], finite, and returns the motion at that sample.
+    ///
+    /// # Real-time
+    ///
+    /// A fixed number of multiplications; no allocation, no loop.
+    fn update(&mut self, position: f64) -> Motion;
+
+    /// Forgets the past: the key rests at `position` [m].
+    fn reset(&mut self, position: f64);
+}
+
+/// Refuses a constant that no estimator can work with.
+///
+/// # Panics
+///
+/// Unless `value` is finite and positive: a bug in the caller's set-up.
+#[track_caller]
+fn assert_positive(value: f64, name: &str) {
+    assert!(value.is_finite() && 0.0 < value, "{name} must be finite and positive, got {value}");
+}

@@ -1,0 +1,36 @@
+//! What the hand feels, seen from both sides of the key.
+//!
+//! [`estimate`] turns quantised positions into motion, [`limits`] is the last gate a force
+//! passes, and [`plant`] is the other side: a simulated key with its encoder, its motor and
+//! a finger, for running without hardware and for rehearsing a performance.
+//!
+//! **Signs.** A position is the displacement of the key's front [m], *down positive*, zero
+//! at rest. A force is what the finger feels [N], *up positive*: it decreases the position.
+//!
+//! **Time.** No clock is read here; model time `t` and steps `h` [s] are arguments. Nothing
+//! allocates, and every loop has a bound, so everything but the constructors is for the tick.
+//! All state is `Copy`: a snapshot is an assignment, and a replay from it gives the same bits.
+//!
+//! | word | meaning |
+//! |---|---|
+//! | key | the lever that the finger touches, the paper's manipulandum |
+//! | count, quantum | what an encoder reports; the displacement [m] of one count |
+//! | tick, substep | one period of the control loop; the plant's own fixed part of it |
+//! | stuck | at exactly zero velocity, held there by stiction |
+//! | felt | a unilateral spring and damper that stops the key |
+//! | pulp | the soft fingertip; it pushes and never pulls |
+//! | gesture | what a finger's muscle commands over time: one stroke and its release |
+
+#![forbid(unsafe_code)]
+#![expect(rustdoc::broken_intra_doc_links, reason = "units in brackets, [m], are not links")]
+
+pub mod estimate;
+pub mod limits;
+pub mod plant;
+
+pub use estimate::{BackwardDifference, Estimator, Kalman, Motion};
+pub use limits::{ForceGate, Gated, LimitError};
+pub use plant::{
+    Encoder, Felt, Finger, FingerParameters, Gesture, Key, KeyParameters, KeyRig, Motor,
+    MotorParameters, RigParameters, Touch,
+};

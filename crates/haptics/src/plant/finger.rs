@@ -1,0 +1,158 @@
+//! The simulated finger: a small mass on a muscle's spring, with a soft pulp.
+
+use super::stroke::Command;
+
+/// Height of a finger that is away [m]: well above any key.
+const AWAY: f64 = 20e-3;
+
+/// Constants of a finger.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FingerParameters {
+    /// Moving mass [kg].
+    pub mass: f64,
+    /// Damping towards the commanded velocity [N s/m].
+    pub damping: f64,
+    /// Stiffness towards the commanded position [N/m].
+    pub stiffness: f64,
+    /// Stiffness of the pulp [N/m].
+    pub pulp_stiffness: f64,
+    /// Damping of the pulp [N s/m].
+    pub pulp_damping: f64,
+}
+
+impl FingerParameters {
+    /// An ordinary finger; an estimate, ± 50 %, the pulp too.
+    pub const ORDINARY: Self =
+        Self { mass: 6e-3, damping: 4.0, stiffness: 400.0, pulp_stiffness: 4e3, pulp_damping: 3.0 };
+
+    /// The stiff corner of what fingers do; an estimate.
+    pub const STIFF: Self = Self { damping: 7.0, stiffness: 1300.0, ..Self::ORDINARY };
+
+    /// The limp corner of what fingers do; an estimate.
+    pub const LIMP: Self = Self { damping: 0.3, stiffness: 20.0, ..Self::ORDINARY };
+}
+
+impl Default for FingerParameters {
+    fn default() -> Self {
+        Self::ORDINARY
+    }
+}
+
+/// A fingertip: where it is and how fast it moves, down positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Finger {
+    parameters: FingerParameters,
+    position: f64,
+    velocity: f64,
+}
+
+impl Finger {
+    /// Creates an ordinary finger at rest, 20 mm above the key.
+    pub const fn away() -> Self {
+        Self::new(FingerParameters::ORDINARY)
+    }
+
+    /// Creates a finger at rest, 20 mm above the key.
+    pub const fn new(parameters: FingerParameters) -> Self {
+        Self { parameters, position: -AWAY, velocity: 0.0 }
+    }
+
+    /// Returns the position of the fingertip [m], down positive.
+    pub const fn position(&self) -> f64 {
+        self.position
+    }
+
+    /// Returns the velocity of the fingertip [m/s].
+    pub const fn velocity(&self) -> f64 {
+        self.velocity
+    }
+
+    /// Moves the finger to where it is commanded, at the commanded velocity.
+    pub(super) const fn place(&mut self, command: Command) {
+        self.position = command.position;
+        self.velocity = command.velocity;
+    }
+
+    /// Moves the finger away, to rest.
+    pub(super) const fn leave(&mut self) {
+        *self = Self::new(self.parameters);
+    }
+
+    /// Returns the contact force with a key that is at `position` [m] and moves with
+    /// `velocity` [m/s], in newtons: up on the finger, down on the key, never negative.
+    pub fn contact(&self, position: f64, velocity: f64) -> f64 {
+        let depth = self.position - position;
+        if depth <= 0.0 {
+            return 0.0;
+        }
+        let rate = self.velocity - velocity;
+        let FingerParameters { pulp_stiffness, pulp_damping, .. } = self.parameters;
+        (pulp_stiffness * depth + pulp_damping * rate).max(0.0)
+    }
+
+    /// Advances by one substep `h` [s] towards the commanded `position` [m] and `velocity`
+    /// [m/s], against the `contact` force [N].
+    ///
+    /// Semi-implicit Euler with the muscle taken at the end of the substep, so any stiffness
+    /// is stable.
+    ///
+    /// # Real-time
+    ///
+    /// One division; no loop.
+    pub fn step(&mut self, position: f64, velocity: f64, contact: f64, h: f64) {
+        let FingerParameters { mass, damping, stiffness, .. } = self.parameters;
+        let muscle = stiffness * (position - self.position) + damping * velocity;
+        let impulse = mass * self.velocity + h * (muscle - contact);
+        self.velocity = impulse / (mass + h * (damping + h * stiffness));
+        self.position += h * self.velocity;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_finger_above_the_key_does_not_touch_it() {
+        assert_eq!(Finger::away().contact(0.0, -3.0).to_bits(), 0.0_f64.to_bits());
+    }
+
+    #[test]
+    fn a_key_that_runs_away_is_not_pulled_back() {
+        let mut finger = Finger::away();
+        finger.place(Command { position: 1e-4, velocity: 0.0 });
+        assert_eq!(finger.contact(0.0, 10.0).to_bits(), 0.0_f64.to_bits());
+        // 4000 N/m · 0.1 mm.
+        assert!((finger.contact(0.0, 0.0) - 0.4).abs() < 1e-15);
+    }
+
+    #[test]
+    fn its_way_to_a_new_command_is_that_of_an_overdamped_spring() {
+        let error = |steps: u32| {
+            let (mut finger, t) = (Finger::away(), 0.01);
+            (0..steps).for_each(|_| finger.step(0.0, 0.0, 0.0, t / f64::from(steps)));
+            // Roots of m s² + c s + k; from −20 mm at rest.
+            let (middle, product) = (4.0 / (2.0 * 6e-3), 400.0 / 6e-3);
+            let spread = f64::sqrt(middle * middle - product);
+            let (slow, fast) = (middle - spread, middle + spread);
+            let decay = fast * (-slow * t).exp() - slow * (-fast * t).exp();
+            finger.position() + AWAY * decay / (fast - slow)
+        };
+        let order = (error(400) / error(800)).abs().log2();
+        assert!((order - 1.0).abs() < 0.05, "observed order {order}");
+        assert!(error(800).abs() < 1e-4);
+    }
+
+    #[test]
+    fn at_rest_it_presses_with_the_two_springs_in_series() {
+        let mut finger = Finger::away();
+        let mut contact = 0.0;
+        for _ in 0..20_000 {
+            contact = finger.contact(0.01, 0.0);
+            finger.step(0.015, 0.0, contact, 5e-5);
+        }
+        let series = 1.0 / (1.0 / 400.0 + 1.0 / 4000.0);
+        // The rounding of a position of 10 mm against 4 kN/m, a few hundred times over.
+        assert!((contact - series * 0.005).abs() < 1e-12, "{contact}");
+    }
+}

@@ -1,0 +1,227 @@
+//! A gesture: what a finger's muscle commands during one stroke, as a function of time.
+
+use super::smooth::{quintic, quintic_slope};
+use super::stroke::{Command, Stroke};
+
+/// Height above the key to which a finger is lifted [m] (estimate).
+const LIFT_HEIGHT: f64 = 10e-3;
+
+/// Time that lifting takes [s] (estimate).
+const LIFT_TIME: f64 = 50e-3;
+
+/// How a finger meets the key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Touch {
+    /// The finger rests on the key and presses it from there.
+    Pressed,
+    /// The finger comes from above and meets the key at full speed.
+    ///
+    /// Meant for speeds above 0.1 m/s. The impact sets finger and action swinging; in a slower
+    /// stroke the swing's phase, not the speed alone, decides how fast the hammer gets.
+    Struck,
+}
+
+/// One stroke of one finger and its release.
+///
+/// Position and velocity are commands: the finger follows them as its stiffness allows. Both
+/// are continuous, acceleration too, whenever the release comes; and until the release a
+/// faster gesture is never behind a slower one on its way down.
+///
+/// Times share the origin of the `t` they are asked with. `release` may be infinite while it
+/// is not known, and then be set to any time not yet passed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gesture {
+    /// Time at which the finger starts to move [s].
+    pub start: f64,
+    /// Time at which it starts to lift [s]; before `start` counts as `start`.
+    pub release: f64,
+    /// How it meets the key.
+    pub touch: Touch,
+    /// Commanded speed on the way down [m/s], meant for `0.02 ..= 3`.
+    pub speed: f64,
+    /// Commanded depth while the key is held [m], down positive; see [`Self::HOLD`].
+    pub hold: f64,
+}
+
+impl Gesture {
+    /// Hold depth for the default key and finger [m]: dip and 2 N at 400 N/m.
+    pub const HOLD: f64 = 10.16e-3 + 2.0 / 400.0;
+
+    /// Returns the commanded position at `t` [s], in metres, down positive.
+    ///
+    /// # Real-time
+    ///
+    /// Some ten divisions; no loop.
+    pub fn position(&self, t: f64) -> f64 {
+        self.command(t).position
+    }
+
+    /// Returns the commanded velocity at `t` [s], the position's derivative [m/s].
+    ///
+    /// # Real-time
+    ///
+    /// As [`Self::position`].
+    pub fn velocity(&self, t: f64) -> f64 {
+        self.command(t).velocity
+    }
+
+    /// Returns the time at which the unhindered finger passes the key's rest position [s].
+    ///
+    /// The start if pressed; later if struck. The release is left out of account.
+    pub fn arrival(&self) -> f64 {
+        self.start + Stroke::of(self).arrival()
+    }
+
+    /// Returns the time from which the finger is gone [s].
+    pub fn end(&self) -> f64 {
+        self.lift_off() + LIFT_TIME
+    }
+
+    /// Whether there is a finger at `t` [s], in `[start, end)`.
+    pub fn is_active(&self, t: f64) -> bool {
+        self.start <= t && t < self.end()
+    }
+
+    /// Time at which the finger starts to lift [s].
+    const fn lift_off(&self) -> f64 {
+        self.release.max(self.start)
+    }
+
+    /// Position and velocity at `t` [s]: the stroke, blended into the lifted finger.
+    pub(super) fn command(&self, t: f64) -> Command {
+        let down = Stroke::of(self).command(t - self.start);
+        let x = (t - self.lift_off()) / LIFT_TIME;
+        let (lifted, rate) = (quintic(x), quintic_slope(x) / LIFT_TIME);
+        let way = -LIFT_HEIGHT - down.position;
+        Command {
+            position: down.position + lifted * way,
+            velocity: down.velocity * (1.0 - lifted) + rate * way,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A gesture that starts at 1 s and is never released.
+    fn endless(touch: Touch, speed: f64) -> Gesture {
+        let release = f64::INFINITY;
+        Gesture { start: 1.0, release, touch, speed, hold: Gesture::HOLD }
+    }
+
+    /// Speeds of musical strokes, slow to fast [m/s].
+    fn speeds() -> impl Iterator<Item = f64> {
+        (0..=50).map(|i| 0.02 * 150.0_f64.powf(f64::from(i) / 50.0))
+    }
+
+    #[test]
+    fn a_pressed_finger_starts_on_the_key_and_a_struck_one_above() {
+        let at_start = |touch| endless(touch, 0.5).command(1.0);
+        assert_eq!(at_start(Touch::Pressed), Command { position: 0.0, velocity: 0.0 });
+        assert_eq!(at_start(Touch::Struck), Command { position: -0.02, velocity: 0.0 });
+    }
+
+    #[test]
+    fn a_struck_finger_arrives_at_its_speed() {
+        for speed in speeds() {
+            let gesture = endless(Touch::Struck, speed);
+            let command = gesture.command(gesture.arrival());
+            // Time is rounded at 2 s.
+            assert!(command.position.abs() <= 4.0 * speed * f64::EPSILON, "{command:?}");
+            assert!((command.velocity - speed).abs() <= f64::EPSILON * speed, "{command:?}");
+        }
+    }
+
+    #[test]
+    fn it_settles_at_the_hold_depth() {
+        for touch in [Touch::Pressed, Touch::Struck] {
+            let command = endless(touch, 0.02).command(10.0);
+            assert_eq!(command, Command { position: Gesture::HOLD, velocity: 0.0 });
+        }
+    }
+
+    #[test]
+    fn a_forte_press_leads_to_15_to_20_newtons() {
+        for speed in [1.0, 2.0, 3.0] {
+            let gesture = endless(Touch::Pressed, speed);
+            let depth = (0..2000).map(|i| gesture.position(1.0 + f64::from(i) * 1e-4));
+            let newtons = 400.0 * (depth.fold(0.0, f64::max) - 10.16e-3);
+            assert!((14.0..20.0).contains(&newtons), "{newtons} N at {speed} m/s");
+        }
+    }
+
+    /// Asserts that `fast` is ahead of `slow` until it has reached its peak.
+    #[track_caller]
+    fn check_ahead(slow: &Gesture, fast: &Gesture) {
+        let commands =
+            (1..100_000).map(|i| 1.0 + f64::from(i) * 1e-4).map(|t| (t, fast.command(t)));
+        for (t, ahead) in commands.take_while(|(_, command)| 0.0 < command.velocity) {
+            // A rounding of the depth.
+            assert!(slow.position(t) <= ahead.position + 1e-15, "{slow:?} {fast:?} {t}");
+        }
+    }
+
+    #[test]
+    fn a_faster_finger_is_never_behind_on_its_way_down() {
+        for touch in [Touch::Pressed, Touch::Struck] {
+            for (slow, fast) in speeds().zip(speeds().skip(1)) {
+                check_ahead(&endless(touch, slow), &endless(touch, fast));
+            }
+        }
+    }
+
+    #[test]
+    fn after_the_end_the_finger_is_lifted_and_gone() {
+        let gesture = Gesture { release: 1.3, ..endless(Touch::Pressed, 0.5) };
+        assert!((gesture.end() - 1.35).abs() < 1e-15);
+        assert!(!gesture.is_active(0.999) && gesture.is_active(1.0));
+        assert!(gesture.is_active(1.349) && !gesture.is_active(gesture.end()));
+        let command = gesture.command(gesture.end());
+        assert!((command.position + 0.01).abs() < 1e-15 && command.velocity == 0.0);
+    }
+
+    /// Any gesture that a pianist may think of, and some that none does.
+    fn any_gesture() -> impl Strategy<Value = Gesture> {
+        let touch = prop_oneof![Just(Touch::Pressed), Just(Touch::Struck)];
+        let slow_to_fast = (-3.9..1.1_f64).prop_map(f64::exp);
+        (0.0..10.0_f64, -0.1..1.5_f64, touch, slow_to_fast, 0.008..0.03_f64).prop_map(
+            |(start, held, touch, speed, hold)| Gesture {
+                start,
+                release: start + held,
+                touch,
+                speed,
+                hold,
+            },
+        )
+    }
+
+    proptest! {
+        #[test]
+        fn the_velocity_is_the_slope_of_a_continuous_position(
+            gesture in any_gesture(),
+            part in -0.1..1.1_f64,
+        ) {
+            let t = gesture.start + part * (gesture.end() - gesture.start);
+            let step = 1e-6;
+            let slope = (gesture.position(t + step) - gesture.position(t - step)) / (2.0 * step);
+            // Jerk is below 12 · 3 m/s / (2.6 ms)² plus 60 · 0.1 m / (50 ms)³: 6e6 m/s³, which
+            // bends the slope by 1e-6 m/s; time rounded at 10 s is off by 1e-15 s, times
+            // 4 m/s, over the step: 1e-8 m/s.
+            let error = (slope - gesture.velocity(t)).abs();
+            prop_assert!(error < 7e-6, "{error} at {t}");
+        }
+
+        #[test]
+        fn it_is_smooth_where_its_parts_meet(gesture in any_gesture()) {
+            // The fastest change of velocity: 1.5 · 3 m/s in 2.6 ms, and lifting 0.1 m.
+            let most = 1.5 * 3.0 / 2.6e-3 + 6.0 * 0.1 / (0.05 * 0.05) + 2.0 * 3.0 * 1.9 / 0.05;
+            for i in 0..2000_u32 {
+                let t = gesture.start - 1e-3 + f64::from(i) * 1e-3;
+                let change = gesture.velocity(t + 1e-6) - gesture.velocity(t);
+                prop_assert!(change.abs() < most * 1e-6, "{change} at {t}");
+            }
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! The other side of the wire: a simulated key, and a finger that plays it.
+//!
+//! One file per part, [`KeyRig`] puts them together. Every part steps by a given time and
+//! keeps its whole state in itself, so a copy of a rig is a rehearsal of its future.
+//! What is not here: any action. The feel of the key comes from outside, as a force.
+
+mod encoder;
+mod felt;
+mod finger;
+mod gesture;
+mod key;
+mod motor;
+mod rig;
+mod smooth;
+mod stroke;
+
+pub use encoder::Encoder;
+pub use felt::Felt;
+pub use finger::{Finger, FingerParameters};
+pub use gesture::{Gesture, Touch};
+pub use key::{Key, KeyParameters};
+pub use motor::{MAX_DELAY_STEPS, Motor, MotorParameters};
+pub use rig::{KeyRig, MAX_SUBSTEP, MAX_SUBSTEPS, RigParameters};

@@ -1,0 +1,213 @@
+//! One key with its encoder, its motor and the finger that plays it.
+
+use super::encoder::Encoder;
+use super::felt::Felt;
+use super::finger::{Finger, FingerParameters};
+use super::gesture::Gesture;
+use super::key::{Key, KeyParameters};
+use super::motor::{Motor, MotorParameters};
+
+/// Longest substep [s]: a hundredth of the fastest oscillation's period, 45 g on a felt.
+pub const MAX_SUBSTEP: f64 = 50e-6;
+
+/// Most substeps of one tick: ticks up to 20 ms keep to [`MAX_SUBSTEP`].
+pub const MAX_SUBSTEPS: u32 = 400;
+
+/// Slack against rounding when a tick is a whole number of substeps.
+const SUBSTEP_SLACK: f64 = 1e-9;
+
+/// Constants of a [`KeyRig`]; the default is the playable simulated keybed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RigParameters {
+    /// The key.
+    pub key: KeyParameters,
+    /// The motor.
+    pub motor: MotorParameters,
+    /// The finger.
+    pub finger: FingerParameters,
+    /// Displacement per encoder count [m].
+    pub quantum: f64,
+}
+
+impl Default for RigParameters {
+    /// Confidence as in piano-facts: S read in a secondary source, C computed, E estimated.
+    fn default() -> Self {
+        let felt = |position| Felt {
+            position,
+            // E: key-bottom felt 30–100 kN/m.
+            stiffness: 60e3,
+            // E: a rebound of about 0.4 of the speed.
+            damping: 30.0,
+        };
+        Self {
+            key: KeyParameters {
+                // E: key stick of 3e-3 kg m² at 0.2595 m from the balance rail.
+                mass: 0.045,
+                // E: eddy-current damper, so that a 1 kHz loop can hold 2 b / T = 4 kN/m.
+                damping: 2.0,
+                // S: a real key's friction is 0.118 N; ours should not add more.
+                coulomb: 0.10,
+                stiction: 0.12,
+                // E: balanced; all load comes from the motor.
+                weight: 0.0,
+                rest_stop: felt(0.0),
+                // S: key dip 9.9–10.7 mm.
+                bottom_stop: felt(10.16e-3),
+            },
+            motor: MotorParameters {
+                // E: above the 15–20 N of a forte.
+                limit: 30.0,
+                // E: a current loop of 1 kHz.
+                bandwidth: core::f64::consts::TAU * 1e3,
+                delay_steps: 0,
+            },
+            finger: FingerParameters::ORDINARY,
+            // E: one count per 1 ms is 1 mm/s, a twentieth of the softest stroke; and walls
+            // up to 2 f / Δ = 200 kN/m stay quiet in friction [AO05], above the felts.
+            quantum: 1e-6,
+        }
+    }
+}
+
+/// A simulated key under a finger and a force, stepped tick by tick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KeyRig {
+    key: Key,
+    encoder: Encoder,
+    motor: Motor,
+    finger: Finger,
+    /// Start of the gesture that the finger plays [s]; none while it is away.
+    playing: Option<f64>,
+    /// Force between finger and key [N].
+    contact: f64,
+}
+
+impl KeyRig {
+    /// Creates a rig at rest: key up, no force, no finger.
+    ///
+    /// # Panics
+    ///
+    /// Unless the encoder's quantum is finite and positive.
+    pub fn new(parameters: RigParameters) -> Self {
+        Self {
+            key: Key::new(parameters.key),
+            encoder: Encoder::new(parameters.quantum),
+            motor: Motor::new(parameters.motor),
+            finger: Finger::new(parameters.finger),
+            playing: None,
+            contact: 0.0,
+        }
+    }
+
+    /// Advances by one tick, from `t` to `t + h` [s], with `force` [N] commanded throughout.
+    ///
+    /// `force` is up positive, on the finger. The finger is there while `gesture` is given
+    /// and active; one with another start is another finger, placed where that gesture has
+    /// it. `h` must be finite and positive; other values only set the force.
+    ///
+    /// # Real-time
+    ///
+    /// A number of substeps that depends on `h` only: one per [`MAX_SUBSTEP`] or part of it,
+    /// at most [`MAX_SUBSTEPS`].
+    pub fn advance(&mut self, t: f64, h: f64, force: f64, gesture: Option<&Gesture>) {
+        self.motor.command(force);
+        if !h.is_finite() || h <= 0.0 {
+            return;
+        }
+        let substeps = substeps(h);
+        let substep = h / f64::from(substeps);
+        for i in 0..substeps {
+            self.step(t + f64::from(i) * substep, substep, gesture);
+        }
+    }
+
+    /// Returns what the encoder reports.
+    pub fn counts(&self) -> i32 {
+        self.encoder.counts(self.key.position())
+    }
+
+    /// Returns the displacement per count [m].
+    pub const fn quantum(&self) -> f64 {
+        self.encoder.quantum()
+    }
+
+    /// Returns the true position of the key's front [m], down positive.
+    pub const fn position(&self) -> f64 {
+        self.key.position()
+    }
+
+    /// Returns the true velocity of the key's front [m/s].
+    pub const fn velocity(&self) -> f64 {
+        self.key.velocity()
+    }
+
+    /// Returns the force of the motor on the key [N], up positive.
+    pub const fn motor_force(&self) -> f64 {
+        self.motor.force()
+    }
+
+    /// Returns the force of the key on the finger [N], up positive, never negative.
+    pub const fn finger_force(&self) -> f64 {
+        self.contact
+    }
+
+    /// Whether nothing moves: key stuck, motor settled, no finger.
+    ///
+    /// Then [`Self::advance`] with the same force and no active gesture changes nothing, and
+    /// may be left out.
+    pub fn is_still(&self) -> bool {
+        self.playing.is_none() && self.motor.is_settled() && self.key.holds(self.motor.force())
+    }
+
+    /// One substep from `t` to `t + h` [s].
+    fn step(&mut self, t: f64, h: f64, gesture: Option<&Gesture>) {
+        self.contact = match gesture {
+            Some(gesture) if gesture.is_active(t) => self.play(t, h, gesture),
+            _ => self.rest(),
+        };
+        let motor = self.motor.step(h);
+        self.key.step(motor - self.contact, h);
+    }
+
+    /// Moves the finger along its gesture; returns the contact force during it [N].
+    fn play(&mut self, t: f64, h: f64, gesture: &Gesture) -> f64 {
+        if self.playing.is_none_or(|start| start - gesture.start != 0.0) {
+            self.playing = Some(gesture.start);
+            self.finger.place(gesture.command(t));
+        }
+        let contact = self.finger.contact(self.key.position(), self.key.velocity());
+        let command = gesture.command(t + h);
+        self.finger.step(command.position, command.velocity, contact, h);
+        contact
+    }
+
+    /// Takes the finger away; returns the contact force of none [N].
+    const fn rest(&mut self) -> f64 {
+        if self.playing.is_some() {
+            self.playing = None;
+            self.finger.leave();
+        }
+        0.0
+    }
+}
+
+/// Substeps of a tick of `h` [s], in `1 ..= MAX_SUBSTEPS`.
+fn substeps(h: f64) -> u32 {
+    let wanted = (h / MAX_SUBSTEP - SUBSTEP_SLACK).ceil().clamp(1.0, f64::from(MAX_SUBSTEPS));
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped above")]
+    let substeps = wanted as u32;
+    substeps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tick_has_no_more_substeps_than_it_needs() {
+        for (h, count) in [(1e-3, 20), (5e-4, 10), (1e-4, 2), (5e-5, 1), (1e-6, 1), (1.01e-4, 3)] {
+            assert_eq!(substeps(h), count, "{h}");
+        }
+        assert_eq!(substeps(1.0), MAX_SUBSTEPS);
+    }
+}

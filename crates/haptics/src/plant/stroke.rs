@@ -1,0 +1,142 @@
+//! The way down of a gesture, as if it were never released.
+//!
+//! ```text
+//! position
+//!   from ──╮ run-up                     velocity grows to the speed
+//!           ╲ cruise                    constant speed, past the key's bottom
+//!   hold ─ ─ ╲─ ─ ─ ─ ─ ─ ─ ─ ╭──────   held until the release
+//!             ╲ brake       ╱ settle
+//!   peak ─ ─ ─ ╰──────────╯ dwell       the deeper the faster: the push of a loud tone
+//! ```
+//!
+//! Until it settles, a faster stroke is at no time behind a slower one, so whatever it
+//! pushes is no slower for it.
+
+use super::gesture::{Gesture, Touch};
+use super::smooth::{cubic, cubic_integral, quintic, quintic_slope};
+
+/// Speeds that a stroke keeps to [m/s]: slower never arrives, faster is no finger.
+const SPEEDS: (f64, f64) = (1e-3, 20.0);
+
+/// Shallowest hold depth [m], so that a stroke always has a way to go.
+const MIN_HOLD: f64 = 1e-3;
+
+/// Height above the key from which a struck gesture starts [m] (estimate).
+const STRIKE_HEIGHT: f64 = 20e-3;
+
+/// Part of the way to the hold depth within which a pressed gesture gains its speed.
+///
+/// It takes most of the way to let-off: a sudden start would set finger and action swinging,
+/// and the tone would depend on the phase of that rather than on the speed.
+const PRESSED_RUN_UP: f64 = 0.5;
+
+/// Part of the way to the key within which a struck gesture gains its speed.
+const STRUCK_RUN_UP: f64 = 0.75;
+
+/// Overshoot of an infinitely fast stroke [m]: 20 N at 400 N/m.
+const OVERSHOOT: f64 = 50e-3;
+
+/// Speed at which half of the overshoot is reached [m/s].
+const OVERSHOOT_SPEED: f64 = 0.6;
+
+/// Time at the peak [s], for a key that lags behind to arrive.
+const DWELL: f64 = 20e-3;
+
+/// Time from the peak to the hold depth [s].
+const SETTLE: f64 = 80e-3;
+
+/// What a muscle commands at one instant, down positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Command {
+    /// Position [m].
+    pub(super) position: f64,
+    /// Velocity [m/s].
+    pub(super) velocity: f64,
+}
+
+/// One way down: its depths [m] and how long each part of it takes [s].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stroke {
+    from: f64,
+    hold: f64,
+    overshoot: f64,
+    speed: f64,
+    run_up: f64,
+    cruise: f64,
+    brake: f64,
+}
+
+impl Stroke {
+    /// The way down that `gesture` means.
+    pub(super) fn of(gesture: &Gesture) -> Self {
+        let speed = gesture.speed.max(SPEEDS.0).min(SPEEDS.1);
+        let hold = gesture.hold.max(MIN_HOLD);
+        let (from, run_up) = match gesture.touch {
+            Touch::Pressed => (0.0, PRESSED_RUN_UP * hold),
+            Touch::Struck => (-STRIKE_HEIGHT, STRUCK_RUN_UP * STRIKE_HEIGHT),
+        };
+        // Its mean speed is half of the full one.
+        let run_up = 2.0 * run_up / speed;
+        let overshoot = OVERSHOOT * speed / (speed + OVERSHOOT_SPEED);
+        Self {
+            from,
+            hold,
+            overshoot,
+            speed,
+            run_up,
+            cruise: (hold - from) / speed - 0.5 * run_up,
+            brake: 2.0 * overshoot / speed,
+        }
+    }
+
+    /// Time after its start at which the stroke passes the key's rest position [s].
+    pub(super) fn arrival(&self) -> f64 {
+        if self.from < 0.0 { 0.5 * self.run_up - self.from / self.speed } else { 0.0 }
+    }
+
+    /// Command at `elapsed` [s] after the start.
+    pub(super) fn command(&self, elapsed: f64) -> Command {
+        let cruising = elapsed - self.run_up;
+        let braking = cruising - self.cruise;
+        let dwelling = braking - self.brake;
+        if cruising < 0.0 {
+            self.running_up(elapsed / self.run_up)
+        } else if braking < 0.0 {
+            self.cruising(cruising)
+        } else if dwelling < 0.0 {
+            self.braking(braking / self.brake)
+        } else {
+            self.settling((dwelling - DWELL) / SETTLE)
+        }
+    }
+
+    /// Command at the part `x` of the run-up.
+    fn running_up(&self, x: f64) -> Command {
+        Command {
+            position: self.from + self.speed * self.run_up * cubic_integral(x),
+            velocity: self.speed * cubic(x),
+        }
+    }
+
+    /// Command `elapsed` [s] after full speed.
+    fn cruising(&self, elapsed: f64) -> Command {
+        let position = self.from + self.speed * (0.5 * self.run_up + elapsed);
+        Command { position, velocity: self.speed }
+    }
+
+    /// Command at the part `x` of the brake.
+    fn braking(&self, x: f64) -> Command {
+        Command {
+            position: self.hold + self.speed * self.brake * (x - cubic_integral(x)),
+            velocity: self.speed * (1.0 - cubic(x)),
+        }
+    }
+
+    /// Command at the part `x` of the way back, from the peak to the hold depth.
+    fn settling(&self, x: f64) -> Command {
+        Command {
+            position: self.hold + self.overshoot * (1.0 - quintic(x)),
+            velocity: -self.overshoot * quintic_slope(x) / SETTLE,
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! What the sequence numbers of one sender tell: what is new, what never came.
+
+use firmware_protocol::sequence::{Arrival, Sequence};
+
+/// Ticks of silence after which any number is news: well inside the half circle in which
+/// numbers can be ordered, even if two frames come in one tick.
+const FORGET_TICKS: u64 = 60;
+
+/// The newest frame of one sender, and counts of all others.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Loss {
+    newest: Option<(Sequence, u64)>,
+    counts: LossCounts,
+}
+
+/// Counts over the sequence numbers of one sender.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct LossCounts {
+    /// Frames that were newer than all before.
+    pub frames: u64,
+    /// Times that the numbers jumped.
+    pub gaps: u64,
+    /// Frames that those jumps passed over.
+    pub missing: u64,
+    /// Frames that came again.
+    pub repeated: u64,
+    /// Frames that came after newer ones.
+    pub overtaken: u64,
+}
+
+impl Loss {
+    /// Counts a frame that came in `tick`; says whether it is newer than all before.
+    ///
+    /// # Real-time
+    /// A few comparisons.
+    pub fn accept(&mut self, sequence: Sequence, tick: u64) -> bool {
+        let news = match self.remembered(tick).map(|newest| sequence.after(newest)) {
+            None | Some(Arrival::Newer { missing: 0 }) => true,
+            Some(Arrival::Newer { missing }) => {
+                self.counts.gaps += 1;
+                self.counts.missing += u64::from(missing);
+                true
+            }
+            Some(Arrival::Repeated) => {
+                self.counts.repeated += 1;
+                false
+            }
+            Some(Arrival::Older) => {
+                self.counts.overtaken += 1;
+                false
+            }
+        };
+        if news {
+            self.counts.frames += 1;
+            self.newest = Some((sequence, tick));
+        }
+        news
+    }
+
+    /// The counts so far.
+    pub const fn counts(&self) -> LossCounts {
+        self.counts
+    }
+
+    /// Forgets what came, for a sender that starts anew; the counts stay.
+    pub const fn forget(&mut self) {
+        self.newest = None;
+    }
+
+    fn remembered(&self, tick: u64) -> Option<Sequence> {
+        let (sequence, at) = self.newest?;
+        (tick.saturating_sub(at) < FORGET_TICKS).then_some(sequence)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Asserts which of the frames (number, tick) are news, and returns the counts.
+    #[track_caller]
+    fn check(frames: &[(u8, u64)], news: &[bool]) -> LossCounts {
+        let mut loss = Loss::default();
+        let got: Vec<_> =
+            frames.iter().map(|(number, tick)| loss.accept(Sequence(*number), *tick)).collect();
+        assert_eq!(got, news);
+        loss.counts()
+    }
+
+    #[test]
+    fn frames_in_order_leave_no_gap_across_the_wrap() {
+        let counts = check(&[(254, 0), (255, 1), (0, 2)], &[true; 3]);
+        assert_eq!(counts, LossCounts { frames: 3, ..LossCounts::default() });
+    }
+
+    #[test]
+    fn a_gap_is_counted_with_its_length() {
+        let counts = check(&[(1, 0), (5, 4)], &[true; 2]);
+        assert_eq!((counts.gaps, counts.missing), (1, 3));
+    }
+
+    #[test]
+    fn a_repeated_and_an_overtaken_frame_are_no_news() {
+        let counts = check(&[(7, 0), (7, 0), (6, 1)], &[true, false, false]);
+        assert_eq!((counts.frames, counts.repeated, counts.overtaken), (1, 1, 1));
+    }
+
+    #[test]
+    fn a_sender_that_restarts_after_a_silence_is_heard() {
+        let counts = check(&[(200, 0), (0, 60)], &[true; 2]);
+        assert_eq!((counts.frames, counts.gaps), (2, 0));
+    }
+}

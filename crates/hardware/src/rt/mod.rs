@@ -1,0 +1,6 @@
+//! What a tick may call: exchanges with the boards, and what was lost on the way.
+//!
+//! No heap, no lock, no clock; the only system calls are those of the links.
+
+pub mod bus;
+pub mod loss;

@@ -1,0 +1,204 @@
+//! One simulated key: what a board does for it, without the board.
+//!
+//! [`SimulatedKey`] and the same key of the keybed give the same bits, so one can rehearse
+//! what the other will do.
+
+use firmware_protocol::quantity::{Counts, Millinewtons};
+use haptics::plant::{Gesture, KeyRig, RigParameters};
+use scheduler::motion::{KeySample, Moment};
+
+use super::watchdog::Watchdog;
+use crate::Error;
+use crate::calibration::{self, KeyCalibration};
+
+/// Ticks that are made up when the caller skipped some; what is beyond never happens.
+const MAX_CATCH_UP: u64 = 256;
+
+/// Longest period of a tick [s].
+const MAX_PERIOD: f64 = 1.0;
+
+/// A key under its motor and under the fingers that will play it.
+#[derive(Clone, Debug)]
+pub(super) struct Plant {
+    rig: KeyRig,
+    gestures: Vec<Gesture>,
+    /// The first gesture that is not over yet.
+    current: usize,
+    /// Force of the last tick [N].
+    force: f64,
+}
+
+impl Plant {
+    pub(super) fn new(rig: RigParameters) -> Self {
+        Self { rig: KeyRig::new(rig), gestures: Vec::new(), current: 0, force: 0.0 }
+    }
+
+    /// Plays `gestures` from now on instead of those before, in the order of their starts.
+    pub(super) fn play(&mut self, mut gestures: Vec<Gesture>) {
+        gestures.sort_by(|one, other| one.start.total_cmp(&other.start));
+        self.gestures = gestures;
+        self.current = 0;
+    }
+
+    /// Advances from `t` to `t + h` [s] with `force` [N] held; a key at rest is left alone.
+    pub(super) fn advance(&mut self, t: f64, h: f64, force: f64) {
+        let gesture = self.gesture(t, h);
+        let same = force.to_bits() == self.force.to_bits();
+        if same && gesture.is_none() && self.rig.is_still() {
+            return;
+        }
+        self.force = force;
+        self.rig.advance(t, h, force, gesture.as_ref());
+    }
+
+    /// What the encoder reads.
+    pub(super) fn counts(&self) -> Counts {
+        Counts::saturating(self.rig.counts())
+    }
+
+    pub(super) const fn rig(&self) -> &KeyRig {
+        &self.rig
+    }
+
+    /// How this key's encoder reads.
+    pub(super) fn calibration(&self) -> KeyCalibration {
+        KeyCalibration { rest: Counts::default(), quantum: self.rig.quantum() }
+    }
+
+    /// The gesture of the tick from `t` to `t + h` [s].
+    ///
+    /// A finger that is there goes on until another one's time has come; one that comes
+    /// within the tick is given beforehand, so that it starts at its own time.
+    fn gesture(&mut self, t: f64, h: f64) -> Option<Gesture> {
+        while self.is_over(t) {
+            self.current += 1;
+        }
+        let gesture = self.gestures.get(self.current)?;
+        (gesture.start < t + h).then_some(*gesture)
+    }
+
+    /// Whether the current gesture has ended, or another one has started since.
+    fn is_over(&self, t: f64) -> bool {
+        let next = self.gestures.get(self.current + 1);
+        self.gestures.get(self.current).is_some_and(|gesture| gesture.end() <= t)
+            || next.is_some_and(|next| next.start <= t)
+    }
+}
+
+/// How far a simulation has come: the tick whose samples it has given.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Progress {
+    period: f64,
+    tick: Option<u64>,
+}
+
+impl Progress {
+    /// A simulation that has not begun, in ticks of `period` [s].
+    pub(super) fn new(period: f64) -> Result<Self, Error> {
+        if 0.0 < period && period <= MAX_PERIOD {
+            Ok(Self { period, tick: None })
+        } else {
+            Err(Error::Period { period })
+        }
+    }
+
+    /// Goes on to `tick`; returns the ticks to be simulated until its start.
+    pub(super) fn go_on(&mut self, tick: u64) -> std::ops::Range<u64> {
+        let from = self.tick.unwrap_or(tick);
+        self.tick = Some(tick.max(from));
+        from.max(tick.saturating_sub(MAX_CATCH_UP))..tick
+    }
+
+    /// Whether nothing has been simulated yet.
+    pub(super) const fn is_new(&self) -> bool {
+        self.tick.is_none()
+    }
+
+    /// Start of `tick` [s].
+    pub(super) fn seconds(&self, tick: u64) -> f64 {
+        Moment { tick, theta: 0.0 }.seconds(self.period)
+    }
+
+    /// Length of a tick [s].
+    pub(super) const fn period(&self) -> f64 {
+        self.period
+    }
+}
+
+/// One simulated key behind the wire's quantisation, to rehearse strokes with.
+///
+/// `receive` and `send` are those of the keybed for this key, on a link without faults.
+/// A clone is a rehearsal that leaves the original where it is.
+#[derive(Clone, Debug)]
+pub struct SimulatedKey {
+    plant: Plant,
+    calibration: KeyCalibration,
+    watchdog: Watchdog,
+    progress: Progress,
+    command: Millinewtons,
+    /// A command has come since the last sample.
+    fed: bool,
+}
+
+impl SimulatedKey {
+    /// A key at rest, in ticks of `period` [s].
+    ///
+    /// # Errors
+    /// Refuses a period that is not above 0 and up to 1 s.
+    pub fn new(period: f64, rig: RigParameters) -> Result<Self, Error> {
+        let plant = Plant::new(rig);
+        Ok(Self {
+            calibration: plant.calibration(),
+            plant,
+            watchdog: Watchdog::new(period),
+            progress: Progress::new(period)?,
+            command: Millinewtons::default(),
+            fed: false,
+        })
+    }
+
+    /// Plays `gestures` from now on instead of those before.
+    pub fn play(&mut self, gestures: Vec<Gesture>) {
+        self.plant.play(gestures);
+    }
+
+    /// Advances to the start of `tick` with the force held until then; returns the sample.
+    ///
+    /// The first call starts there, at rest.
+    ///
+    /// # Real-time
+    /// One tick of the plant for each tick since the last call, at most 256; no heap.
+    pub fn receive(&mut self, tick: u64) -> KeySample {
+        for step in self.progress.go_on(tick) {
+            if std::mem::take(&mut self.fed) {
+                self.watchdog.feed();
+            }
+            let force = self.watchdog.tick() * calibration::newtons(self.command);
+            self.plant.advance(self.progress.seconds(step), self.progress.period(), force);
+        }
+        KeySample { position: self.calibration.position(self.plant.counts()), age: 0 }
+    }
+
+    /// Takes the force [N, up positive] to be held until the next one.
+    ///
+    /// A safe key takes none, see [`Self::is_safe`]; nor does one that gave no sample yet.
+    ///
+    /// # Real-time
+    /// One conversion.
+    pub fn send(&mut self, force: f64) {
+        if !self.watchdog.is_safe() && !self.progress.is_new() {
+            self.command = calibration::millinewtons(force);
+            self.fed = true;
+        }
+    }
+
+    /// Whether no force came for 20 ms, after which the key takes none.
+    pub const fn is_safe(&self) -> bool {
+        self.watchdog.is_safe()
+    }
+
+    /// The plant itself, with what no sensor tells.
+    pub const fn rig(&self) -> &KeyRig {
+        self.plant.rig()
+    }
+}

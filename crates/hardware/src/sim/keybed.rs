@@ -1,0 +1,126 @@
+//! The simulated keybed: eight boards of eleven keys on wires in memory.
+//!
+//! Order in time: `receive(n)` gives the positions at the start of tick n; `send(n)` gives
+//! the forces held over tick n; the plants move when the next `receive` comes.
+
+use firmware_protocol::key::{BoardId, KeyIndex};
+use haptics::plant::{Gesture, KeyRig, RigParameters};
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::port::KeyBus;
+
+use super::board::{BoardFaults, SimulatedBoard};
+use crate::Error;
+use crate::link::faulty::{FaultCounts, FaultPlan, Faults};
+use crate::link::loopback::Loopback;
+use crate::rt::bus::{BoardStatistics, Bus};
+
+/// Frames that a wire holds: those of one tick, and what faults repeat or delay into it.
+const WIRE_CAPACITY: usize = 8;
+
+/// Eight simulated boards and the host's end of their wires.
+#[derive(Clone, Debug)]
+pub struct SimulatedKeybed {
+    bus: Bus,
+    lines: Vec<Line>,
+}
+
+/// A board, its wire, and what goes wrong on it.
+#[derive(Clone, Debug)]
+struct Line {
+    id: BoardId,
+    board: SimulatedBoard,
+    wire: Loopback,
+    faults: Faults,
+}
+
+impl SimulatedKeybed {
+    /// A keybed at rest whose keys are all alike, in ticks of `period` [s].
+    ///
+    /// # Errors
+    /// Refuses a period that is not above 0 and up to 1 s.
+    pub fn new(period: f64, rig: RigParameters) -> Result<Self, Error> {
+        let lines: Vec<Line> =
+            BoardId::all().map(|id| Line::new(id, period, rig)).collect::<Result<_, _>>()?;
+        let calibration: Vec<_> = lines.iter().flat_map(|line| line.board.calibration()).collect();
+        Ok(Self { bus: Bus::new(std::array::from_fn(|key| calibration[key])), lines })
+    }
+
+    /// Plays `gestures` on `key` from now on instead of those before.
+    pub fn play(&mut self, key: KeyIndex, gestures: Vec<Gesture>) {
+        self.lines[key.board().index()].board.play(key.slot(), gestures);
+    }
+
+    /// Disturbs the wire of `board` from now on, as planned; exchanges count from 0.
+    pub fn disturb(&mut self, board: BoardId, plan: FaultPlan) {
+        self.lines[board.index()].faults = Faults::new(plan);
+    }
+
+    /// Lets boards that are safe take forces again.
+    pub fn rearm(&mut self) {
+        for line in self.lines.iter_mut().filter(|line| line.board.is_safe()) {
+            line.board.rearm();
+        }
+    }
+
+    /// Whether the watchdog of `board` has tripped and it was not armed since.
+    pub fn is_safe(&self, board: BoardId) -> bool {
+        self.lines[board.index()].board.is_safe()
+    }
+
+    /// What the host has counted on the wire of `board`.
+    pub const fn statistics(&self, board: BoardId) -> BoardStatistics {
+        self.bus.statistics(board)
+    }
+
+    /// What `board` itself has counted.
+    pub fn board_faults(&self, board: BoardId) -> BoardFaults {
+        self.lines[board.index()].board.faults()
+    }
+
+    /// How often the wire of `board` was disturbed since the last plan.
+    pub fn fault_counts(&self, board: BoardId) -> FaultCounts {
+        self.lines[board.index()].faults.counts()
+    }
+
+    /// The plant of `key`, with what no sensor tells.
+    pub fn rig(&self, key: KeyIndex) -> Option<&KeyRig> {
+        self.lines[key.board().index()].board.rig(key.slot())
+    }
+}
+
+impl KeyBus for SimulatedKeybed {
+    /// Lets the plants live until the start of `tick`, and takes what the wires bring.
+    ///
+    /// # Real-time
+    /// One tick of 88 plants for each tick since the last call, at most 256; no heap.
+    fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        self.bus.begin(tick);
+        for Line { id, board, wire, faults } in &mut self.lines {
+            board.advance(tick, &mut wire.board_end());
+            self.bus.receive(*id, &mut faults.around(wire.host_end()));
+        }
+        samples.copy_from_slice(self.bus.samples());
+    }
+
+    /// Puts one frame of forces on each wire, which ends the exchange.
+    ///
+    /// # Real-time
+    /// Eight frames; no heap.
+    fn send(&mut self, _tick: u64, forces: &[f64; KEYS]) {
+        for Line { id, wire, faults, .. } in &mut self.lines {
+            self.bus.send(*id, forces, &mut faults.around(wire.host_end()));
+            faults.next_exchange();
+        }
+    }
+}
+
+impl Line {
+    fn new(id: BoardId, period: f64, rig: RigParameters) -> Result<Self, Error> {
+        Ok(Self {
+            id,
+            board: SimulatedBoard::new(id, period, rig)?,
+            wire: Loopback::new(WIRE_CAPACITY),
+            faults: Faults::new(FaultPlan::default()),
+        })
+    }
+}

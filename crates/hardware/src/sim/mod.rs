@@ -1,0 +1,8 @@
+//! Simulated boards and the keybed of eight of them.
+//!
+//! They speak the wire format on links in memory, through the same bus as real boards.
+
+pub mod board;
+pub mod key;
+pub mod keybed;
+mod watchdog;

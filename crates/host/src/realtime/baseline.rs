@@ -1,0 +1,72 @@
+//! What the machine does to a thread that does nothing: a timer to compare the tick with.
+//!
+//! It runs beside the tick, with the same period and priority, between the tick's due times.
+//! Lateness that both show is the machine's; lateness that only the tick shows is ours.
+
+use std::io;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::JoinHandle;
+
+use hdrhistogram::Histogram;
+use scheduler::time::{Nanos, Timetable};
+
+use super::run;
+use super::thread::{Standing, ask_for_fifo};
+use super::{clock, memory};
+
+/// A running bare timer thread.
+#[derive(Debug)]
+pub struct Baseline {
+    stop: Arc<AtomicBool>,
+    thread: JoinHandle<Measured>,
+}
+
+/// What the bare timer saw.
+#[derive(Debug)]
+pub struct Measured {
+    /// Woken − due, in nanoseconds.
+    pub lateness: Histogram<u64>,
+    /// How the thread was scheduled.
+    pub standing: Standing,
+}
+
+impl Baseline {
+    /// Starts a thread that sleeps until half a period after each due time of `timetable`.
+    ///
+    /// # Errors
+    /// If the system gives no thread.
+    pub fn start(timetable: Timetable, priority: Option<u8>) -> io::Result<Self> {
+        let lateness = run::histogram().map_err(io::Error::other)?;
+        let stop = Arc::new(AtomicBool::new(false));
+        let asked = Arc::clone(&stop);
+        let thread = std::thread::Builder::new().name("letoff-baseline".into()).spawn(move || {
+            let standing = ask_for_fifo(priority);
+            memory::prefault_stack();
+            Measured { lateness: measure(timetable, lateness, &asked), standing }
+        })?;
+        Ok(Self { stop, thread })
+    }
+
+    /// Stops the thread, within a period, and returns what it saw.
+    ///
+    /// `None` if it panicked.
+    pub fn stop(self) -> Option<Measured> {
+        self.stop.store(true, Ordering::Release);
+        self.thread.join().ok()
+    }
+}
+
+fn measure(timetable: Timetable, mut lateness: Histogram<u64>, stop: &AtomicBool) -> Histogram<u64> {
+    let half = Nanos::new(timetable.period().span(1).as_u64() / 2);
+    let mut tick = 0;
+    while !stop.load(Ordering::Acquire) {
+        let due = timetable.due(tick).after(half);
+        clock::sleep_until(due);
+        let woken = clock::monotonic();
+        lateness.saturating_record(woken.since(due).as_u64());
+        // As the tick does: a beat that was slept through is skipped.
+        tick = timetable.newest(woken.before(half)).unwrap_or(tick).max(tick) + 1;
+    }
+    lateness
+}

@@ -1,0 +1,86 @@
+//! Memory that is there when the tick needs it: no page is fetched while forces are on.
+
+use rustix::mm::{MlockAllFlags, mlockall};
+use rustix::process::{Resource, getrlimit};
+use rustix::thread::{CapabilitySet, capabilities};
+
+/// Stack that a tick may use; touched once so that it never faults.
+const STACK_BYTES: usize = 256 * 1024;
+
+/// What the system granted.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Locked {
+    /// Pages present now stay in memory.
+    pub current: bool,
+    /// Pages mapped from now on stay in memory.
+    pub future: bool,
+    /// What to do if that is less than everything.
+    pub note: Option<String>,
+}
+
+/// Locks all memory of the process and touches the calling thread's stack.
+///
+/// Future memory is locked only where no limit can be hit: with one, a later allocation of
+/// any thread would fail, which is worse than a page fault.
+pub fn lock() -> Locked {
+    let locked = if may_lock_without_limit() { lock_everything() } else { lock_current() };
+    prefault_stack();
+    locked
+}
+
+fn lock_everything() -> Locked {
+    match mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE) {
+        Ok(()) => Locked { current: true, future: true, note: None },
+        Err(error) => Locked { current: false, future: false, note: Some(advice(error)) },
+    }
+}
+
+fn lock_current() -> Locked {
+    let outcome = mlockall(MlockAllFlags::CURRENT);
+    let reason = outcome.err().unwrap_or(rustix::io::Errno::PERM);
+    Locked { current: outcome.is_ok(), future: false, note: Some(advice(reason)) }
+}
+
+fn advice(error: rustix::io::Errno) -> String {
+    format!(
+        "Memory could not be locked ({error}), so a page fault may delay a tick; raise the limit \
+         (`@realtime - memlock unlimited` in /etc/security/limits.d, then log in again; \
+         `ulimit -l` shows it), or give the program the capability: \
+         `sudo setcap cap_sys_nice,cap_ipc_lock+ep <letoff>`."
+    )
+}
+
+fn may_lock_without_limit() -> bool {
+    let unlimited = getrlimit(Resource::Memlock).current.is_none();
+    let capable =
+        capabilities(None).is_ok_and(|sets| sets.effective.contains(CapabilitySet::IPC_LOCK));
+    unlimited || capable
+}
+
+/// Touches [`STACK_BYTES`] below the caller, so that the kernel maps them now.
+///
+/// Each thread that ticks calls it once; locked pages then stay.
+#[inline(never)]
+#[expect(
+    clippy::large_stack_frames,
+    clippy::large_stack_arrays,
+    reason = "the large frame is the purpose"
+)]
+pub fn prefault_stack() {
+    let mut stack = [0_u8; STACK_BYTES];
+    // Without it the optimiser would see that nobody reads the array.
+    std::hint::black_box(&mut stack);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_granted_comes_with_advice() {
+        let locked = lock();
+        assert_eq!(locked.note.is_none(), locked.current && locked.future);
+        // Other tests of this program must not pay for it.
+        rustix::mm::munlockall().unwrap();
+    }
+}

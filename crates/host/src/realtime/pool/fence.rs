@@ -1,0 +1,56 @@
+//! A voice behind a fence: if it panics, only its own key is lost.
+
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use scheduler::motion::KeySample;
+use scheduler::voice::{Turn, Voice, VoiceFault};
+
+/// A voice of any kind, on whichever lane.
+pub type BoxedVoice = Box<dyn Voice + Send>;
+
+/// A voice that is never called again once it has panicked.
+///
+/// A panic is a bug, so unlike a model that diverged it is not tried again: its key stays at
+/// the safe force until another voice is put in.
+pub(super) struct Fenced {
+    voice: BoxedVoice,
+    panicked: bool,
+}
+
+impl Fenced {
+    pub(super) fn new(voice: BoxedVoice) -> Self {
+        Self { voice, panicked: false }
+    }
+
+    pub(super) fn into_voice(self) -> BoxedVoice {
+        self.voice
+    }
+}
+
+impl Voice for Fenced {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
+        let faulty = || Turn::faulty(VoiceFault::Panicked);
+        if self.panicked {
+            return faulty();
+        }
+        // Unwind safety: the voice's state may be broken afterwards, and is never used again.
+        let turn = catch_unwind(AssertUnwindSafe(|| self.voice.tick(tick, sample)));
+        self.panicked = turn.is_err();
+        turn.unwrap_or_else(|_payload| faulty())
+    }
+
+    fn reset(&mut self, sample: &KeySample) {
+        if !self.panicked {
+            // As in `tick`.
+            let outcome = catch_unwind(AssertUnwindSafe(|| self.voice.reset(sample)));
+            self.panicked = outcome.is_err();
+        }
+    }
+}
+
+impl fmt::Debug for Fenced {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Fenced").field("panicked", &self.panicked).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,254 @@
+//! Nothing here depends on timing: a lane that must be late waits for the test.
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use super::*;
+use scheduler::motion::{KeyEvent, Moment};
+use scheduler::voice::Voice;
+
+/// A force that depends on every sample since the start.
+struct Echo {
+    key: usize,
+    sum: f64,
+}
+
+impl Voice for Echo {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
+        self.sum = 0.99 * self.sum + sample.position * (1.0 + self.key as f64).sqrt();
+        Turn { force: self.sum.sin() + tick as f64, ..Turn::default() }
+    }
+
+    fn reset(&mut self, sample: &KeySample) {
+        self.sum = sample.position;
+    }
+}
+
+/// Says that it has begun `at` a tick, then waits to be told to go on, and strikes.
+struct Blocking {
+    at: u64,
+    begun: Sender<()>,
+    go_on: Receiver<()>,
+}
+
+impl Voice for Blocking {
+    fn tick(&mut self, tick: u64, _sample: &KeySample) -> Turn {
+        let mut turn = Turn { force: 100.0 + tick as f64, ..Turn::default() };
+        if tick == self.at {
+            self.begun.send(()).unwrap();
+            self.go_on.recv().unwrap();
+            let moment = Moment { tick, theta: 0.5 };
+            turn.events.push(moment, KeyEvent::Strike { speed: 2.0 });
+        }
+        turn
+    }
+
+    fn reset(&mut self, _sample: &KeySample) {}
+}
+
+/// Panics at tick 3, as only a bug can.
+struct Panicking;
+
+impl Voice for Panicking {
+    fn tick(&mut self, tick: u64, _sample: &KeySample) -> Turn {
+        assert_ne!(tick, 3, "a bug");
+        Turn { force: 5.0, ..Turn::default() }
+    }
+
+    fn reset(&mut self, _sample: &KeySample) {}
+}
+
+/// Frees itself loudly.
+struct Dropping(Sender<()>);
+
+impl Voice for Dropping {
+    fn tick(&mut self, _tick: u64, _sample: &KeySample) -> Turn {
+        Turn { force: 7.0, ..Turn::default() }
+    }
+
+    fn reset(&mut self, _sample: &KeySample) {}
+}
+
+impl Drop for Dropping {
+    fn drop(&mut self) {
+        // The test may not be listening any more.
+        self.0.send(()).unwrap_or_default();
+    }
+}
+
+fn echoes() -> Vec<(usize, BoxedVoice)> {
+    (0..KEYS).map(|key| (key, Box::new(Echo { key, sum: 0.0 }) as BoxedVoice)).collect()
+}
+
+/// All keys echo, but `key` is played by `voice`.
+fn echoes_but(key: usize, voice: impl Voice + Send + 'static) -> Vec<(usize, BoxedVoice)> {
+    let mut voices = echoes();
+    voices[key].1 = Box::new(voice);
+    voices
+}
+
+fn start(voices: Vec<(usize, BoxedVoice)>, n_lanes: usize) -> (ThreadedLanes, VoiceSwaps) {
+    ThreadedLanes::start(voices, NonZeroUsize::new(n_lanes).unwrap(), None).unwrap()
+}
+
+/// Lanes with their turns, run tick by tick.
+struct Run {
+    lanes: ThreadedLanes,
+    turns: Box<[Turn; KEYS]>,
+}
+
+impl Run {
+    fn new(lanes: ThreadedLanes) -> Self {
+        Self { lanes, turns: boxed_array() }
+    }
+
+    fn tick(&mut self, tick: u64) -> &[Turn; KEYS] {
+        let position = |key: usize| 0.01 * ((tick as f64) * 0.3 + key as f64).sin();
+        let samples = std::array::from_fn(|key| KeySample { position: position(key), age: 0 });
+        self.lanes.run(tick, &samples, &mut self.turns);
+        &self.turns
+    }
+
+    fn force_bits(&mut self, tick: u64) -> Vec<u64> {
+        self.tick(tick).iter().map(|turn| turn.force.to_bits()).collect()
+    }
+}
+
+#[test]
+fn any_number_of_lanes_gives_the_same_bits() {
+    let [mut one, mut two, mut three] =
+        [1, 2, 3].map(|n_lanes| Run::new(start(echoes(), n_lanes).0));
+    // A gap, as if the host had skipped ticks.
+    for tick in (0..300).chain(310..400) {
+        let expected = one.force_bits(tick);
+        assert_eq!(two.force_bits(tick), expected, "tick {tick}");
+        assert_eq!(three.force_bits(tick), expected, "tick {tick}");
+    }
+    assert_eq!(three.lanes.counters(), LaneCounters::default());
+}
+
+/// A key of lane 1 of 2, and one of lane 0.
+const ELSEWHERE: usize = 41;
+const INLINE: usize = 39;
+
+#[test]
+fn the_keys_of_these_tests_are_on_the_lanes_they_say() {
+    assert_eq!((lane_of(ELSEWHERE, 2), lane_of(INLINE, 2)), (0, 0));
+}
+
+#[test]
+fn a_late_lane_holds_its_forces_and_its_notes_arrive_with_the_next_tick() {
+    let (begun, has_begun) = channel();
+    let (go, go_on) = channel();
+    let voice = Blocking { at: 1, begun, go_on };
+    let (lanes, _swaps) = start(echoes_but(ELSEWHERE, voice), 2);
+    let mut run = Run::new(lanes);
+    run.tick(0);
+
+    run.lanes.wait_until(Some(Nanos::ZERO));
+    let turn = run.tick(1)[ELSEWHERE];
+    assert!(turn.late && (turn.force - 100.0).abs() == 0.0, "{turn:?}");
+    assert!(!run.turns[INLINE].late, "lane 0 is not held up");
+    has_begun.recv().unwrap();
+
+    run.lanes.wait_until(None);
+    go.send(()).unwrap();
+    let turn = run.tick(2)[ELSEWHERE];
+    assert!(!turn.late && (turn.force - 102.0).abs() == 0.0, "{turn:?}");
+    assert_eq!(turn.events.as_slice().len(), 1);
+    assert_eq!(turn.events.as_slice()[0].0, Moment { tick: 1, theta: 0.5 });
+    assert!(run.tick(3)[ELSEWHERE].events.is_empty());
+    assert_eq!(run.lanes.counters().late, 1);
+}
+
+#[test]
+fn a_lane_that_was_held_up_joins_the_present() {
+    let (begun, has_begun) = channel();
+    let (go, go_on) = channel();
+    let (lanes, _swaps) = start(echoes_but(ELSEWHERE, Blocking { at: 1, begun, go_on }), 2);
+    let mut run = Run::new(lanes);
+    run.tick(0);
+    run.lanes.wait_until(Some(Nanos::ZERO));
+    run.tick(1);
+    has_begun.recv().unwrap();
+    for tick in 2..10 {
+        assert!(run.tick(tick)[ELSEWHERE].late, "tick {tick}");
+    }
+    // Tick 1 is still running, 2 waits behind it, and 3 to 9 were not even given.
+    go.send(()).unwrap();
+    run.lanes.wait_until(None);
+    let caught_up = (10..1000).find(|&tick| !run.tick(tick)[ELSEWHERE].late);
+    assert!(caught_up.is_some(), "the lane never came back");
+    assert_eq!(run.lanes.counters().passed, 1, "tick 2 had passed");
+}
+
+#[test]
+fn a_voice_that_panics_is_faulty_for_good_and_alone() {
+    for n_lanes in 1..=3 {
+        let mut healthy = Run::new(start(echoes(), 1).0);
+        let mut run = Run::new(start(echoes_but(ELSEWHERE, Panicking), n_lanes).0);
+        for tick in 0..10 {
+            let expected = healthy.force_bits(tick);
+            let forces = run.force_bits(tick);
+            let same = |key: &usize| expected[*key] == forces[*key];
+            assert!((0..KEYS).filter(|&key| key != ELSEWHERE).all(|key| same(&key)));
+            let fault = (3 <= tick).then_some(VoiceFault::Panicked);
+            assert_eq!(run.turns[ELSEWHERE].fault, fault, "tick {tick}, {n_lanes} lanes");
+        }
+    }
+}
+
+#[test]
+fn a_voice_is_replaced_between_ticks_and_freed_outside() {
+    for n_lanes in 1..=3 {
+        let (dropped, was_dropped) = channel();
+        let (lanes, mut swaps) = start(echoes_but(ELSEWHERE, Dropping(dropped)), n_lanes);
+        let mut run = Run::new(lanes);
+        run.tick(0);
+        assert!((run.tick(1)[ELSEWHERE].force - 7.0).abs() == 0.0);
+
+        swaps.replace(ELSEWHERE, Box::new(Echo { key: ELSEWHERE, sum: 0.0 })).unwrap();
+        let turn = run.tick(2)[ELSEWHERE];
+        assert!(turn.fresh && (turn.force - 7.0).abs() != 0.0, "{turn:?}");
+        assert!(was_dropped.try_recv().is_err(), "freed by the tick");
+        assert_eq!(swaps.drain(), 1);
+        assert!(was_dropped.try_recv().is_ok());
+    }
+}
+
+#[test]
+fn a_whole_instrument_is_replaced_in_some_ticks() {
+    let (lanes, mut swaps) = start(echoes(), 2);
+    let mut run = Run::new(lanes);
+    run.tick(0);
+    for key in 0..KEYS {
+        swaps.replace(key, Box::new(Panicking)).unwrap();
+    }
+    // Ticks after 3, at which this voice would panic; 44 keys a lane, four at a time.
+    for tick in 4..15 {
+        run.tick(tick);
+    }
+    assert!(run.tick(15).iter().all(|turn| (turn.force - 5.0).abs() == 0.0));
+    assert_eq!(swaps.drain(), KEYS);
+}
+
+#[test]
+fn a_voice_for_a_key_without_one_is_given_back() {
+    let (_lanes, mut swaps) = start(vec![(3, Box::new(Panicking))], 1);
+    let refused = swaps.replace(4, Box::new(Panicking));
+    assert!(matches!(refused, Err(Refused::NoSuchVoice(_))));
+    assert!(swaps.replace(88, Box::new(Panicking)).is_err());
+    for _ in 0..KEYS {
+        swaps.replace(3, Box::new(Panicking)).unwrap();
+    }
+    assert!(matches!(swaps.replace(3, Box::new(Panicking)), Err(Refused::Full(_))));
+}
+
+#[test]
+fn work_is_the_ticks_own_without_waiting_and_what_a_slower_lane_took_more() {
+    let (mut lanes, _swaps) = start(echoes(), 1);
+    let nanos = Nanos::new;
+    lanes.times = LaneTimes { inline: nanos(30), waiting: nanos(50), slowest: nanos(45) };
+    assert_eq!(lanes.work_of_tick(nanos(100)), nanos(50 + 15));
+    lanes.times.slowest = nanos(20);
+    assert_eq!(lanes.work_of_tick(nanos(100)), nanos(50));
+}

@@ -1,0 +1,168 @@
+//! The loop in real time: sleep until due, poll, measure.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use hdrhistogram::Histogram;
+use scheduler::deadline::{Counters, Ledger, Outcome, TickTimes};
+use scheduler::port::{KeyBus, TickObserver};
+use scheduler::safety::FADE;
+use scheduler::tick::{Scheduler, TickReport};
+use scheduler::time::{Nanos, Timetable};
+
+use super::clock;
+use super::pool::ThreadedLanes;
+
+pub use hdrhistogram::CreationError;
+
+/// Longest time that a histogram tells apart [ns]; longer ones count as this.
+const LONGEST: u64 = 1_000_000_000;
+
+/// Significant digits that a histogram keeps: 0.1 %.
+const DIGITS: u8 = 3;
+
+/// Part of a period kept free after the lanes, for safety, sending and observing.
+const RESERVE: u64 = 10;
+
+/// All that a tick touches.
+#[derive(Debug)]
+pub struct Assembly<'a, B, O> {
+    /// Who runs when.
+    pub scheduler: &'a mut Scheduler,
+    /// The keys.
+    pub bus: &'a mut B,
+    /// The voices.
+    pub lanes: &'a mut ThreadedLanes,
+    /// Who watches.
+    pub observer: &'a mut O,
+}
+
+/// When a run ends: whichever comes first.
+#[derive(Clone, Copy, Debug)]
+pub struct Until<'a> {
+    /// Set by anybody, seen before the next tick.
+    pub stop: &'a AtomicBool,
+    /// Ticks to run; `None` for no limit.
+    pub ticks: Option<u64>,
+}
+
+impl Until<'_> {
+    /// Whether a run of `ticks` ticks is over.
+    pub(super) fn reached(&self, ticks: u64) -> bool {
+        self.ticks.is_some_and(|limit| limit <= ticks) || self.stop.load(Ordering::Acquire)
+    }
+}
+
+/// One tick as the loop saw it.
+#[derive(Clone, Copy, Debug)]
+pub struct Pulse {
+    /// What was done.
+    pub report: TickReport,
+    /// When.
+    pub times: TickTimes,
+    /// Whether in time.
+    pub outcome: Outcome,
+}
+
+/// What a run measured, in memory that was there before it began.
+#[derive(Debug)]
+pub struct Timings {
+    /// Woken − due, in nanoseconds.
+    pub lateness: Histogram<u64>,
+    /// Samples in → forces out and observed, in nanoseconds of host time.
+    pub turnaround: Histogram<u64>,
+    /// CPU time that the tick needed, in nanoseconds.
+    pub work: Histogram<u64>,
+    /// Voices' turns that were not ready in time and were held.
+    pub late_turns: u64,
+    ledger: Ledger,
+}
+
+impl Timings {
+    /// Empty.
+    ///
+    /// # Errors
+    /// If the histograms cannot be made, which their constants rule out.
+    pub fn new() -> Result<Self, CreationError> {
+        Ok(Self {
+            lateness: histogram()?,
+            turnaround: histogram()?,
+            work: histogram()?,
+            late_turns: 0,
+            ledger: Ledger::default(),
+        })
+    }
+
+    /// Ticks, misses by cause, skips.
+    pub const fn counters(&self) -> Counters {
+        self.ledger.counters()
+    }
+
+    /// Enters one tick.
+    fn enter(&mut self, report: &TickReport, times: &TickTimes) -> Outcome {
+        self.lateness.saturating_record(times.lateness().as_u64());
+        self.turnaround.saturating_record(times.turnaround().as_u64());
+        self.work.saturating_record(times.work.as_u64());
+        self.late_turns += u64::from(report.voices.late);
+        self.ledger.enter(times, report.skipped)
+    }
+}
+
+/// A histogram of fixed size from a nanosecond to [`LONGEST`].
+pub(super) fn histogram() -> Result<Histogram<u64>, CreationError> {
+    Histogram::new_with_bounds(1, LONGEST, DIGITS)
+}
+
+/// Runs ticks as they become due, the next one at `start`, and hands each to `watch`.
+///
+/// # Real-time
+/// Allocates, locks and logs nothing; `watch` must not either.
+pub fn run<B: KeyBus, O: TickObserver>(
+    assembly: &mut Assembly<'_, B, O>,
+    start: Nanos,
+    until: Until<'_>,
+    timings: &mut Timings,
+    mut watch: impl FnMut(&Pulse),
+) {
+    assembly.scheduler.resume_at(start);
+    let mut ticks = 0;
+    while !until.reached(ticks) {
+        clock::sleep_until(assembly.scheduler.next_due());
+        if let Some((report, times)) = tick(assembly) {
+            let outcome = timings.enter(&report, &times);
+            watch(&Pulse { report, times, outcome });
+            ticks += 1;
+        }
+    }
+}
+
+/// Disarms all keys and runs on until they feel the safe force.
+///
+/// Not measured: the performance is over.
+pub fn ramp_down<B: KeyBus, O: TickObserver>(assembly: &mut Assembly<'_, B, O>) {
+    assembly.scheduler.disarm();
+    let fade_ticks = assembly.scheduler.timetable().period().ticks_in(FADE);
+    // One more than the fade: its first tick holds.
+    for _ in 0..=fade_ticks {
+        clock::sleep_until(assembly.scheduler.next_due());
+        tick(assembly);
+    }
+}
+
+/// Polls once and measures around it.
+fn tick<B: KeyBus, O: TickObserver>(
+    assembly: &mut Assembly<'_, B, O>,
+) -> Option<(TickReport, TickTimes)> {
+    let Assembly { scheduler, bus, lanes, observer } = assembly;
+    let (woken, cpu_before) = (clock::monotonic(), clock::thread_cpu());
+    lanes.wait_until(Some(lanes_due(scheduler.timetable(), scheduler.deadline(woken))));
+    let report = scheduler.poll(woken, *bus, *lanes, *observer)?;
+    let (finished, cpu) = (clock::monotonic(), clock::thread_cpu().since(cpu_before));
+    let (due, deadline) = (report.due, report.deadline);
+    let work = lanes.work_of_tick(cpu);
+    Some((report, TickTimes { due, deadline, woken, finished, work }))
+}
+
+/// When lanes must be done so that their forces are out by `deadline`.
+const fn lanes_due(timetable: Timetable, deadline: Nanos) -> Nanos {
+    deadline.before(Nanos::new(timetable.period().span(1).as_u64() / RESERVE))
+}

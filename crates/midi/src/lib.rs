@@ -1,0 +1,29 @@
+//! Strikes and releases, sent as MIDI: what is sent when.
+//!
+//! | what happened | what is sent, at the same time |
+//! |---|---|
+//! | a strike on a silent note | note-on, velocity from the hammer speed by a [`VelocityCurve`] |
+//! | a strike on a sounding note | note-off, then note-on |
+//! | the damper falls on a sounding note | a real note-off (`8n`) with its release velocity |
+//! | a strike with the damper down | note-on, and its note-off [`player::UNDAMPED`] later |
+//! | the damper lifts | nothing |
+//! | the pedal moves | CC64, if its 7-bit value changed |
+//! | [`Player::silence`], or the player is dropped | note-off for every held note, CC64 = 0, CC123, CC120 |
+//!
+//! Everything here may block and allocate: a tick hands its events over through a ring
+//! ([`Player::drain`]) and waits for nothing.
+//! This crate knows no clock: times are `f64` seconds since the host started, given as arguments.
+
+#![forbid(unsafe_code)]
+
+pub mod message;
+pub mod note;
+pub mod output;
+pub mod player;
+pub mod velocity;
+
+pub use message::{Controller, DecodeError, Message};
+pub use note::{KEYS, Note, Velocity};
+pub use output::{Memory, Output, Port, SendError, Smf, Unavailable, ports};
+pub use player::{EventKind, KeyEvent, Player};
+pub use velocity::{UnknownCurve, VelocityCurve};

@@ -1,0 +1,205 @@
+//! Messages as bytes: three each, the status never left out.
+//!
+//! ```text
+//! 8n kk vv   note-off, release velocity vv (1 ..= 127)
+//! 9n kk vv   note-on, velocity vv (1 ..= 127)
+//! Bn cc vv   controller cc is vv (0 ..= 127)
+//! ```
+//! `n` is the channel: 0 when sent, any when received.
+
+use crate::note::{Note, Velocity};
+
+/// Bytes of a message.
+pub const LEN: usize = 3;
+
+const NOTE_OFF: u8 = 0x80;
+const NOTE_ON: u8 = 0x90;
+const CONTROL_CHANGE: u8 = 0xB0;
+
+/// What is sent to a synthesizer.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[must_use]
+pub enum Message {
+    /// The note begins to sound.
+    NoteOn {
+        /// Which note.
+        note: Note,
+        /// How hard it was struck.
+        velocity: Velocity,
+    },
+    /// The note is damped.
+    NoteOff {
+        /// Which note.
+        note: Note,
+        /// How fast it was released.
+        velocity: Velocity,
+    },
+    /// A controller has a new value.
+    ControlChange {
+        /// Which controller.
+        controller: Controller,
+        /// Its value, 0 ..= 127.
+        value: u8,
+    },
+}
+
+/// The controllers that are sent.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[must_use]
+pub enum Controller {
+    /// CC64, the sustain pedal: 0 is up, 127 is down.
+    Sustain,
+    /// CC120, silence at once.
+    AllSoundOff,
+    /// CC123, every note-off.
+    AllNotesOff,
+}
+
+impl Controller {
+    const ALL: [Self; 3] = [Self::Sustain, Self::AllSoundOff, Self::AllNotesOff];
+
+    /// MIDI number of the controller.
+    pub const fn number(self) -> u8 {
+        match self {
+            Self::Sustain => 64,
+            Self::AllSoundOff => 120,
+            Self::AllNotesOff => 123,
+        }
+    }
+}
+
+/// Why bytes are not one of our messages.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
+pub enum DecodeError {
+    /// A message has three bytes.
+    #[error("a message has 3 bytes, not {got}")]
+    Length {
+        /// Bytes received.
+        got: usize,
+    },
+    /// The first byte is no status that is understood.
+    #[error("status {0:#04x} is not a note or a controller")]
+    Status(u8),
+    /// A data byte has its highest bit set.
+    #[error("data byte {0:#04x} is above 127")]
+    Data(u8),
+    /// The note is not on the keyboard.
+    #[error("note {0} is not one of 21 to 108")]
+    NoSuchNote(u8),
+    /// The controller is not one that is used.
+    #[error("controller {0} is not 64, 120 or 123")]
+    NoSuchController(u8),
+}
+
+impl Message {
+    /// The bytes of this message, on the first channel.
+    pub const fn encode(self) -> [u8; LEN] {
+        match self {
+            Self::NoteOn { note, velocity } => [NOTE_ON, note.number(), velocity.get()],
+            Self::NoteOff { note, velocity } => [NOTE_OFF, note.number(), velocity.get()],
+            Self::ControlChange { controller, value } => {
+                [CONTROL_CHANGE, controller.number(), value & 0x7F]
+            }
+        }
+    }
+
+    /// Reads a message of any channel; never panics, whatever the bytes.
+    ///
+    /// A note-on with velocity 0 is a note-off of unknown velocity, as MIDI prescribes.
+    ///
+    /// # Errors
+    ///
+    /// If the bytes are not one whole message of a kind that is understood.
+    pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
+        let &[status, first, second] = bytes else {
+            return Err(DecodeError::Length { got: bytes.len() });
+        };
+        if let Some(high) = [first, second].into_iter().find(|byte| *byte > 0x7F) {
+            return Err(DecodeError::Data(high));
+        }
+        match status & 0xF0 {
+            NOTE_ON => Ok(note_on(decode_note(first)?, second)),
+            NOTE_OFF => Ok(Self::NoteOff {
+                note: decode_note(first)?,
+                velocity: Velocity::nearest(f64::from(second)),
+            }),
+            CONTROL_CHANGE => {
+                Ok(Self::ControlChange { controller: decode_controller(first)?, value: second })
+            }
+            _ => Err(DecodeError::Status(status)),
+        }
+    }
+}
+
+fn note_on(note: Note, velocity: u8) -> Message {
+    Velocity::new(velocity)
+        .map_or(Message::NoteOff { note, velocity: Velocity::UNKNOWN }, |velocity| {
+            Message::NoteOn { note, velocity }
+        })
+}
+
+fn decode_note(number: u8) -> Result<Note, DecodeError> {
+    Note::from_number(number).ok_or(DecodeError::NoSuchNote(number))
+}
+
+fn decode_controller(number: u8) -> Result<Controller, DecodeError> {
+    let found = Controller::ALL.into_iter().find(|controller| controller.number() == number);
+    found.ok_or(DecodeError::NoSuchController(number))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn messages() -> impl Strategy<Value = Message> {
+        (0_u8..4, 0_u8..88, 1_u8..=127, 0_usize..3).prop_map(|(kind, key, value, which)| {
+            let note = Note::from_key(key).unwrap();
+            let velocity = Velocity::new(value).unwrap();
+            match kind {
+                0 => Message::NoteOn { note, velocity },
+                1 => Message::NoteOff { note, velocity },
+                _ => Message::ControlChange { controller: Controller::ALL[which], value },
+            }
+        })
+    }
+
+    #[test]
+    fn a_note_off_is_a_real_one() {
+        let note = Note::from_number(60).unwrap();
+        let message = Message::NoteOff { note, velocity: Velocity::UNKNOWN };
+        assert_eq!(message.encode(), [0x80, 60, 64]);
+    }
+
+    #[test]
+    fn a_foreign_note_on_of_velocity_zero_is_a_note_off() {
+        let note = Note::from_number(60).unwrap();
+        let off = Message::NoteOff { note, velocity: Velocity::UNKNOWN };
+        assert_eq!(Message::decode(&[0x95, 60, 0]), Ok(off));
+    }
+
+    #[test]
+    fn foreign_bytes_are_refused_with_the_reason() {
+        let refused = |bytes: &[u8]| Message::decode(bytes).unwrap_err();
+        assert_eq!(refused(&[0x90, 60]), DecodeError::Length { got: 2 });
+        assert_eq!(refused(&[0xF8, 0, 0]), DecodeError::Status(0xF8));
+        assert_eq!(refused(&[0x90, 60, 0xFF]), DecodeError::Data(0xFF));
+        assert_eq!(refused(&[0x90, 109, 1]), DecodeError::NoSuchNote(109));
+        assert_eq!(refused(&[0xB0, 1, 1]), DecodeError::NoSuchController(1));
+    }
+
+    proptest! {
+        #[test]
+        fn a_message_survives_its_bytes(message in messages()) {
+            prop_assert_eq!(Message::decode(&message.encode()), Ok(message));
+        }
+
+        #[test]
+        fn no_bytes_make_it_panic(bytes in proptest::collection::vec(any::<u8>(), 0..6)) {
+            if let Ok(message) = Message::decode(&bytes) {
+                prop_assert_eq!(Message::decode(&message.encode()), Ok(message));
+            }
+        }
+    }
+}

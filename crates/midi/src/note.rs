@@ -1,0 +1,97 @@
+//! Notes and velocities: key 0 is A0, which is MIDI note 21.
+
+/// Number of keys, A0 to C8.
+pub const KEYS: u8 = 88;
+
+/// MIDI number of key 0.
+const LOWEST: u8 = 21;
+
+/// One of the 88 notes of the compass.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[must_use]
+pub struct Note(u8);
+
+impl Note {
+    /// Returns the note of `key` (0 ..= 87), if there is such a key.
+    pub const fn from_key(key: u8) -> Option<Self> {
+        if key < KEYS { Some(Self(key + LOWEST)) } else { None }
+    }
+
+    /// Returns the note with MIDI `number` (21 ..= 108), if it is on the keyboard.
+    pub const fn from_number(number: u8) -> Option<Self> {
+        match number.checked_sub(LOWEST) {
+            Some(key) => Self::from_key(key),
+            None => None,
+        }
+    }
+
+    /// MIDI number, 21 ..= 108.
+    pub const fn number(self) -> u8 {
+        self.0
+    }
+
+    /// Key, 0 ..= 87.
+    pub const fn key(self) -> u8 {
+        self.0 - LOWEST
+    }
+}
+
+/// How hard a note is struck or how fast it is released, 1 ..= 127.
+///
+/// Zero is left out because a note-on with velocity 0 means note-off.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[must_use]
+pub struct Velocity(u8);
+
+impl Velocity {
+    /// The least velocity.
+    pub const MIN: Self = Self(1);
+
+    /// The greatest velocity.
+    pub const MAX: Self = Self(127);
+
+    /// What MIDI prescribes when a velocity is not known.
+    pub const UNKNOWN: Self = Self(64);
+
+    /// Returns `value` as a velocity if it is one (1 ..= 127).
+    pub const fn new(value: u8) -> Option<Self> {
+        if 1 <= value && value <= 127 { Some(Self(value)) } else { None }
+    }
+
+    /// The velocity nearest to `level`; the least if `level` is not a number.
+    pub fn nearest(level: f64) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "rounded and clamped to 1 ..= 127 before; NaN becomes 0 and then 1"
+        )]
+        let value = level.round().clamp(1.0, 127.0) as u8;
+        Self(if value < 1 { 1 } else { value })
+    }
+
+    /// The velocity as MIDI writes it, 1 ..= 127.
+    pub const fn get(self) -> u8 {
+        self.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_compass_is_a0_to_c8() {
+        assert_eq!(Note::from_key(0).map(Note::number), Some(21));
+        assert_eq!(Note::from_key(87).map(Note::number), Some(108));
+        assert_eq!(Note::from_key(88), None);
+        assert_eq!(Note::from_number(20), None);
+        assert_eq!(Note::from_number(60).map(Note::key), Some(39));
+    }
+
+    #[test]
+    fn a_velocity_is_never_zero_whatever_the_level() {
+        for (level, expected) in [(f64::NAN, 1), (-7.0, 1), (0.6, 1), (64.4, 64), (1e300, 127)] {
+            assert_eq!(Velocity::nearest(level).get(), expected, "level {level}");
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Where messages go: a port, a file, or memory.
+//!
+//! An output is owned by one [`Player`](crate::Player), which may block; none is for the tick.
+
+mod memory;
+mod port;
+mod reconnecting;
+mod smf;
+mod system;
+
+use std::io;
+use std::path::PathBuf;
+
+pub use memory::Memory;
+pub use port::Port;
+pub use smf::Smf;
+pub use system::{Unavailable, ports};
+
+use crate::message::Message;
+
+/// A destination of timed messages.
+pub trait Output {
+    /// Sends `message`, which belongs to time `at` [s since the host started].
+    ///
+    /// # Errors
+    ///
+    /// If the message is lost.
+    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError>;
+
+    /// Looks after the connection at time `now` [s], if there is one; called a few times a second.
+    ///
+    /// # Errors
+    ///
+    /// If the destination is away.
+    fn poll(&mut self, now: f64) -> Result<(), SendError> {
+        let _ = now;
+        Ok(())
+    }
+
+    /// Brings what was sent to safety; may be called again, and sending may go on after it.
+    ///
+    /// # Errors
+    ///
+    /// If something could not be brought to safety; nothing is lost by trying again.
+    fn finish(&mut self) -> Result<(), SendError>;
+}
+
+/// Why a message did not arrive.
+#[derive(Debug, thiserror::Error)]
+pub enum SendError {
+    /// The port has vanished or does not accept; it is tried again by itself.
+    #[error("MIDI port \"{port}\" is away: it is connected again when it is back")]
+    Away {
+        /// Name of the port.
+        port: String,
+    },
+    /// The time of a message is not a number.
+    #[error("a message at {at} s cannot be recorded: its time is not a finite number")]
+    NoSuchTime {
+        /// The time that was given [s].
+        at: f64,
+    },
+    /// The recording could not be written.
+    #[error(
+        "{path} could not be written ({source}): all {messages} messages are still in memory, \
+         make room and finish again"
+    )]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Messages recorded so far.
+        messages: usize,
+        /// What the system said.
+        source: io::Error,
+    },
+}
+
+impl<O: Output + ?Sized> Output for Box<O> {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+        (**self).send(at, message)
+    }
+
+    fn poll(&mut self, now: f64) -> Result<(), SendError> {
+        (**self).poll(now)
+    }
+
+    fn finish(&mut self) -> Result<(), SendError> {
+        (**self).finish()
+    }
+}

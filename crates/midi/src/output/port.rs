@@ -1,0 +1,70 @@
+//! A MIDI port of the system: one that exists, or a virtual one of our own.
+
+use super::reconnecting::Reconnecting;
+use super::system::{CLIENT, System, Unavailable, Wanted};
+use super::{Output, SendError};
+use crate::message::Message;
+
+/// Sends to a MIDI port at once; the times of messages only pace the reconnection.
+///
+/// A port that vanishes is connected again by itself, at most one attempt a second, and first
+/// gets note-offs for what it may still sound.
+#[derive(Debug)]
+pub struct Port(Reconnecting<System>);
+
+impl Port {
+    /// Connects to the first port whose name contains `name`, in whatever case.
+    ///
+    /// # Errors
+    ///
+    /// If there is no MIDI or no such port; says which ports exist and what to do.
+    pub fn connect(name: &str) -> Result<Self, Unavailable> {
+        let system = System::new(Wanted::Existing(name.to_owned()));
+        Reconnecting::connect(system, name.to_owned()).map(Self)
+    }
+
+    /// Makes a port called "letoff", to which other programs connect.
+    ///
+    /// # Errors
+    ///
+    /// If there is no MIDI, or the system has no virtual ports (Windows).
+    pub fn create() -> Result<Self, Unavailable> {
+        let system = System::new(Wanted::Virtual);
+        Reconnecting::connect(system, CLIENT.to_owned()).map(Self)
+    }
+}
+
+impl Output for Port {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+        self.0.send(at, message)
+    }
+
+    fn poll(&mut self, now: f64) -> Result<(), SendError> {
+        self.0.poll(now)
+    }
+
+    fn finish(&mut self) -> Result<(), SendError> {
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_port_can_move_to_the_player_s_thread() {
+        fn check<T: Send>() {}
+        check::<Port>();
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn without_midi_there_is_an_error_and_no_port() {
+        if std::path::Path::new("/dev/snd/seq").exists() {
+            return;
+        }
+        assert_eq!(Port::connect("fluid").err(), Some(Unavailable::NoSequencer));
+        assert_eq!(Port::create().err(), Some(Unavailable::NoSequencer));
+    }
+}

@@ -1,0 +1,230 @@
+//! A connection that comes back by itself, note-offs first.
+
+use super::{SendError, Unavailable};
+use crate::message::{Controller, Message};
+use crate::note::{KEYS, Note, Velocity};
+
+/// Least time between two attempts to connect, and between two looks at the port [s].
+const INTERVAL: f64 = 1.0;
+
+/// What can be connected, and lost: the system's MIDI, or a test's.
+pub(super) trait Backend {
+    /// Connects anew, dropping what was connected.
+    fn connect(&mut self) -> Result<(), Unavailable>;
+
+    /// Sends one message; false if it was not accepted.
+    fn send(&mut self, bytes: &[u8]) -> bool;
+
+    /// Whether the destination still exists: some systems accept messages to nobody.
+    fn is_there(&mut self) -> bool;
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Link {
+    Up,
+    Down,
+}
+
+/// Sends through a [`Backend`] and connects it again when it is lost.
+#[derive(Debug)]
+pub(super) struct Reconnecting<B> {
+    backend: B,
+    /// Name of the destination, for people.
+    name: String,
+    link: Link,
+    /// When the connection was last attempted or looked at [s]; `None` before.
+    looked: Option<f64>,
+    /// Notes that the destination may still sound.
+    sounding: [bool; KEYS as usize],
+    /// Where the sustain pedal should be, 0 ..= 127.
+    pedal: u8,
+}
+
+impl<B: Backend> Reconnecting<B> {
+    /// Connects `backend` for the first time.
+    pub(super) fn connect(mut backend: B, name: String) -> Result<Self, Unavailable> {
+        backend.connect()?;
+        let sounding = [false; KEYS as usize];
+        Ok(Self { backend, name, link: Link::Up, looked: None, sounding, pedal: 0 })
+    }
+
+    /// Sends `message` at time `at` [s], over a new connection if the old one is lost.
+    pub(super) fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+        self.follow_pedal(message);
+        if self.link == Link::Up && self.deliver(message) {
+            return Ok(());
+        }
+        if self.reconnect(at) && self.deliver(message) {
+            return Ok(());
+        }
+        Err(self.away())
+    }
+
+    /// Looks whether the destination is there at time `now` [s]; connects it if it is back.
+    pub(super) fn poll(&mut self, now: f64) -> Result<(), SendError> {
+        if self.link == Link::Up && self.is_due(now) {
+            self.looked = Some(now);
+            if !self.backend.is_there() {
+                self.link = Link::Down;
+                // An absent port is tried at once, it may only have changed its number.
+                self.looked = None;
+            }
+        }
+        if self.link == Link::Up || self.reconnect(now) { Ok(()) } else { Err(self.away()) }
+    }
+
+    fn is_due(&self, now: f64) -> bool {
+        self.looked.is_none_or(|looked| now - looked >= INTERVAL)
+    }
+
+    fn reconnect(&mut self, now: f64) -> bool {
+        if !self.is_due(now) {
+            return false;
+        }
+        self.looked = Some(now);
+        if self.backend.connect().is_err() {
+            return false;
+        }
+        self.link = Link::Up;
+        self.restore()
+    }
+
+    /// Silences what the destination may still sound, and puts its pedal where it should be.
+    fn restore(&mut self) -> bool {
+        let notes = (0..KEYS).filter_map(Note::from_key);
+        for note in notes {
+            let off = Message::NoteOff { note, velocity: Velocity::UNKNOWN };
+            if self.sounding[usize::from(note.key())] && !self.deliver(off) {
+                return false;
+            }
+        }
+        let pedal = Message::ControlChange { controller: Controller::Sustain, value: self.pedal };
+        self.deliver(pedal)
+    }
+
+    fn deliver(&mut self, message: Message) -> bool {
+        let accepted = self.backend.send(&message.encode());
+        if accepted {
+            self.remember(message);
+        } else {
+            self.link = Link::Down;
+        }
+        accepted
+    }
+
+    fn remember(&mut self, message: Message) {
+        match message {
+            Message::NoteOn { note, .. } => self.sounding[usize::from(note.key())] = true,
+            Message::NoteOff { note, .. } => self.sounding[usize::from(note.key())] = false,
+            Message::ControlChange { .. } => {}
+        }
+    }
+
+    fn follow_pedal(&mut self, message: Message) {
+        if let Message::ControlChange { controller: Controller::Sustain, value } = message {
+            self.pedal = value;
+        }
+    }
+
+    fn away(&self) -> SendError {
+        SendError::Away { port: self.name.clone() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A destination that the test unplugs and plugs in.
+    #[derive(Default)]
+    struct Plug {
+        unplugged: bool,
+        /// Whether a connection made before the last unplugging still swallows messages.
+        connected: bool,
+        attempts: u32,
+        received: Vec<[u8; 3]>,
+    }
+
+    impl Backend for Plug {
+        fn connect(&mut self) -> Result<(), Unavailable> {
+            self.attempts += 1;
+            self.connected = !self.unplugged;
+            if self.connected { Ok(()) } else { Err(Unavailable::NotStarted) }
+        }
+
+        fn send(&mut self, bytes: &[u8]) -> bool {
+            if self.connected {
+                self.received.push(bytes.try_into().unwrap());
+            }
+            self.connected
+        }
+
+        fn is_there(&mut self) -> bool {
+            !self.unplugged
+        }
+    }
+
+    fn port() -> Reconnecting<Plug> {
+        Reconnecting::connect(Plug::default(), "plug".to_owned()).unwrap()
+    }
+
+    fn unplug(port: &mut Reconnecting<Plug>) {
+        port.backend.unplugged = true;
+        port.backend.connected = false;
+    }
+
+    fn on(number: u8) -> Message {
+        Message::NoteOn { note: Note::from_number(number).unwrap(), velocity: Velocity::UNKNOWN }
+    }
+
+    fn off(number: u8) -> Message {
+        Message::NoteOff { note: Note::from_number(number).unwrap(), velocity: Velocity::UNKNOWN }
+    }
+
+    #[test]
+    fn when_the_port_is_back_note_offs_come_first() {
+        let mut port = port();
+        port.send(0.0, on(60)).unwrap();
+        unplug(&mut port);
+        assert!(port.send(1.0, off(60)).is_err());
+        port.backend.unplugged = false;
+        port.send(2.5, on(64)).unwrap();
+        assert_eq!(port.backend.received[1..], [[0x80, 60, 64], [0xB0, 64, 0], [0x90, 64, 64]]);
+    }
+
+    #[test]
+    fn a_lost_port_is_tried_at_most_once_a_second() {
+        let mut port = port();
+        unplug(&mut port);
+        for step in 0..300 {
+            assert!(port.send(f64::from(step) * 0.01, on(60)).is_err());
+        }
+        assert_eq!(port.backend.attempts, 1 + 3);
+    }
+
+    #[test]
+    fn a_port_that_vanishes_without_a_word_is_noticed_and_connected_again() {
+        let mut port = port();
+        port.send(0.0, on(60)).unwrap();
+        port.poll(0.1).unwrap();
+        port.backend.unplugged = true;
+        assert!(port.poll(0.5).is_ok(), "not looked at again yet");
+        assert!(port.poll(1.2).is_err());
+        port.backend.unplugged = false;
+        assert!(port.poll(1.5).is_err(), "not tried again yet");
+        port.poll(2.3).unwrap();
+        assert_eq!(port.backend.received[1..], [[0x80, 60, 64], [0xB0, 64, 0]]);
+    }
+
+    #[test]
+    fn a_pedal_that_was_lifted_meanwhile_is_up() {
+        let mut port = port();
+        let pedal = |value| Message::ControlChange { controller: Controller::Sustain, value };
+        port.send(0.0, pedal(127)).unwrap();
+        unplug(&mut port);
+        assert!(port.send(1.0, pedal(0)).is_err());
+        port.backend.unplugged = false;
+        port.poll(2.0).unwrap();
+        assert_eq!(port.backend.received.last(), Some(&[0xB0, 64, 0]));
+    }
+}

@@ -1,0 +1,234 @@
+//! The system's MIDI, through midir: ports that exist, and a virtual one of our own.
+
+use std::fmt;
+
+use midir::{MidiOutput, MidiOutputConnection, MidiOutputPort};
+
+use super::reconnecting::Backend;
+
+/// Our name towards other programs, and that of the virtual port.
+pub(super) const CLIENT: &str = "letoff";
+
+/// Why there is no connection to a MIDI port.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+pub enum Unavailable {
+    /// The kernel's sequencer is not loaded.
+    #[error(
+        "there is no MIDI on this machine, /dev/snd/seq does not exist: load it with \
+         `sudo modprobe snd-seq`, or pass /dev/snd into the container"
+    )]
+    NoSequencer,
+    /// The kernel's sequencer may not be opened.
+    #[error(
+        "MIDI may not be used, /dev/snd/seq cannot be opened: join the group audio with \
+         `sudo usermod -aG audio $USER` and log in again"
+    )]
+    NotAllowed,
+    /// The system's MIDI does not start for another reason.
+    #[error("the system's MIDI does not start: see what the system logged, and try again")]
+    NotStarted,
+    /// No port has the wanted name.
+    #[error("no MIDI port is called \"{wanted}\": {}", known(.existing))]
+    NoSuchPort {
+        /// Part of a name that was looked for.
+        wanted: String,
+        /// The ports that exist.
+        existing: Vec<String>,
+    },
+    /// The port is there and does not let itself be connected.
+    #[error("MIDI port \"{port}\" cannot be connected, {reason}: close what else uses it")]
+    Refused {
+        /// Name of the port.
+        port: String,
+        /// What the system said.
+        reason: String,
+    },
+    /// This system has no virtual ports.
+    #[error(
+        "this system cannot make a MIDI port of our own: install a loopback port \
+         and connect to it by its name"
+    )]
+    NoVirtualPorts,
+}
+
+fn known(existing: &[String]) -> String {
+    if existing.is_empty() {
+        "there is none, start the synthesizer first".to_owned()
+    } else {
+        format!("choose one of \"{}\"", existing.join("\", \""))
+    }
+}
+
+/// The names of all ports that could be connected.
+///
+/// # Errors
+///
+/// If the system has no MIDI, with what to do about it.
+pub fn ports() -> Result<Vec<String>, Unavailable> {
+    Ok(named(&open()?).into_iter().map(|(name, _)| name).collect())
+}
+
+/// What to connect to.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum Wanted {
+    /// The first port whose name contains this, in whatever case.
+    Existing(String),
+    /// A port of our own, for others to connect to.
+    Virtual,
+}
+
+/// A connection to the system's MIDI.
+pub(super) struct System {
+    wanted: Wanted,
+    connection: Option<MidiOutputConnection>,
+    /// Full name of the port that is connected; none for a virtual one.
+    port: Option<String>,
+    /// Lists ports: an established connection cannot.
+    watch: Option<MidiOutput>,
+}
+
+impl System {
+    pub(super) fn new(wanted: Wanted) -> Self {
+        Self { wanted, connection: None, port: None, watch: None }
+    }
+
+    fn connect_existing(&mut self, wanted: &str) -> Result<(), Unavailable> {
+        let system = open()?;
+        let (name, port) = find(&system, wanted)?;
+        let connection =
+            system.connect(&port, CLIENT).map_err(|error| refused(&name, &error.to_string()))?;
+        self.connection = Some(connection);
+        self.port = Some(name);
+        Ok(())
+    }
+
+    #[cfg(unix)]
+    fn connect_virtual(&mut self) -> Result<(), Unavailable> {
+        use midir::os::unix::VirtualOutput as _;
+        let connection =
+            open()?.create_virtual(CLIENT).map_err(|error| refused(CLIENT, &error.to_string()))?;
+        self.connection = Some(connection);
+        Ok(())
+    }
+
+    #[cfg(not(unix))]
+    fn connect_virtual(&mut self) -> Result<(), Unavailable> {
+        Err(Unavailable::NoVirtualPorts)
+    }
+}
+
+impl Backend for System {
+    fn connect(&mut self) -> Result<(), Unavailable> {
+        self.connection = None;
+        self.port = None;
+        match self.wanted.clone() {
+            Wanted::Existing(name) => self.connect_existing(&name),
+            Wanted::Virtual => self.connect_virtual(),
+        }
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> bool {
+        self.connection.as_mut().is_some_and(|connection| connection.send(bytes).is_ok())
+    }
+
+    fn is_there(&mut self) -> bool {
+        let Some(port) = &self.port else { return self.connection.is_some() };
+        if self.watch.is_none() {
+            self.watch = open().ok();
+        }
+        self.watch.as_ref().is_some_and(|system| named(system).iter().any(|(name, _)| name == port))
+    }
+}
+
+impl fmt::Debug for System {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("System")
+            .field("wanted", &self.wanted)
+            .field("port", &self.port)
+            .field("connected", &self.connection.is_some())
+            .finish_non_exhaustive()
+    }
+}
+
+fn refused(port: &str, reason: &str) -> Unavailable {
+    Unavailable::Refused { port: port.to_owned(), reason: reason.to_owned() }
+}
+
+fn open() -> Result<MidiOutput, Unavailable> {
+    look_for_sequencer()?;
+    MidiOutput::new(CLIENT).map_err(|_init| Unavailable::NotStarted)
+}
+
+/// ALSA says on stderr only why it does not start, so its device is looked at first.
+#[cfg(target_os = "linux")]
+fn look_for_sequencer() -> Result<(), Unavailable> {
+    use std::io::ErrorKind;
+
+    let opened = std::fs::OpenOptions::new().read(true).write(true).open("/dev/snd/seq");
+    match opened.map_err(|error| error.kind()) {
+        Ok(_) => Ok(()),
+        Err(ErrorKind::PermissionDenied) => Err(Unavailable::NotAllowed),
+        Err(ErrorKind::NotFound) => Err(Unavailable::NoSequencer),
+        Err(_) => Err(Unavailable::NotStarted),
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+fn look_for_sequencer() -> Result<(), Unavailable> {
+    Ok(())
+}
+
+/// All ports with their names; a port that vanishes meanwhile is left out.
+fn named(system: &MidiOutput) -> Vec<(String, MidiOutputPort)> {
+    let ports = system.ports().into_iter();
+    ports.filter_map(|port| Some((system.port_name(&port).ok()?, port))).collect()
+}
+
+fn find(system: &MidiOutput, wanted: &str) -> Result<(String, MidiOutputPort), Unavailable> {
+    let mut ports = named(system);
+    let names: Vec<_> = ports.iter().map(|(name, _)| name.clone()).collect();
+    match choose(&names, wanted) {
+        Some(index) => Ok(ports.swap_remove(index)),
+        None => Err(Unavailable::NoSuchPort { wanted: wanted.to_owned(), existing: names }),
+    }
+}
+
+/// The first of `names` that contains `wanted`, in whatever case.
+fn choose(names: &[String], wanted: &str) -> Option<usize> {
+    let wanted = wanted.to_lowercase();
+    names.iter().position(|name| name.to_lowercase().contains(&wanted))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_port_is_found_by_part_of_its_name_in_any_case() {
+        let names = ["Midi Through:0".to_owned(), "FLUID Synth (77):0".to_owned()];
+        assert_eq!(choose(&names, "fluid"), Some(1));
+        assert_eq!(choose(&names, "0"), Some(0));
+        assert_eq!(choose(&names, "pianoteq"), None);
+    }
+
+    #[test]
+    fn a_wrong_name_is_answered_with_the_right_ones() {
+        let error = |existing: &[&str]| {
+            let existing = existing.iter().map(ToString::to_string).collect();
+            Unavailable::NoSuchPort { wanted: "x".to_owned(), existing }.to_string()
+        };
+        assert_eq!(error(&["a", "b"]), "no MIDI port is called \"x\": choose one of \"a\", \"b\"");
+        assert!(error(&[]).ends_with("there is none, start the synthesizer first"));
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn without_a_sequencer_the_error_says_what_to_do() {
+        if std::path::Path::new("/dev/snd/seq").exists() {
+            return;
+        }
+        assert_eq!(ports(), Err(Unavailable::NoSequencer));
+        assert!(Unavailable::NoSequencer.to_string().contains("modprobe snd-seq"));
+        assert!(Unavailable::NotAllowed.to_string().contains("group audio"));
+    }
+}

@@ -1,0 +1,267 @@
+//! Key events to messages, with the notes that are held.
+
+use rtrb::Consumer;
+
+use crate::message::{Controller, Message};
+use crate::note::{KEYS, Note, Velocity};
+use crate::output::{Output, SendError};
+use crate::velocity::{VelocityCurve, release_velocity};
+
+/// How long a note sounds that was struck with its damper down [s].
+///
+/// The hammer of a short, sharp touch may arrive after its damper has fallen again.
+pub const UNDAMPED: f64 = 0.05;
+
+/// Something that happened at a key and can be heard.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct KeyEvent {
+    /// Which key, 0 ..= 87; any for the pedal.
+    pub key: u8,
+    /// When [s since the host started].
+    pub at: f64,
+    /// What happened.
+    pub kind: EventKind,
+}
+
+/// What can be heard of a key.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum EventKind {
+    /// The hammer meets the string.
+    Strike {
+        /// Hammer speed [m/s].
+        speed: f64,
+    },
+    /// The damper reaches the string.
+    DamperFall {
+        /// Speed at which the key rises [m/s].
+        speed: f64,
+    },
+    /// The damper leaves the string.
+    DamperLift,
+    /// The sustain pedal is at this depth, 0 (up) ..= 1 (down); concerns all keys.
+    Sustain(f64),
+}
+
+/// Where a damper is, as far as it was reported.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Damper {
+    /// Its lifts are not reported, or none has happened yet.
+    Unreported,
+    Up,
+    Down,
+}
+
+/// What is known of a note.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Held {
+    sounding: bool,
+    damper: Damper,
+    /// When it falls silent by itself [s]: it was struck with its damper down.
+    until: Option<f64>,
+}
+
+const SILENT: Held = Held { sounding: false, damper: Damper::Unreported, until: None };
+
+/// Turns key events into messages, and leaves no note hanging.
+///
+/// Dropping a player silences what it holds; a host that may be interrupted or panic calls
+/// [`Player::silence`] from the thread that owns the player.
+#[derive(Debug)]
+pub struct Player<O: Output> {
+    output: O,
+    curve: VelocityCurve,
+    held: [Held; KEYS as usize],
+    /// Value of CC64 that was sent last.
+    pedal: u8,
+    /// Latest time that was seen [s].
+    now: f64,
+    /// Whether anything was sent since all was silenced.
+    stirred: bool,
+}
+
+impl<O: Output> Player<O> {
+    /// A player that sends to `output`, with velocities by `curve`.
+    pub fn new(output: O, curve: VelocityCurve) -> Self {
+        let held = [SILENT; KEYS as usize];
+        Self { output, curve, held, pedal: 0, now: 0.0, stirred: false }
+    }
+
+    /// Where the messages go.
+    pub fn output(&self) -> &O {
+        &self.output
+    }
+
+    /// The curve from now on.
+    pub fn choose_curve(&mut self, curve: VelocityCurve) {
+        self.curve = curve;
+    }
+
+    /// Whether the note of `key` sounds, as far as this player knows.
+    pub fn is_sounding(&self, key: u8) -> bool {
+        self.held.get(usize::from(key)).is_some_and(|held| held.sounding)
+    }
+
+    /// Sends what `event` asks for; events come in order of time.
+    ///
+    /// # Errors
+    ///
+    /// If a message is lost; what is held is known all the same.
+    pub fn play(&mut self, event: KeyEvent) -> Result<(), SendError> {
+        let fallen = self.advance(event.at);
+        let played = self.respond(event);
+        fallen.and(played)
+    }
+
+    /// Plays every event that waits in `events`, and returns how many there were.
+    ///
+    /// # Errors
+    ///
+    /// The first loss of a message, after all events have been played.
+    pub fn drain(&mut self, events: &mut Consumer<KeyEvent>) -> Result<usize, SendError> {
+        let mut outcome = Ok(());
+        let n_events = events.slots();
+        for _ in 0..n_events {
+            let Ok(event) = events.pop() else { break };
+            let played = self.play(event);
+            outcome = outcome.and(played);
+        }
+        outcome.map(|()| n_events)
+    }
+
+    /// Does what is due at time `now` [s] without an event; to be called a few times a second.
+    ///
+    /// # Errors
+    ///
+    /// If the output is away.
+    pub fn poll(&mut self, now: f64) -> Result<(), SendError> {
+        let fallen = self.advance(now);
+        let polled = self.output.poll(now);
+        fallen.and(polled)
+    }
+
+    /// Silences everything now: held notes, the pedal, and what others may have left.
+    ///
+    /// # Errors
+    ///
+    /// The first loss of a message, after all have been tried.
+    pub fn silence(&mut self) -> Result<(), SendError> {
+        let mut outcome = Ok(());
+        for key in 0..KEYS {
+            let released = self.release(key, self.now, Velocity::UNKNOWN);
+            outcome = outcome.and(released);
+        }
+        self.pedal = 0;
+        for controller in [Controller::Sustain, Controller::AllNotesOff, Controller::AllSoundOff] {
+            let sent = self.send(self.now, Message::ControlChange { controller, value: 0 });
+            outcome = outcome.and(sent);
+        }
+        self.stirred = false;
+        outcome
+    }
+
+    /// Silences everything and brings the output to safety.
+    ///
+    /// # Errors
+    ///
+    /// If a message is lost or a recording cannot be written.
+    pub fn finish(&mut self) -> Result<(), SendError> {
+        let silenced = if self.stirred { self.silence() } else { Ok(()) };
+        let finished = self.output.finish();
+        silenced.and(finished)
+    }
+
+    fn respond(&mut self, event: KeyEvent) -> Result<(), SendError> {
+        let KeyEvent { key, at, kind } = event;
+        match kind {
+            EventKind::Strike { speed } => self.strike(key, at, self.curve.velocity(speed)),
+            EventKind::DamperFall { speed } => {
+                self.lay_damper(key);
+                self.release(key, at, release_velocity(speed))
+            }
+            EventKind::DamperLift => {
+                self.lift_damper(key);
+                Ok(())
+            }
+            EventKind::Sustain(depth) => self.sustain(at, depth),
+        }
+    }
+
+    fn strike(&mut self, key: u8, at: f64, velocity: Velocity) -> Result<(), SendError> {
+        let Some(note) = Note::from_key(key) else { return Ok(()) };
+        let released = self.release(key, at, Velocity::UNKNOWN);
+        let held = &mut self.held[usize::from(key)];
+        held.sounding = true;
+        held.until = (held.damper == Damper::Down).then_some(at + UNDAMPED);
+        let sent = self.send(at, Message::NoteOn { note, velocity });
+        released.and(sent)
+    }
+
+    /// Sends the note-off of `key` if its note sounds.
+    fn release(&mut self, key: u8, at: f64, velocity: Velocity) -> Result<(), SendError> {
+        let Some(note) = Note::from_key(key) else { return Ok(()) };
+        let held = &mut self.held[usize::from(key)];
+        if !held.sounding {
+            return Ok(());
+        }
+        held.sounding = false;
+        held.until = None;
+        self.send(at, Message::NoteOff { note, velocity })
+    }
+
+    fn lay_damper(&mut self, key: u8) {
+        if let Some(held) = self.held.get_mut(usize::from(key))
+            && held.damper == Damper::Up
+        {
+            held.damper = Damper::Down;
+        }
+    }
+
+    fn lift_damper(&mut self, key: u8) {
+        if let Some(held) = self.held.get_mut(usize::from(key)) {
+            held.damper = Damper::Up;
+            held.until = None;
+        }
+    }
+
+    fn sustain(&mut self, at: f64, depth: f64) -> Result<(), SendError> {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped to 0 ..= 127 before; NaN becomes 0, a pedal that is up"
+        )]
+        let value = (depth.clamp(0.0, 1.0) * 127.0).round() as u8;
+        if value == self.pedal {
+            return Ok(());
+        }
+        self.pedal = value;
+        self.send(at, Message::ControlChange { controller: Controller::Sustain, value })
+    }
+
+    /// Moves to time `now` [s], ending the notes that fall silent by themselves until then.
+    fn advance(&mut self, now: f64) -> Result<(), SendError> {
+        let mut outcome = Ok(());
+        for key in 0..KEYS {
+            let due = self.held[usize::from(key)].until;
+            if let Some(at) = due.filter(|at| *at <= now) {
+                let released = self.release(key, at, Velocity::UNKNOWN);
+                outcome = outcome.and(released);
+            }
+        }
+        self.now = self.now.max(now);
+        outcome
+    }
+
+    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+        self.stirred = true;
+        self.output.send(at, message)
+    }
+}
+
+impl<O: Output> Drop for Player<O> {
+    /// Silences what is held; an output that is away cannot be told, and nobody is left to know.
+    fn drop(&mut self) {
+        if self.stirred && self.silence().is_err() {
+            self.stirred = false;
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! What a player sends when.
+
+#![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use midi::{EventKind, KeyEvent, Memory, Message, Output, Player, SendError, VelocityCurve};
+
+/// Middle C.
+const KEY: u8 = 39;
+
+fn strike(at: f64, speed: f64) -> KeyEvent {
+    KeyEvent { key: KEY, at, kind: EventKind::Strike { speed } }
+}
+
+fn fall(at: f64) -> KeyEvent {
+    KeyEvent { key: KEY, at, kind: EventKind::DamperFall { speed: 0.2 } }
+}
+
+fn lift(at: f64) -> KeyEvent {
+    KeyEvent { key: KEY, at, kind: EventKind::DamperLift }
+}
+
+fn sustain(at: f64, depth: f64) -> KeyEvent {
+    KeyEvent { key: 0, at, kind: EventKind::Sustain(depth) }
+}
+
+fn on(at: f64, velocity: u8) -> (f64, [u8; 3]) {
+    (at, [0x90, 60, velocity])
+}
+
+fn off(at: f64, velocity: u8) -> (f64, [u8; 3]) {
+    (at, [0x80, 60, velocity])
+}
+
+fn sent(player: &Player<Memory>) -> Vec<(f64, [u8; 3])> {
+    player.output().messages().iter().map(|(at, message)| (*at, message.encode())).collect()
+}
+
+/// Asserts that `events` make a player send `expected`.
+#[track_caller]
+fn check(events: &[KeyEvent], expected: &[(f64, [u8; 3])]) {
+    let mut player = Player::new(Memory::default(), VelocityCurve::default());
+    for event in events {
+        player.play(*event).expect("memory takes everything");
+    }
+    assert_eq!(sent(&player), expected);
+}
+
+#[test]
+fn a_note_begins_at_the_strike_and_ends_when_the_damper_falls() {
+    check(&[lift(0.9), strike(1.0, 1.0), fall(2.0)], &[on(1.0, 58), off(2.0, 64)]);
+}
+
+#[test]
+fn a_key_struck_again_before_its_damper_falls_ends_the_first_note() {
+    check(
+        &[lift(0.9), strike(1.0, 1.0), strike(1.2, 2.0), fall(2.0)],
+        &[on(1.0, 58), off(1.2, 64), on(1.2, 79), off(2.0, 64)],
+    );
+}
+
+#[test]
+fn a_silent_press_sends_nothing() {
+    check(&[lift(0.9), fall(2.0)], &[]);
+}
+
+#[test]
+fn a_strike_after_the_damper_fell_sounds_and_does_not_hang() {
+    check(
+        &[lift(0.9), fall(1.0), strike(1.002, 1.0), sustain(1.2, 1.0)],
+        &[on(1.002, 58), off(1.052, 64), (1.2, [0xB0, 64, 127])],
+    );
+}
+
+#[test]
+fn a_damper_that_lifts_again_under_a_late_strike_keeps_it() {
+    check(
+        &[lift(0.9), fall(1.0), strike(1.002, 1.0), lift(1.01), fall(2.0)],
+        &[on(1.002, 58), off(2.0, 64)],
+    );
+}
+
+#[test]
+fn an_action_that_reports_no_lifts_holds_its_notes() {
+    let two = [strike(1.0, 1.0), fall(2.0), strike(3.0, 1.0), sustain(3.5, 0.0), fall(4.0)];
+    check(&two, &[on(1.0, 58), off(2.0, 64), on(3.0, 58), off(4.0, 64)]);
+}
+
+#[test]
+fn the_pedal_is_sent_when_its_value_changes() {
+    let moves = [sustain(1.0, 0.5), sustain(1.1, 0.501), sustain(1.2, f64::NAN)];
+    check(&moves, &[(1.0, [0xB0, 64, 64]), (1.2, [0xB0, 64, 0])]);
+}
+
+#[test]
+fn a_key_that_does_not_exist_is_silent() {
+    check(&[KeyEvent { key: 88, at: 0.0, kind: EventKind::Strike { speed: 1.0 } }], &[]);
+}
+
+#[test]
+fn silence_releases_what_is_held_and_resets_the_rest() {
+    let mut player = Player::new(Memory::default(), VelocityCurve::default());
+    player.play(strike(1.0, 1.0)).expect("memory");
+    player.play(sustain(1.5, 1.0)).expect("memory");
+    player.silence().expect("memory");
+    assert!(!player.is_sounding(KEY));
+    let panic = [off(1.5, 64), (1.5, [0xB0, 64, 0]), (1.5, [0xB0, 123, 0]), (1.5, [0xB0, 120, 0])];
+    assert_eq!(sent(&player)[2..], panic);
+}
+
+#[test]
+fn events_from_the_tick_are_drained_from_their_ring() {
+    let (mut tick, mut events) = rtrb::RingBuffer::new(8);
+    for event in [lift(0.9), strike(1.0, 1.0), fall(2.0)] {
+        tick.push(event).expect("room");
+    }
+    let mut player = Player::new(Memory::default(), VelocityCurve::default());
+    assert_eq!(player.drain(&mut events).expect("memory"), 3);
+    assert_eq!(sent(&player), [on(1.0, 58), off(2.0, 64)]);
+}
+
+/// An output that the test still sees when the player is gone.
+#[derive(Clone, Default)]
+struct Shared {
+    sent: Rc<RefCell<Vec<[u8; 3]>>>,
+    broken: bool,
+}
+
+impl Output for Shared {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+        self.sent.borrow_mut().push(message.encode());
+        if self.broken { Err(SendError::NoSuchTime { at }) } else { Ok(()) }
+    }
+
+    fn finish(&mut self) -> Result<(), SendError> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_player_that_goes_away_leaves_no_note_hanging() {
+    let output = Shared::default();
+    let sent = Rc::clone(&output.sent);
+    let mut player = Player::new(output, VelocityCurve::default());
+    player.play(strike(1.0, 1.0)).expect("accepted");
+    drop(player);
+    let expected = [[0x80, 60, 64], [0xB0, 64, 0], [0xB0, 123, 0], [0xB0, 120, 0]];
+    assert_eq!(sent.borrow()[1..], expected);
+}
+
+#[test]
+fn a_player_that_has_finished_sends_nothing_more() {
+    let output = Shared::default();
+    let sent = Rc::clone(&output.sent);
+    let mut player = Player::new(output, VelocityCurve::default());
+    player.play(strike(1.0, 1.0)).expect("accepted");
+    player.finish().expect("accepted");
+    let n_sent = sent.borrow().len();
+    player.finish().expect("accepted");
+    drop(player);
+    assert_eq!(sent.borrow().len(), n_sent);
+}
+
+#[test]
+fn silence_tries_every_message_even_if_all_are_lost() {
+    let output = Shared { broken: true, ..Shared::default() };
+    let sent = Rc::clone(&output.sent);
+    let mut player = Player::new(output, VelocityCurve::default());
+    assert!(player.play(strike(1.0, 1.0)).is_err());
+    assert!(player.silence().is_err());
+    assert_eq!(sent.borrow().len(), 1 + 4);
+}

@@ -1,0 +1,63 @@
+//! From a name to a model: the only file that knows all models.
+
+use crate::describe::{Parameter, Playable, Preset};
+use crate::{KeyHammerRigid, KeyHammerSprings};
+
+/// Something to be done with a model whose type is known by name only.
+pub trait Visitor {
+    /// What comes out.
+    type Output;
+
+    /// Does it with the model type `M`.
+    fn visit<M: Playable>(self) -> Self::Output;
+}
+
+/// What is known of a model without building one.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub summary: &'static str,
+    /// Its parameters.
+    pub parameters: &'static [Parameter],
+    /// Its presets; the first is the default.
+    pub presets: &'static [Preset],
+    /// Names of its state's entries.
+    pub states: &'static [&'static str],
+    /// Names of its outputs.
+    pub outputs: &'static [&'static str],
+}
+
+macro_rules! catalogue {
+    ($($model:ty),+ $(,)?) => {
+        /// Every model.
+        pub const ENTRIES: &[Entry] = &[$(entry::<$model>()),+];
+
+        /// Does something with the model called `name`, if there is one.
+        pub fn visit<V: Visitor>(name: &str, visitor: V) -> Option<V::Output> {
+            $(if name == <$model as crate::Described>::NAME {
+                return Some(visitor.visit::<$model>());
+            })+
+            None
+        }
+    };
+}
+
+catalogue!(KeyHammerSprings, KeyHammerRigid);
+
+const fn entry<M: Playable>() -> Entry {
+    Entry {
+        name: M::NAME,
+        summary: M::SUMMARY,
+        parameters: M::PARAMETERS,
+        presets: M::PRESETS,
+        states: M::STATES,
+        outputs: M::OUTPUTS,
+    }
+}
+
+/// The entry called `name`, if there is one.
+pub fn find(name: &str) -> Option<&'static Entry> {
+    ENTRIES.iter().find(|entry| entry.name == name)
+}

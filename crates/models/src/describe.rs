@@ -1,0 +1,79 @@
+//! What a model says about itself: names, parameters, presets, how a key plays it.
+
+use pode::{Energetic, GuardId, Motion, Resets};
+
+/// A model's parameter.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Parameter {
+    /// Name in scenes, on the command line and in files.
+    pub name: &'static str,
+    /// SI unit; `"1"` for a ratio.
+    pub unit: &'static str,
+    /// Smallest and largest allowed value.
+    pub range: (f64, f64),
+    /// What it is, in one line.
+    pub doc: &'static str,
+}
+
+/// A named set of parameter values, graded over the compass.
+#[derive(Clone, Copy, Debug)]
+pub struct Preset {
+    /// Name in scenes.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub doc: &'static str,
+    /// Value of the parameter with the given index for a key, 0 (A0) ..= 87 (C8).
+    pub value: fn(parameter: usize, key: u8) -> f64,
+}
+
+/// A model with a name, parameters, and names for all that it has.
+pub trait Described: Resets<Input = Motion> + Energetic + PartialEq + Send + 'static {
+    /// Name in scenes and on the command line.
+    const NAME: &'static str;
+    /// What it is, in one line.
+    const SUMMARY: &'static str;
+    /// Names of the state's entries.
+    const STATES: &'static [&'static str];
+    /// Every mode with its name.
+    const MODES: &'static [(Self::Mode, &'static str)];
+    /// The parameters, in the order of [`Described::with_values`].
+    const PARAMETERS: &'static [Parameter];
+    /// Named parameter sets; the first is the default.
+    const PRESETS: &'static [Preset];
+    /// Names of what [`Described::outputs`] writes.
+    const OUTPUTS: &'static [&'static str];
+
+    /// The model with one value per parameter; a missing one is taken from the default
+    /// preset.
+    fn with_values(values: &[f64]) -> Self;
+
+    /// Writes the outputs, forces first, for files and plots.
+    fn outputs(&self, mode: Self::Mode, x: &Self::State, input: &Motion, out: &mut [f64]);
+
+    /// At rest under a constant input.
+    fn at_rest(&self, input: &Motion) -> (Self::Mode, Self::State);
+}
+
+/// A model that can be rendered on a key.
+pub trait Playable: Described {
+    /// Input per metre of key-front travel [unit of the input / m]; a force at the
+    /// finger is the readout times this.
+    fn input_per_metre(&self) -> f64;
+
+    /// What firing `guard` in `before` sounds, if anything.
+    fn sounding(&self, guard: GuardId, before: &Self::State) -> Option<Sounding>;
+}
+
+/// A guard's firing that is heard.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Sounding {
+    /// Speed of what strikes [m/s].
+    pub speed: f64,
+}
+
+/// `values` with what is missing taken from the default preset.
+pub(crate) fn filled<const N: usize, M: Described>(values: &[f64]) -> [f64; N] {
+    core::array::from_fn(|index| {
+        values.get(index).copied().unwrap_or_else(|| (M::PRESETS[0].value)(index, 0))
+    })
+}

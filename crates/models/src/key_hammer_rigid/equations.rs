@@ -1,0 +1,126 @@
+//! Model A's equations, by hand, in the form that generated ones will take.
+
+use pode::math::{cos, sin};
+use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Reset, Resets};
+
+use super::{KeyHammerRigid, Mode};
+use crate::key_hammer::{Coupled, below_string, gap};
+
+const RELEASE: GuardId = GuardId(0);
+const LAND: GuardId = GuardId(1);
+/// The hammer meets the string.
+pub(super) const STRING: GuardId = GuardId(2);
+
+const A1: [GuardSpec; 1] = [GuardSpec::new(0, "release")];
+const A2: [GuardSpec; 2] = [GuardSpec::new(1, "land"), GuardSpec::new(2, "string")];
+
+impl KeyHammerRigid {
+    /// M2 g L2 cos θh: the hammer's weight about its pivot [N·m].
+    fn weight(&self, angle: f64) -> f64 {
+        let p = &self.values;
+        p.m2 * p.g * p.l2 * cos(angle)
+    }
+
+    /// `F_KH` [N] and `T_KU` [N·m].
+    pub(super) fn forces(&self, mode: Mode, s: &Motion) -> (f64, f64) {
+        let p = &self.values;
+        let key = p.jk * s.acceleration + p.m1 * p.g * p.ck * cos(s.position);
+        match mode {
+            Mode::A1 => {
+                let hammer = Coupled::on_key(p, s);
+                let contact = self.contact(&hammer).value;
+                (contact, key + contact * p.l1 * hammer.cos_delta)
+            }
+            Mode::A2 => (0.0, key),
+        }
+    }
+
+    /// F_KH = (JH θh'' + M2 g L2 cos θh) / σ and its rate.
+    fn contact(&self, hammer: &Coupled) -> GuardValue {
+        let p = &self.values;
+        let force = (p.jh * hammer.acceleration + self.weight(hammer.angle)) / hammer.reach;
+        let rate = (p.jh * hammer.jerk
+            - p.m2 * p.g * p.l2 * sin(hammer.angle) * hammer.rate
+            - force * hammer.reach_rate)
+            / hammer.reach;
+        GuardValue::new(force, rate)
+    }
+}
+
+impl Model for KeyHammerRigid {
+    type Mode = Mode;
+    type State = [f64; 2];
+    type Input = Motion;
+    const COORDS: usize = 1;
+
+    fn derivative(&self, mode: Mode, x: &[f64; 2], s: &Motion) -> [f64; 2] {
+        match mode {
+            Mode::A1 => {
+                let hammer = Coupled::on_key(&self.values, s);
+                [hammer.rate, hammer.acceleration]
+            }
+            Mode::A2 => [x[1], -self.weight(x[0]) / self.values.jh],
+        }
+    }
+
+    fn readout(&self, mode: Mode, _x: &[f64; 2], s: &Motion) -> f64 {
+        self.forces(mode, s).1
+    }
+
+    fn constrain(&self, mode: Mode, x: &[f64; 2], s: &Motion) -> [f64; 2] {
+        match mode {
+            Mode::A1 => {
+                let hammer = Coupled::on_key(&self.values, s);
+                [hammer.angle, hammer.rate]
+            }
+            Mode::A2 => *x,
+        }
+    }
+}
+
+impl Guarded for KeyHammerRigid {
+    fn guards(&self, mode: Mode) -> &'static [GuardSpec] {
+        match mode {
+            Mode::A1 => &A1,
+            Mode::A2 => &A2,
+        }
+    }
+
+    fn guard(&self, _mode: Mode, guard: GuardId, x: &[f64; 2], s: &Motion) -> GuardValue {
+        match guard {
+            RELEASE => self.contact(&Coupled::on_key(&self.values, s)),
+            LAND => gap(&self.values, (x[0], x[1]), (s.position, s.rate)),
+            _ => below_string(&self.values, (x[0], x[1])),
+        }
+    }
+}
+
+impl Resets for KeyHammerRigid {
+    /// Release keeps the state; landing is a plastic catch with its impulse on the key;
+    /// the string turns the hammer round.
+    fn reset(&self, _mode: Mode, guard: GuardId, x: &[f64; 2], s: &Motion) -> Reset<Self> {
+        let p = &self.values;
+        match guard {
+            RELEASE => Reset::to(Mode::A2, *x),
+            LAND => {
+                let hammer = Coupled::on_key(p, s);
+                let impulse = p.jh * (hammer.rate - x[1]) / hammer.reach;
+                Reset::to(Mode::A1, [hammer.angle, hammer.rate])
+                    .with_impulse(impulse * p.l1 * hammer.cos_delta)
+            }
+            _ => Reset::to(Mode::A2, [p.string_angle, -p.restitution * x[1]]),
+        }
+    }
+}
+
+impl Energetic for KeyHammerRigid {
+    fn energy(&self, _mode: Mode, x: &[f64; 2], s: &Motion) -> f64 {
+        let p = &self.values;
+        0.5 * (p.jh * x[1] * x[1] + p.jk * s.rate * s.rate)
+            + p.g * (p.m2 * p.l2 * sin(x[0]) + p.m1 * p.ck * sin(s.position))
+    }
+
+    fn supplied(&self, mode: Mode, x: &[f64; 2], s: &Motion) -> f64 {
+        self.readout(mode, x, s) * s.rate
+    }
+}

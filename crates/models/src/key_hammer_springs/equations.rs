@@ -1,0 +1,217 @@
+//! Model B's equations, by hand, in the form that generated ones will take.
+
+use pode::math::{cos, sin, sin_cos, sqrt};
+use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Reset, Resets};
+
+use super::{KeyHammerSprings, Mode};
+use crate::key_hammer::{Coupled, below_string, gap};
+
+const RELEASE: GuardId = GuardId(0);
+const LAND: GuardId = GuardId(1);
+/// The hammer meets the string.
+pub(super) const STRING: GuardId = GuardId(2);
+
+const B1: [GuardSpec; 2] = [GuardSpec::new(0, "release"), GuardSpec::new(2, "string")];
+const B2: [GuardSpec; 2] = [GuardSpec::new(1, "land"), GuardSpec::new(2, "string")];
+
+/// The spring k2 and the slider.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Contact {
+    /// Compression of k2 [m].
+    pub(super) q4: f64,
+    /// Its rate [m/s].
+    pub(super) q4_rate: f64,
+    /// Position of the slider along H [m].
+    pub(super) q3: f64,
+    /// `F_KH` [N]: never pulls.
+    pub(super) force: f64,
+    /// cos δ, δ = θk − θh.
+    pub(super) cos_delta: f64,
+    /// ∂q4/∂θh = −q3 / cos δ [m/rad].
+    pub(super) per_hammer: f64,
+    /// ∂q4/∂θk = L1 + q4 tan δ [m/rad].
+    pub(super) per_key: f64,
+    /// cos θh and cos θk.
+    cos_h: f64,
+    cos_k: f64,
+}
+
+impl KeyHammerSprings {
+    /// q4 = (L1 sin δ − L4 cos θh + L3 sin θh)/cos δ, q3 = (L1 − L3 cos θk − L4 sin θk)/cos δ.
+    #[inline]
+    pub(super) fn contact(&self, x: &[f64; 4]) -> Contact {
+        let p = &self.values;
+        let (sin_h, cos_h) = sin_cos(x[0]);
+        let (sin_k, cos_k) = sin_cos(x[1]);
+        let sin_d = sin_k * cos_h - cos_k * sin_h;
+        let cos_delta = cos_k * cos_h + sin_k * sin_h;
+        let secant = 1.0 / cos_delta;
+        let q4 = (p.l1 * sin_d - p.l4 * cos_h + p.l3 * sin_h) * secant;
+        let q3 = (p.l1 - p.l3 * cos_k - p.l4 * sin_k) * secant;
+        let per_hammer = -q3 * secant;
+        let per_key = p.l1 + q4 * sin_d * secant;
+        let q4_rate = per_hammer * x[2] + per_key * x[3];
+        let force = p.k2 * q4 * (1.0 + p.c2 * q4_rate).max(0.0);
+        Contact { q4, q4_rate, q3, force, cos_delta, per_hammer, per_key, cos_h, cos_k }
+    }
+
+    /// F_KU as a torque: k1 (s − θk) + b1 (s' − θk') [N·m].
+    #[inline]
+    pub(super) fn coupling(&self, x: &[f64; 4], s: &Motion) -> f64 {
+        self.values.k1 * (s.position - x[1]) + self.values.b1 * (s.rate - x[3])
+    }
+
+    /// θh'' and θk'' under the contact force [rad/s²].
+    #[inline]
+    fn accelerations(
+        &self,
+        x: &[f64; 4],
+        s: &Motion,
+        cosines: (f64, f64),
+        torques: (f64, f64),
+    ) -> [f64; 2] {
+        let p = &self.values;
+        [
+            (torques.0 - p.m2 * p.g * p.l2 * cosines.0) / p.jh,
+            (self.coupling(x, s) - p.m1 * p.g * p.ck * cosines.1 + torques.1) / p.jk,
+        ]
+    }
+
+    /// At rest in B1 with the manipulandum at `s`: Newton on both balances.
+    pub(super) fn equilibrium(&self, s: f64) -> [f64; 4] {
+        /// From the rigid geometry Newton needs 4–6 rounds; 40 leave room for soft springs.
+        const ROUNDS: usize = 40;
+        let input = Motion { position: s, ..Motion::default() };
+        let mut x = [Coupled::on_key(&self.values, &input).angle, s, 0.0, 0.0];
+        let residual = |x: &[f64; 4]| {
+            let dx = self.derivative(Mode::B1, x, &input);
+            [dx[2], dx[3]]
+        };
+        for _ in 0..ROUNDS {
+            let f = residual(&x);
+            let columns = [0, 1].map(|j| {
+                let step = 1e-7;
+                let shifted = |sign: f64| {
+                    let mut y = x;
+                    y[j] += sign * step;
+                    residual(&y)
+                };
+                let (up, down) = (shifted(1.0), shifted(-1.0));
+                [0, 1].map(|i| (up[i] - down[i]) / (2.0 * step))
+            });
+            let [[a, c], [b, d]] = columns;
+            let determinant = a * d - b * c;
+            let step = [(d * f[0] - b * f[1]) / determinant, (a * f[1] - c * f[0]) / determinant];
+            x[0] -= step[0];
+            x[1] -= step[1];
+            if step[0].abs().max(step[1].abs()) < 1e-16 {
+                break;
+            }
+        }
+        x
+    }
+}
+
+impl Model for KeyHammerSprings {
+    type Mode = Mode;
+    type State = [f64; 4];
+    type Input = Motion;
+    const COORDS: usize = 2;
+
+    #[inline]
+    fn derivative(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> [f64; 4] {
+        let (cosines, torques) = match mode {
+            Mode::B1 => {
+                let contact = self.contact(x);
+                let torques =
+                    (-contact.force * contact.per_hammer, -contact.force * contact.per_key);
+                ((contact.cos_h, contact.cos_k), torques)
+            }
+            Mode::B2 => ((cos(x[0]), cos(x[1])), (0.0, 0.0)),
+        };
+        let [hammer, key] = self.accelerations(x, s, cosines, torques);
+        [x[2], x[3], hammer, key]
+    }
+
+    #[inline]
+    fn readout(&self, _mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
+        self.coupling(x, s)
+    }
+
+    /// Three quarters of a radian of the fastest oscillation that the springs allow.
+    fn longest_step(&self, mode: Mode) -> f64 {
+        const RADIANS: f64 = 0.75;
+        let p = &self.values;
+        let reach = p.l1 - p.l3;
+        let contact = match mode {
+            Mode::B1 => p.k2 * (p.l1 * p.l1 / p.jk + reach * reach / p.jh),
+            Mode::B2 => 0.0,
+        };
+        RADIANS / sqrt(p.k1 / p.jk + contact)
+    }
+}
+
+impl Guarded for KeyHammerSprings {
+    fn guards(&self, mode: Mode) -> &'static [GuardSpec] {
+        match mode {
+            Mode::B1 => &B1,
+            Mode::B2 => &B2,
+        }
+    }
+
+    #[inline]
+    fn guard(&self, _mode: Mode, guard: GuardId, x: &[f64; 4], _s: &Motion) -> GuardValue {
+        match guard {
+            RELEASE => {
+                let contact = self.contact(x);
+                GuardValue::new(contact.q4, contact.q4_rate)
+            }
+            LAND => gap(&self.values, (x[0], x[2]), (x[1], x[3])),
+            _ => below_string(&self.values, (x[0], x[2])),
+        }
+    }
+}
+
+impl Resets for KeyHammerSprings {
+    /// Release and landing keep the state; the string turns the hammer round.
+    fn reset(&self, mode: Mode, guard: GuardId, x: &[f64; 4], _s: &Motion) -> Reset<Self> {
+        let p = &self.values;
+        match guard {
+            RELEASE => Reset::to(Mode::B2, *x),
+            LAND => Reset::to(Mode::B1, *x),
+            _ => Reset::to(mode, [p.string_angle, x[1], -p.restitution * x[2], x[3]]),
+        }
+    }
+}
+
+impl Energetic for KeyHammerSprings {
+    fn energy(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
+        let p = &self.values;
+        let twist = s.position - x[1];
+        let squeeze = match mode {
+            Mode::B1 => self.contact(x).q4,
+            Mode::B2 => 0.0,
+        };
+        0.5 * (p.jh * x[2] * x[2]
+            + p.jk * x[3] * x[3]
+            + p.k1 * twist * twist
+            + p.k2 * squeeze * squeeze)
+            + p.g * (p.m2 * p.l2 * sin(x[0]) + p.m1 * p.ck * sin(x[1]))
+    }
+
+    fn supplied(&self, _mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
+        self.coupling(x, s) * s.rate
+    }
+
+    fn dissipated(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
+        let slip = s.rate - x[3];
+        let felt = match mode {
+            Mode::B1 => {
+                let contact = self.contact(x);
+                (contact.force - self.values.k2 * contact.q4) * contact.q4_rate
+            }
+            Mode::B2 => 0.0,
+        };
+        self.values.b1 * slip * slip + felt
+    }
+}

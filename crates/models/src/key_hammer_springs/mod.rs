@@ -1,0 +1,69 @@
+//! The paper's model B: key and hammer, springs in every contact. See README.md.
+
+mod equations;
+
+use pode::{GuardId, Motion};
+
+use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled};
+use crate::key_hammer::{PARAMETERS, PRESETS, Values};
+
+/// Key and hammer coupled by springs (B1) or apart (B2).
+///
+/// State: θh, θk [rad], θh', θk' [rad/s]. Input: the manipulandum's angle s [rad].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct KeyHammerSprings {
+    /// Parameter values.
+    pub values: Values,
+}
+
+/// Contact configuration.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mode {
+    /// Hammer on the key, through k2.
+    B1,
+    /// Hammer in free flight.
+    B2,
+}
+
+impl Described for KeyHammerSprings {
+    const NAME: &'static str = "key-hammer-springs";
+    const SUMMARY: &'static str =
+        "the paper's model B: key and hammer with springs in the contacts";
+    const STATES: &'static [&'static str] = &["theta_h", "theta_k", "theta_h_dot", "theta_k_dot"];
+    const MODES: &'static [(Mode, &'static str)] = &[(Mode::B1, "B1"), (Mode::B2, "B2")];
+    const PARAMETERS: &'static [Parameter] = &PARAMETERS;
+    const PRESETS: &'static [Preset] = &PRESETS;
+    const OUTPUTS: &'static [&'static str] = &["F_KH", "T_KU", "gap", "q4", "q3"];
+
+    fn with_values(values: &[f64]) -> Self {
+        Self { values: Values::from_array(&filled::<_, Self>(values)) }
+    }
+
+    fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {
+        let contact = self.contact(x);
+        let gap = -contact.q4 * contact.cos_delta;
+        // Apart, the spring is slack and the slider is nowhere on the hammer.
+        let (force, q4, q3) = match mode {
+            Mode::B1 => (contact.force, contact.q4, contact.q3),
+            Mode::B2 => (0.0, 0.0, 0.0),
+        };
+        let all = [force, self.coupling(x, s), gap, q4, q3];
+        for (slot, value) in out.iter_mut().zip(all) {
+            *slot = value;
+        }
+    }
+
+    fn at_rest(&self, input: &Motion) -> (Mode, [f64; 4]) {
+        (Mode::B1, self.equilibrium(input.position))
+    }
+}
+
+impl Playable for KeyHammerSprings {
+    fn input_per_metre(&self) -> f64 {
+        1.0 / self.values.r
+    }
+
+    fn sounding(&self, guard: GuardId, before: &[f64; 4]) -> Option<Sounding> {
+        (guard == equations::STRING).then(|| Sounding { speed: self.values.l2 * before[2].abs() })
+    }
+}

@@ -1,0 +1,23 @@
+//! The instruments: what each key can be.
+//!
+//! One folder per model: `mod.rs` (parameters with units, names, presets),
+//! `equations.rs` (the equations themselves, in the form that generated ones will take)
+//! and `README.md` (coordinates, modes and guards, source, where it stops being true).
+//! [`catalogue`] is the only file that knows all models; to add one, copy
+//! `bouncing_ball/` and add a line there.
+//!
+//! Not here: time stepping, estimation of the key's motion, forces in newtons at the
+//! finger. A model's input and readout are in its own generalised coordinate.
+#![cfg_attr(not(any(test, feature = "std")), no_std)]
+#![forbid(unsafe_code)]
+
+mod describe;
+
+pub mod catalogue;
+pub mod key_hammer;
+pub mod key_hammer_rigid;
+pub mod key_hammer_springs;
+
+pub use describe::{Described, Parameter, Playable, Preset, Sounding};
+pub use key_hammer_rigid::KeyHammerRigid;
+pub use key_hammer_springs::KeyHammerSprings;

@@ -1,0 +1,167 @@
+//! Reads the reference cases and runs a model on them.
+
+use std::fs;
+use std::path::PathBuf;
+
+use models::Described;
+use pode::stepper::Stepper;
+use pode::{Event, Limits, Motion, Piece, Signal, Simulator, Watch};
+use serde_json::Value;
+
+/// An event of a reference case.
+#[derive(Clone, Debug)]
+pub struct Expected {
+    pub t: f64,
+    pub guard: String,
+    pub from: String,
+    pub to: String,
+    /// State before and after, in the order of the model's state names.
+    pub before: Vec<f64>,
+    pub after: Vec<f64>,
+}
+
+/// A reference case: parameters, input, events and the sampled trajectory.
+#[derive(Clone, Debug)]
+pub struct Case {
+    pub parameters: Vec<(String, f64)>,
+    /// (A, tc, w) of s(t) = Σ A exp(−((t − tc)/w)²).
+    pub bells: Vec<[f64; 3]>,
+    pub t_end: f64,
+    pub events: Vec<Expected>,
+    /// Rows of the trajectory, by column name.
+    pub columns: Vec<String>,
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Case {
+    pub fn load<M: Described>(name: &str) -> Self {
+        let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/reference");
+        let text = fs::read_to_string(folder.join(format!("{name}.json"))).expect("the case");
+        let json: Value = serde_json::from_str(&text).expect("JSON");
+        let mut reader =
+            csv::Reader::from_path(folder.join(format!("{name}.csv"))).expect("the trajectory");
+        let columns = reader.headers().expect("a header").iter().map(String::from).collect();
+        let rows = reader
+            .records()
+            .map(|row| row.expect("a row").iter().map(String::from).collect())
+            .collect();
+        let parameters = json["parameters"].as_object().expect("parameters");
+        let bells = json["input"]["A_tc_w"].as_array().expect("an input");
+        Self {
+            parameters: parameters
+                .iter()
+                .map(|(key, value)| (key.clone(), number(value)))
+                .collect(),
+            bells: bells.iter().map(|bell| [0, 1, 2].map(|i| number(&bell[i]))).collect(),
+            t_end: number(&json["t_end"]),
+            events: json["events"].as_array().expect("events").iter().map(event::<M>).collect(),
+            columns,
+            rows,
+        }
+    }
+
+    /// The model with the case's parameters.
+    pub fn model<M: Described>(&self) -> M {
+        let values: Vec<f64> = M::PARAMETERS
+            .iter()
+            .enumerate()
+            .map(|(index, parameter)| {
+                let given = self.parameters.iter().find(|(name, _)| name == parameter.name);
+                given.map_or_else(|| (M::PRESETS[0].value)(index, 0), |(_, value)| *value)
+            })
+            .collect();
+        M::with_values(&values)
+    }
+
+    /// The exact input at `t` [s].
+    pub fn input(&self, t: f64) -> Motion {
+        let mut motion = Motion::default();
+        for [a, tc, w] in &self.bells {
+            let z = (t - tc) / w;
+            let bell = a * (-z * z).exp();
+            motion.position += bell;
+            motion.rate += bell * (-2.0 * z) / w;
+            motion.acceleration += bell * (4.0 * z * z - 2.0) / (w * w);
+            motion.jerk += bell * (12.0 * z - 8.0 * z * z * z) / (w * w * w);
+        }
+        motion
+    }
+
+    /// The value in `column` of `row`.
+    pub fn value(&self, row: usize, column: &str) -> f64 {
+        let index = self.columns.iter().position(|name| name == column).expect("a column");
+        self.rows[row][index].parse().expect("a number")
+    }
+}
+
+fn number(value: &Value) -> f64 {
+    match value {
+        Value::String(text) => text.parse().expect("a number"),
+        other => other.as_f64().expect("a number"),
+    }
+}
+
+fn event<M: Described>(json: &Value) -> Expected {
+    let state = |which: &str| M::STATES.iter().map(|name| number(&json[which][name])).collect();
+    let text = |which: &str| json[which].as_str().expect("a name").to_owned();
+    Expected {
+        t: number(&json["t"]),
+        guard: text("guard"),
+        from: text("from"),
+        to: text("to"),
+        before: state("before"),
+        after: state("after"),
+    }
+}
+
+/// What a run gave.
+#[derive(Debug)]
+pub struct Trace<M: Described> {
+    pub h: f64,
+    pub events: Vec<(f64, &'static str, M::Mode, M::Mode)>,
+    pub after: Vec<M::State>,
+    /// State and mode at the end of each tick.
+    pub ends: Vec<(M::Mode, M::State)>,
+    /// Largest mean-square energy residual [J].
+    pub audit: pode::EnergyAudit,
+}
+
+impl<M: Described> Watch<M> for Trace<M> {
+    fn piece<S: Signal<Motion>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
+        self.audit.piece(model, piece);
+    }
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        self.audit.event(model, event);
+        let t = (event.tick as f64 + event.theta) * self.h;
+        self.events.push((t, event.cause.name(), event.before.0, event.after.0));
+        self.after.push(event.after.1);
+    }
+}
+
+/// Runs `case` with ticks of `h` [s] and the exact input.
+pub fn run<M: Described, T: Stepper>(case: &Case, stepper: T, h: f64) -> Trace<M> {
+    let model: M = case.model();
+    let (mode, state) = model.at_rest(&case.input(0.0));
+    let mut simulator = Simulator::new(model, stepper, Limits::default(), mode, state);
+    let mut trace = Trace {
+        h,
+        events: Vec::new(),
+        after: Vec::new(),
+        ends: vec![(mode, state)],
+        audit: <_>::default(),
+    };
+    let ticks = (case.t_end / h).round() as u64;
+    for tick in 0..ticks {
+        let signal = |theta: f64| case.input((tick as f64 + theta) * h);
+        let done = simulator.advance(h, &signal, &mut trace);
+        assert_eq!(done.advance, pode::Advance::Completed, "tick {tick}");
+        trace.ends.push((simulator.mode(), *simulator.state()));
+    }
+    trace
+}
+
+/// The name of a mode.
+pub fn mode_name<M: Described>(mode: M::Mode) -> &'static str {
+    M::MODES.iter().find(|(known, _)| *known == mode).expect("a mode").1
+}

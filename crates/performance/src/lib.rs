@@ -1,0 +1,28 @@
+//! A MIDI file to finger strokes: the virtual pianist.
+//!
+//! ```text
+//! bytes ── score::read ──▶ Score ── stroke::plan ──▶ strokes of each key
+//!                                                        │ rehearse: which gesture gives
+//!                                                        ▼ this hammer speed at this time?
+//!        Assessment ◀── assess ── what was struck    Performance
+//! ```
+//!
+//! Hammers are thrown, not placed: what a stroke does depends on the action and on the state
+//! that the key is in. So every stroke is rehearsed by simulation, from the state its key will
+//! really have then, until it gives the wanted velocity and onset.
+//! This crate knows no instrument: the host hands one in as a [`Rehearsal`].
+//! Times are `f64` seconds since the start of the performance.
+
+#![forbid(unsafe_code)]
+
+pub mod assess;
+pub mod pianist;
+pub mod rehearse;
+pub mod score;
+pub mod stroke;
+
+pub use assess::{Assessment, Spread, Struck, WINDOW, assess};
+pub use pianist::{Expected, Performance, Pianist, Progress};
+pub use rehearse::{Outcome, Practice, Rehearsal, RehearsedStroke, Strike, Table, Tables};
+pub use score::{Score, ScoreError, ScoreNote, read};
+pub use stroke::{PlannedStroke, Technique, plan};

@@ -1,0 +1,181 @@
+//! The virtual pianist: a score, rehearsed key by key.
+
+use std::num::NonZero;
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use haptics::plant::Gesture;
+use midi::{KEYS, VelocityCurve};
+
+use crate::assess::Struck;
+use crate::rehearse::{Practice, Rehearsal, RehearsedStroke, Tables};
+use crate::score::Score;
+use crate::stroke::{PlannedStroke, Technique, plan};
+
+/// Prepares performances.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Pianist {
+    /// What a hammer speed is worth.
+    pub curve: VelocityCurve,
+    /// How the pianist plays.
+    pub technique: Technique,
+    /// Keys that are rehearsed at a time; the result does not depend on it.
+    pub n_workers: NonZero<usize>,
+}
+
+impl Default for Pianist {
+    fn default() -> Self {
+        Self {
+            curve: VelocityCurve::default(),
+            technique: Technique::default(),
+            n_workers: thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN),
+        }
+    }
+}
+
+/// How far a preparation has come.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Progress {
+    /// Strokes rehearsed.
+    pub done: usize,
+    /// Strokes of the score.
+    pub total: usize,
+}
+
+/// A note that should be heard.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Expected {
+    /// Which key, 0 ..= 87.
+    pub key: u8,
+    /// When [s since the start of the performance].
+    pub onset: f64,
+    /// Hammer speed [m/s].
+    pub speed: f64,
+    /// MIDI velocity, 1 ..= 127.
+    pub velocity: u8,
+}
+
+/// What the fingers do, and what should be heard of it.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Performance {
+    /// For each of the 88 keys its gestures, in order of start.
+    pub gestures: Vec<Vec<Gesture>>,
+    /// What the score wants, in order of onset, then of key.
+    pub expected: Vec<Expected>,
+    /// What the rehearsal promises: compare with [`assess`](crate::assess()).
+    pub predicted: Vec<Struck>,
+    /// Moves of the sustain pedal: when [s], and how deep, 0 (up) ..= 1 (down).
+    pub pedals: Vec<(f64, f64)>,
+}
+
+impl Performance {
+    /// When the last finger has left its key or the pedal is moved last [s].
+    pub fn end(&self) -> f64 {
+        let releases = self.gestures.iter().flatten().map(|gesture| gesture.release);
+        releases.chain(self.pedals.iter().map(|pedal| pedal.0)).fold(0.0, f64::max)
+    }
+}
+
+impl Pianist {
+    /// Finds out how to play `score`.
+    ///
+    /// `instrument` makes a key (0 ..= 87), at rest at time 0; it is called by several threads.
+    /// `progress` is called after every stroke, by whichever thread rehearsed it.
+    pub fn prepare<R: Rehearsal>(
+        &self,
+        score: &Score,
+        instrument: impl Fn(u8) -> R + Sync,
+        progress: impl Fn(Progress) + Sync,
+    ) -> Performance {
+        let keys = plan(score, self.curve, &self.technique);
+        let total = keys.iter().map(Vec::len).sum();
+        let done = AtomicUsize::new(0);
+        let step = || {
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            progress(Progress { done, total });
+        };
+        let rehearsed = self.share_out(&keys, |strokes| {
+            strokes
+                .first()
+                .map_or_else(Vec::new, |first| self.rehearse(instrument(first.key), strokes, step))
+        });
+        self.put_together(score, &keys, &rehearsed)
+    }
+
+    fn rehearse<R: Rehearsal>(
+        &self,
+        instrument: R,
+        strokes: &[PlannedStroke],
+        progress: impl FnMut(),
+    ) -> Vec<RehearsedStroke> {
+        let tables = Tables::measure(&instrument, &self.technique);
+        let practice = Practice { tables: &tables, curve: self.curve, technique: &self.technique };
+        practice.rehearse(instrument, strokes, progress)
+    }
+
+    /// Lets the workers take key after key, the busiest first; results in order of keys.
+    fn share_out<T: Send + Default>(
+        &self,
+        keys: &[Vec<PlannedStroke>],
+        work: impl Fn(&[PlannedStroke]) -> T + Sync,
+    ) -> Vec<T> {
+        let mut order: Vec<usize> = (0..keys.len()).collect();
+        order.sort_by_key(|key| usize::MAX - keys[*key].len());
+        let taken = AtomicUsize::new(0);
+        let take = || order.get(taken.fetch_add(1, Ordering::Relaxed)).copied();
+        let worker = || {
+            let mine = std::iter::from_fn(take).map(|key| (key, work(&keys[key])));
+            mine.collect::<Vec<_>>()
+        };
+        let mut results: Vec<T> = keys.iter().map(|_| T::default()).collect();
+        for (key, result) in run(self.n_workers.get(), &worker) {
+            results[key] = result;
+        }
+        results
+    }
+
+    fn put_together(
+        &self,
+        score: &Score,
+        keys: &[Vec<PlannedStroke>],
+        rehearsed: &[Vec<RehearsedStroke>],
+    ) -> Performance {
+        let mut expected: Vec<_> = keys.iter().flatten().map(wanted).collect();
+        expected.sort_by(|a, b| a.onset.total_cmp(&b.onset).then(a.key.cmp(&b.key)));
+        let mut gestures: Vec<Vec<_>> = rehearsed
+            .iter()
+            .map(|strokes| strokes.iter().map(|stroke| stroke.gesture).collect())
+            .collect();
+        gestures.resize(usize::from(KEYS), Vec::new());
+        let lead_in = self.technique.lead_in;
+        Performance {
+            gestures,
+            expected,
+            predicted: rehearsed.iter().flatten().filter_map(|s| self.predict(s)).collect(),
+            pedals: score.pedals.iter().map(|(at, depth)| (at + lead_in, *depth)).collect(),
+        }
+    }
+
+    fn predict(&self, stroke: &RehearsedStroke) -> Option<Struck> {
+        let strike = stroke.strike?;
+        let velocity = self.curve.velocity(strike.speed).get();
+        Some(Struck { key: stroke.wanted.key, at: strike.at, velocity })
+    }
+}
+
+fn wanted(stroke: &PlannedStroke) -> Expected {
+    let &PlannedStroke { key, onset, speed, velocity, .. } = stroke;
+    Expected { key, onset, speed, velocity: velocity.get() }
+}
+
+/// Runs `worker` on `n_workers` threads and returns all that they made.
+fn run<T: Send>(n_workers: usize, worker: &(impl Fn() -> Vec<T> + Sync)) -> Vec<T> {
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..n_workers).map(|_| scope.spawn(worker)).collect();
+        let joined = workers
+            .into_iter()
+            .flat_map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        joined.collect()
+    })
+}

@@ -1,0 +1,149 @@
+//! Which gesture gives this hammer speed at this time: found by simulation.
+//!
+//! One key, stroke after stroke, each from the state that the strokes before it leave behind:
+//!
+//! 1. advance a little before the stroke must begin;
+//! 2. guess speed and start from the [`Table`] of the key at rest;
+//! 3. try on a copy of the key, and correct both, until strike and onset are as wanted;
+//! 4. if the touch does not serve, try the other one;
+//! 5. choose the release so that the damper falls where it should and the next stroke has room;
+//! 6. keep it and go on.
+//!
+//! Nothing depends on anything but the arguments: the same strokes give the same bits.
+
+mod hand;
+mod release;
+mod search;
+mod table;
+
+use haptics::plant::{Gesture, Touch};
+use midi::VelocityCurve;
+
+use crate::stroke::{PlannedStroke, Technique};
+use hand::Hand;
+use search::Try;
+pub use table::{Table, Tables, tabulate};
+
+/// A key with its action that can be tried out; a copy of it is a snapshot.
+///
+/// A new one is at rest, and its time is 0.
+pub trait Rehearsal: Clone {
+    /// Plays on from the key's present time until `until` [s].
+    ///
+    /// `gestures`, in order of start, are all that matter from the present time on: the one
+    /// that may still be under way, and those that begin later.
+    /// What a gesture does before its release does not depend on when that is.
+    fn play(&mut self, gestures: &[Gesture], until: f64) -> Outcome;
+}
+
+/// What happened while a key was played.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Outcome {
+    /// Every strike, in order of time.
+    pub strikes: Vec<Strike>,
+    /// When the damper fell the last time [s], if it did.
+    pub damper_fall: Option<f64>,
+}
+
+/// The hammer meets the string.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Strike {
+    /// When [s].
+    pub at: f64,
+    /// Hammer speed [m/s].
+    pub speed: f64,
+}
+
+/// A stroke with the gesture that plays it.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RehearsedStroke {
+    /// What was wanted.
+    pub wanted: PlannedStroke,
+    /// What the finger does.
+    pub gesture: Gesture,
+    /// The strike that it gives, unless it gives none.
+    pub strike: Option<Strike>,
+    /// How many strikes it gives; more than one is a bouncing hammer.
+    pub n_strikes: usize,
+    /// When its damper falls [s], if that was seen.
+    pub damper_fall: Option<f64>,
+    /// Simulations that it took.
+    pub n_tries: u32,
+}
+
+/// What a rehearsal goes by.
+#[derive(Clone, Copy, Debug)]
+pub struct Practice<'a> {
+    /// First guesses for this key.
+    pub tables: &'a Tables,
+    /// What a hammer speed is worth.
+    pub curve: VelocityCurve,
+    /// How the pianist plays.
+    pub technique: &'a Technique,
+}
+
+impl Practice<'_> {
+    /// Finds gestures for `strokes`, all of one key and in order of onset, on `instrument`.
+    ///
+    /// `progress` is called after every stroke.
+    pub fn rehearse<R: Rehearsal>(
+        &self,
+        instrument: R,
+        strokes: &[PlannedStroke],
+        mut progress: impl FnMut(),
+    ) -> Vec<RehearsedStroke> {
+        let mut hand = Hand::new(instrument);
+        let mut rehearsed = Vec::with_capacity(strokes.len());
+        for (index, wanted) in strokes.iter().enumerate() {
+            let found = self.find(&mut hand, wanted);
+            let latest = strokes.get(index + 1).map(|next| self.latest_release(next));
+            rehearsed.push(release::choose(&mut hand, wanted, &found, latest));
+            progress();
+        }
+        rehearsed
+    }
+
+    /// Finds speed and start, by the wanted touch or else by the other.
+    fn find<R: Rehearsal>(&self, hand: &mut Hand<R>, wanted: &PlannedStroke) -> Try {
+        let touch = self.fitting_touch(hand.free_from(), wanted);
+        let (_, delay) = self.guess(touch, wanted.speed);
+        let (_, other_delay) = self.guess(other(touch), wanted.speed);
+        hand.advance(wanted.onset - search::reach(delay.max(other_delay)));
+        let first = search::find(self, hand, wanted, touch);
+        if first.is_acceptable() {
+            return first;
+        }
+        let second = search::find(self, hand, wanted, other(touch));
+        let n_tries = first.n_tries + second.n_tries;
+        let best = if second.cost < first.cost { second } else { first };
+        Try { n_tries, ..best }
+    }
+
+    /// The wanted touch, or a struck one if the wanted would have to begin before `free` [s].
+    fn fitting_touch(&self, free: f64, wanted: &PlannedStroke) -> Touch {
+        let (_, wanted_delay) = self.guess(wanted.touch, wanted.speed);
+        let (_, struck_delay) = self.guess(Touch::Struck, wanted.speed);
+        let too_late = wanted.onset - wanted_delay < free;
+        if too_late && struck_delay < wanted_delay { Touch::Struck } else { wanted.touch }
+    }
+
+    /// When the key must be released [s] so that `next` finds it up.
+    fn latest_release(&self, next: &PlannedStroke) -> f64 {
+        let (_, delay) = self.guess(next.touch, next.speed);
+        next.onset - delay - self.technique.rise
+    }
+
+    /// Finger speed [m/s] that gives hammer `speed` [m/s] from rest, and the delay of its strike [s].
+    fn guess(&self, touch: Touch, speed: f64) -> (f64, f64) {
+        let table = self.tables.of(touch);
+        let command = table.command(speed);
+        (command, table.delay(command))
+    }
+}
+
+fn other(touch: Touch) -> Touch {
+    match touch {
+        Touch::Pressed => Touch::Struck,
+        Touch::Struck => Touch::Pressed,
+    }
+}

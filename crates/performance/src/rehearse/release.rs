@@ -1,0 +1,107 @@
+//! When a key is let go.
+
+use haptics::plant::Gesture;
+
+use super::hand::Hand;
+use super::search::Try;
+use super::{Outcome, Rehearsal, RehearsedStroke};
+use crate::stroke::PlannedStroke;
+
+/// Shortest time from a strike to the release of its key [s].
+const SHORTEST_HOLD: f64 = 0.01;
+
+/// First guess for the time from a release to the fall of the damper [s].
+const USUAL_FALL: f64 = 0.03;
+
+/// Time before the first guess that is kept open for an earlier release [s].
+const LEEWAY: f64 = 0.1;
+
+/// Time after a release in which the damper is waited for [s].
+const PATIENCE: f64 = 0.25;
+
+/// How near to the wanted end is near enough [s].
+const TOLERANCE: f64 = 3e-3;
+
+/// Most simulations for one release.
+const MAX_TRIES: u32 = 4;
+
+/// Chooses the release of the gesture that was `found`, and gives it to the key.
+///
+/// The damper falls as near to the wanted end as it can if the release is not after `latest` [s],
+/// where the next stroke needs the key.
+pub(super) fn choose<R: Rehearsal>(
+    hand: &mut Hand<R>,
+    wanted: &PlannedStroke,
+    found: &Try,
+    latest: Option<f64>,
+) -> RehearsedStroke {
+    let limits = Limits::new(hand, wanted, found, latest);
+    let guess = limits.apply(wanted.end - USUAL_FALL);
+    hand.keep(found.gesture);
+    let held = hand.advance(guess - LEEWAY);
+    let limits = Limits { earliest: limits.earliest.max(hand.now()), ..limits };
+    let Released { release, outcome, n_tries } = refine(hand, wanted.end, guess, limits);
+    hand.release_at(release);
+
+    let strikes = held.strikes.iter().chain(&outcome.strikes);
+    let gesture = Gesture { release, ..found.gesture };
+    RehearsedStroke {
+        wanted: *wanted,
+        gesture,
+        strike: found.strike,
+        n_strikes: strikes.filter(|strike| strike.at >= gesture.start).count(),
+        damper_fall: outcome.damper_fall.filter(|fall| *fall > release),
+        n_tries: found.n_tries + n_tries,
+    }
+}
+
+/// When a key may be released [s].
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Limits {
+    earliest: f64,
+    latest: f64,
+}
+
+impl Limits {
+    fn new<R: Rehearsal>(
+        hand: &Hand<R>,
+        wanted: &PlannedStroke,
+        found: &Try,
+        latest: Option<f64>,
+    ) -> Self {
+        let struck = found.strike.map_or(wanted.onset, |strike| strike.at);
+        let earliest = (struck + SHORTEST_HOLD).max(hand.now());
+        Self { earliest, latest: latest.unwrap_or(f64::INFINITY) }
+    }
+
+    /// The allowed time nearest to `release` [s]; a strike comes before room for the next.
+    fn apply(self, release: f64) -> f64 {
+        release.min(self.latest).max(self.earliest)
+    }
+}
+
+/// A release and what it gives.
+struct Released {
+    release: f64,
+    outcome: Outcome,
+    n_tries: u32,
+}
+
+/// Moves the release from `guess` until the damper falls at `end` [s], within `limits`.
+fn refine<R: Rehearsal>(hand: &mut Hand<R>, end: f64, guess: f64, limits: Limits) -> Released {
+    let mut release = guess;
+    let mut n_tries = 0;
+    loop {
+        n_tries += 1;
+        hand.release_at(release);
+        let outcome = hand.look_ahead(release + PATIENCE);
+        let fall = outcome.damper_fall.filter(|fall| *fall > release);
+        let late = fall.map_or(0.0, |fall| fall - end);
+        let better = limits.apply(release - late);
+        let stays = (better - release).abs() < f64::EPSILON * release;
+        if n_tries >= MAX_TRIES || late.abs() <= TOLERANCE || stays {
+            return Released { release, outcome, n_tries };
+        }
+        release = better;
+    }
+}

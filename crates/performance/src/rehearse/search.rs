@@ -1,0 +1,259 @@
+//! Finger speed and start of one stroke, by trying.
+
+use haptics::plant::{Gesture, Touch};
+
+use super::hand::Hand;
+use super::{Outcome, Practice, Rehearsal, Strike, table};
+use crate::stroke::PlannedStroke;
+
+/// Most simulations for one stroke and touch.
+const MAX_TRIES: u32 = 12;
+
+/// How near to the wanted velocity is near enough, in MIDI units.
+const LEVEL_TOLERANCE: f64 = 0.3;
+
+/// How near to the wanted onset is near enough [s].
+const ONSET_TOLERANCE: f64 = 1e-4;
+
+/// Cost above which the other touch is tried too: see [`Try::cost`].
+const ACCEPTABLE_COST: f64 = 1.0;
+
+/// Cost of each strike too many.
+const EXTRA_COST: f64 = 100.0;
+
+/// Cost of no strike.
+const MISS_COST: f64 = 1e6;
+
+/// Time after the onset in which a second strike is looked for [s].
+const WATCH: f64 = 0.08;
+
+/// Largest change of the finger speed from one try to the next, as a natural logarithm.
+const MAX_STRIDE: f64 = 0.7;
+
+/// A gesture that gives no strike counts as this much too slow, as a natural logarithm.
+const MISS_STRIDE: f64 = 0.4;
+
+/// Spare time before the earliest start that is looked at [s].
+const MARGIN: f64 = 0.03;
+
+/// How long before its onset a stroke with `delay` [s] may begin: it may get half as fast.
+pub(super) fn reach(delay: f64) -> f64 {
+    2.0 * delay + MARGIN
+}
+
+/// A gesture that was tried.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Try {
+    pub(super) gesture: Gesture,
+    pub(super) strike: Option<Strike>,
+    /// Velocity error in MIDI units + onset error [ms] + what wrong strikes cost.
+    pub(super) cost: f64,
+    /// Whether both tolerances are met by exactly one strike.
+    pub(super) is_good: bool,
+    /// Simulations so far.
+    pub(super) n_tries: u32,
+}
+
+impl Try {
+    /// Whether the other touch need not be tried.
+    pub(super) fn is_acceptable(&self) -> bool {
+        self.cost <= ACCEPTABLE_COST
+    }
+}
+
+/// The best of at most [`MAX_TRIES`] gestures of `touch`.
+pub(super) fn find<R: Rehearsal>(
+    practice: &Practice<'_>,
+    hand: &Hand<R>,
+    wanted: &PlannedStroke,
+    touch: Touch,
+) -> Try {
+    let mut search = Search::new(practice, hand.free_from(), wanted, touch);
+    let mut last = search.attempt(hand);
+    let mut best = last;
+    let mut n_tries = 1;
+    while !last.is_good && n_tries < MAX_TRIES && search.correct(&last) {
+        last = search.attempt(hand);
+        n_tries += 1;
+        if last.cost < best.cost {
+            best = last;
+        }
+    }
+    Try { n_tries, ..best }
+}
+
+/// What is tried next.
+struct Search<'a> {
+    practice: &'a Practice<'a>,
+    wanted: &'a PlannedStroke,
+    touch: Touch,
+    /// When the finger is free [s].
+    earliest: f64,
+    /// When the gesture is to start [s].
+    start: f64,
+    /// Its finger speed.
+    bracket: Bracket,
+}
+
+impl<'a> Search<'a> {
+    /// Begins with what the key would need at rest.
+    fn new(
+        practice: &'a Practice<'a>,
+        earliest: f64,
+        wanted: &'a PlannedStroke,
+        touch: Touch,
+    ) -> Self {
+        let (command, delay) = practice.guess(touch, wanted.speed);
+        let start = (wanted.onset - delay).max(earliest);
+        Self { practice, wanted, touch, earliest, start, bracket: Bracket::new(touch, command) }
+    }
+
+    fn attempt<R: Rehearsal>(&self, hand: &Hand<R>) -> Try {
+        let until = self.wanted.onset.max(self.start + self.delay()) + WATCH;
+        let speed = self.bracket.guess.exp();
+        let gesture = self.practice.technique.gesture(self.touch, speed, self.start, f64::INFINITY);
+        judge(self.practice, self.wanted, gesture, &hand.try_out(gesture, until))
+    }
+
+    /// Changes speed and start by what `tried` shows; false if neither can be changed.
+    fn correct(&mut self, tried: &Try) -> bool {
+        let (guess, start) = (self.bracket.guess, self.start);
+        let delay = self.delay();
+        if !is_level(self.practice, self.wanted, tried.strike) {
+            self.bracket.learn(too_fast_by(self.wanted, tried.strike));
+        }
+        let late = tried.strike.map_or(0.0, |strike| strike.at - self.wanted.onset);
+        self.start = (start - late + delay - self.delay()).max(self.earliest);
+        guess.to_bits() != self.bracket.guess.to_bits() || start.to_bits() != self.start.to_bits()
+    }
+
+    /// From start to strike [s], if the key were at rest.
+    fn delay(&self) -> f64 {
+        self.practice.tables.of(self.touch).delay(self.bracket.guess.exp())
+    }
+}
+
+/// What `gesture` is worth, which had this `outcome`.
+fn judge(
+    practice: &Practice<'_>,
+    wanted: &PlannedStroke,
+    gesture: Gesture,
+    outcome: &Outcome,
+) -> Try {
+    let mut own = outcome.strikes.iter().filter(|strike| strike.at >= gesture.start);
+    let strike = own.next().copied();
+    let n_extra = own.count();
+    let onset_error = strike.map_or(0.0, |strike| (strike.at - wanted.onset).abs());
+    let wrong = if strike.is_some() { EXTRA_COST * n_extra as f64 } else { MISS_COST };
+    let level_error = level_error(practice, wanted, strike);
+    Try {
+        gesture,
+        strike,
+        cost: level_error + 1e3 * onset_error + wrong,
+        is_good: wrong == 0.0 && level_error <= LEVEL_TOLERANCE && onset_error <= ONSET_TOLERANCE,
+        n_tries: 1,
+    }
+}
+
+fn is_level(practice: &Practice<'_>, wanted: &PlannedStroke, strike: Option<Strike>) -> bool {
+    strike.is_some() && level_error(practice, wanted, strike) <= LEVEL_TOLERANCE
+}
+
+/// Velocity error in MIDI units; zero if there is no strike, which costs enough by itself.
+fn level_error(practice: &Practice<'_>, wanted: &PlannedStroke, strike: Option<Strike>) -> f64 {
+    let level = |speed| practice.curve.level(speed).clamp(0.0, 128.0);
+    strike.map_or(0.0, |strike| (level(strike.speed) - level(wanted.speed)).abs())
+}
+
+/// Natural logarithm of hammer speed over wanted hammer speed.
+fn too_fast_by(wanted: &PlannedStroke, strike: Option<Strike>) -> f64 {
+    match strike {
+        Some(strike) if strike.speed > 0.0 => (strike.speed / wanted.speed).ln(),
+        _ => -MISS_STRIDE,
+    }
+}
+
+/// One end of a bracket: finger speed and by how much the hammer is too fast, as logarithms.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct End {
+    command: f64,
+    excess: f64,
+}
+
+/// Illinois' method on logarithms: regula falsi that halves an end which stays.
+///
+/// Until there are two ends, hammer speed is taken to be proportional to finger speed.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Bracket {
+    /// Slowest and fastest finger of the touch, as natural logarithms.
+    limits: (f64, f64),
+    /// Finger speed to try next, as a natural logarithm.
+    guess: f64,
+    slow: Option<End>,
+    fast: Option<End>,
+}
+
+impl Bracket {
+    /// Begins at finger speed `command` [m/s].
+    fn new(touch: Touch, command: f64) -> Self {
+        let limits = (table::slowest(touch).ln(), table::FASTEST.ln());
+        let guess = command.ln().clamp(limits.0, limits.1);
+        Self { limits, guess, slow: None, fast: None }
+    }
+
+    /// Takes in by how much the hammer was too fast at the present guess, and guesses anew.
+    fn learn(&mut self, excess: f64) {
+        let end = Some(End { command: self.guess, excess });
+        let (replaced, opposite) = if excess < 0.0 {
+            (&mut self.slow, &mut self.fast)
+        } else {
+            (&mut self.fast, &mut self.slow)
+        };
+        let stays = replaced.is_some();
+        *replaced = end;
+        if let Some(opposite) = opposite.as_mut().filter(|_| stays) {
+            opposite.excess *= 0.5;
+        }
+        let guess = match (self.slow, self.fast) {
+            (Some(slow), Some(fast)) => between(slow, fast),
+            _ => self.guess - excess.clamp(-MAX_STRIDE, MAX_STRIDE),
+        };
+        self.guess = guess.clamp(self.limits.0, self.limits.1);
+    }
+}
+
+/// Where the straight line through both ends is at zero.
+fn between(slow: End, fast: End) -> f64 {
+    let share = -slow.excess / (fast.excess - slow.excess);
+    slow.command + share * (fast.command - slow.command)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Tries until `excess` of the guess is below 1e-3; panics if that takes too many.
+    #[track_caller]
+    fn check(excess: impl Fn(f64) -> f64) {
+        let mut bracket = Bracket::new(Touch::Pressed, 0.2);
+        for _ in 0..MAX_TRIES {
+            let found = excess(bracket.guess);
+            if found.abs() < 1e-3 {
+                return;
+            }
+            bracket.learn(found);
+        }
+        panic!("not found, the last guess is {}", bracket.guess);
+    }
+
+    #[test]
+    fn a_proportional_key_is_found_at_once() {
+        check(|command| command + 0.3);
+    }
+
+    #[test]
+    fn a_bent_key_is_found() {
+        check(|command| (command + 0.5).powi(3) + 0.4 * (command + 0.5));
+        check(|command| 3.0 * (command + 2.7));
+    }
+}

@@ -1,0 +1,207 @@
+//! What a key does from rest, as a table: finger speed to hammer speed and delay.
+
+use haptics::plant::{Gesture, Touch};
+
+use super::Rehearsal;
+use crate::stroke::Technique;
+
+/// Slowest finger that presses [m/s].
+const SLOWEST_PRESS: f64 = 0.02;
+
+/// Slowest finger that strikes [m/s]: in a slower stroke the swing after its impact decides.
+const SLOWEST_STRIKE: f64 = 0.1;
+
+/// Fastest finger [m/s]: what gestures are meant for.
+pub(super) const FASTEST: f64 = 3.0;
+
+/// Speeds that are tried, in geometric progression.
+const N_SPEEDS: u32 = 24;
+
+/// Way of a finger until its strike is certain [m], for the length of a trial.
+const WAY: f64 = 0.02;
+
+/// Time that a trial has beyond that [s]: finger and key must gather speed.
+const PATIENCE: f64 = 0.2;
+
+/// Guess where a table is empty: hammer speed over finger speed.
+const USUAL_RATIO: f64 = 5.0;
+
+/// Guess where a table is empty: way of a finger until the strike [m].
+const USUAL_WAY: f64 = 0.01;
+
+/// What one finger speed gives.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Point {
+    /// Finger speed [m/s].
+    command: f64,
+    /// Hammer speed [m/s].
+    hammer: f64,
+    /// From the start of the gesture to the strike [s].
+    delay: f64,
+}
+
+/// The answers of a key at rest to gestures of one touch.
+///
+/// Hammer speed rises strictly with finger speed; trials for which it did not, and those without
+/// exactly one strike, are left out.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Table {
+    points: Vec<Point>,
+}
+
+impl Table {
+    /// Finger speed [m/s] that gives hammer speed `hammer` [m/s], as far as the table reaches.
+    pub fn command(&self, hammer: f64) -> f64 {
+        let found = interpolate(&self.points, hammer, |point| point.hammer, |point| point.command);
+        found.unwrap_or(hammer / USUAL_RATIO)
+    }
+
+    /// From the start of a gesture with finger speed `command` [m/s] to its strike [s].
+    pub fn delay(&self, command: f64) -> f64 {
+        let found = interpolate(&self.points, command, |point| point.command, |point| point.delay);
+        found.unwrap_or(USUAL_WAY / command.max(SLOWEST_PRESS))
+    }
+
+    /// Softest and loudest hammer speed of this touch [m/s], if it ever strikes.
+    pub fn range(&self) -> Option<(f64, f64)> {
+        Some((self.points.first()?.hammer, self.points.last()?.hammer))
+    }
+}
+
+/// The tables of a key, one per touch.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Tables {
+    /// The finger rests on the key.
+    pub pressed: Table,
+    /// The finger comes from above.
+    pub struck: Table,
+}
+
+impl Tables {
+    /// Tries both touches out on `instrument`, which is at rest at time 0.
+    pub fn measure<R: Rehearsal>(instrument: &R, technique: &Technique) -> Self {
+        Self {
+            pressed: tabulate(instrument, Touch::Pressed, technique),
+            struck: tabulate(instrument, Touch::Struck, technique),
+        }
+    }
+
+    /// The table of `touch`.
+    pub fn of(&self, touch: Touch) -> &Table {
+        match touch {
+            Touch::Pressed => &self.pressed,
+            Touch::Struck => &self.struck,
+        }
+    }
+}
+
+/// Tries `touch` out on `instrument`, which is at rest at time 0, at 24 speeds.
+pub fn tabulate<R: Rehearsal>(instrument: &R, touch: Touch, technique: &Technique) -> Table {
+    let slowest = slowest(touch);
+    let ratio = (FASTEST / slowest).powf(1.0 / f64::from(N_SPEEDS - 1));
+    let commands = (0..N_SPEEDS).map(|index| slowest * ratio.powf(f64::from(index)));
+    let trials = commands.filter_map(|command| measure(instrument, touch, command, technique));
+    Table { points: rising(&trials.collect::<Vec<_>>()) }
+}
+
+/// Slowest finger of `touch` that makes sense [m/s].
+pub(super) fn slowest(touch: Touch) -> f64 {
+    match touch {
+        Touch::Pressed => SLOWEST_PRESS,
+        Touch::Struck => SLOWEST_STRIKE,
+    }
+}
+
+fn measure<R: Rehearsal>(
+    instrument: &R,
+    touch: Touch,
+    command: f64,
+    technique: &Technique,
+) -> Option<Point> {
+    let until = WAY / command + PATIENCE;
+    let gesture = technique.gesture(touch, command, 0.0, f64::INFINITY);
+    let outcome = instrument.clone().play(&[gesture], until);
+    let &[strike] = outcome.strikes.as_slice() else { return None };
+    let sound = strike.speed > 0.0 && strike.at > 0.0 && strike.speed.is_finite();
+    sound.then_some(Point { command, hammer: strike.speed, delay: strike.at })
+}
+
+/// The longest part of `points` in which hammer speed rises strictly.
+fn rising(points: &[Point]) -> Vec<Point> {
+    let mut best: Vec<Vec<Point>> = Vec::with_capacity(points.len());
+    for point in points {
+        let below = best.iter().filter(|run| run.last().is_some_and(|l| l.hammer < point.hammer));
+        let mut run = longest(below).cloned().unwrap_or_default();
+        run.push(*point);
+        best.push(run);
+    }
+    longest(best.iter()).cloned().unwrap_or_default()
+}
+
+/// The first of the longest runs.
+fn longest<'a>(runs: impl Iterator<Item = &'a Vec<Point>>) -> Option<&'a Vec<Point>> {
+    runs.reduce(|best, run| if run.len() > best.len() { run } else { best })
+}
+
+/// Value of `to` where `from` is `x`: straight between points on logarithmic scales.
+fn interpolate(
+    points: &[Point],
+    x: f64,
+    from: fn(&Point) -> f64,
+    to: fn(&Point) -> f64,
+) -> Option<f64> {
+    let after = points.partition_point(|point| from(point) < x);
+    let low = points.get(after.saturating_sub(1))?;
+    let Some(high) = points.get(after) else { return Some(to(low)) };
+    if from(high) <= from(low) {
+        return Some(to(low));
+    }
+    let share = (x / from(low)).ln() / (from(high) / from(low)).ln();
+    Some(to(low) * (to(high) / to(low)).powf(share))
+}
+
+impl Technique {
+    /// A gesture of this technique; times in s, `speed` of the finger in m/s.
+    pub(super) fn gesture(&self, touch: Touch, speed: f64, start: f64, release: f64) -> Gesture {
+        Gesture { start, release, touch, speed, hold: self.hold }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(command: f64, hammer: f64) -> Point {
+        Point { command, hammer, delay: 0.01 / command }
+    }
+
+    #[test]
+    fn a_power_law_is_met_between_the_points_too() {
+        let points = [0.1, 0.2, 0.4].map(|command: f64| point(command, 4.0 * command.powf(1.2)));
+        let table = Table { points: points.to_vec() };
+        assert!((table.command(4.0 * 0.3_f64.powf(1.2)) - 0.3).abs() < 1e-12);
+        assert!((table.delay(0.3) - 0.01 / 0.3).abs() < 1e-12);
+    }
+
+    #[test]
+    fn beyond_its_ends_a_table_says_its_ends() {
+        let table = Table { points: vec![point(0.1, 0.5), point(0.4, 2.0)] };
+        assert_eq!((table.command(0.01), table.command(9.0)), (0.1, 0.4));
+        assert!((table.delay(4.0) - 0.01 / 0.4).abs() < 1e-12);
+        assert_eq!(table.range(), Some((0.5, 2.0)));
+    }
+
+    #[test]
+    fn an_outlier_is_left_out() {
+        let points =
+            [point(0.1, 9.0), point(0.2, 1.0), point(0.3, 1.5), point(0.4, 1.4), point(0.5, 2.0)];
+        let hammers: Vec<f64> = rising(&points).iter().map(|point| point.hammer).collect();
+        assert_eq!(hammers, [1.0, 1.5, 2.0]);
+    }
+
+    #[test]
+    fn an_empty_table_still_guesses() {
+        assert!((Table::default().command(1.0) - 0.2).abs() < 1e-12);
+        assert!((Table::default().delay(0.2) - 0.05).abs() < 1e-12);
+    }
+}

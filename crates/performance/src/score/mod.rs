@@ -1,0 +1,156 @@
+//! A Standard MIDI File as notes with times in seconds.
+
+mod merge;
+mod notes;
+mod tempo;
+
+use midly::{Format, Smf};
+
+use notes::Notes;
+
+/// What a MIDI file asks a pianist to play.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Score {
+    /// Notes in order of onset, then of key; no two on one key overlap.
+    pub notes: Vec<ScoreNote>,
+    /// Moves of the sustain pedal: when [s], and how deep, 0 (up) ..= 1 (down).
+    pub pedals: Vec<(f64, f64)>,
+    /// Notes left out: not on the 88 keys, or on channel 10, which is percussion.
+    pub skipped: u32,
+    /// Notes shortened or left out because their key was already held by another.
+    pub overlaps: u32,
+}
+
+impl Score {
+    /// When the last note ends [s].
+    pub fn end(&self) -> f64 {
+        self.notes.iter().map(|note| note.end).fold(0.0, f64::max)
+    }
+}
+
+/// One note of a score.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ScoreNote {
+    /// Which key, 0 ..= 87.
+    pub key: u8,
+    /// When it is to be struck [s].
+    pub onset: f64,
+    /// When it is to be damped [s]; not before the onset.
+    pub end: f64,
+    /// How hard, 1 ..= 127.
+    pub velocity: u8,
+}
+
+/// Why a file cannot be played.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+pub enum ScoreError {
+    /// There is nothing in the file.
+    #[error("the file is empty")]
+    Empty,
+    /// The file is something else.
+    #[error("this is not a MIDI file, which would begin with MThd ({reason})")]
+    NotMidi {
+        /// What the parser met.
+        reason: String,
+    },
+    /// The file ends before its tracks do.
+    #[error("the MIDI file is truncated: a chunk of {declared} bytes has only {present}")]
+    Truncated {
+        /// Bytes or tracks that the file announces.
+        declared: u64,
+        /// Those that are there.
+        present: u64,
+    },
+    /// A track is missing at the end.
+    #[error("the MIDI file is truncated: of {declared} tracks only {present} are there")]
+    TracksMissing {
+        /// Tracks that the header announces.
+        declared: u16,
+        /// Tracks that are there.
+        present: u16,
+    },
+    /// The header does not say how long a tick is.
+    #[error("the MIDI file gives its ticks no length")]
+    NoTiming,
+    /// The tracks are independent pieces.
+    #[error("the MIDI file holds independent patterns (format 2): save the wanted one as format 0")]
+    Patterns,
+    /// There is nothing to play.
+    #[error("the MIDI file has no notes on the 88 keys ({skipped} others were left out)")]
+    NoNotes {
+        /// Notes left out: see [`Score::skipped`].
+        skipped: u32,
+    },
+}
+
+/// Reads a MIDI file; never panics, whatever the bytes.
+///
+/// All tracks are merged, tempo changes are honoured, metrical and SMPTE times are understood.
+/// A note that is never ended ends with the file.
+///
+/// # Errors
+///
+/// If the bytes are not a whole MIDI file with at least one note on the 88 keys.
+pub fn read(bytes: &[u8]) -> Result<Score, ScoreError> {
+    if bytes.is_empty() {
+        return Err(ScoreError::Empty);
+    }
+    let smf = Smf::parse(bytes).map_err(|error| not_midi_or_truncated(bytes, &error))?;
+    check_whole(bytes)?;
+    if smf.header.format == Format::Sequential {
+        return Err(ScoreError::Patterns);
+    }
+    let mut tempo = tempo::Map::new(smf.header.timing).ok_or(ScoreError::NoTiming)?;
+    let mut notes = Notes::default();
+    for event in merge::merge(&smf.tracks) {
+        let at = tempo.seconds(event.tick);
+        tempo.follow(event.tick, event.kind);
+        notes.hear(at, event.kind);
+    }
+    let score = notes.into_score();
+    if score.notes.is_empty() {
+        return Err(ScoreError::NoNotes { skipped: score.skipped });
+    }
+    Ok(score)
+}
+
+fn not_midi_or_truncated(bytes: &[u8], error: &midly::Error) -> ScoreError {
+    let not_midi = ScoreError::NotMidi { reason: error.kind().message().to_owned() };
+    if bytes.starts_with(b"MThd") { check_whole(bytes).err().unwrap_or(not_midi) } else { not_midi }
+}
+
+/// Checks that every chunk has the bytes, and the file the tracks, that are announced.
+///
+/// The parser takes what there is, and a performance that stops in the middle is no help.
+/// Files wrapped in RIFF are left to the parser.
+fn check_whole(bytes: &[u8]) -> Result<(), ScoreError> {
+    if !bytes.starts_with(b"MThd") {
+        return Ok(());
+    }
+    let declared = bytes.get(10..12).and_then(|pair| pair.try_into().ok()).map(u16::from_be_bytes);
+    let mut present = 0_u16;
+    let mut rest = bytes;
+    while let Some((kind, length, body)) = chunk(rest) {
+        let Some(after) = body.get(length..) else {
+            return Err(ScoreError::Truncated {
+                declared: length as u64,
+                present: body.len() as u64,
+            });
+        };
+        present = present.saturating_add(u16::from(&kind == b"MTrk"));
+        rest = after;
+    }
+    match declared {
+        Some(declared) if present < declared => {
+            Err(ScoreError::TracksMissing { declared, present })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The kind and the announced length of the next chunk, and all bytes after these.
+fn chunk(bytes: &[u8]) -> Option<([u8; 4], usize, &[u8])> {
+    let (kind, rest) = bytes.split_first_chunk::<4>()?;
+    let (length, body) = rest.split_first_chunk::<4>()?;
+    Some((*kind, u32::from_be_bytes(*length) as usize, body))
+}

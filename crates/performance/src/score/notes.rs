@@ -1,0 +1,111 @@
+//! Note-ons and note-offs to notes, one at a time on each key.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use midi::Note;
+use midly::{MidiMessage, TrackEventKind};
+
+use super::{Score, ScoreNote};
+
+/// Channel 10, counted from 0: percussion by convention.
+const PERCUSSION: u8 = 9;
+
+/// CC64.
+const SUSTAIN: u8 = 64;
+
+/// The notes heard so far.
+#[derive(Debug, Default)]
+pub(super) struct Notes {
+    /// Every note; the end is infinite while it is open.
+    heard: Vec<ScoreNote>,
+    /// Open notes by channel and key, the oldest first.
+    open: BTreeMap<(u8, u8), VecDeque<usize>>,
+    pedals: Vec<(f64, f64)>,
+    skipped: u32,
+    /// Time of the latest event [s].
+    now: f64,
+}
+
+impl Notes {
+    /// Takes in what happens at time `at` [s].
+    pub(super) fn hear(&mut self, at: f64, event: TrackEventKind<'_>) {
+        self.now = at;
+        if let TrackEventKind::Midi { channel, message } = event {
+            self.hear_message(at, channel.as_int(), message);
+        }
+    }
+
+    fn hear_message(&mut self, at: f64, channel: u8, message: MidiMessage) {
+        #[expect(
+            clippy::wildcard_enum_match_arm,
+            reason = "a foreign protocol, we hear notes only"
+        )]
+        match message {
+            MidiMessage::NoteOn { key, vel } if vel > 0 => {
+                self.begin(at, channel, key.as_int(), vel.as_int());
+            }
+            MidiMessage::NoteOn { key, .. } | MidiMessage::NoteOff { key, .. } => {
+                self.end(at, channel, key.as_int());
+            }
+            MidiMessage::Controller { controller, value } if controller == SUSTAIN => {
+                self.pedals.push((at, f64::from(value.as_int()) / 127.0));
+            }
+            _ => {}
+        }
+    }
+
+    fn begin(&mut self, onset: f64, channel: u8, number: u8, velocity: u8) {
+        match Note::from_number(number) {
+            Some(note) if channel != PERCUSSION => {
+                let key = note.key();
+                self.open.entry((channel, key)).or_default().push_back(self.heard.len());
+                self.heard.push(ScoreNote { key, onset, end: f64::INFINITY, velocity });
+            }
+            _ => self.skipped = self.skipped.saturating_add(1),
+        }
+    }
+
+    fn end(&mut self, at: f64, channel: u8, number: u8) {
+        let Some(note) = Note::from_number(number) else { return };
+        let oldest = self.open.get_mut(&(channel, note.key())).and_then(VecDeque::pop_front);
+        if let Some(note) = oldest.and_then(|index| self.heard.get_mut(index)) {
+            note.end = at;
+        }
+    }
+
+    /// The score: what is still open ends now, and each key holds one note at a time.
+    pub(super) fn into_score(mut self) -> Score {
+        for note in &mut self.heard {
+            note.end = note.end.min(self.now).max(note.onset);
+        }
+        let (mut notes, overlaps) = part(self.heard);
+        notes.sort_by(|a, b| a.onset.total_cmp(&b.onset).then(a.key.cmp(&b.key)));
+        Score { notes, pedals: self.pedals, skipped: self.skipped, overlaps }
+    }
+}
+
+/// Ends every note where the next on its key begins, and counts how many that concerned.
+///
+/// Of notes that begin together on one key, the loudest stays and lasts as long as the longest.
+fn part(mut notes: Vec<ScoreNote>) -> (Vec<ScoreNote>, u32) {
+    notes.sort_by(|a, b| a.key.cmp(&b.key).then(a.onset.total_cmp(&b.onset)));
+    let mut parted: Vec<ScoreNote> = Vec::with_capacity(notes.len());
+    let mut overlaps = 0_u32;
+    for note in notes {
+        match parted.last_mut().filter(|last| last.key == note.key) {
+            Some(last) if last.onset >= note.onset => {
+                overlaps += 1;
+                last.velocity = last.velocity.max(note.velocity);
+                last.end = last.end.max(note.end);
+                continue;
+            }
+            Some(last) if last.end > note.onset => {
+                overlaps += 1;
+                last.end = note.onset;
+            }
+            _ => {}
+        }
+        parted.push(note);
+    }
+    (parted, overlaps)
+}

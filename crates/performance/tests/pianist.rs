@@ -1,0 +1,104 @@
+//! A performance prepared and heard, on keys whose answers are known in closed form.
+
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use haptics::plant::Gesture;
+use performance::{
+    Outcome, Performance, Pianist, Rehearsal, Score, ScoreNote, Strike, Struck, assess,
+};
+
+/// A key whose hammer gets faster towards the treble and strikes 10 mm after its start.
+#[derive(Clone)]
+struct Toy {
+    ratio: f64,
+    now: f64,
+}
+
+impl Toy {
+    fn new(key: u8) -> Self {
+        Self { ratio: 4.0 + 0.02 * f64::from(key), now: 0.0 }
+    }
+}
+
+impl Rehearsal for Toy {
+    fn play(&mut self, gestures: &[Gesture], until: f64) -> Outcome {
+        let span = self.now..until;
+        self.now = until;
+        let strike = |gesture: &Gesture| Strike {
+            at: gesture.start + 0.01 / gesture.speed,
+            speed: self.ratio * gesture.speed,
+        };
+        let strikes = gestures.iter().map(strike).filter(|s| span.contains(&s.at)).collect();
+        let falls = gestures.iter().map(|g| g.release + 0.03).filter(|at| span.contains(at));
+        Outcome { strikes, damper_fall: falls.last() }
+    }
+}
+
+/// Notes all over the keyboard, soft and loud, with repetitions.
+fn score() -> Score {
+    let notes = (0..200_u32).map(|i| {
+        let onset = 0.1 * f64::from(i);
+        let (key, velocity) = (i * 37 % 88, 30 + i * 13 % 76);
+        let [key, velocity] = [key, velocity].map(|value| u8::try_from(value).unwrap_or(1));
+        ScoreNote { key, onset, end: onset + 0.5, velocity }
+    });
+    Score { notes: notes.collect(), pedals: vec![(0.5, 1.0)], ..Score::default() }
+}
+
+fn prepare(n_workers: usize) -> Performance {
+    let n_workers = NonZero::new(n_workers).unwrap_or(NonZero::<usize>::MIN);
+    Pianist { n_workers, ..Pianist::default() }.prepare(&score(), Toy::new, |_| ())
+}
+
+#[test]
+fn what_is_prepared_is_what_the_score_wants() {
+    let performance = prepare(2);
+    let promised = assess(&performance.expected, &performance.predicted);
+    assert_eq!((promised.played, promised.missed, promised.extra), (200, 0, 0));
+    assert!(promised.onset_error_ms.max <= 0.1, "{promised}");
+    assert!(promised.velocity_error.max < 0.5, "{promised}");
+    assert_eq!(performance.pedals, [(1.5, 1.0)], "the lead-in holds for pedals too");
+    assert_eq!(performance.gestures.len(), 88);
+    assert!(performance.expected.is_sorted_by_key(|note| note.onset));
+}
+
+#[test]
+fn the_gestures_played_in_one_go_are_heard_as_promised() {
+    let performance = prepare(2);
+    let mut struck = Vec::new();
+    for (key, gestures) in (0..).zip(&performance.gestures) {
+        assert!(gestures.is_sorted_by_key(|gesture| gesture.start));
+        let outcome = Toy::new(key).play(gestures, f64::INFINITY);
+        struck.extend(outcome.strikes.iter().map(|strike| Struck {
+            key,
+            at: strike.at,
+            velocity: Pianist::default().curve.velocity(strike.speed).get(),
+        }));
+    }
+    let heard = assess(&performance.expected, &struck);
+    assert_eq!(heard, assess(&performance.expected, &performance.predicted));
+}
+
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    assert_eq!(prepare(1), prepare(3));
+}
+
+#[test]
+fn every_stroke_is_reported() {
+    let n_calls = AtomicUsize::new(0);
+    let furthest = AtomicUsize::new(0);
+    Pianist::default().prepare(&score(), Toy::new, |progress| {
+        n_calls.fetch_add(1, Ordering::Relaxed);
+        furthest.fetch_max(progress.done, Ordering::Relaxed);
+        assert_eq!(progress.total, 200);
+    });
+    assert_eq!((n_calls.into_inner(), furthest.into_inner()), (200, 200));
+}
+
+#[test]
+fn an_empty_score_is_an_empty_performance() {
+    let performance = Pianist::default().prepare(&Score::default(), Toy::new, |_| ());
+    assert!(performance.gestures.iter().all(Vec::is_empty) && performance.expected.is_empty());
+}

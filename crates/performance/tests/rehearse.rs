@@ -1,0 +1,194 @@
+//! Strokes rehearsed on a key whose answers are known in closed form.
+
+#![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
+
+use haptics::plant::{Gesture, Touch};
+use midi::{Velocity, VelocityCurve};
+use performance::{
+    Outcome, PlannedStroke, Practice, Rehearsal, RehearsedStroke, Strike, Table, Tables, Technique,
+    rehearse::tabulate,
+};
+
+/// From a release to the fall of the damper [s].
+const FALL: f64 = 0.04;
+
+/// A key that throws its hammer four times as fast as the finger, 10 mm after its start.
+///
+/// Shortly after a release it is still on its way up, and throws up to 20 % faster.
+#[derive(Clone, Debug, Default)]
+struct Toy {
+    now: f64,
+    released: Option<f64>,
+    /// Pressed faster than this, the hammer bounces and strikes twice [m/s].
+    bounces_above: Option<f64>,
+}
+
+impl Toy {
+    fn strikes(&self, gesture: &Gesture, released: Option<f64>) -> Vec<Strike> {
+        let at = gesture.start + 0.01 / gesture.speed;
+        if at > gesture.release {
+            return Vec::new();
+        }
+        let haste =
+            released.map_or(0.0, |released| 0.2 * (-(gesture.start - released) / 0.1).exp());
+        let speed = 4.0 * gesture.speed * (1.0 + haste);
+        let bounces = gesture.touch == Touch::Pressed
+            && self.bounces_above.is_some_and(|limit| gesture.speed > limit);
+        let second = Strike { at: at + 0.03, speed: 0.3 * speed };
+        if bounces { vec![Strike { at, speed }, second] } else { vec![Strike { at, speed }] }
+    }
+}
+
+impl Rehearsal for Toy {
+    fn play(&mut self, gestures: &[Gesture], until: f64) -> Outcome {
+        let mut outcome = Outcome::default();
+        let span = self.now..until;
+        for gesture in gestures {
+            let strikes = self.strikes(gesture, self.released);
+            outcome.strikes.extend(strikes.iter().filter(|strike| span.contains(&strike.at)));
+            if span.contains(&(gesture.release + FALL)) {
+                outcome.damper_fall = Some(gesture.release + FALL);
+            }
+            if gesture.release <= until {
+                self.released = Some(gesture.release);
+            }
+        }
+        self.now = until;
+        outcome
+    }
+}
+
+fn stroke(onset: f64, end: f64, velocity: u8, touch: Touch) -> PlannedStroke {
+    let velocity = Velocity::nearest(f64::from(velocity));
+    let speed = VelocityCurve::Disklavier.speed(velocity);
+    PlannedStroke { key: 39, onset, end, speed, velocity, touch }
+}
+
+fn rehearse(toy: &Toy, strokes: &[PlannedStroke]) -> Vec<RehearsedStroke> {
+    let technique = Technique::default();
+    let tables = Tables::measure(toy, &technique);
+    let practice =
+        Practice { tables: &tables, curve: VelocityCurve::Disklavier, technique: &technique };
+    let mut n_reported = 0;
+    let rehearsed = practice.rehearse(toy.clone(), strokes, || n_reported += 1);
+    assert_eq!(n_reported, strokes.len());
+    check_script(toy, &rehearsed);
+    rehearsed
+}
+
+/// Asserts that the gestures, played in one go on a fresh key, do what was predicted.
+#[track_caller]
+fn check_script(toy: &Toy, rehearsed: &[RehearsedStroke]) {
+    let mut toy = toy.clone();
+    for stroke in rehearsed {
+        // Only now is the key told of the gesture, and before the next begins.
+        let played = toy.play(&[stroke.gesture], stroke.gesture.end());
+        assert_eq!(played.strikes.first().copied(), stroke.strike);
+    }
+    for pair in rehearsed.windows(2) {
+        assert!(pair[0].gesture.end() <= pair[1].gesture.start, "fingers collide: {pair:?}");
+    }
+}
+
+/// Asserts that `stroke` strikes once, on time and as loud as wanted.
+#[track_caller]
+fn check_met(stroke: &RehearsedStroke) {
+    let strike = stroke.strike.expect("a strike");
+    let level = VelocityCurve::Disklavier.level(strike.speed);
+    assert_eq!(stroke.n_strikes, 1, "{stroke:?}");
+    assert!((strike.at - stroke.wanted.onset).abs() <= 1e-4, "{stroke:?}");
+    assert!((level - f64::from(stroke.wanted.velocity.get())).abs() <= 0.3, "{stroke:?}");
+}
+
+#[test]
+fn a_table_says_what_the_key_does_from_rest() {
+    let table = tabulate(&Toy::default(), Touch::Pressed, &Technique::default());
+    assert!((table.command(1.0) - 0.25).abs() < 1e-9);
+    assert!((table.delay(0.25) - 0.04).abs() < 1e-9);
+    let (softest, loudest) = table.range().expect("it strikes");
+    assert!((softest - 0.08).abs() < 1e-9 && (loudest - 12.0).abs() < 1e-9);
+}
+
+#[test]
+fn trials_that_strike_twice_are_not_in_the_table() {
+    let toy = Toy { bounces_above: Some(0.5), ..Toy::default() };
+    let (_, loudest) =
+        tabulate(&toy, Touch::Pressed, &Technique::default()).range().expect("it strikes");
+    assert!(loudest <= 2.0);
+}
+
+#[test]
+fn strokes_far_apart_are_met_at_the_first_try() {
+    let rehearsed = rehearse(
+        &Toy::default(),
+        &[stroke(1.0, 2.0, 30, Touch::Pressed), stroke(5.0, 6.0, 105, Touch::Struck)],
+    );
+    for stroke in &rehearsed {
+        check_met(stroke);
+        assert_eq!(stroke.gesture.touch, stroke.wanted.touch);
+        assert!((stroke.damper_fall.expect("it falls") - stroke.wanted.end).abs() < 3e-3);
+    }
+    assert_eq!(rehearsed[0].n_tries, 3, "one for the strike, two for the release");
+}
+
+#[test]
+fn a_repeated_key_is_met_from_the_state_it_is_in() {
+    let strokes: Vec<_> = (0..40)
+        .map(|i| {
+            let onset = 1.0 + 0.25 * f64::from(i);
+            let velocity = 40 + u8::try_from(i * 7 % 60).expect("below 60");
+            stroke(onset, onset + 0.15, velocity, Touch::Pressed)
+        })
+        .collect();
+    let rehearsed = rehearse(&Toy::default(), &strokes);
+    rehearsed.iter().for_each(check_met);
+    assert!(rehearsed[1].n_tries > rehearsed[0].n_tries, "what rest teaches is not enough");
+}
+
+#[test]
+fn a_key_wanted_at_once_is_let_go_early() {
+    let strokes = [stroke(1.0, 1.2, 60, Touch::Pressed), stroke(1.2, 2.0, 60, Touch::Pressed)];
+    let rehearsed = rehearse(&Toy::default(), &strokes);
+    rehearsed.iter().for_each(check_met);
+    assert!(rehearsed[0].gesture.release < 1.12);
+}
+
+#[test]
+fn a_stroke_that_bounces_is_played_with_the_other_touch() {
+    let toy = Toy { bounces_above: Some(0.3), ..Toy::default() };
+    let rehearsed = rehearse(&toy, &[stroke(1.0, 2.0, 80, Touch::Pressed)]);
+    check_met(&rehearsed[0]);
+    assert_eq!(rehearsed[0].gesture.touch, Touch::Struck);
+}
+
+#[test]
+fn what_cannot_be_played_is_played_as_near_as_possible() {
+    // 10 ms after the other: no finger is back by then.
+    let strokes = [stroke(1.0, 1.5, 60, Touch::Pressed), stroke(1.01, 1.5, 60, Touch::Pressed)];
+    let rehearsed = rehearse(&Toy::default(), &strokes);
+    check_met(&rehearsed[0]);
+    let late = rehearsed[1].strike.expect("a strike").at - 1.01;
+    assert!((0.05..0.2).contains(&late), "{late} s late");
+}
+
+/// A key whose hammer never arrives.
+#[derive(Clone)]
+struct Broken;
+
+impl Rehearsal for Broken {
+    fn play(&mut self, _gestures: &[Gesture], _until: f64) -> Outcome {
+        Outcome::default()
+    }
+}
+
+#[test]
+fn a_key_that_never_strikes_is_reported_and_not_waited_for() {
+    let technique = Technique::default();
+    let tables = Tables::measure(&Broken, &technique);
+    assert_eq!(tables.pressed, Table::default());
+    let practice =
+        Practice { tables: &tables, curve: VelocityCurve::Disklavier, technique: &technique };
+    let rehearsed = practice.rehearse(Broken, &[stroke(1.0, 2.0, 60, Touch::Pressed)], || ());
+    assert_eq!((rehearsed[0].strike, rehearsed[0].n_strikes), (None, 0));
+    assert!(rehearsed[0].n_tries <= 2 * 12 + 4);
+}

@@ -1,0 +1,193 @@
+//! MIDI files as scores: times, overlaps, and files that are none.
+
+#![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
+
+use midly::num::{u4, u7, u15, u24, u28};
+use midly::{
+    Format, Fps, Header, MetaMessage, MidiMessage, Smf, Timing, TrackEvent, TrackEventKind,
+};
+use performance::{Score, ScoreError, ScoreNote, read};
+use proptest::prelude::*;
+
+fn event(delta: u32, channel: u8, message: MidiMessage) -> TrackEvent<'static> {
+    let kind = TrackEventKind::Midi { channel: u4::new(channel), message };
+    TrackEvent { delta: u28::new(delta), kind }
+}
+
+fn on(delta: u32, number: u8, velocity: u8) -> TrackEvent<'static> {
+    event(delta, 0, MidiMessage::NoteOn { key: u7::new(number), vel: u7::new(velocity) })
+}
+
+fn off(delta: u32, number: u8) -> TrackEvent<'static> {
+    event(delta, 0, MidiMessage::NoteOff { key: u7::new(number), vel: u7::new(64) })
+}
+
+fn tempo(delta: u32, us: u32) -> TrackEvent<'static> {
+    let kind = TrackEventKind::Meta(MetaMessage::Tempo(u24::new(us)));
+    TrackEvent { delta: u28::new(delta), kind }
+}
+
+fn file(timing: Timing, tracks: &[Vec<TrackEvent<'static>>]) -> Vec<u8> {
+    let mut smf = Smf::new(Header::new(Format::Parallel, timing));
+    for track in tracks {
+        let mut track = track.clone();
+        let kind = TrackEventKind::Meta(MetaMessage::EndOfTrack);
+        track.push(TrackEvent { delta: u28::new(0), kind });
+        smf.tracks.push(track);
+    }
+    let mut bytes = Vec::new();
+    smf.write_std(&mut bytes).expect("memory");
+    bytes
+}
+
+const PPQ_100: Timing = Timing::Metrical(u15::new(100));
+
+fn score(track: &[TrackEvent<'static>]) -> Score {
+    read(&file(PPQ_100, &[track.to_vec()])).expect("a score")
+}
+
+fn note(key: u8, onset: f64, end: f64, velocity: u8) -> ScoreNote {
+    ScoreNote { key, onset, end, velocity }
+}
+
+#[test]
+fn a_quarter_lasts_half_a_second_unless_told_otherwise() {
+    let found = score(&[on(100, 60, 70), off(100, 60)]);
+    assert_eq!(found.notes, [note(39, 0.5, 1.0, 70)]);
+}
+
+#[test]
+fn tempo_changes_hold_for_all_tracks_and_in_the_middle_of_notes() {
+    let conductor = vec![tempo(0, 1_000_000), tempo(150, 250_000)];
+    let player = vec![on(100, 60, 70), off(100, 60), on(100, 62, 71), off(100, 62)];
+    let found = read(&file(PPQ_100, &[conductor, player])).expect("a score");
+    // 1.5 s until tick 150, then 2.5 ms a tick.
+    assert_eq!(found.notes, [note(39, 1.0, 1.625, 70), note(41, 1.875, 2.125, 71)]);
+}
+
+#[test]
+fn smpte_time_ignores_tempo() {
+    let timing = Timing::Timecode(Fps::Fps25, 40);
+    let track = vec![tempo(0, 100), on(1500, 60, 70), off(500, 60)];
+    let found = read(&file(timing, &[track])).expect("a score");
+    assert_eq!(found.notes, [note(39, 1.5, 2.0, 70)]);
+}
+
+#[test]
+fn a_note_on_of_velocity_zero_ends_a_note() {
+    assert_eq!(score(&[on(0, 60, 70), on(200, 60, 0)]).notes, [note(39, 0.0, 1.0, 70)]);
+}
+
+#[test]
+fn a_note_that_is_never_ended_ends_with_the_file() {
+    let found = score(&[on(0, 60, 70), on(100, 62, 70), off(100, 62)]);
+    assert_eq!(found.notes[0], note(39, 0.0, 1.0, 70));
+}
+
+#[test]
+fn of_overlapping_notes_the_earlier_ends() {
+    let found = score(&[on(0, 60, 70), on(100, 60, 80), off(100, 60), off(100, 60)]);
+    assert_eq!(found.notes, [note(39, 0.0, 0.5, 70), note(39, 0.5, 1.5, 80)]);
+    assert_eq!(found.overlaps, 1);
+}
+
+#[test]
+fn of_notes_that_begin_together_the_loudest_stays() {
+    let found = score(&[on(0, 60, 70), on(0, 60, 80), off(100, 60), off(100, 60)]);
+    assert_eq!(found.notes, [note(39, 0.0, 1.0, 80)]);
+    assert_eq!(found.overlaps, 1);
+}
+
+#[test]
+fn notes_off_the_keyboard_and_percussion_are_skipped_and_counted() {
+    let drum = MidiMessage::NoteOn { key: u7::new(40), vel: u7::new(90) };
+    let found = score(&[on(0, 20, 70), on(0, 109, 70), event(0, 9, drum), on(0, 21, 70)]);
+    assert_eq!((found.notes.len(), found.skipped), (1, 3));
+}
+
+#[test]
+fn pedal_moves_are_kept() {
+    let pedal = |value| MidiMessage::Controller { controller: u7::new(64), value: u7::new(value) };
+    let found = score(&[event(0, 0, pedal(127)), on(0, 60, 70), event(100, 0, pedal(0))]);
+    assert_eq!(found.pedals, [(0.0, 1.0), (0.5, 0.0)]);
+}
+
+/// Asserts that `bytes` are refused with `sentence`.
+#[track_caller]
+fn check_refused(bytes: &[u8], sentence: &str) {
+    let error = read(bytes).expect_err("must be refused").to_string();
+    assert!(error.contains(sentence), "{error}");
+}
+
+#[test]
+fn what_is_no_score_is_refused_in_one_sentence() {
+    let whole = file(PPQ_100, &[vec![on(0, 60, 70), off(100, 60)]]);
+    check_refused(b"", "the file is empty");
+    check_refused(b"RIFF....WAVE", "not a MIDI file");
+    check_refused(b"MTrk\0\0\0\0", "not a MIDI file");
+    check_refused(b"MThd", "not a MIDI file");
+    check_refused(&whole[..10], "truncated: a chunk of 6 bytes has only 2");
+    check_refused(&whole[..14], "truncated: of 1 tracks only 0 are there");
+    check_refused(&whole[..whole.len() - 3], "truncated: a chunk of");
+    check_refused(&file(Timing::Metrical(u15::new(0)), &[vec![on(0, 60, 70)]]), "no length");
+    check_refused(&file(PPQ_100, &[vec![on(0, 10, 70)]]), "no notes on the 88 keys (1 others");
+    check_refused(&file(PPQ_100, &[]), "no notes on the 88 keys");
+    let mut patterns = whole;
+    patterns[9] = 2;
+    check_refused(&patterns, "format 2");
+}
+
+#[test]
+fn a_file_inside_riff_is_read() {
+    let whole = file(PPQ_100, &[vec![on(0, 60, 70), off(100, 60)]]);
+    let length = |bytes: usize| u32::try_from(bytes).expect("small").to_le_bytes();
+    let inside = [b"RMIDdata".as_slice(), &length(whole.len()), &whole].concat();
+    let riff = [b"RIFF".as_slice(), &length(inside.len()), &inside].concat();
+    assert_eq!(read(&riff), read(&whole));
+}
+
+/// Bytes that begin like a MIDI file and go on as they like.
+fn almost_midi() -> impl Strategy<Value = Vec<u8>> {
+    (any::<[u8; 6]>(), 0_u8..80, proptest::collection::vec(any::<u8>(), 0..80)).prop_map(
+        |(header, length, body)| {
+            let track = [b"MTrk\0\0\0".as_slice(), &[length], &body].concat();
+            [b"MThd\0\0\0\x06".as_slice(), &header, &track].concat()
+        },
+    )
+}
+
+/// Checks what every score promises.
+fn check_sound(score: &Score) {
+    for note in &score.notes {
+        assert!(note.key < 88 && (1..=127).contains(&note.velocity), "{note:?}");
+        assert!(note.onset.is_finite() && note.onset <= note.end && note.end.is_finite());
+    }
+    assert!(score.notes.is_sorted_by_key(|note| (note.onset, note.key)));
+    assert!(score.pedals.iter().all(|(at, depth)| at.is_finite() && (0.0..=1.0).contains(depth)));
+}
+
+proptest! {
+    #[test]
+    fn no_bytes_make_it_panic(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+        prop_assert!(read(&bytes).is_err() || bytes.starts_with(b"MThd"));
+    }
+
+    #[test]
+    fn almost_midi_is_read_or_refused(bytes in almost_midi()) {
+        if let Ok(score) = read(&bytes) {
+            check_sound(&score);
+        }
+    }
+
+    #[test]
+    fn a_damaged_file_is_read_or_refused(at in 0_usize..60, value in any::<u8>(), cut in 0_usize..60) {
+        let track = vec![tempo(0, 400_000), on(0, 60, 70), on(50, 60, 80), off(100, 60)];
+        let mut bytes = file(PPQ_100, &[track.clone(), track]);
+        let at = at % bytes.len();
+        bytes[at] = value;
+        match read(&bytes[..bytes.len() - cut % 40]) {
+            Ok(score) => check_sound(&score),
+            Err(error) => prop_assert_ne!(error, ScoreError::Empty),
+        }
+    }
+}

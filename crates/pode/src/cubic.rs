@@ -1,0 +1,111 @@
+//! A guard's cubic Hermite over one step, and where it turns and vanishes.
+
+use crate::math::sqrt;
+
+/// p(τ) = a + b τ + c τ² + d τ³ on 0 ..= 1.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cubic {
+    a: f64,
+    b: f64,
+    c: f64,
+    d: f64,
+}
+
+impl Cubic {
+    /// The cubic with values `g0`, `g1` and slopes `d0`, `d1` (per step) at the ends.
+    pub(crate) fn hermite(g0: f64, d0: f64, g1: f64, d1: f64) -> Self {
+        let rise = g1 - g0;
+        Self { a: g0, b: d0, c: 3.0 * rise - 2.0 * d0 - d1, d: d0 + d1 - 2.0 * rise }
+    }
+
+    /// Second derivative at the start, halved.
+    pub(crate) const fn curvature(&self) -> f64 {
+        self.c
+    }
+
+    pub(crate) fn at(&self, tau: f64) -> f64 {
+        self.a + tau * (self.b + tau * (self.c + tau * self.d))
+    }
+
+    pub(crate) fn slope(&self, tau: f64) -> f64 {
+        self.b + tau * (2.0 * self.c + tau * 3.0 * self.d)
+    }
+
+    /// The interior local maximum and minimum, each if there is one in (0, 1).
+    pub(crate) fn turns(&self) -> (Option<f64>, Option<f64>) {
+        let inside = |tau: f64| (tau > 0.0 && tau < 1.0).then_some(tau);
+        let discriminant = self.c * self.c - 3.0 * self.b * self.d;
+        if discriminant <= 0.0 {
+            return (None, None);
+        }
+        // p'(τ) = b + 2c τ + 3d τ², by the form that loses no digits.
+        let q = -(self.c + self.c.signum() * sqrt(discriminant));
+        let (r, s) = (q / (3.0 * self.d), self.b / q);
+        let (first, second) = if r < s { (r, s) } else { (s, r) };
+        let turns = [first, second].map(|tau| if tau.is_finite() { inside(tau) } else { None });
+        let is_minimum = |tau: f64| self.c + 3.0 * self.d * tau > 0.0;
+        let minimum = turns.into_iter().flatten().find(|tau| is_minimum(*tau));
+        let maximum = turns.into_iter().flatten().find(|tau| !is_minimum(*tau));
+        (maximum, minimum)
+    }
+
+    /// The first root in (`lo`, `hi`] reached from above, if the cubic has one.
+    pub(crate) fn first_root(&self, lo: f64, hi: f64) -> Option<f64> {
+        let (maximum, minimum) = self.turns();
+        let mut ends = [lo, maximum.unwrap_or(hi), minimum.unwrap_or(hi), hi];
+        ends.sort_unstable_by(f64::total_cmp);
+        ends.windows(2)
+            .filter(|pair| pair[0] >= lo && pair[1] <= hi && pair[0] < pair[1])
+            .find(|pair| self.at(pair[0]) > 0.0 && self.at(pair[1]) <= 0.0)
+            .map(|pair| self.root_between(pair[0], pair[1]))
+    }
+
+    /// The root of a monotone stretch, by Newton kept inside its bracket.
+    fn root_between(&self, mut lo: f64, mut hi: f64) -> f64 {
+        /// Newton on a monotone cubic doubles its digits; 12 rounds reach the last one
+        /// from any start, and bisection covers the flat ends.
+        const ROUNDS: usize = 12;
+        let mut tau = 0.5 * (lo + hi);
+        for _ in 0..ROUNDS {
+            let value = self.at(tau);
+            if value > 0.0 {
+                lo = tau;
+            } else {
+                hi = tau;
+            }
+            let next = tau - value / self.slope(tau);
+            if (next - tau).abs() <= f64::EPSILON {
+                return tau;
+            }
+            tau = if next > lo && next < hi { next } else { 0.5 * (lo + hi) };
+        }
+        tau
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// (τ − .2)(τ − .4)(τ − .8), negated so that it starts positive.
+    fn three_roots() -> Cubic {
+        let p = |t: f64| -(t - 0.2) * (t - 0.4) * (t - 0.8);
+        let dp = |t: f64| {
+            -((t - 0.4) * (t - 0.8) + (t - 0.2) * (t - 0.8) + (t - 0.2) * (t - 0.4))
+        };
+        Cubic::hermite(p(0.0), dp(0.0), p(1.0), dp(1.0))
+    }
+
+    #[test]
+    fn the_first_of_three_roots_is_found() {
+        let root = three_roots().first_root(0.0, 1.0).expect("a root");
+        assert!((root - 0.2).abs() < 1e-14, "{root}");
+    }
+
+    #[test]
+    fn a_parabola_turns_once() {
+        let (maximum, minimum) = Cubic::hermite(1.0, -4.0, 1.0, 4.0).turns();
+        assert_eq!(maximum, None);
+        assert!((minimum.expect("a minimum") - 0.5).abs() < 1e-15);
+    }
+}

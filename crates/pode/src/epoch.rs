@@ -1,0 +1,75 @@
+//! How a guard stands when an epoch, a tick or a step begins: the rule at g = 0.
+//!
+//! Both guards of the paper's figure 6 start at zero, which it names as a source of
+//! faulty transitions. Nothing is nudged here; the guard's rates decide:
+//!
+//! | g | g' | g'' | stands | and then |
+//! |---|---|---|---|---|
+//! | + | | | `Armed` | fires when it falls through zero |
+//! | 0 | + | | `Departing` | silent until it has been positive |
+//! | 0 | − | | `Leaving` | fires at once |
+//! | 0 | 0 | + | `Departing` | |
+//! | 0 | 0 | − | `Leaving` | |
+//! | 0 | 0 | 0 | `Resting` | silent while it stays zero; fires where it turns negative |
+//! | − | | | `Leaving` | fires at once; `Disarmed` if it fires on crossings only |
+//!
+//! Zero means: within rounding at the guard's size, or, right after an event, within
+//! what the guard's rate covers in the width to which that event was located.
+
+use crate::guard::{Fires, GuardSpec, GuardValue};
+
+/// How a guard stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Stand {
+    /// Positive.
+    Armed,
+    /// Zero and on its way up.
+    Departing,
+    /// Zero, with nothing known to move it.
+    Resting,
+    /// Negative without effect until it has been positive.
+    Disarmed,
+    /// To fire now.
+    Leaving,
+}
+
+/// How a guard stands by its value and rate, over the `h` [s] ahead.
+///
+/// `since_event` is the width [s] to which the event just before was located, or 0.
+pub(crate) fn stand(spec: &GuardSpec, guard: GuardValue, h: f64, since_event: f64) -> Stand {
+    let zero = spec.band() + guard.rate.abs() * since_event;
+    let drift = guard.rate * h;
+    if guard.value > zero {
+        Stand::Armed
+    } else if guard.value < -zero {
+        below(spec)
+    } else if drift > spec.band() {
+        Stand::Departing
+    } else if drift < -spec.band() {
+        below(spec)
+    } else {
+        Stand::Resting
+    }
+}
+
+const fn below(spec: &GuardSpec) -> Stand {
+    match spec.fires {
+        Fires::WhileNegative => Stand::Leaving,
+        Fires::OnCrossing => Stand::Disarmed,
+    }
+}
+
+/// How a guard that did not fire stands at the end of a step.
+pub(crate) fn stand_after(before: Stand, spec: &GuardSpec, end: GuardValue, h: f64) -> Stand {
+    if end.value > spec.band() {
+        return Stand::Armed;
+    }
+    match before {
+        Stand::Armed if end.value > 0.0 => Stand::Armed,
+        Stand::Disarmed => Stand::Disarmed,
+        Stand::Departing if end.rate > 0.0 => Stand::Departing,
+        Stand::Armed | Stand::Departing | Stand::Resting | Stand::Leaving => {
+            if end.rate * h > spec.band() { Stand::Departing } else { Stand::Resting }
+        }
+    }
+}

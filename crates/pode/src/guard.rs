@@ -1,0 +1,82 @@
+//! What a guard is, and when it fires.
+
+/// Guards that one mode can have.
+pub const MAX_GUARDS: usize = 8;
+
+/// A guard's name within its model, stable over modes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct GuardId(pub u8);
+
+/// When a guard fires.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fires {
+    /// Whenever it is negative: a mode entered with the wrong sign is left at once.
+    WhileNegative,
+    /// On a crossing from above only: a mode may be entered with it negative.
+    OnCrossing,
+}
+
+/// The constant description of one guard of one mode.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct GuardSpec {
+    /// Which guard.
+    pub id: GuardId,
+    /// Its name in logs and files.
+    pub name: &'static str,
+    /// Who goes first when several cross at one instant: the lowest.
+    pub priority: u8,
+    /// Typical size of the guard's terms, in its own unit; what is smaller than
+    /// rounding at that size counts as zero.
+    pub scale: f64,
+    /// When it fires.
+    pub fires: Fires,
+}
+
+impl GuardSpec {
+    /// A guard that must stay positive, of size 1 and priority equal to its id.
+    pub const fn new(id: u8, name: &'static str) -> Self {
+        Self { id: GuardId(id), name, priority: id, scale: 1.0, fires: Fires::WhileNegative }
+    }
+
+    /// The same guard with terms of size `scale`.
+    #[must_use]
+    pub const fn scaled(self, scale: f64) -> Self {
+        Self { scale, ..self }
+    }
+
+    /// The same guard with another priority.
+    #[must_use]
+    pub const fn with_priority(self, priority: u8) -> Self {
+        Self { priority, ..self }
+    }
+
+    /// The same guard, firing on crossings only.
+    #[must_use]
+    pub const fn on_crossing(self) -> Self {
+        Self { fires: Fires::OnCrossing, ..self }
+    }
+
+    /// Width of the band around zero that rounding alone can fill.
+    pub(crate) const fn band(&self) -> f64 {
+        /// Rounding steps at the guard's size that may add up in one evaluation.
+        const ROUNDINGS: f64 = 16.0;
+        ROUNDINGS * f64::EPSILON * self.scale
+    }
+}
+
+/// A guard's value and its rate along the motion.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct GuardValue {
+    /// The guard; positive while the mode is valid.
+    pub value: f64,
+    /// Its total time derivative along the solution [1/s].
+    pub rate: f64,
+}
+
+impl GuardValue {
+    /// A value with its rate.
+    #[inline]
+    pub const fn new(value: f64, rate: f64) -> Self {
+        Self { value, rate }
+    }
+}

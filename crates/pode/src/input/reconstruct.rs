@@ -1,0 +1,100 @@
+//! Between samples: hold, causal extrapolation, or a cubic one tick late.
+//!
+//! | reconstruction | order in the input | latency | at the start of a tick |
+//! |---|---|---|---|
+//! | `Hold` | 1 | 0 | jumps |
+//! | `Linear` | 2 | 0 | jumps by the second difference |
+//! | `Quadratic` | 3 | 0 | jumps by the third difference |
+//! | `LateHermite` | 4 | one tick | continuous |
+//!
+//! A jump across a guard is an event at the tick's start.
+
+use crate::input::{Motion, Signal};
+
+/// How a sampled input is continued over a tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Reconstruction {
+    /// The newest sample, at rest.
+    Hold,
+    /// The line through the two newest samples, continued.
+    Linear,
+    /// The parabola through the three newest samples, continued.
+    #[default]
+    Quadratic,
+    /// The cubic through the four newest samples, over the tick that has just passed.
+    LateHermite,
+}
+
+/// A cubic motion over one tick of `h` [s]: s(θ) = c0 + θ (c1 + θ (c2 + θ c3)).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Cubic {
+    /// Coefficients by power of θ.
+    pub c: [f64; 4],
+    /// Length of the tick [s].
+    pub h: f64,
+}
+
+impl Cubic {
+    /// The motion that keeps `acceleration` from the given start over `h` [s].
+    pub fn ballistic(position: f64, rate: f64, acceleration: f64, h: f64) -> Self {
+        Self { c: [position, rate * h, 0.5 * acceleration * h * h, 0.0], h }
+    }
+
+    /// The cubic from (`s0`, `v0`) to (`s1`, `v1`) over `h` [s].
+    pub fn hermite(s0: f64, v0: f64, s1: f64, v1: f64, h: f64) -> Self {
+        let rise = s1 - s0;
+        let (d0, d1) = (v0 * h, v1 * h);
+        Self { c: [s0, d0, 3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise], h }
+    }
+}
+
+impl Signal<Motion> for Cubic {
+    fn at(&self, theta: f64) -> Motion {
+        let [c0, c1, c2, c3] = self.c;
+        let r = 1.0 / self.h;
+        Motion {
+            position: c0 + theta * (c1 + theta * (c2 + theta * c3)),
+            rate: (c1 + theta * (2.0 * c2 + theta * 3.0 * c3)) * r,
+            acceleration: (2.0 * c2 + theta * 6.0 * c3) * r * r,
+            jerk: 6.0 * c3 * r * r * r,
+        }
+    }
+}
+
+/// Turns one sample per tick into a motion over each tick.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Reconstructor {
+    kind: Reconstruction,
+    /// Newest first.
+    samples: [f64; 4],
+    h: f64,
+}
+
+impl Reconstructor {
+    /// At rest at `sample`, with ticks of `h` [s].
+    pub const fn new(kind: Reconstruction, sample: f64, h: f64) -> Self {
+        Self { kind, samples: [sample; 4], h }
+    }
+
+    /// Takes the sample at the start of a tick and returns the motion over that tick.
+    pub fn push(&mut self, sample: f64) -> Cubic {
+        let [s1, s2, s3, _] = self.samples;
+        self.samples = [sample, s1, s2, s3];
+        let s0 = sample;
+        let h = self.h;
+        let c = match self.kind {
+            Reconstruction::Hold => [s0, 0.0, 0.0, 0.0],
+            Reconstruction::Linear => [s0, s0 - s1, 0.0, 0.0],
+            Reconstruction::Quadratic => {
+                [s0, 0.5 * (3.0 * s0 - 4.0 * s1 + s2), 0.5 * (s0 - 2.0 * s1 + s2), 0.0]
+            }
+            Reconstruction::LateHermite => {
+                // Slopes per tick at both ends of the last tick, of third order.
+                let d1 = (11.0 * s0 - 18.0 * s1 + 9.0 * s2 - 2.0 * s3) / 6.0;
+                let d0 = (2.0 * s0 + 3.0 * s1 - 6.0 * s2 + s3) / 6.0;
+                return Cubic::hermite(s1, d0 / h, s0, d1 / h, h);
+            }
+        };
+        Cubic { c, h }
+    }
+}

@@ -1,0 +1,39 @@
+//! The contract of a tick: the most work of each kind.
+
+/// Declared maxima of one tick, and how finely events are located.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Limits {
+    /// Events in one tick.
+    pub events: u32,
+    /// Transitions at one instant.
+    pub cascade: u32,
+    /// Events in one tick after which a declared Zeno sequence is taken in one move.
+    pub followed: u32,
+    /// Guard evaluations in one tick.
+    pub guards: u32,
+    /// Pieces (steps and parts of steps) in one tick.
+    pub pieces: u32,
+    /// Longest step [s], whatever the model allows.
+    pub longest_step: f64,
+    /// Width to which an event is bracketed, as a fraction of the tick.
+    pub event_tolerance: f64,
+}
+
+impl Default for Limits {
+    /// 32 events, 8 at one instant, and work that this allows; 2⁻⁴⁰ of a tick.
+    fn default() -> Self {
+        Self {
+            events: 32,
+            cascade: 8,
+            followed: 6,
+            guards: 8192,
+            pieces: 1024,
+            longest_step: f64::INFINITY,
+            event_tolerance: DEFAULT_EVENT_TOLERANCE,
+        }
+    }
+}
+
+/// 2⁻⁴⁰ of a tick: 1e-15 s at 1 ms. The dense output is a cubic, so finer location
+/// costs a guard evaluation or two and no derivative.
+const DEFAULT_EVENT_TOLERANCE: f64 = 1.0 / ((1_u64 << 40) as f64);

@@ -1,0 +1,125 @@
+//! What a modeller implements: equations, guards, reset maps.
+
+use core::fmt::Debug;
+
+use crate::guard::{GuardId, GuardSpec, GuardValue};
+use crate::math;
+use crate::state::State;
+
+/// Equations of motion and readout, one set per mode.
+///
+/// A model is constant; everything that changes is in the state and the mode.
+pub trait Model {
+    /// Contact configuration.
+    type Mode: Copy + Eq + Debug;
+    /// Coordinates, then speeds.
+    type State: State;
+    /// What is measured and drives the model.
+    type Input: Copy + PartialEq + Debug;
+
+    /// How many leading entries of the state are coordinates.
+    const COORDS: usize;
+
+    /// Returns the derivative of `x` in `mode`. [GC93] eq. 6.
+    fn derivative(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> Self::State;
+
+    /// Returns the readout in `mode`: the generalised force on whoever drives the input.
+    /// [GC93] eq. 7.
+    fn readout(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
+
+    /// Longest step [s] that resolves the motion in `mode`; a tick is cut to fit.
+    fn longest_step(&self, _mode: Self::Mode) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Returns `x` with the coordinates that `mode` slaves to the input put in place.
+    fn constrain(&self, _mode: Self::Mode, x: &Self::State, _input: &Self::Input) -> Self::State {
+        *x
+    }
+}
+
+/// Conditions under which a mode stops being valid.
+pub trait Guarded: Model {
+    /// The guards of `mode`, at most [`MAX_GUARDS`](crate::MAX_GUARDS), in any order.
+    fn guards(&self, mode: Self::Mode) -> &'static [GuardSpec];
+
+    /// Returns the guard and its rate along the motion in `mode`. [GC93] eq. 8.
+    fn guard(
+        &self,
+        mode: Self::Mode,
+        guard: GuardId,
+        x: &Self::State,
+        input: &Self::Input,
+    ) -> GuardValue;
+}
+
+/// Where the state lands, and in which mode, when a guard fires.
+pub trait Resets: Guarded + Sized {
+    /// Applies the reset map x⁺ = H(x⁻, u). [GC93] eq. 12.
+    fn reset(
+        &self,
+        mode: Self::Mode,
+        guard: GuardId,
+        x: &Self::State,
+        input: &Self::Input,
+    ) -> Reset<Self>;
+}
+
+/// What a reset map gives.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Reset<M: Model> {
+    /// The next mode.
+    pub mode: M::Mode,
+    /// The state after.
+    pub state: M::State,
+    /// Impulse on whoever drives the input [readout × s].
+    pub impulse: f64,
+    /// Where the impacts that follow accumulate, if they do.
+    pub settles: Option<Settling<M>>,
+}
+
+impl<M: Model> Reset<M> {
+    /// A transition without an impulse.
+    pub const fn to(mode: M::Mode, state: M::State) -> Self {
+        Self { mode, state, impulse: 0.0, settles: None }
+    }
+
+    /// The same with an impulse on the input [readout × s].
+    #[must_use]
+    pub const fn with_impulse(self, impulse: f64) -> Self {
+        Self { impulse, ..self }
+    }
+
+    /// The same with a declared accumulation point.
+    #[must_use]
+    pub fn settling(self, settling: Settling<M>) -> Self {
+        Self { settles: Some(settling), ..self }
+    }
+}
+
+/// A Zeno sequence in closed form: impacts that accumulate at a known time.
+///
+/// After an impact with post speed g'⁺ under the closing acceleration a, restitution e
+/// lets them accumulate after `T_Z = 2 g'⁺ / (a (1 − e))`, with the impulse
+/// `m g'⁺ (1 + e) / (1 − e)`. After n of them `T_Z (1 − eⁿ)` has passed, and the state
+/// has come the same part of the way to the settled one.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Settling<M: Model> {
+    /// Time from the impact to the accumulation point [s].
+    pub after: f64,
+    /// Ratio of each interval to the one before: the restitution e, in 0 .. 1.
+    pub ratio: f64,
+    /// Mode from there on.
+    pub mode: M::Mode,
+    /// State there.
+    pub state: M::State,
+    /// Impulse of all the impacts until then [readout × s].
+    pub impulse: f64,
+}
+
+impl<M: Model> Settling<M> {
+    /// How many impacts are over within `rest` [s], less than `after`.
+    pub(crate) fn impacts_within(&self, rest: f64) -> f64 {
+        math::floor(math::ln(1.0 - rest / self.after) / math::ln(self.ratio))
+    }
+}

@@ -1,0 +1,85 @@
+//! All that an advance can report.
+
+/// How a tick ended.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[must_use]
+pub enum Advance {
+    /// The whole tick was advanced.
+    Completed,
+    /// A declared maximum was reached: the state was held for the rest of the tick.
+    Capped(Cap),
+    /// The model or its input failed: the last finite state was kept.
+    Faulty(Fault),
+}
+
+/// Which declared maximum was reached.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Cap {
+    /// Events in one tick.
+    Events,
+    /// Transitions at one instant.
+    Cascade,
+    /// Guard evaluations in one tick.
+    Guards,
+    /// Pieces (steps and parts of steps) in one tick.
+    Pieces,
+}
+
+/// What failed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fault {
+    /// The period is not a positive, finite number.
+    Period,
+    /// The derivative or the state left the set of finite numbers.
+    State,
+    /// A guard left the set of finite numbers.
+    Guard,
+    /// The readout or an impulse left the set of finite numbers.
+    Readout,
+}
+
+/// Evaluations that a tick took; independent of the machine.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Work {
+    /// Steps and parts of steps.
+    pub pieces: u32,
+    /// Evaluations of the derivative.
+    pub derivatives: u32,
+    /// Evaluations of one guard each.
+    pub guards: u32,
+    /// Evaluations of the readout.
+    pub readouts: u32,
+    /// Reset maps applied.
+    pub events: u32,
+}
+
+impl Work {
+    /// Sum of two counts.
+    #[must_use]
+    pub const fn plus(self, other: Self) -> Self {
+        Self {
+            pieces: self.pieces + other.pieces,
+            derivatives: self.derivatives + other.derivatives,
+            guards: self.guards + other.guards,
+            readouts: self.readouts + other.readouts,
+            events: self.events + other.events,
+        }
+    }
+}
+
+/// What one tick gave.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Tick {
+    /// How it ended.
+    pub advance: Advance,
+    /// The readout's mean over the tick, impulses included.
+    pub mean_readout: f64,
+    /// The readout at the end of the tick.
+    pub end_readout: f64,
+    /// Impulses alone [readout × s].
+    pub impulse: f64,
+    /// Largest local error that the stepper estimated; 0 if it has no estimate.
+    pub local_error: f64,
+    /// Counted work.
+    pub work: Work,
+}

@@ -1,0 +1,103 @@
+//! What is summed up over one tick.
+
+use crate::input::Signal;
+use crate::limits::Limits;
+use crate::outcome::{Advance, Cap, Fault, Tick, Work};
+
+/// One tick in progress.
+#[derive(Debug)]
+pub(crate) struct Run<'a, S, W> {
+    /// Length of the tick [s].
+    pub(crate) h: f64,
+    pub(crate) signal: &'a S,
+    pub(crate) watch: &'a mut W,
+    pub(crate) limits: Limits,
+    /// How far the tick has been advanced, 0 ..= 1.
+    pub(crate) theta: f64,
+    pub(crate) work: Work,
+    /// Transitions since time last moved.
+    pub(crate) cascade: u32,
+    /// Width [s] to which an event at the present instant was located, or 0.
+    pub(crate) since_event: f64,
+    /// ∫ readout dt so far, without impulses.
+    pub(crate) integral: f64,
+    pub(crate) impulse: f64,
+    pub(crate) readout: Option<f64>,
+    pub(crate) local_error: f64,
+    pub(crate) advance: Advance,
+}
+
+impl<'a, S, W> Run<'a, S, W> {
+    pub(crate) fn new(h: f64, signal: &'a S, watch: &'a mut W, limits: Limits) -> Self {
+        Self {
+            h,
+            signal,
+            watch,
+            limits,
+            theta: 0.0,
+            work: Work::default(),
+            cascade: 0,
+            since_event: 0.0,
+            integral: 0.0,
+            impulse: 0.0,
+            readout: None,
+            local_error: 0.0,
+            advance: Advance::Completed,
+        }
+    }
+
+    pub(crate) fn is_going(&self) -> bool {
+        self.advance == Advance::Completed && self.theta < 1.0
+    }
+
+    pub(crate) fn input<I>(&self) -> I
+    where
+        S: Signal<I>,
+    {
+        self.signal.at(self.theta)
+    }
+
+    /// The width to which events are located, in time [s].
+    pub(crate) fn resolution(&self) -> f64 {
+        self.limits.event_tolerance * self.h
+    }
+
+    /// Moves to `theta`; what happened at the instant before is over.
+    pub(crate) fn move_to(&mut self, theta: f64) {
+        self.theta = theta;
+        self.cascade = 0;
+        self.since_event = 0.0;
+    }
+
+    pub(crate) fn cap(&mut self, cap: Cap) {
+        self.advance = Advance::Capped(cap);
+    }
+
+    pub(crate) fn fail(&mut self, fault: Fault) {
+        self.advance = Advance::Faulty(fault);
+    }
+
+    /// Counts guard evaluations; `false` when the tick has no more of them.
+    pub(crate) fn spend_guards(&mut self, n: u32) -> bool {
+        self.work.guards += n;
+        let left = self.work.guards <= self.limits.guards;
+        if !left && self.advance == Advance::Completed {
+            self.cap(Cap::Guards);
+        }
+        left
+    }
+
+    pub(crate) fn into_tick(self, end_readout: f64) -> Tick {
+        // What was not advanced is held: the readout stays where it was.
+        let held = (1.0 - self.theta) * self.h * end_readout;
+        let mean_readout = (self.integral + held + self.impulse) / self.h;
+        Tick {
+            advance: self.advance,
+            mean_readout,
+            end_readout,
+            impulse: self.impulse,
+            local_error: self.local_error,
+            work: self.work,
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! Somebody who follows a simulation: a log, a plot, an audit.
+
+use crate::dense::Dense;
+use crate::guard::GuardSpec;
+use crate::input::Signal;
+use crate::model::Model;
+
+/// A stretch of one tick in which one mode held, with its dense output.
+#[derive(Debug)]
+pub struct Piece<'a, M: Model, S> {
+    /// The mode.
+    pub mode: M::Mode,
+    /// Dense output over the step of which this piece is the first part.
+    pub dense: &'a Dense<M::State>,
+    /// Length of that whole step [s].
+    pub h: f64,
+    /// How much of the step was kept, 0 ..= 1.
+    pub tau: f64,
+    /// State at the end of the piece.
+    pub end: M::State,
+    /// Where the piece begins within its tick, and where the whole step would end.
+    pub theta: (f64, f64),
+    /// Which tick.
+    pub tick: u64,
+    /// The input over the tick.
+    pub signal: &'a S,
+}
+
+impl<M: Model, S: Signal<M::Input>> Piece<'_, M, S> {
+    /// State and input at the fraction `part` of the piece, 0 ..= 1.
+    pub fn at(&self, part: f64) -> (M::State, M::Input) {
+        let tau = part * self.tau;
+        let theta = self.theta.0 + tau * (self.theta.1 - self.theta.0);
+        (self.dense.at(tau), self.signal.at(theta))
+    }
+
+    /// Length of the piece [s].
+    pub fn duration(&self) -> f64 {
+        self.tau * self.h
+    }
+
+    /// Where the piece ends within its tick, 0 ..= 1.
+    pub fn theta_end(&self) -> f64 {
+        self.theta.0 + self.tau * (self.theta.1 - self.theta.0)
+    }
+}
+
+/// Why an event happened.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Cause<'a> {
+    /// A guard fired.
+    Guard(&'a GuardSpec),
+    /// Impacts of a declared Zeno sequence, this many in one move.
+    Impacts(f64),
+    /// A declared Zeno sequence came to its end.
+    Settled,
+}
+
+impl Cause<'_> {
+    /// Its name in logs and files.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Guard(spec) => spec.name,
+            Self::Impacts(_) => "impacts",
+            Self::Settled => "settled",
+        }
+    }
+}
+
+/// A transition, with the reset map's effect.
+#[derive(Debug)]
+pub struct Event<'a, M: Model> {
+    /// Which tick.
+    pub tick: u64,
+    /// Where in the tick, 0 ..= 1.
+    pub theta: f64,
+    /// Why it happened.
+    pub cause: Cause<'a>,
+    /// Mode and state before.
+    pub before: (M::Mode, M::State),
+    /// Mode and state after.
+    pub after: (M::Mode, M::State),
+    /// The input there.
+    pub input: M::Input,
+    /// Impulse on whoever drives the input [readout × s].
+    pub impulse: f64,
+}
+
+/// Follows a simulation; everything is optional.
+pub trait Watch<M: Model> {
+    /// A piece was advanced.
+    fn piece<S: Signal<M::Input>>(&mut self, _model: &M, _piece: &Piece<'_, M, S>) {}
+
+    /// A guard fired.
+    fn event(&mut self, _model: &M, _event: &Event<'_, M>) {}
+}
+
+/// Watches nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Silent;
+
+impl<M: Model> Watch<M> for Silent {}
+
+impl<M: Model, A: Watch<M>, B: Watch<M>> Watch<M> for (A, B) {
+    fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
+        self.0.piece(model, piece);
+        self.1.piece(model, piece);
+    }
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        self.0.event(model, event);
+        self.1.event(model, event);
+    }
+}
+
+impl<M: Model, W: Watch<M>> Watch<M> for &mut W {
+    fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
+        (**self).piece(model, piece);
+    }
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        (**self).event(model, event);
+    }
+}

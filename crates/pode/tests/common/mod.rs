@@ -1,0 +1,239 @@
+//! Small models with known solutions, and what the event tests share.
+#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
+
+use pode::stepper::Rk4;
+use pode::{
+    Event, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Settling,
+    Simulator, Stepper, Tick, Watch,
+};
+
+pub const G: f64 = 9.81;
+
+/// The three step sizes [s] at which every case is run.
+pub const STEPS: [f64; 3] = [1e-4, 1e-3, 7e-3];
+
+/// The tick phases: which part of a tick the start is shifted by.
+pub const PHASES: [f64; 3] = [0.0, 1.0 / 3.0, 0.999];
+
+/// A recorded event: time [s], guard name, state after.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen<M: Model> {
+    pub t: f64,
+    pub guard: &'static str,
+    pub mode: M::Mode,
+    pub before: M::State,
+    pub after: M::State,
+    pub impulse: f64,
+}
+
+/// Records every event with its time.
+#[derive(Clone, Debug)]
+pub struct Recorder<M: Model> {
+    pub h: f64,
+    /// Time of tick 0's start [s].
+    pub origin: f64,
+    pub seen: Vec<Seen<M>>,
+}
+
+impl<M: Model> Recorder<M> {
+    pub fn new(h: f64) -> Self {
+        Self { h, origin: 0.0, seen: Vec::new() }
+    }
+
+    pub fn times(&self) -> Vec<f64> {
+        self.seen.iter().map(|seen| seen.t).collect()
+    }
+}
+
+impl<M: Model> Watch<M> for Recorder<M> {
+    fn event(&mut self, _model: &M, event: &Event<'_, M>) {
+        self.seen.push(Seen {
+            t: self.origin + (event.tick as f64 + event.theta) * self.h,
+            guard: event.cause.name(),
+            mode: event.after.0,
+            before: event.before.1,
+            after: event.after.1,
+            impulse: event.impulse,
+        });
+    }
+}
+
+/// Runs a model of no input until `until` [s] with ticks of `h`, the first one cut to
+/// `1 − phase` of a tick; returns the events and every tick.
+pub fn run<M: Resets<Input = ()>, T: Stepper>(
+    simulator: &mut Simulator<M, T>,
+    h: f64,
+    phase: f64,
+    until: f64,
+) -> (Recorder<M>, Vec<Tick>) {
+    let mut recorder = Recorder::new(h);
+    let mut ticks = Vec::new();
+    if phase > 0.0 {
+        let first = (1.0 - phase) * h;
+        recorder.h = first;
+        ticks.push(simulator.advance(first, &|_| (), &mut recorder));
+        recorder.h = h;
+        recorder.origin = first - h;
+    }
+    let rest = ((until - recorder.origin) / h).round() as usize;
+    for _ in ticks.len()..rest {
+        ticks.push(simulator.advance(h, &|_| (), &mut recorder));
+    }
+    (recorder, ticks)
+}
+
+/// A ball over a floor: y'' = −g, v⁺ = −e v⁻, at rest after infinitely many impacts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    pub restitution: f64,
+    pub mass: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BallMode {
+    Flight,
+    Rest,
+}
+
+impl Ball {
+    pub fn dropped(
+        restitution: f64,
+        height: f64,
+        limits: Limits,
+    ) -> Simulator<Self, Rk4> {
+        let ball = Self { restitution, mass: 1.0 };
+        Simulator::new(ball, Rk4, limits, BallMode::Flight, [height, 0.0])
+    }
+}
+
+impl Model for Ball {
+    type Mode = BallMode;
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, mode: BallMode, x: &[f64; 2], _: &()) -> [f64; 2] {
+        match mode {
+            BallMode::Flight => [x[1], -G],
+            BallMode::Rest => [0.0, 0.0],
+        }
+    }
+
+    fn readout(&self, mode: BallMode, _: &[f64; 2], _: &()) -> f64 {
+        match mode {
+            BallMode::Flight => 0.0,
+            BallMode::Rest => self.mass * G,
+        }
+    }
+}
+
+impl Guarded for Ball {
+    fn guards(&self, mode: BallMode) -> &'static [GuardSpec] {
+        const FLOOR: [GuardSpec; 1] = [GuardSpec::new(0, "floor")];
+        match mode {
+            BallMode::Flight => &FLOOR,
+            BallMode::Rest => &[],
+        }
+    }
+
+    fn guard(&self, _: BallMode, _: GuardId, x: &[f64; 2], _: &()) -> GuardValue {
+        GuardValue::new(x[0], x[1])
+    }
+}
+
+impl Resets for Ball {
+    fn reset(&self, _: BallMode, _: GuardId, x: &[f64; 2], _: &()) -> Reset<Self> {
+        let e = self.restitution;
+        let after = -e * x[1];
+        let reset = Reset::to(BallMode::Flight, [0.0, after])
+            .with_impulse(self.mass * (1.0 + e) * -x[1]);
+        if e >= 1.0 {
+            return reset;
+        }
+        reset.settling(Settling {
+            after: 2.0 * after / (G * (1.0 - e)),
+            ratio: e,
+            mode: BallMode::Rest,
+            state: [0.0, 0.0],
+            impulse: self.mass * after * (1.0 + e) / (1.0 - e),
+        })
+    }
+}
+
+/// Time as the only state: x' = 1, with guards that are functions of it.
+#[derive(Clone, Copy)]
+pub struct Timed {
+    pub guards: &'static [GuardSpec],
+    /// Guard and its rate at time `t`.
+    pub guard: fn(GuardId, f64) -> GuardValue,
+    /// What a guard does to the second and third state; `true` goes to the other mode.
+    pub effect: fn(GuardId, &mut [f64; 3]) -> bool,
+}
+
+impl std::fmt::Debug for Timed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Timed")
+    }
+}
+
+impl PartialEq for Timed {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Timed {
+    pub fn start(self) -> Simulator<Self, Rk4> {
+        Simulator::new(self, Rk4, Limits::default(), true, [0.0; 3])
+    }
+}
+
+impl Model for Timed {
+    /// `true`: guards as given; `false`: negated.
+    type Mode = bool;
+    type State = [f64; 3];
+    type Input = ();
+    const COORDS: usize = 3;
+
+    fn derivative(&self, _: bool, _: &[f64; 3], _: &()) -> [f64; 3] {
+        [1.0, 0.0, 0.0]
+    }
+
+    fn readout(&self, _: bool, _: &[f64; 3], _: &()) -> f64 {
+        0.0
+    }
+}
+
+impl Guarded for Timed {
+    fn guards(&self, _: bool) -> &'static [GuardSpec] {
+        self.guards
+    }
+
+    fn guard(&self, mode: bool, id: GuardId, x: &[f64; 3], _: &()) -> GuardValue {
+        let it = (self.guard)(id, x[0]);
+        if mode { it } else { GuardValue::new(-it.value, -it.rate) }
+    }
+}
+
+impl Resets for Timed {
+    fn reset(&self, mode: bool, id: GuardId, x: &[f64; 3], _: &()) -> Reset<Self> {
+        let mut after = *x;
+        let other = (self.effect)(id, &mut after);
+        Reset::to(mode != other, after)
+    }
+}
+
+/// Counts in the second state and stays in the mode.
+pub fn count(_: GuardId, x: &mut [f64; 3]) -> bool {
+    x[1] += 1.0;
+    false
+}
+
+/// Counts in the second state and goes to the mode with the negated guard.
+pub fn count_and_flip(_: GuardId, x: &mut [f64; 3]) -> bool {
+    x[1] += 1.0;
+    true
+}
+
+/// One unnamed guard.
+pub const ONE: [GuardSpec; 1] = [GuardSpec::new(0, "g")];

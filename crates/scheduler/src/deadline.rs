@@ -1,0 +1,269 @@
+//! Was the tick in time, and if not, what made it late?
+//!
+//! A tick is in time if its forces are out by its deadline. One that is not has exactly one
+//! cause. With `slack = deadline - due`, the time between due and finished is split into
+//! waking up (`woken - due`), work (the CPU time it needed) and what was stolen in between
+//! (`finished - woken - work`):
+//!
+//! | condition | cause |
+//! |---|---|
+//! | work alone is longer than the slack | own work: no machine state would have saved it |
+//! | otherwise, waking up took at least as long as was stolen | woken late |
+//! | otherwise | preempted |
+//!
+//! A tick that begins late because the one before it was still running did not oversleep: its
+//! lateness has that tick's cause. The same holds for ticks that were skipped.
+
+use crate::time::Nanos;
+
+/// What the host measured around one tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct TickTimes {
+    /// When it should have started.
+    pub due: Nanos,
+    /// When its forces had to be out.
+    pub deadline: Nanos,
+    /// When it did start.
+    pub woken: Nanos,
+    /// When its forces were out.
+    pub finished: Nanos,
+    /// CPU time that it needed: the tick's own thread without waiting, and its slowest lane.
+    pub work: Nanos,
+}
+
+impl TickTimes {
+    /// How late it started.
+    pub const fn lateness(&self) -> Nanos {
+        self.woken.since(self.due)
+    }
+
+    /// From start to forces out.
+    pub const fn turnaround(&self) -> Nanos {
+        self.finished.since(self.woken)
+    }
+
+    /// Time between start and end in which the tick did not run.
+    pub const fn stolen(&self) -> Nanos {
+        self.turnaround().since(self.work)
+    }
+}
+
+/// What made a tick miss its deadline.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Cause {
+    /// The voices themselves took longer than a tick.
+    OwnWork,
+    /// The system woke the tick's thread too late.
+    WokenLate,
+    /// The system took the processor away in between.
+    Preempted,
+}
+
+/// How a tick stood to its deadline.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[must_use]
+pub enum Outcome {
+    /// Its forces were out in time.
+    Met,
+    /// They were not.
+    Missed(Cause),
+}
+
+/// Counts ticks, misses by cause, and skips.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Counters {
+    /// Ticks that were run.
+    pub ticks: u64,
+    /// Ticks that missed their deadline, all causes together.
+    pub missed: u64,
+    /// Of these, by [`Cause::OwnWork`].
+    pub missed_own_work: u64,
+    /// Of these, by [`Cause::WokenLate`].
+    pub missed_woken_late: u64,
+    /// Of these, by [`Cause::Preempted`].
+    pub missed_preempted: u64,
+    /// Ticks that were never run.
+    pub skipped: u64,
+    /// Of these, while a tick that missed by own work was still running.
+    pub skipped_own_work: u64,
+}
+
+/// Keeps the counters; remembers one tick.
+#[derive(Clone, Debug, Default)]
+pub struct Ledger {
+    counters: Counters,
+    last_finished: Nanos,
+    last_cause: Option<Cause>,
+}
+
+impl Ledger {
+    /// Enters a tick that came after `skipped` others were not run.
+    pub fn enter(&mut self, times: &TickTimes, skipped: u64) -> Outcome {
+        let late_because = self.why_it_began_late(times);
+        let outcome = judge(times, late_because);
+        self.counters.ticks += 1;
+        self.counters.skipped += skipped;
+        if late_because == Cause::OwnWork {
+            self.counters.skipped_own_work += skipped;
+        }
+        self.last_finished = times.finished;
+        self.last_cause = match outcome {
+            Outcome::Met => None,
+            Outcome::Missed(cause) => {
+                self.count_miss(cause);
+                Some(cause)
+            }
+        };
+        outcome
+    }
+
+    /// What was counted so far.
+    pub const fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    fn why_it_began_late(&self, times: &TickTimes) -> Cause {
+        match self.last_cause {
+            Some(cause) if times.due < self.last_finished => cause,
+            Some(_) | None => Cause::WokenLate,
+        }
+    }
+
+    const fn count_miss(&mut self, cause: Cause) {
+        self.counters.missed += 1;
+        match cause {
+            Cause::OwnWork => self.counters.missed_own_work += 1,
+            Cause::WokenLate => self.counters.missed_woken_late += 1,
+            Cause::Preempted => self.counters.missed_preempted += 1,
+        }
+    }
+}
+
+/// The table above, for a tick whose late begin has the cause `late_because`.
+fn judge(times: &TickTimes, late_because: Cause) -> Outcome {
+    let slack = times.deadline.since(times.due);
+    if times.finished <= times.deadline {
+        Outcome::Met
+    } else if slack < times.work {
+        Outcome::Missed(Cause::OwnWork)
+    } else if times.stolen() <= times.lateness() {
+        Outcome::Missed(late_because)
+    } else {
+        Outcome::Missed(Cause::Preempted)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SLACK: u64 = 10;
+
+    /// A tick due at `due` that was woken `late` after, worked and lost time.
+    fn tick(due: u64, late: u64, work: u64, stolen: u64) -> TickTimes {
+        TickTimes {
+            due: Nanos::new(due),
+            deadline: Nanos::new(due + SLACK),
+            woken: Nanos::new(due + late),
+            finished: Nanos::new(due + late + work + stolen),
+            work: Nanos::new(work),
+        }
+    }
+
+    #[track_caller]
+    fn check(late: u64, work: u64, stolen: u64, expected: Outcome) {
+        assert_eq!(Ledger::default().enter(&tick(100, late, work, stolen), 0), expected);
+    }
+
+    #[test]
+    fn forces_out_exactly_at_the_deadline_are_in_time() {
+        check(0, 10, 0, Outcome::Met);
+        check(4, 3, 3, Outcome::Met);
+    }
+
+    #[test]
+    fn work_longer_than_the_tick_is_own_work_however_late_it_began() {
+        check(0, 11, 0, Outcome::Missed(Cause::OwnWork));
+        check(50, 11, 50, Outcome::Missed(Cause::OwnWork));
+    }
+
+    #[test]
+    fn a_late_wake_is_the_cause_if_it_cost_the_most() {
+        check(9, 2, 0, Outcome::Missed(Cause::WokenLate));
+        check(4, 4, 4, Outcome::Missed(Cause::WokenLate));
+    }
+
+    #[test]
+    fn lost_time_is_the_cause_if_it_cost_the_most() {
+        check(0, 2, 9, Outcome::Missed(Cause::Preempted));
+        check(4, 2, 5, Outcome::Missed(Cause::Preempted));
+    }
+
+    #[test]
+    fn every_split_of_the_time_has_the_cause_that_would_have_saved_it() {
+        for (late, work, stolen) in all_splits(2 * SLACK) {
+            let outcome = Ledger::default().enter(&tick(100, late, work, stolen), 0);
+            let missed_by = (late + work + stolen).saturating_sub(SLACK);
+            match outcome {
+                Outcome::Met => assert_eq!(missed_by, 0),
+                Outcome::Missed(Cause::OwnWork) => assert!(SLACK < work),
+                Outcome::Missed(Cause::WokenLate) => {
+                    assert!(0 < missed_by && stolen <= late && missed_by <= late + stolen);
+                }
+                Outcome::Missed(Cause::Preempted) => {
+                    assert!(0 < missed_by && late < stolen && missed_by <= late + stolen);
+                }
+            }
+        }
+    }
+
+    fn all_splits(n: u64) -> impl Iterator<Item = (u64, u64, u64)> {
+        (0..n * n * n).map(move |i| (i % n, i / n % n, i / n / n))
+    }
+
+    #[test]
+    fn a_tick_that_waited_for_an_overrun_inherits_its_cause() {
+        let mut ledger = Ledger::default();
+        assert_eq!(ledger.enter(&tick(100, 0, 19, 0), 0), Outcome::Missed(Cause::OwnWork));
+        assert_eq!(ledger.enter(&tick(110, 9, 2, 0), 0), Outcome::Missed(Cause::OwnWork));
+        assert_eq!(ledger.enter(&tick(120, 1, 2, 0), 0), Outcome::Met);
+        assert_eq!(ledger.enter(&tick(130, 9, 2, 0), 0), Outcome::Missed(Cause::WokenLate));
+    }
+
+    #[test]
+    fn skipped_ticks_are_charged_to_the_overrun_that_ate_them() {
+        let mut ledger = Ledger::default();
+        assert_eq!(ledger.enter(&tick(100, 0, 35, 0), 0), Outcome::Missed(Cause::OwnWork));
+        assert_eq!(ledger.enter(&tick(130, 5, 1, 0), 2), Outcome::Met);
+        assert_eq!(ledger.enter(&tick(190, 1, 1, 0), 5), Outcome::Met);
+        let expected = Counters {
+            ticks: 3,
+            missed: 1,
+            missed_own_work: 1,
+            skipped: 7,
+            skipped_own_work: 2,
+            ..Counters::default()
+        };
+        assert_eq!(ledger.counters(), expected);
+    }
+
+    #[test]
+    fn misses_are_counted_by_cause() {
+        let mut ledger = Ledger::default();
+        for (i, (late, work, stolen)) in
+            [(0, 11, 0), (11, 0, 0), (0, 1, 11), (0, 1, 0)].iter().enumerate()
+        {
+            let _outcome = ledger.enter(&tick(100 * (i as u64 + 1), *late, *work, *stolen), 0);
+        }
+        let counters = ledger.counters();
+        assert_eq!(
+            (
+                counters.missed,
+                counters.missed_own_work,
+                counters.missed_woken_late,
+                counters.missed_preempted
+            ),
+            (3, 1, 1, 1),
+        );
+    }
+}

@@ -1,0 +1,29 @@
+//! What the outside must supply: a bus to the keys, lanes to run on, an observer.
+
+use crate::motion::{KEYS, KeySample};
+use crate::voice::Turn;
+
+/// The motors and sensors of all keys.
+pub trait KeyBus {
+    /// Writes the newest sample of every key, as of the start of `tick`.
+    ///
+    /// A key that has no new sample keeps its old one with its age counted up.
+    fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]);
+
+    /// Hands over the forces [N, up positive] to be held during `tick`.
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS]);
+}
+
+/// Where the voices run.
+pub trait Lanes {
+    /// Runs every voice for `tick` and writes its turn.
+    ///
+    /// A voice whose lane did not finish in time keeps its previous turn, marked late.
+    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]);
+}
+
+/// Somebody who watches ticks without being waited for.
+pub trait TickObserver {
+    /// Sees the turns of a finished tick and the forces that were sent.
+    fn observe(&mut self, tick: u64, turns: &[Turn; KEYS], forces: &[f64; KEYS]);
+}

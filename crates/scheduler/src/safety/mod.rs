@@ -1,0 +1,257 @@
+//! What is sent: the voice's force while it can be trusted, and a way to zero when it cannot.
+//!
+//! Each key is a small state machine, stepped once a tick. `n` is the ticks in [`FADE`]:
+//!
+//! | state | trusted | trusted, fresh | not there (late, stale, disarmed) | fault |
+//! |---|---|---|---|---|
+//! | **Following** | the voice's force | → Returning over `n` | → Outage, hold | → Condemned, hold |
+//! | **Outage** of `k` ticks | → Returning over `k + 1` or what was left of the last return, at most `n` | → Returning over `n` | hold, then fade | → Condemned, the same fade |
+//! | **Condemned** | fade; from zero → Returning over `n` | as trusted | fade | fade |
+//! | **Returning** | blend towards the voice; at its end → Following | start again over `n` | → Outage, hold | → Condemned, hold |
+//!
+//! The first tick of an outage or fault holds the last force; zero is sent [`FADE`] after it.
+//! A fault must reach zero before the voice is heard again; an outage may end on the way.
+//! A tick that was skipped is an outage of every key. A key begins as after a long outage,
+//! so that power-up has no force step either.
+//!
+//! How large a force may be is not decided here: the voice has passed its own force gate.
+//! NaN never passes.
+
+use crate::motion::{KEYS, KeySample};
+use crate::time::{Nanos, Period};
+use crate::voice::Turn;
+
+/// The force of a key whose voice cannot be trusted [N].
+pub const SAFE_FORCE: f64 = 0.0;
+
+/// From the first untrusted tick to the safe force.
+pub const FADE: Nanos = Nanos::from_millis(20);
+
+/// Ticks without a new sample that a voice bridges by extrapolation.
+pub const MAX_EXTRAPOLATED: u32 = 1;
+
+/// How far a voice's force can be trusted in this tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Trust {
+    Trusted,
+    /// Trusted, but unrelated to what this key felt before.
+    Fresh,
+    NotThere,
+    Fault,
+}
+
+impl Trust {
+    /// The worst that is known about this turn.
+    fn of(turn: &Turn, sample: &KeySample) -> Self {
+        if turn.fault.is_some() || !turn.force.is_finite() {
+            Self::Fault
+        } else if turn.late || MAX_EXTRAPOLATED < sample.age {
+            Self::NotThere
+        } else if turn.fresh {
+            Self::Fresh
+        } else {
+            Self::Trusted
+        }
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum State {
+    Following,
+    /// `held` [N] was sent last; `ticks` have passed since, this one included. The way back
+    /// takes `left` ticks at least, because the outage cut another one short.
+    Outage {
+        held: f64,
+        ticks: u32,
+        left: u32,
+    },
+    /// As an outage, after a fault.
+    Condemned {
+        held: f64,
+        ticks: u32,
+    },
+    /// `done` of `of` ticks on the way from `from` [N] to the voice's force.
+    Returning {
+        from: f64,
+        done: u32,
+        of: u32,
+    },
+}
+
+/// One key's state, and what it feels.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct KeySafety {
+    state: State,
+    /// The force sent last [N].
+    sent: f64,
+}
+
+impl KeySafety {
+    /// Nothing has been sent for a long time.
+    const SILENT: Self = Self {
+        state: State::Outage { held: SAFE_FORCE, ticks: u32::MAX, left: 0 },
+        sent: SAFE_FORCE,
+    };
+
+    /// One row of the table; returns the force to send [N].
+    fn step(&mut self, trust: Trust, force: f64, fade_ticks: u32) -> f64 {
+        self.state = match trust {
+            Trust::Trusted => self.trusted(fade_ticks),
+            Trust::Fresh => self.fresh(fade_ticks),
+            Trust::NotThere => self.not_there(1),
+            Trust::Fault => self.fault(),
+        };
+        let force = match self.state {
+            State::Following => force,
+            State::Outage { held, ticks, .. } | State::Condemned { held, ticks } => {
+                faded(held, ticks, fade_ticks)
+            }
+            State::Returning { from, done, of } => {
+                from + (force - from) * f64::from(done) / f64::from(of)
+            }
+        };
+        // The last gate: a blend of huge forces can overflow, and `f64::clamp` lets NaN through.
+        self.sent = if force.is_finite() { force } else { SAFE_FORCE };
+        self.sent
+    }
+
+    fn trusted(&self, fade_ticks: u32) -> State {
+        match self.state {
+            State::Following => State::Following,
+            State::Outage { held, ticks, left } => {
+                let of = ticks.saturating_add(1).max(left).min(fade_ticks);
+                returning(faded(held, ticks, fade_ticks), 0, of)
+            }
+            State::Condemned { ticks, .. } if fade_ticks < ticks => {
+                returning(SAFE_FORCE, 0, fade_ticks)
+            }
+            State::Condemned { held, ticks } => State::Condemned { held, ticks: ticks + 1 },
+            State::Returning { from, done, of } => returning(from, done, of),
+        }
+    }
+
+    fn fresh(&self, fade_ticks: u32) -> State {
+        match self.state {
+            State::Following | State::Returning { .. } => returning(self.sent, 0, fade_ticks),
+            State::Outage { held, ticks, .. } => {
+                returning(faded(held, ticks, fade_ticks), 0, fade_ticks)
+            }
+            State::Condemned { .. } => self.trusted(fade_ticks),
+        }
+    }
+
+    /// The state after `missing` more ticks without the voice.
+    const fn not_there(&self, missing: u32) -> State {
+        match self.state {
+            State::Following => State::Outage { held: self.sent, ticks: missing, left: 0 },
+            State::Returning { done, of, .. } => {
+                State::Outage { held: self.sent, ticks: missing, left: of - done }
+            }
+            State::Outage { held, ticks, left } => {
+                State::Outage { held, ticks: ticks.saturating_add(missing), left }
+            }
+            State::Condemned { held, ticks } => {
+                State::Condemned { held, ticks: ticks.saturating_add(missing) }
+            }
+        }
+    }
+
+    const fn fault(&self) -> State {
+        match self.state {
+            State::Following | State::Returning { .. } => {
+                State::Condemned { held: self.sent, ticks: 1 }
+            }
+            State::Outage { held, ticks, .. } | State::Condemned { held, ticks } => {
+                State::Condemned { held, ticks: ticks.saturating_add(1) }
+            }
+        }
+    }
+}
+
+/// One tick further on the way back; there is no way left after `of` ticks.
+const fn returning(from: f64, done: u32, of: u32) -> State {
+    if done + 1 < of { State::Returning { from, done: done + 1, of } } else { State::Following }
+}
+
+/// `held` [N] in the `ticks`-th tick after it was sent: whole in the first, then falling.
+fn faded(held: f64, ticks: u32, fade_ticks: u32) -> f64 {
+    if fade_ticks < ticks {
+        return SAFE_FORCE;
+    }
+    // The ratio first: a hold must be exact.
+    held * (f64::from(fade_ticks + 1 - ticks) / f64::from(fade_ticks))
+}
+
+/// How many keys do not simply feel their voice.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct SafetyReport {
+    /// Keys that hold, fade or are silent.
+    pub withheld: u32,
+    /// Keys on their way back to their voice.
+    pub returning: u32,
+}
+
+impl SafetyReport {
+    fn count(&mut self, state: State) {
+        match state {
+            State::Following => {}
+            State::Outage { .. } | State::Condemned { .. } => self.withheld += 1,
+            State::Returning { .. } => self.returning += 1,
+        }
+    }
+}
+
+/// The last gate before the bus, for all keys.
+#[derive(Clone, Debug)]
+pub struct Safety {
+    keys: [KeySafety; KEYS],
+    /// Ticks that fit into [`FADE`].
+    fade_ticks: u32,
+    armed: bool,
+}
+
+impl Safety {
+    /// All keys silent and armed, for ticks of `period`.
+    pub fn new(period: Period) -> Self {
+        let fade_ticks = u32::try_from(period.ticks_in(FADE)).unwrap_or(u32::MAX - 1).max(1);
+        Self { keys: [KeySafety::SILENT; KEYS], fade_ticks, armed: true }
+    }
+
+    /// Lets voices be felt (the state at the beginning).
+    pub const fn arm(&mut self) {
+        self.armed = true;
+    }
+
+    /// From the next tick on, no voice is felt: all keys hold one tick, then fade.
+    pub const fn disarm(&mut self) {
+        self.armed = false;
+    }
+
+    /// Writes what is sent to each key [N], after `skipped` ticks that were never run.
+    pub fn apply(
+        &mut self,
+        skipped: u64,
+        samples: &[KeySample; KEYS],
+        turns: &[Turn; KEYS],
+        forces: &mut [f64; KEYS],
+    ) -> SafetyReport {
+        let missing = u32::try_from(skipped).unwrap_or(u32::MAX);
+        let mut report = SafetyReport::default();
+        for (key, force) in forces.iter_mut().enumerate() {
+            let safety = &mut self.keys[key];
+            if 0 < missing {
+                safety.state = safety.not_there(missing);
+            }
+            let trust = match Trust::of(&turns[key], &samples[key]) {
+                Trust::Trusted | Trust::Fresh if !self.armed => Trust::NotThere,
+                known @ (Trust::Trusted | Trust::Fresh | Trust::NotThere | Trust::Fault) => known,
+            };
+            *force = safety.step(trust, turns[key].force, self.fade_ticks);
+            report.count(safety.state);
+        }
+        report
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,236 @@
+//! The table row by row, then what must hold for any sequence of ticks.
+
+#![expect(clippy::large_stack_arrays, reason = "all turns; a test has the stack")]
+
+use super::*;
+use crate::voice::VoiceFault;
+use proptest::prelude::*;
+
+/// Ticks of the fade in these tests: 20 ms at 200 Hz.
+const N: u32 = 4;
+
+/// Steps a key through `ticks` of (trust, voice's force) and returns what was sent.
+fn sent<const T: usize>(mut key: KeySafety, ticks: [(Trust, f64); T]) -> [f64; T] {
+    ticks.map(|(trust, force)| key.step(trust, force, N))
+}
+
+/// A key that follows its voice and was last sent `force` [N].
+fn following(force: f64) -> KeySafety {
+    KeySafety { state: State::Following, sent: force }
+}
+
+#[track_caller]
+fn check<const T: usize>(key: KeySafety, ticks: [(Trust, f64); T], expected: [f64; T]) {
+    // Quarters and eighths are exact in binary, so these compare exactly.
+    assert_eq!(
+        sent(key, ticks).map(f64::to_bits),
+        expected.map(f64::to_bits),
+        "{:?}",
+        sent(key, ticks)
+    );
+}
+
+use Trust::{Fault, Fresh, NotThere, Trusted};
+
+#[test]
+fn a_trusted_voice_is_felt_as_it_is() {
+    check(following(1.0), [(Trusted, 3.0), (Trusted, -7.0)], [3.0, -7.0]);
+}
+
+#[test]
+fn an_outage_is_held_one_tick_and_then_faded_to_the_safe_force() {
+    check(following(4.0), [(NotThere, 9.0); 6], [4.0, 3.0, 2.0, 1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn one_missing_tick_is_bridged_and_the_voice_met_half_way() {
+    check(following(4.0), [(NotThere, 4.0), (Trusted, 6.0), (Trusted, 7.0)], [4.0, 5.0, 7.0]);
+}
+
+#[test]
+fn the_return_takes_as_long_as_the_outage_and_a_tick_but_no_longer_than_the_fade() {
+    let ticks = [(NotThere, 0.0), (NotThere, 0.0), (Trusted, 0.0), (Trusted, 0.0), (Trusted, 8.0)];
+    check(following(4.0), ticks, [4.0, 3.0, 2.0, 1.0, 8.0]);
+    check(KeySafety::SILENT, [(Trusted, 4.0); 5], [1.0, 2.0, 3.0, 4.0, 4.0]);
+}
+
+#[test]
+fn a_fault_reaches_the_safe_force_before_the_voice_is_felt_again() {
+    let mut ticks = [(Trusted, 4.0); 10];
+    ticks[0] = (Fault, f64::NAN);
+    check(following(4.0), ticks, [4.0, 3.0, 2.0, 1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 4.0]);
+}
+
+#[test]
+fn a_lasting_fault_stays_at_the_safe_force() {
+    check(following(-4.0), [(Fault, 4.0); 6], [-4.0, -3.0, -2.0, -1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn a_fault_within_an_outage_goes_on_with_its_fade() {
+    let ticks = [(NotThere, 4.0), (NotThere, 4.0), (Fault, 4.0), (Trusted, 4.0), (NotThere, 4.0)];
+    check(following(4.0), ticks, [4.0, 3.0, 2.0, 1.0, 0.0]);
+}
+
+#[test]
+fn a_fresh_voice_is_blended_in_from_what_was_felt_before() {
+    check(following(4.0), [(Fresh, 0.0), (Trusted, 0.0)], [3.0, 2.0]);
+    check(following(4.0), [(NotThere, 0.0), (Fresh, 0.0), (Trusted, 0.0)], [4.0, 3.0, 2.0]);
+}
+
+#[test]
+fn trouble_on_the_way_back_starts_from_what_is_felt() {
+    let back = KeySafety { state: State::Returning { from: 0.0, done: 2, of: 4 }, sent: 4.0 };
+    check(back, [(NotThere, 8.0), (NotThere, 8.0)], [4.0, 3.0]);
+    check(back, [(Fault, 8.0), (Trusted, 8.0)], [4.0, 3.0]);
+    check(back, [(Fresh, 8.0), (Trusted, 8.0)], [5.0, 6.0]);
+    check(back, [(Trusted, 8.0), (Trusted, 8.0)], [6.0, 8.0]);
+}
+
+#[test]
+fn a_return_that_was_cut_short_goes_on_no_faster() {
+    let back = KeySafety { state: State::Returning { from: 0.0, done: 1, of: 4 }, sent: 2.0 };
+    let ticks = [(NotThere, 8.0), (Trusted, 8.0), (Trusted, 8.0), (Trusted, 8.0)];
+    check(back, ticks, [2.0, 4.0, 6.0, 8.0]);
+}
+
+#[test]
+fn forces_too_large_to_blend_become_the_safe_force() {
+    check(following(f64::MAX), [(Fresh, -f64::MAX)], [0.0]);
+}
+
+fn safety() -> Safety {
+    Safety::new(Period::from_hz(200).unwrap())
+}
+
+/// The force sent to key 7 for `turn` and a sample of `age`, after it followed 4 N.
+fn sent_for(turn: &Turn, age: u32, skipped: u64) -> f64 {
+    let mut safety = safety();
+    let mut samples = [KeySample::default(); KEYS];
+    let mut turns = [Turn::default(); KEYS];
+    let mut forces = [0.0; KEYS];
+    turns[7].force = 4.0;
+    for _ in 0..=N {
+        safety.apply(0, &samples, &turns, &mut forces);
+    }
+    samples[7].age = age;
+    turns[7] = *turn;
+    safety.apply(skipped, &samples, &turns, &mut forces);
+    forces[7]
+}
+
+#[track_caller]
+fn check_sent(turn: &Turn, age: u32, skipped: u64, expected: f64) {
+    let force = sent_for(turn, age, skipped);
+    assert!((force - expected).abs() == 0.0, "sent {force} N, expected {expected} N");
+}
+
+#[test]
+fn what_is_known_of_a_turn_decides_its_row() {
+    let eight = Turn { force: 8.0, ..Turn::default() };
+    check_sent(&eight, 0, 0, 8.0);
+    check_sent(&eight, MAX_EXTRAPOLATED, 0, 8.0);
+    check_sent(&eight, MAX_EXTRAPOLATED + 1, 0, 4.0);
+    check_sent(&Turn { late: true, ..eight }, 0, 0, 4.0);
+    check_sent(&Turn { fresh: true, ..eight }, 0, 0, 5.0);
+    check_sent(&Turn { fault: Some(VoiceFault::BadSample), ..eight }, 0, 0, 4.0);
+    check_sent(&Turn { force: f64::NAN, ..eight }, 0, 0, 4.0);
+    check_sent(&Turn { force: f64::INFINITY, ..eight }, 0, 0, 4.0);
+}
+
+#[test]
+fn a_skipped_tick_is_an_outage_of_every_key() {
+    let eight = Turn { force: 8.0, ..Turn::default() };
+    check_sent(&eight, 0, 1, 6.0);
+    check_sent(&eight, 0, u64::MAX, 2.0);
+}
+
+#[test]
+fn a_disarmed_keybed_fades_and_comes_back_when_armed() {
+    let mut safety = safety();
+    let samples = [KeySample::default(); KEYS];
+    let turns = [Turn { force: 4.0, ..Turn::default() }; KEYS];
+    let mut forces = [0.0; KEYS];
+    let mut after = |safety: &mut Safety, ticks: u32| {
+        (0..ticks).for_each(|_| {
+            safety.apply(0, &samples, &turns, &mut forces);
+        });
+        forces
+    };
+    assert_eq!(after(&mut safety, N).map(f64::to_bits), [4.0; KEYS].map(f64::to_bits));
+    safety.disarm();
+    assert_eq!(after(&mut safety, N + 1).map(f64::to_bits), [0.0; KEYS].map(f64::to_bits));
+    safety.arm();
+    assert_eq!(after(&mut safety, N).map(f64::to_bits), [4.0; KEYS].map(f64::to_bits));
+}
+
+/// Largest force of a voice in the properties below [N].
+const LIMIT: f64 = 10.0;
+
+fn any_trust() -> impl Strategy<Value = Trust> {
+    prop_oneof![6 => Just(Trusted), 1 => Just(Fresh), 2 => Just(NotThere), 1 => Just(Fault)]
+}
+
+fn any_force() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        8 => -LIMIT..LIMIT,
+        1 => prop_oneof![Just(f64::NAN), Just(f64::INFINITY), Just(f64::NEG_INFINITY)],
+    ]
+}
+
+proptest! {
+    #[test]
+    fn what_is_sent_is_finite_and_no_larger_than_the_voice_allows(
+        ticks in prop::collection::vec((any_trust(), any_force()), 1..200),
+    ) {
+        let mut key = KeySafety::SILENT;
+        for (trust, force) in ticks {
+            let trust = if force.is_finite() { trust } else { Fault };
+            let sent = key.step(trust, force, N);
+            assert!(sent.is_finite());
+            // Two roundings of a blend may leave the range by as many units in the last place.
+            assert!(sent.abs() <= LIMIT * (1.0 + 2.0 * f64::EPSILON));
+        }
+    }
+
+    /// The voice moves by at most `slew` in a tick. What safety adds is at most one share of
+    /// the way between two forces within the limit, and on the way back from `k` ticks the
+    /// voice's own change over them, which is another `slew`.
+    #[test]
+    fn trouble_adds_no_force_step(
+        ticks in prop::collection::vec((any_trust(), -1.0..1.0_f64), 1..200),
+        slew in 0.01..2.0_f64,
+        fade_ticks in 2..40_u32,
+    ) {
+        let mut key = KeySafety::SILENT;
+        let (mut voice, mut last) = (0.0_f64, 0.0);
+        for (trust, change) in ticks {
+            voice = (voice + change * slew).clamp(-LIMIT, LIMIT);
+            let sent = key.step(trust, voice, fade_ticks);
+            let allowed = 2.0 * slew + 2.0 * LIMIT / f64::from(fade_ticks);
+            assert!((sent - last).abs() <= allowed + 1e-12, "{last} N to {sent} N, allowed {allowed} N");
+            last = sent;
+        }
+    }
+
+    #[test]
+    fn lasting_trouble_is_at_the_safe_force_within_the_fade(
+        before in prop::collection::vec((any_trust(), -LIMIT..LIMIT), 0..50),
+        hz in 50..10_000_u32,
+        fault_first in any::<bool>(),
+    ) {
+        let period = Period::from_hz(hz).unwrap();
+        let fade_ticks = Safety::new(period).fade_ticks;
+        assert!(period.span(u64::from(fade_ticks)) <= FADE);
+        let mut key = KeySafety::SILENT;
+        for (trust, force) in before {
+            key.step(trust, force, fade_ticks);
+        }
+        for tick in 0..fade_ticks {
+            let fault = fault_first != (tick % 3 == 2);
+            key.step(if fault { Fault } else { NotThere }, 5.0, fade_ticks);
+        }
+        let sent = key.step(NotThere, 5.0, fade_ticks);
+        assert!(sent.abs() == 0.0, "{sent} N after the fade");
+    }
+}

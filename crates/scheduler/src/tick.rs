@@ -1,0 +1,125 @@
+//! The tick, top to bottom.
+
+use crate::lane::LaneReport;
+use crate::motion::{KEYS, KeySample};
+use crate::port::{KeyBus, Lanes, TickObserver};
+use crate::safety::{SAFE_FORCE, Safety, SafetyReport};
+use crate::time::{Nanos, Timetable};
+use crate::voice::Turn;
+
+/// What happened in one tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct TickReport {
+    /// Its number.
+    pub tick: u64,
+    /// When it should have started.
+    pub due: Nanos,
+    /// When its forces had to be out.
+    pub deadline: Nanos,
+    /// Ticks before it that were never run.
+    pub skipped: u64,
+    /// What the voices did.
+    pub voices: LaneReport,
+    /// What was sent instead of their forces.
+    pub safety: SafetyReport,
+}
+
+/// All keys, one tick at a time; memory is in the object, some 32 kB.
+#[derive(Debug)]
+pub struct Scheduler {
+    timetable: Timetable,
+    /// The next tick to run.
+    next: u64,
+    samples: [KeySample; KEYS],
+    turns: [Turn; KEYS],
+    forces: [f64; KEYS],
+    safety: Safety,
+}
+
+impl Scheduler {
+    /// A scheduler whose first tick is due at the timetable's start.
+    #[expect(
+        clippy::large_stack_frames,
+        clippy::large_stack_arrays,
+        reason = "once, at set-up; without a heap the memory comes from the caller"
+    )]
+    pub fn new(timetable: Timetable) -> Self {
+        Self {
+            timetable,
+            next: 0,
+            samples: [KeySample::default(); KEYS],
+            turns: [Turn::default(); KEYS],
+            forces: [SAFE_FORCE; KEYS],
+            safety: Safety::new(timetable.period()),
+        }
+    }
+
+    /// Runs the newest tick that is due at `now`, if it has not been run yet.
+    ///
+    /// Reads no clock, sleeps, allocates and locks nothing; bounded by what the ports promise.
+    /// A tick whose successor is due as well is skipped, never run to catch up: its number is
+    /// never seen by a voice, due times stay where they are, and every key takes the gap as an
+    /// outage (see [`crate::safety`]).
+    pub fn poll(
+        &mut self,
+        now: Nanos,
+        bus: &mut impl KeyBus,
+        lanes: &mut impl Lanes,
+        observer: &mut impl TickObserver,
+    ) -> Option<TickReport> {
+        let tick = self.timetable.newest(now).filter(|&newest| self.next <= newest)?;
+        let skipped = tick - self.next;
+        self.next = tick + 1;
+
+        bus.receive(tick, &mut self.samples);
+        lanes.run(tick, &self.samples, &mut self.turns);
+        let safety = self.safety.apply(skipped, &self.samples, &self.turns, &mut self.forces);
+        bus.send(tick, &self.forces);
+        observer.observe(tick, &self.turns, &self.forces);
+
+        Some(TickReport {
+            tick,
+            due: self.timetable.due(tick),
+            deadline: self.timetable.deadline(tick),
+            skipped,
+            voices: LaneReport::of(&self.turns),
+            safety,
+        })
+    }
+
+    /// Moves the timetable so that the next tick is due at `due`, as if no time had passed.
+    pub const fn resume_at(&mut self, due: Nanos) {
+        self.timetable = self.timetable.moved(self.next, due);
+    }
+
+    /// When the next tick is due.
+    pub const fn next_due(&self) -> Nanos {
+        self.timetable.due(self.next)
+    }
+
+    /// When the forces must be out of the tick that [`Scheduler::poll`] would run at `now`.
+    pub fn deadline(&self, now: Nanos) -> Nanos {
+        let newest = self.timetable.newest(now).unwrap_or(0);
+        self.timetable.deadline(newest.max(self.next))
+    }
+
+    /// When each tick is due.
+    pub const fn timetable(&self) -> Timetable {
+        self.timetable
+    }
+
+    /// Lets voices be felt again.
+    pub const fn arm(&mut self) {
+        self.safety.arm();
+    }
+
+    /// From the next tick on, all keys hold one tick and then fade to the safe force.
+    pub const fn disarm(&mut self) {
+        self.safety.disarm();
+    }
+
+    /// The forces sent last [N].
+    pub const fn forces(&self) -> &[f64; KEYS] {
+        &self.forces
+    }
+}

@@ -1,0 +1,154 @@
+//! One key's running simulation, as the scheduler sees it.
+
+use crate::motion::{KeyEvent, KeySample, Moment};
+
+/// Key events that one voice can report in one tick; more are counted, not kept.
+pub const MAX_EVENTS_PER_TURN: usize = 8;
+
+/// A voice: sample in, force out, once a tick.
+pub trait Voice {
+    /// Runs one tick.
+    ///
+    /// `tick` is absolute. It usually grows by one, but a tick that the host skipped is never
+    /// run, so it may jump: a voice measures elapsed time by the difference of tick numbers.
+    ///
+    /// # Real-time
+    /// Bounded by the voice's own declared work; no heap, lock or clock.
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn;
+
+    /// Puts the voice at rest at `sample`: before its first tick, and after a fault.
+    fn reset(&mut self, sample: &KeySample);
+}
+
+/// What one voice did in one tick.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Turn {
+    /// Force on the finger, up positive [N].
+    pub force: f64,
+    /// What happened to the note.
+    pub events: Events,
+    /// Counted work.
+    pub work: Work,
+    /// Why the force cannot be trusted, if so.
+    pub fault: Option<VoiceFault>,
+    /// The voice was at rest and skipped its equations.
+    pub idle: bool,
+    /// The lane did not finish: this is the previous tick's turn.
+    pub late: bool,
+    /// First turn after the voice was put in or reset: its force knows nothing of the last one.
+    pub fresh: bool,
+}
+
+impl Turn {
+    /// A turn without a trusted force.
+    pub fn faulty(fault: VoiceFault) -> Self {
+        Self { fault: Some(fault), ..Self::default() }
+    }
+
+    /// What stands in for the next turn when the lane is not done: the force, marked late.
+    ///
+    /// Events and work are left behind, since they have been counted once already.
+    #[must_use]
+    pub fn held(&self) -> Self {
+        Self { force: self.force, idle: self.idle, late: true, ..Self::default() }
+    }
+}
+
+/// Evaluations that one tick of one voice took; independent of the machine.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Work {
+    /// Evaluations of the derivative.
+    pub derivatives: u32,
+    /// Evaluations of guards.
+    pub guards: u32,
+    /// Reset maps applied.
+    pub events: u32,
+}
+
+impl Work {
+    /// Both together.
+    #[must_use]
+    pub const fn plus(self, other: Self) -> Self {
+        Self {
+            derivatives: self.derivatives.saturating_add(other.derivatives),
+            guards: self.guards.saturating_add(other.guards),
+            events: self.events.saturating_add(other.events),
+        }
+    }
+
+    /// The larger of each count.
+    #[must_use]
+    pub fn largest(self, other: Self) -> Self {
+        Self {
+            derivatives: self.derivatives.max(other.derivatives),
+            guards: self.guards.max(other.guards),
+            events: self.events.max(other.events),
+        }
+    }
+}
+
+/// Why a voice could not produce a force; small, `Copy`, and free of text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum VoiceFault {
+    /// The state or the readout left the set of finite numbers.
+    NotFinite,
+    /// The sample was not a finite number.
+    BadSample,
+    /// A cap on events, cascades or evaluations was reached; the model was held.
+    Capped {
+        /// Events handled before giving up.
+        handled: u32,
+    },
+    /// The voice panicked and is not called again.
+    Panicked,
+}
+
+/// A short list of key events with a fixed capacity.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Events {
+    list: [(Moment, KeyEvent); MAX_EVENTS_PER_TURN],
+    n: usize,
+    dropped: u32,
+}
+
+impl Default for Events {
+    fn default() -> Self {
+        let nothing = (Moment { tick: 0, theta: 0.0 }, KeyEvent::DamperLift);
+        Self { list: [nothing; MAX_EVENTS_PER_TURN], n: 0, dropped: 0 }
+    }
+}
+
+impl Events {
+    /// Appends an event; counts it as dropped when the list is full.
+    pub fn push(&mut self, at: Moment, event: KeyEvent) {
+        if let Some(place) = self.list.get_mut(self.n) {
+            *place = (at, event);
+            self.n += 1;
+        } else {
+            self.dropped += 1;
+        }
+    }
+
+    /// Appends the events of `later`, and what it had dropped.
+    pub fn extend(&mut self, later: &Self) {
+        for &(at, event) in later.as_slice() {
+            self.push(at, event);
+        }
+        self.dropped += later.dropped;
+    }
+
+    /// Nothing happened, and nothing was dropped.
+    pub const fn is_empty(&self) -> bool {
+        self.n == 0 && self.dropped == 0
+    }
+
+    /// The events in the order in which they happened.
+    pub fn as_slice(&self) -> &[(Moment, KeyEvent)] {
+        &self.list[..self.n]
+    }
+
+    /// How many did not fit.
+    pub const fn dropped(&self) -> u32 {
+        self.dropped
+    }
+}

@@ -1,0 +1,157 @@
+//! A keybed in memory, voices that do as they are told, and virtual time.
+#![expect(unreachable_pub, reason = "shared by test programs")]
+#![allow(dead_code, reason = "no test program uses all of it")]
+#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test may stop here")]
+
+use scheduler::lane::Inline;
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::port::{KeyBus, TickObserver};
+use scheduler::slot::Slot;
+use scheduler::tick::{Scheduler, TickReport};
+use scheduler::time::{Nanos, Period, Timetable};
+use scheduler::voice::{Turn, Voice, VoiceFault, Work};
+
+/// A spring with memory: the force depends on all samples since the last reset.
+#[derive(Clone, Copy, Debug)]
+pub struct Spring {
+    /// Spring rate [N/m].
+    pub rate: f64,
+    /// Slowly follows the key [m].
+    pub anchor: f64,
+    /// Ticks at which it fails, and how.
+    pub fails: Option<(u64, u64, Failure)>,
+}
+
+/// How a voice goes wrong.
+#[derive(Clone, Copy, Debug)]
+pub enum Failure {
+    /// It says so.
+    Reported,
+    /// It hands out NaN as if nothing were wrong.
+    Unnoticed,
+}
+
+impl Voice for Spring {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
+        self.anchor += 0.1 * (sample.position - self.anchor);
+        let force = self.rate * (sample.position - self.anchor);
+        let work = Work { derivatives: 4, guards: 1, events: 0 };
+        match self.fails {
+            Some((from, until, failure)) if (from..until).contains(&tick) => match failure {
+                Failure::Reported => Turn::faulty(VoiceFault::Capped { handled: 9 }),
+                Failure::Unnoticed => Turn { force: f64::NAN, ..Turn::default() },
+            },
+            Some(_) | None => Turn { force, work, ..Turn::default() },
+        }
+    }
+
+    fn reset(&mut self, sample: &KeySample) {
+        self.anchor = sample.position;
+    }
+}
+
+/// Springs for all keys, each its own.
+pub fn springs() -> [Slot<Spring>; KEYS] {
+    core::array::from_fn(|key| Slot::new(key, spring(key)))
+}
+
+/// The healthy spring of `key`.
+pub fn spring(key: usize) -> Spring {
+    Spring { rate: 500.0 + 3.0 * key as f64, anchor: 0.0, fails: None }
+}
+
+/// Keys that move by a known law, and what was sent to them last.
+#[derive(Debug)]
+pub struct MemoryBus {
+    /// The tick received last.
+    pub received: Option<u64>,
+    /// Tick and forces [N] sent last.
+    pub sent: Option<(u64, [f64; KEYS])>,
+    /// Ticks in which key 40 has no new sample.
+    pub key_40_silent: core::ops::Range<u64>,
+}
+
+impl MemoryBus {
+    /// All keys speak.
+    pub const fn new() -> Self {
+        Self { received: None, sent: None, key_40_silent: 0..0 }
+    }
+}
+
+impl KeyBus for MemoryBus {
+    fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        self.received = Some(tick);
+        for (key, sample) in samples.iter_mut().enumerate() {
+            if key == 40 && self.key_40_silent.contains(&tick) {
+                sample.age += 1;
+            } else {
+                let phase = 0.02 * tick as f64 + key as f64;
+                *sample = KeySample { position: 0.005 * (1.0 - phase.cos()), age: 0 };
+            }
+        }
+    }
+
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
+        self.sent = Some((tick, *forces));
+    }
+}
+
+/// Counts ticks.
+#[derive(Debug, Default)]
+pub struct CountingObserver {
+    /// Ticks seen.
+    pub ticks: u64,
+}
+
+impl TickObserver for CountingObserver {
+    fn observe(&mut self, _tick: u64, _turns: &[Turn; KEYS], _forces: &[f64; KEYS]) {
+        self.ticks += 1;
+    }
+}
+
+/// Tick rate of the tests.
+pub const HZ: u32 = 1000;
+
+/// Everything that a tick needs.
+#[derive(Debug)]
+pub struct Rig {
+    /// Under test.
+    pub scheduler: Scheduler,
+    /// The keys.
+    pub bus: MemoryBus,
+    /// Their voices.
+    pub slots: [Slot<Spring>; KEYS],
+    /// Who watches.
+    pub observer: CountingObserver,
+}
+
+impl Rig {
+    /// A thousand ticks a second from time zero.
+    #[expect(clippy::large_stack_frames, reason = "all turns; a test has the stack")]
+    pub fn new() -> Self {
+        let period = Period::from_hz(HZ).unwrap();
+        Self {
+            scheduler: Scheduler::new(Timetable::new(Nanos::ZERO, period)),
+            bus: MemoryBus::new(),
+            slots: springs(),
+            observer: CountingObserver::default(),
+        }
+    }
+
+    /// Polls at `microseconds` after the start.
+    pub fn poll_at(&mut self, microseconds: u64) -> Option<TickReport> {
+        let mut lanes = Inline { slots: &mut self.slots };
+        let now = Nanos::from_micros(microseconds);
+        self.scheduler.poll(now, &mut self.bus, &mut lanes, &mut self.observer)
+    }
+
+    /// Runs `tick` exactly when it is due and returns the forces sent [N].
+    #[track_caller]
+    pub fn forces_of(&mut self, tick: u64) -> [f64; KEYS] {
+        let report = self.poll_at(1000 * tick).expect("due");
+        assert_eq!(report.tick, tick);
+        let (sent_tick, forces) = self.bus.sent.expect("sent");
+        assert_eq!(sent_tick, tick);
+        forces
+    }
+}

@@ -1,0 +1,98 @@
+//! What key 40 feels when its voice or its samples fail, through the whole tick.
+#![expect(clippy::large_stack_frames, reason = "a scheduler on the stack of a test")]
+
+mod rig;
+
+use rig::{Failure, HZ, Rig, Spring, spring};
+use scheduler::safety::FADE;
+use scheduler::slot::Slot;
+
+/// Ticks of the fade at the tests' rate.
+const FADE_TICKS: u64 = FADE.as_u64() * HZ as u64 / 1_000_000_000;
+
+/// Largest force of the springs [N]: 10 mm of travel at the stiffest rate.
+const LIMIT: f64 = 0.010 * 800.0;
+
+/// Fastest change of a spring's force [N]: the key moves at most 0.1 mm a tick.
+const SLEW: f64 = 0.000_1 * 800.0;
+
+/// Runs 200 ticks and returns what key 40 felt [N].
+fn felt(mut rig: Rig) -> [f64; 200] {
+    core::array::from_fn(|tick| rig.forces_of(tick as u64)[40])
+}
+
+#[track_caller]
+fn check_steps(felt: &[f64]) {
+    let allowed = 2.0 * SLEW + LIMIT / FADE_TICKS as f64;
+    for (tick, pair) in felt.windows(2).enumerate() {
+        let step = (pair[1] - pair[0]).abs();
+        assert!(step <= allowed, "a step of {step} N after tick {tick}");
+    }
+}
+
+fn failing(failure: Failure) -> Rig {
+    let mut rig = Rig::new();
+    rig.slots[40] = Slot::new(40, Spring { fails: Some((60, 90, failure)), ..spring(40) });
+    rig
+}
+
+#[test]
+fn a_voice_that_fails_is_silent_within_the_fade_and_comes_back_without_a_step() {
+    for failure in [Failure::Reported, Failure::Unnoticed] {
+        let felt = felt(failing(failure));
+        check_steps(&felt);
+        assert!(felt[60].to_bits() == felt[59].to_bits(), "the first faulty tick holds");
+        assert!(felt[60 + FADE_TICKS as usize..90].iter().all(|force| force.abs() == 0.0));
+        assert!(felt[120..].iter().any(|force| 0.1 < force.abs()), "the voice is back");
+    }
+}
+
+#[test]
+fn lost_samples_are_bridged_then_held_then_faded() {
+    let mut rig = Rig::new();
+    rig.bus.key_40_silent = 60..90;
+    let felt = felt(rig);
+    check_steps(&felt);
+    assert!(felt[60].to_bits() != felt[59].to_bits(), "the voice bridges the first tick");
+    assert!(felt[61].to_bits() == felt[60].to_bits(), "the second is held");
+    assert!(felt[61 + FADE_TICKS as usize..90].iter().all(|force| force.abs() == 0.0));
+    assert!(felt[120..].iter().any(|force| 0.1 < force.abs()), "the voice is back");
+}
+
+#[test]
+fn a_voice_that_is_back_is_felt_as_if_nothing_had_been() {
+    let mut healthy = Rig::new();
+    let mut disturbed = Rig::new();
+    disturbed.bus.key_40_silent = 60..62;
+    for tick in 0..200 {
+        let (expected, forces) = (healthy.forces_of(tick), disturbed.forces_of(tick));
+        // The spring's memory of two wrong samples fades by a tenth a tick.
+        let back = (expected[40] - forces[40]).abs() < 1e-6;
+        assert!(tick < 180 || back, "tick {tick}: {} N, {} N", expected[40], forces[40]);
+    }
+}
+
+#[test]
+fn a_skipped_tick_gives_no_force_step() {
+    let mut rig = Rig::new();
+    let mut last = 0.0;
+    for tick in (0..200).filter(|tick| tick % 7 != 3) {
+        let force = rig.forces_of(tick)[40];
+        let allowed = 2.0 * (2.0 * SLEW) + LIMIT / FADE_TICKS as f64;
+        assert!((force - last).abs() <= allowed, "tick {tick}: {last} N to {force} N");
+        last = force;
+    }
+}
+
+#[test]
+fn a_disarmed_keybed_is_silent_within_the_fade() {
+    let mut rig = Rig::new();
+    for tick in 0..100 {
+        rig.forces_of(tick);
+    }
+    rig.scheduler.disarm();
+    for tick in 100..100 + FADE_TICKS {
+        rig.forces_of(tick);
+    }
+    assert!(rig.forces_of(100 + FADE_TICKS).iter().all(|force| force.abs() == 0.0));
+}

@@ -1,0 +1,155 @@
+//! The same frames on a byte stream.
+//!
+//! ```text
+//! frame ++ CRC (2 bytes, little-endian)  →  COBS: no zero inside  →  0x00
+//! ```
+//!
+//! A receiver that joins in the middle, or has lost bytes, is in step again after the
+//! next zero.
+
+mod cobs;
+mod crc;
+
+/// The longest frame that any link carries: CAN FD's.
+pub const MAX_FRAME: usize = 64;
+/// The longest frame on the stream: checksum, one byte of stuffing, the closing zero.
+pub const MAX_WIRE: usize = MAX_FRAME + crc::LEN + cobs::OVERHEAD + 1;
+
+const END: u8 = 0;
+
+/// The frame is longer than [`MAX_FRAME`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct TooLong {
+    /// Its length [bytes].
+    pub len: usize,
+}
+
+/// Why what stood between two zeros was not a frame.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FramingError {
+    /// More bytes came than any frame has.
+    TooLong,
+    /// The stuffing points outside the frame.
+    Stuffing,
+    /// The checksum is another one, or there is none.
+    Checksum,
+}
+
+/// Writes `frame` as it travels on the stream; returns how many bytes of `wire` it takes.
+///
+/// # Errors
+/// Refuses a frame that is longer than [`MAX_FRAME`].
+pub fn encode(frame: &[u8], wire: &mut [u8; MAX_WIRE]) -> Result<usize, TooLong> {
+    let too_long = TooLong { len: frame.len() };
+    if MAX_FRAME < frame.len() {
+        return Err(too_long);
+    }
+    let mut body = [0; MAX_FRAME + crc::LEN];
+    let n = frame.len() + crc::LEN;
+    body[..frame.len()].copy_from_slice(frame);
+    body[frame.len()..n].copy_from_slice(&crc::checksum(frame));
+    let stuffed = cobs::stuff(&body[..n], wire).ok_or(too_long)?;
+    wire[stuffed] = END;
+    Ok(stuffed + 1)
+}
+
+/// Finds frames in a stream of bytes, one byte at a time, in a fixed buffer.
+#[derive(Clone, Debug)]
+pub struct Deframer {
+    buffer: [u8; MAX_WIRE],
+    n: usize,
+    overrun: bool,
+}
+
+impl Default for Deframer {
+    fn default() -> Self {
+        Self { buffer: [0; MAX_WIRE], n: 0, overrun: false }
+    }
+}
+
+impl Deframer {
+    /// Takes the next byte; returns a frame when it was the last of one.
+    ///
+    /// An error ends with the zero that it was found at: what follows is read afresh.
+    /// Zeros without anything between them are nothing.
+    pub fn push(&mut self, byte: u8) -> Option<Result<&[u8], FramingError>> {
+        if byte != END {
+            self.keep(byte);
+            return None;
+        }
+        let n = core::mem::take(&mut self.n);
+        if core::mem::take(&mut self.overrun) {
+            return Some(Err(FramingError::TooLong));
+        }
+        (0 < n).then(|| open(&mut self.buffer[..n]))
+    }
+
+    fn keep(&mut self, byte: u8) {
+        // The last place is the closing zero's, which is never kept.
+        if self.n < MAX_WIRE - 1 {
+            self.buffer[self.n] = byte;
+            self.n += 1;
+        } else {
+            self.overrun = true;
+        }
+    }
+}
+
+/// Unstuffs `bytes` in place and returns the frame if its checksum is right.
+fn open(bytes: &mut [u8]) -> Result<&[u8], FramingError> {
+    let body = cobs::unstuff(bytes).ok_or(FramingError::Stuffing)?;
+    let (frame, checksum) = body.split_last_chunk().ok_or(FramingError::Checksum)?;
+    if *checksum == crc::checksum(frame) { Ok(frame) } else { Err(FramingError::Checksum) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_longest_frame_of_zeros_fills_the_wire_exactly() {
+        check_round_trip(&[0; MAX_FRAME]);
+        let mut wire = [0; MAX_WIRE];
+        assert_eq!(encode(&[0; MAX_FRAME], &mut wire), Ok(MAX_WIRE));
+    }
+
+    #[test]
+    fn an_empty_frame_is_a_frame() {
+        check_round_trip(&[]);
+    }
+
+    #[test]
+    fn a_frame_that_no_link_carries_is_refused() {
+        let mut wire = [0; MAX_WIRE];
+        assert_eq!(encode(&[1; MAX_FRAME + 1], &mut wire), Err(TooLong { len: 65 }));
+    }
+
+    #[test]
+    fn zeros_between_frames_are_nothing() {
+        let mut deframer = Deframer::default();
+        assert_eq!(deframer.push(0), None);
+        assert_eq!(deframer.push(0), None);
+    }
+
+    #[test]
+    fn after_a_flood_without_a_zero_the_next_frame_is_read() {
+        let mut deframer = Deframer::default();
+        for _ in 0..1_000 {
+            assert_eq!(deframer.push(7), None);
+        }
+        assert_eq!(deframer.push(0), Some(Err(FramingError::TooLong)));
+        let mut wire = [0; MAX_WIRE];
+        let n = encode(b"next", &mut wire).unwrap();
+        assert!(wire[..n - 1].iter().all(|byte| deframer.push(*byte).is_none()));
+        assert_eq!(deframer.push(0), Some(Ok(&b"next"[..])));
+    }
+
+    #[track_caller]
+    fn check_round_trip(frame: &[u8]) {
+        let mut wire = [0xAA; MAX_WIRE];
+        let n = encode(frame, &mut wire).unwrap();
+        let mut deframer = Deframer::default();
+        assert!(wire[..n - 1].iter().all(|byte| deframer.push(*byte).is_none()));
+        assert_eq!(deframer.push(wire[n - 1]), Some(Ok(frame)));
+    }
+}
