@@ -81,7 +81,9 @@ fn check(fault: Fault, expected: &[&[u8]; 4]) {
     for direction in [Direction::Send, Direction::Receive] {
         let (mut arrived, counts) = run(scripted(fault, direction), direction);
         // A delayed frame is put on the wire before the one of its exchange.
-        arrived.iter_mut().for_each(|bytes| bytes.sort_unstable());
+        for bytes in &mut arrived {
+            bytes.sort_unstable();
+        }
         assert_eq!(arrived, expected.map(<[u8]>::to_vec), "{direction:?}");
         let counts = [counts.dropped, counts.duplicated, counts.delayed, counts.flipped];
         assert_eq!(counts.iter().sum::<u64>(), 1, "{direction:?}");

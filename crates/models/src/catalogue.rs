@@ -1,7 +1,7 @@
 //! From a name to a model: the only file that knows all models.
 
 use crate::describe::{Parameter, Playable, Preset};
-use crate::{KeyHammerRigid, KeyHammerSprings};
+use crate::{BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, SpringWall};
 
 /// Something to be done with a model whose type is known by name only.
 pub trait Visitor {
@@ -44,7 +44,7 @@ macro_rules! catalogue {
     };
 }
 
-catalogue!(KeyHammerSprings, KeyHammerRigid);
+catalogue!(KeyHammerSprings, KeyHammerRigid, BouncingBall, CartPendulum, SpringWall);
 
 const fn entry<M: Playable>() -> Entry {
     Entry {

@@ -1,6 +1,6 @@
 //! What a model says about itself: names, parameters, presets, how a key plays it.
 
-use pode::{Energetic, GuardId, Motion, Resets};
+use pode::{Energetic, GuardId, Model, Motion, Resets};
 
 /// A model's parameter.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -15,6 +15,57 @@ pub struct Parameter {
     pub doc: &'static str,
 }
 
+impl Parameter {
+    /// A value between `low` and `high`.
+    pub(crate) const fn within(
+        name: &'static str,
+        unit: &'static str,
+        low: f64,
+        high: f64,
+        doc: &'static str,
+    ) -> Self {
+        Self { name, unit, range: (low, high), doc }
+    }
+
+    /// A value that something is divided by.
+    pub(crate) const fn positive(
+        name: &'static str,
+        unit: &'static str,
+        doc: &'static str,
+    ) -> Self {
+        Self::within(name, unit, 1e-9, 1e9, doc)
+    }
+
+    /// A value that may be zero.
+    pub(crate) const fn not_negative(
+        name: &'static str,
+        unit: &'static str,
+        doc: &'static str,
+    ) -> Self {
+        Self::within(name, unit, 0.0, 1e9, doc)
+    }
+
+    /// A place or a length with a sign [m].
+    pub(crate) const fn length(name: &'static str, doc: &'static str) -> Self {
+        Self::within(name, "m", -100.0, 100.0, doc)
+    }
+
+    /// Gravity [m/s²].
+    pub(crate) const fn gravity() -> Self {
+        Self::within("g", "m/s²", 0.0, 1000.0, "gravity")
+    }
+
+    /// Restitution of an impact on `doc`.
+    pub(crate) const fn restitution(doc: &'static str) -> Self {
+        Self::within("restitution", "1", 0.0, 1.0, doc)
+    }
+
+    /// Input per metre of key-front travel, for models whose input is a length.
+    pub(crate) const fn scale(doc: &'static str) -> Self {
+        Self::within("scale", "m/m", -1000.0, 1000.0, doc)
+    }
+}
+
 /// A named set of parameter values, graded over the compass.
 #[derive(Clone, Copy, Debug)]
 pub struct Preset {
@@ -27,7 +78,11 @@ pub struct Preset {
 }
 
 /// A model with a name, parameters, and names for all that it has.
-pub trait Described: Resets<Input = Motion> + Energetic + PartialEq + Send + 'static {
+///
+/// Its state is an array, so that entries can be set by name: `x.as_mut()[index]`.
+pub trait Described:
+    Model<Input = Motion, State: AsMut<[f64]>> + Resets + Energetic + Copy + PartialEq + Send + 'static
+{
     /// Name in scenes and on the command line.
     const NAME: &'static str;
     /// What it is, in one line.
@@ -50,7 +105,8 @@ pub trait Described: Resets<Input = Motion> + Energetic + PartialEq + Send + 'st
     /// Writes the outputs, forces first, for files and plots.
     fn outputs(&self, mode: Self::Mode, x: &Self::State, input: &Motion, out: &mut [f64]);
 
-    /// At rest under a constant input.
+    /// At rest under a constant input, or where the parameters say that it starts: a
+    /// `y0` above 0 is a drop.
     fn at_rest(&self, input: &Motion) -> (Self::Mode, Self::State);
 }
 
@@ -69,6 +125,13 @@ pub trait Playable: Described {
 pub struct Sounding {
     /// Speed of what strikes [m/s].
     pub speed: f64,
+}
+
+/// Writes `values` to the first entries of `out`, as many as there are.
+pub(crate) fn write<const N: usize>(out: &mut [f64], values: [f64; N]) {
+    for (slot, value) in out.iter_mut().zip(values) {
+        *slot = value;
+    }
 }
 
 /// `values` with what is missing taken from the default preset.

@@ -10,14 +10,22 @@
 //! finger. A model's input and readout are in its own generalised coordinate.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 #![forbid(unsafe_code)]
+#![expect(rustdoc::broken_intra_doc_links, reason = "units in brackets, [m], are not links")]
 
 mod describe;
+mod impact;
 
+pub mod bouncing_ball;
+pub mod cart_pendulum;
 pub mod catalogue;
 pub mod key_hammer;
 pub mod key_hammer_rigid;
 pub mod key_hammer_springs;
+pub mod spring_wall;
 
+pub use bouncing_ball::BouncingBall;
+pub use cart_pendulum::CartPendulum;
 pub use describe::{Described, Parameter, Playable, Preset, Sounding};
 pub use key_hammer_rigid::KeyHammerRigid;
 pub use key_hammer_springs::KeyHammerSprings;
+pub use spring_wall::SpringWall;

@@ -72,8 +72,8 @@ pub struct Performance {
 impl Performance {
     /// When the last finger has left its key or the pedal is moved last [s].
     pub fn end(&self) -> f64 {
-        let releases = self.gestures.iter().flatten().map(|gesture| gesture.release);
-        releases.chain(self.pedals.iter().map(|pedal| pedal.0)).fold(0.0, f64::max)
+        let ends = self.gestures.iter().flatten().map(Gesture::end);
+        ends.chain(self.pedals.iter().map(|pedal| pedal.0)).fold(0.0, f64::max)
     }
 }
 

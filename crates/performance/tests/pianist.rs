@@ -30,8 +30,8 @@ impl Rehearsal for Toy {
             speed: self.ratio * gesture.speed,
         };
         let strikes = gestures.iter().map(strike).filter(|s| span.contains(&s.at)).collect();
-        let falls = gestures.iter().map(|g| g.release + 0.03).filter(|at| span.contains(at));
-        Outcome { strikes, damper_fall: falls.last() }
+        let mut falls = gestures.iter().map(|g| g.release + 0.03).filter(|at| span.contains(at));
+        Outcome { strikes, damper_fall: falls.next_back() }
     }
 }
 

@@ -21,12 +21,15 @@ struct Toy {
     released: Option<f64>,
     /// Pressed faster than this, the hammer bounces and strikes twice [m/s].
     bounces_above: Option<f64>,
+    /// Until so long after a release it does not strike at all [s].
+    returns_in: f64,
 }
 
 impl Toy {
     fn strikes(&self, gesture: &Gesture, released: Option<f64>) -> Vec<Strike> {
         let at = gesture.start + 0.01 / gesture.speed;
-        if at > gesture.release {
+        let is_back = released.is_none_or(|released| gesture.start >= released + self.returns_in);
+        if at > gesture.release || !is_back {
             return Vec::new();
         }
         let haste =
@@ -151,6 +154,16 @@ fn a_key_wanted_at_once_is_let_go_early() {
     let rehearsed = rehearse(&Toy::default(), &strokes);
     rehearsed.iter().for_each(check_met);
     assert!(rehearsed[0].gesture.release < 1.12);
+}
+
+#[test]
+fn a_key_that_returns_slowly_is_let_go_earlier_still() {
+    let slow = Toy { returns_in: 0.15, ..Toy::default() };
+    let strokes = [stroke(1.0, 1.2, 60, Touch::Pressed), stroke(1.25, 2.0, 60, Touch::Pressed)];
+    let rehearsed = rehearse(&slow, &strokes);
+    rehearsed.iter().for_each(check_met);
+    let usual = rehearse(&Toy::default(), &strokes)[0].gesture.release;
+    assert!(rehearsed[0].gesture.release < usual - 0.05);
 }
 
 #[test]

@@ -48,7 +48,10 @@ impl EnergyAudit {
 
 impl<M: Energetic> Watch<M> for EnergyAudit {
     fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
-        let [start, middle, end] = [0.0, 0.5, 1.0].map(|part| piece.at(part));
+        let [start, middle, end] = [0.0, 0.5, 1.0].map(|part| {
+            let (x, input) = piece.at(part);
+            (model.constrain(piece.mode, &x, &input), input)
+        });
         // Simpson's rule, of the dense output's own order.
         let mean = |power: &dyn Fn(&M::State, &M::Input) -> f64| {
             (power(&start.0, &start.1) + 4.0 * power(&middle.0, &middle.1) + power(&end.0, &end.1))

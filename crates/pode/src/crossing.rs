@@ -1,15 +1,15 @@
 //! Whether a guard crosses zero within a step, and where it is shut in.
 //!
 //! Found are: a sign change; a pair of roots (both ends positive), by looking at the
-//! true guard once at the minimum of its cubic; a guard that starts at zero, rises and
-//! falls again; and one that rests at zero and then turns negative.
+//! true guard once at the minimum of its cubic; a guard that starts at zero or below,
+//! rises and falls again; and one that rests at zero and then turns negative.
 
 use crate::cubic::Cubic;
 use crate::epoch::Stand;
 use crate::guard::{GuardSpec, GuardValue};
 use crate::locate::Bracket;
 
-/// One guard over one step: its stand and its values at both ends, rates per step.
+/// One guard over one step: its stand and its values at both ends.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span<'a> {
     pub(crate) spec: &'a GuardSpec,
@@ -37,72 +37,104 @@ pub(crate) enum Crossing {
 }
 
 impl Span<'_> {
+    /// Most evaluations of the true guard that [`Self::crossing`] takes.
+    pub(crate) const LOOKS: u32 = 4;
+
+    /// Whether the values at both ends leave room for a crossing.
+    ///
+    /// Far guards cost this and nothing else.
+    #[inline]
+    pub(crate) fn may_cross(&self) -> bool {
+        match self.stand {
+            Stand::Leaving | Stand::Departing => true,
+            Stand::Resting => self.end.value < -self.spec.band(),
+            Stand::Disarmed => self.ends_below() && self.may_turn(-1.0),
+            Stand::Armed => self.ends_below() || self.may_turn(1.0),
+        }
+    }
+
     /// Looks for the first crossing; `guard` evaluates the true guard inside the step.
     pub(crate) fn crossing(&self, guard: impl FnMut(f64) -> f64) -> Crossing {
         match self.stand {
             Stand::Leaving => Crossing::AtStart,
-            Stand::Disarmed => Crossing::None,
-            Stand::Resting => self.from_rest(),
-            Stand::Armed | Stand::Departing => self.from_above(guard),
+            Stand::Resting => self.falls_from_rest(guard),
+            Stand::Disarmed => self.rises_and_falls(guard),
+            Stand::Armed | Stand::Departing => self.falls(guard),
         }
     }
 
+    #[inline]
     fn cubic(&self) -> Cubic {
         let (start, end) = (self.start, self.end);
         Cubic::hermite(start.value, start.rate * self.h, end.value, end.rate * self.h)
     }
 
     /// Whether the end of the step lies below zero, or on it and falling.
+    #[inline]
     fn ends_below(&self) -> bool {
         self.end.value < -self.spec.band() || (self.end.value <= 0.0 && self.end.rate < 0.0)
     }
 
-    fn from_above(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
-        let armed = self.stand == Stand::Armed;
-        let below = self.ends_below();
-        // Far guards cost the comparison above and these two.
-        if armed && !below && (self.start.rate >= 0.0 || self.end.rate <= 0.0) {
-            return Crossing::None;
+    /// Whether `sign` times the guard can dip to zero inside a step at both ends of which
+    /// it is positive.
+    #[inline]
+    fn may_turn(&self, sign: f64) -> bool {
+        let (g0, g1) = (sign * self.start.value, sign * self.end.value);
+        let (d0, d1) = (sign * self.start.rate * self.h, sign * self.end.rate * self.h);
+        // A cubic stays within 4/27 (|d0| + |d1|) of its chord; the true guard gets 7 times that.
+        if g0.min(g1) > d0.abs() + d1.abs() {
+            return false;
         }
+        if d0 < 0.0 && d1 > 0.0 {
+            return true;
+        }
+        // With slopes of one sign a cubic is monotone if neither exceeds 3 times the rise.
+        let rise = 3.0 * (g1 - g0);
+        (d0 >= 0.0 && d1 >= 0.0 && d0.max(d1) > rise)
+            || (d0 <= 0.0 && d1 <= 0.0 && d0.min(d1) < rise)
+    }
+
+    /// The first fall of a guard that starts positive, or at zero on its way up.
+    fn falls(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
         let cubic = self.cubic();
         let (maximum, minimum) = cubic.turns();
-        let Some((hi, at_hi)) = self.low_end(below, minimum, &mut guard) else {
-            return Crossing::None;
+        let low = if self.ends_below() {
+            Some((1.0, self.end.value))
+        } else {
+            // A touch within rounding is not a crossing.
+            minimum.map(|tau| (tau, guard(tau))).filter(|(_, value)| *value < -self.spec.band())
         };
-        let low = if armed {
+        let Some((hi, at_hi)) = low else { return Crossing::None };
+        let high = if self.stand == Stand::Armed {
             Some((0.0, self.start.value))
         } else {
             high_point(maximum.filter(|tau| *tau < hi), hi, self.spec.band(), guard)
         };
-        low.map_or(Crossing::AtStart, |(lo, at_lo)| Crossing::Within {
-            bracket: Bracket { lo, at_lo, hi, at_hi },
-            level: 0.0,
-            seed: cubic.first_root(lo, hi).map(|tau| (tau, cubic.slope(tau))),
-        })
+        high.map_or(Crossing::AtStart, |(lo, at_lo)| shut_in(&cubic, lo, at_lo, hi, at_hi))
     }
 
-    /// A point after the crossing: the end of the step, or the dip of a pair of roots.
-    fn low_end(
-        &self,
-        below: bool,
-        minimum: Option<f64>,
-        mut guard: impl FnMut(f64) -> f64,
-    ) -> Option<(f64, f64)> {
-        if below {
-            return Some((1.0, self.end.value));
-        }
-        let dip = minimum?;
-        let value = guard(dip);
-        // A touch within rounding is not a crossing.
-        (value < -self.spec.band()).then_some((dip, value))
-    }
-
-    fn from_rest(&self) -> Crossing {
-        if self.end.value >= -self.spec.band() {
+    /// The fall of a guard that starts and ends below zero, if it is positive between.
+    fn rises_and_falls(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
+        let cubic = self.cubic();
+        let Some(top) = cubic.turns().0 else { return Crossing::None };
+        let at_top = guard(top);
+        if at_top <= self.spec.band() {
             return Crossing::None;
         }
-        if self.cubic().curvature() < -self.spec.band() {
-            return Crossing::AtStart;
+        shut_in(&cubic, top, at_top, 1.0, self.end.value)
+    }
+
+    /// Where a guard that rests at zero turns negative.
+    fn falls_from_rest(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
+        /// Where the guard's own curvature is compared with its cubic's.
+        const NEAR: f64 = 1.0 / 1024.0;
+        let curvature = self.cubic().curvature();
+        if curvature < -self.spec.band() {
+            let bent = guard(NEAR) - self.start.value;
+            let ratio = bent / (curvature * NEAR * NEAR);
+            if (0.5..2.0).contains(&ratio) {
+                return Crossing::AtStart;
+            }
         }
         // No derivative says when it turns negative: take where it leaves the band.
         let level = -self.spec.band();
@@ -110,6 +142,12 @@ impl Span<'_> {
         let bracket = Bracket { lo: 0.0, at_lo, hi: 1.0, at_hi: self.end.value - level };
         Crossing::Within { bracket, level, seed: None }
     }
+}
+
+/// The crossing between a high and a low point, with the cubic's own root as the seed.
+fn shut_in(cubic: &Cubic, lo: f64, at_lo: f64, hi: f64, at_hi: f64) -> Crossing {
+    let seed = cubic.first_root(lo, hi).map(|tau| (tau, cubic.slope(tau)));
+    Crossing::Within { bracket: Bracket { lo, at_lo, hi, at_hi }, level: 0.0, seed }
 }
 
 /// A point before `hi` at which a guard that started at zero is positive.
@@ -122,9 +160,5 @@ fn high_point(
     /// After the cubic's own maximum, two places ever nearer to the start.
     const TRIES: [f64; 2] = [1.0 / 16.0, 1.0 / 1024.0];
     let places = [maximum, Some(TRIES[0] * hi), Some(TRIES[1] * hi)];
-    places
-        .into_iter()
-        .flatten()
-        .map(|tau| (tau, guard(tau)))
-        .find(|(_, value)| *value > band)
+    places.into_iter().flatten().map(|tau| (tau, guard(tau))).find(|(_, value)| *value > band)
 }

@@ -90,9 +90,7 @@ mod tests {
     /// (τ − .2)(τ − .4)(τ − .8), negated so that it starts positive.
     fn three_roots() -> Cubic {
         let p = |t: f64| -(t - 0.2) * (t - 0.4) * (t - 0.8);
-        let dp = |t: f64| {
-            -((t - 0.4) * (t - 0.8) + (t - 0.2) * (t - 0.8) + (t - 0.2) * (t - 0.4))
-        };
+        let dp = |t: f64| -((t - 0.4) * (t - 0.8) + (t - 0.2) * (t - 0.8) + (t - 0.2) * (t - 0.4));
         Cubic::hermite(p(0.0), dp(0.0), p(1.0), dp(1.0))
     }
 

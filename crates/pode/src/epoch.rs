@@ -15,6 +15,9 @@
 //!
 //! Zero means: within rounding at the guard's size, or, right after an event, within
 //! what the guard's rate covers in the width to which that event was located.
+//!
+//! A guard that fires on crossings only is also `Leaving` where it is due: it has crossed
+//! at the same instant as another one that went first, or in a jump of the input.
 
 use crate::guard::{Fires, GuardSpec, GuardValue};
 
@@ -36,6 +39,7 @@ pub(crate) enum Stand {
 /// How a guard stands by its value and rate, over the `h` [s] ahead.
 ///
 /// `since_event` is the width [s] to which the event just before was located, or 0.
+#[inline]
 pub(crate) fn stand(spec: &GuardSpec, guard: GuardValue, h: f64, since_event: f64) -> Stand {
     let zero = spec.band() + guard.rate.abs() * since_event;
     let drift = guard.rate * h;
@@ -59,7 +63,24 @@ const fn below(spec: &GuardSpec) -> Stand {
     }
 }
 
+impl Stand {
+    /// The same for a guard that stood `before` in this very mode: what was disarmed
+    /// stays so until it has been positive.
+    #[inline]
+    pub(crate) fn again(self, before: Self) -> Self {
+        if before == Self::Disarmed && self != Self::Armed { before } else { self }
+    }
+
+    /// The same for a guard that has crossed at this very instant and has not fired yet,
+    /// because another guard went first or because the input jumped.
+    #[inline]
+    pub(crate) fn crossed(self) -> Self {
+        if self == Self::Disarmed { Self::Leaving } else { self }
+    }
+}
+
 /// How a guard that did not fire stands at the end of a step.
+#[inline]
 pub(crate) fn stand_after(before: Stand, spec: &GuardSpec, end: GuardValue, h: f64) -> Stand {
     if end.value > spec.band() {
         return Stand::Armed;

@@ -80,3 +80,31 @@ impl GuardValue {
         Self { value, rate }
     }
 }
+
+/// A set of guards by their ids.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) struct GuardSet([u64; 4]);
+
+impl GuardSet {
+    pub(crate) const EMPTY: Self = Self([0; 4]);
+
+    /// The word that holds `id`, and its bit there.
+    const fn place(id: GuardId) -> (usize, u64) {
+        ((id.0 / 64) as usize, 1 << (id.0 % 64))
+    }
+
+    pub(crate) const fn insert(&mut self, id: GuardId) {
+        let (word, bit) = Self::place(id);
+        self.0[word] |= bit;
+    }
+
+    pub(crate) const fn remove(&mut self, id: GuardId) {
+        let (word, bit) = Self::place(id);
+        self.0[word] &= !bit;
+    }
+
+    pub(crate) const fn contains(&self, id: GuardId) -> bool {
+        let (word, bit) = Self::place(id);
+        self.0[word] & bit != 0
+    }
+}

@@ -3,6 +3,8 @@
 //! A deadline is about the maximum: ITP never needs more than bisection plus one,
 //! where Brent, Chandrupatla and Illinois reach 2–5 times bisection on 3/2-power guards.
 
+use crate::math::sqrt;
+
 /// A crossing shut in: positive at `lo`, not positive at `hi`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Bracket {
@@ -17,16 +19,6 @@ pub struct Bracket {
 }
 
 impl Bracket {
-    /// Moves the end on the side of `value` to `tau`.
-    #[inline]
-    fn narrow(&mut self, tau: f64, value: f64) {
-        if value > 0.0 {
-            (self.lo, self.at_lo) = (tau, value);
-        } else {
-            (self.hi, self.at_hi) = (tau, value);
-        }
-    }
-
     #[inline]
     fn width(&self) -> f64 {
         self.hi - self.lo
@@ -37,6 +29,15 @@ impl Bracket {
     fn chord(&self) -> f64 {
         let tau = (self.hi * self.at_lo - self.lo * self.at_hi) / (self.at_lo - self.at_hi);
         if tau.is_finite() { tau.clamp(self.lo, self.hi) } else { self.hi }
+    }
+
+    /// Whether the guard falls more steeply than any root: it jumps inside.
+    ///
+    /// `whole` is the bracket that the search began with.
+    fn holds_jump(&self, whole: &Self) -> bool {
+        let [width, drop] = [self.width() / whole.width(), self.at_lo - self.at_hi];
+        // A square root's drop shrinks like the root of the width, a jump's not at all.
+        drop > (whole.at_lo - whole.at_hi) * sqrt(width)
     }
 }
 
@@ -51,58 +52,123 @@ pub struct Located {
     pub not_finite: bool,
 }
 
-/// Locates the crossing in `bracket` to a width of `tolerance`.
+/// Locates the crossing in `bracket`, at most 1 wide, to a width of `tolerance`.
 ///
 /// `seed` is where a model of the guard vanishes, with its `slope` there.
-/// Takes at most the bisections that the tolerance asks for plus three evaluations of `guard`.
+/// Takes at most the bisections that the tolerance asks for plus four evaluations of `guard`.
+/// A guard that lies at zero for a while is located where it turns negative, one that
+/// jumps is located after the jump.
 ///
 /// # References
 /// Oliveira & Takahashi 2020 [OT20], with κ1 = 0.2/(b − a), κ2 = 2, n0 = 1.
 pub fn locate(
-    mut guard: impl FnMut(f64) -> f64,
-    mut bracket: Bracket,
+    guard: impl FnMut(f64) -> f64,
+    bracket: Bracket,
     seed: Option<(f64, f64)>,
     tolerance: f64,
 ) -> Located {
-    let most = most_evaluations(tolerance);
-    let mut located = Located { tau: bracket.hi, evaluations: 0, not_finite: false };
-    let mut evaluate = |tau: f64, located: &mut Located, bracket: &mut Bracket| {
-        located.evaluations += 1;
-        let value = guard(tau);
-        located.not_finite |= !value.is_finite();
-        bracket.narrow(tau, value);
-        value
-    };
-    if let Some((tau, slope)) = seed.filter(|(tau, _)| *tau > bracket.lo && *tau < bracket.hi) {
-        // One look at the seed and one beyond where its slope says the root is.
-        let value = evaluate(tau, &mut located, &mut bracket);
-        let reach = 2.0 * value / slope.abs();
-        let beyond = tau + if reach.abs() > tolerance { reach } else { tolerance.copysign(value) };
-        if beyond > bracket.lo && beyond < bracket.hi {
-            evaluate(beyond, &mut located, &mut bracket);
-        }
+    let mut search = Search::new(guard, bracket, tolerance);
+    if let Some((tau, slope)) = seed {
+        search.look_around(tau, slope);
     }
-    let itp = Itp::new(&bracket, tolerance);
-    for round in 0..most {
-        if bracket.width() <= tolerance || bracket.at_hi == 0.0 || located.not_finite {
+    let itp = Itp::new(&search.bracket, tolerance);
+    for round in 0..=halvings(tolerance) {
+        if search.is_over() {
             break;
         }
-        let tau = itp.probe(&bracket, round);
-        evaluate(tau, &mut located, &mut bracket);
+        search.look(itp.probe(&search.bracket, round));
     }
-    located.tau = bracket.chord();
-    located
+    let end = search.bracket;
+    let tau = if end.holds_jump(&bracket) { end.hi } else { end.chord() };
+    Located { tau, evaluations: search.evaluations, not_finite: search.not_finite }
 }
 
-/// Most evaluations of one search to `tolerance`: two looks, bisection, and one.
+/// Most evaluations of one search: two looks at the seed, one past a zero, and bisection
+/// plus one.
 pub(crate) const fn most_evaluations(tolerance: f64) -> u32 {
+    halvings(tolerance) + 4
+}
+
+/// Halvings from 1 to `tolerance`, at most 60: a fraction has no more digits than that.
+const fn halvings(tolerance: f64) -> u32 {
     let mut halvings = 0;
     let mut width = 1.0;
     while width > tolerance && halvings < 60 {
         width *= 0.5;
         halvings += 1;
     }
-    halvings + 3
+    halvings
+}
+
+/// A search in progress.
+struct Search<G> {
+    guard: G,
+    bracket: Bracket,
+    tolerance: f64,
+    evaluations: u32,
+    not_finite: bool,
+    /// The guard lies at zero over a stretch: zero counts as before the crossing.
+    is_flat: bool,
+}
+
+impl<G: FnMut(f64) -> f64> Search<G> {
+    const fn new(guard: G, bracket: Bracket, tolerance: f64) -> Self {
+        Self { guard, bracket, tolerance, evaluations: 0, not_finite: false, is_flat: false }
+    }
+
+    fn is_over(&self) -> bool {
+        self.bracket.width() <= self.tolerance || self.bracket.at_hi == 0.0 || self.not_finite
+    }
+
+    /// Looks at the seed, and beyond where its slope says that the root is.
+    fn look_around(&mut self, seed: f64, slope: f64) {
+        if !self.is_inside(seed) {
+            return;
+        }
+        let value = self.look(seed);
+        let reach = 2.0 * value / slope.abs();
+        let least = self.tolerance.copysign(value);
+        let beyond = seed + if reach.abs() > self.tolerance { reach } else { least };
+        if self.is_inside(beyond) {
+            self.look(beyond);
+        }
+    }
+
+    fn is_inside(&self, tau: f64) -> bool {
+        self.bracket.lo < tau && tau < self.bracket.hi
+    }
+
+    /// Evaluates the guard at `tau` and moves the end on its side there.
+    fn look(&mut self, tau: f64) -> f64 {
+        let value = self.value(tau);
+        if value == 0.0 && !self.is_flat {
+            self.look_past_zero(tau);
+        } else if value > 0.0 || (value == 0.0 && self.is_flat) {
+            (self.bracket.lo, self.bracket.at_lo) = (tau, value);
+        } else {
+            (self.bracket.hi, self.bracket.at_hi) = (tau, value);
+        }
+        value
+    }
+
+    /// A zero is the crossing if the guard is negative just after it.
+    fn look_past_zero(&mut self, tau: f64) {
+        let past = tau + self.tolerance;
+        let value = if past < self.bracket.hi { self.value(past) } else { self.bracket.at_hi };
+        if value >= 0.0 && past < self.bracket.hi {
+            self.is_flat = true;
+            (self.bracket.lo, self.bracket.at_lo) = (past, value);
+        } else {
+            (self.bracket.hi, self.bracket.at_hi) = (tau, 0.0);
+        }
+    }
+
+    fn value(&mut self, tau: f64) -> f64 {
+        self.evaluations += 1;
+        let value = (self.guard)(tau);
+        self.not_finite |= !value.is_finite();
+        value
+    }
 }
 
 /// The constants of one interpolate-truncate-project search.

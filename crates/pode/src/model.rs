@@ -11,11 +11,11 @@ use crate::state::State;
 /// A model is constant; everything that changes is in the state and the mode.
 pub trait Model {
     /// Contact configuration.
-    type Mode: Copy + Eq + Debug;
+    type Mode: Copy + Eq + Debug + Send;
     /// Coordinates, then speeds.
     type State: State;
     /// What is measured and drives the model.
-    type Input: Copy + PartialEq + Debug;
+    type Input: Copy + PartialEq + Debug + Send;
 
     /// How many leading entries of the state are coordinates.
     const COORDS: usize;

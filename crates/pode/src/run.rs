@@ -1,5 +1,6 @@
 //! What is summed up over one tick.
 
+use crate::guard::GuardSet;
 use crate::input::Signal;
 use crate::limits::Limits;
 use crate::outcome::{Advance, Cap, Fault, Tick, Work};
@@ -19,6 +20,8 @@ pub(crate) struct Run<'a, S, W> {
     pub(crate) cascade: u32,
     /// Width [s] to which an event at the present instant was located, or 0.
     pub(crate) since_event: f64,
+    /// Guards that have crossed at the present instant and have not fired yet.
+    pub(crate) due: GuardSet,
     /// ∫ readout dt so far, without impulses.
     pub(crate) integral: f64,
     pub(crate) impulse: f64,
@@ -38,6 +41,7 @@ impl<'a, S, W> Run<'a, S, W> {
             work: Work::default(),
             cascade: 0,
             since_event: 0.0,
+            due: GuardSet::EMPTY,
             integral: 0.0,
             impulse: 0.0,
             readout: None,
@@ -63,10 +67,14 @@ impl<'a, S, W> Run<'a, S, W> {
     }
 
     /// Moves to `theta`; what happened at the instant before is over.
+    #[inline]
     pub(crate) fn move_to(&mut self, theta: f64) {
-        self.theta = theta;
-        self.cascade = 0;
+        if theta > self.theta {
+            self.theta = theta;
+            self.cascade = 0;
+        }
         self.since_event = 0.0;
+        self.due = GuardSet::EMPTY;
     }
 
     pub(crate) fn cap(&mut self, cap: Cap) {
@@ -77,20 +85,32 @@ impl<'a, S, W> Run<'a, S, W> {
         self.advance = Advance::Faulty(fault);
     }
 
-    /// Counts guard evaluations; `false` when the tick has no more of them.
-    pub(crate) fn spend_guards(&mut self, n: u32) -> bool {
-        self.work.guards += n;
-        let left = self.work.guards <= self.limits.guards;
-        if !left && self.advance == Advance::Completed {
+    /// Whether the tick has `n` more guard evaluations; caps it if not.
+    #[inline]
+    pub(crate) fn affords_guards(&mut self, n: u32) -> bool {
+        let affords = n <= self.limits.guards.saturating_sub(self.work.guards);
+        if !affords {
             self.cap(Cap::Guards);
         }
-        left
+        affords
+    }
+
+    /// Counts `n` guard evaluations ahead; `false` when the tick has no more of them.
+    #[inline]
+    pub(crate) fn spend_guards(&mut self, n: u32) -> bool {
+        let affords = self.affords_guards(n);
+        if affords {
+            self.work.guards += n;
+        }
+        affords
     }
 
     pub(crate) fn into_tick(self, end_readout: f64) -> Tick {
         // What was not advanced is held: the readout stays where it was.
-        let held = (1.0 - self.theta) * self.h * end_readout;
-        let mean_readout = (self.integral + held + self.impulse) / self.h;
+        let held = (1.0 - self.theta) * end_readout;
+        let moved = self.integral + self.impulse;
+        // No division where nothing moved: there the period itself may be at fault.
+        let mean_readout = if moved == 0.0 { held } else { held + moved / self.h };
         Tick {
             advance: self.advance,
             mean_readout,

@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 
 /// A state vector of fixed size: coordinates first, speeds after.
-pub trait State: Copy + PartialEq + Debug {
+pub trait State: Copy + PartialEq + Debug + Send {
     /// The zero vector.
     const ZERO: Self;
 

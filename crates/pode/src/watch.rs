@@ -28,6 +28,7 @@ pub struct Piece<'a, M: Model, S> {
 
 impl<M: Model, S: Signal<M::Input>> Piece<'_, M, S> {
     /// State and input at the fraction `part` of the piece, 0 ..= 1.
+    #[inline]
     pub fn at(&self, part: f64) -> (M::State, M::Input) {
         let tau = part * self.tau;
         let theta = self.theta.0 + tau * (self.theta.1 - self.theta.0);
@@ -35,6 +36,7 @@ impl<M: Model, S: Signal<M::Input>> Piece<'_, M, S> {
     }
 
     /// Length of the piece [s].
+    #[inline]
     pub fn duration(&self) -> f64 {
         self.tau * self.h
     }

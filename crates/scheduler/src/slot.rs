@@ -52,25 +52,20 @@ impl<V: Voice> Slot<V> {
     /// Runs the voice for `tick`; a force that is not finite becomes a fault here.
     ///
     /// A voice that failed is reset at the next sample, and says that its force is fresh.
-    pub fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
-        let mut turn = if sample.position.is_finite() {
-            self.tick_voice(tick, sample)
+    pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+        if sample.position.is_finite() {
+            if self.fresh {
+                self.voice.reset(sample);
+            }
+            self.voice.tick_into(tick, sample, turn);
         } else {
-            Turn::faulty(VoiceFault::BadSample)
-        };
+            *turn = Turn::faulty(VoiceFault::BadSample);
+        }
         if turn.fault.is_none() && !turn.force.is_finite() {
             turn.fault = Some(VoiceFault::NotFinite);
         }
         turn.fresh = self.fresh;
         self.fresh = turn.fault.is_some();
-        turn
-    }
-
-    fn tick_voice(&mut self, tick: u64, sample: &KeySample) -> Turn {
-        if self.fresh {
-            self.voice.reset(sample);
-        }
-        self.voice.tick(tick, sample)
     }
 }
 
@@ -121,6 +116,12 @@ mod tests {
         }
     }
 
+    fn turn_of(slot: &mut Slot<Spy>, tick: u64, position: f64) -> Turn {
+        let mut turn = Turn::default();
+        slot.tick(tick, &at(position), &mut turn);
+        turn
+    }
+
     fn at(position: f64) -> KeySample {
         KeySample { position, age: 0 }
     }
@@ -128,25 +129,25 @@ mod tests {
     #[test]
     fn a_new_voice_is_put_at_rest_where_its_key_is() {
         let mut slot = Slot::new(3, Spy { fails_at: 9, ..Spy::default() });
-        let first = slot.tick(0, &at(0.004));
+        let first = turn_of(&mut slot, 0, 0.004);
         assert!((first.force - 0.004).abs() == 0.0 && first.fresh);
-        assert!(!slot.tick(1, &at(0.005)).fresh);
+        assert!(!turn_of(&mut slot, 1, 0.005).fresh);
         assert_eq!(slot.voice.resets, 1);
     }
 
     #[test]
     fn a_force_that_is_not_finite_is_a_fault_and_the_voice_is_reset() {
         let mut slot = Slot::new(3, Spy { fails_at: 1, ..Spy::default() });
-        assert_eq!(slot.tick(0, &at(0.0)).fault, None);
-        assert_eq!(slot.tick(1, &at(0.0)).fault, Some(VoiceFault::NotFinite));
-        let back = slot.tick(2, &at(0.002));
+        assert_eq!(turn_of(&mut slot, 0, 0.0).fault, None);
+        assert_eq!(turn_of(&mut slot, 1, 0.0).fault, Some(VoiceFault::NotFinite));
+        let back = turn_of(&mut slot, 2, 0.002);
         assert_eq!((back.fault, back.fresh, slot.voice.resets), (None, true, 2));
     }
 
     #[test]
     fn a_voice_never_sees_a_sample_that_is_not_finite() {
         let mut slot = Slot::new(3, Spy { fails_at: 9, ..Spy::default() });
-        assert_eq!(slot.tick(0, &at(f64::NAN)).fault, Some(VoiceFault::BadSample));
+        assert_eq!(turn_of(&mut slot, 0, f64::NAN).fault, Some(VoiceFault::BadSample));
         assert_eq!(slot.voice.resets, 0);
     }
 }

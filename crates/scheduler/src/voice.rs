@@ -16,6 +16,14 @@ pub trait Voice {
     /// Bounded by the voice's own declared work; no heap, lock or clock.
     fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn;
 
+    /// The same, written where it is needed.
+    ///
+    /// A turn is large, so a voice at rest does better with [`Turn::rest_at`] than with a new
+    /// one. Whatever `turn` holds before must not show in what it holds after.
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+        *turn = self.tick(tick, sample);
+    }
+
     /// Puts the voice at rest at `sample`: before its first tick, and after a fault.
     fn reset(&mut self, sample: &KeySample);
 }
@@ -45,6 +53,17 @@ impl Turn {
         Self { fault: Some(fault), ..Self::default() }
     }
 
+    /// Becomes the turn of a voice at rest that presses with `force`, up positive [N].
+    ///
+    /// Touches a few words only: most keys are idle most of the time.
+    pub const fn rest_at(&mut self, force: f64) {
+        self.force = force;
+        self.events.clear();
+        self.work = Work { derivatives: 0, guards: 0, events: 0 };
+        self.fault = None;
+        (self.idle, self.late, self.fresh) = (true, false, false);
+    }
+
     /// What stands in for the next turn when the lane is not done: the force, marked late.
     ///
     /// Events and work are left behind, since they have been counted once already.
@@ -68,6 +87,7 @@ pub struct Work {
 impl Work {
     /// Both together.
     #[must_use]
+    #[inline]
     pub const fn plus(self, other: Self) -> Self {
         Self {
             derivatives: self.derivatives.saturating_add(other.derivatives),
@@ -78,6 +98,7 @@ impl Work {
 
     /// The larger of each count.
     #[must_use]
+    #[inline]
     pub fn largest(self, other: Self) -> Self {
         Self {
             derivatives: self.derivatives.max(other.derivatives),
@@ -104,7 +125,7 @@ pub enum VoiceFault {
 }
 
 /// A short list of key events with a fixed capacity.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Events {
     list: [(Moment, KeyEvent); MAX_EVENTS_PER_TURN],
     n: usize,
@@ -118,7 +139,18 @@ impl Default for Events {
     }
 }
 
+impl PartialEq for Events {
+    fn eq(&self, other: &Self) -> bool {
+        self.as_slice() == other.as_slice() && self.dropped == other.dropped
+    }
+}
+
 impl Events {
+    /// Forgets all events.
+    pub const fn clear(&mut self) {
+        (self.n, self.dropped) = (0, 0);
+    }
+
     /// Appends an event; counts it as dropped when the list is full.
     pub fn push(&mut self, at: Moment, event: KeyEvent) {
         if let Some(place) = self.list.get_mut(self.n) {

@@ -6,9 +6,18 @@ mod rig;
 use rig::{Failure, HZ, Rig, Spring, spring};
 use scheduler::safety::FADE;
 use scheduler::slot::Slot;
+use scheduler::time::Period;
 
 /// Ticks of the fade at the tests' rate.
-const FADE_TICKS: u64 = FADE.as_u64() * HZ as u64 / 1_000_000_000;
+const FADE_TICKS: u32 = 20;
+
+/// Ticks from the first that is held to the first without force.
+const SILENT: usize = FADE_TICKS as usize;
+
+#[test]
+fn the_fade_of_these_tests_is_the_fade() {
+    assert_eq!(Period::from_hz(HZ).unwrap().ticks_in(FADE), u64::from(FADE_TICKS));
+}
 
 /// Largest force of the springs [N]: 10 mm of travel at the stiffest rate.
 const LIMIT: f64 = 0.010 * 800.0;
@@ -23,7 +32,7 @@ fn felt(mut rig: Rig) -> [f64; 200] {
 
 #[track_caller]
 fn check_steps(felt: &[f64]) {
-    let allowed = 2.0 * SLEW + LIMIT / FADE_TICKS as f64;
+    let allowed = 2.0 * SLEW + LIMIT / f64::from(FADE_TICKS);
     for (tick, pair) in felt.windows(2).enumerate() {
         let step = (pair[1] - pair[0]).abs();
         assert!(step <= allowed, "a step of {step} N after tick {tick}");
@@ -42,7 +51,7 @@ fn a_voice_that_fails_is_silent_within_the_fade_and_comes_back_without_a_step() 
         let felt = felt(failing(failure));
         check_steps(&felt);
         assert!(felt[60].to_bits() == felt[59].to_bits(), "the first faulty tick holds");
-        assert!(felt[60 + FADE_TICKS as usize..90].iter().all(|force| force.abs() == 0.0));
+        assert!(felt[60 + SILENT..90].iter().all(|force| force.abs() == 0.0));
         assert!(felt[120..].iter().any(|force| 0.1 < force.abs()), "the voice is back");
     }
 }
@@ -55,7 +64,7 @@ fn lost_samples_are_bridged_then_held_then_faded() {
     check_steps(&felt);
     assert!(felt[60].to_bits() != felt[59].to_bits(), "the voice bridges the first tick");
     assert!(felt[61].to_bits() == felt[60].to_bits(), "the second is held");
-    assert!(felt[61 + FADE_TICKS as usize..90].iter().all(|force| force.abs() == 0.0));
+    assert!(felt[61 + SILENT..90].iter().all(|force| force.abs() == 0.0));
     assert!(felt[120..].iter().any(|force| 0.1 < force.abs()), "the voice is back");
 }
 
@@ -78,7 +87,7 @@ fn a_skipped_tick_gives_no_force_step() {
     let mut last = 0.0;
     for tick in (0..200).filter(|tick| tick % 7 != 3) {
         let force = rig.forces_of(tick)[40];
-        let allowed = 2.0 * (2.0 * SLEW) + LIMIT / FADE_TICKS as f64;
+        let allowed = 2.0 * (2.0 * SLEW) + LIMIT / f64::from(FADE_TICKS);
         assert!((force - last).abs() <= allowed, "tick {tick}: {last} N to {force} N");
         last = force;
     }
@@ -91,8 +100,9 @@ fn a_disarmed_keybed_is_silent_within_the_fade() {
         rig.forces_of(tick);
     }
     rig.scheduler.disarm();
-    for tick in 100..100 + FADE_TICKS {
+    let silent = 100 + u64::from(FADE_TICKS);
+    for tick in 100..silent {
         rig.forces_of(tick);
     }
-    assert!(rig.forces_of(100 + FADE_TICKS).iter().all(|force| force.abs() == 0.0));
+    assert!(rig.forces_of(silent).iter().all(|force| force.abs() == 0.0));
 }

@@ -1,2 +1,42 @@
-//! Chores.
-fn main() {}
+//! Chores: install what is missing, play the demo, run every test.
+//!
+//! `cargo xtask help` lists them. Nothing here is part of the product, and nothing here
+//! needs a system library: it must run on the machine on which they are still missing.
+#![forbid(unsafe_code)]
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "a command for people")]
+
+mod apt;
+mod arguments;
+mod command;
+mod demo;
+mod error;
+mod needs;
+mod stage;
+mod test;
+
+use std::env;
+use std::process::ExitCode;
+
+use arguments::{Task, USAGE};
+use error::Error;
+
+fn main() -> ExitCode {
+    match arguments::parse(env::args_os().skip(1)).and_then(perform) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("xtask: {error}");
+            error.exit_code()
+        }
+    }
+}
+
+fn perform(task: Task) -> Result<(), Error> {
+    match task {
+        Task::Demo { forwarded } => demo::play(forwarded),
+        Task::Test => test::run(),
+        Task::Help => {
+            print!("{USAGE}");
+            Ok(())
+        }
+    }
+}

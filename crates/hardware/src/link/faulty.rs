@@ -20,7 +20,7 @@ pub enum Fault {
     FlipBit,
     /// The frame arrives that many exchanges later.
     Delay(u32),
-    /// The link says that the other end is gone.
+    /// The link says that the other end is gone; by chance, the frame is dropped unsaid.
     Down,
 }
 

@@ -95,7 +95,7 @@ impl Bus {
     ///
     /// # Real-time
     /// At most 64 receptions of 68 bytes; no heap.
-    pub fn receive(&mut self, board: BoardId, link: &mut impl Link) {
+    pub fn receive(&mut self, board: BoardId, link: &mut (impl Link + ?Sized)) {
         for _ in 0..MAX_PIECES {
             let mut piece = [0; MAX_WIRE];
             match link.try_recv(&mut piece) {
@@ -120,7 +120,7 @@ impl Bus {
     ///
     /// # Real-time
     /// One frame; no heap.
-    pub fn send(&mut self, board: BoardId, forces: &[f64; KEYS], link: &mut impl Link) {
+    pub fn send(&mut self, board: BoardId, forces: &[f64; KEYS], link: &mut (impl Link + ?Sized)) {
         let end = &mut self.boards[board.index()];
         let sent = end.frame(board, &forces[board.keys()]).is_some_and(|(wire, len)| {
             // A link that is down has lost this frame; the next one makes it worthless.

@@ -45,6 +45,8 @@ pub struct SimulatedBoard {
     deframer: Deframer,
     loss: Loss,
     sequence: Sequence,
+    /// The tick at whose start the newest samples were sent.
+    reported: Option<u64>,
     faults: BoardFaults,
 }
 
@@ -63,6 +65,7 @@ impl SimulatedBoard {
             deframer: Deframer::default(),
             loss: Loss::default(),
             sequence: Sequence::default(),
+            reported: None,
             faults: BoardFaults::default(),
         })
     }
@@ -82,13 +85,14 @@ impl SimulatedBoard {
     /// # Real-time
     /// At most 256 ticks of 11 plants and 16 frames; no heap.
     pub fn advance(&mut self, tick: u64, link: &mut impl Link) {
-        if self.progress.is_new() {
-            self.report(tick, link);
-        }
         for step in self.progress.go_on(tick) {
             self.listen(step, link);
             self.step(step);
             self.report(step + 1, link);
+        }
+        // At the first call, and after ticks that were not made up.
+        if self.reported < Some(tick) {
+            self.report(tick, link);
         }
     }
 
@@ -173,6 +177,7 @@ impl SimulatedBoard {
 
     /// Sends where the keys are at the start of `tick`.
     fn report(&mut self, tick: u64, link: &mut impl Link) {
+        self.reported = Some(tick);
         let header = Header {
             board: self.id,
             sequence: self.sequence,

@@ -11,7 +11,8 @@ use super::watchdog::Watchdog;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
 
-/// Ticks that are made up when the caller skipped some; what is beyond never happens.
+/// Ticks that are made up when the caller skipped some: enough for the watchdog to trip
+/// and the force to fade at 8 kHz. In those beyond nothing moves.
 const MAX_CATCH_UP: u64 = 256;
 
 /// Longest period of a tick [s].
@@ -102,11 +103,11 @@ impl Progress {
         }
     }
 
-    /// Goes on to `tick`; returns the ticks to be simulated until its start.
+    /// Goes on to `tick`; returns the ticks to be simulated before its start.
     pub(super) fn go_on(&mut self, tick: u64) -> std::ops::Range<u64> {
         let from = self.tick.unwrap_or(tick);
         self.tick = Some(tick.max(from));
-        from.max(tick.saturating_sub(MAX_CATCH_UP))..tick
+        from..tick.min(from.saturating_add(MAX_CATCH_UP))
     }
 
     /// Whether nothing has been simulated yet.

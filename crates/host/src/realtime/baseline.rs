@@ -40,11 +40,12 @@ impl Baseline {
         let lateness = run::histogram().map_err(io::Error::other)?;
         let stop = Arc::new(AtomicBool::new(false));
         let asked = Arc::clone(&stop);
-        let thread = std::thread::Builder::new().name("letoff-baseline".into()).spawn(move || {
-            let standing = ask_for_fifo(priority);
-            memory::prefault_stack();
-            Measured { lateness: measure(timetable, lateness, &asked), standing }
-        })?;
+        let thread =
+            std::thread::Builder::new().name("letoff-baseline".into()).spawn(move || {
+                let standing = ask_for_fifo(priority);
+                memory::prefault_stack();
+                Measured { lateness: measure(timetable, lateness, &asked), standing }
+            })?;
         Ok(Self { stop, thread })
     }
 
@@ -57,16 +58,23 @@ impl Baseline {
     }
 }
 
-fn measure(timetable: Timetable, mut lateness: Histogram<u64>, stop: &AtomicBool) -> Histogram<u64> {
+/// Records beats until told to stop, one at least.
+fn measure(
+    timetable: Timetable,
+    mut lateness: Histogram<u64>,
+    stop: &AtomicBool,
+) -> Histogram<u64> {
     let half = Nanos::new(timetable.period().span(1).as_u64() / 2);
     let mut tick = 0;
-    while !stop.load(Ordering::Acquire) {
+    loop {
         let due = timetable.due(tick).after(half);
         clock::sleep_until(due);
         let woken = clock::monotonic();
         lateness.saturating_record(woken.since(due).as_u64());
+        if stop.load(Ordering::Acquire) {
+            return lateness;
+        }
         // As the tick does: a beat that was slept through is skipped.
         tick = timetable.newest(woken.before(half)).unwrap_or(tick).max(tick) + 1;
     }
-    lateness
 }

@@ -18,3 +18,6 @@ pub mod pool;
 pub mod run;
 pub mod thread;
 pub mod virtual_time;
+
+#[cfg(test)]
+mod tests;

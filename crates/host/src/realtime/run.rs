@@ -10,7 +10,7 @@ use scheduler::tick::{Scheduler, TickReport};
 use scheduler::time::{Nanos, Timetable};
 
 use super::clock;
-use super::pool::ThreadedLanes;
+use super::pool::{Patience, ThreadedLanes};
 
 pub use hdrhistogram::CreationError;
 
@@ -66,7 +66,7 @@ pub struct Pulse {
 /// What a run measured, in memory that was there before it began.
 #[derive(Debug)]
 pub struct Timings {
-    /// Woken − due, in nanoseconds.
+    /// Woken − due of the tick that was slept for, run or skipped, in nanoseconds.
     pub lateness: Histogram<u64>,
     /// Samples in → forces out and observed, in nanoseconds of host time.
     pub turnaround: Histogram<u64>,
@@ -97,9 +97,9 @@ impl Timings {
         self.ledger.counters()
     }
 
-    /// Enters one tick.
-    fn enter(&mut self, report: &TickReport, times: &TickTimes) -> Outcome {
-        self.lateness.saturating_record(times.lateness().as_u64());
+    /// Enters one tick that was woken `lateness` after the one that was slept for was due.
+    fn enter(&mut self, lateness: Nanos, report: &TickReport, times: &TickTimes) -> Outcome {
+        self.lateness.saturating_record(lateness.as_u64());
         self.turnaround.saturating_record(times.turnaround().as_u64());
         self.work.saturating_record(times.work.as_u64());
         self.late_turns += u64::from(report.voices.late);
@@ -108,8 +108,14 @@ impl Timings {
 }
 
 /// A histogram of fixed size from a nanosecond to [`LONGEST`].
-pub(super) fn histogram() -> Result<Histogram<u64>, CreationError> {
+pub(crate) fn histogram() -> Result<Histogram<u64>, CreationError> {
     Histogram::new_with_bounds(1, LONGEST, DIGITS)
+}
+
+/// A scheduler on the heap, since it is large; before the tick.
+#[expect(clippy::large_stack_frames, reason = "once, at set-up, on its way to the heap")]
+pub fn scheduler(timetable: Timetable) -> Box<Scheduler> {
+    Box::new(Scheduler::new(timetable))
 }
 
 /// Runs ticks as they become due, the next one at `start`, and hands each to `watch`.
@@ -126,9 +132,11 @@ pub fn run<B: KeyBus, O: TickObserver>(
     assembly.scheduler.resume_at(start);
     let mut ticks = 0;
     while !until.reached(ticks) {
-        clock::sleep_until(assembly.scheduler.next_due());
+        let slept_for = assembly.scheduler.next_due();
+        clock::sleep_until(slept_for);
         if let Some((report, times)) = tick(assembly) {
-            let outcome = timings.enter(&report, &times);
+            let lateness = times.woken.since(slept_for);
+            let outcome = timings.enter(lateness, &report, &times);
             watch(&Pulse { report, times, outcome });
             ticks += 1;
         }
@@ -154,7 +162,7 @@ fn tick<B: KeyBus, O: TickObserver>(
 ) -> Option<(TickReport, TickTimes)> {
     let Assembly { scheduler, bus, lanes, observer } = assembly;
     let (woken, cpu_before) = (clock::monotonic(), clock::thread_cpu());
-    lanes.wait_until(Some(lanes_due(scheduler.timetable(), scheduler.deadline(woken))));
+    lanes.set_patience(patience(scheduler.timetable(), scheduler.deadline(woken)));
     let report = scheduler.poll(woken, *bus, *lanes, *observer)?;
     let (finished, cpu) = (clock::monotonic(), clock::thread_cpu().since(cpu_before));
     let (due, deadline) = (report.due, report.deadline);
@@ -162,7 +170,9 @@ fn tick<B: KeyBus, O: TickObserver>(
     Some((report, TickTimes { due, deadline, woken, finished, work }))
 }
 
-/// When lanes must be done so that their forces are out by `deadline`.
-const fn lanes_due(timetable: Timetable, deadline: Nanos) -> Nanos {
-    deadline.before(Nanos::new(timetable.period().span(1).as_u64() / RESERVE))
+/// Lanes must be done early enough for their forces to be out by `deadline`.
+const fn patience(timetable: Timetable, deadline: Nanos) -> Patience {
+    let period = timetable.period().span(1);
+    let reserve = Nanos::new(period.as_u64() / RESERVE);
+    Patience::Until { time: deadline.before(reserve), share: period.since(reserve) }
 }

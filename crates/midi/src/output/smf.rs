@@ -173,11 +173,25 @@ mod tests {
         Message::NoteOn { note: Note::from_key(key).unwrap(), velocity: Velocity::UNKNOWN }
     }
 
-    /// A folder of its own for a test, empty.
-    fn folder(name: &str) -> PathBuf {
-        let folder = std::env::temp_dir().join(format!("letoff-smf-{}-{name}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
-        folder
+    /// A folder of its own for a test, removed after it.
+    struct Folder(PathBuf);
+
+    impl Folder {
+        fn join(&self, name: &str) -> PathBuf {
+            self.0.join(name)
+        }
+    }
+
+    impl Drop for Folder {
+        fn drop(&mut self) {
+            fs::remove_dir_all(&self.0).unwrap();
+        }
+    }
+
+    fn folder(name: &str) -> Folder {
+        let path = std::env::temp_dir().join(format!("letoff-smf-{}-{name}", std::process::id()));
+        fs::create_dir_all(&path).unwrap();
+        Folder(path)
     }
 
     /// Times [s] of all channel events in a file.
@@ -197,7 +211,8 @@ mod tests {
 
     #[test]
     fn a_file_read_back_has_every_time_to_50_us() {
-        let path = folder("times").join("played.mid");
+        let folder = folder("times");
+        let path = folder.join("played.mid");
         let mut smf = Smf::new(&path);
         // The last two lie further apart than one event can express.
         let wanted = [0.0, 1.0 / 3.0, 0.333_35, 12.345_678_9, 3_600.000_07, 40_000.5];
@@ -224,12 +239,13 @@ mod tests {
         smf.send(1.0, note_on(2)).unwrap();
         smf.finish().unwrap();
         assert_eq!(times(&fs::read(&path).unwrap()).len(), 2);
-        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "nothing else is left behind");
+        assert_eq!(fs::read_dir(&folder.0).unwrap().count(), 1, "nothing else is left behind");
     }
 
     #[test]
     fn messages_out_of_order_are_written_in_order() {
-        let path = folder("order").join("played.mid");
+        let folder = folder("order");
+        let path = folder.join("played.mid");
         let mut smf = Smf::new(&path);
         smf.send(2.0, note_on(1)).unwrap();
         smf.send(1.0, note_on(2)).unwrap();
@@ -255,7 +271,8 @@ mod tests {
 
     #[test]
     fn a_folder_that_is_not_there_is_reported() {
-        let mut smf = Smf::new(folder("none").join("absent/played.mid"));
+        let folder = folder("none");
+        let mut smf = Smf::new(folder.join("absent/played.mid"));
         assert!(matches!(smf.finish(), Err(SendError::Write { messages: 0, .. })));
     }
 

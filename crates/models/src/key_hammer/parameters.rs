@@ -44,51 +44,33 @@ pub struct Values {
 /// How many parameters there are.
 pub(crate) const N: usize = 17;
 
-const fn length(name: &'static str, doc: &'static str) -> Parameter {
-    Parameter { name, unit: "m", range: (-100.0, 100.0), doc }
-}
-
-const fn positive(name: &'static str, unit: &'static str, doc: &'static str) -> Parameter {
-    Parameter { name, unit, range: (1e-9, 1e9), doc }
-}
-
-const fn not_negative(name: &'static str, unit: &'static str, doc: &'static str) -> Parameter {
-    Parameter { name, unit, range: (0.0, 1e9), doc }
-}
-
 /// The parameters with unit, range and meaning.
 pub const PARAMETERS: [Parameter; N] = [
-    positive("L1", "m", "key pivot to the slider, along the key"),
-    positive("L2", "m", "hammer pivot to the hammer's mass centre"),
-    length("L3", "hammer pivot, to the right of the key pivot"),
-    length("L4", "hammer pivot, above the key pivot"),
-    not_negative("M1", "kg", "mass of the key"),
-    positive("M2", "kg", "mass of the hammer"),
-    positive("k1", "N·m/rad", "torsion spring between manipulandum and key (model B; A is rigid)"),
-    positive("k2", "N/m", "spring between key and slider (model B; A is rigid)"),
-    length("cK", "key pivot to the key's mass centre; negative on the player's side"),
-    positive("JK", "kg·m²", "inertia of the key about its pivot"),
-    positive("JH", "kg·m²", "inertia of the hammer about its pivot"),
-    Parameter { name: "g", unit: "m/s²", range: (0.0, 1000.0), doc: "gravity" },
-    Parameter {
-        name: "string_angle",
-        unit: "rad",
-        range: (-1.5, 1.5),
-        doc: "angle of the hammer at the string",
-    },
-    Parameter {
-        name: "restitution",
-        unit: "1",
-        range: (0.0, 1.0),
-        doc: "speed after the string over speed before; the paper has 1",
-    },
-    not_negative("b1", "N·m·s/rad", "damper beside k1 (model B; the paper has none)"),
-    not_negative(
+    Parameter::positive("L1", "m", "key pivot to the slider, along the key"),
+    Parameter::positive("L2", "m", "hammer pivot to the hammer's mass centre"),
+    Parameter::length("L3", "hammer pivot, to the right of the key pivot"),
+    Parameter::length("L4", "hammer pivot, above the key pivot"),
+    Parameter::not_negative("M1", "kg", "mass of the key"),
+    Parameter::positive("M2", "kg", "mass of the hammer"),
+    Parameter::positive(
+        "k1",
+        "N·m/rad",
+        "torsion spring between manipulandum and key (model B; A is rigid)",
+    ),
+    Parameter::positive("k2", "N/m", "spring between key and slider (model B; A is rigid)"),
+    Parameter::length("cK", "key pivot to the key's mass centre; negative on the player's side"),
+    Parameter::positive("JK", "kg·m²", "inertia of the key about its pivot"),
+    Parameter::positive("JH", "kg·m²", "inertia of the hammer about its pivot"),
+    Parameter::gravity(),
+    Parameter::within("string_angle", "rad", -1.5, 1.5, "angle of the hammer at the string"),
+    Parameter::restitution("speed after the string over speed before; the paper has 1"),
+    Parameter::not_negative("b1", "N·m·s/rad", "damper beside k1 (model B; the paper has none)"),
+    Parameter::not_negative(
         "c2",
         "s/m",
         "loss of the felt in k2, F = k2 q4 (1 + c2 q4') (model B; the paper has none)",
     ),
-    positive("r", "m", "lever arm of the finger: finger force = torque / r"),
+    Parameter::positive("r", "m", "lever arm of the finger: finger force = torque / r"),
 ];
 
 impl Values {

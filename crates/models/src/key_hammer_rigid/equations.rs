@@ -10,9 +10,12 @@ const RELEASE: GuardId = GuardId(0);
 const LAND: GuardId = GuardId(1);
 /// The hammer meets the string.
 pub(super) const STRING: GuardId = GuardId(2);
+/// On the crossing only: a hammer that the key has pushed through the string stays there.
+/// Putting it back when the mode changes would squeeze it into the key.
+const STRING_SPEC: GuardSpec = GuardSpec::new(2, "string").on_crossing();
 
 const A1: [GuardSpec; 1] = [GuardSpec::new(0, "release")];
-const A2: [GuardSpec; 2] = [GuardSpec::new(1, "land"), GuardSpec::new(2, "string")];
+const A2: [GuardSpec; 2] = [GuardSpec::new(1, "land"), STRING_SPEC];
 
 impl KeyHammerRigid {
     /// M2 g L2 cos θh: the hammer's weight about its pivot [N·m].

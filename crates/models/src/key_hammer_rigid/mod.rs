@@ -4,7 +4,7 @@ mod equations;
 
 use pode::{GuardId, Motion};
 
-use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled};
+use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
 use crate::key_hammer::{Coupled, PARAMETERS, PRESETS, Values, gap};
 
 /// Key and hammer in rigid contact (A1) or apart (A2).
@@ -41,9 +41,7 @@ impl Described for KeyHammerRigid {
     fn outputs(&self, mode: Mode, x: &[f64; 2], s: &Motion, out: &mut [f64]) {
         let (contact, torque) = self.forces(mode, s);
         let gap = gap(&self.values, (x[0], x[1]), (s.position, s.rate)).value;
-        for (slot, value) in out.iter_mut().zip([contact, torque, gap]) {
-            *slot = value;
-        }
+        write(out, [contact, torque, gap]);
     }
 
     fn at_rest(&self, input: &Motion) -> (Mode, [f64; 2]) {

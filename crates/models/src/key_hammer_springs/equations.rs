@@ -10,9 +10,12 @@ const RELEASE: GuardId = GuardId(0);
 const LAND: GuardId = GuardId(1);
 /// The hammer meets the string.
 pub(super) const STRING: GuardId = GuardId(2);
+/// On the crossing only: a hammer that the key has pushed through the string stays there.
+/// Putting it back when the mode changes would squeeze it into the key.
+const STRING_SPEC: GuardSpec = GuardSpec::new(2, "string").on_crossing();
 
-const B1: [GuardSpec; 2] = [GuardSpec::new(0, "release"), GuardSpec::new(2, "string")];
-const B2: [GuardSpec; 2] = [GuardSpec::new(1, "land"), GuardSpec::new(2, "string")];
+const B1: [GuardSpec; 2] = [GuardSpec::new(0, "release"), STRING_SPEC];
+const B2: [GuardSpec; 2] = [GuardSpec::new(1, "land"), STRING_SPEC];
 
 /// The spring k2 and the slider.
 #[derive(Clone, Copy, Debug)]
@@ -83,23 +86,9 @@ impl KeyHammerSprings {
         const ROUNDS: usize = 40;
         let input = Motion { position: s, ..Motion::default() };
         let mut x = [Coupled::on_key(&self.values, &input).angle, s, 0.0, 0.0];
-        let residual = |x: &[f64; 4]| {
-            let dx = self.derivative(Mode::B1, x, &input);
-            [dx[2], dx[3]]
-        };
         for _ in 0..ROUNDS {
-            let f = residual(&x);
-            let columns = [0, 1].map(|j| {
-                let step = 1e-7;
-                let shifted = |sign: f64| {
-                    let mut y = x;
-                    y[j] += sign * step;
-                    residual(&y)
-                };
-                let (up, down) = (shifted(1.0), shifted(-1.0));
-                [0, 1].map(|i| (up[i] - down[i]) / (2.0 * step))
-            });
-            let [[a, c], [b, d]] = columns;
+            let f = self.imbalance(x, &input);
+            let [[a, c], [b, d]] = [0, 1].map(|j| self.imbalance_per(j, x, &input));
             let determinant = a * d - b * c;
             let step = [(d * f[0] - b * f[1]) / determinant, (a * f[1] - c * f[0]) / determinant];
             x[0] -= step[0];
@@ -109,6 +98,22 @@ impl KeyHammerSprings {
             }
         }
         x
+    }
+
+    /// θh'' and θk'' in B1 [rad/s²].
+    fn imbalance(&self, x: [f64; 4], s: &Motion) -> [f64; 2] {
+        let [_, _, hammer, key] = self.derivative(Mode::B1, &x, s);
+        [hammer, key]
+    }
+
+    /// The same per radian of the angle `j`, by a central difference.
+    fn imbalance_per(&self, j: usize, x: [f64; 4], s: &Motion) -> [f64; 2] {
+        const STEP: f64 = 1e-7;
+        let (mut up, mut down) = (x, x);
+        up[j] += STEP;
+        down[j] -= STEP;
+        let (up, down) = (self.imbalance(up, s), self.imbalance(down, s));
+        [0, 1].map(|i| (up[i] - down[i]) / (2.0 * STEP))
     }
 }
 

@@ -4,7 +4,7 @@ mod equations;
 
 use pode::{GuardId, Motion};
 
-use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled};
+use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
 use crate::key_hammer::{PARAMETERS, PRESETS, Values};
 
 /// Key and hammer coupled by springs (B1) or apart (B2).
@@ -47,10 +47,7 @@ impl Described for KeyHammerSprings {
             Mode::B1 => (contact.force, contact.q4, contact.q3),
             Mode::B2 => (0.0, 0.0, 0.0),
         };
-        let all = [force, self.coupling(x, s), gap, q4, q3];
-        for (slot, value) in out.iter_mut().zip(all) {
-            *slot = value;
-        }
+        write(out, [force, self.coupling(x, s), gap, q4, q3]);
     }
 
     fn at_rest(&self, input: &Motion) -> (Mode, [f64; 4]) {

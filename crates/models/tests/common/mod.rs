@@ -1,4 +1,5 @@
 //! Reads the reference cases and runs a model on them.
+#![expect(unreachable_pub, clippy::disallowed_methods, reason = "a test's own module, on the heap")]
 
 use std::fs;
 use std::path::PathBuf;

@@ -6,12 +6,14 @@
 //! 2. guess speed and start from the [`Table`] of the key at rest;
 //! 3. try on a copy of the key, and correct both, until strike and onset are as wanted;
 //! 4. if the touch does not serve, try the other one;
-//! 5. choose the release so that the damper falls where it should and the next stroke has room;
-//! 6. keep it and go on.
+//! 5. if the key is not up yet, let the stroke before go earlier, and try again;
+//! 6. choose the release so that the damper falls where it should and the next stroke has room;
+//! 7. keep it and go on.
 //!
 //! Nothing depends on anything but the arguments: the same strokes give the same bits.
 
 mod hand;
+mod last;
 mod release;
 mod search;
 mod table;
@@ -21,8 +23,12 @@ use midi::VelocityCurve;
 
 use crate::stroke::{PlannedStroke, Technique};
 use hand::Hand;
+use last::Last;
 use search::Try;
 pub use table::{Table, Tables, tabulate};
+
+/// How much longer than from rest the next stroke may take, for choosing a release.
+const SLACK: f64 = 1.3;
 
 /// A key with its action that can be tried out; a copy of it is a snapshot.
 ///
@@ -93,11 +99,19 @@ impl Practice<'_> {
         mut progress: impl FnMut(),
     ) -> Vec<RehearsedStroke> {
         let mut hand = Hand::new(instrument);
-        let mut rehearsed = Vec::with_capacity(strokes.len());
+        let mut rehearsed: Vec<RehearsedStroke> = Vec::with_capacity(strokes.len());
+        let mut last: Option<Last<R>> = None;
         for (index, wanted) in strokes.iter().enumerate() {
-            let found = self.find(&mut hand, wanted);
+            let mut found = self.find(&mut hand, wanted);
+            if let (Some(last), Some(stroke)) = (&last, rehearsed.last_mut())
+                && !found.is_acceptable()
+            {
+                last.make_room(self, wanted, (&mut hand, stroke, &mut found));
+            }
             let latest = strokes.get(index + 1).map(|next| self.latest_release(next));
+            let before = hand.clone();
             rehearsed.push(release::choose(&mut hand, wanted, &found, latest));
+            last = Some(Last { hand: before, found });
             progress();
         }
         rehearsed
@@ -130,7 +144,7 @@ impl Practice<'_> {
     /// When the key must be released [s] so that `next` finds it up.
     fn latest_release(&self, next: &PlannedStroke) -> f64 {
         let (_, delay) = self.guess(next.touch, next.speed);
-        next.onset - delay - self.technique.rise
+        next.onset - SLACK * delay - self.technique.rise
     }
 
     /// Finger speed [m/s] that gives hammer `speed` [m/s] from rest, and the delay of its strike [s].

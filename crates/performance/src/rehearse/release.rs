@@ -55,6 +55,11 @@ pub(super) fn choose<R: Rehearsal>(
     }
 }
 
+/// When the key may be released first [s]: after its strike.
+pub(super) fn earliest(wanted: &PlannedStroke, found: &Try) -> f64 {
+    found.strike.map_or(wanted.onset, |strike| strike.at) + SHORTEST_HOLD
+}
+
 /// When a key may be released [s].
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Limits {
@@ -69,8 +74,7 @@ impl Limits {
         found: &Try,
         latest: Option<f64>,
     ) -> Self {
-        let struck = found.strike.map_or(wanted.onset, |strike| strike.at);
-        let earliest = (struck + SHORTEST_HOLD).max(hand.now());
+        let earliest = earliest(wanted, found).max(hand.now());
         Self { earliest, latest: latest.unwrap_or(f64::INFINITY) }
     }
 

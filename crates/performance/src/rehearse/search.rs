@@ -124,7 +124,8 @@ impl<'a> Search<'a> {
         }
         let late = tried.strike.map_or(0.0, |strike| strike.at - self.wanted.onset);
         self.start = (start - late + delay - self.delay()).max(self.earliest);
-        guess.to_bits() != self.bracket.guess.to_bits() || start.to_bits() != self.start.to_bits()
+        let is_elsewhere = (self.start - start).abs() > 0.1 * ONSET_TOLERANCE;
+        is_elsewhere || guess.to_bits() != self.bracket.guess.to_bits()
     }
 
     /// From start to strike [s], if the key were at rest.

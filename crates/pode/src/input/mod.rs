@@ -24,6 +24,7 @@ pub trait Signal<I> {
 }
 
 impl<I, F: Fn(f64) -> I> Signal<I> for F {
+    #[inline]
     fn at(&self, theta: f64) -> I {
         self(theta)
     }

@@ -49,6 +49,7 @@ impl Cubic {
 }
 
 impl Signal<Motion> for Cubic {
+    #[inline]
     fn at(&self, theta: f64) -> Motion {
         let [c0, c1, c2, c3] = self.c;
         let r = 1.0 / self.h;
@@ -77,6 +78,7 @@ impl Reconstructor {
     }
 
     /// Takes the sample at the start of a tick and returns the motion over that tick.
+    #[inline]
     pub fn push(&mut self, sample: f64) -> Cubic {
         let [s1, s2, s3, _] = self.samples;
         self.samples = [sample, s1, s2, s3];

@@ -36,11 +36,8 @@ impl Stepper for BogackiShampine {
         let x1 = x0.plus(h, &sum);
         let k4 = f(1.0, &x1);
         // Difference of the third- and second-order results.
-        let difference = k1
-            .times(-5.0 / 72.0)
-            .plus(1.0 / 12.0, &k2)
-            .plus(1.0 / 9.0, &k3)
-            .plus(-1.0 / 8.0, &k4);
+        let difference =
+            k1.times(-5.0 / 72.0).plus(1.0 / 12.0, &k2).plus(1.0 / 9.0, &k3).plus(-1.0 / 8.0, &k4);
         let error = difference.entries().iter().fold(0.0, |most: f64, e| most.max((h * e).abs()));
         let dense = Dense::hermite(x0, &k1, &x1, &k4, h);
         let evaluations = if first.is_some() { 3 } else { 4 };

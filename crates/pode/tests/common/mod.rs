@@ -1,10 +1,11 @@
 //! Small models with known solutions, and what the event tests share.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
+#![allow(clippy::disallowed_methods, reason = "a test may use the heap")]
 
 use pode::stepper::Rk4;
 use pode::{
-    Event, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Settling,
-    Simulator, Stepper, Tick, Watch,
+    Advance, Event, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets,
+    Settling, Simulator, Stepper, Tick, Watch,
 };
 
 pub const G: f64 = 9.81;
@@ -14,6 +15,29 @@ pub const STEPS: [f64; 3] = [1e-4, 1e-3, 7e-3];
 
 /// The tick phases: which part of a tick the start is shifted by.
 pub const PHASES: [f64; 3] = [0.0, 1.0 / 3.0, 0.999];
+
+/// Calls `check` for each step size [s] and tick phase.
+pub fn each_step_and_phase(mut check: impl FnMut(f64, f64)) {
+    for h in STEPS {
+        for phase in PHASES {
+            check(h, phase);
+        }
+    }
+}
+
+/// Asserts that `found` is `expected` to within `tolerance`.
+#[track_caller]
+pub fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
+    let error = (found - expected).abs();
+    assert!(error <= tolerance, "{what}: {found} is {error:e} from {expected}, over {tolerance:e}");
+}
+
+/// Asserts that every tick was advanced to its end.
+#[track_caller]
+pub fn all_completed(ticks: &[Tick]) {
+    let odd = ticks.iter().position(|tick| tick.advance != Advance::Completed);
+    assert_eq!(odd, None, "{:?}", odd.map(|n| ticks[n]));
+}
 
 /// A recorded event: time [s], guard name, state after.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,8 +99,7 @@ pub fn run<M: Resets<Input = ()>, T: Stepper>(
         recorder.h = h;
         recorder.origin = first - h;
     }
-    let rest = ((until - recorder.origin) / h).round() as usize;
-    for _ in ticks.len()..rest {
+    while recorder.origin + (simulator.tick() as f64 + 0.5) * h < until {
         ticks.push(simulator.advance(h, &|_| (), &mut recorder));
     }
     (recorder, ticks)
@@ -96,11 +119,7 @@ pub enum BallMode {
 }
 
 impl Ball {
-    pub fn dropped(
-        restitution: f64,
-        height: f64,
-        limits: Limits,
-    ) -> Simulator<Self, Rk4> {
+    pub fn dropped(restitution: f64, height: f64, limits: Limits) -> Simulator<Self, Rk4> {
         let ball = Self { restitution, mass: 1.0 };
         Simulator::new(ball, Rk4, limits, BallMode::Flight, [height, 0.0])
     }
@@ -112,14 +131,14 @@ impl Model for Ball {
     type Input = ();
     const COORDS: usize = 1;
 
-    fn derivative(&self, mode: BallMode, x: &[f64; 2], _: &()) -> [f64; 2] {
+    fn derivative(&self, mode: BallMode, x: &[f64; 2], (): &()) -> [f64; 2] {
         match mode {
             BallMode::Flight => [x[1], -G],
             BallMode::Rest => [0.0, 0.0],
         }
     }
 
-    fn readout(&self, mode: BallMode, _: &[f64; 2], _: &()) -> f64 {
+    fn readout(&self, mode: BallMode, _: &[f64; 2], (): &()) -> f64 {
         match mode {
             BallMode::Flight => 0.0,
             BallMode::Rest => self.mass * G,
@@ -136,17 +155,17 @@ impl Guarded for Ball {
         }
     }
 
-    fn guard(&self, _: BallMode, _: GuardId, x: &[f64; 2], _: &()) -> GuardValue {
+    fn guard(&self, _: BallMode, _: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
         GuardValue::new(x[0], x[1])
     }
 }
 
 impl Resets for Ball {
-    fn reset(&self, _: BallMode, _: GuardId, x: &[f64; 2], _: &()) -> Reset<Self> {
+    fn reset(&self, _: BallMode, _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
         let e = self.restitution;
         let after = -e * x[1];
-        let reset = Reset::to(BallMode::Flight, [0.0, after])
-            .with_impulse(self.mass * (1.0 + e) * -x[1]);
+        let reset =
+            Reset::to(BallMode::Flight, [0.0, after]).with_impulse(self.mass * (1.0 + e) * -x[1]);
         if e >= 1.0 {
             return reset;
         }
@@ -195,11 +214,11 @@ impl Model for Timed {
     type Input = ();
     const COORDS: usize = 3;
 
-    fn derivative(&self, _: bool, _: &[f64; 3], _: &()) -> [f64; 3] {
+    fn derivative(&self, _: bool, _: &[f64; 3], (): &()) -> [f64; 3] {
         [1.0, 0.0, 0.0]
     }
 
-    fn readout(&self, _: bool, _: &[f64; 3], _: &()) -> f64 {
+    fn readout(&self, _: bool, _: &[f64; 3], (): &()) -> f64 {
         0.0
     }
 }
@@ -209,14 +228,14 @@ impl Guarded for Timed {
         self.guards
     }
 
-    fn guard(&self, mode: bool, id: GuardId, x: &[f64; 3], _: &()) -> GuardValue {
+    fn guard(&self, mode: bool, id: GuardId, x: &[f64; 3], (): &()) -> GuardValue {
         let it = (self.guard)(id, x[0]);
         if mode { it } else { GuardValue::new(-it.value, -it.rate) }
     }
 }
 
 impl Resets for Timed {
-    fn reset(&self, mode: bool, id: GuardId, x: &[f64; 3], _: &()) -> Reset<Self> {
+    fn reset(&self, mode: bool, id: GuardId, x: &[f64; 3], (): &()) -> Reset<Self> {
         let mut after = *x;
         let other = (self.effect)(id, &mut after);
         Reset::to(mode != other, after)

@@ -182,6 +182,30 @@ fn faded(held: f64, ticks: u32, fade_ticks: u32) -> f64 {
     held * (f64::from(fade_ticks + 1 - ticks) / f64::from(fade_ticks))
 }
 
+/// The last gate before the bus, for one key: what a rehearsal of that key goes through.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct KeyGate {
+    safety: KeySafety,
+    fade_ticks: u32,
+}
+
+impl KeyGate {
+    /// A silent, armed key, for ticks of `period`.
+    pub fn new(period: Period) -> Self {
+        Self { safety: KeySafety::SILENT, fade_ticks: fade_ticks(period) }
+    }
+
+    /// What is sent to the key [N], after a tick without a gap.
+    pub fn apply(&mut self, turn: &Turn, sample: &KeySample) -> f64 {
+        self.safety.step(Trust::of(turn, sample), turn.force, self.fade_ticks)
+    }
+}
+
+/// Ticks of `period` that fit into [`FADE`], at least 1.
+fn fade_ticks(period: Period) -> u32 {
+    u32::try_from(period.ticks_in(FADE)).unwrap_or(u32::MAX - 1).max(1)
+}
+
 /// How many keys do not simply feel their voice.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SafetyReport {
@@ -213,8 +237,7 @@ pub struct Safety {
 impl Safety {
     /// All keys silent and armed, for ticks of `period`.
     pub fn new(period: Period) -> Self {
-        let fade_ticks = u32::try_from(period.ticks_in(FADE)).unwrap_or(u32::MAX - 1).max(1);
-        Self { keys: [KeySafety::SILENT; KEYS], fade_ticks, armed: true }
+        Self { keys: [KeySafety::SILENT; KEYS], fade_ticks: fade_ticks(period), armed: true }
     }
 
     /// Lets voices be felt (the state at the beginning).

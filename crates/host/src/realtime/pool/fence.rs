@@ -30,14 +30,20 @@ impl Fenced {
 
 impl Voice for Fenced {
     fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
-        let faulty = || Turn::faulty(VoiceFault::Panicked);
-        if self.panicked {
-            return faulty();
+        let mut turn = Turn::default();
+        self.tick_into(tick, sample, &mut turn);
+        turn
+    }
+
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+        if !self.panicked {
+            // The voice's state may be broken after unwinding, and is never used again.
+            let run = AssertUnwindSafe(|| self.voice.tick_into(tick, sample, turn));
+            self.panicked = catch_unwind(run).is_err();
         }
-        // Unwind safety: the voice's state may be broken afterwards, and is never used again.
-        let turn = catch_unwind(AssertUnwindSafe(|| self.voice.tick(tick, sample)));
-        self.panicked = turn.is_err();
-        turn.unwrap_or_else(|_payload| faulty())
+        if self.panicked {
+            *turn = Turn::faulty(VoiceFault::Panicked);
+        }
     }
 
     fn reset(&mut self, sample: &KeySample) {

@@ -16,6 +16,7 @@
 //! a lost damper would leave a note hanging.
 
 mod fence;
+mod latecomers;
 mod swap;
 mod worker;
 
@@ -32,39 +33,55 @@ use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::Lanes;
 use scheduler::slot::{Slot, lane_of};
 use scheduler::time::Nanos;
-use scheduler::voice::{Events, Turn, VoiceFault};
+use scheduler::voice::{Turn, VoiceFault};
 
 pub use fence::BoxedVoice;
+pub use latecomers::LaneCounters;
 pub use swap::{Refused, VoiceSwaps};
 
 use super::clock;
 use super::thread::Standing;
 use fence::Fenced;
-use worker::{Batch, Lane, Remote, Shared, boxed_array};
+use latecomers::Latecomers;
+use worker::{Lane, Remote, Shared};
 
 /// Looks at the rings between two offers of the processor to others.
-const LOOKS_PER_YIELD: u32 = 64;
+const LOOKS_PER_YIELD: u64 = 64;
 
-/// What became of lanes, counted since the start.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct LaneCounters {
-    /// A lane's share of a tick that was not ready in time.
-    pub late: u64,
-    /// Of these, ones that took more CPU time than they had; known when they arrive.
-    pub late_own_work: u64,
-    /// Shares that were not run at all, because their tick had passed.
-    pub passed: u64,
+/// How long the tick waits for lanes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Patience {
+    /// As long as it takes. No clock decides anything then, which virtual time needs.
+    Endless,
+    /// Until host time is `time`; a tick that begins when it is due has `share` of it.
+    Until {
+        /// When forces must be on their way.
+        time: Nanos,
+        /// What lanes have in a punctual tick.
+        share: Nanos,
+    },
+}
+
+impl Patience {
+    fn is_over(self) -> bool {
+        match self {
+            Self::Endless => false,
+            Self::Until { time, .. } => time <= clock::monotonic(),
+        }
+    }
 }
 
 /// Fills the scheduler's `Lanes` port with threads.
+///
+/// # Real-time
+/// A tick allocates, locks and frees nothing, unless a voice panics, and ends by its patience.
 #[derive(Debug)]
 pub struct ThreadedLanes {
     inline: Lane,
     remotes: Vec<RemoteLane>,
     shared: Arc<Shared>,
-    until: Option<Nanos>,
-    late_turns: LateTurns,
-    counters: LaneCounters,
+    patience: Patience,
+    latecomers: Latecomers,
     times: LaneTimes,
 }
 
@@ -78,8 +95,10 @@ struct RemoteLane {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Stands {
     Running,
-    Done,
-    /// It was not given this tick: it still has two others.
+    Done {
+        cpu: Nanos,
+    },
+    /// It was not given this tick yet: it still has two others.
     Behind,
     Lost,
 }
@@ -110,7 +129,9 @@ impl ThreadedLanes {
     ) -> io::Result<(Self, VoiceSwaps)> {
         let n_lanes = n_lanes.get();
         let mut has_voice = [false; KEYS];
-        voices.iter().for_each(|(key, _voice)| has_voice[*key] = true);
+        for (key, _voice) in &voices {
+            has_voice[*key] = true;
+        }
         let (outer_ends, inner_ends) = swap::rings(n_lanes, has_voice);
         let mut lanes: Vec<_> =
             inner_ends.into_iter().map(|swaps| Lane { slots: Vec::new(), swaps }).collect();
@@ -122,23 +143,20 @@ impl ThreadedLanes {
             inline,
             remotes: Vec::with_capacity(lanes.len()),
             shared: Arc::default(),
-            until: None,
-            late_turns: LateTurns::new(),
-            counters: LaneCounters::default(),
+            patience: Patience::Endless,
+            latecomers: Latecomers::new(),
             times: LaneTimes::default(),
         };
         for (number, lane) in (1..).zip(lanes) {
             let remote = Remote::start(number, lane, Arc::clone(&pool.shared), priority)?;
-            pool.remotes.push(RemoteLane { remote, stands: Stands::Done });
+            pool.remotes.push(RemoteLane { remote, stands: Stands::Behind });
         }
         Ok((pool, outer_ends))
     }
 
-    /// Waits for lanes at most until host time is `until`; `None` for as long as it takes.
-    ///
-    /// Without a limit no clock decides anything, which virtual time needs.
-    pub const fn wait_until(&mut self, until: Option<Nanos>) {
-        self.until = until;
+    /// Sets how long ticks wait for lanes from now on.
+    pub const fn set_patience(&mut self, patience: Patience) {
+        self.patience = patience;
     }
 
     /// CPU time that the last tick needed, if its own thread used `cpu`.
@@ -151,7 +169,7 @@ impl ThreadedLanes {
 
     /// What became of lanes so far.
     pub const fn counters(&self) -> LaneCounters {
-        self.counters
+        self.latecomers.counters
     }
 
     /// How the system schedules the other lanes' threads.
@@ -161,29 +179,18 @@ impl ThreadedLanes {
 
     fn give(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
         self.shared.current.store(tick, Ordering::Release);
-        let now = clock::monotonic();
-        let allowed = self.until.map(|until| until.since(now));
         for lane in &mut self.remotes {
-            lane.take_back(tick, turns, &mut self.late_turns, &mut self.counters);
-            lane.stands = if lane.remote.give(tick, samples, allowed) {
-                Stands::Running
-            } else {
-                Stands::Behind
-            };
+            lane.stands = Stands::Behind;
+            lane.take_back(tick, turns, &mut self.latecomers);
+            lane.give(tick, samples, self.patience);
         }
     }
 
     /// Spins until all lanes are done or the time for it is over.
-    fn collect(&mut self, tick: u64, turns: &mut [Turn; KEYS]) {
-        for look in 1_u32.. {
-            let mut running = false;
-            for lane in &mut self.remotes {
-                let ran = lane.take_back(tick, turns, &mut self.late_turns, &mut self.counters);
-                self.times.slowest = self.times.slowest.max(ran);
-                running |= lane.stands == Stands::Running;
-            }
-            let time_is_over = || self.until.is_some_and(|until| until <= clock::monotonic());
-            if !running || time_is_over() {
+    fn collect(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
+        for look in 1_u64.. {
+            let waiting = self.look(tick, samples, turns);
+            if !waiting || self.patience.is_over() {
                 return;
             }
             if look.is_multiple_of(LOOKS_PER_YIELD) {
@@ -195,19 +202,38 @@ impl ThreadedLanes {
         }
     }
 
+    /// Takes what is there; says whether a lane is still worth waiting for.
+    ///
+    /// One that is behind with earlier ticks is, only if there is no limit.
+    fn look(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) -> bool {
+        let mut waiting = false;
+        for lane in &mut self.remotes {
+            lane.take_back(tick, turns, &mut self.latecomers);
+            if lane.stands == Stands::Behind && self.patience == Patience::Endless {
+                lane.give(tick, samples, self.patience);
+                waiting = true;
+            }
+            waiting |= lane.stands == Stands::Running;
+        }
+        waiting
+    }
+
     /// Holds the turns of lanes that are not done.
     fn hold_late(&mut self, turns: &mut [Turn; KEYS]) {
         for lane in &self.remotes {
-            match lane.stands {
-                Stands::Done => continue,
-                Stands::Running | Stands::Behind => self.counters.late += 1,
-                Stands::Lost => {}
-            }
+            let instead: fn(&Turn) -> Turn = match lane.stands {
+                Stands::Done { cpu } => {
+                    self.times.slowest = self.times.slowest.max(cpu);
+                    continue;
+                }
+                Stands::Running | Stands::Behind => {
+                    self.latecomers.counters.late += 1;
+                    Turn::held
+                }
+                Stands::Lost => |_turn| Turn::faulty(VoiceFault::Panicked),
+            };
             for &key in &lane.remote.keys {
-                turns[key] = match lane.stands {
-                    Stands::Lost => Turn::faulty(VoiceFault::Panicked),
-                    Stands::Done | Stands::Running | Stands::Behind => turns[key].held(),
-                };
+                turns[key] = instead(&turns[key]);
             }
         }
     }
@@ -225,46 +251,40 @@ impl Lanes for ThreadedLanes {
         let before = clock::thread_cpu();
         self.inline.run(tick, samples, turns);
         let between = clock::thread_cpu();
-        self.collect(tick, turns);
+        self.collect(tick, samples, turns);
         let after = clock::thread_cpu();
 
         self.times.inline = between.since(before);
         self.times.waiting = after.since(between);
         self.hold_late(turns);
-        self.late_turns.hand_over(turns);
+        self.latecomers.hand_over(turns);
     }
 }
 
 impl RemoteLane {
-    /// Takes back what the lane has finished; returns the CPU time of this tick's share.
-    fn take_back(
-        &mut self,
-        tick: u64,
-        turns: &mut [Turn; KEYS],
-        late_turns: &mut LateTurns,
-        counters: &mut LaneCounters,
-    ) -> Nanos {
-        let mut this_tick = Nanos::ZERO;
+    /// Gives the lane this tick, if it has a batch free; it is behind until then.
+    fn give(&mut self, tick: u64, samples: &[KeySample; KEYS], patience: Patience) {
+        if self.remote.give(tick, samples, patience) {
+            self.stands = Stands::Running;
+        }
+    }
+
+    /// Takes back what the lane has finished.
+    fn take_back(&mut self, tick: u64, turns: &mut [Turn; KEYS], latecomers: &mut Latecomers) {
+        // Bounded by the lane's batches.
         while let Some(batch) = self.remote.take() {
             match batch.ran {
                 Some(cpu) if batch.tick == tick => {
-                    self.remote.keys.iter().for_each(|&key| turns[key] = batch.turns[key]);
-                    self.stands = Stands::Done;
-                    this_tick = cpu;
+                    batch.write_turns(&self.remote.keys, turns);
+                    self.stands = Stands::Done { cpu };
                 }
-                Some(cpu) => {
-                    late_turns.keep(&self.remote.keys, &batch);
-                    let own = batch.allowed.is_some_and(|allowed| allowed < cpu);
-                    counters.late_own_work += u64::from(own);
-                }
-                None => counters.passed += 1,
+                Some(_) | None => latecomers.keep(&self.remote.keys, &batch),
             }
             self.remote.keep(batch);
         }
         if self.remote.is_lost() {
             self.stands = Stands::Lost;
         }
-        this_tick
     }
 }
 
@@ -275,47 +295,6 @@ impl Drop for ThreadedLanes {
         for lane in self.remotes.drain(..) {
             // One that panicked has been reported as faulty voices all along.
             let _ended_well = lane.remote.join();
-        }
-    }
-}
-
-/// What must not be lost of turns that came too late to be felt.
-#[derive(Debug)]
-struct LateTurns {
-    events: Box<[Events; KEYS]>,
-    fresh: [bool; KEYS],
-    any: bool,
-}
-
-impl LateTurns {
-    fn new() -> Self {
-        Self { events: boxed_array(), fresh: [false; KEYS], any: false }
-    }
-
-    fn keep(&mut self, keys: &[usize], batch: &Batch) {
-        for &key in keys {
-            let turn = &batch.turns[key];
-            self.events[key].extend(&turn.events);
-            self.fresh[key] |= turn.fresh || turn.fault.is_some();
-            self.any |= self.fresh[key] || !self.events[key].is_empty();
-        }
-    }
-
-    /// Puts what was kept before the events of this tick.
-    fn hand_over(&mut self, turns: &mut [Turn; KEYS]) {
-        if !self.any {
-            return;
-        }
-        self.any = false;
-        for (key, turn) in turns.iter_mut().enumerate() {
-            let mut events = std::mem::take(&mut self.events[key]);
-            events.extend(&turn.events);
-            turn.events = events;
-            // A force that is held is the old one; the next that is not will be fresh.
-            let fresh = self.fresh[key];
-            turn.fresh |= fresh && !turn.late;
-            self.fresh[key] = fresh && turn.late;
-            self.any |= self.fresh[key];
         }
     }
 }

@@ -65,9 +65,10 @@ impl VoiceSwaps {
             return Err(Refused::NoSuchVoice(voice));
         }
         let lane = lane_of(key, self.lanes.len());
-        self.lanes[lane].into.push((key, Fenced::new(voice))).map_err(
-            |PushError::Full((_key, fenced))| Refused::Full(fenced.into_voice()),
-        )
+        self.lanes[lane]
+            .into
+            .push((key, Fenced::new(voice)))
+            .map_err(|PushError::Full((_key, fenced))| Refused::Full(fenced.into_voice()))
     }
 
     /// Frees the voices that were replaced and returns how many. Not for the tick.

@@ -18,6 +18,7 @@ use scheduler::slot::Slot;
 use scheduler::time::Nanos;
 use scheduler::voice::Turn;
 
+use super::Patience;
 use super::fence::Fenced;
 use super::swap::InnerEnd;
 use crate::realtime::thread::{Standing, ask_for_fifo};
@@ -38,12 +39,7 @@ pub(super) struct Lane {
 
 impl Lane {
     /// Runs the lane's share of `tick`.
-    pub(super) fn run(
-        &mut self,
-        tick: u64,
-        samples: &[KeySample; KEYS],
-        turns: &mut [Turn; KEYS],
-    ) {
+    pub(super) fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
         self.swaps.apply(&mut self.slots);
         run_slots(&mut self.slots, tick, samples, turns);
     }
@@ -58,8 +54,17 @@ pub(super) struct Batch {
     pub(super) turns: Box<[Turn; KEYS]>,
     /// CPU time that the lane took; none if the batch came too late to be run.
     pub(super) ran: Option<Nanos>,
-    /// Time that the lane had; `None` for as long as it takes.
-    pub(super) allowed: Option<Nanos>,
+    /// How long it was waited for.
+    pub(super) patience: Patience,
+}
+
+impl Batch {
+    /// Copies the turns of `keys`, which must be those of the lane that ran it.
+    pub(super) fn write_turns(&self, keys: &[usize], turns: &mut [Turn; KEYS]) {
+        for &key in keys {
+            turns[key] = self.turns[key];
+        }
+    }
 }
 
 /// What the tick's thread and all lanes see of each other besides the rings.
@@ -76,6 +81,7 @@ pub(super) struct Shared {
 pub(super) struct Remote {
     pub(super) keys: Vec<usize>,
     pub(super) standing: Standing,
+    #[expect(clippy::vec_box, reason = "the boxes travel, the batches stay where they are")]
     spare: Vec<Box<Batch>>,
     todo: Producer<Box<Batch>>,
     done: Consumer<Box<Batch>>,
@@ -115,12 +121,12 @@ impl Remote {
         &mut self,
         tick: u64,
         samples: &[KeySample; KEYS],
-        allowed: Option<Nanos>,
+        patience: Patience,
     ) -> bool {
         let Some(mut batch) = self.spare.pop() else { return false };
         batch.tick = tick;
         batch.samples = *samples;
-        batch.allowed = allowed;
+        batch.patience = patience;
         // The ring has room for all batches there are; a lane that ended takes none back.
         let given = self.todo.push(batch).is_ok();
         self.thread.thread().unpark();
@@ -179,11 +185,14 @@ fn empty_batch() -> Batch {
         samples: [KeySample::default(); KEYS],
         turns: boxed_array(),
         ran: None,
-        allowed: None,
+        patience: Patience::Endless,
     }
 }
 
 /// An array of defaults that never was on the stack.
 pub(super) fn boxed_array<T: Clone + Default>() -> Box<[T; KEYS]> {
-    vec![T::default(); KEYS].into_boxed_slice().try_into().unwrap_or_else(|_| unreachable!("KEYS long"))
+    vec![T::default(); KEYS]
+        .into_boxed_slice()
+        .try_into()
+        .unwrap_or_else(|_| unreachable!("KEYS long"))
 }

@@ -1,0 +1,7 @@
+//! What plugs into the scheduler's ports.
+
+pub mod audit;
+pub mod damper;
+pub mod input;
+pub mod observer;
+pub mod voice;

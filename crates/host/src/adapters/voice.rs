@@ -1,0 +1,201 @@
+//! A pode model as the scheduler's voice: sample in, force out.
+
+use std::sync::Arc;
+
+use haptics::ForceGate;
+use models::Playable;
+use pode::{
+    Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch,
+};
+use scheduler::motion::{KeyEvent, KeySample, Moment};
+use scheduler::voice::{Events, Turn, Voice, VoiceFault, Work};
+
+use super::audit::AuditCell;
+use super::damper::Damper;
+use super::input::InputPath;
+
+/// A voice that can be copied, for rehearsals.
+pub trait RehearsableVoice: Voice + Send {
+    /// A copy with the same bits.
+    fn copy(&self) -> Box<dyn RehearsableVoice>;
+}
+
+/// A key's model in motion, between its sensor and its motor.
+#[derive(Clone, Debug)]
+pub struct RenderedKey<M: Playable, T> {
+    simulator: Simulator<M, T>,
+    input: InputPath,
+    gate: ForceGate,
+    damper: Damper,
+    rest: Rest,
+    audit: EnergyAudit,
+    cell: Arc<AuditCell>,
+    /// Tick [s].
+    h: f64,
+}
+
+/// Hammer speed below which a string is touched but does not sound [m/s].
+///
+/// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so
+/// that the limit lies below the softest MIDI velocity of the Disklavier's curve.
+const SOFTEST_TONE: f64 = 0.15;
+
+/// What a voice is built from, besides its model.
+#[derive(Clone, Debug)]
+pub struct Fittings {
+    /// From samples to the model's input.
+    pub input: InputPath,
+    /// Force and slew limits.
+    pub gate: ForceGate,
+    /// Work limits and step.
+    pub limits: Limits,
+    /// Where the energy audit is published.
+    pub cell: Arc<AuditCell>,
+    /// Tick [s].
+    pub h: f64,
+}
+
+impl<M: Playable, T: Stepper> RenderedKey<M, T> {
+    /// A voice at rest with its key up.
+    pub fn new(model: M, stepper: T, fittings: Fittings) -> Self {
+        let Fittings { input, gate, limits, cell, h } = fittings;
+        let (mode, state) = model.at_rest(&Motion::default());
+        Self {
+            simulator: Simulator::new(model, stepper, limits, mode, state),
+            input,
+            gate,
+            damper: Damper::new(0.0),
+            rest: Rest::default(),
+            audit: EnergyAudit::default(),
+            cell,
+            h,
+        }
+    }
+
+    /// The position to go on from: measured, or expected for one tick without a sample.
+    fn position(&self, sample: &KeySample) -> f64 {
+        if sample.age == 1 { self.input.expected() } else { sample.position }
+    }
+
+    fn advance(&mut self, tick: u64, position: f64, turn: &mut Turn) {
+        *turn = Turn::default();
+        if let Some((at, event)) = self.damper.follow(tick, position, self.h) {
+            turn.events.push(at, event);
+        }
+        let signal = self.input.push(position);
+        let before = *self.simulator.state();
+        let mut strikes = Strikes { tick, events: &mut turn.events };
+        let mut watch = (&mut self.audit, &mut strikes);
+        let done = self.simulator.advance(self.h, &signal, &mut watch);
+        let per_metre = self.simulator.model.input_per_metre();
+        turn.force = self.gate.apply(done.mean_readout * per_metre, self.h).force;
+        turn.work = Work {
+            derivatives: done.work.derivatives,
+            guards: done.work.guards,
+            events: done.work.events,
+        };
+        turn.fault = fault(done.advance, done.work.events);
+        self.cell.publish(&self.audit);
+        let moved = largest_change::<M>(&before, self.simulator.state());
+        self.rest.observe(position, turn.force, moved);
+    }
+}
+
+impl<M: Playable, T: Stepper> Voice for RenderedKey<M, T> {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
+        let mut turn = Turn::default();
+        self.tick_into(tick, sample, &mut turn);
+        turn
+    }
+
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+        let position = self.position(sample);
+        if let Some(force) = self.rest.force_at(position) {
+            turn.rest_at(force);
+        } else if position.is_finite() {
+            self.advance(tick, position, turn);
+        } else {
+            *turn = Turn::faulty(VoiceFault::BadSample);
+        }
+    }
+
+    fn reset(&mut self, sample: &KeySample) {
+        let input = self.input.reset(sample.position);
+        let (mode, state) = self.simulator.model.at_rest(&input);
+        self.simulator.place(mode, state);
+        self.damper = Damper::new(sample.position);
+        self.rest = Rest::default();
+    }
+}
+
+impl<M, T> RehearsableVoice for RenderedKey<M, T>
+where
+    M: Playable,
+    T: Stepper + Send + 'static,
+{
+    fn copy(&self) -> Box<dyn RehearsableVoice> {
+        Box::new(Self { cell: Arc::default(), ..self.clone() })
+    }
+}
+
+/// Whether a voice has come to rest, so that its equations can be skipped.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Rest {
+    position: f64,
+    force: f64,
+    /// Ticks for which neither key nor model has moved.
+    still: u32,
+}
+
+impl Rest {
+    /// Ticks without any movement after which a voice sleeps.
+    const PATIENCE: u32 = 20;
+    /// State change in a tick that counts as none: far below what an encoder shows.
+    const STILL: f64 = 1e-7;
+
+    fn observe(&mut self, position: f64, force: f64, moved: f64) {
+        // Bits, not a tolerance: the encoder says whether the key has moved.
+        let same = self.position.to_bits() == position.to_bits() && moved < Self::STILL;
+        self.still = if same { self.still.saturating_add(1) } else { 0 };
+        (self.position, self.force) = (position, force);
+    }
+
+    /// The force to hold if the voice sleeps and the key is still at `position` [m].
+    fn force_at(&self, position: f64) -> Option<f64> {
+        let asleep = self.still >= Self::PATIENCE;
+        (asleep && self.position.to_bits() == position.to_bits()).then_some(self.force)
+    }
+}
+
+/// Turns the guard that sounds into a strike.
+struct Strikes<'a> {
+    tick: u64,
+    events: &'a mut Events,
+}
+
+impl<M: Playable> Watch<M> for Strikes<'_> {
+    fn piece<S: Signal<Motion>>(&mut self, _model: &M, _piece: &Piece<'_, M, S>) {}
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        let pode::Cause::Guard(spec) = event.cause else { return };
+        let sounding = model.sounding(spec.id, &event.before.1);
+        if let Some(sounding) = sounding.filter(|it| it.speed >= SOFTEST_TONE) {
+            let at = Moment { tick: self.tick, theta: event.theta };
+            self.events.push(at, KeyEvent::Strike { speed: sounding.speed });
+        }
+    }
+}
+
+const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {
+    match advance {
+        Advance::Completed => None,
+        Advance::Capped(_) => Some(VoiceFault::Capped { handled }),
+        Advance::Faulty(_) => Some(VoiceFault::NotFinite),
+    }
+}
+
+fn largest_change<M: Playable>(before: &M::State, after: &M::State) -> f64 {
+    use pode::State as _;
+    let pairs = before.entries().iter().zip(after.entries());
+    pairs.fold(0.0, |most, (a, b)| (a - b).abs().max(most))
+}

@@ -1,0 +1,148 @@
+//! The composition root: a checked scene becomes connected objects.
+
+use std::sync::Arc;
+
+use haptics::{BackwardDifference, ForceGate, Kalman, RigParameters};
+use hardware::sim::key::SimulatedKey;
+use models::Playable;
+use models::catalogue::{self, Visitor};
+use pode::Limits;
+use pode::stepper::{BogackiShampine, Heun, Rk4, SemiImplicitEuler};
+use scheduler::time::Period;
+
+use crate::adapters::audit::AuditCell;
+use crate::adapters::input::{AnyEstimator, InputPath};
+use crate::adapters::voice::{Fittings, RehearsableVoice, RenderedKey};
+use crate::config::{self, EstimatorName, KeyVoice, Render, Scene, StepperName};
+use crate::rehearsal::RehearsedKey;
+
+/// A voice of any model.
+pub type AnyVoice = Box<dyn RehearsableVoice>;
+
+/// Why a scene cannot be assembled.
+#[derive(Debug, thiserror::Error)]
+pub enum AssembleError {
+    /// A model that the scene names is not in the catalogue any more.
+    #[error("model `{0}` is not in the catalogue; `letoff instruments` lists those that are")]
+    NoSuchModel(&'static str),
+    /// The force limits do not make sense.
+    #[error("the scene's force limits cannot be kept: {0}")]
+    Limits(#[from] haptics::LimitError),
+    /// The simulated keybed refuses the scene's period.
+    #[error("the simulated keybed cannot run the scene: {0}")]
+    Keybed(#[from] hardware::Error),
+    /// The rate is out of range.
+    #[error("no tick can have {0} Hz")]
+    Rate(u32),
+}
+
+/// Builds voices and keys of one scene.
+#[derive(Clone, Debug)]
+pub struct Assembler<'a> {
+    scene: &'a Scene,
+    period: Period,
+    rig: RigParameters,
+}
+
+impl<'a> Assembler<'a> {
+    /// For `scene`, on the simulated keybed's default rig.
+    ///
+    /// # Errors
+    /// If the scene's rate cannot be kept.
+    pub fn new(scene: &'a Scene) -> Result<Self, AssembleError> {
+        let period = Period::from_hz(scene.tick_hz).ok_or(AssembleError::Rate(scene.tick_hz))?;
+        Ok(Self { scene, period, rig: RigParameters::default() })
+    }
+
+    /// The tick.
+    pub const fn period(&self) -> Period {
+        self.period
+    }
+
+    /// What every key of the simulated keybed is made of.
+    pub const fn rig(&self) -> RigParameters {
+        self.rig
+    }
+
+    /// The keys that have a voice.
+    pub fn keys(&self) -> impl Iterator<Item = (usize, &'a KeyVoice)> {
+        self.scene.keys.iter().enumerate().filter_map(|(key, voice)| Some((key, voice.as_ref()?)))
+    }
+
+    /// The voice of one key; its energy audit is published in `cell`.
+    ///
+    /// # Errors
+    /// If its model or limits are refused.
+    pub fn voice(&self, voice: &KeyVoice, cell: Arc<AuditCell>) -> Result<AnyVoice, AssembleError> {
+        let name = voice.model.name;
+        let h = self.period.as_secs_f64();
+        let builder = Builder { render: &self.scene.render, values: &voice.values, h, quantum: self.rig.quantum, cell };
+        catalogue::visit(name, builder).ok_or(AssembleError::NoSuchModel(name))?
+    }
+
+    /// One key with its voice, to rehearse on.
+    ///
+    /// # Errors
+    /// If its voice or the keybed are refused.
+    pub fn rehearsed(&self, key: usize, voice: &KeyVoice) -> Result<RehearsedKey, AssembleError> {
+        let voice = self.voice(voice, Arc::default())?;
+        let sim = SimulatedKey::new(self.period.as_secs_f64(), self.rig)?;
+        Ok(RehearsedKey::new(key, sim, voice, self.period))
+    }
+}
+
+/// Makes a voice of whichever model the catalogue finds.
+struct Builder<'a> {
+    render: &'a Render,
+    values: &'a [f64],
+    h: f64,
+    /// Encoder step [m].
+    quantum: f64,
+    cell: Arc<AuditCell>,
+}
+
+impl Visitor for Builder<'_> {
+    type Output = Result<AnyVoice, AssembleError>;
+
+    fn visit<M: Playable>(self) -> Self::Output {
+        let model = M::with_values(self.values);
+        let stepper = self.render.stepper;
+        let fittings = self.fittings(model.input_per_metre())?;
+        Ok(match stepper {
+            StepperName::Rk4 => Box::new(RenderedKey::new(model, Rk4, fittings)),
+            StepperName::Heun => Box::new(RenderedKey::new(model, Heun, fittings)),
+            StepperName::BogackiShampine => {
+                Box::new(RenderedKey::new(model, BogackiShampine, fittings))
+            }
+            StepperName::SemiImplicitEuler => {
+                Box::new(RenderedKey::new(model, SemiImplicitEuler, fittings))
+            }
+        })
+    }
+}
+
+impl Builder<'_> {
+    fn fittings(self, scale: f64) -> Result<Fittings, AssembleError> {
+        let Self { render, h, quantum, cell, .. } = self;
+        let estimator = match render.estimator {
+            EstimatorName::Kalman => {
+                AnyEstimator::Kalman(Kalman::new(h, quantum, Kalman::KEY_JERK_DENSITY))
+            }
+            EstimatorName::BackwardDifference => {
+                AnyEstimator::BackwardDifference(BackwardDifference::new(h))
+            }
+        };
+        let reconstruction = match render.reconstruction {
+            config::Reconstruction::Estimate => None,
+            config::Reconstruction::Samples(kind) => Some(kind),
+        };
+        let limits = Limits {
+            longest_step: render.longest_step,
+            event_tolerance: render.event_tolerance,
+            ..Limits::default()
+        };
+        let input = InputPath::new(estimator, reconstruction, scale, h);
+        let gate = ForceGate::new(render.force_limit, render.slew_limit)?;
+        Ok(Fittings { input, gate, limits, cell, h })
+    }
+}

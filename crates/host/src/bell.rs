@@ -1,0 +1,51 @@
+//! Wakes the MIDI thread from the tick: one non-blocking write on a descriptor opened before.
+
+use std::io;
+use std::os::fd::OwnedFd;
+use std::time::Duration;
+
+use rustix::event::{EventfdFlags, PollFd, PollFlags, Timespec, eventfd, poll};
+
+/// An eventfd that one side rings and the other waits for.
+#[derive(Debug)]
+pub struct Bell(OwnedFd);
+
+impl Bell {
+    /// A bell that nobody has rung.
+    ///
+    /// # Errors
+    /// If the system has no descriptor left.
+    pub fn new() -> io::Result<Self> {
+        Ok(Self(eventfd(0, EventfdFlags::NONBLOCK | EventfdFlags::CLOEXEC)?))
+    }
+
+    /// Rings; never waits.
+    ///
+    /// # Real-time
+    /// One non-blocking write. A bell that is already ringing may refuse it, which is as good.
+    pub fn ring(&self) {
+        let _already_ringing = rustix::io::write(&self.0, &1_u64.to_ne_bytes());
+    }
+
+    /// Waits until somebody rings, or `patience` is over; not for the tick.
+    pub fn wait(&self, patience: Duration) {
+        let timeout = Timespec::try_from(patience).ok();
+        let mut fds = [PollFd::new(&self.0, PollFlags::IN)];
+        // Whether it rang, timed out or was interrupted: the caller looks into its ring.
+        let _why = poll(&mut fds, timeout.as_ref());
+        let _silenced = rustix::io::read(&self.0, &mut [0_u8; 8]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ringing_before_waiting_is_not_lost() {
+        let bell = Bell::new().expect("an eventfd");
+        bell.ring();
+        bell.ring();
+        bell.wait(Duration::from_secs(3600));
+    }
+}

@@ -1,0 +1,114 @@
+//! `letoff instruments`: what there is to play.
+
+use std::io::Write;
+
+use clap::Args;
+use models::catalogue;
+use serde::Serialize;
+
+use super::{Failure, print_json};
+use crate::config::{InstrumentInfo, instruments};
+
+/// What `letoff instruments` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Example:
+  letoff instruments key-hammer-springs")]
+pub struct InstrumentsArgs {
+    /// A model, to see its parameters and presets.
+    pub model: Option<String>,
+    /// Prints the list as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Serialize)]
+struct Listing {
+    instruments: Vec<InstrumentInfo>,
+    models: Vec<ModelInfo>,
+}
+
+#[derive(Serialize)]
+struct ModelInfo {
+    name: &'static str,
+    summary: &'static str,
+    parameters: Vec<ParameterInfo>,
+    presets: Vec<PresetInfo>,
+}
+
+#[derive(Serialize)]
+struct ParameterInfo {
+    name: &'static str,
+    unit: &'static str,
+    range: (f64, f64),
+    default: f64,
+    doc: &'static str,
+}
+
+#[derive(Serialize)]
+struct PresetInfo {
+    name: &'static str,
+    doc: &'static str,
+}
+
+impl From<&catalogue::Entry> for ModelInfo {
+    fn from(entry: &catalogue::Entry) -> Self {
+        let parameter = |(index, it): (usize, &models::Parameter)| ParameterInfo {
+            name: it.name,
+            unit: it.unit,
+            range: it.range,
+            default: (entry.presets[0].value)(index, 0),
+            doc: it.doc,
+        };
+        Self {
+            name: entry.name,
+            summary: entry.summary,
+            parameters: entry.parameters.iter().enumerate().map(parameter).collect(),
+            presets: entry.presets.iter().map(|it| PresetInfo { name: it.name, doc: it.doc }).collect(),
+        }
+    }
+}
+
+/// Prints the instruments and models, or one model's parameters.
+pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let models = chosen(args.model.as_deref())?;
+    let instruments = instruments();
+    if args.json {
+        return print_json(&Listing { instruments, models }, out);
+    }
+    if args.model.is_none() {
+        writeln!(out, "Instruments (a scene's `instrument = \"…\"`):")?;
+        for it in &instruments {
+            writeln!(out, "  {:16} {} ({}, {})", it.name, it.title, it.model, it.preset)?;
+        }
+        writeln!(out, "\nModels (`letoff instruments MODEL` shows parameters):")?;
+    }
+    for model in &models {
+        writeln!(out, "  {:20} {}", model.name, model.summary)?;
+        if args.model.is_some() {
+            print_model(model, out)?;
+        }
+    }
+    Ok(())
+}
+
+fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {
+    let Some(name) = model else {
+        return Ok(catalogue::ENTRIES.iter().map(ModelInfo::from).collect());
+    };
+    let entry = catalogue::find(name).ok_or_else(|| {
+        let names: Vec<_> = catalogue::ENTRIES.iter().map(|it| it.name).collect();
+        Failure::Usage(format!("there is no model `{name}`: choose one of {}", names.join(", ")))
+    })?;
+    Ok(vec![entry.into()])
+}
+
+fn print_model(model: &ModelInfo, out: &mut dyn Write) -> Result<(), Failure> {
+    for preset in &model.presets {
+        writeln!(out, "    preset {:12} {}", preset.name, preset.doc)?;
+    }
+    for it in &model.parameters {
+        let (lo, hi) = it.range;
+        writeln!(out, "    {:14} {:>12} {:12} {lo} ..= {hi}  {}", it.name, it.default, it.unit, it.doc)?;
+    }
+    Ok(())
+}

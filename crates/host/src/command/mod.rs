@@ -1,0 +1,109 @@
+//! What people type: `letoff run`, `simulate`, `check`, `devices`, `instruments`.
+//!
+//! Exit codes: 0 done, 1 something failed while running, 2 wrong usage or file.
+
+mod check;
+mod devices;
+mod instruments;
+mod live;
+mod run;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::simulate::SimulateArgs;
+
+/// The host of force-feedback keyboards.
+#[derive(Debug, Parser)]
+#[command(name = "letoff", version, about, arg_required_else_help = true)]
+pub struct Letoff {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Runs the host; without a scene, 88 simulated keys and a virtual pianist.
+    Run(run::RunArgs),
+    /// Simulates one key offline and writes its trajectory and events.
+    Simulate(Box<SimulateArgs>),
+    /// Checks a scene or an instrument: all mistakes at once, with line and column.
+    Check(check::CheckArgs),
+    /// Lists serial ports, CAN interfaces and MIDI ports, and why one is missing.
+    Devices(devices::DevicesArgs),
+    /// Lists the instruments, models and their parameters.
+    Instruments(instruments::InstrumentsArgs),
+}
+
+/// How a command ended, other than well.
+#[derive(Debug)]
+pub enum Failure {
+    /// Something failed while running: exit code 1.
+    Running(String),
+    /// Wrong usage or a wrong file: exit code 2.
+    Usage(String),
+}
+
+impl Failure {
+    const fn code(&self) -> u8 {
+        match self {
+            Self::Running(_) => 1,
+            Self::Usage(_) => 2,
+        }
+    }
+
+    fn text(&self) -> &str {
+        match self {
+            Self::Running(text) | Self::Usage(text) => text,
+        }
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Running(format!("the output cannot be written: {error}"))
+    }
+}
+
+/// Does what `letoff` asks for, and says how it went.
+pub fn run(letoff: &Letoff) -> ExitCode {
+    let mut out = io::stdout().lock();
+    let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            // A closed stderr leaves nobody to tell.
+            let _unheard = writeln!(io::stderr(), "letoff: {}", failure.text());
+            ExitCode::from(failure.code())
+        }
+    }
+}
+
+fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
+    match command {
+        Command::Run(args) => run::run(args, out),
+        Command::Simulate(args) => simulate(args, out),
+        Command::Check(args) => check::run(args, out),
+        Command::Devices(args) => devices::run(args, out),
+        Command::Instruments(args) => instruments::run(args, out),
+    }
+}
+
+fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    use crate::simulate::SimulateError;
+    crate::simulate::run(args, out).map_err(|error| {
+        let text = error.to_string();
+        if matches!(error, SimulateError::Usage(_)) { Failure::Usage(text) } else { Failure::Running(text) }
+    })
+}
+
+/// Prints `value` as JSON, on one line unless `out` is read by people.
+fn print_json(value: &impl serde::Serialize, out: &mut dyn Write) -> Result<(), Failure> {
+    serde_json::to_writer_pretty(&mut *out, value)
+        .map_err(|error| Failure::Running(format!("the report cannot be written: {error}")))?;
+    Ok(writeln!(out)?)
+}

@@ -1,0 +1,65 @@
+//! The scenes, instruments and performances that are part of the program.
+
+/// Embedded TOML files of one kind.
+#[derive(Debug)]
+pub(super) struct Shelf {
+    /// What they are, in the singular.
+    pub(super) what: &'static str,
+    files: &'static [(&'static str, &'static str)],
+}
+
+impl Shelf {
+    /// The text of the file called `name`.
+    pub(super) fn find(&self, name: &str) -> Option<&'static str> {
+        self.files.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+    }
+
+    /// The names of all files.
+    pub(super) fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.files.iter().map(|(name, _)| *name)
+    }
+}
+
+macro_rules! configs {
+    ($include:ident, $folder:literal, $ending:literal: $($name:literal),+ $(,)?) => {
+        &[$(($name, $include!(concat!(
+            env!("CARGO_MANIFEST_DIR"), "/../../configs/", $folder, "/", $name, $ending
+        )))),+]
+    };
+}
+
+/// The scenes.
+pub(super) const SCENES: Shelf = Shelf {
+    what: "scene",
+    files: configs!(include_str, "scenes", ".toml": "default", "bach", "paper", "mixed", "fast"),
+};
+
+/// The instruments.
+pub(super) const INSTRUMENTS: Shelf = Shelf {
+    what: "instrument",
+    files: configs!(
+        include_str, "instruments", ".toml":
+        "grand-springs",
+        "grand-rigid",
+        "paper-springs",
+        "paper-rigid",
+        "bouncing-ball",
+        "cart-pendulum",
+        "spring-wall",
+    ),
+};
+
+/// The performances, as MIDI files.
+pub(super) const PERFORMANCES: &[(&str, &[u8])] = configs!(
+    include_bytes, "performances", ".mid": "bach-bwv-846", "beethoven-ode-to-joy"
+);
+
+/// Names of the embedded scenes.
+pub fn scenes() -> impl Iterator<Item = &'static str> {
+    SCENES.names()
+}
+
+/// Names of the embedded performances.
+pub fn performances() -> impl Iterator<Item = &'static str> {
+    PERFORMANCES.iter().map(|(name, _)| *name)
+}

@@ -1,0 +1,111 @@
+//! An instrument: a model and a preset over the compass, with a title.
+
+use std::path::Path;
+
+use models::catalogue::Entry;
+use serde::Serialize;
+
+use super::diagnostic::Diagnostics;
+use super::document;
+use super::embedded::INSTRUMENTS;
+use super::read::Reader;
+use super::report::Report;
+use super::source::{Missing, Source, refuse};
+use super::voicing::Voicing;
+
+/// Names by which a file is known to be an instrument rather than a scene.
+pub(super) const OWN_NAMES: [&str; 4] = ["doc", "model", "preset", "parameters"];
+
+/// A checked instrument.
+#[derive(Clone, Debug)]
+pub struct Instrument {
+    /// Its name in scenes and on the command line.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// What it is, in a sentence or two; may be empty.
+    pub doc: String,
+    pub(super) voicing: Voicing,
+}
+
+impl Instrument {
+    /// Loads the embedded instrument of that name, or the file at that path.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with it.
+    pub fn load(name_or_path: &str) -> Result<Self, Diagnostics> {
+        let source = Source::find(&INSTRUMENTS, name_or_path, Path::new(""));
+        Self::check(&source.map_err(|missing| match missing {
+            Missing::Unknown((message, help)) => {
+                refuse(Path::new(name_or_path), None, message, help)
+            }
+            Missing::Unreadable(diagnostics) => diagnostics,
+        })?)
+    }
+
+    /// The model that every key has.
+    pub const fn model(&self) -> &'static Entry {
+        self.voicing.model
+    }
+
+    /// One value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
+    pub fn values(&self, key: u8) -> Vec<f64> {
+        self.voicing.values(key)
+    }
+
+    /// Reads an instrument from `source`.
+    pub(super) fn check(source: &Source) -> Result<Self, Diagnostics> {
+        let mut report = Report::new(source, &[]);
+        let root = document::parse(&mut report);
+        let read = root.and_then(|root| {
+            let mut reader = Reader::new(&mut report, &source.name, &root)?;
+            let instrument = Self::read(&mut report, &mut reader);
+            reader.finish(&mut report);
+            instrument
+        });
+        report.verdict(read)
+    }
+
+    fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Self> {
+        let source = report.source();
+        let title = reader.text(report, "title").map_or_else(|| source.name.clone(), |(t, _)| t);
+        let doc = reader.text(report, "doc").map_or_else(String::new, |(doc, _)| doc);
+        if reader.take("model").is_none() {
+            report.miss(reader.place, "the instrument has no model", "add model = \"…\"");
+        }
+        let voicing = Voicing::read(report, reader);
+        let Some(mut voicing) = voicing else {
+            reader.take("parameters");
+            return None;
+        };
+        voicing.read_parameters(report, reader);
+        Some(Self { name: source.name.clone(), title, doc, voicing })
+    }
+}
+
+/// What is listed of an embedded instrument.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+pub struct InstrumentInfo {
+    /// Its name in scenes.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// Name of its model.
+    pub model: &'static str,
+    /// Name of its preset.
+    pub preset: &'static str,
+}
+
+/// Every embedded instrument, in the order in which they are listed to people.
+pub fn instruments() -> Vec<InstrumentInfo> {
+    let loaded = INSTRUMENTS.names().filter_map(|name| Instrument::load(name).ok());
+    loaded
+        .map(|Instrument { name, title, voicing, .. }| InstrumentInfo {
+            name,
+            title,
+            model: voicing.model.name,
+            preset: voicing.preset.name,
+        })
+        .collect()
+}

@@ -1,0 +1,194 @@
+//! Numbers with a unit: plain SI, or text such as `"0.5 ms"`.
+
+/// What a number must be.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Quantity {
+    /// SI unit; `"1"` for a ratio.
+    pub(super) unit: &'static str,
+    /// Smallest and largest allowed value.
+    pub(super) range: (f64, f64),
+}
+
+impl Quantity {
+    /// Whether `value` is allowed; NaN never is.
+    pub(super) fn allows(&self, value: f64) -> bool {
+        value.is_finite() && self.range.0 <= value && value <= self.range.1
+    }
+
+    /// `value` with the unit.
+    pub(super) fn show(&self, value: f64) -> String {
+        format!("{}{}", number(value), self.suffix())
+    }
+
+    /// The range with the unit.
+    pub(super) fn show_range(&self) -> String {
+        format!("{} to {}{}", number(self.range.0), number(self.range.1), self.suffix())
+    }
+
+    fn suffix(&self) -> String {
+        if self.unit == "1" { String::new() } else { format!(" {}", self.unit) }
+    }
+}
+
+/// Why text is not the quantity that was asked for.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Refusal {
+    /// It does not begin with a number.
+    NoNumber,
+    /// There is a number and no unit.
+    NoUnit(f64),
+    /// There is a number and another unit.
+    WrongUnit(f64, String),
+}
+
+/// A number as people write it.
+pub(super) fn number(value: f64) -> String {
+    let size = value.abs();
+    if value.is_nan() {
+        "not a number".to_owned()
+    } else if size == 0.0 || (1e-3..1e6).contains(&size) || size.is_infinite() {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// Reads `text` as a number of `unit`, which may have an SI prefix m, µ or k in it.
+///
+/// # Errors
+///
+/// If it is no number, or one of something else.
+pub(super) fn parse(text: &str, unit: &str) -> Result<f64, Refusal> {
+    let (value, given) = split(text.trim()).ok_or(Refusal::NoNumber)?;
+    match exponent(given, unit) {
+        Some(exponent) => Ok(scaled(value, exponent)),
+        None if given.is_empty() => Err(Refusal::NoUnit(value)),
+        None => Err(Refusal::WrongUnit(value, given.to_owned())),
+    }
+}
+
+/// The number at the beginning, and what follows it.
+fn split(text: &str) -> Option<(f64, &str)> {
+    /// Longest number that is read [bytes].
+    const LONGEST: usize = 40;
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
+    let len = text.find(|c: char| !is_part(c)).unwrap_or(text.len());
+    // All of these are ASCII, so every split is between characters; "2eV" is 2 of "eV".
+    (1..=len.min(LONGEST)).rev().find_map(|len| {
+        let (digits, rest) = text.split_at(len);
+        digits.parse().ok().map(|value| (value, rest.trim()))
+    })
+}
+
+/// `given` is ten to what of `wanted`, if it is that unit at all.
+fn exponent(given: &str, wanted: &str) -> Option<i32> {
+    // A prefix belongs into a power: mm² is not milli-m².
+    let is_power = wanted.trim_start_matches(char::is_alphabetic).starts_with(['²', '³']);
+    let (given, wanted) = (plain(given), plain(wanted));
+    if given == wanted || (wanted == "1" && given.is_empty()) {
+        return Some(0);
+    }
+    if is_power {
+        return None;
+    }
+    match wanted.strip_prefix("kg") {
+        Some(rest) => prefix(&given, &format!("g{rest}")).map(|exponent| exponent - 3),
+        None => prefix(&given, &wanted),
+    }
+}
+
+/// `given` is `wanted` with one of the prefixes before it, or none: ten to what.
+fn prefix(given: &str, wanted: &str) -> Option<i32> {
+    let exponent = match given.strip_suffix(wanted)? {
+        "" => 0,
+        "k" => 3,
+        "m" => -3,
+        "u" => -6,
+        _ => return None,
+    };
+    Some(exponent)
+}
+
+/// A unit without the ways in which it can be written.
+fn plain(unit: &str) -> String {
+    let kept = unit.chars().filter(|c| !matches!(c, ' ' | '·' | '*' | '^'));
+    kept.map(|c| match c {
+        '²' => '2',
+        '³' => '3',
+        'µ' | 'μ' => 'u',
+        other => other,
+    })
+    .collect()
+}
+
+/// `value` times ten to `exponent`, rounded once.
+fn scaled(value: f64, exponent: i32) -> f64 {
+    let power = 10.0_f64.powi(exponent.abs());
+    if exponent < 0 { value / power } else { value * power }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, unit: &str, expected: Result<f64, Refusal>) {
+        assert_eq!(parse(text, unit), expected, "{text:?} in {unit}");
+    }
+
+    fn wrong(value: f64, unit: &str) -> Result<f64, Refusal> {
+        Err(Refusal::WrongUnit(value, unit.to_owned()))
+    }
+
+    #[test]
+    fn the_right_unit_and_its_prefixes_are_exact() {
+        check("20 N", "N", Ok(20.0));
+        check("20N", "N", Ok(20.0));
+        check(" -2.5e1  mN ", "N", Ok(-0.025));
+        check("0.5 ms", "s", Ok(0.0005));
+        check("3 µs", "s", Ok(3e-6));
+        check("3 μs", "s", Ok(3e-6));
+        check("3 us", "s", Ok(3e-6));
+        check("4 kHz", "Hz", Ok(4000.0));
+        check("12 mm", "m", Ok(0.012));
+        check("11.2 g", "kg", Ok(0.0112));
+        check("11200 mg", "kg", Ok(0.0112));
+        check("0.13 kg", "kg", Ok(0.13));
+    }
+
+    #[test]
+    fn compound_units_may_be_written_on_any_keyboard() {
+        check("2 N·m/rad", "N·m/rad", Ok(2.0));
+        check("2 N*m/rad", "N·m/rad", Ok(2.0));
+        check("20 kN/m", "N/m", Ok(20e3));
+        check("2 kg m^2", "kg·m²", Ok(2.0));
+        check("2 g m2", "kg·m²", Ok(0.002));
+        check("9.81 m/s2", "m/s²", Ok(9.81));
+    }
+
+    #[test]
+    fn a_ratio_has_no_unit() {
+        check("0.5", "1", Ok(0.5));
+        check("50 %", "1", wrong(50.0, "%"));
+    }
+
+    #[test]
+    fn what_is_meant_otherwise_is_refused() {
+        check("20 kg", "N", wrong(20.0, "kg"));
+        check("20", "N", Err(Refusal::NoUnit(20.0)));
+        check("2 MN", "N", wrong(2.0, "MN"));
+        check("2 mm2", "m²", wrong(2.0, "mm2"));
+        check("2 km", "m/s", wrong(2.0, "km"));
+        check("2 eV", "s", wrong(2.0, "eV"));
+        for text in ["", "N", "fast", "nan N", "inf N", "--1 N", "½ N"] {
+            check(text, "N", Err(Refusal::NoNumber));
+        }
+    }
+
+    #[test]
+    fn numbers_are_shown_as_people_write_them() {
+        for (value, expected) in [(0.0, "0"), (25.0, "25"), (1e-6, "1e-6"), (1e9, "1e9")] {
+            assert_eq!(number(value), expected);
+        }
+    }
+}

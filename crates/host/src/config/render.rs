@@ -1,0 +1,184 @@
+//! `[render]`: how a voice is computed, and what the finger may feel at most.
+
+use pode::input::Reconstruction as Samples;
+use pode::stepper::{BogackiShampine, Heun, Rk4, SemiImplicitEuler};
+use pode::{Limits, Stepper as _};
+
+use super::quantity::Quantity;
+use super::read::Reader;
+use super::report::{Place, Report};
+
+const LONGEST_STEP: Quantity = Quantity { unit: "s", range: (1e-6, 0.1) };
+
+/// A bracket of half a tick locates nothing; below 1e-15 the fraction has no digits left.
+const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
+
+/// A finger holds about 100 N for a moment, and no keyboard needs it to.
+const FORCE_LIMIT: Quantity = Quantity { unit: "N", range: (0.1, 100.0) };
+
+const SLEW_LIMIT: Quantity = Quantity { unit: "N/s", range: (1.0, 1e7) };
+
+/// How a voice is computed, and what the finger may feel at most.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Render {
+    /// The method.
+    pub stepper: StepperName,
+    /// Longest step [s]; the model's own limit holds too.
+    pub longest_step: f64,
+    /// Width to which an event is located, as a fraction of the tick.
+    pub event_tolerance: f64,
+    /// What makes a motion of encoder counts.
+    pub estimator: EstimatorName,
+    /// How that motion goes on over the tick.
+    pub reconstruction: Reconstruction,
+    /// Largest force [N].
+    pub force_limit: f64,
+    /// Fastest change of force [N/s].
+    pub slew_limit: f64,
+}
+
+impl Default for Render {
+    fn default() -> Self {
+        Self {
+            stepper: StepperName::Rk4,
+            longest_step: 1e-3,
+            event_tolerance: Limits::default().event_tolerance,
+            estimator: EstimatorName::Kalman,
+            reconstruction: Reconstruction::Estimate,
+            force_limit: 25.0,
+            slew_limit: 2e4,
+        }
+    }
+}
+
+/// A method of `pode::stepper`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum StepperName {
+    /// First order, one evaluation.
+    SemiImplicitEuler,
+    /// Second order, two evaluations.
+    Heun,
+    /// Third order, three evaluations.
+    BogackiShampine,
+    /// Fourth order, four evaluations.
+    Rk4,
+}
+
+impl StepperName {
+    /// Every method, cheapest first.
+    pub const ALL: [Self; 4] =
+        [Self::SemiImplicitEuler, Self::Heun, Self::BogackiShampine, Self::Rk4];
+
+    /// Its name in scenes and on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::SemiImplicitEuler => SemiImplicitEuler::NAME,
+            Self::Heun => Heun::NAME,
+            Self::BogackiShampine => BogackiShampine::NAME,
+            Self::Rk4 => Rk4::NAME,
+        }
+    }
+}
+
+/// An estimator of `haptics`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum EstimatorName {
+    /// A Kalman filter of position, velocity and acceleration.
+    Kalman,
+    /// Differences of the newest positions.
+    BackwardDifference,
+}
+
+impl EstimatorName {
+    /// Every estimator, the default first.
+    pub const ALL: [Self; 2] = [Self::Kalman, Self::BackwardDifference];
+
+    /// Its name in scenes.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Kalman => "kalman",
+            Self::BackwardDifference => "backward-difference",
+        }
+    }
+}
+
+/// How the key's motion goes on between two samples.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Reconstruction {
+    /// Ballistic, from what the estimator says.
+    Estimate,
+    /// From the samples alone.
+    Samples(Samples),
+}
+
+impl Reconstruction {
+    /// Every reconstruction, the default first.
+    pub const ALL: [Self; 5] = [
+        Self::Estimate,
+        Self::Samples(Samples::Hold),
+        Self::Samples(Samples::Linear),
+        Self::Samples(Samples::Quadratic),
+        Self::Samples(Samples::LateHermite),
+    ];
+
+    /// Its name in scenes.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Estimate => "estimate",
+            Self::Samples(Samples::Hold) => "hold",
+            Self::Samples(Samples::Linear) => "linear",
+            Self::Samples(Samples::Quadratic) => "quadratic",
+            Self::Samples(Samples::LateHermite) => "late-hermite",
+        }
+    }
+}
+
+/// Reads the table `render` for ticks at `tick_hz`; the default for what is not there.
+pub(super) fn read(report: &mut Report<'_>, scene: &mut Reader<'_>, tick_hz: u32) -> Render {
+    let mut render = Render::default();
+    let Some(mut reader) = scene.table(report, "render") else { return render };
+    let steppers = StepperName::ALL.map(|all| (all.name(), all));
+    let estimators = EstimatorName::ALL.map(|all| (all.name(), all));
+    let reconstructions = Reconstruction::ALL.map(|all| (all.name(), all));
+
+    keep(&mut render.stepper, reader.choice(report, "stepper", "there is no stepper", &steppers));
+    let longest_step = reader.take("longest_step").map(|entry| entry.node.place);
+    keep(&mut render.longest_step, reader.number(report, "longest_step", LONGEST_STEP));
+    keep(&mut render.event_tolerance, reader.number(report, "event_tolerance", EVENT_TOLERANCE));
+    keep(
+        &mut render.estimator,
+        reader.choice(report, "estimator", "there is no estimator", &estimators),
+    );
+    let reconstruction =
+        reader.choice(report, "reconstruction", "there is no reconstruction", &reconstructions);
+    keep(&mut render.reconstruction, reconstruction);
+    keep(&mut render.force_limit, reader.number(report, "force_limit", FORCE_LIMIT));
+    keep(&mut render.slew_limit, reader.number(report, "slew_limit", SLEW_LIMIT));
+    if let Some(place) = longest_step {
+        refuse_too_short(report, place, render.longest_step, tick_hz);
+    }
+    reader.finish(report);
+    render
+}
+
+/// Keeps what was read, if anything was.
+fn keep<T>(kept: &mut T, read: Option<T>) {
+    if let Some(read) = read {
+        *kept = read;
+    }
+}
+
+/// Reports a step of which more are needed than a tick may take.
+fn refuse_too_short(report: &mut Report<'_>, place: Place, longest_step: f64, tick_hz: u32) {
+    let limits = Limits::default();
+    // An event may cut a step in two.
+    let most = f64::from(limits.pieces.saturating_sub(limits.events).max(1));
+    let shortest = 1.0 / (f64::from(tick_hz) * most);
+    if longest_step < shortest {
+        let message = format!(
+            "\"longest_step\" is {}, but a tick at {tick_hz} Hz may take {most} steps at most",
+            LONGEST_STEP.show(longest_step)
+        );
+        report.say(place, message, format!("give at least {shortest:.1e} s, or a faster tick"));
+    }
+}

@@ -1,0 +1,134 @@
+//! Where mistakes are gathered while a file is read.
+
+use std::path::Path;
+
+use super::diagnostic::{Diagnostic, Diagnostics};
+use super::source::Source;
+
+/// Mistakes reported of one file; whoever made so many does not read on.
+const MOST: usize = 100;
+
+/// Where something stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Place {
+    /// At a byte of the file.
+    At(usize),
+    /// In the override with this index.
+    Override(usize),
+}
+
+/// The mistakes found so far in one file and its overrides.
+#[derive(Debug)]
+pub(super) struct Report<'a> {
+    source: &'a Source,
+    overrides: &'a [(String, String)],
+    /// Byte at which each line starts.
+    lines: Vec<usize>,
+    /// Part of the file could not be read, so what seems missing may stand there.
+    pub(super) broken: bool,
+    found: Vec<Diagnostic>,
+}
+
+impl<'a> Report<'a> {
+    /// Nothing is wrong yet.
+    pub(super) fn new(source: &'a Source, overrides: &'a [(String, String)]) -> Self {
+        let ends = source.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        let lines = std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect();
+        Self { source, overrides, lines, broken: false, found: Vec::new() }
+    }
+
+    /// The file that is read.
+    pub(super) const fn source(&self) -> &'a Source {
+        self.source
+    }
+
+    /// What a relative path written at `place` is relative to.
+    pub(super) fn folder(&self, place: Place) -> &'a Path {
+        match place {
+            Place::At(_) => &self.source.folder,
+            Place::Override(_) => Path::new(""),
+        }
+    }
+
+    /// The value of the override at `place`, as it was written, if there is one.
+    pub(super) fn overriding(&self, place: Place) -> Option<&'a str> {
+        match place {
+            Place::At(_) => None,
+            Place::Override(index) => self.overrides.get(index).map(|(_, value)| value.as_str()),
+        }
+    }
+
+    /// Records that `message` is wrong at `place`, and that `help` would put it right.
+    pub(super) fn say(
+        &mut self,
+        place: Place,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        if self.found.len() >= MOST {
+            return;
+        }
+        let (file, position) = self.locate(place);
+        self.found.push(Diagnostic {
+            file,
+            line: position.map(|(line, _)| line),
+            column: position.map(|(_, column)| column),
+            message: message.into(),
+            help: help.into(),
+        });
+    }
+
+    /// As [`Report::say`], for something that is not there.
+    pub(super) fn miss(
+        &mut self,
+        place: Place,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        if !self.broken {
+            self.say(place, message, help);
+        }
+    }
+
+    /// Adds what is wrong with another file.
+    pub(super) fn absorb(&mut self, others: Diagnostics) {
+        self.found.extend(others.into_vec());
+    }
+
+    /// `checked` if nothing is wrong.
+    pub(super) fn verdict<T>(self, checked: Option<T>) -> Result<T, Diagnostics> {
+        match checked {
+            Some(checked) if self.found.is_empty() => Ok(checked),
+            _ => Err(Diagnostics::new(self.found)),
+        }
+    }
+
+    /// "line 3", or the override, for a message that points at a second place.
+    pub(super) fn describe(&self, place: Place) -> String {
+        match self.locate(place) {
+            (_, Some((line, _))) => format!("line {line}"),
+            (file, None) => file,
+        }
+    }
+
+    fn locate(&self, place: Place) -> (String, Option<(usize, usize)>) {
+        match place {
+            Place::At(offset) => (self.source.file.clone(), Some(self.position(offset))),
+            Place::Override(index) => {
+                let Some((name, value)) = self.overrides.get(index) else {
+                    return (self.source.file.clone(), None);
+                };
+                (format!("--set {name}={value}"), None)
+            }
+        }
+    }
+
+    /// Line and column, from 1.
+    fn position(&self, offset: usize) -> (usize, usize) {
+        let line = self.lines.partition_point(|start| *start <= offset).max(1);
+        let start = self.lines.get(line - 1).copied().unwrap_or(0);
+        let end = self.source.text.floor_char_boundary(offset);
+        let before = self.source.text.get(start..end).unwrap_or("");
+        (line, before.chars().count() + 1)
+    }
+}

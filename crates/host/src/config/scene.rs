@@ -1,0 +1,332 @@
+//! A scene: which keys, models, parameters, rate, links and MIDI.
+
+use std::path::{Path, PathBuf};
+
+use midi::VelocityCurve;
+
+use super::diagnostic::Diagnostics;
+use super::document::{self, Value};
+use super::embedded::{PERFORMANCES, SCENES};
+use super::keys::{self, KeyVoice};
+use super::names::{choice, quoted};
+use super::quantity::Quantity;
+use super::read::{self, Reader};
+use super::render::{self, Render};
+use super::report::{Place, Report};
+use super::source::{Missing, Source, no_file, refuse};
+use super::{instrument, overrides};
+
+/// Names by which a file is known to be a scene rather than an instrument.
+pub(super) const OWN_NAMES: [&str; 7] =
+    ["tick_hz", "lanes", "render", "keys", "links", "midi", "pianist"];
+
+/// The tick's rate on hardware [Hz].
+const DEFAULT_TICK_HZ: u32 = 1000;
+
+const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
+
+const LANES: Quantity = Quantity { unit: "1", range: (1.0, 16.0) };
+
+/// A checked scene.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The embedded scene's name, or the file's without its ending.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// Ticks in a second, 100 ..= 10000 [Hz].
+    pub tick_hz: u32,
+    /// Threads of the tick.
+    pub lanes: Lanes,
+    /// How a voice is computed.
+    pub render: Render,
+    /// What each of the 88 keys is; none where it is silent.
+    pub keys: Vec<Option<KeyVoice>>,
+    /// Where the keys are.
+    pub links: Links,
+    /// Where strikes go.
+    pub midi: Midi,
+    /// What the virtual pianist plays, if there is one.
+    pub performance: Option<PerformanceSource>,
+}
+
+/// Threads of the tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Lanes {
+    /// As many as the machine and the keys call for.
+    Auto,
+    /// So many, 1 ..= 16.
+    Count(usize),
+}
+
+/// Where the keys are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Links {
+    /// In a simulated keybed.
+    Simulated,
+}
+
+/// Where strikes go.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Midi {
+    /// The port or file.
+    pub output: MidiOutput,
+    /// How a hammer speed becomes a velocity.
+    pub curve: VelocityCurve,
+}
+
+/// A MIDI port or file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum MidiOutput {
+    /// Nowhere.
+    None,
+    /// A port of our own, to which other programs connect.
+    Virtual,
+    /// The first port whose name contains this.
+    Port(String),
+    /// A Standard MIDI File to be written, relative to the working directory.
+    File(PathBuf),
+}
+
+/// A performance for the virtual pianist.
+#[derive(Clone, PartialEq, Eq)]
+pub enum PerformanceSource {
+    /// An embedded one: its name and the MIDI file.
+    Embedded(&'static str, &'static [u8]),
+    /// A MIDI file.
+    Path(PathBuf),
+}
+
+impl std::fmt::Debug for PerformanceSource {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Embedded(name, _bytes) => f.debug_tuple("Embedded").field(name).finish(),
+            Self::Path(path) => f.debug_tuple("Path").field(path).finish(),
+        }
+    }
+}
+
+impl Scene {
+    /// Loads the embedded scene of that name, or the file at that path, with `overrides`.
+    ///
+    /// An override is the dotted path of a value and what it becomes: `tick_hz` and `4000`,
+    /// `keys.0.instrument` and `grand-rigid`, `keys.parameters.restitution` and `0.2`
+    /// (of all key ranges).
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with the scene and with the overrides.
+    pub fn load(name_or_path: &str, overrides: &[(String, String)]) -> Result<Self, Diagnostics> {
+        let source = Source::find(&SCENES, name_or_path, Path::new(""));
+        let source = source.map_err(|missing| match missing {
+            Missing::Unknown((message, help)) => {
+                refuse(Path::new(name_or_path), None, message, help)
+            }
+            Missing::Unreadable(diagnostics) => diagnostics,
+        })?;
+        Self::check(&source, overrides)
+    }
+
+    /// Reads a scene from `source`.
+    pub(super) fn check(
+        source: &Source,
+        overrides: &[(String, String)],
+    ) -> Result<Self, Diagnostics> {
+        let mut report = Report::new(source, overrides);
+        let root = document::parse(&mut report);
+        let read = root.and_then(|mut root| {
+            overrides::apply(&mut report, &mut root, overrides);
+            let mut reader = Reader::new(&mut report, &source.name, &root)?;
+            let scene = Self::read(&mut report, &mut reader);
+            reader.finish(&mut report);
+            Some(scene)
+        });
+        report.verdict(read)
+    }
+
+    /// Reads everything, with a default for what is missing or wrong.
+    fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Self {
+        let name = report.source().name.clone();
+        let title = reader.text(report, "title").map_or_else(|| name.clone(), |(title, _)| title);
+        let tick_hz = read_tick_hz(report, reader).unwrap_or(DEFAULT_TICK_HZ);
+        let lanes = read_lanes(report, reader).unwrap_or(Lanes::Auto);
+        let render = render::read(report, reader, tick_hz);
+        let keys = keys::read(report, reader);
+        let links = read_links(report, reader);
+        let midi = read_midi(report, reader);
+        let performance = read_pianist(report, reader);
+        Self { name, title, tick_hz, lanes, render, keys, links, midi, performance }
+    }
+}
+
+fn read_tick_hz(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<u32> {
+    let entry = reader.take("tick_hz")?;
+    let value = read::number(report, "tick_hz", &entry.node, TICK_HZ)?;
+    whole(report, "tick_hz", entry.node.place, value)
+}
+
+fn read_lanes(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Lanes> {
+    let entry = reader.take("lanes")?;
+    let place = entry.node.place;
+    if let Value::Text(text) = &entry.node.value {
+        if text == "auto" {
+            return Some(Lanes::Auto);
+        }
+        let message = format!("\"lanes\" is {}", quoted(text));
+        report.say(place, message, "give \"auto\" or a number, 1 to 16");
+        return None;
+    }
+    let count = read::number(report, "lanes", &entry.node, LANES)?;
+    let count = whole(report, "lanes", place, count)?;
+    Some(Lanes::Count(usize::try_from(count).unwrap_or(1)))
+}
+
+/// `value`, which is within a range of small positive numbers, if it is whole.
+fn whole(report: &mut Report<'_>, name: &str, place: Place, value: f64) -> Option<u32> {
+    if 0.0 < value.fract() {
+        let message = format!("{} is {value}, not a whole number", quoted(name));
+        report.say(place, message, format!("round it, as {}", value.round()));
+        return None;
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the range was checked and is far inside that of u32"
+    )]
+    let whole = value as u32;
+    Some(whole)
+}
+
+fn read_links(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Links {
+    let Some(mut reader) = scene.table(report, "links") else { return Links::Simulated };
+    let kinds = [("simulated", Links::Simulated)];
+    let kind = reader.choice(report, "kind", "kind of link", &kinds);
+    reader.finish(report);
+    kind.unwrap_or(Links::Simulated)
+}
+
+fn read_midi(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Midi {
+    let mut midi = Midi { output: MidiOutput::None, curve: VelocityCurve::default() };
+    let Some(mut reader) = scene.table(report, "midi") else { return midi };
+    if let Some((output, _)) = reader.text(report, "output") {
+        midi.output = midi_output(output);
+    }
+    let curves = VelocityCurve::ALL.map(|curve| (curve.name(), curve));
+    if let Some(curve) = reader.choice(report, "curve", "velocity curve", &curves) {
+        midi.curve = curve;
+    }
+    reader.finish(report);
+    midi
+}
+
+fn midi_output(output: String) -> MidiOutput {
+    let ending = Path::new(&output).extension();
+    if output == "none" {
+        MidiOutput::None
+    } else if output == "virtual" {
+        MidiOutput::Virtual
+    } else if ending
+        .is_some_and(|e| e.eq_ignore_ascii_case("mid") || e.eq_ignore_ascii_case("midi"))
+    {
+        MidiOutput::File(output.into())
+    } else {
+        MidiOutput::Port(output)
+    }
+}
+
+fn read_pianist(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Option<PerformanceSource> {
+    let mut reader = scene.table(report, "pianist")?;
+    let performance = reader.text(report, "performance");
+    if reader.take("performance").is_none() {
+        let help = "add performance = \"…\", or leave the table out";
+        report.miss(reader.place, "the pianist has no performance", help);
+    }
+    reader.finish(report);
+    let (wanted, place) = performance?;
+    find_performance(report, place, &wanted)
+}
+
+/// The embedded performance or the file that is `wanted`; "none" is no performance.
+fn find_performance(
+    report: &mut Report<'_>,
+    place: Place,
+    wanted: &str,
+) -> Option<PerformanceSource> {
+    if wanted == "none" {
+        return None;
+    }
+    if let Some((name, bytes)) = PERFORMANCES.iter().find(|(name, _)| *name == wanted) {
+        return Some(PerformanceSource::Embedded(name, bytes));
+    }
+    let path = report.folder(place).join(wanted);
+    if path.is_file() {
+        return Some(PerformanceSource::Path(path));
+    }
+    let (message, help) = if Path::new(wanted).extension().is_some() {
+        no_file(&path)
+    } else {
+        let known = PERFORMANCES.iter().map(|(name, _)| *name).chain(["none"]);
+        let help = format!("{}, or a path to a MIDI file of yours", choice(wanted, known));
+        (format!("there is no performance {}", quoted(wanted)), help)
+    };
+    report.say(place, message, help);
+    None
+}
+
+/// What a file is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// A scene.
+    Scene,
+    /// An instrument.
+    Instrument,
+}
+
+impl Kind {
+    /// Its word for people.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Scene => "scene",
+            Self::Instrument => "instrument",
+        }
+    }
+}
+
+/// Checks the scene or instrument at `path`, whichever it is by what stands in it.
+///
+/// # Errors
+///
+/// All that is wrong with it, or that it is neither.
+pub fn check_file(path: &Path) -> Result<Kind, Diagnostics> {
+    let source = Source::read(path)?;
+    let kind = kind_of(&source)?;
+    match kind {
+        Kind::Scene => Scene::check(&source, &[]).map(|_scene| kind),
+        Kind::Instrument => instrument::Instrument::check(&source).map(|_instrument| kind),
+    }
+}
+
+/// What `source` has more of: a scene's names, or an instrument's.
+pub(super) fn kind_of(source: &Source) -> Result<Kind, Diagnostics> {
+    let mut report = Report::new(source, &[]);
+    let root = document::parse(&mut report);
+    let entries = root.as_ref().and_then(document::Node::entries).unwrap_or_default();
+    let count = |names: &[&str]| {
+        entries.iter().filter(|entry| names.contains(&entry.name.as_str())).count()
+    };
+    let kind = match (count(&OWN_NAMES), count(&instrument::OWN_NAMES)) {
+        (0, 0) => {
+            let help = "a scene has [[keys]], an instrument has a model";
+            report.miss(Place::At(0), "this is neither a scene nor an instrument", help);
+            None
+        }
+        (scene, instrument) if instrument <= scene => Some(Kind::Scene),
+        _ => Some(Kind::Instrument),
+    };
+    // Whoever checks the file says again what is no TOML.
+    match kind {
+        Some(kind) => Ok(kind),
+        None => report.verdict(None),
+    }
+}

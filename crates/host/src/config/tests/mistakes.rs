@@ -1,0 +1,131 @@
+//! What is said of mistakes, word for word.
+
+use std::path::Path;
+
+use super::*;
+
+/// Asserts that exactly `expected` is said of `text`.
+#[track_caller]
+fn check(text: &str, overrides: &[(&str, &str)], expected: &str) {
+    let said = match Scene::check(&source(text), &owned(overrides)) {
+        Ok(_) => "nothing is wrong".to_owned(),
+        Err(all) => all.to_string(),
+    };
+    assert!(said == expected.trim_end(), "said:\n{said}\n\nexpected:\n{expected}");
+}
+
+#[test]
+fn all_mistakes_are_said_at_once() {
+    check(include_str!("golden/mistakes.toml"), &[], include_str!("golden/mistakes.txt"));
+}
+
+#[test]
+fn a_wrong_override_is_named_instead_of_a_line() {
+    let overrides = [
+        ("tick_hz", "fast"),
+        ("rendr.stepper", "heun"),
+        ("render.steper", "heun"),
+        ("render.force_limit", "20 kg"),
+        ("midi", "none"),
+        ("keys.parameters.restitutoin", "0.2"),
+        ("keys.2.instrument", "grand-rigid"),
+        ("keys.1.range", "B3..C8"),
+        ("keys.0.instrument", "./nowhere/mine.toml"),
+        ("..", "1"),
+    ];
+    let folder = std::env::current_dir().unwrap();
+    let expected = include_str!("golden/overrides.txt");
+    check(TWO_RANGES, &overrides, &expected.replace("FOLDER", &folder.to_string_lossy()));
+}
+
+#[test]
+fn what_is_no_toml_is_said_line_by_line() {
+    check(include_str!("golden/syntax.toml"), &[], include_str!("golden/syntax.txt"));
+}
+
+#[test]
+fn after_a_broken_header_nothing_is_taken_for_something_else() {
+    check(
+        "lanes = 2\n[render\nstepper = \"heun\"\n",
+        &[],
+        "scene.toml:2:8: this is not TOML, unclosed table, expected `]`; correct the line",
+    );
+}
+
+#[test]
+fn a_scene_without_keys_is_refused() {
+    let said = "scene.toml:1:1: the scene has no keys; add [[keys]] with a range and an instrument";
+    check("", &[], said);
+    check("keys = []\n", &[], said);
+}
+
+#[test]
+fn a_step_that_no_tick_can_afford_is_refused() {
+    let text = format!("tick_hz = 100\n[render]\nlongest_step = \"2 us\"\n{MINIMAL}");
+    check(
+        &text,
+        &[],
+        "scene.toml:3:16: \"longest_step\" is 2e-6 s, but a tick at 100 Hz may take 992 steps at \
+         most; give at least 1.01e-5 s, or a faster tick",
+    );
+    check(&text.replace("2 us", "10.1 us"), &[], "nothing is wrong");
+}
+
+#[test]
+fn two_voices_for_one_range_are_refused() {
+    check(
+        &format!("{MINIMAL}preset = \"paper\"\n"),
+        &[],
+        "scene.toml:4:1: \"preset\" stands beside an instrument, which has its own; \
+         keep one of the two",
+    );
+}
+
+#[test]
+fn a_scene_that_is_not_there_is_answered_with_those_that_are() {
+    let said = |name: &str| Scene::load(name, &[]).unwrap_err().to_string();
+    assert_eq!(
+        said("papr"),
+        "papr: there is no scene \"papr\"; use \"paper\", the nearest of default, bach, paper, \
+         mixed, fast, or a path to a file of yours"
+    );
+    let folder = std::env::current_dir().unwrap();
+    let expected = format!(
+        "mine.toml: there is no file \"mine.toml\" in {}; correct the path",
+        folder.display()
+    );
+    assert_eq!(said("mine.toml"), expected);
+    assert_eq!(check_file(Path::new("mine.toml")).unwrap_err().to_string(), expected);
+}
+
+#[test]
+fn a_file_that_is_no_scene_is_refused() {
+    let folder = Folder::new("refused");
+    let check = |bytes: &[u8], expected: &str| {
+        let path = folder.write("file.toml", bytes);
+        let said = check_file(Path::new(&path)).unwrap_err().to_string();
+        assert_eq!(said.strip_prefix(&path), Some(expected));
+    };
+    check(b"ti\xff", ":1:3: this byte is not UTF-8; save the file as UTF-8 text");
+    check("a = 'ä'\nää\u{1}".as_bytes(), include_str!("golden/control.txt").trim_end());
+    check(
+        b"title = \"a shopping list\"\n",
+        ":1:1: this is neither a scene nor an instrument; a scene has [[keys]], an instrument has \
+         a model",
+    );
+    check(
+        &vec![b' '; 300_000],
+        ": the file is longer than 256 KiB; this is no scene or instrument, choose another",
+    );
+}
+
+#[test]
+fn programs_read_the_same_as_json() {
+    let text = "lanes = 0\n[[keys]]\nrange = 60\nmodel = \"spring-wall\"\n";
+    let all = Scene::check(&source(text), &[]).unwrap_err();
+    let expected = concat!(
+        r#"[{"file":"scene.toml","line":1,"column":9,"#,
+        r#""message":"\"lanes\" is 0, out of range","help":"give 1 to 16"}]"#
+    );
+    assert_eq!(serde_json::to_string(&all).unwrap(), expected);
+}

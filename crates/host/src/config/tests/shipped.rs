@@ -1,0 +1,71 @@
+//! What lies in configs/.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::super::embedded::{INSTRUMENTS, SCENES, Shelf};
+use super::super::*;
+
+fn configs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../configs")
+}
+
+#[track_caller]
+fn check_embedded(folder: &str, ending: &str, mut known: Vec<&str>) {
+    let paths = fs::read_dir(configs().join(folder)).unwrap().map(|entry| entry.unwrap().path());
+    let mut there: Vec<String> = paths
+        .filter(|path| path.extension().is_some_and(|found| found == ending))
+        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
+        .collect();
+    there.sort();
+    known.sort_unstable();
+    assert_eq!(there, known, "{folder}");
+}
+
+#[test]
+fn every_file_is_part_of_the_program() {
+    check_embedded("scenes", "toml", scenes().collect());
+    check_embedded("instruments", "toml", INSTRUMENTS.names().collect());
+    check_embedded("performances", "mid", performances().collect());
+}
+
+#[track_caller]
+fn check_right(shelf: &Shelf, kind: Kind) {
+    for name in shelf.names() {
+        let path = configs().join(format!("{}s/{name}.toml", shelf.what));
+        match check_file(&path) {
+            Ok(found) => assert_eq!(found, kind, "{name}"),
+            Err(all) => panic!("{all}"),
+        }
+    }
+}
+
+#[test]
+fn every_scene_and_instrument_is_right() {
+    check_right(&SCENES, Kind::Scene);
+    check_right(&INSTRUMENTS, Kind::Instrument);
+}
+
+#[test]
+fn every_scene_loads_by_its_name() {
+    for name in scenes() {
+        let scene = Scene::load(name, &[]).unwrap();
+        assert_eq!(scene.name, name);
+        assert!(scene.keys.iter().all(Option::is_some), "{name} has silent keys");
+    }
+}
+
+#[test]
+fn every_instrument_is_listed() {
+    let listed: Vec<String> = instruments().into_iter().map(|listed| listed.name).collect();
+    assert_eq!(listed, INSTRUMENTS.names().collect::<Vec<_>>());
+}
+
+#[test]
+fn the_paper_s_scene_writes_out_the_defaults() {
+    let paper = Scene::load("paper", &[]).unwrap();
+    let default = Render::default();
+    assert_eq!(Render { event_tolerance: default.event_tolerance, ..paper.render }, default);
+    // The file rounds 2⁻⁴⁰ to two digits.
+    assert!((paper.render.event_tolerance / default.event_tolerance - 1.0).abs() < 0.005);
+}

@@ -1,0 +1,152 @@
+//! What a scene says, and what comes of it.
+
+use std::path::Path;
+
+use super::*;
+
+/// The value of a parameter on a key, as bits: nothing is computed with it on the way.
+#[track_caller]
+fn check_value(scene: &Scene, key: usize, parameter: &str, expected: f64) {
+    let voice = scene.keys[key].as_ref().unwrap();
+    let index = voice.model.parameters.iter().position(|p| p.name == parameter).unwrap();
+    let value = voice.values[index];
+    assert_eq!(value.to_bits(), expected.to_bits(), "{parameter} is {value}, not {expected}");
+}
+
+#[track_caller]
+fn check_models(scene: &Scene, lowest: &str, highest: &str) {
+    let model = |key: usize| scene.keys[key].as_ref().unwrap().model.name;
+    assert_eq!([model(0), model(87)], [lowest, highest]);
+}
+
+#[test]
+fn a_scene_of_three_lines_has_a_default_for_all_else() {
+    let scene = load(MINIMAL, &[]);
+    assert_eq!([scene.name, scene.title], ["scene", "scene"]);
+    assert_eq!((scene.tick_hz, scene.lanes), (1000, Lanes::Auto));
+    assert_eq!(scene.render, Render::default());
+    assert_eq!(scene.links, Links::Simulated);
+    assert_eq!(scene.midi.output, MidiOutput::None);
+    assert_eq!(scene.performance, None);
+    assert_eq!(scene.keys.iter().flatten().count(), 88);
+}
+
+#[test]
+fn keys_outside_every_range_are_silent() {
+    let scene = load("[[keys]]\nrange = 60\nmodel = \"key-hammer-rigid\"\n", &[]);
+    let sounding: Vec<usize> = (0..88).filter(|key| scene.keys[*key].is_some()).collect();
+    assert_eq!(sounding, [39]);
+    // No preset is named: the first, with the paper's ideal string.
+    check_value(&scene, 39, "restitution", 1.0);
+}
+
+#[test]
+fn a_parameter_overrides_the_instrument_s_over_the_whole_compass() {
+    let graded = "M2 = \"9 g\"\nrestitution = { bass = 0.2, treble = 0.1 }\n";
+    let scene = load(&format!("{MINIMAL}[keys.parameters]\n{graded}"), &[]);
+    for key in [0, 40, 87] {
+        check_value(&scene, key, "M2", 0.009);
+        check_value(&scene, key, "L1", 0.1385);
+    }
+    check_value(&scene, 0, "restitution", 0.2);
+    check_value(&scene, 87, "restitution", 0.1);
+}
+
+#[test]
+fn a_performance_is_embedded_or_lies_beside_the_scene() {
+    let bach = Scene::load("bach", &[]).unwrap().performance;
+    let Some(PerformanceSource::Embedded(name, bytes)) = bach else { panic!("{bach:?}") };
+    assert_eq!((name, &bytes[..4]), ("bach-bwv-846", b"MThd".as_slice()));
+
+    let folder = Folder::new("performance");
+    folder.write("mine.mid", b"MThd");
+    let text = format!("{MINIMAL}[pianist]\nperformance = \"mine.mid\"\n");
+    let path = folder.write("scene.toml", text.as_bytes());
+    let scene = Scene::load(&path, &[]).unwrap();
+    assert_eq!(scene.performance, Some(PerformanceSource::Path(folder.0.join("mine.mid"))));
+    let silenced = Scene::load(&path, &owned(&[("pianist.performance", "none")])).unwrap();
+    assert_eq!(silenced.performance, None);
+}
+
+#[test]
+fn midi_goes_to_a_port_a_file_or_nowhere() {
+    #[track_caller]
+    fn check(output: &str, expected: &MidiOutput) {
+        assert_eq!(load(MINIMAL, &[("midi.output", output)]).midi.output, *expected);
+    }
+    check("none", &MidiOutput::None);
+    check("virtual", &MidiOutput::Virtual);
+    check("FLUID Synth", &MidiOutput::Port("FLUID Synth".to_owned()));
+    check("takes/one.MID", &MidiOutput::File("takes/one.MID".into()));
+}
+
+#[test]
+fn an_instrument_of_one_s_own_lies_beside_the_scene() {
+    let folder = Folder::new("instrument");
+    let soft = folder.write("soft.toml", b"model = \"spring-wall\"\nparameters.K = \"0.2 kN/m\"\n");
+    let scene = MINIMAL.replace("grand-springs", "soft.toml");
+    let scene = folder.write("scene.toml", scene.as_bytes());
+    check_value(&Scene::load(&scene, &[]).unwrap(), 0, "K", 200.0);
+    assert_eq!(check_file(Path::new(&soft)), Ok(Kind::Instrument));
+    assert_eq!(check_file(Path::new(&scene)), Ok(Kind::Scene));
+
+    // A mistake in the instrument is said once, in the instrument's file.
+    folder.write("soft.toml", b"model = \"spring-wall\"\nparameters.K = \"0.2 N/mm\"\n");
+    let expected =
+        format!("{soft}:2:16: \"K\" has the wrong unit \"N/mm\"; give it in N/m, as \"0.2 N/m\"");
+    assert_eq!(Scene::load(&scene, &[]).unwrap_err().to_string(), expected);
+}
+
+#[test]
+fn the_last_override_of_a_name_wins_over_the_file() {
+    let text = format!("tick_hz = 2000\n{MINIMAL}");
+    assert_eq!(load(&text, &[]).tick_hz, 2000);
+    assert_eq!(load(&text, &[("tick_hz", "4000")]).tick_hz, 4000);
+    assert_eq!(load(&text, &[("tick_hz", "4000"), ("tick_hz", "5 kHz")]).tick_hz, 5000);
+    // What the file says wrongly does not matter then.
+    assert_eq!(load(&text.replace("2000", "2"), &[("tick_hz", "300")]).tick_hz, 300);
+}
+
+#[test]
+fn an_override_reaches_every_table() {
+    let overrides = [
+        ("title", "1984"),
+        ("lanes", "3"),
+        ("render.stepper", "heun"),
+        ("render.force_limit", "20 N"),
+        ("midi.curve", "linear"),
+        ("pianist.performance", "beethoven-ode-to-joy"),
+    ];
+    let scene = load(MINIMAL, &overrides);
+    assert_eq!((scene.title.as_str(), scene.lanes), ("1984", Lanes::Count(3)));
+    let expected = Render { stepper: StepperName::Heun, force_limit: 20.0, ..Render::default() };
+    assert_eq!(scene.render, expected);
+    assert_eq!(scene.midi.curve.name(), "linear");
+    assert_eq!(format!("{:?}", scene.performance), "Some(Embedded(\"beethoven-ode-to-joy\"))");
+}
+
+#[test]
+fn an_override_of_keys_reaches_all_ranges() {
+    let scene = load(TWO_RANGES, &[("keys.parameters.restitution", "0.2")]);
+    check_value(&scene, 0, "restitution", 0.2);
+    check_value(&scene, 87, "restitution", 0.2);
+    check_value(&scene, 87, "k1", 400.0);
+}
+
+#[test]
+fn an_override_of_a_numbered_range_reaches_it_alone() {
+    let scene = load(TWO_RANGES, &[("keys.1.parameters.restitution", "0.2")]);
+    check_value(&scene, 0, "restitution", 1.0);
+    check_value(&scene, 87, "restitution", 0.2);
+}
+
+#[test]
+fn a_new_voice_replaces_what_the_file_says_of_the_old_one() {
+    let scene = load(TWO_RANGES, &[("keys.0.instrument", "paper-springs")]);
+    check_models(&scene, "key-hammer-springs", "key-hammer-springs");
+    let overrides = [("keys.model", "key-hammer-rigid"), ("keys.preset", "literal")];
+    let scene = load(TWO_RANGES, &overrides);
+    check_models(&scene, "key-hammer-rigid", "key-hammer-rigid");
+    check_value(&scene, 0, "L1", 4.0);
+    check_value(&scene, 87, "k1", 400.0);
+}

@@ -1,0 +1,74 @@
+//! Turns that came too late: what of them is kept, and counted.
+
+use scheduler::motion::KEYS;
+use scheduler::voice::{Events, Turn};
+
+use super::Patience;
+use super::worker::{Batch, boxed_array};
+
+/// What became of lanes, counted since the start.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct LaneCounters {
+    /// A lane's share of a tick that was not ready in time.
+    pub late: u64,
+    /// Of these, ones that took more CPU time than a punctual tick has; known when they arrive.
+    pub late_own_work: u64,
+    /// Shares that were not run at all, because their tick had passed.
+    pub passed: u64,
+}
+
+/// What must not be lost of turns that came too late to be felt.
+#[derive(Debug)]
+pub(super) struct Latecomers {
+    events: Box<[Events; KEYS]>,
+    fresh: [bool; KEYS],
+    any: bool,
+    pub(super) counters: LaneCounters,
+}
+
+impl Latecomers {
+    pub(super) fn new() -> Self {
+        Self {
+            events: boxed_array(),
+            fresh: [false; KEYS],
+            any: false,
+            counters: LaneCounters::default(),
+        }
+    }
+
+    /// Keeps what `batch`, which came back too late, says of `keys`.
+    pub(super) fn keep(&mut self, keys: &[usize], batch: &Batch) {
+        let Some(cpu) = batch.ran else {
+            self.counters.passed += 1;
+            return;
+        };
+        match batch.patience {
+            Patience::Until { share, .. } if share < cpu => self.counters.late_own_work += 1,
+            Patience::Until { .. } | Patience::Endless => {}
+        }
+        for &key in keys {
+            let turn = &batch.turns[key];
+            self.events[key].extend(&turn.events);
+            self.fresh[key] |= turn.fresh || turn.fault.is_some();
+            self.any |= self.fresh[key] || !self.events[key].is_empty();
+        }
+    }
+
+    /// Puts what was kept before the events of this tick.
+    pub(super) fn hand_over(&mut self, turns: &mut [Turn; KEYS]) {
+        if !self.any {
+            return;
+        }
+        self.any = false;
+        for (key, turn) in turns.iter_mut().enumerate() {
+            let mut events = std::mem::take(&mut self.events[key]);
+            events.extend(&turn.events);
+            turn.events = events;
+            // A force that is held is the old one; the next that is not will be fresh.
+            let fresh = self.fresh[key];
+            turn.fresh |= fresh && !turn.late;
+            self.fresh[key] = fresh && turn.late;
+            self.any |= self.fresh[key];
+        }
+    }
+}

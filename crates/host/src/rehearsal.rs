@@ -1,0 +1,104 @@
+//! A key with its action, to rehearse strokes on: the very loop that will run later.
+
+use std::fmt;
+
+use haptics::Gesture;
+use hardware::sim::key::SimulatedKey;
+use performance::{Outcome, Rehearsal, Strike};
+use scheduler::motion::KeyEvent;
+use scheduler::safety::KeyGate;
+use scheduler::slot::Slot;
+use scheduler::time::Period;
+use scheduler::voice::{Turn, Voice};
+
+use crate::adapters::voice::RehearsableVoice;
+
+/// One key of the simulated keybed and its voice, in virtual time.
+///
+/// Sample, voice, safety and wire are those of the running host, in the same order, so
+/// what was rehearsed happens to the last bit.
+pub struct RehearsedKey {
+    key: SimulatedKey,
+    slot: Slot<Copied>,
+    gate: KeyGate,
+    tick: u64,
+    period: f64,
+}
+
+/// A boxed voice that can be cloned with its slot.
+struct Copied(Box<dyn RehearsableVoice>);
+
+impl Clone for Copied {
+    fn clone(&self) -> Self {
+        Self(self.0.copy())
+    }
+}
+
+impl Voice for Copied {
+    fn tick(&mut self, tick: u64, sample: &scheduler::motion::KeySample) -> Turn {
+        self.0.tick(tick, sample)
+    }
+
+    fn reset(&mut self, sample: &scheduler::motion::KeySample) {
+        self.0.reset(sample);
+    }
+}
+
+impl RehearsedKey {
+    /// A key at rest before tick 0.
+    pub fn new(
+        number: usize,
+        key: SimulatedKey,
+        voice: Box<dyn RehearsableVoice>,
+        period: Period,
+    ) -> Self {
+        Self {
+            key,
+            slot: Slot::new(number, Copied(voice)),
+            gate: KeyGate::new(period),
+            tick: 0,
+            period: period.as_secs_f64(),
+        }
+    }
+}
+
+impl Clone for RehearsedKey {
+    fn clone(&self) -> Self {
+        Self {
+            key: self.key.clone(),
+            slot: self.slot.clone(),
+            gate: self.gate,
+            tick: self.tick,
+            period: self.period,
+        }
+    }
+}
+
+impl fmt::Debug for RehearsedKey {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RehearsedKey").field("tick", &self.tick).finish_non_exhaustive()
+    }
+}
+
+impl Rehearsal for RehearsedKey {
+    fn play(&mut self, gestures: &[Gesture], until: f64) -> Outcome {
+        self.key.play(gestures.to_vec());
+        let mut outcome = Outcome::default();
+        let mut turn = Turn::default();
+        while (self.tick as f64) * self.period < until {
+            let sample = self.key.receive(self.tick);
+            self.slot.tick(self.tick, &sample, &mut turn);
+            self.key.send(self.gate.apply(&turn, &sample));
+            for (at, event) in turn.events.as_slice() {
+                let at = at.seconds(self.period);
+                match event {
+                    KeyEvent::Strike { speed } => outcome.strikes.push(Strike { at, speed: *speed }),
+                    KeyEvent::DamperFall { .. } => outcome.damper_fall = Some(at),
+                    KeyEvent::DamperLift => {}
+                }
+            }
+            self.tick += 1;
+        }
+        outcome
+    }
+}

@@ -1,0 +1,44 @@
+//! What a run measured besides the notes.
+
+use crate::realtime::baseline;
+use crate::realtime::memory::Locked;
+use crate::realtime::run::Timings;
+use crate::realtime::thread::Standing;
+use crate::report::{Deadline, Quantiles, Realtime};
+
+/// The measured part of a report.
+#[derive(Debug)]
+pub(super) struct Measured {
+    pub(super) realtime: Realtime,
+    pub(super) deadline: Deadline,
+    pub(super) skipped: u64,
+}
+
+impl Measured {
+    /// From what a run in real time saw.
+    pub(super) fn new(
+        timings: &Timings,
+        standing: Standing,
+        locked: Locked,
+        baseline: Option<&baseline::Measured>,
+    ) -> Self {
+        let counters = timings.counters();
+        let advice = standing.note.into_iter().chain(locked.note).collect();
+        let deadline = Deadline {
+            missed: counters.missed,
+            missed_own_work: counters.missed_own_work,
+            missed_woken_late: counters.missed_woken_late,
+            missed_preempted: counters.missed_preempted,
+            lateness_us: Quantiles::of(&timings.lateness),
+            work_us: Quantiles::of(&timings.work),
+            turnaround_us: Quantiles::of(&timings.turnaround),
+            timer_baseline_us: baseline.map_or_else(Quantiles::default, |it| Quantiles::of(&it.lateness)),
+        };
+        let realtime = Realtime {
+            policy: standing.policy,
+            memory_locked: locked.current,
+            advice,
+        };
+        Self { realtime, deadline, skipped: counters.skipped }
+    }
+}

@@ -1,0 +1,281 @@
+//! One run of the host: prepared from a scene, run in real or virtual time, reported.
+
+mod measured;
+mod midi_out;
+mod pianist;
+mod real;
+mod virtual_run;
+
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use firmware_protocol::key::{BoardId, KeyIndex};
+use hardware::sim::keybed::SimulatedKeybed;
+use performance::{Performance, Struck, assess};
+use pode::EnergyAudit;
+use scheduler::port::KeyBus;
+use scheduler::time::{Nanos, Timetable};
+
+use crate::adapters::audit::AuditCell;
+use crate::adapters::observer::{LiveCounters, Publisher};
+use crate::assemble::{AssembleError, Assembler};
+use crate::bell::Bell;
+use crate::config::{Lanes, Scene};
+use crate::desk::{Desk, Played};
+use crate::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
+use crate::realtime::thread::DEFAULT_PRIORITY;
+use crate::report::{Deadline, Evaluations, Links, MidiReport, Notes, Realtime, Report};
+use measured::Measured;
+
+pub use pianist::PianistProgress;
+
+/// Why a run could not be prepared or finished.
+#[derive(Debug, thiserror::Error)]
+pub enum SessionError {
+    /// The scene cannot be assembled.
+    #[error(transparent)]
+    Assemble(#[from] AssembleError),
+    /// The performance cannot be read.
+    #[error("the performance `{name}` cannot be played: {reason}")]
+    Performance {
+        /// File or name.
+        name: String,
+        /// What is wrong, and what to do.
+        reason: String,
+    },
+    /// The MIDI output is not there.
+    #[error("the MIDI output cannot be opened: {0}")]
+    Midi(#[from] midi::Unavailable),
+    /// The system gave no thread, descriptor or memory.
+    #[error("the system refused what a run needs: {0}")]
+    System(#[from] std::io::Error),
+    /// Virtual time would never end.
+    #[error("virtual time needs an end: give --duration, or a performance to play")]
+    Endless,
+    /// A thread of ours panicked, which is a bug.
+    #[error("the {0} thread panicked: its notes were ended; please report what it printed")]
+    Panicked(&'static str),
+}
+
+/// What the command line says beyond the scene.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options {
+    /// Length of the run [s]; to the end of the performance without.
+    pub duration: Option<f64>,
+    /// As fast as it goes, and bit-identically every time.
+    pub virtual_time: bool,
+}
+
+/// Time after a performance's last event before a run ends by itself [s].
+const AFTERGLOW: f64 = 1.0;
+
+/// Key events that may wait for the MIDI thread; a chord of all keys makes 88.
+const RING: usize = 4096;
+
+/// Everything of one run, connected and at rest.
+pub struct Session {
+    stage: Stage,
+    desk: Desk,
+}
+
+/// All but the MIDI side, which works on a thread of its own.
+struct Stage {
+    name: String,
+    tick_hz: u32,
+    n_voices: usize,
+    n_lanes: NonZeroUsize,
+    ticks: Option<u64>,
+    virtual_time: bool,
+    voices: Vec<(usize, BoxedVoice)>,
+    cells: Vec<Arc<AuditCell>>,
+    keybed: SimulatedKeybed,
+    performance: Option<Performance>,
+    publisher: Publisher,
+    midi: MidiReport,
+    bell: Arc<Bell>,
+    counters: Arc<LiveCounters>,
+}
+
+impl std::fmt::Debug for Session {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Session").field("scene", &self.stage.name).finish_non_exhaustive()
+    }
+}
+
+impl Session {
+    /// Connects everything that `scene` asks for; rehearses what its pianist will play.
+    ///
+    /// # Errors
+    /// If something that the scene names is not there or refused.
+    pub fn prepare(
+        scene: &Scene,
+        options: Options,
+        progress: &(dyn Fn(PianistProgress) + Sync),
+    ) -> Result<Self, SessionError> {
+        let assembler = Assembler::new(scene)?;
+        let period = assembler.period().as_secs_f64();
+        let performance = pianist::rehearse(scene, &assembler, options.duration, progress)?;
+        let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
+        if options.virtual_time && seconds.is_none() {
+            return Err(SessionError::Endless);
+        }
+        let mut keybed = SimulatedKeybed::new(period, assembler.rig()).map_err(AssembleError::from)?;
+        pianist::seat(&mut keybed, performance.as_ref());
+        let (mut voices, mut cells) = (Vec::new(), Vec::new());
+        for (key, voice) in assembler.keys() {
+            let cell = Arc::new(AuditCell::default());
+            voices.push((key, assembler.voice(voice, Arc::clone(&cell))? as BoxedVoice));
+            cells.push(cell);
+        }
+        let (producer, consumer) = rtrb::RingBuffer::new(RING);
+        let (output, midi) = midi_out::open(&scene.midi)?;
+        let desk = Desk::new(consumer, output, scene.midi.curve);
+        let (bell, counters) = (Arc::new(Bell::new()?), Arc::new(LiveCounters::default()));
+        let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
+        let publisher =
+            Publisher::new(producer, Arc::clone(&bell), Arc::clone(&counters), pedals.into(), period);
+        let stage = Stage {
+            name: scene.name.clone(),
+            tick_hz: scene.tick_hz,
+            n_voices: voices.len(),
+            n_lanes: lanes(scene.lanes),
+            ticks: seconds.map(|seconds| (seconds / period).round() as u64),
+            virtual_time: options.virtual_time,
+            voices,
+            cells,
+            keybed,
+            performance,
+            publisher,
+            midi,
+            bell,
+            counters,
+        };
+        Ok(Self { stage, desk })
+    }
+
+    /// Ticks that the run will take; `None` until it is stopped.
+    pub const fn ticks(&self) -> Option<u64> {
+        self.stage.ticks
+    }
+
+    /// Ticks per second.
+    pub const fn tick_hz(&self) -> u32 {
+        self.stage.tick_hz
+    }
+
+    /// What may be looked at while it runs.
+    pub fn counters(&self) -> Arc<LiveCounters> {
+        Arc::clone(&self.stage.counters)
+    }
+
+    /// Runs until the end or until `stop`, and reports.
+    ///
+    /// # Errors
+    /// If the system refuses threads, or one of ours panics.
+    pub fn run(self, stop: &AtomicBool) -> Result<Report, SessionError> {
+        let Self { stage, desk } = self;
+        if stage.virtual_time {
+            virtual_run::run(stage, desk, stop)
+        } else {
+            real::run(stage, desk, stop)
+        }
+    }
+}
+
+impl Stage {
+    /// The timetable, with tick 0 due at time 0.
+    fn timetable(&self) -> Result<Timetable, SessionError> {
+        let period = scheduler::time::Period::from_hz(self.tick_hz)
+            .ok_or(AssembleError::Rate(self.tick_hz))?;
+        Ok(Timetable::new(Nanos::ZERO, period))
+    }
+
+    fn start_lanes(&mut self) -> std::io::Result<(ThreadedLanes, VoiceSwaps)> {
+        let priority = (!self.virtual_time).then_some(DEFAULT_PRIORITY);
+        ThreadedLanes::start(std::mem::take(&mut self.voices), self.n_lanes, priority)
+    }
+
+    /// Puts the report together when all is over.
+    fn report(&self, ticks: u64, played: Played, measured: Measured) -> Report {
+        use std::sync::atomic::Ordering::Relaxed;
+        let duration = ticks as f64 / f64::from(self.tick_hz);
+        let counters = &self.counters;
+        let mut energy = EnergyAudit::default();
+        for cell in &self.cells {
+            energy.add(&cell.read());
+        }
+        let load = |counter: &std::sync::atomic::AtomicU64| counter.load(Relaxed);
+        Report {
+            scene: self.name.clone(),
+            voices: self.n_voices,
+            tick_hz: self.tick_hz,
+            ticks,
+            skipped: measured.skipped,
+            duration_s: duration,
+            lanes: self.n_lanes.get(),
+            realtime: measured.realtime,
+            deadline: measured.deadline,
+            notes: self.performance.as_ref().map(|it| notes(it, &played.struck, duration)),
+            events: load(&counters.events),
+            strikes: load(&counters.strikes),
+            faults: load(&counters.faults),
+            dropped: load(&counters.dropped),
+            work: Evaluations { derivatives: load(&counters.derivatives), guards: load(&counters.guards) },
+            links: links(&self.keybed),
+            energy_audit: energy.into(),
+            midi: MidiReport {
+                handover_us: played.handover.as_ref().map(crate::report::Quantiles::of),
+                failed: played.n_troubles,
+                trouble: played.trouble.or_else(|| self.midi.trouble.clone()),
+                ..self.midi.clone()
+            },
+        }
+    }
+}
+
+/// How many threads share the tick.
+fn lanes(lanes: Lanes) -> NonZeroUsize {
+    match lanes {
+        Lanes::Count(count) => NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN),
+        Lanes::Auto => std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN),
+    }
+}
+
+/// How the notes came out that the piece asks for before the run's end.
+fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> Notes {
+    // A note wanted within a matching window of the end may rightly be struck after it.
+    let heard = duration - performance::WINDOW;
+    let expected: Vec<_> =
+        performance.expected.iter().filter(|note| note.onset < heard).copied().collect();
+    let struck: Vec<_> = struck.iter().filter(|strike| strike.at < heard).copied().collect();
+    Notes::from(&assess(&expected, &struck))
+}
+
+fn links(keybed: &SimulatedKeybed) -> Links {
+    let mut sum = Links::default();
+    for board in BoardId::all() {
+        let it = keybed.statistics(board);
+        sum.frames += it.samples.frames;
+        sum.gaps += it.samples.gaps;
+        sum.refused += it.corrupt + it.refused + it.receive_errors;
+    }
+    sum
+}
+
+/// Every key's index; there are as many as the protocol has.
+fn all_keys() -> impl Iterator<Item = KeyIndex> {
+    (0..=u8::MAX).map_while(KeyIndex::new)
+}
+
+/// The bus of a session: the keybed, borrowed for the length of a run.
+fn bus(keybed: &mut SimulatedKeybed) -> &mut impl KeyBus {
+    keybed
+}
+
+/// Policy of a run that no clock decides.
+fn no_clock() -> (Realtime, Deadline) {
+    let realtime =
+        Realtime { policy: "virtual time".into(), memory_locked: false, advice: Vec::new() };
+    (realtime, Deadline::default())
+}

@@ -1,0 +1,72 @@
+//! A run in real time: the tick on its own thread, MIDI on another, a bare timer beside.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::measured::Measured;
+use super::{SessionError, Stage, bus};
+use crate::adapters::observer::LiveCounters;
+use crate::desk::{Attended, Desk};
+use crate::realtime::baseline::Baseline;
+use crate::realtime::run::{Assembly, Pulse, Timings, Until, histogram, ramp_down, scheduler};
+use crate::realtime::thread::{DEFAULT_PRIORITY, Standing, ask_for_fifo};
+use crate::realtime::{clock, memory, run as ticks};
+use crate::report::Report;
+use ::scheduler::time::Nanos;
+
+/// From set-up to the first tick: threads are up by then.
+const LEAD: Nanos = Nanos::from_millis(50);
+
+/// Runs until its end or `stop`; ramps all forces down; then reports.
+pub(super) fn run(mut stage: Stage, desk: Desk, stop: &AtomicBool) -> Result<Report, SessionError> {
+    let locked = memory::lock();
+    let start = clock::monotonic().after(LEAD);
+    let handover = histogram().map_err(std::io::Error::other)?;
+    let attended = Attended::start(desk, Arc::clone(&stage.bell), start, handover)?;
+    let timetable = stage.timetable()?.moved(0, start);
+    let baseline = Baseline::start(timetable, Some(DEFAULT_PRIORITY))?;
+    // The scope joins the tick's thread whatever happens, so a panic there ends here.
+    let ticked = std::thread::scope(|scope| {
+        let named = std::thread::Builder::new().name("letoff-tick".into());
+        named.spawn_scoped(scope, || tick(&mut stage, start, stop)).map(|tick| tick.join())
+    });
+    let baseline = baseline.stop();
+    let played = attended.finish().map_err(|_panic| SessionError::Panicked("MIDI"))?;
+    let (timings, standing) = ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
+    let measured = Measured::new(&timings, standing, locked, baseline.as_ref());
+    Ok(stage.report(timings.counters().ticks, played, measured))
+}
+
+/// The tick's thread, from its priority to the ramp at the end.
+fn tick(
+    stage: &mut Stage,
+    start: Nanos,
+    stop: &AtomicBool,
+) -> Result<(Timings, Standing), SessionError> {
+    let standing = ask_for_fifo(Some(DEFAULT_PRIORITY));
+    memory::prefault_stack();
+    let (mut lanes, _swaps) = stage.start_lanes()?;
+    let mut scheduler = scheduler(stage.timetable()?);
+    let mut timings = Timings::new().map_err(std::io::Error::other)?;
+    let until = Until { stop, ticks: stage.ticks };
+    let counters = Arc::clone(&stage.counters);
+    let mut assembly = Assembly {
+        scheduler: &mut scheduler,
+        bus: bus(&mut stage.keybed),
+        lanes: &mut lanes,
+        observer: &mut stage.publisher,
+    };
+    ticks::run(&mut assembly, start, until, &mut timings, |pulse| count(&counters, pulse));
+    ramp_down(&mut assembly);
+    Ok((timings, standing))
+}
+
+/// Smooths the tick's work and counts misses, for the live line.
+fn count(counters: &LiveCounters, pulse: &Pulse) {
+    let before = counters.work_ns.load(Ordering::Relaxed);
+    let smoothed = (15 * before + pulse.times.work.as_u64()) / 16;
+    counters.work_ns.store(smoothed, Ordering::Relaxed);
+    if pulse.outcome != ::scheduler::deadline::Outcome::Met {
+        counters.missed.fetch_add(1, Ordering::Relaxed);
+    }
+}

@@ -1,0 +1,247 @@
+//! From arguments to what is run: everything that can be wrong is found before a tick.
+
+use std::any::Any;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use models::{Described, Parameter, Playable};
+use pode::{Limits, State as _};
+
+use super::args::SimulateArgs;
+use super::drive::METHODS;
+use super::error::Mistake;
+use super::input::Input;
+
+/// More ticks than this are a slip of the exponent: a day's work at least.
+const MOST_TICKS: f64 = 1e11;
+/// A rest shorter than this part of a tick is rounding, not a tick.
+const CRUMB: f64 = 1e-9;
+/// Finest and coarsest location of events, as a fraction of a tick.
+const TOLERANCES: (f64, f64) = (1e-16, 0.5);
+/// The highest key, C8.
+const LAST_KEY: u8 = 87;
+
+/// Ticks from 0 to `until`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Clock {
+    /// Length of a tick [s].
+    pub(super) step: f64,
+    /// The end [s].
+    pub(super) until: f64,
+    /// Ticks, the last one perhaps shorter.
+    pub(super) ticks: u64,
+    /// What a tick may cost, and how finely events are located.
+    pub(super) limits: Limits,
+}
+
+impl Clock {
+    pub(super) fn check(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Self {
+        let SimulateArgs { until, step, event_tolerance, .. } = *args;
+        let before = mistakes.len();
+        for (option, value) in [("--until", until), ("--step", step)] {
+            if !(value > 0.0 && value.is_finite()) {
+                mistakes.push(Mistake::NotADuration { option, value });
+            }
+        }
+        let ticks = (until / step - CRUMB).ceil().max(1.0);
+        if mistakes.len() == before && ticks > MOST_TICKS {
+            mistakes.push(Mistake::TooManyTicks { ticks, most: MOST_TICKS });
+        }
+        check_range("--event-tolerance", event_tolerance, TOLERANCES, "of a tick", mistakes);
+        let limits = Limits { longest_step: step, event_tolerance, ..Limits::default() };
+        #[expect(clippy::cast_possible_truncation, reason = "at most MOST_TICKS, or a mistake")]
+        #[expect(clippy::cast_sign_loss, reason = "at least 1")]
+        Self { step, until, ticks: ticks as u64, limits }
+    }
+
+    /// Length of tick `tick` [s].
+    pub(super) fn length(&self, tick: u64) -> f64 {
+        if tick + 1 < self.ticks { self.step } else { self.until - tick as f64 * self.step }
+    }
+
+    /// The instant `theta` of tick `tick` [s]; one tick's end is the next one's start to
+    /// the last bit.
+    pub(super) fn time(&self, tick: u64, theta: f64) -> f64 {
+        if tick + 1 < self.ticks {
+            return (tick as f64 + theta) * self.step;
+        }
+        let start = tick as f64 * self.step;
+        if theta < 1.0 { start + theta * (self.until - start) } else { self.until }
+    }
+}
+
+/// What does not depend on the model.
+pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) {
+    if !METHODS.contains(&args.method.as_str()) {
+        mistakes.push(Mistake::unknown("method", &args.method, METHODS));
+    }
+    if args.key > LAST_KEY {
+        check_range("--key", args.key.into(), (0.0, LAST_KEY.into()), "(A0 to C8)", mistakes);
+    }
+    let input = args.input.as_ref().map(PathBuf::from);
+    let files = [("--input", &input), ("--out", &args.out), ("--events", &args.events)];
+    for (index, (first, a)) in files.iter().enumerate() {
+        for (second, b) in &files[index + 1..] {
+            if let (Some(a), Some(b)) = (a, b)
+                && is_same_file(a, b)
+            {
+                mistakes.push(Mistake::SameFile { first, second, path: b.clone() });
+            }
+        }
+    }
+}
+
+/// Whether both paths lead to one regular file, there already or not; devices may be
+/// named twice.
+fn is_same_file(a: &Path, b: &Path) -> bool {
+    let place = |path: &Path| {
+        fs::canonicalize(path).ok().or_else(|| {
+            let parent = path.parent().filter(|parent| *parent != "");
+            let parent = fs::canonicalize(parent.unwrap_or_else(|| ".".as_ref())).ok()?;
+            Some(parent.join(path.file_name()?))
+        })
+    };
+    match (place(a), place(b)) {
+        (Some(a), Some(b)) => a == b && (a.is_file() || !a.exists()),
+        _ => false,
+    }
+}
+
+fn check_range(
+    what: &str,
+    value: f64,
+    (low, high): (f64, f64),
+    unit: &'static str,
+    mistakes: &mut Vec<Mistake>,
+) {
+    if !(low..=high).contains(&value) {
+        mistakes.push(Mistake::OutOfRange { what: what.to_owned(), value, low, high, unit });
+    }
+}
+
+/// A model, and how it starts.
+#[derive(Debug)]
+pub(super) struct Start<M: Described> {
+    pub(super) model: M,
+    pub(super) mode: M::Mode,
+    pub(super) state: M::State,
+}
+
+impl<M: Playable> Start<M> {
+    /// The model with its parameters, at rest except for what is given otherwise.
+    pub(super) fn check(
+        args: &SimulateArgs,
+        input: &Input,
+        mistakes: &mut Vec<Mistake>,
+    ) -> Option<Self> {
+        let model = M::with_values(&parameters::<M>(args, mistakes)?);
+        let s = input.at(0.0);
+        let (rest_mode, rest) = model.at_rest(&s);
+        let given = named_values("--initial", "state", &args.initial, M::STATES, mistakes);
+        let mode = args.mode.as_deref().map_or(Some(rest_mode), |name| {
+            let found = M::MODES.iter().find(|(_, known)| *known == name);
+            if found.is_none() {
+                let known: Vec<_> = M::MODES.iter().map(|(_, known)| *known).collect();
+                mistakes.push(Mistake::unknown("mode", name, &known));
+            }
+            found.map(|(mode, _)| *mode)
+        })?;
+        let state = model.constrain(mode, &with_entries::<M>(rest, &given), &s);
+        if !state.entries().iter().all(|entry| entry.is_finite()) {
+            mistakes.push(Mistake::NoStart);
+        }
+        Some(Self { model, mode, state })
+    }
+}
+
+/// One value per parameter: the preset's, then those of `--set`; `None` without a preset.
+fn parameters<M: Described>(
+    args: &SimulateArgs,
+    mistakes: &mut Vec<Mistake>,
+) -> Option<Vec<f64>> {
+    let preset = match args.preset.as_deref() {
+        None => M::PRESETS.first(),
+        Some(name) => {
+            let found = M::PRESETS.iter().find(|preset| preset.name == name);
+            if found.is_none() {
+                let known: Vec<_> = M::PRESETS.iter().map(|preset| preset.name).collect();
+                mistakes.push(Mistake::unknown("preset", name, &known));
+            }
+            // What else is wrong is found with the default.
+            found.or_else(|| M::PRESETS.first())
+        }
+    }?;
+    let key = args.key.min(LAST_KEY);
+    let mut values: Vec<_> = (0..M::PARAMETERS.len()).map(|i| (preset.value)(i, key)).collect();
+    let names: Vec<_> = M::PARAMETERS.iter().map(|parameter| parameter.name).collect();
+    let before = mistakes.len();
+    for (index, value) in named_values("--set", "parameter", &args.set, &names, mistakes) {
+        let Parameter { name, unit, range, .. } = M::PARAMETERS[index];
+        check_range(&format!("parameter `{name}`"), value, range, unit, mistakes);
+        values[index] = value;
+    }
+    // A model is only built of values in their ranges.
+    if mistakes.len() > before {
+        values = (0..M::PARAMETERS.len()).map(|i| (preset.value)(i, key)).collect();
+    }
+    Some(values)
+}
+
+/// `name=value` pairs as (index of the name, value); what is wrong goes to `mistakes`.
+fn named_values(
+    option: &'static str,
+    what: &'static str,
+    pairs: &[String],
+    names: &[&'static str],
+    mistakes: &mut Vec<Mistake>,
+) -> Vec<(usize, f64)> {
+    let mut values: Vec<(usize, f64)> = Vec::new();
+    for text in pairs {
+        let Some((name, number)) = text.split_once('=') else {
+            mistakes.push(Mistake::NotNameValue { option, text: text.clone() });
+            continue;
+        };
+        let index = names.iter().position(|known| *known == name);
+        let value = number.parse::<f64>().ok().filter(|value| value.is_finite());
+        if index.is_none() {
+            mistakes.push(Mistake::unknown(what, name, names));
+        }
+        if value.is_none() {
+            let (name, text) = (name.to_owned(), number.to_owned());
+            mistakes.push(Mistake::NotANumber { option, name, text });
+        }
+        let (Some(index), Some(value)) = (index, value) else { continue };
+        if values.iter().any(|(known, _)| *known == index) {
+            mistakes.push(Mistake::Twice { option, name: name.to_owned() });
+        } else {
+            values.push((index, value));
+        }
+    }
+    values
+}
+
+/// `state` with the entries of `given` in place of its own, or none of them where the
+/// state is not an array of at most 16 numbers.
+fn with_entries<M: Described>(mut state: M::State, given: &[(usize, f64)]) -> M::State {
+    if let Some(entries) = entries_mut(&mut state) {
+        for (index, value) in given {
+            entries[*index] = *value;
+        }
+    }
+    state
+}
+
+/// The entries of a state, to write to.
+///
+/// [`pode::State`] gives them to read only; every state there is is an array.
+fn entries_mut(state: &mut dyn Any) -> Option<&mut [f64]> {
+    macro_rules! try_sizes {
+        ($($n:literal)+) => {
+            $(if state.is::<[f64; $n]>() {
+                return state.downcast_mut::<[f64; $n]>().map(|entries| entries.as_mut_slice());
+            })+
+        };
+    }
+    try_sizes!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
+    None
+}

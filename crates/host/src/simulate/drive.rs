@@ -1,0 +1,146 @@
+//! Tick after tick, with the audit and the tables looking on.
+
+use models::{Described, Playable};
+use pode::stepper::{BogackiShampine, Heun, Rk4, SemiImplicitEuler};
+use pode::{Advance, Cap, EnergyAudit, Event, Fault, Motion, Piece, Signal, Simulator};
+use pode::{State as _, Stepper, Tick, Watch};
+
+use super::check::{Clock, Start};
+use super::error::SimulateError;
+use super::input::{Input, is_finite};
+use super::output::Files;
+use super::summary::{Capped, Counts, Failure, Report};
+
+macro_rules! methods {
+    ($($stepper:ident),+ $(,)?) => {
+        /// The names of the methods.
+        pub(super) const METHODS: &[&str] = &[$($stepper::NAME),+];
+
+        /// Runs a model with the method called `name`; the caller knows that there is one.
+        pub(super) fn by_name<M: Playable>(
+            name: &str,
+            start: Start<M>,
+            plan: (&Clock, &Input),
+            files: &mut Files,
+        ) -> Result<Report, SimulateError> {
+            $(if name == $stepper::NAME {
+                return drive(start, $stepper, plan, files);
+            })+
+            Err(SimulateError::Usage(Vec::new()))
+        }
+    };
+}
+
+methods!(SemiImplicitEuler, Heun, BogackiShampine, Rk4);
+
+/// Advances a model from 0 to the clock's end, or to its first fault.
+fn drive<M: Playable, T: Stepper>(
+    start: Start<M>,
+    stepper: T,
+    (clock, input): (&Clock, &Input),
+    files: &mut Files,
+) -> Result<Report, SimulateError> {
+    let Start { model, mode, state } = start;
+    let mut follower = Follower { clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
+    let mut tally = Tally::default();
+    let mut simulator = Simulator::new(model, stepper, clock.limits, mode, state);
+    follower.files.row(&simulator.model, 0.0, (mode, &state), &input.at(0.0))?;
+    for tick in 0..clock.ticks {
+        let signal = |theta: f64| input.at(clock.time(tick, theta));
+        let done = simulator.advance(clock.length(tick), &signal, &mut follower);
+        tally.add(&done);
+        follower.files.check()?;
+        if let Advance::Faulty(fault) = done.advance {
+            tally.failure = Some((fault, is_driven(clock, input, tick)));
+            break;
+        }
+        let t = clock.time(tick, 1.0);
+        let (mode, state) = (simulator.mode(), simulator.state());
+        follower.last = (t, mode, *state);
+        follower.files.row(&simulator.model, t, (mode, state), &signal(1.0))?;
+    }
+    Ok(tally.report::<M, T>(clock, &follower))
+}
+
+/// Whether the input was finite where a tick failed.
+fn is_driven(clock: &Clock, input: &Input, tick: u64) -> bool {
+    /// Where a method of at most four stages looks in a tick without events.
+    const PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+    PLACES.iter().all(|theta| is_finite(&input.at(clock.time(tick, *theta))))
+}
+
+/// Looks on while a tick runs.
+struct Follower<'a, M: Described> {
+    clock: &'a Clock,
+    audit: EnergyAudit,
+    /// The last instant known to be good: t [s], mode, state.
+    last: (f64, M::Mode, M::State),
+    files: &'a mut Files,
+}
+
+impl<M: Described> Watch<M> for Follower<'_, M> {
+    fn piece<S: Signal<Motion>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
+        self.audit.piece(model, piece);
+        let t = self.clock.time(piece.tick, piece.theta_end());
+        self.last = (t, piece.mode, piece.end);
+    }
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        self.audit.event(model, event);
+        let t = self.clock.time(event.tick, event.theta);
+        self.last = (t, event.after.0, event.after.1);
+        self.files.event(t, event);
+    }
+}
+
+/// Counts over all ticks.
+#[derive(Clone, Copy, Default)]
+struct Tally {
+    counts: Counts,
+    capped: Capped,
+    /// What failed, and whether the input was finite there.
+    failure: Option<(Fault, bool)>,
+}
+
+impl Tally {
+    fn add(&mut self, tick: &Tick) {
+        let Counts { ticks, steps, evaluations, events } = &mut self.counts;
+        *ticks += 1;
+        *steps += u64::from(tick.work.pieces);
+        evaluations.derivatives += u64::from(tick.work.derivatives);
+        evaluations.guards += u64::from(tick.work.guards);
+        evaluations.readouts += u64::from(tick.work.readouts);
+        *events += u64::from(tick.work.events);
+        let Capped { events, cascade, guards, pieces } = &mut self.capped;
+        match tick.advance {
+            Advance::Capped(Cap::Events) => *events += 1,
+            Advance::Capped(Cap::Cascade) => *cascade += 1,
+            Advance::Capped(Cap::Guards) => *guards += 1,
+            Advance::Capped(Cap::Pieces) => *pieces += 1,
+            Advance::Completed | Advance::Faulty(_) => {}
+        }
+    }
+
+    fn report<M: Described, T: Stepper>(self, clock: &Clock, follower: &Follower<'_, M>) -> Report {
+        let (t, mode, state) = &follower.last;
+        let state = M::STATES.iter().copied().zip(state.entries().iter().copied()).collect();
+        Report {
+            model: M::NAME,
+            method: T::NAME,
+            step: clock.step,
+            until: clock.until,
+            counts: self.counts,
+            capped: self.capped,
+            t: *t,
+            mode: mode_name::<M>(*mode),
+            state,
+            audit: follower.audit,
+            failure: self.failure.map(|(fault, driven)| Failure::of(fault, driven)),
+        }
+    }
+}
+
+/// The name of a mode.
+pub(super) fn mode_name<M: Described>(mode: M::Mode) -> &'static str {
+    M::MODES.iter().find(|(known, _)| *known == mode).map_or("?", |(_, name)| name)
+}

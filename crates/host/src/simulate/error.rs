@@ -1,0 +1,228 @@
+//! What `letoff simulate` can refuse or run into, in sentences for whoever called it.
+
+use std::fmt::Write as _;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::input::InputMistake;
+
+/// Why a simulation did not come to its end.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SimulateError {
+    /// Wrong usage or file: every mistake that was found; nothing was run.
+    #[error("{}", lines(.0))]
+    Usage(Vec<Mistake>),
+    /// The model failed while running; the files hold everything up to there.
+    #[error("{model} failed after t = {t:?} s in mode {mode}: {why}")]
+    Fault {
+        /// The model's name.
+        model: &'static str,
+        /// The last instant with a finite state [s].
+        t: f64,
+        /// The mode there.
+        mode: &'static str,
+        /// What failed, and what to do.
+        why: &'static str,
+    },
+    /// A file could not be written to its end.
+    #[error("cannot write {}: {cause}; make room there or choose another file", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        cause: csv::Error,
+    },
+    /// The summary could not be written; the files are complete.
+    #[error("cannot write the summary: {0}")]
+    Summary(io::Error),
+}
+
+impl SimulateError {
+    /// The command's exit code: 1 failed while running, 2 wrong usage or file.
+    pub const fn exit_code(&self) -> u8 {
+        match self {
+            Self::Fault { .. } | Self::Write { .. } | Self::Summary(_) => 1,
+            Self::Usage(_) => 2,
+        }
+    }
+}
+
+/// One mistake in the arguments or in the input file.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Mistake {
+    /// A path where only a name is known.
+    #[error(
+        "`{path}` looks like a path: MODEL is a built-in name for now, a path to a description \
+         comes later; there are {}", known.join(", ")
+    )]
+    ModelPath {
+        /// What was given.
+        path: String,
+        /// The models' names.
+        known: Vec<&'static str>,
+    },
+    /// A name that is not among those that there are.
+    #[error("there is no {what} `{name}`{}; there are {}", suggestion(name, known), known.join(", "))]
+    Unknown {
+        /// What kind of thing.
+        what: &'static str,
+        /// The name that was given.
+        name: String,
+        /// The names that there are.
+        known: Vec<&'static str>,
+    },
+    /// Not of the form name=value.
+    #[error("`{option} {text}` must be NAME=VALUE")]
+    NotNameValue {
+        /// The option.
+        option: &'static str,
+        /// What was given.
+        text: String,
+    },
+    /// A value that is not a finite number.
+    #[error("`{option} {name}={text}`: `{text}` is not a finite number")]
+    NotANumber {
+        /// The option.
+        option: &'static str,
+        /// The name before the `=`.
+        name: String,
+        /// What stands after it.
+        text: String,
+    },
+    /// The same name twice.
+    #[error("`{option} {name}` is given twice")]
+    Twice {
+        /// The option.
+        option: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A value outside its range.
+    #[error("{what} = {value:?} is out of range: {low:?} to {high:?} {unit}")]
+    OutOfRange {
+        /// What has the value.
+        what: String,
+        /// The value.
+        value: f64,
+        /// Smallest allowed value.
+        low: f64,
+        /// Largest allowed value.
+        high: f64,
+        /// Unit of all three.
+        unit: &'static str,
+    },
+    /// A time that is not a length of time.
+    #[error("{option} = {value:?}: it must be a positive, finite number of seconds")]
+    NotADuration {
+        /// The option.
+        option: &'static str,
+        /// The value [s].
+        value: f64,
+    },
+    /// More ticks than anybody waits for.
+    #[error("--until / --step are {ticks:e} ticks, more than {most:e}: take a longer --step")]
+    TooManyTicks {
+        /// Ticks asked for.
+        ticks: f64,
+        /// Most ticks.
+        most: f64,
+    },
+    /// A reconstruction without samples.
+    #[error("--reconstruct is for an --input from a CSV file")]
+    NothingToReconstruct,
+    /// The model does not start anywhere.
+    #[error("the model is not at rest anywhere at t = 0: give --initial for every state")]
+    NoStart,
+    /// The input.
+    #[error(transparent)]
+    Input(#[from] InputMistake),
+    /// Two files are the same.
+    #[error("{first} and {second} are the same file, {}", path.display())]
+    SameFile {
+        /// An option.
+        first: &'static str,
+        /// Another.
+        second: &'static str,
+        /// The file.
+        path: PathBuf,
+    },
+    /// A file cannot be created.
+    #[error("cannot create {}: {cause}", path.display())]
+    Create {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        cause: io::Error,
+    },
+}
+
+impl Mistake {
+    pub(super) fn unknown(what: &'static str, name: &str, known: &[&'static str]) -> Self {
+        Self::Unknown { what, name: name.to_owned(), known: known.to_vec() }
+    }
+
+    pub(super) fn model(name: &str, known: Vec<&'static str>) -> Self {
+        let path = Path::new(name);
+        if path.components().count() > 1 || path.extension().is_some() {
+            Self::ModelPath { path: name.to_owned(), known }
+        } else {
+            Self::Unknown { what: "model", name: name.to_owned(), known }
+        }
+    }
+}
+
+/// One mistake per line.
+fn lines(mistakes: &[Mistake]) -> String {
+    let mut text = String::new();
+    for (index, mistake) in mistakes.iter().enumerate() {
+        let separator = if index == 0 { "" } else { "\n" };
+        // Writing to a String cannot fail.
+        let _written = write!(text, "{separator}{mistake}");
+    }
+    text
+}
+
+fn suggestion(name: &str, known: &[&'static str]) -> String {
+    nearest(name, known).map_or_else(String::new, |near| format!(", did you mean `{near}`?"))
+}
+
+/// The known name that was probably meant: at most a third of it is to be changed.
+pub(super) fn nearest(name: &str, known: &[&'static str]) -> Option<&'static str> {
+    let (distance, near) = known
+        .iter()
+        .map(|candidate| (distance(name, candidate), *candidate))
+        .min_by_key(|(distance, _)| *distance)?;
+    (distance <= near.chars().count().div_ceil(3)).then_some(near)
+}
+
+/// Letters to insert, drop or change to make `a` into `b`; case does not count.
+fn distance(a: &str, b: &str) -> usize {
+    let [a, b] = [a, b].map(|text| text.to_lowercase().chars().collect::<Vec<_>>());
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, from) in a.iter().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, to) in b.iter().enumerate() {
+            let change = diagonal + usize::from(from != to);
+            diagonal = row[j + 1];
+            row[j + 1] = change.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slip_of_the_finger_is_recognised_and_a_stranger_is_not() {
+        let known = ["key-hammer-springs", "key-hammer-rigid", "L1"];
+        assert_eq!(nearest("key-hamer-sprigns", &known), Some("key-hammer-springs"));
+        assert_eq!(nearest("l1", &known), Some("L1"));
+        assert_eq!(nearest("harpsichord", &known), None);
+        assert_eq!(nearest("x", &[]), None);
+    }
+}

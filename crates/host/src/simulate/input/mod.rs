@@ -1,0 +1,145 @@
+//! The input s(t) of a simulation, with its first three derivatives.
+
+mod expression;
+mod spelling;
+mod table;
+
+use std::path::PathBuf;
+
+use pode::Motion;
+
+use self::expression::Expression;
+pub(super) use self::table::Table;
+use super::args::SimulateArgs;
+use super::error::Mistake;
+
+/// The input's name: the only one that every model has.
+const NAME: &str = "s";
+
+/// Where s comes from.
+#[derive(Debug)]
+pub(super) enum Input {
+    /// s = 0.
+    Rest,
+    /// A formula.
+    Expression(Box<Expression>),
+    /// Samples.
+    Table(Table),
+}
+
+impl Input {
+    /// Reads what `--input` and `--reconstruct` say; every mistake goes to `mistakes`.
+    pub(super) fn read(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Self {
+        let mut note = |found: Vec<InputMistake>| {
+            mistakes.extend(found.into_iter().map(Mistake::from));
+            Self::Rest
+        };
+        let table = |path: &str| {
+            let how = args.reconstruct.unwrap_or_default();
+            Table::read(path.as_ref(), how).map(Self::Table)
+        };
+        let expression = |text: &str, name: &str| {
+            let read = Expression::read(text, name).map_err(|mistake| vec![mistake])?;
+            Ok(Self::Expression(Box::new(read)))
+        };
+        let given = args.input.as_deref();
+        let input = match given.map(|text| (text, name_before_equals(text))) {
+            None => Ok(Self::Rest),
+            Some((path, None)) => table(path),
+            Some((text, Some(name))) => expression(text, name),
+        }
+        .unwrap_or_else(&mut note);
+        if args.reconstruct.is_some() && given.is_none_or(|text| name_before_equals(text).is_some())
+        {
+            mistakes.push(Mistake::NothingToReconstruct);
+        }
+        input
+    }
+
+    /// s and its rates at `t` [s].
+    pub(super) fn at(&self, t: f64) -> Motion {
+        match self {
+            Self::Rest => Motion::default(),
+            Self::Expression(expression) => expression.at(t),
+            Self::Table(table) => table.at(t),
+        }
+    }
+}
+
+/// Whether a motion can drive a model.
+pub(super) fn is_finite(s: &Motion) -> bool {
+    [s.position, s.rate, s.acceleration, s.jerk].iter().all(|entry| entry.is_finite())
+}
+
+/// The name in `name=…`; a path that has a `=` can be given as `./path`.
+fn name_before_equals(text: &str) -> Option<&str> {
+    let (name, _) = text.split_once('=')?;
+    let name = name.trim();
+    let is_name = name.chars().all(|c| c.is_alphanumeric() || c == '_');
+    is_name.then_some(name)
+}
+
+/// What is wrong with an input.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum InputMistake {
+    /// Another input than s.
+    #[error("--input {name}=…: the model's input is called `s`")]
+    Name {
+        /// The name that was given.
+        name: String,
+    },
+    /// The expression cannot be read.
+    #[error("--input, column {column}: {problem}")]
+    Spelling {
+        /// Character of the argument, from 1.
+        column: usize,
+        /// What is wrong there.
+        problem: String,
+    },
+    /// The expression has no derivatives.
+    #[error("--input: exmex cannot derive this expression, and the model needs s', s'' and s''': {cause}")]
+    NotDerivable {
+        /// What exmex said.
+        cause: exmex::ExError,
+    },
+    /// The expression is infinite or undefined where it starts.
+    #[error("--input: s or one of its first three derivatives is not finite at t = 0")]
+    NotFinite,
+    /// The file cannot be read.
+    #[error("cannot read {}: {cause}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        cause: csv::Error,
+    },
+    /// Something in the file is wrong.
+    #[error("{}, line {line}, column {column}: {problem}", path.display())]
+    Cell {
+        /// The file.
+        path: PathBuf,
+        /// Line of the file, from 1.
+        line: u64,
+        /// Column of the table, from 1.
+        column: usize,
+        /// What is wrong there.
+        problem: String,
+    },
+    /// More of the same.
+    #[error("{}: {more} more mistakes", path.display())]
+    More {
+        /// The file.
+        path: PathBuf,
+        /// How many were left out.
+        more: usize,
+    },
+    /// Too few rows.
+    #[error("{} has {rows} rows: an input needs at least 2", path.display())]
+    TooShort {
+        /// The file.
+        path: PathBuf,
+        /// How many there are.
+        rows: usize,
+    },
+}

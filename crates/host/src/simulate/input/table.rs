@@ -1,0 +1,263 @@
+//! An input given as samples, reconstructed between them.
+//!
+//! Each interval becomes one cubic s(t) = c0 + d (c1 + d (c2 + d c3)), d = t − ti, so
+//! that rates are exact derivatives of what is reconstructed. Outside the table the end
+//! values hold, at rest.
+
+use std::path::Path;
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+use pode::Motion;
+
+use super::super::args::Reconstruct;
+use super::{InputMistake, NAME};
+
+/// Mistakes that are shown of one file.
+const MOST_MISTAKES: usize = 10;
+
+/// Samples of s with what goes on between them.
+#[derive(Clone, PartialEq, Debug)]
+pub(in super::super) struct Table {
+    /// Start [s] and coefficients of each interval.
+    pieces: Vec<(f64, [f64; 4])>,
+    /// First and last sample: (t, s).
+    ends: [(f64, f64); 2],
+}
+
+impl Table {
+    /// Reads a CSV file with the header `t,s`; every mistake in it comes back.
+    pub(super) fn read(path: &Path, how: Reconstruct) -> Result<Self, Vec<InputMistake>> {
+        let fail = |cause| vec![InputMistake::Read { path: path.to_owned(), cause }];
+        let mut reader = ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .trim(Trim::All)
+            .from_path(path)
+            .map_err(fail)?;
+        let mut scan = Scan { path, samples: Vec::new(), mistakes: Vec::new() };
+        for (row, record) in reader.records().enumerate() {
+            let record = record.map_err(fail)?;
+            if row == 0 { scan.header(&record) } else { scan.row(&record) }
+        }
+        Ok(Self::through(&scan.finish()?, how))
+    }
+
+    /// Through `samples` (t, s), at least two with increasing t.
+    pub(in super::super) fn through(samples: &[(f64, f64)], how: Reconstruct) -> Self {
+        let knots = Knots::new(samples);
+        let mut pieces: Vec<_> = match how {
+            Reconstruct::Hold => samples.iter().map(|(t, s)| (*t, [*s, 0.0, 0.0, 0.0])).collect(),
+            Reconstruct::Linear => knots.pieces(|i| [knots.m[i], 0.0, 0.0]),
+            Reconstruct::Quadratic => knots.pieces(|i| knots.parabola(i)),
+            Reconstruct::Hermite => knots.hermite(&knots.central_slopes()),
+            Reconstruct::Spline => knots.hermite(&knots.spline_slopes()),
+        };
+        pieces.shrink_to_fit();
+        let ends = [samples[0], samples[samples.len() - 1]];
+        Self { pieces, ends }
+    }
+
+    /// s and its rates at `t` [s].
+    pub(super) fn at(&self, t: f64) -> Motion {
+        let [first, last] = self.ends;
+        let held = |position| Motion { position, ..Motion::default() };
+        if t < first.0 {
+            return held(first.1);
+        }
+        if t > last.0 {
+            return held(last.1);
+        }
+        let next = self.pieces.partition_point(|(start, _)| *start <= t);
+        let Some((start, [c0, c1, c2, c3])) = self.pieces.get(next.saturating_sub(1)) else {
+            return held(f64::NAN);
+        };
+        let d = t - start;
+        Motion {
+            position: c0 + d * (c1 + d * (c2 + d * c3)),
+            rate: c1 + d * (2.0 * c2 + d * 3.0 * c3),
+            acceleration: 2.0 * c2 + d * 6.0 * c3,
+            jerk: 6.0 * c3,
+        }
+    }
+}
+
+/// A file being read.
+struct Scan<'a> {
+    path: &'a Path,
+    samples: Vec<(f64, f64)>,
+    mistakes: Vec<InputMistake>,
+}
+
+impl Scan<'_> {
+    fn mistake(&mut self, record: &StringRecord, column: usize, problem: String) {
+        let line = record.position().map_or(0, csv::Position::line);
+        self.mistakes.push(InputMistake::Cell { path: self.path.to_owned(), line, column, problem });
+    }
+
+    fn header(&mut self, record: &StringRecord) {
+        for (index, wanted) in ["t", NAME].into_iter().enumerate() {
+            let got = record.get(index).unwrap_or_default();
+            if got != wanted {
+                let problem = format!("the header must be t,s: expected `{wanted}`, not `{got}`");
+                self.mistake(record, index + 1, problem);
+            }
+        }
+        self.width(record);
+    }
+
+    fn row(&mut self, record: &StringRecord) {
+        self.width(record);
+        let [t, s] = [0, 1].map(|index| self.number(record, index));
+        let (Some(t), Some(s)) = (t, s) else { return };
+        if let Some((before, _)) = self.samples.last().filter(|(before, _)| *before >= t) {
+            let problem = format!("t = {t:?} is not after {before:?}: times must increase");
+            self.mistake(record, 1, problem);
+        } else {
+            self.samples.push((t, s));
+        }
+    }
+
+    fn width(&mut self, record: &StringRecord) {
+        if record.len() > 2 {
+            self.mistake(record, 3, format!("{} columns: a row is t,s", record.len()));
+        }
+    }
+
+    fn number(&mut self, record: &StringRecord, index: usize) -> Option<f64> {
+        let name = ["t", NAME][index];
+        let Some(text) = record.get(index) else {
+            self.mistake(record, index + 1, format!("{name} is missing"));
+            return None;
+        };
+        let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
+        if number.is_none() {
+            self.mistake(record, index + 1, format!("{name} = `{text}` is not a finite number"));
+        }
+        number
+    }
+
+    fn finish(mut self) -> Result<Vec<(f64, f64)>, Vec<InputMistake>> {
+        let path = || self.path.to_owned();
+        if self.mistakes.len() > MOST_MISTAKES {
+            let more = self.mistakes.len() - MOST_MISTAKES;
+            self.mistakes.truncate(MOST_MISTAKES);
+            self.mistakes.push(InputMistake::More { path: path(), more });
+        } else if self.mistakes.is_empty() && self.samples.len() < 2 {
+            let rows = self.samples.len();
+            self.mistakes.push(InputMistake::TooShort { path: path(), rows });
+        }
+        if self.mistakes.is_empty() { Ok(self.samples) } else { Err(self.mistakes) }
+    }
+}
+
+/// Samples with the intervals between them.
+struct Knots<'a> {
+    samples: &'a [(f64, f64)],
+    /// Lengths of the intervals [s].
+    h: Vec<f64>,
+    /// Slopes of their chords.
+    m: Vec<f64>,
+}
+
+impl<'a> Knots<'a> {
+    fn new(samples: &'a [(f64, f64)]) -> Self {
+        let pairs = samples.windows(2);
+        let h: Vec<_> = pairs.map(|pair| pair[1].0 - pair[0].0).collect();
+        let pairs = samples.windows(2).zip(&h);
+        let m = pairs.map(|(pair, h)| (pair[1].1 - pair[0].1) / h).collect();
+        Self { samples, h, m }
+    }
+
+    /// One cubic per interval, from the samples and `[c1, c2, c3]`.
+    fn pieces(&self, coefficients: impl Fn(usize) -> [f64; 3]) -> Vec<(f64, [f64; 4])> {
+        let intervals = self.samples.iter().enumerate().take(self.h.len());
+        intervals
+            .map(|(i, (t, s))| {
+                let [c1, c2, c3] = coefficients(i);
+                (*t, [*s, c1, c2, c3])
+            })
+            .collect()
+    }
+
+    /// Half the second derivative of the parabola about the inner knot `i`.
+    fn bend(&self, i: usize) -> f64 {
+        (self.m[i] - self.m[i - 1]) / (self.h[i - 1] + self.h[i])
+    }
+
+    /// The parabola of interval `i`: through its ends and the sample before.
+    fn parabola(&self, i: usize) -> [f64; 3] {
+        if self.h.len() < 2 {
+            return [self.m[i], 0.0, 0.0];
+        }
+        let bend = self.bend(i.max(1));
+        [self.m[i] - bend * self.h[i], bend, 0.0]
+    }
+
+    /// Cubics with the given slopes at the knots.
+    fn hermite(&self, slopes: &[f64]) -> Vec<(f64, [f64; 4])> {
+        self.pieces(|i| {
+            let (h, m, d0, d1) = (self.h[i], self.m[i], slopes[i], slopes[i + 1]);
+            [d0, (3.0 * m - 2.0 * d0 - d1) / h, (d0 + d1 - 2.0 * m) / (h * h)]
+        })
+    }
+
+    /// Slopes of the parabolas through each sample and its neighbours; on equal
+    /// intervals, central differences.
+    fn central_slopes(&self) -> Vec<f64> {
+        let n = self.h.len();
+        if n < 2 {
+            return vec![self.m[0]; 2];
+        }
+        let mut slopes = vec![self.m[0] - self.bend(1) * self.h[0]];
+        slopes.extend((1..n).map(|i| self.m[i] - self.bend(i) * self.h[i]));
+        slopes.push(self.m[n - 1] + self.bend(n - 1) * self.h[n - 1]);
+        slopes
+    }
+
+    /// Slopes of the not-a-knot cubic spline; of the parabola through three samples and
+    /// the line through two.
+    ///
+    /// # References
+    /// [dB78] chapter IV, eq. 7 and 13: the end conditions leave the system tridiagonal.
+    fn spline_slopes(&self) -> Vec<f64> {
+        let n = self.h.len();
+        if n < 3 {
+            return self.central_slopes();
+        }
+        let (h, m) = (&self.h, &self.m);
+        let mut rows = Vec::with_capacity(n + 1);
+        let wide = h[0] + h[1];
+        let right = ((h[0] + 2.0 * wide) * h[1] * m[0] + h[0] * h[0] * m[1]) / wide;
+        rows.push([0.0, h[1], wide, right]);
+        rows.extend((1..n).map(|i| {
+            let right = 3.0 * (h[i] * m[i - 1] + h[i - 1] * m[i]);
+            [h[i], 2.0 * (h[i - 1] + h[i]), h[i - 1], right]
+        }));
+        let (last, before) = (h[n - 1], h[n - 2]);
+        let wide = last + before;
+        let right = (last * last * m[n - 2] + (2.0 * wide + last) * before * m[n - 1]) / wide;
+        rows.push([wide, before, 0.0, right]);
+        solve_tridiagonal(rows)
+    }
+}
+
+/// Solves rows of [below, on, above the diagonal, right-hand side] by elimination.
+fn solve_tridiagonal(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
+    for i in 1..rows.len() {
+        let [_, on, above, right] = rows[i - 1];
+        let factor = rows[i][0] / on;
+        rows[i][1] -= factor * above;
+        rows[i][3] -= factor * right;
+    }
+    let mut next = 0.0;
+    let mut solution: Vec<_> = rows
+        .iter()
+        .rev()
+        .map(|[_, on, above, right]| {
+            next = (right - above * next) / on;
+            next
+        })
+        .collect();
+    solution.reverse();
+    solution
+}

@@ -1,0 +1,73 @@
+//! `letoff simulate`: one key, offline, from a model's name to two tables and a summary.
+//!
+//! In the order of a run: [`args`] what can be asked for, [`check`] from arguments to a
+//! plan with every mistake at once, [`input`] s(t) with its derivatives, [`drive`] tick
+//! after tick, [`output`] the tables, [`summary`] what is printed, [`error`] what can go
+//! wrong. Not here: anything of real time; this clock is an argument.
+
+mod args;
+mod check;
+mod drive;
+mod error;
+mod input;
+mod output;
+mod summary;
+#[cfg(test)]
+mod tests;
+
+use std::io::Write;
+
+use models::Playable;
+use models::catalogue::{self, Visitor};
+
+pub use self::args::{Reconstruct, SimulateArgs};
+use self::check::{Clock, Start};
+pub use self::error::{Mistake, SimulateError};
+use self::input::Input;
+pub use self::input::InputMistake;
+use self::output::Files;
+
+/// Simulates what `args` ask for; the summary goes to `out`.
+///
+/// # Errors
+/// [`SimulateError::Usage`] with every mistake before anything is run or written; the
+/// others while running, with everything produced until then in the files.
+pub fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), SimulateError> {
+    let mut mistakes = Vec::new();
+    let clock = Clock::check(args, &mut mistakes);
+    let input = Input::read(args, &mut mistakes);
+    check::rest(args, &mut mistakes);
+    if catalogue::find(&args.model).is_none() {
+        let known = catalogue::ENTRIES.iter().map(|entry| entry.name).collect();
+        mistakes.insert(0, Mistake::model(&args.model, known));
+        return Err(SimulateError::Usage(mistakes));
+    }
+    let job = Job { args, clock, input, mistakes, out };
+    catalogue::visit(&args.model, job).unwrap_or_else(|| Err(SimulateError::Usage(Vec::new())))
+}
+
+/// What remains to be done once the model's type is known.
+struct Job<'a> {
+    args: &'a SimulateArgs,
+    clock: Clock,
+    input: Input,
+    mistakes: Vec<Mistake>,
+    out: &'a mut dyn Write,
+}
+
+impl Visitor for Job<'_> {
+    type Output = Result<(), SimulateError>;
+
+    fn visit<M: Playable>(self) -> Self::Output {
+        let Self { args, clock, input, mut mistakes, out } = self;
+        let start = Start::<M>::check(args, &input, &mut mistakes);
+        let (Some(start), true) = (start, mistakes.is_empty()) else {
+            return Err(SimulateError::Usage(mistakes));
+        };
+        let mut files = Files::create(args, &start.model).map_err(SimulateError::Usage)?;
+        let report = drive::by_name(&args.method, start, (&clock, &input), &mut files)?;
+        files.finish()?;
+        summary::write(&report, args, out).map_err(SimulateError::Summary)?;
+        report.into_result()
+    }
+}

@@ -1,0 +1,216 @@
+//! The two tables: the trajectory, a row per tick, and the events.
+//!
+//! Numbers are the shortest that come back to the same bits; an event's t has 17 digits.
+//! A guard's column is `guard_<name>`, so that it never meets a state or an output; an
+//! output that is called like an earlier column is `output_<name>`.
+
+use std::fmt::Write as _;
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+use models::{Described, Playable};
+use pode::{Event, GuardSpec, Motion, State as _};
+
+use super::args::SimulateArgs;
+use super::drive::mode_name;
+use super::error::{Mistake, SimulateError};
+
+/// What is collected before the system is asked to write it [bytes].
+const BUFFER: usize = 1 << 16;
+
+/// The files that were asked for.
+#[derive(Debug)]
+pub(super) struct Files {
+    trajectory: Option<Sheet>,
+    events: Option<Sheet>,
+    /// The guards of all modes, in the order of their columns.
+    guards: Vec<&'static str>,
+    /// Room for a row's outputs.
+    outputs: Vec<f64>,
+    /// What went wrong where it could not be said: an event is written from inside a tick.
+    failure: Option<SimulateError>,
+}
+
+impl Files {
+    /// Creates both with their headers, or says of each why not.
+    pub(super) fn create<M: Playable>(
+        args: &SimulateArgs,
+        model: &M,
+    ) -> Result<Self, Vec<Mistake>> {
+        let guards = guard_names(model);
+        let mut mistakes = Vec::new();
+        let mut create = |path: Option<&PathBuf>, header: Vec<String>| {
+            let sheet = Sheet::create(path?, &header);
+            sheet.map_err(|mistake| mistakes.push(mistake)).ok()
+        };
+        let trajectory = create(args.out.as_ref(), trajectory_header::<M>(&guards));
+        let events = create(args.events.as_ref(), event_header::<M>());
+        let outputs = vec![0.0; M::OUTPUTS.len()];
+        let files = Self { trajectory, events, guards, outputs, failure: None };
+        if mistakes.is_empty() { Ok(files) } else { Err(mistakes) }
+    }
+
+    /// Writes the trajectory's row at `t` [s].
+    pub(super) fn row<M: Playable>(
+        &mut self,
+        model: &M,
+        t: f64,
+        (mode, state): (M::Mode, &M::State),
+        input: &Motion,
+    ) -> Result<(), SimulateError> {
+        let Some(sheet) = &mut self.trajectory else { return Ok(()) };
+        sheet.number(t);
+        sheet.text(mode_name::<M>(mode));
+        sheet.numbers(state.entries());
+        sheet.number(input.position);
+        let specs = model.guards(mode);
+        for name in &self.guards {
+            match specs.iter().find(|spec| spec.name == *name) {
+                Some(spec) => sheet.number(model.guard(mode, spec.id, state, input).value),
+                None => sheet.text(""),
+            }
+        }
+        model.outputs(mode, state, input, &mut self.outputs);
+        sheet.numbers(&self.outputs);
+        sheet.end()
+    }
+
+    /// Writes an event's row; a failure is kept for [`Files::check`].
+    pub(super) fn event<M: Described>(&mut self, t: f64, event: &Event<'_, M>) {
+        let Some(sheet) = &mut self.events else { return };
+        let ((from, before), (to, after)) = (&event.before, &event.after);
+        sheet.text(&seventeen_digits(t));
+        sheet.text(event.cause.name());
+        sheet.text(mode_name::<M>(*from));
+        sheet.text(mode_name::<M>(*to));
+        sheet.numbers(before.entries());
+        sheet.numbers(after.entries());
+        sheet.number(event.impulse);
+        if let Err(failure) = sheet.end() {
+            self.failure.get_or_insert(failure);
+        }
+    }
+
+    /// What went wrong while events were written.
+    pub(super) fn check(&mut self) -> Result<(), SimulateError> {
+        self.failure.take().map_or(Ok(()), Err)
+    }
+
+    /// Hands everything to the system.
+    pub(super) fn finish(self) -> Result<(), SimulateError> {
+        // Both are tried: what one cannot take is no reason to lose the other.
+        let [first, second] = [self.trajectory, self.events].map(|sheet| sheet.map(Sheet::finish));
+        first.unwrap_or(Ok(())).and(second.unwrap_or(Ok(())))
+    }
+}
+
+/// The names of all modes' guards, in the order in which the modes first have them.
+fn guard_names<M: Described>(model: &M) -> Vec<&'static str> {
+    let mut names = Vec::new();
+    for GuardSpec { name, .. } in M::MODES.iter().flat_map(|(mode, _)| model.guards(*mode)) {
+        if !names.contains(name) {
+            names.push(*name);
+        }
+    }
+    names
+}
+
+fn trajectory_header<M: Described>(guards: &[&str]) -> Vec<String> {
+    let mut header: Vec<String> = ["t", "mode"].map(String::from).to_vec();
+    header.extend(M::STATES.iter().map(|name| (*name).to_owned()));
+    header.push("s".to_owned());
+    header.extend(guards.iter().map(|name| format!("guard_{name}")));
+    for name in M::OUTPUTS {
+        let taken = header.iter().any(|column| column == name);
+        header.push(if taken { format!("output_{name}") } else { (*name).to_owned() });
+    }
+    header
+}
+
+fn event_header<M: Described>() -> Vec<String> {
+    let states = |when: &'static str| M::STATES.iter().map(move |name| format!("{name}_{when}"));
+    let mut header: Vec<String> = ["t", "guard", "from", "to"].map(String::from).to_vec();
+    header.extend(states("before").chain(states("after")));
+    header.push("impulse".to_owned());
+    header
+}
+
+/// `t` [s] without an exponent, with 17 significant digits.
+fn seventeen_digits(t: f64) -> String {
+    /// More would only be zeros: nothing is located to 1e-30 s.
+    const MOST: i32 = 30;
+    if t == 0.0 {
+        return "0.0".to_owned();
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "a logarithm of an f64 is below 400")]
+    let whole = t.abs().log10().floor() as i32 + 1;
+    let decimals = usize::try_from((17 - whole).clamp(1, MOST)).unwrap_or(1);
+    format!("{t:.decimals$}")
+}
+
+/// A CSV file, written row by row.
+#[derive(Debug)]
+struct Sheet {
+    path: PathBuf,
+    writer: csv::Writer<File>,
+    record: csv::StringRecord,
+    /// A number's digits.
+    digits: String,
+}
+
+impl Sheet {
+    fn create(path: &Path, header: &[String]) -> Result<Self, Mistake> {
+        let fail = |cause| Mistake::Create { path: path.to_owned(), cause };
+        let file = File::create(path).map_err(fail)?;
+        let mut writer = csv::WriterBuilder::new().buffer_capacity(BUFFER).from_writer(file);
+        writer.write_record(header).map_err(|cause| fail(cause.into()))?;
+        let path = path.to_owned();
+        Ok(Self { path, writer, record: csv::StringRecord::new(), digits: String::new() })
+    }
+
+    fn text(&mut self, text: &str) {
+        self.record.push_field(text);
+    }
+
+    fn number(&mut self, number: f64) {
+        self.digits.clear();
+        // Writing to a String cannot fail.
+        let _written = write!(self.digits, "{number:?}");
+        self.record.push_field(&self.digits);
+    }
+
+    fn numbers(&mut self, numbers: &[f64]) {
+        for number in numbers {
+            self.number(*number);
+        }
+    }
+
+    /// Ends the row.
+    fn end(&mut self) -> Result<(), SimulateError> {
+        let written = self.writer.write_record(&self.record);
+        self.record.clear();
+        written.map_err(|cause| SimulateError::Write { path: self.path.clone(), cause })
+    }
+
+    fn finish(mut self) -> Result<(), SimulateError> {
+        let flushed = self.writer.flush();
+        flushed.map_err(|cause| SimulateError::Write { path: self.path, cause: cause.into() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_have_seventeen_digits() {
+        assert_eq!(seventeen_digits(0.629_650_783_081_382), "0.62965078308138200");
+        assert_eq!(seventeen_digits(1.5), "1.5000000000000000");
+        assert_eq!(seventeen_digits(0.001), "0.0010000000000000000");
+        assert_eq!(seventeen_digits(123.0), "123.00000000000000");
+        assert_eq!(seventeen_digits(0.0), "0.0");
+        for t in [1e-7, 0.1 + 0.2, 1.0 / 3.0, 2e5 / 3.0, 0.99999999999999989] {
+            assert_eq!(seventeen_digits(t).parse(), Ok(t));
+        }
+    }
+}

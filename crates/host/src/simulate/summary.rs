@@ -1,0 +1,182 @@
+//! What a simulation gave: for a program as one JSON object, for people as a few lines.
+
+use std::io::{self, Write};
+
+use pode::{EnergyAudit, Fault};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use super::args::SimulateArgs;
+use super::error::SimulateError;
+
+/// What a run gave.
+#[derive(Debug)]
+pub(super) struct Report {
+    pub(super) model: &'static str,
+    pub(super) method: &'static str,
+    /// Length of a tick [s].
+    pub(super) step: f64,
+    /// The end that was asked for [s].
+    pub(super) until: f64,
+    pub(super) counts: Counts,
+    pub(super) capped: Capped,
+    /// The end that was reached [s].
+    pub(super) t: f64,
+    pub(super) mode: &'static str,
+    pub(super) state: Vec<(&'static str, f64)>,
+    pub(super) audit: EnergyAudit,
+    pub(super) failure: Option<Failure>,
+}
+
+/// Work of all ticks; independent of the machine.
+#[derive(Clone, Copy, Default, Debug, Serialize)]
+pub(super) struct Counts {
+    pub(super) ticks: u64,
+    pub(super) steps: u64,
+    pub(super) evaluations: Evaluations,
+    pub(super) events: u64,
+}
+
+/// Evaluations of a model.
+#[derive(Clone, Copy, Default, Debug, Serialize)]
+pub(super) struct Evaluations {
+    pub(super) derivatives: u64,
+    pub(super) guards: u64,
+    pub(super) readouts: u64,
+}
+
+/// Ticks that reached a declared maximum, and held their state from there on.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Debug, Serialize)]
+pub(super) struct Capped {
+    pub(super) events: u64,
+    pub(super) cascade: u64,
+    pub(super) guards: u64,
+    pub(super) pieces: u64,
+}
+
+impl Capped {
+    /// Kinds with their counts, those that occurred.
+    fn occurred(&self) -> Vec<(&'static str, u64)> {
+        let Self { events, cascade, guards, pieces } = *self;
+        let all =
+            [("events", events), ("cascade", cascade), ("guards", guards), ("pieces", pieces)];
+        all.into_iter().filter(|(_, ticks)| *ticks > 0).collect()
+    }
+}
+
+/// What failed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Failure {
+    /// One word for a program.
+    kind: &'static str,
+    /// A sentence for people.
+    why: &'static str,
+}
+
+impl Failure {
+    pub(super) const fn of(fault: Fault, is_driven: bool) -> Self {
+        let (kind, why) = match (is_driven, fault) {
+            (false, _) => ("input", "the input s or a derivative of it is not finite there"),
+            (true, Fault::Period) => ("period", "the tick has no length; take a longer --step"),
+            (true, Fault::State) => {
+                ("state", "the state is not finite any more; take a shorter --step")
+            }
+            (true, Fault::Guard) => {
+                ("guard", "a guard is not finite; the last rows of --out show how it came there")
+            }
+            (true, Fault::Readout) => {
+                ("readout", "the force is not finite; the last rows of --out show how it came there")
+            }
+        };
+        Self { kind, why }
+    }
+}
+
+impl Report {
+    /// The command's result once everything is written.
+    pub(super) fn into_result(self) -> Result<(), SimulateError> {
+        let Self { model, t, mode, .. } = self;
+        match self.failure {
+            None => Ok(()),
+            Some(Failure { why, .. }) => Err(SimulateError::Fault { model, t, mode, why }),
+        }
+    }
+
+    /// `completed`, `capped: events 3, guards 1` or `fault: state`.
+    fn outcome(&self) -> String {
+        let capped = self.capped.occurred();
+        match self.failure {
+            Some(Failure { kind, .. }) => format!("fault: {kind}"),
+            None if capped.is_empty() => "completed".to_owned(),
+            None => {
+                let counts: Vec<_> =
+                    capped.iter().map(|(kind, ticks)| format!("{kind} {ticks}")).collect();
+                format!("capped: {}", counts.join(", "))
+            }
+        }
+    }
+
+    fn json(&self) -> Value {
+        let state: Map<_, _> =
+            self.state.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect();
+        let EnergyAudit { supplied, dissipated, jumps, stored } = self.audit;
+        json!({
+            "model": self.model,
+            "method": self.method,
+            "step": self.step,
+            "until": self.until,
+            "counts": self.counts,
+            "final": { "t": self.t, "mode": self.mode, "state": state },
+            "energy_audit": {
+                "supplied": supplied,
+                "dissipated": dissipated,
+                "jumps": jumps,
+                "stored": stored,
+                "residual": self.audit.residual(),
+            },
+            "outcome": self.outcome(),
+            "capped_ticks": self.capped,
+        })
+    }
+
+    fn text(&self) -> String {
+        let Counts { ticks, steps, evaluations, events } = self.counts;
+        let state: Vec<_> =
+            self.state.iter().map(|(name, value)| format!("{name} = {value:.6e}")).collect();
+        let state = if state.is_empty() { "no state".to_owned() } else { state.join(", ") };
+        let EnergyAudit { supplied, dissipated, jumps, stored } = self.audit;
+        format!(
+            "{} with {}: {} at t = {:?} s\n\
+             work    {ticks} ticks of {:?} s, {steps} steps, {events} events; evaluations: \
+             {} derivatives, {} guards, {} readouts\n\
+             final   mode {}, {state}\n\
+             energy  supplied {supplied:.6e} J, dissipated {dissipated:.6e} J, jumps {jumps:.6e} J, \
+             stored {stored:.6e} J, residual {:.1e} J",
+            self.model,
+            self.method,
+            self.outcome(),
+            self.t,
+            self.step,
+            evaluations.derivatives,
+            evaluations.guards,
+            evaluations.readouts,
+            self.mode,
+            self.audit.residual(),
+        )
+    }
+}
+
+/// Prints the report as `args` ask for.
+pub(super) fn write(report: &Report, args: &SimulateArgs, out: &mut dyn Write) -> io::Result<()> {
+    if args.json {
+        serde_json::to_writer_pretty(&mut *out, &report.json())?;
+        return writeln!(out);
+    }
+    writeln!(out, "{}", report.text())?;
+    for (what, path) in [("rows", &args.out), ("events", &args.events)] {
+        if let Some(path) = path {
+            writeln!(out, "{what:<7} {}", path.display())?;
+        }
+    }
+    out.flush()
+}

@@ -1,0 +1,93 @@
+//! A ball that bounces on a floor which the key moves. See README.md.
+
+mod equations;
+
+use pode::{GuardId, Motion};
+
+use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+
+/// A ball above a floor (`flight`) or on it (`rest`).
+///
+/// State: y [m], v [m/s], upwards. Input: the floor's height s [m].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct BouncingBall {
+    /// Gravity [m/s²].
+    pub g: f64,
+    /// Speed after an impact over speed before, relative to the floor.
+    pub restitution: f64,
+    /// Mass of the ball [kg].
+    pub mass: f64,
+    /// Height above the floor from which the ball is dropped [m]; 0: it lies there.
+    pub y0: f64,
+    /// Metres of floor per metre of key-front travel; positive raises it.
+    pub scale: f64,
+}
+
+/// Contact configuration.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mode {
+    /// The ball is in the air.
+    Flight,
+    /// The ball lies on the floor.
+    Rest,
+}
+
+const PARAMETERS: [Parameter; 5] = [
+    Parameter::gravity(),
+    Parameter::restitution("speed after an impact over speed before"),
+    Parameter::positive("mass", "kg", "mass of the ball"),
+    Parameter::within("y0", "m", 0.0, 100.0, "height of the drop at the start; 0: none"),
+    Parameter::scale("floor per key travel; positive raises the floor as the key goes down"),
+];
+
+const DEFAULT: [f64; 5] = [9.81, 0.8, 1.0, 1.0, 1.0];
+
+/// A ball of 10 g on a paddle: 0.49 N at the finger while it lies there (E).
+const KEY: [f64; 5] = [9.81, 0.7, 0.01, 0.0, 5.0];
+
+impl Described for BouncingBall {
+    const NAME: &'static str = "bouncing-ball";
+    const SUMMARY: &'static str = "a ball bouncing on a floor that the key moves";
+    const STATES: &'static [&'static str] = &["y", "v"];
+    const MODES: &'static [(Mode, &'static str)] =
+        &[(Mode::Flight, "flight"), (Mode::Rest, "rest")];
+    const PARAMETERS: &'static [Parameter] = &PARAMETERS;
+    const PRESETS: &'static [Preset] = &[
+        Preset {
+            name: "default",
+            doc: "1 kg dropped from 1 m, restitution 0.8",
+            value: |parameter, _key| DEFAULT[parameter],
+        },
+        Preset {
+            name: "key",
+            doc: "10 g lying on a paddle that rises 5 times the key's travel",
+            value: |parameter, _key| KEY[parameter],
+        },
+    ];
+    const OUTPUTS: &'static [&'static str] = &["F", "gap"];
+
+    fn with_values(values: &[f64]) -> Self {
+        let [g, restitution, mass, y0, scale] = filled::<_, Self>(values);
+        Self { g, restitution, mass, y0, scale }
+    }
+
+    fn outputs(&self, mode: Mode, x: &[f64; 2], s: &Motion, out: &mut [f64]) {
+        write(out, [self.contact(mode, s), x[0] - s.position]);
+    }
+
+    fn at_rest(&self, s: &Motion) -> (Mode, [f64; 2]) {
+        let mode = if self.y0 > 0.0 { Mode::Flight } else { Mode::Rest };
+        (mode, [s.position + self.y0, 0.0])
+    }
+}
+
+impl Playable for BouncingBall {
+    fn input_per_metre(&self) -> f64 {
+        self.scale
+    }
+
+    /// Nothing: how hard the ball met the floor depends on the floor's speed too.
+    fn sounding(&self, _guard: GuardId, _before: &[f64; 2]) -> Option<Sounding> {
+        None
+    }
+}

@@ -1,0 +1,345 @@
+//! What every model of the catalogue keeps, whatever it is.
+
+mod random;
+mod stroke;
+
+use models::catalogue::{self, Visitor};
+use models::{Described, Parameter, Playable};
+use pode::stepper::{Rk4, Stepper as _};
+use pode::{GuardId, MAX_GUARDS, Motion, Reset, State as _};
+use random::Random;
+use stroke::{run, still};
+
+/// Does `check` with every model.
+macro_rules! with_all {
+    ($check:ident) => {{
+        struct Check;
+        impl Visitor for Check {
+            type Output = ();
+            fn visit<M: Playable>(self) {
+                $check::<M>();
+            }
+        }
+        for entry in catalogue::ENTRIES {
+            catalogue::visit(entry.name, Check).expect("what is listed can be visited");
+        }
+    }};
+}
+
+/// A word that begins with a letter.
+fn is_word(name: &str, others: &[char]) -> bool {
+    name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || others.contains(&c))
+}
+
+#[track_caller]
+fn check_names(what: &str, others: &[char], names: &[&str]) {
+    for (index, name) in names.iter().enumerate() {
+        assert!(is_word(name, others), "{what}: {name:?} is no name");
+        assert!(!names[..index].contains(name), "{what}: {name:?} twice");
+    }
+}
+
+#[test]
+fn models_have_names_of_their_own() {
+    let names: Vec<_> = catalogue::ENTRIES.iter().map(|entry| entry.name).collect();
+    check_names("catalogue", &['-'], &names);
+    assert!(names.iter().all(|name| *name == name.to_lowercase()));
+    assert!(names.iter().all(|name| catalogue::find(name).is_some_and(|it| it.name == *name)));
+    assert!(catalogue::find("theremin").is_none());
+}
+
+#[test]
+fn everything_in_a_model_has_a_name() {
+    with_all!(names_are_valid);
+}
+
+fn names_are_valid<M: Playable>() {
+    check_names(M::NAME, &['_'], &M::PARAMETERS.iter().map(|it| it.name).collect::<Vec<_>>());
+    check_names(M::NAME, &['-'], &M::PRESETS.iter().map(|it| it.name).collect::<Vec<_>>());
+    check_names(M::NAME, &[], &M::MODES.iter().map(|it| it.1).collect::<Vec<_>>());
+    check_names(M::NAME, &['_'], M::STATES);
+    check_names(M::NAME, &['_'], M::OUTPUTS);
+    assert_eq!(M::State::ZERO.entries().len(), M::STATES.len(), "{}: states", M::NAME);
+    assert!(M::COORDS <= M::STATES.len(), "{}: coordinates", M::NAME);
+    let sentences = M::PARAMETERS.iter().map(|it| it.doc).chain(M::PRESETS.iter().map(|it| it.doc));
+    assert!(sentences.chain([M::SUMMARY]).all(|doc| doc.len() > 6), "{}: documented", M::NAME);
+    assert!(M::PARAMETERS.iter().all(|it| !it.unit.is_empty()), "{}: units", M::NAME);
+}
+
+#[test]
+fn a_guard_is_called_alike_in_every_mode() {
+    with_all!(guards_are_named);
+}
+
+fn guards_are_named<M: Playable>() {
+    let model = M::with_values(&[]);
+    let mut known: Vec<(GuardId, &str)> = Vec::new();
+    for (mode, _) in M::MODES {
+        let guards = model.guards(*mode);
+        assert!(guards.len() <= MAX_GUARDS);
+        let mut priorities: Vec<_> = guards.iter().map(|guard| guard.priority).collect();
+        priorities.sort_unstable();
+        priorities.dedup();
+        assert_eq!(priorities.len(), guards.len(), "{} {mode:?}: ties", M::NAME);
+        for guard in guards {
+            assert!(guard.scale > 0.0 && guard.scale.is_finite());
+            let same = |it: &&(GuardId, &str)| it.0 == guard.id || it.1 == guard.name;
+            match known.iter().find(same) {
+                Some(it) => assert_eq!(*it, (guard.id, guard.name), "{}", M::NAME),
+                None => known.push((guard.id, guard.name)),
+            }
+        }
+    }
+    check_names(M::NAME, &['_'], &known.iter().map(|it| it.1).collect::<Vec<_>>());
+}
+
+#[test]
+fn presets_are_complete_and_within_ranges_for_all_keys() {
+    with_all!(presets_are_in_range);
+}
+
+fn presets_are_in_range<M: Playable>() {
+    assert!(!M::PRESETS.is_empty());
+    for preset in M::PRESETS {
+        for key in 0..88 {
+            for (index, Parameter { name, range, .. }) in M::PARAMETERS.iter().enumerate() {
+                let value = (preset.value)(index, key);
+                let inside = value.is_finite() && range.0 <= value && value <= range.1;
+                assert!(inside, "{} {} key {key}: {name} = {value}", M::NAME, preset.name);
+            }
+        }
+    }
+}
+
+/// Every preset of every 29th key, with a start that is at rest.
+fn presets<M: Described>(mut check: impl FnMut(&str, M)) {
+    for preset in M::PRESETS {
+        for key in [0, 29, 58, 87] {
+            let at_rest = |(index, it): (usize, &Parameter)| {
+                if it.name == "y0" { 0.0 } else { (preset.value)(index, key) }
+            };
+            let values: Vec<_> = M::PARAMETERS.iter().enumerate().map(at_rest).collect();
+            check(preset.name, M::with_values(&values));
+        }
+    }
+}
+
+#[test]
+fn missing_values_are_the_default_presets() {
+    with_all!(values_are_filled);
+}
+
+fn values_are_filled<M: Playable>() {
+    let all: Vec<_> =
+        (0..M::PARAMETERS.len()).map(|index| (M::PRESETS[0].value)(index, 0)).collect();
+    assert!(M::with_values(&[]) == M::with_values(&all), "{}", M::NAME);
+    assert!(M::with_values(&all[..1]) == M::with_values(&all), "{}", M::NAME);
+    // Every parameter matters: it is neither dropped nor mixed up with another.
+    for index in 0..all.len() {
+        let mut changed = all.clone();
+        changed[index] = 0.5 * all[index] + 0.123;
+        let name = M::PARAMETERS[index].name;
+        assert!(M::with_values(&changed) != M::with_values(&all), "{}: {name}", M::NAME);
+    }
+}
+
+#[test]
+fn at_rest_is_at_rest() {
+    with_all!(rest_is_rest);
+}
+
+/// Accelerations that rounding leaves at an equilibrium: an angle's last bit, 1e-17,
+/// times the stiffest spring over the smallest inertia of any preset, 1e6 1/s².
+const ROUNDING: f64 = 1e-10;
+
+fn rest_is_rest<M: Playable>() {
+    presets::<M>(|preset, model| {
+        for metres in [0.0, 0.004] {
+            let input = still(metres * model.input_per_metre());
+            let (mode, x) = model.at_rest(&input);
+            let dx = model.derivative(mode, &x, &input);
+            let still = dx.entries().iter().all(|entry| entry.abs() < ROUNDING);
+            assert!(still, "{} {preset} at {metres}: {dx:?}", M::NAME);
+            for spec in model.guards(mode) {
+                let value = model.guard(mode, spec.id, &x, &input).value;
+                assert!(value >= 0.0, "{} {preset}: {} is {value}", M::NAME, spec.name);
+            }
+            assert_eq!(model.constrain(mode, &x, &input), x, "{} {preset}", M::NAME);
+        }
+    });
+}
+
+#[test]
+fn what_is_at_rest_stays_there() {
+    with_all!(rest_lasts);
+}
+
+fn rest_lasts<M: Playable>() {
+    presets::<M>(|preset, model| {
+        let input = still(0.002 * model.input_per_metre());
+        let (mode, x) = model.at_rest(&input);
+        let force = model.readout(mode, &x, &input);
+        let (books, end) = run(model, (mode, x), (1e-3, 1.0), |_| input);
+        assert!(books.events.is_empty(), "{} {preset}: {:?}", M::NAME, books.names());
+        let drift = end.state().plus(-1.0, &x);
+        let moved = drift.entries().iter().fold(0.0, |far: f64, entry| far.max(entry.abs()));
+        assert!(moved < ROUNDING, "{} {preset} moved by {moved:e}", M::NAME);
+        let last = books.ticks.last().expect("a tick").mean_readout;
+        assert!((last - force).abs() < 1e-8 * force.abs().max(1.0), "{} {preset}", M::NAME);
+    });
+}
+
+#[test]
+fn every_output_is_written() {
+    with_all!(outputs_are_written);
+}
+
+fn outputs_are_written<M: Playable>() {
+    let mut random = Random::new(1);
+    presets::<M>(|preset, model| {
+        for (mode, _) in M::MODES {
+            let (x, input) = somewhere(&model, *mode, &mut random);
+            let mut out = [f64::NAN; 16];
+            model.outputs(*mode, &x, &input, &mut out);
+            let (written, rest) = out.split_at(M::OUTPUTS.len());
+            assert!(written.iter().all(|it| it.is_finite()), "{} {preset}: {out:?}", M::NAME);
+            assert!(rest.iter().all(|it| it.is_nan()), "{} {preset}: {out:?}", M::NAME);
+            // Room for less is filled and no more.
+            model.outputs(*mode, &x, &input, &mut out[..1]);
+        }
+    });
+}
+
+#[test]
+fn everything_is_finite_and_resets_lead_to_listed_modes() {
+    with_all!(values_are_finite);
+}
+
+fn values_are_finite<M: Playable>() {
+    let mut random = Random::new(2);
+    presets::<M>(|preset, model| {
+        let scale = model.input_per_metre();
+        assert!(scale.is_finite() && scale != 0.0, "{} {preset}: {scale}", M::NAME);
+        for (mode, name) in M::MODES {
+            assert!(model.longest_step(*mode) > 1e-5, "{} {preset} {name}", M::NAME);
+            let (x, input) = somewhere(&model, *mode, &mut random);
+            let scalars = [
+                model.readout(*mode, &x, &input),
+                model.energy(*mode, &x, &input),
+                model.supplied(*mode, &x, &input),
+                model.dissipated(*mode, &x, &input),
+            ];
+            assert!(scalars.iter().all(|it| it.is_finite()), "{} {preset}: {scalars:?}", M::NAME);
+            for guard in model.guards(*mode) {
+                let reset = model.reset(*mode, guard.id, &x, &input);
+                let Reset { mode: next, state, impulse, settles } = reset;
+                assert!(M::MODES.iter().any(|it| it.0 == next), "{}: {next:?}", M::NAME);
+                assert!(state.entries().iter().all(|it| it.is_finite()) && impulse.is_finite());
+                let Some(settling) = settles else { continue };
+                assert!(M::MODES.iter().any(|it| it.0 == settling.mode), "{}", M::NAME);
+                assert!(settling.after > 0.0 && settling.ratio > 0.0 && settling.ratio < 1.0);
+            }
+        }
+    });
+}
+
+#[test]
+fn dampers_only_take() {
+    with_all!(dissipation_is_not_negative);
+}
+
+fn dissipation_is_not_negative<M: Playable>() {
+    let mut random = Random::new(3);
+    presets::<M>(|preset, model| {
+        for (mode, name) in M::MODES {
+            for _ in 0..50 {
+                let (x, input) = somewhere(&model, *mode, &mut random);
+                // Only where the mode is valid.
+                let valid = |id| model.guard(*mode, id, &x, &input).value > 0.0;
+                if model.guards(*mode).iter().all(|guard| valid(guard.id)) {
+                    let power = model.dissipated(*mode, &x, &input);
+                    assert!(power >= 0.0, "{} {preset} {name}: {power} W", M::NAME);
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn guard_rates_are_the_guards_rates() {
+    with_all!(rates_agree);
+}
+
+/// Compares each guard's rate with central differences along the flow.
+///
+/// The difference over 2ε is off by ε² g'''/6, a third of what it differs from the one
+/// over 4ε; and by rounding, a few ulps of the guard's terms over ε.
+fn rates_agree<M: Playable>() {
+    const EPSILON: f64 = 1e-5;
+    let mut random = Random::new(4);
+    presets::<M>(|preset, model| {
+        for (mode, name) in M::MODES {
+            for _ in 0..20 {
+                let (x, input) = somewhere(&model, *mode, &mut random);
+                for guard in model.guards(*mode) {
+                    let at = |t: f64| {
+                        let (x, input) = flow(&model, *mode, &x, &input, t);
+                        model.guard(*mode, guard.id, &x, &input).value
+                    };
+                    let slope = |e: f64| (at(e) - at(-e)) / (2.0 * e);
+                    let (fine, coarse) = (slope(EPSILON), slope(2.0 * EPSILON));
+                    let here = model.guard(*mode, guard.id, &x, &input);
+                    let rounding = 1e-14 * (here.value.abs() + guard.scale) / EPSILON;
+                    let allowed = (fine - coarse).abs() + rounding;
+                    let error = (here.rate - fine).abs();
+                    assert!(
+                        error <= allowed,
+                        "{} {preset} {name} {}: rate {} is not {fine} ± {allowed:e}",
+                        M::NAME,
+                        guard.name,
+                        here.rate
+                    );
+                }
+            }
+        }
+    });
+}
+
+/// A state of `mode` near rest, and an input near its own.
+fn somewhere<M: Playable>(model: &M, mode: M::Mode, random: &mut Random) -> (M::State, Motion) {
+    let span = 0.01 * model.input_per_metre();
+    let input = Motion {
+        position: span * random.between(0.0, 1.0),
+        rate: 10.0 * span * random.between(-1.0, 1.0),
+        acceleration: 100.0 * span * random.between(-1.0, 1.0),
+        jerk: 1000.0 * span * random.between(-1.0, 1.0),
+    };
+    let mut x = model.at_rest(&input).1;
+    for (index, entry) in x.as_mut().iter_mut().enumerate() {
+        *entry += random.between(-1.0, 1.0) * if index < M::COORDS { 0.1 } else { 1.0 };
+    }
+    (model.constrain(mode, &x, &input), input)
+}
+
+/// State and input `t` [s] later, in `mode`, with the input's jerk constant.
+fn flow<M: Playable>(
+    model: &M,
+    mode: M::Mode,
+    x: &M::State,
+    input: &Motion,
+    t: f64,
+) -> (M::State, Motion) {
+    let later = |t: f64| {
+        let Motion { position, rate, acceleration, jerk } = *input;
+        Motion {
+            position: position + t * (rate + t * (acceleration / 2.0 + t * jerk / 6.0)),
+            rate: rate + t * (acceleration + t * jerk / 2.0),
+            acceleration: acceleration + t * jerk,
+            jerk,
+        }
+    };
+    let f = |tau: f64, x: &M::State| model.derivative(mode, x, &later(tau * t));
+    let step = Rk4.step(f, x, None, t, M::COORDS);
+    (model.constrain(mode, step.dense.end(), &later(t)), later(t))
+}

@@ -1,0 +1,158 @@
+//! Runs a model under an exact input, and keeps its books.
+#![allow(
+    dead_code,
+    unreachable_pub,
+    clippy::disallowed_methods,
+    reason = "each test file uses its own part, on the heap"
+)]
+
+use models::Described;
+use pode::stepper::Rk4;
+use pode::{Advance, Cause, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Watch};
+
+/// s(t) = Σ A exp(−((t − tc)/w)²) with its derivatives.
+pub fn bells(bells: &[[f64; 3]], t: f64) -> Motion {
+    let mut motion = Motion::default();
+    for [a, tc, w] in bells {
+        let z = (t - tc) / w;
+        let bell = a * (-z * z).exp();
+        motion.position += bell;
+        motion.rate += bell * (-2.0 * z) / w;
+        motion.acceleration += bell * (4.0 * z * z - 2.0) / (w * w);
+        motion.jerk += bell * (12.0 * z - 8.0 * z * z * z) / (w * w * w);
+    }
+    motion
+}
+
+/// s(t) = A sin ωt with its derivatives.
+pub fn sine(amplitude: f64, omega: f64, t: f64) -> Motion {
+    let (sin, cos) = (omega * t).sin_cos();
+    Motion {
+        position: amplitude * sin,
+        rate: amplitude * omega * cos,
+        acceleration: -amplitude * omega * omega * sin,
+        jerk: -amplitude * omega.powi(3) * cos,
+    }
+}
+
+/// An input that does not move.
+pub fn still(position: f64) -> Motion {
+    Motion { position, ..Motion::default() }
+}
+
+/// What happened at one event.
+#[derive(Clone, Debug)]
+pub struct Seen<M: Described> {
+    pub t: f64,
+    pub name: &'static str,
+    pub before: (M::Mode, M::State),
+    pub after: (M::Mode, M::State),
+    pub input: Motion,
+    pub impulse: f64,
+}
+
+/// The events and the energy of a run.
+#[derive(Debug)]
+pub struct Books<M: Described> {
+    h: f64,
+    pub events: Vec<Seen<M>>,
+    pub audit: EnergyAudit,
+    /// Σ impulse × s': work of the impulses on the input [J].
+    pub impulsive: f64,
+    /// Largest energy [J] that an event made beyond its impulse's work.
+    pub made: f64,
+    /// The same for moves over a Zeno sequence's end, which take time.
+    pub made_settling: f64,
+    /// ∫ |supplied| dt: the energy that went through [J].
+    pub throughput: f64,
+    /// Largest and smallest energy at the ends of pieces [J].
+    pub energies: (f64, f64),
+    pub ticks: Vec<pode::Tick>,
+}
+
+impl<M: Described> Books<M> {
+    pub fn new(h: f64) -> Self {
+        Self {
+            h,
+            events: Vec::new(),
+            audit: EnergyAudit::default(),
+            impulsive: 0.0,
+            made: f64::NEG_INFINITY,
+            made_settling: f64::NEG_INFINITY,
+            throughput: 0.0,
+            energies: (f64::NEG_INFINITY, f64::INFINITY),
+            ticks: Vec::new(),
+        }
+    }
+
+    pub fn names(&self) -> Vec<&'static str> {
+        self.events.iter().map(|event| event.name).collect()
+    }
+
+    /// Spread of the energy over the run [J].
+    pub fn spread(&self) -> f64 {
+        self.energies.0 - self.energies.1
+    }
+}
+
+impl<M: Described> Watch<M> for Books<M> {
+    fn piece<S: Signal<Motion>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
+        self.audit.piece(model, piece);
+        let (x, s) = piece.at(0.5);
+        self.throughput += piece.duration() * model.supplied(piece.mode, &x, &s).abs();
+        let energy = model.energy(piece.mode, &piece.end, &piece.at(1.0).1);
+        self.energies = (self.energies.0.max(energy), self.energies.1.min(energy));
+    }
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        self.audit.event(model, event);
+        let energy = |it: &(M::Mode, M::State)| model.energy(it.0, &it.1, &event.input);
+        let work = event.impulse * event.input.rate;
+        self.impulsive += work;
+        let made = match event.cause {
+            Cause::Guard(_) => &mut self.made,
+            Cause::Impacts(_) | Cause::Settled => &mut self.made_settling,
+        };
+        *made = made.max(energy(&event.after) - energy(&event.before) - work);
+        self.events.push(Seen {
+            t: (event.tick as f64 + event.theta) * self.h,
+            name: event.cause.name(),
+            before: event.before,
+            after: event.after,
+            input: event.input,
+            impulse: event.impulse,
+        });
+    }
+}
+
+/// Runs `model` from `start` until `until` [s] with ticks of `h` under `input`.
+#[track_caller]
+pub fn run<M: Described>(
+    model: M,
+    start: (M::Mode, M::State),
+    (h, until): (f64, f64),
+    input: impl Fn(f64) -> Motion,
+) -> (Books<M>, Simulator<M, Rk4>) {
+    let mut simulator = Simulator::new(model, Rk4, Limits::default(), start.0, start.1);
+    let mut books = Books::new(h);
+    for tick in 0..(until / h).round() as u64 {
+        let signal = |theta: f64| input((tick as f64 + theta) * h);
+        let done = simulator.advance(h, &signal, &mut books);
+        assert_eq!(done.advance, Advance::Completed, "tick {tick}, {:?}", simulator.mode());
+        books.ticks.push(done);
+    }
+    (books, simulator)
+}
+
+/// The model with preset `preset` of `key`, and some values replaced by name.
+#[track_caller]
+pub fn preset<M: Described>(preset: &str, key: u8, changes: &[(&str, f64)]) -> M {
+    let found = M::PRESETS.iter().find(|it| it.name == preset).expect("a preset");
+    let mut values: Vec<f64> =
+        (0..M::PARAMETERS.len()).map(|index| (found.value)(index, key)).collect();
+    for (name, value) in changes {
+        let index = M::PARAMETERS.iter().position(|it| it.name == *name).expect("a parameter");
+        values[index] = *value;
+    }
+    M::with_values(&values)
+}

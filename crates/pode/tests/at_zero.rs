@@ -1,0 +1,114 @@
+//! Case C5: guards that are zero, or nearly so, at the start.
+//!
+//! Error model: a guard counts as zero within 16 roundings at its size. A guard without a
+//! first or second derivative is therefore seen to turn only where tᵖ leaves that band:
+//! (16 ε)^⅓ for t³, which is 1.5e-5. Any other root is located to 2⁻⁴⁰ of the tick.
+
+mod common;
+
+use common::{ONE, Recorder, Timed, close, count, count_and_flip};
+use pode::{Advance, GuardId, GuardValue};
+
+/// How a unit of time is cut into ticks.
+const TICKS: [u32; 4] = [1, 10, 143, 1000];
+
+/// 2⁻⁴⁰ of a tick of 1 s.
+const LOCATED: f64 = 9.1e-13;
+
+/// Asserts that `guard` of x' = 1 fires at `expected` only, in 0 ..= 1.
+#[track_caller]
+fn check(guard: fn(GuardId, f64) -> GuardValue, expected: &[f64], tolerance: f64) {
+    for n in TICKS {
+        let times = fired(guard, n);
+        assert_eq!(times.len(), expected.len(), "{n} ticks: {times:?} instead of {expected:?}");
+        for (t, expected) in times.iter().zip(expected) {
+            close(&format!("{n} ticks"), *t, *expected, tolerance);
+        }
+    }
+}
+
+fn fired(guard: fn(GuardId, f64) -> GuardValue, n: u32) -> Vec<f64> {
+    let h = 1.0 / f64::from(n);
+    let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
+    let mut recorder = Recorder::new(h);
+    for _ in 0..n {
+        let tick = timed.advance(h, &|_| (), &mut recorder);
+        assert_eq!(tick.advance, Advance::Completed);
+    }
+    recorder.times()
+}
+
+#[test]
+fn a_guard_on_its_way_up_is_silent() {
+    check(|_, t| GuardValue::new(t, 1.0), &[], 0.0);
+}
+
+#[test]
+fn a_guard_on_its_way_down_fires_at_once() {
+    check(|_, t| GuardValue::new(-t, -1.0), &[0.0], 0.0);
+}
+
+#[test]
+fn a_parabola_that_opens_upwards_is_silent() {
+    check(|_, t| GuardValue::new(t * t, 2.0 * t), &[], 0.0);
+}
+
+#[test]
+fn a_parabola_that_opens_downwards_fires_at_once() {
+    check(|_, t| GuardValue::new(-t * t, -2.0 * t), &[0.0], 0.0);
+}
+
+#[test]
+fn a_cubic_that_rises_is_silent() {
+    check(|_, t| GuardValue::new(t.powi(3), 3.0 * t * t), &[], 0.0);
+}
+
+#[test]
+fn a_cubic_that_falls_fires_where_rounding_lets_it_be_seen() {
+    let visible = (16.0 * f64::EPSILON).cbrt();
+    check(|_, t| GuardValue::new(-t.powi(3), -3.0 * t * t), &[0.0], 1.01 * visible);
+}
+
+#[test]
+fn a_guard_that_rises_and_falls_fires_at_the_fall() {
+    check(|_, t| GuardValue::new(t * (0.5 - t), 0.5 - 2.0 * t), &[0.5], LOCATED);
+}
+
+#[test]
+fn a_guard_that_rests_at_zero_and_rises_is_silent() {
+    check(|_, t| GuardValue::new((t - 0.1).max(0.0), f64::from(t > 0.1)), &[], 0.0);
+}
+
+#[test]
+fn a_guard_that_rests_at_zero_and_falls_fires_at_the_fall() {
+    check(|_, t| GuardValue::new(-(t - 0.1).max(0.0), -f64::from(t > 0.1)), &[0.1], LOCATED);
+}
+
+#[test]
+fn a_guard_that_is_negative_by_rounding_and_rises_is_silent() {
+    check(|_, t| GuardValue::new(-1e-17 + t, 1.0), &[], 0.0);
+}
+
+#[test]
+fn a_guard_that_is_positive_by_rounding_and_falls_fires_at_once() {
+    check(|_, t| GuardValue::new(1e-17 - t, -1.0), &[0.0], 1e-17);
+}
+
+/// Goes to the negated guard, t − 0.5, two roundings below its zero.
+fn land_short(id: GuardId, x: &mut [f64; 3]) -> bool {
+    x[0] = 0.5 - 2.0 * f64::EPSILON;
+    count_and_flip(id, x)
+}
+
+#[test]
+fn a_reset_that_leaves_its_guard_two_ulps_short_does_not_fire_again() {
+    for n in TICKS {
+        let guard = |_: GuardId, t: f64| GuardValue::new(0.5 - t, -1.0);
+        let mut timed = Timed { guards: &ONE, guard, effect: land_short }.start();
+        let mut recorder = Recorder::new(1.0 / f64::from(n));
+        for _ in 0..n {
+            let _ = timed.advance(1.0 / f64::from(n), &|_| (), &mut recorder);
+        }
+        assert_eq!(recorder.seen.len(), 1, "{n} ticks: {:?}", recorder.seen);
+    }
+}

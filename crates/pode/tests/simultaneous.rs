@@ -1,0 +1,166 @@
+//! Case C4: several guards at one instant, and one on a tick's boundary.
+
+mod common;
+
+use common::{
+    G, ONE, Recorder, STEPS, Timed, all_completed, close, count, count_and_flip,
+    each_step_and_phase, run,
+};
+use pode::stepper::Rk4;
+use pode::{GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator};
+
+/// Two balls over one floor, e = 0.8: heights, then speeds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Balls {
+    guards: &'static [GuardSpec],
+}
+
+const FIRST: GuardSpec = GuardSpec::new(0, "first");
+const SECOND: GuardSpec = GuardSpec::new(1, "second");
+
+impl Model for Balls {
+    type Mode = ();
+    type State = [f64; 4];
+    type Input = ();
+    const COORDS: usize = 2;
+
+    fn derivative(&self, (): (), x: &[f64; 4], (): &()) -> [f64; 4] {
+        [x[2], x[3], -G, -G]
+    }
+
+    fn readout(&self, (): (), _: &[f64; 4], (): &()) -> f64 {
+        0.0
+    }
+}
+
+impl Guarded for Balls {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        self.guards
+    }
+
+    fn guard(&self, (): (), id: GuardId, x: &[f64; 4], (): &()) -> GuardValue {
+        let ball = usize::from(id.0);
+        GuardValue::new(x[ball], x[ball + 2])
+    }
+}
+
+impl Resets for Balls {
+    fn reset(&self, (): (), id: GuardId, x: &[f64; 4], (): &()) -> Reset<Self> {
+        let ball = usize::from(id.0);
+        let mut after = *x;
+        (after[ball], after[ball + 2]) = (0.0, -0.8 * x[ball + 2]);
+        Reset::to((), after)
+    }
+}
+
+#[test]
+fn two_balls_that_land_together_both_bounce() {
+    /// When the ball from 1 m lands for the second time and that from 6.76 m for the first.
+    const TOGETHER: f64 = 1.173_961_466_562_900_4;
+    for guards in [&[FIRST, SECOND], &[SECOND, FIRST]] {
+        each_step_and_phase(|h, phase| {
+            let model = Balls { guards };
+            let start = [1.0, 6.76, 0.0, 0.0];
+            let mut balls = Simulator::new(model, Rk4, Limits::default(), (), start);
+            let (recorder, ticks) = run(&mut balls, h, phase, 1.5);
+            all_completed(&ticks);
+            let named = |name: &str| -> Vec<f64> {
+                recorder.seen.iter().filter(|it| it.guard == name).map(|it| it.t).collect()
+            };
+            let (first, second) = (named("first"), named("second"));
+            assert_eq!((first.len(), second.len()), (2, 1), "h {h}, phase {phase}");
+            // The flow is a parabola: rounding only.
+            close(&format!("h {h}: first"), first[1], TOGETHER, 1e-12);
+            close(&format!("h {h}: second"), second[0], TOGETHER, 1e-12);
+        });
+    }
+}
+
+fn falls_at_0_3(_: GuardId, t: f64) -> GuardValue {
+    GuardValue::new(0.3 - t, -1.0)
+}
+
+#[test]
+fn identical_guards_have_one_effect_each() {
+    const TWICE: [GuardSpec; 2] = [GuardSpec::new(0, "a"), GuardSpec::new(1, "b")];
+    const ON_CROSSING: [GuardSpec; 2] = [TWICE[0].on_crossing(), TWICE[1].on_crossing()];
+    for guards in [&TWICE, &ON_CROSSING] {
+        each_step_and_phase(|h, phase| {
+            let mut timed = Timed { guards, guard: falls_at_0_3, effect: count }.start();
+            let (recorder, ticks) = run(&mut timed, h, phase, 0.5);
+            all_completed(&ticks);
+            let names: Vec<_> = recorder.seen.iter().map(|seen| seen.guard).collect();
+            assert_eq!(names, ["a", "b"], "h {h}, phase {phase}");
+        });
+    }
+}
+
+#[test]
+fn an_effect_that_cures_the_other_guard_is_the_only_one() {
+    const TWICE: [GuardSpec; 2] = [GuardSpec::new(0, "a"), GuardSpec::new(1, "b")];
+    each_step_and_phase(|h, phase| {
+        let timed = Timed { guards: &TWICE, guard: falls_at_0_3, effect: count_and_flip };
+        let (recorder, _) = run(&mut timed.start(), h, phase, 0.5);
+        assert_eq!(recorder.seen.len(), 1, "h {h}, phase {phase}");
+    });
+}
+
+/// Two guards of different shape that vanish at the same time.
+fn shapes(id: GuardId, t: f64) -> GuardValue {
+    let left = 0.3 - t;
+    match id.0 {
+        0 => GuardValue::new(left, -1.0),
+        _ => GuardValue::new(left * (2.0 + t * t), -(2.0 + t * t) + 2.0 * t * left),
+    }
+}
+
+/// y → 2y, or y → y + 1.
+fn double_or_add(id: GuardId, x: &mut [f64; 3]) -> bool {
+    x[1] = if id.0 == 0 { 2.0 * x[1] } else { x[1] + 1.0 };
+    false
+}
+
+#[test]
+fn resets_that_do_not_commute_go_by_priority() {
+    const DOUBLE: GuardSpec = GuardSpec::new(0, "double");
+    const ADD: GuardSpec = GuardSpec::new(1, "add");
+    const LATE: GuardSpec = DOUBLE.with_priority(9);
+    static DOUBLE_FIRST: [[GuardSpec; 2]; 2] = [[DOUBLE, ADD], [ADD, DOUBLE]];
+    static ADD_FIRST: [[GuardSpec; 2]; 2] = [[LATE, ADD], [ADD, LATE]];
+    let check = |guards: &'static [GuardSpec], expected: f64| {
+        each_step_and_phase(|h, phase| {
+            let mut timed = Timed { guards, guard: shapes, effect: double_or_add }.start();
+            let (recorder, _) = run(&mut timed, h, phase, 0.5);
+            assert_eq!(recorder.seen.len(), 2, "h {h}, phase {phase}");
+            close(&format!("h {h}, phase {phase}"), timed.state()[1], expected, 0.0);
+        });
+    };
+    // From 0: doubled and then added to is 1, added to and then doubled is 2.
+    DOUBLE_FIRST.iter().for_each(|guards| check(guards, 1.0));
+    ADD_FIRST.iter().for_each(|guards| check(guards, 2.0));
+}
+
+#[test]
+fn an_event_on_a_tick_boundary_happens_once() {
+    const ON_CROSSING: [GuardSpec; 1] = [ONE[0].on_crossing()];
+    for guards in [&ONE, &ON_CROSSING] {
+        let falls = |_: GuardId, t: f64| GuardValue::new(0.5 - t, -1.0);
+        let mut timed = Timed { guards, guard: falls, effect: count }.start();
+        let (recorder, ticks) = run(&mut timed, 0.25, 0.0, 1.0);
+        all_completed(&ticks);
+        assert_eq!(recorder.times(), [0.5]);
+    }
+}
+
+#[test]
+fn a_boundary_that_rounding_has_moved_still_gives_one_event() {
+    // 0.3 is a multiple of no step in binary; at 300 steps the sum is off by some ulps.
+    for h in STEPS {
+        let mut timed = Timed { guards: &ONE, guard: falls_at_0_3, effect: count }.start();
+        let mut recorder = Recorder::new(h);
+        for _ in 0..5000 {
+            let _ = timed.advance(h, &|_| (), &mut recorder);
+        }
+        assert_eq!(recorder.seen.len(), 1, "h {h}");
+    }
+}

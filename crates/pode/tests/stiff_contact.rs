@@ -1,0 +1,310 @@
+//! Cases C8 and C11: a hammer head on a stiff spring, linear and Hunt–Crossley.
+//!
+//! Error model, with r = ω h the part of a radian per step in contact: RK4 keeps a phase to
+//! r⁴/120 and an amplitude to r⁶/144 per step. Its third-order dense output takes, for
+//! x' = λx, the amplitude (τ²/8 − τ³/6 + τ⁴/24) r⁴ at an event, at most r⁴/69; a contact has
+//! two events inside, the deepest point and the end. All relative; below that, the rounding
+//! of the sums, 1e-12.
+
+mod common;
+
+use common::{G, PHASES, STEPS, all_completed, close, each_step_and_phase, run};
+use pode::stepper::Rk4;
+use pode::{
+    Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator,
+};
+
+/// Mass of the head [kg].
+const MASS: f64 = 0.01;
+
+/// Part of a radian of the contact's oscillation that one step may take.
+const RADIANS: f64 = 0.05;
+
+/// A head that falls on F = −k min(x, 0): height [m] and speed [m/s].
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Head {
+    /// Stiffness [N/m].
+    k: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mode {
+    Flight,
+    Contact,
+}
+
+impl Head {
+    fn omega(&self) -> f64 {
+        (self.k / MASS).sqrt()
+    }
+
+    fn dropped(self) -> Simulator<Self, Rk4> {
+        Simulator::new(self, Rk4, Limits::default(), Mode::Flight, [0.0, -1.0])
+    }
+}
+
+impl Model for Head {
+    type Mode = Mode;
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, mode: Mode, x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], self.readout(mode, x, &()) / MASS - G]
+    }
+
+    /// The force of the contact [N].
+    fn readout(&self, mode: Mode, x: &[f64; 2], (): &()) -> f64 {
+        match mode {
+            Mode::Flight => 0.0,
+            Mode::Contact => -self.k * x[0],
+        }
+    }
+
+    fn longest_step(&self, mode: Mode) -> f64 {
+        match mode {
+            Mode::Flight => f64::INFINITY,
+            Mode::Contact => RADIANS / self.omega(),
+        }
+    }
+}
+
+impl Guarded for Head {
+    fn guards(&self, mode: Mode) -> &'static [GuardSpec] {
+        const TOUCH: [GuardSpec; 1] = [GuardSpec::new(0, "touch").scaled(0.1)];
+        const CONTACT: [GuardSpec; 2] = [
+            // Penetrations are smaller than heights.
+            GuardSpec::new(1, "leave").scaled(1e-3),
+            GuardSpec::new(2, "deepest").on_crossing(),
+        ];
+        match mode {
+            Mode::Flight => &TOUCH,
+            Mode::Contact => &CONTACT,
+        }
+    }
+
+    fn guard(&self, mode: Mode, id: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
+        match id.0 {
+            0 => GuardValue::new(x[0], x[1]),
+            1 => GuardValue::new(-x[0], -x[1]),
+            _ => GuardValue::new(-x[1], -self.derivative(mode, x, &())[1]),
+        }
+    }
+}
+
+impl Resets for Head {
+    fn reset(&self, _: Mode, id: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
+        match id.0 {
+            0 => Reset::to(Mode::Contact, [0.0, x[1]]),
+            1 => Reset::to(Mode::Flight, [0.0, x[1]]),
+            _ => Reset::to(Mode::Contact, *x),
+        }
+    }
+}
+
+/// Stiffness [N/m], contact time [s], deepest point [m], period [s]; from 40-digit arithmetic.
+const CONTACTS: [[f64; 4]; 3] = [
+    [1e3, 0.010_130_725_365_363_42, 0.003_261_898_920_601_624, 0.214_004_323_732_714_6],
+    [1e5, 0.000_995_420_820_285_805_5, 0.000_317_210_287_639_522_7, 0.204_869_018_989_197_1],
+    [1e7, 0.000_099_365_502_657_331_63, 0.000_031_632_588_123_310_1, 0.203_972_963_868_671_5],
+];
+
+/// Relative error of a time in contact.
+fn phase_error() -> f64 {
+    RADIANS.powi(4) / 120.0 + 1e-12
+}
+
+/// Relative error of a speed or a depth after `events` events in contact.
+fn amplitude_error(events: f64) -> f64 {
+    let steps = std::f64::consts::PI / RADIANS;
+    events * RADIANS.powi(4) / 69.0 + steps * RADIANS.powi(6) / 144.0 + 1e-12
+}
+
+#[test]
+fn a_contact_has_its_time_depth_and_period() {
+    for [k, contact, depth, period] in CONTACTS {
+        each_step_and_phase(|h, phase| {
+            let (recorder, ticks) = run(&mut Head { k }.dropped(), h, phase, 0.5);
+            all_completed(&ticks);
+            let seen = &recorder.seen;
+            let names: Vec<_> = seen.iter().take(4).map(|it| it.guard).collect();
+            assert_eq!(
+                names,
+                ["touch", "deepest", "leave", "touch"],
+                "k {k}, h {h}, phase {phase}"
+            );
+            let at = |n: usize| seen[n].t;
+            close("contact time", at(2) - at(0), contact, contact * phase_error());
+            close("deepest point", -seen[1].before[0], depth, depth * amplitude_error(1.0));
+            let tolerance = contact * phase_error() + (period - contact) * amplitude_error(2.0);
+            close("period", at(3) - at(0), period, tolerance);
+        });
+    }
+}
+
+#[test]
+fn the_head_leaves_as_fast_as_it_came() {
+    for [k, ..] in CONTACTS {
+        each_step_and_phase(|h, phase| {
+            let (recorder, _) = run(&mut Head { k }.dropped(), h, phase, 0.5);
+            close(&format!("k {k}, h {h}"), recorder.seen[2].before[1], 1.0, amplitude_error(2.0));
+        });
+    }
+}
+
+#[test]
+fn the_impulse_of_a_contact_within_one_tick_is_in_its_mean_force() {
+    // The whole contact: the change of momentum, and the weight while it lasts. Simpson's
+    // rule over each step errs by r⁴/2880 of it, less than the momentum does.
+    for ([k, contact, ..], h) in CONTACTS.into_iter().zip([14e-3, 7e-3, 1e-3]) {
+        let mut head = Head { k }.dropped();
+        let tick = head.advance(h, &|_| (), &mut pode::Silent);
+        assert_eq!((tick.advance, tick.work.events), (Advance::Completed, 3), "k {k}");
+        let impulse = MASS * (2.0 + G * contact);
+        close(&format!("k {k}"), tick.mean_readout * h, impulse, impulse * amplitude_error(2.0));
+    }
+}
+
+#[test]
+fn the_impulse_does_not_depend_on_how_ticks_cut_the_contact() {
+    for [k, contact, ..] in CONTACTS {
+        for h in STEPS {
+            for phase in PHASES {
+                let (_, ticks) = run(&mut Head { k }.dropped(), h, phase, 0.1);
+                let first = if phase > 0.0 { (1.0 - phase) * h } else { h };
+                let cut = |n: usize| if n == 0 { first } else { h };
+                let impulse: f64 =
+                    ticks.iter().enumerate().map(|(n, tick)| tick.mean_readout * cut(n)).sum();
+                let expected = MASS * (2.0 + G * contact);
+                let what = format!("k {k}, h {h}, phase {phase}");
+                close(&what, impulse, expected, expected * amplitude_error(2.0));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_minute_of_contacts_keeps_the_energy() {
+    let [k, _, _, period] = CONTACTS[1];
+    let mut head = Head { k }.dropped();
+    let mut ticks = 0_u32;
+    while f64::from(ticks) * 1e-3 < 60.0 || head.mode() == Mode::Contact {
+        assert_eq!(head.advance(1e-3, &|_| (), &mut pode::Silent).advance, Advance::Completed);
+        ticks += 1;
+    }
+    let [x, v] = *head.state();
+    let drift = v * v + 2.0 * G * x - 1.0;
+    // Energy goes with the square of the amplitude.
+    let tolerance = 60.0 / period * 2.0 * amplitude_error(2.0);
+    close("energy", drift, 0.0, tolerance);
+}
+
+/// F = k xⁿ (1 + λ v), without gravity: penetration [m] and its rate [m/s].
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Felt {
+    k: f64,
+    lambda: f64,
+    /// Longest step [s].
+    step: f64,
+}
+
+/// Exponent of the felt.
+const POWER: f64 = 1.5;
+
+impl Model for Felt {
+    /// Whether the felt is touched.
+    type Mode = bool;
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, touched: bool, x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], -self.readout(touched, x, &()) / MASS]
+    }
+
+    fn readout(&self, touched: bool, x: &[f64; 2], (): &()) -> f64 {
+        if touched { self.k * x[0].max(0.0).powf(POWER) * (1.0 + self.lambda * x[1]) } else { 0.0 }
+    }
+
+    fn longest_step(&self, touched: bool) -> f64 {
+        if touched { self.step } else { f64::INFINITY }
+    }
+}
+
+impl Guarded for Felt {
+    fn guards(&self, touched: bool) -> &'static [GuardSpec] {
+        const TOUCHED: [GuardSpec; 2] =
+            [GuardSpec::new(0, "leave").scaled(1e-3), GuardSpec::new(1, "deepest").on_crossing()];
+        if touched { &TOUCHED } else { &[] }
+    }
+
+    fn guard(&self, touched: bool, id: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
+        match id.0 {
+            0 => GuardValue::new(x[0], x[1]),
+            _ => GuardValue::new(x[1], self.derivative(touched, x, &())[1]),
+        }
+    }
+}
+
+impl Resets for Felt {
+    fn reset(&self, _: bool, id: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
+        Reset::to(id.0 != 0, *x)
+    }
+}
+
+/// Exit speed, contact time [s] and deepest point [m] of a contact at `v0` in `n` steps.
+fn contact(k: f64, lambda: f64, v0: f64, duration: f64, n: f64) -> [f64; 3] {
+    let felt = Felt { k, lambda, step: duration / n };
+    let mut head = Simulator::new(felt, Rk4, Limits::default(), true, [0.0, v0]);
+    let (recorder, ticks) = run(&mut head, 2.0 * duration, 0.0, 2.0 * duration);
+    all_completed(&ticks);
+    assert_eq!(recorder.seen.len(), 2);
+    [recorder.seen[1].before[1], recorder.seen[1].t, recorder.seen[0].before[0]]
+}
+
+/// Relative error of Hunt–Crossley in `n` steps: the force starts and ends like t^1.5, of
+/// which a step at either end misses a part of h^2.5; smooth steps err by less.
+fn felt_error(n: f64) -> f64 {
+    n.powf(-2.5)
+}
+
+#[test]
+fn hunt_crossley_leaves_at_the_speed_of_its_invariant() {
+    /// Loss λ [s/m], entry speed and exit speed [m/s]; any stiffness.
+    const EXITS: [[f64; 3]; 3] = [
+        [0.1, 1.0, -0.937_475_579_949_905_1],
+        [0.1, 5.0, -3.742_174_657_987_170_8],
+        [0.6, 1.0, -0.711_950_179_577_866_2],
+    ];
+    for [lambda, v0, exit] in EXITS {
+        for k in [1e5, 1e7] {
+            // Contact time scales with (m / (k √v0))^0.4.
+            let duration = 3.3 * (MASS / (k * v0.sqrt())).powf(0.4);
+            for n in [50.0, 400.0] {
+                let [found, ..] = contact(k, lambda, v0, duration, n);
+                close(
+                    &format!("λ {lambda}, v0 {v0}, k {k}, n {n}"),
+                    found,
+                    exit,
+                    v0 * felt_error(n),
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn hunt_crossley_has_its_time_and_depth() {
+    /// Stiffness, deepest point [m], contact time [s]; λ = 0.6, v0 = 1.
+    const FELTS: [[f64; 3]; 2] = [
+        [1e5, 0.001_521_344_239_131_188_8, 0.005_332_605_765_715_331],
+        [1e7, 0.000_241_116_812_798_895_35, 0.000_845_161_057_611_2],
+    ];
+    for [k, depth, time] in FELTS {
+        for n in [50.0, 400.0] {
+            let [_, t, x] = contact(k, 0.6, 1.0, time, n);
+            close(&format!("k {k}, n {n}: time"), t, time, time * felt_error(n));
+            close(&format!("k {k}, n {n}: depth"), x, depth, depth * felt_error(n));
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! From the command line to a task.
+
+use std::ffi::OsString;
+
+use crate::error::Error;
+
+/// What `cargo xtask help` prints.
+pub(crate) const USAGE: &str = "\
+Chores of this workspace.
+
+  cargo xtask demo [-- ARGUMENTS]   installs what is missing, builds, and runs
+                                    `letoff run --duration 30 ARGUMENTS`: the simulated
+                                    keybed and a virtual pianist, on any machine
+  cargo xtask test                  installs what is missing and runs every test
+  cargo xtask help                  prints this
+
+Example: cargo xtask demo -- --duration 5
+";
+
+/// What was asked for.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum Task {
+    /// Play.
+    Demo {
+        /// Arguments of `letoff run`.
+        forwarded: Vec<OsString>,
+    },
+    /// Run every test.
+    Test,
+    /// Say what there is.
+    Help,
+}
+
+/// Reads the arguments that follow the program's name.
+pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
+    let Some(name) = arguments.next() else { return Ok(Task::Help) };
+    let task = match name.to_str() {
+        Some("demo") => return demo(arguments),
+        Some("test") => Task::Test,
+        Some("help" | "--help" | "-h") => Task::Help,
+        _ => return Err(refused(&name)),
+    };
+    match arguments.next() {
+        None => Ok(task),
+        Some(argument) if is_help(&argument) => Ok(Task::Help),
+        Some(argument) => Err(refused(&argument)),
+    }
+}
+
+/// Reads what follows `demo`.
+fn demo(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
+    match arguments.next() {
+        None => Ok(Task::Demo { forwarded: Vec::new() }),
+        Some(separator) if separator == "--" => Ok(Task::Demo { forwarded: arguments.collect() }),
+        Some(argument) if is_help(&argument) => Ok(Task::Help),
+        Some(argument) => Err(refused(&argument)),
+    }
+}
+
+fn is_help(argument: &OsString) -> bool {
+    argument == "--help" || argument == "-h"
+}
+
+fn refused(argument: &OsString) -> Error {
+    Error::Argument(argument.to_string_lossy().into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(line: &str, expected: &Task) {
+        let task = parse(line.split_whitespace().map(OsString::from)).expect("a task");
+        assert_eq!(&task, expected, "{line}");
+    }
+
+    #[track_caller]
+    fn check_refused(line: &str, argument: &str) {
+        let error = parse(line.split_whitespace().map(OsString::from)).expect_err("refused");
+        assert!(matches!(&error, Error::Argument(named) if named == argument), "{error}");
+    }
+
+    fn demo(forwarded: &[&str]) -> Task {
+        Task::Demo { forwarded: forwarded.iter().map(OsString::from).collect() }
+    }
+
+    #[test]
+    fn each_chore_has_its_name() {
+        check("demo", &demo(&[]));
+        check("test", &Task::Test);
+        check("help", &Task::Help);
+    }
+
+    #[test]
+    fn nothing_and_the_usual_flags_ask_for_help() {
+        for line in ["", "-h", "--help", "demo --help", "test -h"] {
+            check(line, &Task::Help);
+        }
+    }
+
+    #[test]
+    fn what_follows_the_separator_is_for_letoff() {
+        check("demo -- --duration 5 --help", &demo(&["--duration", "5", "--help"]));
+        check("demo --", &demo(&[]));
+    }
+
+    #[test]
+    fn what_is_not_understood_is_named() {
+        check_refused("tset", "tset");
+        check_refused("demo --duration 5", "--duration");
+        check_refused("test host", "host");
+    }
+}

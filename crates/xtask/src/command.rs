@@ -1,0 +1,79 @@
+//! Other programs: how they are shown, run, and become us.
+
+use std::env;
+use std::ffi::OsStr;
+use std::path::Path;
+use std::process::Command;
+
+use crate::error::Error;
+
+/// The cargo that started us with `arguments`, to be run at the workspace's root.
+pub(crate) fn cargo<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Command {
+    let program = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(program);
+    command.args(arguments).current_dir(root());
+    command
+}
+
+/// The workspace's root: two folders above this crate.
+fn root() -> &'static Path {
+    let ours = Path::new(env!("CARGO_MANIFEST_DIR"));
+    ours.ancestors().nth(2).unwrap_or(ours)
+}
+
+/// The command as it would be typed; a program's folder is left out.
+pub(crate) fn words(command: &Command) -> String {
+    let program = Path::new(command.get_program());
+    let name = program.file_stem().unwrap_or(program.as_os_str());
+    let all: Vec<_> =
+        std::iter::once(name).chain(command.get_args()).map(OsStr::to_string_lossy).collect();
+    all.join(" ")
+}
+
+/// Shows the command, then runs it to its end.
+///
+/// # Errors
+/// Names the command if it cannot be started or ends without success.
+pub(crate) fn run(command: &mut Command) -> Result<(), Error> {
+    println!("$ {}", words(command));
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(_) => Err(Error::Failed { command: words(command) }),
+        Err(cause) => Err(Error::NotStarted { command: words(command), cause }),
+    }
+}
+
+/// Replaces this process, so that signals and the exit code are the command's own.
+///
+/// # Errors
+/// Names the command if it cannot be started.
+#[cfg(unix)]
+pub(crate) fn become_command(command: &mut Command) -> Result<(), Error> {
+    use std::os::unix::process::CommandExt as _;
+    println!("$ {}", words(command));
+    let cause = command.exec();
+    Err(Error::NotStarted { command: words(command), cause })
+}
+
+/// Runs the command to its end: the next best where no process can be replaced.
+#[cfg(not(unix))]
+pub(crate) fn become_command(command: &mut Command) -> Result<(), Error> {
+    run(command)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_is_shown_as_typed() {
+        let mut command = Command::new("/usr/bin/cargo");
+        command.args(["test", "--doc"]);
+        assert_eq!(words(&command), "cargo test --doc");
+    }
+
+    #[test]
+    fn the_root_holds_the_workspace() {
+        assert!(root().join("Cargo.lock").exists());
+    }
+}

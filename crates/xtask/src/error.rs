@@ -1,0 +1,72 @@
+//! Why a chore was not done, in one sentence saying what to do.
+
+use std::fmt;
+use std::io;
+use std::process::ExitCode;
+
+use crate::needs::{self, Need};
+
+/// Why a chore was not done.
+#[derive(Debug)]
+pub(crate) enum Error {
+    /// An argument is not understood.
+    Argument(String),
+    /// Something is missing that is not installed from here.
+    Missing {
+        needs: Vec<Need>,
+        /// Why it is not installed from here.
+        because: &'static str,
+    },
+    /// A command could not be started.
+    NotStarted { command: String, cause: io::Error },
+    /// A command ended without success.
+    Failed { command: String },
+}
+
+impl Error {
+    /// 2 for a wrong argument, 1 for everything else, as with `letoff`.
+    pub(crate) fn exit_code(&self) -> ExitCode {
+        if matches!(self, Self::Argument(_)) { ExitCode::from(2) } else { ExitCode::FAILURE }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Argument(argument) => write!(
+                f,
+                "\"{argument}\" is not understood here: see `cargo xtask help`, and put what \
+                 is meant for `letoff run` behind `--`"
+            ),
+            Self::Missing { needs, because } => {
+                let names: Vec<_> = needs.iter().map(|need| need.description()).collect();
+                let packages = needs::packages(needs).join(" ");
+                write!(
+                    f,
+                    "the build needs {}, and {because}: install what is missing (on Debian and \
+                     Ubuntu: apt-get install {packages}), then try again",
+                    names.join(" and "),
+                )
+            }
+            Self::NotStarted { command, cause } => write!(f, "cannot start `{command}`: {cause}"),
+            Self::Failed { command } => write!(f, "this command failed: {command}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_missing_is_named_in_words_and_as_packages() {
+        let needs = vec![Need::PkgConfig, Need::Alsa];
+        let error = Error::Missing { needs, because: "there is no apt-get here" };
+        assert_eq!(
+            error.to_string(),
+            "the build needs pkg-config and the headers of the ALSA library, and there is no \
+             apt-get here: install what is missing (on Debian and Ubuntu: apt-get install \
+             pkg-config libasound2-dev), then try again"
+        );
+    }
+}

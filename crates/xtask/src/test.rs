@@ -1,0 +1,93 @@
+//! Every test, in stages; the quick proofs first.
+
+use std::path::Path;
+use std::process::Command;
+
+use crate::apt;
+use crate::command::cargo;
+use crate::error::Error;
+use crate::stage::{self, Stage};
+
+/// The crates of the tick, which must do without the standard library.
+const NO_STD: [&str; 4] = ["pode", "models", "scheduler", "firmware-protocol"];
+
+/// A target on which there is no standard library to fall back to.
+const BARE_TARGET: &str = "thumbv7em-none-eabihf";
+
+/// Why the bare target's stage was skipped.
+const NOT_INSTALLED: &str = "the target is not installed (rustup target add thumbv7em-none-eabihf)";
+
+/// Installs what is missing and runs every test.
+///
+/// # Errors
+/// Says what is missing, or which command failed.
+pub(crate) fn run() -> Result<(), Error> {
+    apt::install_missing()?;
+    stage::run_all(stages((!has_bare_target()).then_some(NOT_INSTALLED)))
+}
+
+/// All stages; `no_bare_target` says why the one for the bare target is skipped, if it is.
+fn stages(no_bare_target: Option<&'static str>) -> Vec<Stage> {
+    let stage = |name, arguments: &[&str]| Stage { name, command: cargo(arguments), skipped: None };
+    vec![
+        stage("the tick's crates without std", &no_std(&[])),
+        Stage {
+            skipped: no_bare_target,
+            ..stage("the same on bare metal", &no_std(&["--target", BARE_TARGET]))
+        },
+        // Every failing test is shown, not only the first crate's.
+        stage("tests and examples", &test(&["--workspace", "--tests", "--examples"])),
+        stage("examples in the documentation", &test(&["--workspace", "--doc"])),
+        // The root package owns all benches; outside `cargo bench` each runs once.
+        stage("benches, once each", &test(&["--package", "letoff", "--benches"])),
+    ]
+}
+
+/// Arguments that build the crates of the tick without the standard library.
+fn no_std<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    let packages = NO_STD.iter().flat_map(|package| ["--package", package]);
+    ["build", "--no-default-features"].into_iter().chain(packages).chain(more.to_vec()).collect()
+}
+
+fn test<'a>(which: &[&'a str]) -> Vec<&'a str> {
+    ["test", "--no-fail-fast"].iter().chain(which).copied().collect()
+}
+
+/// Whether the compiler has the bare target's `core`.
+fn has_bare_target() -> bool {
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let output =
+        Command::new(rustc).args(["--print", "target-libdir", "--target", BARE_TARGET]).output();
+    let path = output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
+    path.is_ok_and(|path| !path.is_empty() && Path::new(&path).is_dir())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::command::words;
+
+    #[test]
+    fn every_crate_is_tested_not_only_the_default_one() {
+        for stage in stages(None) {
+            let line = words(&stage.command);
+            let selects = ["--workspace", "--package"].iter().any(|flag| line.contains(flag));
+            assert!(selects, "{line}");
+        }
+    }
+
+    #[test]
+    fn without_the_bare_target_only_that_stage_is_skipped() {
+        let skipped: Vec<_> = stages(Some("x")).iter().map(|stage| stage.skipped).collect();
+        assert_eq!(skipped, [None, Some("x"), None, None, None]);
+    }
+
+    #[test]
+    fn the_no_std_build_names_each_crate() {
+        assert_eq!(
+            no_std(&[]).join(" "),
+            "build --no-default-features --package pode --package models --package scheduler \
+             --package firmware-protocol"
+        );
+    }
+}
