@@ -3,6 +3,10 @@
 /// A rebound slower than this is none [m/s]: under gravity it would last 20 ps.
 const STILL: f64 = 1e-10;
 
+/// A hop lower than this [m] is lost in the rounding of a place of 1 m: its guard fires
+/// again at once, with the bodies still parting.
+const HOP: f64 = 1e-14;
+
 /// Two bodies that meet.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Meeting {
@@ -30,7 +34,8 @@ impl Meeting {
     pub(crate) fn part(&self) -> Parting {
         let Self { closing, pressing, restitution } = *self;
         let speed = restitution * closing;
-        if closing < -STILL {
+        let hops = closing * closing < 2.0 * pressing * HOP;
+        if closing < -STILL && !hops {
             Parting::Already
         } else if speed <= STILL {
             Parting::Together

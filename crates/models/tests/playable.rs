@@ -61,12 +61,13 @@ fn every_key_is_balanced() {
             let input = still(down / FRONT);
             let (mode, x) = model.at_rest(&input);
             let force = model.readout(mode, &x, &input) * model.input_per_metre();
-            // 38–40 gf is 0.373–0.392 N; geometry moves it by a hundredth over the dip.
-            assert!((0.36..0.40).contains(&force), "key {key} at {down}: {force:.4} N");
+            // 39 gf, 0.382 N, with the hammer level; 0.03 N less where it slopes most.
+            assert!((0.34..0.385).contains(&force), "key {key} at {down}: {force:.4} N");
             let rigid: KeyHammerRigid = preset("playable", key, &[]);
             let (mode, x) = rigid.at_rest(&input);
             let rigid = rigid.readout(mode, &x, &input) * rigid.input_per_metre();
-            assert!((force - rigid).abs() < 0.01, "key {key}: {force} N, rigid {rigid} N");
+            // The springs' sag, 0.4 mm at the head, is a hundredth of the blow.
+            assert!((force - rigid).abs() < 0.01 * force, "key {key}: {force} N, rigid {rigid} N");
         }
     }
 }
@@ -129,8 +130,11 @@ fn pressing_past_the_bottom_neither_caps_nor_rattles() {
     };
     let start = model.at_rest(&still(0.0));
     let (books, simulator) = run(model, start, (1e-3, 2.0), input);
-    let late = books.events.iter().filter(|event| event.t > 0.5).count();
-    assert_eq!(late, 0, "still at it: {:?}", books.names());
+    let hits = books.events.iter().filter(|event| event.name == "string");
+    let last = hits.map(|event| event.t).fold(0.0, f64::max);
+    assert!(last < 0.4, "still hits the string at {last} s");
+    let last = books.events.last().expect("events").t;
+    assert!(last < 1.5, "still leaves the key at {last} s");
     assert!(simulator.state().iter().all(|it| it.abs() < 1.0));
 }
 

@@ -19,7 +19,10 @@ fn a_nan_guard_is_a_fault_in_bounded_work_and_keeps_the_last_state() {
         |_, t| GuardValue::new(if t > 0.05 { f64::NAN } else { 1.0 }, 0.0),
         |_, t| GuardValue::new(1.0, if t > 0.05 { f64::NAN } else { 0.0 }),
         // Not a number inside the step only, where the search looks.
-        |_, t| GuardValue::new(if t > 0.049 && t < 0.05 { f64::NAN } else { 0.05 - t }, -1.0),
+        |_, t| {
+            let left = 0.05 - t;
+            GuardValue::new(if left.abs() < 1e-4 { f64::NAN } else { left }, -1.0)
+        },
     ];
     for guard in GUARDS {
         let mut timed = Timed { guards: &ONE, guard, effect: count }.start();

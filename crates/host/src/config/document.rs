@@ -75,7 +75,7 @@ impl Node {
 /// Nothing comes back where what is left could not be understood.
 pub(super) fn parse(report: &mut Report<'_>) -> Option<Node> {
     let mut text = report.source().text.clone();
-    let mut after = 0;
+    let mut left_out = Vec::new();
     for _ in 0..MOST_BROKEN_LINES {
         let error = match Document::parse(text.as_str()) {
             Ok(document) => return Some(from_item(document.as_item(), &at)),
@@ -87,14 +87,14 @@ pub(super) fn parse(report: &mut Report<'_>) -> Option<Node> {
             text.as_bytes()[..offset].iter().rposition(|b| *b == b'\n').map_or(0, |n| n + 1);
         let len = text.as_bytes()[start..].iter().position(|b| *b == b'\n');
         let end = len.map_or(text.len(), |len| start + len);
-        if start < after {
+        if left_out.contains(&start) {
             return None;
         }
         let message = error.message().replace(['\n', '\r'], " ");
         report.say(Place::At(offset), format!("this is not TOML, {message}"), "correct the line");
         let was_header = text[start..end].trim_start().starts_with('[');
         text.replace_range(start..end, &" ".repeat(end - start));
-        after = end;
+        left_out.push(start);
         // What follows a header would be taken for something that it is not.
         if was_header {
             return None;

@@ -13,9 +13,6 @@ use super::report::Report;
 use super::source::{Missing, Source, refuse};
 use super::voicing::Voicing;
 
-/// Names by which a file is known to be an instrument rather than a scene.
-pub(super) const OWN_NAMES: [&str; 4] = ["doc", "model", "preset", "parameters"];
-
 /// A checked instrument.
 #[derive(Clone, Debug)]
 pub struct Instrument {

@@ -37,7 +37,7 @@ pub(super) fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Vec<Opti
         return voices;
     };
     if ranges.is_empty() {
-        let help = "add a range and an instrument";
+        let help = "add [[keys]] with a range and an instrument";
         report.miss(entry.place, "the scene has no keys", help);
     }
     let mut taken = Vec::new();
@@ -137,7 +137,8 @@ fn read_voicing(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Voic
         return Voicing::read(report, reader);
     };
     for extra in [model, preset].into_iter().flatten() {
-        let message = format!("{} stands beside an instrument, which has its own", extra.name);
+        let message =
+            format!("{} stands beside an instrument, which has its own", quoted(&extra.name));
         report.say(extra.place, message, "keep one of the two");
     }
     let name = read::text(report, "instrument", &entry.node)?;

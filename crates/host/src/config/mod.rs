@@ -8,11 +8,12 @@
 //!
 //! | module | what stands there |
 //! |---|---|
-//! | [`scene`], [`render`], [`keys`], [`range`] | the scene, a file per table |
-//! | [`instrument`], [`voicing`] | a model, a preset and what differs from it, over the compass |
-//! | [`embedded`], [`source`] | what is part of the program; what lies on the disk |
-//! | [`document`], [`read`], [`quantity`], [`overrides`] | the language, whatever is said in it |
-//! | [`diagnostic`], [`report`], [`names`] | what is wrong, where, and what to do |
+//! | `scene`, `render`, `keys`, `range` | the scene, a file per table |
+//! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
+//! | `kind` | which of the two a file is |
+//! | `embedded`, `source` | what is part of the program; what lies on the disk |
+//! | `document`, `read`, `quantity`, `overrides` | the language, whatever is said in it |
+//! | `diagnostic`, `report`, `names` | what is wrong, where, and what to do |
 //!
 //! A value that comes out is within its range; a name that comes out exists. Not here: whether
 //! the machine has the ports and boards that a scene asks for.
@@ -25,6 +26,7 @@ mod document;
 mod embedded;
 mod instrument;
 mod keys;
+mod kind;
 mod names;
 mod overrides;
 mod quantity;
@@ -43,5 +45,6 @@ pub use diagnostic::{Diagnostic, Diagnostics};
 pub use embedded::{performances, scenes};
 pub use instrument::{Instrument, InstrumentInfo, instruments};
 pub use keys::KeyVoice;
+pub use kind::{Kind, check_file};
 pub use render::{EstimatorName, Reconstruction, Render, StepperName};
-pub use scene::{Kind, Lanes, Links, Midi, MidiOutput, PerformanceSource, Scene, check_file};
+pub use scene::{Lanes, Links, Midi, MidiOutput, PerformanceSource, Scene};

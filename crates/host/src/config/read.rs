@@ -19,7 +19,11 @@ impl<'a> Reader<'a> {
     /// Of `node`, called `name`; reports what is not a table.
     pub(super) fn new(report: &mut Report<'_>, name: &str, node: &'a Node) -> Option<Self> {
         let Some(entries) = node.entries() else {
-            wrong_type(report, name, node, "a table", &format!("write it as [{name}]"));
+            let help = match node.place {
+                Place::At(_) => format!("write it as [{name}]"),
+                Place::Override(_) => "set the values in it one by one".to_owned(),
+            };
+            wrong_type(report, name, node, "a table", &help);
             return None;
         };
         Some(Self { entries, place: node.place, known: Vec::new() })

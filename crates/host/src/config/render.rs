@@ -175,10 +175,12 @@ fn refuse_too_short(report: &mut Report<'_>, place: Place, longest_step: f64, ti
     let most = f64::from(limits.pieces.saturating_sub(limits.events).max(1));
     let shortest = 1.0 / (f64::from(tick_hz) * most);
     if longest_step < shortest {
+        // Rounded up, or what is told would be refused again.
+        let microseconds = (shortest * 1e7).ceil() / 10.0;
         let message = format!(
             "\"longest_step\" is {}, but a tick at {tick_hz} Hz may take {most} steps at most",
             LONGEST_STEP.show(longest_step)
         );
-        report.say(place, message, format!("give at least {shortest:.1e} s, or a faster tick"));
+        report.say(place, message, format!("give at least {microseconds:.1} us, or a faster tick"));
     }
 }

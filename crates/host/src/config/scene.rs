@@ -9,16 +9,12 @@ use super::document::{self, Value};
 use super::embedded::{PERFORMANCES, SCENES};
 use super::keys::{self, KeyVoice};
 use super::names::{choice, quoted};
+use super::overrides;
 use super::quantity::Quantity;
 use super::read::{self, Reader};
 use super::render::{self, Render};
 use super::report::{Place, Report};
 use super::source::{Missing, Source, no_file, refuse};
-use super::{instrument, overrides};
-
-/// Names by which a file is known to be a scene rather than an instrument.
-pub(super) const OWN_NAMES: [&str; 7] =
-    ["tick_hz", "lanes", "render", "keys", "links", "midi", "pianist"];
 
 /// The tick's rate on hardware [Hz].
 const DEFAULT_TICK_HZ: u32 = 1000;
@@ -200,7 +196,7 @@ fn whole(report: &mut Report<'_>, name: &str, place: Place, value: f64) -> Optio
 fn read_links(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Links {
     let Some(mut reader) = scene.table(report, "links") else { return Links::Simulated };
     let kinds = [("simulated", Links::Simulated)];
-    let kind = reader.choice(report, "kind", "kind of link", &kinds);
+    let kind = reader.choice(report, "kind", "there is no kind of link", &kinds);
     reader.finish(report);
     kind.unwrap_or(Links::Simulated)
 }
@@ -212,7 +208,7 @@ fn read_midi(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Midi {
         midi.output = midi_output(output);
     }
     let curves = VelocityCurve::ALL.map(|curve| (curve.name(), curve));
-    if let Some(curve) = reader.choice(report, "curve", "velocity curve", &curves) {
+    if let Some(curve) = reader.choice(report, "curve", "there is no velocity curve", &curves) {
         midi.curve = curve;
     }
     reader.finish(report);
@@ -271,62 +267,4 @@ fn find_performance(
     };
     report.say(place, message, help);
     None
-}
-
-/// What a file is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Kind {
-    /// A scene.
-    Scene,
-    /// An instrument.
-    Instrument,
-}
-
-impl Kind {
-    /// Its word for people.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Scene => "scene",
-            Self::Instrument => "instrument",
-        }
-    }
-}
-
-/// Checks the scene or instrument at `path`, whichever it is by what stands in it.
-///
-/// # Errors
-///
-/// All that is wrong with it, or that it is neither.
-pub fn check_file(path: &Path) -> Result<Kind, Diagnostics> {
-    let source = Source::read(path)?;
-    let kind = kind_of(&source)?;
-    match kind {
-        Kind::Scene => Scene::check(&source, &[]).map(|_scene| kind),
-        Kind::Instrument => instrument::Instrument::check(&source).map(|_instrument| kind),
-    }
-}
-
-/// What `source` has more of: a scene's names, or an instrument's.
-pub(super) fn kind_of(source: &Source) -> Result<Kind, Diagnostics> {
-    let mut report = Report::new(source, &[]);
-    let root = document::parse(&mut report);
-    let entries = root.as_ref().and_then(document::Node::entries).unwrap_or_default();
-    let count = |names: &[&str]| {
-        entries.iter().filter(|entry| names.contains(&entry.name.as_str())).count()
-    };
-    let kind = match (count(&OWN_NAMES), count(&instrument::OWN_NAMES)) {
-        (0, 0) => {
-            let help = "a scene has [[keys]], an instrument has a model";
-            report.miss(Place::At(0), "this is neither a scene nor an instrument", help);
-            None
-        }
-        (scene, instrument) if instrument <= scene => Some(Kind::Scene),
-        _ => Some(Kind::Instrument),
-    };
-    // Whoever checks the file says again what is no TOML.
-    match kind {
-        Some(kind) => Ok(kind),
-        None => report.verdict(None),
-    }
 }

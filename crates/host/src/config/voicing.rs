@@ -60,7 +60,7 @@ impl Voicing {
         let (name, place) = model?;
         let Some(model) = catalogue::find(&name) else {
             let known = catalogue::ENTRIES.iter().map(|entry| entry.name);
-            unknown(report, place, "model", &name, known);
+            unknown(report, place, "there is no model", &name, known);
             return None;
         };
         let preset = match preset {
@@ -68,9 +68,9 @@ impl Voicing {
             Some((name, place)) => {
                 let found = model.presets.iter().find(|preset| preset.name == name);
                 if found.is_none() {
-                    let what = format!("preset of {}", model.name);
+                    let refusal = format!("{} has no preset", model.name);
                     let known = model.presets.iter().map(|preset| preset.name);
-                    unknown(report, place, &what, &name, known);
+                    unknown(report, place, &refusal, &name, known);
                 }
                 // The parameters can be checked with any preset.
                 found.or(model.presets.first())
@@ -101,8 +101,9 @@ impl Voicing {
     }
 
     fn unknown_parameter(&self, report: &mut Report<'_>, place: Place, name: &str) {
-        let what = format!("parameter of {}", self.model.name);
-        unknown(report, place, &what, name, self.model.parameters.iter().map(|known| known.name));
+        let refusal = format!("{} has no parameter", self.model.name);
+        let known = self.model.parameters.iter().map(|parameter| parameter.name);
+        unknown(report, place, &refusal, name, known);
     }
 }
 
@@ -120,7 +121,8 @@ fn read_graded(report: &mut Report<'_>, parameter: &Parameter, node: &Node) -> O
             let message = format!("{} is graded but has no {name}", quoted(parameter.name));
             report.miss(node.place, message, "write { bass = …, treble = … }");
         }
-        value.and_then(|entry| read::number(report, name, &entry.node, quantity))
+        let full_name = format!("{}.{name}", parameter.name);
+        value.and_then(|entry| read::number(report, &full_name, &entry.node, quantity))
     };
     let (bass, treble) = (end(report, "bass"), end(report, "treble"));
     reader.finish(report);
@@ -148,14 +150,13 @@ mod tests {
 
     #[test]
     fn every_preset_stays_within_its_model_s_ranges() {
-        for model in catalogue::ENTRIES {
-            for preset in model.presets {
-                for (index, parameter) in model.parameters.iter().enumerate() {
-                    let quantity = Quantity { unit: parameter.unit, range: parameter.range };
-                    let allows = |key| quantity.allows((preset.value)(index, key));
-                    let name = parameter.name;
-                    assert!((0..88).all(allows), "{} {} {name}", model.name, preset.name);
-                }
+        let entries = catalogue::ENTRIES.iter();
+        for (model, preset) in entries.flat_map(|m| m.presets.iter().map(move |p| (m, p))) {
+            for (index, parameter) in model.parameters.iter().enumerate() {
+                let quantity = Quantity { unit: parameter.unit, range: parameter.range };
+                let allows = |key| quantity.allows((preset.value)(index, key));
+                let name = parameter.name;
+                assert!((0..88).all(allows), "{} {} {name}", model.name, preset.name);
             }
         }
     }

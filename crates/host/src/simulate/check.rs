@@ -155,10 +155,7 @@ impl<M: Playable> Start<M> {
 }
 
 /// One value per parameter: the preset's, then those of `--set`; `None` without a preset.
-fn parameters<M: Described>(
-    args: &SimulateArgs,
-    mistakes: &mut Vec<Mistake>,
-) -> Option<Vec<f64>> {
+fn parameters<M: Described>(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Option<Vec<f64>> {
     let preset = match args.preset.as_deref() {
         None => M::PRESETS.first(),
         Some(name) => {

@@ -2,14 +2,14 @@
 
 use models::{Described, Playable};
 use pode::stepper::{BogackiShampine, Heun, Rk4, SemiImplicitEuler};
-use pode::{Advance, Cap, EnergyAudit, Event, Fault, Motion, Piece, Signal, Simulator};
+use pode::{Advance, Cap, EnergyAudit, Event, Motion, Piece, Signal, Simulator};
 use pode::{State as _, Stepper, Tick, Watch};
 
 use super::check::{Clock, Start};
 use super::error::SimulateError;
 use super::input::{Input, is_finite};
 use super::output::Files;
-use super::summary::{Capped, Counts, Failure, Report};
+use super::summary::{Capped, Counts, Report, Why};
 
 macro_rules! methods {
     ($($stepper:ident),+ $(,)?) => {
@@ -19,7 +19,7 @@ macro_rules! methods {
         /// Runs a model with the method called `name`; the caller knows that there is one.
         pub(super) fn by_name<M: Playable>(
             name: &str,
-            start: Start<M>,
+            start: &Start<M>,
             plan: (&Clock, &Input),
             files: &mut Files,
         ) -> Result<Report, SimulateError> {
@@ -35,13 +35,14 @@ methods!(SemiImplicitEuler, Heun, BogackiShampine, Rk4);
 
 /// Advances a model from 0 to the clock's end, or to its first fault.
 fn drive<M: Playable, T: Stepper>(
-    start: Start<M>,
+    start: &Start<M>,
     stepper: T,
     (clock, input): (&Clock, &Input),
     files: &mut Files,
 ) -> Result<Report, SimulateError> {
-    let Start { model, mode, state } = start;
-    let mut follower = Follower { clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
+    let Start { model, mode, state } = *start;
+    let mut follower =
+        Follower { clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
     let mut tally = Tally::default();
     let mut simulator = Simulator::new(model, stepper, clock.limits, mode, state);
     follower.files.row(&simulator.model, 0.0, (mode, &state), &input.at(0.0))?;
@@ -51,7 +52,8 @@ fn drive<M: Playable, T: Stepper>(
         tally.add(&done);
         follower.files.check()?;
         if let Advance::Faulty(fault) = done.advance {
-            tally.failure = Some((fault, is_driven(clock, input, tick)));
+            let why = if is_driven(clock, input, tick) { Why::Model(fault) } else { Why::Input };
+            tally.failure = Some(why);
             break;
         }
         let t = clock.time(tick, 1.0);
@@ -98,8 +100,7 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
 struct Tally {
     counts: Counts,
     capped: Capped,
-    /// What failed, and whether the input was finite there.
-    failure: Option<(Fault, bool)>,
+    failure: Option<Why>,
 }
 
 impl Tally {
@@ -135,7 +136,7 @@ impl Tally {
             mode: mode_name::<M>(*mode),
             state,
             audit: follower.audit,
-            failure: self.failure.map(|(fault, driven)| Failure::of(fault, driven)),
+            failure: self.failure,
         }
     }
 }

@@ -209,7 +209,7 @@ mod tests {
         assert_eq!(seventeen_digits(0.001), "0.0010000000000000000");
         assert_eq!(seventeen_digits(123.0), "123.00000000000000");
         assert_eq!(seventeen_digits(0.0), "0.0");
-        for t in [1e-7, 0.1 + 0.2, 1.0 / 3.0, 2e5 / 3.0, 0.99999999999999989] {
+        for t in [1e-7, 0.1 + 0.2, 1.0 / 3.0, 2e5 / 3.0, 1.0 - f64::EPSILON] {
             assert_eq!(seventeen_digits(t).parse(), Ok(t));
         }
     }

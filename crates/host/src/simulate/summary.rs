@@ -25,7 +25,7 @@ pub(super) struct Report {
     pub(super) mode: &'static str,
     pub(super) state: Vec<(&'static str, f64)>,
     pub(super) audit: EnergyAudit,
-    pub(super) failure: Option<Failure>,
+    pub(super) failure: Option<Why>,
 }
 
 /// Work of all ticks; independent of the machine.
@@ -66,29 +66,38 @@ impl Capped {
 
 /// What failed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Failure {
-    /// One word for a program.
-    kind: &'static str,
-    /// A sentence for people.
-    why: &'static str,
+pub(super) enum Why {
+    /// The input, or a derivative of it, was not finite.
+    Input,
+    /// The model, under a finite input.
+    Model(Fault),
 }
 
-impl Failure {
-    pub(super) const fn of(fault: Fault, is_driven: bool) -> Self {
-        let (kind, why) = match (is_driven, fault) {
-            (false, _) => ("input", "the input s or a derivative of it is not finite there"),
-            (true, Fault::Period) => ("period", "the tick has no length; take a longer --step"),
-            (true, Fault::State) => {
-                ("state", "the state is not finite any more; take a shorter --step")
+impl Why {
+    /// One word for a program.
+    const fn kind(self) -> &'static str {
+        match self {
+            Self::Input => "input",
+            Self::Model(Fault::Period) => "period",
+            Self::Model(Fault::State) => "state",
+            Self::Model(Fault::Guard) => "guard",
+            Self::Model(Fault::Readout) => "readout",
+        }
+    }
+
+    /// What failed and what to do, for people.
+    const fn sentence(self) -> &'static str {
+        match self {
+            Self::Input => "the input s or a derivative of it is not finite there",
+            Self::Model(Fault::Period) => "the tick has no length; take a longer --step",
+            Self::Model(Fault::State) => "the state is not finite any more; take a shorter --step",
+            Self::Model(Fault::Guard) => {
+                "a guard is not finite; the last rows of --out show how it came there"
             }
-            (true, Fault::Guard) => {
-                ("guard", "a guard is not finite; the last rows of --out show how it came there")
+            Self::Model(Fault::Readout) => {
+                "the force is not finite; the last rows of --out show how it came there"
             }
-            (true, Fault::Readout) => {
-                ("readout", "the force is not finite; the last rows of --out show how it came there")
-            }
-        };
-        Self { kind, why }
+        }
     }
 }
 
@@ -98,7 +107,7 @@ impl Report {
         let Self { model, t, mode, .. } = self;
         match self.failure {
             None => Ok(()),
-            Some(Failure { why, .. }) => Err(SimulateError::Fault { model, t, mode, why }),
+            Some(why) => Err(SimulateError::Fault { model, t, mode, why: why.sentence() }),
         }
     }
 
@@ -106,7 +115,7 @@ impl Report {
     fn outcome(&self) -> String {
         let capped = self.capped.occurred();
         match self.failure {
-            Some(Failure { kind, .. }) => format!("fault: {kind}"),
+            Some(why) => format!("fault: {}", why.kind()),
             None if capped.is_empty() => "completed".to_owned(),
             None => {
                 let counts: Vec<_> =

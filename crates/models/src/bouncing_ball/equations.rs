@@ -30,6 +30,7 @@ impl BouncingBall {
         match meeting.part() {
             Parting::Already => Reset::to(Mode::Flight, [s.position, v]),
             Parting::Together => {
+                // Negative after a hop that was too low to see: what it got is taken back.
                 Reset::to(Mode::Rest, [s.position, s.rate]).with_impulse(self.mass * closing)
             }
             Parting::Rebound { speed, settles } => {

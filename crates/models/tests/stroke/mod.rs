@@ -61,7 +61,7 @@ pub struct Books<M: Described> {
     pub impulsive: f64,
     /// Largest energy [J] that an event made beyond its impulse's work.
     pub made: f64,
-    /// The same for moves over a Zeno sequence's end, which take time.
+    /// The same for moves over many impacts, which take time, and what corrects them.
     pub made_settling: f64,
     /// ∫ |supplied| dt: the energy that went through [J].
     pub throughput: f64,
@@ -109,13 +109,15 @@ impl<M: Described> Watch<M> for Books<M> {
         let energy = |it: &(M::Mode, M::State)| model.energy(it.0, &it.1, &event.input);
         let work = event.impulse * event.input.rate;
         self.impulsive += work;
+        let t = (event.tick as f64 + event.theta) * self.h;
+        let moved = self.events.last().is_some_and(|it| it.name == "impacts" && it.t >= t);
         let made = match event.cause {
-            Cause::Guard(_) => &mut self.made,
-            Cause::Impacts(_) | Cause::Settled => &mut self.made_settling,
+            Cause::Guard(_) if !moved => &mut self.made,
+            Cause::Guard(_) | Cause::Impacts(_) | Cause::Settled => &mut self.made_settling,
         };
         *made = made.max(energy(&event.after) - energy(&event.before) - work);
         self.events.push(Seen {
-            t: (event.tick as f64 + event.theta) * self.h,
+            t,
             name: event.cause.name(),
             before: event.before,
             after: event.after,

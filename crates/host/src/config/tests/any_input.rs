@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
 use super::super::embedded::{INSTRUMENTS, SCENES, Shelf};
-use super::super::{instrument, quantity, scene};
+use super::super::{kind, quantity};
 use super::*;
 
 /// Reads `bytes` as a scene and as an instrument.
@@ -20,9 +20,11 @@ fn read(bytes: &[u8], overrides: &[(String, String)]) {
         }
         Err(all) => check_places(&all, source.text.split('\n').count()),
     }
-    let found = instrument::Instrument::check(&source);
-    drop(found.map(|instrument| (0..88).map(|key| instrument.values(key)).count()));
-    drop(scene::kind_of(&source));
+    let found = Instrument::check(&source);
+    let mut values =
+        found.iter().flat_map(|instrument| (0..88).flat_map(|key| instrument.values(key)));
+    assert!(values.all(f64::is_finite));
+    drop(kind::check(&source));
 }
 
 fn check_places(all: &Diagnostics, n_lines: usize) {

@@ -98,7 +98,9 @@ pub enum InputMistake {
         problem: String,
     },
     /// The expression has no derivatives.
-    #[error("--input: exmex cannot derive this expression, and the model needs s', s'' and s''': {cause}")]
+    #[error(
+        "--input: exmex cannot derive this expression, and the model needs s', s'' and s''': {cause}"
+    )]
     NotDerivable {
         /// What exmex said.
         cause: exmex::ExError,

@@ -38,6 +38,8 @@ const CONSTANTS: &[(&str, &str)] = &[
 
 /// Parentheses, signs and powers inside one another.
 const MOST_DEPTH: usize = 100;
+/// Operators and functions in all: forty bells or so; more is a job for a table.
+const MOST_OPERATIONS: usize = 250;
 
 /// What is wrong, and at which byte of the text.
 #[derive(Debug)]
@@ -48,7 +50,7 @@ pub(super) struct Misspelt {
 
 /// `text` with all its parentheses.
 pub(super) fn spelt_out(text: &str) -> Result<String, Misspelt> {
-    let mut reader = Reader { text, rest: text.char_indices().peekable(), depth: 0 };
+    let mut reader = Reader { text, rest: text.char_indices().peekable(), depth: 0, operations: 0 };
     let sum = reader.sum()?;
     match reader.peek() {
         None => Ok(sum),
@@ -62,6 +64,7 @@ struct Reader<'a> {
     text: &'a str,
     rest: Peekable<CharIndices<'a>>,
     depth: usize,
+    operations: usize,
 }
 
 impl<'a> Reader<'a> {
@@ -116,6 +119,7 @@ impl<'a> Reader<'a> {
     ) -> Result<String, Misspelt> {
         let mut left = operand(self)?;
         while let Some(operator) = self.take(operators) {
+            self.count()?;
             let right = operand(self)?;
             left = format!("({left}{operator}{right})");
         }
@@ -124,7 +128,10 @@ impl<'a> Reader<'a> {
 
     fn signed(&mut self) -> Result<String, Misspelt> {
         self.deeper(|reader| match reader.take(&['+', '-']) {
-            Some('-') => Ok(format!("(-{})", reader.signed()?)),
+            Some('-') => {
+                reader.count()?;
+                Ok(format!("(-{})", reader.signed()?))
+            }
             Some(_) => reader.signed(),
             None => reader.power(),
         })
@@ -133,7 +140,10 @@ impl<'a> Reader<'a> {
     fn power(&mut self) -> Result<String, Misspelt> {
         let base = self.atom()?;
         match self.take(&['^']) {
-            Some(_) => Ok(format!("({base}^{})", self.signed()?)),
+            Some(_) => {
+                self.count()?;
+                Ok(format!("({base}^{})", self.signed()?))
+            }
             None => Ok(base),
         }
     }
@@ -191,6 +201,7 @@ impl<'a> Reader<'a> {
             return Ok((*constant).into());
         }
         if FUNCTIONS.contains(&name) {
+            self.count()?;
             return match self.peek() {
                 Some((_, '(')) => Ok(format!("({name}{})", self.parentheses()?)),
                 _ => Err(Misspelt { at, problem: format!("write {name}(…), with parentheses") }),
@@ -202,6 +213,15 @@ impl<'a> Reader<'a> {
             |near| format!("did you mean `{near}`?"),
         );
         Err(Misspelt { at, problem: format!("there is no `{name}`; {hint}") })
+    }
+
+    fn count(&mut self) -> Result<(), Misspelt> {
+        self.operations += 1;
+        if self.operations > MOST_OPERATIONS {
+            let problem = format!("more than {MOST_OPERATIONS} operations: give a CSV file");
+            return Err(Misspelt { at: self.at(), problem });
+        }
+        Ok(())
     }
 
     fn deeper(

@@ -91,7 +91,12 @@ struct Scan<'a> {
 impl Scan<'_> {
     fn mistake(&mut self, record: &StringRecord, column: usize, problem: String) {
         let line = record.position().map_or(0, csv::Position::line);
-        self.mistakes.push(InputMistake::Cell { path: self.path.to_owned(), line, column, problem });
+        self.mistakes.push(InputMistake::Cell {
+            path: self.path.to_owned(),
+            line,
+            column,
+            problem,
+        });
     }
 
     fn header(&mut self, record: &StringRecord) {

@@ -1,0 +1,80 @@
+//! Scene or instrument: told by what stands in the file.
+
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::diagnostic::Diagnostics;
+use super::document;
+use super::instrument::Instrument;
+use super::report::{Place, Report};
+use super::scene::Scene;
+use super::source::Source;
+
+/// Names that only a scene has.
+const SCENE: [&str; 7] = ["tick_hz", "lanes", "render", "keys", "links", "midi", "pianist"];
+
+/// Names that only an instrument has.
+const INSTRUMENT: [&str; 4] = ["doc", "model", "preset", "parameters"];
+
+/// What a file is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// A scene.
+    Scene,
+    /// An instrument.
+    Instrument,
+}
+
+impl Kind {
+    /// Its word for people.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Scene => "scene",
+            Self::Instrument => "instrument",
+        }
+    }
+}
+
+/// Checks the scene or instrument at `path`, whichever it is by what stands in it.
+///
+/// # Errors
+///
+/// All that is wrong with it, or that it is neither.
+pub fn check_file(path: &Path) -> Result<Kind, Diagnostics> {
+    check(&Source::read(path)?)
+}
+
+/// As [`check_file`], of a text that was read.
+pub(super) fn check(source: &Source) -> Result<Kind, Diagnostics> {
+    let kind = kind_of(source)?;
+    match kind {
+        Kind::Scene => Scene::check(source, &[]).map(|_scene| kind),
+        Kind::Instrument => Instrument::check(source).map(|_instrument| kind),
+    }
+}
+
+/// What `source` has more of: a scene's names, or an instrument's.
+fn kind_of(source: &Source) -> Result<Kind, Diagnostics> {
+    let mut report = Report::new(source, &[]);
+    let root = document::parse(&mut report);
+    let entries = root.as_ref().and_then(document::Node::entries).unwrap_or_default();
+    let count = |names: &[&str]| {
+        entries.iter().filter(|entry| names.contains(&entry.name.as_str())).count()
+    };
+    let kind = match (count(&SCENE), count(&INSTRUMENT)) {
+        (0, 0) => {
+            let help = "a scene has [[keys]], an instrument has a model";
+            report.miss(Place::At(0), "this is neither a scene nor an instrument", help);
+            None
+        }
+        (scene, instrument) if instrument <= scene => Some(Kind::Scene),
+        _ => Some(Kind::Instrument),
+    };
+    // Whoever checks the file says again what is no TOML.
+    match kind {
+        Some(kind) => Ok(kind),
+        None => report.verdict(None),
+    }
+}

@@ -1,0 +1,222 @@
+//! What holds for every ball, not only for the ones with known digits.
+
+#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
+
+mod common;
+
+use common::{Ball, G, Recorder, close};
+use pode::stepper::Rk4;
+use pode::{
+    Advance, Energetic, EnergyAudit, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset,
+    Resets, Simulator,
+};
+use proptest::prelude::*;
+
+/// Three balls over one floor: heights, then speeds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Balls {
+    guards: &'static [GuardSpec],
+    restitution: f64,
+}
+
+const A: GuardSpec = GuardSpec::new(0, "a");
+const B: GuardSpec = GuardSpec::new(1, "b");
+const C: GuardSpec = GuardSpec::new(2, "c");
+static ORDERS: [[GuardSpec; 3]; 6] =
+    [[A, B, C], [A, C, B], [B, A, C], [B, C, A], [C, A, B], [C, B, A]];
+
+impl Model for Balls {
+    type Mode = ();
+    type State = [f64; 6];
+    type Input = ();
+    const COORDS: usize = 3;
+
+    fn derivative(&self, (): (), x: &[f64; 6], (): &()) -> [f64; 6] {
+        [x[3], x[4], x[5], -G, -G, -G]
+    }
+
+    fn readout(&self, (): (), x: &[f64; 6], (): &()) -> f64 {
+        x[0] + x[1] + x[2]
+    }
+}
+
+impl Guarded for Balls {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        self.guards
+    }
+
+    fn guard(&self, (): (), id: GuardId, x: &[f64; 6], (): &()) -> GuardValue {
+        let ball = usize::from(id.0);
+        GuardValue::new(x[ball], x[ball + 3])
+    }
+}
+
+impl Resets for Balls {
+    fn reset(&self, (): (), id: GuardId, x: &[f64; 6], (): &()) -> Reset<Self> {
+        let ball = usize::from(id.0);
+        let mut after = *x;
+        (after[ball], after[ball + 3]) = (0.0, -self.restitution * x[ball + 3]);
+        Reset::to((), after)
+    }
+}
+
+/// The bits of everything that 500 ticks of `h` [s] give.
+fn bits(guards: &'static [GuardSpec], heights: [f64; 3], e: f64, h: f64) -> Vec<u64> {
+    let [a, b, c] = heights;
+    let model = Balls { guards, restitution: e };
+    let start = [a, b, c, 0.0, 0.0, 0.0];
+    let mut balls = Simulator::new(model, Rk4, Limits::default(), (), start);
+    let mut recorder = Recorder::new(h);
+    let readouts: Vec<u64> =
+        (0..500).map(|_| balls.advance(h, &|_| (), &mut recorder).mean_readout.to_bits()).collect();
+    let events = recorder.seen.iter().flat_map(|it| it.after.map(f64::to_bits));
+    readouts.into_iter().chain(events).chain(balls.state().map(f64::to_bits)).collect()
+}
+
+impl Energetic for Ball {
+    fn energy(&self, _: common::BallMode, x: &[f64; 2], (): &()) -> f64 {
+        self.mass * (G * x[0] + 0.5 * x[1] * x[1])
+    }
+
+    fn supplied(&self, _: common::BallMode, _: &[f64; 2], (): &()) -> f64 {
+        0.0
+    }
+}
+
+/// How often a ball from `height` [m] has bounced after `t` [s].
+fn bounces(height: f64, e: f64, t: f64) -> f64 {
+    let first = (2.0 * height / G).sqrt();
+    if t < first {
+        return 0.0;
+    }
+    // t_n = t1 (1 + 2e (1 − eⁿ⁻¹)/(1 − e)) for n.
+    let left = 1.0 - (t / first - 1.0) * (1.0 - e) / (2.0 * e);
+    1.0 + (left.ln() / e.ln()).floor()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn the_order_of_the_guards_never_matters(
+        heights in prop::array::uniform3(0.1..3.0),
+        together in any::<bool>(),
+        e in 0.5..1.0,
+        h in 1e-4..7e-3,
+    ) {
+        let heights = if together { [heights[0]; 3] } else { heights };
+        let first = bits(&ORDERS[0], heights, e, h);
+        for order in &ORDERS[1..] {
+            prop_assert!(first == bits(order, heights, e, h), "{heights:?}, e {e}, h {h}");
+        }
+    }
+
+    #[test]
+    fn how_ticks_cut_the_time_does_not_matter(
+        height in 0.1..3.0,
+        e in 0.5..0.95,
+        h in 1e-3..7e-3,
+        parts in 2_u32..12,
+    ) {
+        let events = |h: f64, ticks: u32| {
+            let mut ball = Ball::dropped(e, height, Limits::default());
+            let mut recorder = Recorder::new(h);
+            for _ in 0..ticks {
+                let _ = ball.advance(h, &|_| (), &mut recorder);
+            }
+            recorder.seen
+        };
+        let whole = events(h, 300);
+        let cut = events(h / f64::from(parts), 300 * parts);
+        // Up to the first ten: later ones may be taken in one move in one of the two.
+        for (n, (a, b)) in whole.iter().zip(&cut).take(10).enumerate() {
+            if a.guard != "floor" || b.guard != "floor" {
+                break;
+            }
+            // A parabola is followed exactly: each of some 3600 sums rounds the height by
+            // 2e-16, at a speed of 0.5 m/s at least.
+            let speed = a.before[1].abs();
+            close(&format!("impact {n}"), a.t, b.t, 3600.0 * 4.5e-16 * height.max(1.0) / speed);
+        }
+    }
+
+    #[test]
+    fn impacts_never_add_energy(height in 0.01..5.0, e in 0.0..1.0, h in 1e-4..7e-3) {
+        let mut ball = Ball::dropped(e, height, Limits::default());
+        for _ in 0..500 {
+            let mut audit = EnergyAudit::default();
+            let tick = ball.advance(h, &|_| (), &mut audit);
+            prop_assert_eq!(tick.advance, Advance::Completed);
+            prop_assert!(audit.jumps <= 0.0, "an impact added {} J", audit.jumps);
+            // Flight conserves: what is left is the rounding of one tick.
+            let rounding = 1e-14 * G * height;
+            prop_assert!(audit.residual().abs() <= rounding, "{:e} J", audit.residual());
+        }
+    }
+
+    #[test]
+    fn a_ball_bounces_as_often_as_it_should(height in 0.1..3.0, e in 0.5..0.9, h in 1e-4..7e-3) {
+        let mut ball = Ball::dropped(e, height, Limits::default());
+        let mut recorder = Recorder::new(h);
+        let end = 1.5 * (2.0 * height / G).sqrt() * (1.0 + e);
+        let mut ticks = 0_u32;
+        while f64::from(ticks) * h < end {
+            let _ = ball.advance(h, &|_| (), &mut recorder);
+            ticks += 1;
+        }
+        let t = f64::from(ticks) * h;
+        prop_assert_eq!(recorder.seen.len() as f64, bounces(height, e, t));
+    }
+
+    #[test]
+    fn a_wave_fires_once_per_fall(omega in 1.0..400.0, h in 1e-4..7e-3) {
+        // ω h stays below 3: one fall per step at most, wherever the step lies.
+        let mut wave = Simulator::new(Wave { omega }, Rk4, Limits::default(), (), [0.0]);
+        let mut recorder = Recorder::new(h);
+        for _ in 0..400 {
+            let _ = wave.advance(h, &|_| (), &mut recorder);
+        }
+        let turns = 400.0 * h * omega / std::f64::consts::TAU;
+        // cos ωt falls at a quarter of each turn.
+        prop_assert_eq!(recorder.seen.len() as f64, (turns + 0.75).floor());
+    }
+}
+
+/// The time, guarded by cos ωt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Wave {
+    omega: f64,
+}
+
+impl Model for Wave {
+    type Mode = ();
+    type State = [f64; 1];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), _: &[f64; 1], (): &()) -> [f64; 1] {
+        [1.0]
+    }
+
+    fn readout(&self, (): (), _: &[f64; 1], (): &()) -> f64 {
+        0.0
+    }
+}
+
+impl Guarded for Wave {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        const FALLS: [GuardSpec; 1] = [GuardSpec::new(0, "fall").on_crossing()];
+        &FALLS
+    }
+
+    fn guard(&self, (): (), _: GuardId, x: &[f64; 1], (): &()) -> GuardValue {
+        let (sin, cos) = (self.omega * x[0]).sin_cos();
+        GuardValue::new(cos, -self.omega * sin)
+    }
+}
+
+impl Resets for Wave {
+    fn reset(&self, (): (), _: GuardId, x: &[f64; 1], (): &()) -> Reset<Self> {
+        Reset::to((), *x)
+    }
+}
