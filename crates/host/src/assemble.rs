@@ -126,7 +126,7 @@ impl Builder<'_> {
         let Self { render, h, quantum, cell, .. } = self;
         let estimator = match render.estimator {
             EstimatorName::Kalman => {
-                AnyEstimator::Kalman(Kalman::new(h, quantum, Kalman::KEY_JERK_DENSITY))
+                AnyEstimator::Kalman(Kalman::new(h, quantum, render.jerk_density))
             }
             EstimatorName::BackwardDifference => {
                 AnyEstimator::BackwardDifference(BackwardDifference::new(h))

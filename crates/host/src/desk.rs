@@ -12,9 +12,13 @@ use scheduler::time::Nanos;
 
 use crate::bell::Bell;
 use crate::realtime::clock;
+use crate::realtime::thread::{DEFAULT_PRIORITY, ask_for_fifo};
 
 /// Longest wait without a bell: ports that vanished are looked for this often.
 const PATIENCE: Duration = Duration::from_millis(50);
+
+/// Below the tick, above the rest: a late note is heard, a late force is felt.
+const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
 
 /// An output of any kind.
 pub type AnyOutput = Box<dyn Output + Send>;
@@ -39,7 +43,7 @@ pub struct Played {
     pub trouble: Option<String>,
     /// How many messages could not be sent.
     pub n_troubles: u64,
-    /// Handed over − happened [ns], in real time.
+    /// Strikes: handed over − happened [ns], in real time.
     pub handover: Option<Histogram<u64>>,
 }
 
@@ -73,7 +77,9 @@ impl Desk {
                 // The tick sees up to one period ahead: wait for the event's own time.
                 clock::sleep_until(due);
                 self.play(event);
-                handover.saturating_record(clock::monotonic().since(due).as_u64());
+                if matches!(event.kind, EventKind::Strike { .. }) {
+                    handover.saturating_record(clock::monotonic().since(due).as_u64());
+                }
             }
             if last_round {
                 return;
@@ -128,6 +134,7 @@ impl Attended {
         let stop = Arc::new(AtomicBool::new(false));
         let (its_stop, its_bell) = (Arc::clone(&stop), Arc::clone(&bell));
         let thread = std::thread::Builder::new().name("letoff-midi".into()).spawn(move || {
+            let _as_the_tick_reports = ask_for_fifo(Some(PRIORITY));
             desk.attend(&its_bell, start, &its_stop, &mut handover);
             desk.close(Some(handover))
         })?;

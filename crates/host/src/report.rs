@@ -104,9 +104,9 @@ impl Quantiles {
 pub struct Notes {
     /// Notes that the piece asks for within the run.
     pub played: usize,
-    /// Of these, struck.
+    /// Strikes heard, wanted or not.
     pub struck: usize,
-    /// Of these, not struck.
+    /// Notes asked for and not struck.
     pub missed: usize,
     /// Strikes that nobody asked for.
     pub extra: usize,
@@ -241,7 +241,10 @@ impl Notes {
         writeln!(
             f,
             "  notes       {} of {} struck, {} missed, {} extra",
-            self.struck, self.played, self.missed, self.extra
+            self.played - self.missed,
+            self.played,
+            self.missed,
+            self.extra
         )?;
         let (o, v) = (&self.onset_error_ms, &self.velocity_error);
         writeln!(

@@ -3,9 +3,9 @@
 /// A rebound slower than this is none [m/s]: under gravity it would last 20 ps.
 const STILL: f64 = 1e-10;
 
-/// A hop lower than this [m] is lost in the rounding of a place of 1 m: its guard fires
-/// again at once, with the bodies still parting.
-const HOP: f64 = 1e-14;
+/// Bodies that part slower than this [m/s] while their guard fires all the same: their hop
+/// is lost in the rounding of a place of 1 m, up to 5 km/s² of pressing.
+const HOP: f64 = 1e-5;
 
 /// Two bodies that meet.
 #[derive(Clone, Copy, Debug)]
@@ -34,8 +34,7 @@ impl Meeting {
     pub(crate) fn part(&self) -> Parting {
         let Self { closing, pressing, restitution } = *self;
         let speed = restitution * closing;
-        let hops = closing * closing < 2.0 * pressing * HOP;
-        if closing < -STILL && !hops {
+        if closing < -HOP {
             Parting::Already
         } else if speed <= STILL {
             Parting::Together

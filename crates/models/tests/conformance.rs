@@ -1,12 +1,19 @@
 //! What every model of the catalogue keeps, whatever it is.
 
+#![expect(
+    clippy::disallowed_methods,
+    clippy::disallowed_macros,
+    clippy::expect_used,
+    reason = "a test has the heap, and fails aloud"
+)]
+
 mod random;
 mod stroke;
 
 use models::catalogue::{self, Visitor};
 use models::{Described, Parameter, Playable};
 use pode::stepper::{Rk4, Stepper as _};
-use pode::{GuardId, MAX_GUARDS, Motion, Reset, State as _};
+use pode::{GuardId, MAX_GUARDS, Motion, State};
 use random::Random;
 use stroke::{run, still};
 
@@ -102,27 +109,46 @@ fn presets_are_complete_and_within_ranges_for_all_keys() {
 fn presets_are_in_range<M: Playable>() {
     assert!(!M::PRESETS.is_empty());
     for preset in M::PRESETS {
-        for key in 0..88 {
-            for (index, Parameter { name, range, .. }) in M::PARAMETERS.iter().enumerate() {
-                let value = (preset.value)(index, key);
-                let inside = value.is_finite() && range.0 <= value && value <= range.1;
-                assert!(inside, "{} {} key {key}: {name} = {value}", M::NAME, preset.name);
-            }
+        for (index, Parameter { name, range, .. }) in M::PARAMETERS.iter().enumerate() {
+            let values = (0..88).map(|key| (preset.value)(index, key));
+            let outside = values.enumerate().find(|(_, it)| !(range.0..=range.1).contains(it));
+            assert_eq!(outside, None, "{} {}: {name} of a key", M::NAME, preset.name);
         }
     }
 }
 
-/// Every preset of every 29th key, with a start that is at rest.
-fn presets<M: Described>(mut check: impl FnMut(&str, M)) {
-    for preset in M::PRESETS {
-        for key in [0, 29, 58, 87] {
-            let at_rest = |(index, it): (usize, &Parameter)| {
-                if it.name == "y0" { 0.0 } else { (preset.value)(index, key) }
-            };
-            let values: Vec<_> = M::PARAMETERS.iter().enumerate().map(at_rest).collect();
-            check(preset.name, M::with_values(&values));
-        }
-    }
+/// Every preset of four keys with its label, with a start that is at rest.
+fn presets<M: Described>() -> impl Iterator<Item = (String, M)> {
+    let keys = |preset| [0_u8, 29, 58, 87].map(|key| (preset, key));
+    M::PRESETS.iter().flat_map(keys).map(|(preset, key)| {
+        let at_rest = |(index, it): (usize, &Parameter)| {
+            if it.name == "y0" { 0.0 } else { (preset.value)(index, key) }
+        };
+        let values: Vec<_> = M::PARAMETERS.iter().enumerate().map(at_rest).collect();
+        (format!("{} {} key {key}", M::NAME, preset.name), M::with_values(&values))
+    })
+}
+
+/// A model somewhere in one of its modes.
+struct Place<M: Described> {
+    label: String,
+    model: M,
+    mode: M::Mode,
+    x: M::State,
+    input: Motion,
+}
+
+/// `n` random places in every mode of every preset.
+fn places<M: Playable>(n: usize, seed: u64) -> impl Iterator<Item = Place<M>> {
+    let mut random = Random::new(seed);
+    let modes = |(label, model): (String, M)| {
+        M::MODES.iter().map(move |(mode, name)| (format!("{label} {name}"), model, *mode))
+    };
+    let again = move |it| std::iter::repeat_n(it, n);
+    presets::<M>().flat_map(modes).flat_map(again).map(move |(label, model, mode)| {
+        let (x, input) = somewhere(&model, mode, &mut random);
+        Place { label, model, mode, x, input }
+    })
 }
 
 #[test]
@@ -153,21 +179,26 @@ fn at_rest_is_at_rest() {
 /// times the stiffest spring over the smallest inertia of any preset, 1e6 1/s².
 const ROUNDING: f64 = 1e-10;
 
+/// Whether all entries are zero but for rounding.
+fn is_nothing<S: State>(x: &S) -> bool {
+    x.entries().iter().all(|entry| entry.abs() < ROUNDING)
+}
+
 fn rest_is_rest<M: Playable>() {
-    presets::<M>(|preset, model| {
+    for (label, model) in presets::<M>() {
         for metres in [0.0, 0.004] {
             let input = still(metres * model.input_per_metre());
             let (mode, x) = model.at_rest(&input);
             let dx = model.derivative(mode, &x, &input);
-            let still = dx.entries().iter().all(|entry| entry.abs() < ROUNDING);
-            assert!(still, "{} {preset} at {metres}: {dx:?}", M::NAME);
-            for spec in model.guards(mode) {
-                let value = model.guard(mode, spec.id, &x, &input).value;
-                assert!(value >= 0.0, "{} {preset}: {} is {value}", M::NAME, spec.name);
-            }
-            assert_eq!(model.constrain(mode, &x, &input), x, "{} {preset}", M::NAME);
+            assert!(is_nothing(&dx), "{label} at {metres}: {dx:?}");
+            assert_eq!(model.constrain(mode, &x, &input), x, "{label}");
+            let guards = model.guards(mode).iter();
+            let lowest = guards
+                .map(|guard| model.guard(mode, guard.id, &x, &input).value)
+                .fold(f64::INFINITY, f64::min);
+            assert!(lowest >= 0.0, "{label} at {metres}: a guard is {lowest}");
         }
-    });
+    }
 }
 
 #[test]
@@ -176,18 +207,17 @@ fn what_is_at_rest_stays_there() {
 }
 
 fn rest_lasts<M: Playable>() {
-    presets::<M>(|preset, model| {
+    for (label, model) in presets::<M>() {
         let input = still(0.002 * model.input_per_metre());
         let (mode, x) = model.at_rest(&input);
         let force = model.readout(mode, &x, &input);
         let (books, end) = run(model, (mode, x), (1e-3, 1.0), |_| input);
-        assert!(books.events.is_empty(), "{} {preset}: {:?}", M::NAME, books.names());
+        assert!(books.events.is_empty(), "{label}: {:?}", books.names());
         let drift = end.state().plus(-1.0, &x);
-        let moved = drift.entries().iter().fold(0.0, |far: f64, entry| far.max(entry.abs()));
-        assert!(moved < ROUNDING, "{} {preset} moved by {moved:e}", M::NAME);
+        assert!(is_nothing(&drift), "{label} moved by {drift:?}");
         let last = books.ticks.last().expect("a tick").mean_readout;
-        assert!((last - force).abs() < 1e-8 * force.abs().max(1.0), "{} {preset}", M::NAME);
-    });
+        assert!((last - force).abs() < 1e-8 * force.abs().max(1.0), "{label}: {last} N");
+    }
 }
 
 #[test]
@@ -196,52 +226,55 @@ fn every_output_is_written() {
 }
 
 fn outputs_are_written<M: Playable>() {
-    let mut random = Random::new(1);
-    presets::<M>(|preset, model| {
-        for (mode, _) in M::MODES {
-            let (x, input) = somewhere(&model, *mode, &mut random);
-            let mut out = [f64::NAN; 16];
-            model.outputs(*mode, &x, &input, &mut out);
-            let (written, rest) = out.split_at(M::OUTPUTS.len());
-            assert!(written.iter().all(|it| it.is_finite()), "{} {preset}: {out:?}", M::NAME);
-            assert!(rest.iter().all(|it| it.is_nan()), "{} {preset}: {out:?}", M::NAME);
-            // Room for less is filled and no more.
-            model.outputs(*mode, &x, &input, &mut out[..1]);
-        }
-    });
+    for Place { label, model, mode, x, input } in places::<M>(1, 1) {
+        let mut out = [f64::NAN; 16];
+        model.outputs(mode, &x, &input, &mut out);
+        let (written, rest) = out.split_at(M::OUTPUTS.len());
+        assert!(written.iter().all(|it| it.is_finite()), "{label}: {out:?}");
+        assert!(rest.iter().all(|it| it.is_nan()), "{label}: {out:?}");
+        // Room for less is filled and no more.
+        model.outputs(mode, &x, &input, &mut out[..1]);
+    }
 }
 
 #[test]
-fn everything_is_finite_and_resets_lead_to_listed_modes() {
+fn everything_is_finite() {
     with_all!(values_are_finite);
 }
 
 fn values_are_finite<M: Playable>() {
-    let mut random = Random::new(2);
-    presets::<M>(|preset, model| {
+    for Place { label, model, mode, x, input } in places::<M>(5, 2) {
         let scale = model.input_per_metre();
-        assert!(scale.is_finite() && scale != 0.0, "{} {preset}: {scale}", M::NAME);
-        for (mode, name) in M::MODES {
-            assert!(model.longest_step(*mode) > 1e-5, "{} {preset} {name}", M::NAME);
-            let (x, input) = somewhere(&model, *mode, &mut random);
-            let scalars = [
-                model.readout(*mode, &x, &input),
-                model.energy(*mode, &x, &input),
-                model.supplied(*mode, &x, &input),
-                model.dissipated(*mode, &x, &input),
-            ];
-            assert!(scalars.iter().all(|it| it.is_finite()), "{} {preset}: {scalars:?}", M::NAME);
-            for guard in model.guards(*mode) {
-                let reset = model.reset(*mode, guard.id, &x, &input);
-                let Reset { mode: next, state, impulse, settles } = reset;
-                assert!(M::MODES.iter().any(|it| it.0 == next), "{}: {next:?}", M::NAME);
-                assert!(state.entries().iter().all(|it| it.is_finite()) && impulse.is_finite());
-                let Some(settling) = settles else { continue };
-                assert!(M::MODES.iter().any(|it| it.0 == settling.mode), "{}", M::NAME);
-                assert!(settling.after > 0.0 && settling.ratio > 0.0 && settling.ratio < 1.0);
-            }
+        assert!(scale.is_finite() && scale.abs() > 0.0, "{label}: {scale}");
+        assert!(model.longest_step(mode) > 1e-5, "{label}: {}", model.longest_step(mode));
+        let scalars = [
+            model.readout(mode, &x, &input),
+            model.energy(mode, &x, &input),
+            model.supplied(mode, &x, &input),
+            model.dissipated(mode, &x, &input),
+        ];
+        assert!(scalars.iter().all(|it| it.is_finite()), "{label}: {scalars:?}");
+    }
+}
+
+#[test]
+fn resets_lead_to_listed_modes() {
+    with_all!(modes_are_complete);
+}
+
+fn modes_are_complete<M: Playable>() {
+    let is_listed = |mode| M::MODES.iter().any(|(known, _)| *known == mode);
+    for Place { label, model, mode, x, input } in places::<M>(20, 5) {
+        for guard in model.guards(mode) {
+            let reset = model.reset(mode, guard.id, &x, &input);
+            let finite = reset.state.entries().iter().all(|it| it.is_finite());
+            assert!(finite && reset.impulse.is_finite(), "{label}: {:?}", reset.state);
+            assert!(is_listed(reset.mode), "{label}: {:?}", reset.mode);
+            let Some(settling) = reset.settles else { continue };
+            assert!(is_listed(settling.mode), "{label}: {:?}", settling.mode);
+            assert!(settling.after > 0.0 && settling.ratio > 0.0 && settling.ratio < 1.0);
         }
-    });
+    }
 }
 
 #[test]
@@ -250,20 +283,14 @@ fn dampers_only_take() {
 }
 
 fn dissipation_is_not_negative<M: Playable>() {
-    let mut random = Random::new(3);
-    presets::<M>(|preset, model| {
-        for (mode, name) in M::MODES {
-            for _ in 0..50 {
-                let (x, input) = somewhere(&model, *mode, &mut random);
-                // Only where the mode is valid.
-                let valid = |id| model.guard(*mode, id, &x, &input).value > 0.0;
-                if model.guards(*mode).iter().all(|guard| valid(guard.id)) {
-                    let power = model.dissipated(*mode, &x, &input);
-                    assert!(power >= 0.0, "{} {preset} {name}: {power} W", M::NAME);
-                }
-            }
+    for Place { label, model, mode, x, input } in places::<M>(50, 3) {
+        // Only where the mode is valid.
+        let mut guards = model.guards(mode).iter();
+        if guards.all(|guard| model.guard(mode, guard.id, &x, &input).value > 0.0) {
+            let power = model.dissipated(mode, &x, &input);
+            assert!(power >= 0.0, "{label}: {power} W");
         }
-    });
+    }
 }
 
 #[test]
@@ -273,37 +300,27 @@ fn guard_rates_are_the_guards_rates() {
 
 /// Compares each guard's rate with central differences along the flow.
 ///
-/// The difference over 2ε is off by ε² g'''/6, a third of what it differs from the one
-/// over 4ε; and by rounding, a few ulps of the guard's terms over ε.
+/// The difference over 2ε is off by ε²/6 of the third derivative, a third of what it
+/// differs from the one over 4ε; and by rounding, a few ulps of the guard's terms over ε.
 fn rates_agree<M: Playable>() {
     const EPSILON: f64 = 1e-5;
-    let mut random = Random::new(4);
-    presets::<M>(|preset, model| {
-        for (mode, name) in M::MODES {
-            for _ in 0..20 {
-                let (x, input) = somewhere(&model, *mode, &mut random);
-                for guard in model.guards(*mode) {
-                    let at = |t: f64| {
-                        let (x, input) = flow(&model, *mode, &x, &input, t);
-                        model.guard(*mode, guard.id, &x, &input).value
-                    };
-                    let slope = |e: f64| (at(e) - at(-e)) / (2.0 * e);
-                    let (fine, coarse) = (slope(EPSILON), slope(2.0 * EPSILON));
-                    let here = model.guard(*mode, guard.id, &x, &input);
-                    let rounding = 1e-14 * (here.value.abs() + guard.scale) / EPSILON;
-                    let allowed = (fine - coarse).abs() + rounding;
-                    let error = (here.rate - fine).abs();
-                    assert!(
-                        error <= allowed,
-                        "{} {preset} {name} {}: rate {} is not {fine} ± {allowed:e}",
-                        M::NAME,
-                        guard.name,
-                        here.rate
-                    );
-                }
-            }
+    for place in places::<M>(20, 4) {
+        let Place { label, model, mode, x, input } = &place;
+        for guard in model.guards(*mode) {
+            let at = |t: f64| {
+                let (x, input) = flow(&place, t);
+                model.guard(*mode, guard.id, &x, &input).value
+            };
+            let slope = |e: f64| (at(e) - at(-e)) / (2.0 * e);
+            let (fine, coarse) = (slope(EPSILON), slope(2.0 * EPSILON));
+            let here = model.guard(*mode, guard.id, x, input);
+            let rounding = 1e-14 * (here.value.abs() + guard.scale) / EPSILON;
+            let allowed = (fine - coarse).abs() + rounding;
+            let (name, rate) = (guard.name, here.rate);
+            let error = (rate - fine).abs();
+            assert!(error <= allowed, "{label} {name}: rate {rate} is not {fine} ± {allowed:e}");
         }
-    });
+    }
 }
 
 /// A state of `mode` near rest, and an input near its own.
@@ -322,14 +339,9 @@ fn somewhere<M: Playable>(model: &M, mode: M::Mode, random: &mut Random) -> (M::
     (model.constrain(mode, &x, &input), input)
 }
 
-/// State and input `t` [s] later, in `mode`, with the input's jerk constant.
-fn flow<M: Playable>(
-    model: &M,
-    mode: M::Mode,
-    x: &M::State,
-    input: &Motion,
-    t: f64,
-) -> (M::State, Motion) {
+/// State and input `t` [s] later, in the same mode, with the input's jerk constant.
+fn flow<M: Playable>(place: &Place<M>, t: f64) -> (M::State, Motion) {
+    let Place { model, mode, x, input, .. } = place;
     let later = |t: f64| {
         let Motion { position, rate, acceleration, jerk } = *input;
         Motion {
@@ -339,7 +351,7 @@ fn flow<M: Playable>(
             jerk,
         }
     };
-    let f = |tau: f64, x: &M::State| model.derivative(mode, x, &later(tau * t));
+    let f = |tau: f64, x: &M::State| model.derivative(*mode, x, &later(tau * t));
     let step = Rk4.step(f, x, None, t, M::COORDS);
-    (model.constrain(mode, step.dense.end(), &later(t)), later(t))
+    (model.constrain(*mode, step.dense.end(), &later(t)), later(t))
 }

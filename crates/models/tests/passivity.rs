@@ -49,7 +49,7 @@ fn stroke_of(size: f64) -> impl Strategy<Value = Vec<[f64; 3]>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn model_b_is_passive(
@@ -105,7 +105,11 @@ proptest! {
         let (books, _) = run(model, start, (h, 1.2), |t| bells(&stroke, t));
         let omega = 0.25 / model.longest_step(Cart::Free);
         check_books(&books, rk4_bound(h, omega, omega * 1.2));
-        assert!(books.made_settling < 1e-8, "settling made {:e} J", books.made_settling);
+        // Many impacts in one move let the pendulum swing evenly for h at most: its speed
+        // is off by (g/l) θ' h²/2, its energy by (g/l) h² of itself.
+        let most = books.energies.0 + model.bob_mass * model.g * model.length;
+        let off = model.g / model.length * h * h * most + ROUNDING;
+        assert!(books.made_settling < off, "settling made {:e} J", books.made_settling);
     }
 
     #[test]
@@ -147,6 +151,23 @@ fn the_unexplained_energy_shrinks_with_the_fourth_power_of_the_step() {
 }
 
 #[test]
+fn a_ball_at_the_edge_of_lifting_off_neither_caps_nor_sinks() {
+    // A ω² is g and a little: hops of 1e-14 m, under the rounding of the guard.
+    for part in [1.0 - 1e-6, 1.0 + 1e-9, 1.0 + 1e-7, 1.0 + 1e-6, 1.0 + 1e-5, 1.0 + 1e-4] {
+        for e in [0.0, 0.1, 0.314, 0.5, 0.9] {
+            let model: BouncingBall = preset("default", 0, &[("restitution", e)]);
+            let omega = 48.824;
+            let amplitude = part * 9.81 / (omega * omega);
+            let start = (Ball::Rest, [0.0, 0.0]);
+            let (books, ball) = run(model, start, (1e-3, 3.0), |t| sine(amplitude, omega, t));
+            let gap = ball.state()[0] - sine(amplitude, omega, 3.0).position;
+            assert!(gap > -1e-12, "{part}, e = {e}: {gap:e} m");
+            assert!(books.events.len() < 2000, "{part}, e = {e}: {} events", books.events.len());
+        }
+    }
+}
+
+#[test]
 fn model_b_keeps_its_energy_in_free_motion() {
     // From a stretched spring, with s constant: through releases and landings, no string.
     let model: KeyHammerSprings = preset("paper", 0, &[]);
@@ -159,7 +180,6 @@ fn model_b_keeps_its_energy_in_free_motion() {
     assert!(!books.names().contains(&"string"));
     let energy = model.energy(Springs::B1, &x, &s).abs();
     let spread = books.spread();
-    println!("model B: {spread:e} J of {energy} J, {} events", books.events.len());
     assert!(spread < 1e-9 * energy.max(0.01), "energy moves by {spread:e} J");
 }
 
@@ -175,7 +195,6 @@ fn the_hammer_of_model_a_keeps_its_energy_in_flight() {
     let in_flight = books.events[1].t;
     let (books, _) = run(model, start, (1e-4, in_flight - 1e-3), |_| s);
     let spread = books.spread();
-    println!("model A: {spread:e} J of {} J", 0.5 * 0.01 * 16.0);
     assert!(spread < 1e-9 * 0.08, "energy moves by {spread:e} J");
 }
 
@@ -186,6 +205,5 @@ fn an_elastic_cart_keeps_its_energy_over_many_walls() {
     let (books, _) = run(model, start, (1e-4, 10.0), |_| still(0.0));
     assert!(books.events.len() > 50, "{} events", books.events.len());
     let spread = books.spread();
-    println!("cart: {spread:e} J, {} events", books.events.len());
     assert!(spread < 1e-8, "energy moves by {spread:e} J");
 }

@@ -37,11 +37,11 @@ fn the_key_bottom_leaves_the_hammer_short_of_the_string() {
 }
 
 #[test]
-fn the_blow_distance_is_a_grands() {
+fn the_blow_is_five_dips_and_what_is_left() {
     for (key, model) in compass::<KeyHammerSprings>() {
         let p = &model.values;
         let blow = p.l2 * (p.string_angle - hammer(&model, 0.0));
-        assert!((0.045..0.060).contains(&blow), "key {key}: {:.2} mm", blow * 1e3);
+        assert!((0.053..0.0545).contains(&blow), "key {key}: {:.2} mm", blow * 1e3);
     }
 }
 
@@ -102,7 +102,6 @@ fn a_slow_press_is_silent_and_faster_ones_are_louder() {
     for key in [0, 39, 87] {
         assert_eq!(strikes(key, 0.5), [0.0_f64; 0], "key {key}: a silent press");
         let speeds = [0.12, 0.06, 0.03].map(|duration| strikes(key, duration)[0]);
-        println!("key {key}: {speeds:?}");
         assert!(speeds.is_sorted(), "key {key}: {speeds:?}");
         assert!(speeds[0] > 0.2 && speeds[2] < 7.0, "key {key}: {speeds:?}");
     }
@@ -136,6 +135,29 @@ fn pressing_past_the_bottom_neither_caps_nor_rattles() {
     let last = books.events.last().expect("events").t;
     assert!(last < 1.5, "still leaves the key at {last} s");
     assert!(simulator.state().iter().all(|it| it.abs() < 1.0));
+}
+
+#[test]
+#[expect(clippy::float_cmp, reason = "what is kept is kept to the bit")]
+fn a_hammer_pushed_through_the_string_is_not_put_back() {
+    // Model A's contact is rigid: 1.5 mm past the bottom the head is past the string.
+    // A key that drops faster than the hammer can fall leaves it there.
+    let model: KeyHammerRigid = preset("playable", 39, &[]);
+    let bottom = (DIP + 1.5e-3) / FRONT;
+    let input = |t: f64| {
+        let t = (t - 0.01).max(0.0);
+        Motion {
+            position: bottom - 1000.0 * t * t * t,
+            rate: -3000.0 * t * t,
+            acceleration: -6000.0 * t,
+            jerk: -6000.0,
+        }
+    };
+    let start = model.at_rest(&still(bottom));
+    assert!(start.1[0] > model.values.string_angle, "the head is past the string");
+    let (books, _) = run(model, start, (1e-3, 0.03), input);
+    assert_eq!(books.names(), ["release"]);
+    assert_eq!(books.events[0].before.1, books.events[0].after.1, "a release keeps the state");
 }
 
 /// The force at the finger under a sampled input, against that under the exact one [N].
@@ -176,7 +198,6 @@ fn a_quantised_and_noisy_input_moves_the_force_by_a_bounded_amount() {
         (Reconstruction::LateHermite, 4.0),
     ] {
         let worst = deviation(kind, 1e-5, 1e-5);
-        println!("{kind:?}: {worst:.3} N of {:.3} N", bound(rates));
         assert!(worst < bound(rates), "{kind:?}: {worst} N, bound {}", bound(rates));
     }
 }

@@ -209,3 +209,117 @@ impl Itp {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 2⁻²⁰, 2⁻⁴⁰ and 2⁻⁵⁰: coarse, usual, and near the last digit.
+    const TOLERANCES: [f64; 3] =
+        [1.0 / (1_u64 << 20) as f64, 1.0 / (1_u64 << 40) as f64, 1.0 / (1_u64 << 50) as f64];
+
+    /// A guard as a function of the distance from its root.
+    type Guard = fn(f64) -> f64;
+
+    /// Guards that fall through zero at a given place, and are hard on root finders.
+    const FAMILIES: [(&str, Guard); 11] = [
+        ("line", |d| -d),
+        ("parabola", |d| -d * (d + 1.5)),
+        ("3/2 power", |d| -d.abs().sqrt() * d),
+        ("square root", |d| -d.abs().sqrt().copysign(d)),
+        ("ninth power", |d| -d.powi(9)),
+        ("step", |d| if d < 0.0 { 1.0 } else { -1.0 }),
+        ("lopsided step", |d| if d < 0.0 { 1e-12 } else { -1e12 }),
+        ("late kink", |d| if d < 0.0 { -1e-9 * d } else { -1e9 * d }),
+        ("steep", |d| -(1e8 * d).tanh()),
+        ("exponential", |d| 1.0 - (30.0 * d).exp()),
+        ("all but flat", |d| -d * (-1e-2 / (d * d + 1e-4)).exp()),
+    ];
+
+    fn bracket(guard: impl Fn(f64) -> f64, lo: f64, hi: f64) -> Bracket {
+        Bracket { lo, at_lo: guard(lo), hi, at_hi: guard(hi) }
+    }
+
+    /// Asserts that the search keeps its maximum and finds the root.
+    #[track_caller]
+    fn check(name: &str, guard: Guard, root: f64, seed: Option<(f64, f64)>) {
+        for tolerance in TOLERANCES {
+            let guard = |tau: f64| guard(tau - root);
+            let located = locate(guard, bracket(guard, 0.0, 1.0), seed, tolerance);
+            let most = most_evaluations(tolerance);
+            assert!(located.evaluations <= most, "{name}: {} of {most}", located.evaluations);
+            // The bracket's width, and the rounding of τ − root.
+            let error = (located.tau - root).abs();
+            assert!(error <= tolerance + f64::EPSILON, "{name} at {root}: off by {error:e}");
+            assert!(!located.not_finite, "{name}");
+        }
+    }
+
+    /// Roots near both ends and between.
+    fn roots() -> impl Iterator<Item = f64> {
+        let inside = (1..40).map(|n| (f64::from(n) * 0.618_033_988_749_895).fract());
+        [1e-15, 1e-9, 1e-3, 0.5, 0.75, 1.0 - 1e-9].into_iter().chain(inside)
+    }
+
+    #[test]
+    fn no_guard_exceeds_the_maximum_without_a_seed() {
+        for (name, guard) in FAMILIES {
+            roots().for_each(|root| check(name, guard, root, None));
+        }
+    }
+
+    #[test]
+    fn no_guard_exceeds_the_maximum_with_a_misleading_seed() {
+        for (name, guard) in FAMILIES {
+            for seed in [(1e-12, -1e9), (0.3, -1.0), (0.5, 0.0), (0.999, 1e-9), (0.7, f64::NAN)] {
+                roots().for_each(|root| check(name, guard, root, Some(seed)));
+            }
+        }
+    }
+
+    #[test]
+    fn a_good_seed_takes_two_looks() {
+        let guard = |tau: f64| 0.3 - tau;
+        let whole = bracket(guard, 0.0, 1.0);
+        let located = locate(guard, whole, Some((0.3 - 1e-15, -1.0)), TOLERANCES[1]);
+        assert!(located.evaluations <= 2, "{}", located.evaluations);
+        assert!((located.tau - 0.3).abs() < 1e-15, "{}", located.tau);
+    }
+
+    #[test]
+    fn a_jump_is_located_on_its_far_side() {
+        let guard = |tau: f64| if tau < 0.3 { 1.0 } else { -1.0 };
+        for tolerance in TOLERANCES {
+            let located = locate(guard, bracket(guard, 0.0, 1.0), None, tolerance);
+            assert!(located.tau >= 0.3 && located.tau <= 0.3 + tolerance, "{}", located.tau);
+        }
+    }
+
+    #[test]
+    fn a_flat_stretch_is_located_at_its_end() {
+        let guard = |tau: f64| (0.2 - tau).max(0.0) - (tau - 0.6).max(0.0);
+        for tolerance in TOLERANCES {
+            for seed in [None, Some((0.4, -1.0)), Some((0.1, -1.0))] {
+                let located = locate(guard, bracket(guard, 0.0, 1.0), seed, tolerance);
+                assert!((located.tau - 0.6).abs() <= tolerance + f64::EPSILON, "{}", located.tau);
+                assert!(located.evaluations <= most_evaluations(tolerance));
+            }
+        }
+    }
+
+    #[test]
+    fn a_value_that_is_not_finite_ends_the_search_at_once() {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let whole = Bracket { lo: 0.0, at_lo: 1.0, hi: 1.0, at_hi: -1.0 };
+            let located = locate(|_| bad, whole, None, 1e-12);
+            assert!(located.not_finite && located.evaluations == 1, "{bad}: {located:?}");
+        }
+    }
+
+    #[test]
+    fn a_zero_at_the_end_is_the_crossing() {
+        let whole = Bracket { lo: 0.0, at_lo: 1.0, hi: 1.0, at_hi: 0.0 };
+        let located = locate(|tau| 1.0 - tau, whole, None, 1e-12);
+        assert_eq!((located.tau.to_bits(), located.evaluations), (1.0_f64.to_bits(), 0));
+    }
+}

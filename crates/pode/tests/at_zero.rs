@@ -22,7 +22,7 @@ fn check(guard: fn(GuardId, f64) -> GuardValue, expected: &[f64], tolerance: f64
         let times = fired(guard, n);
         assert_eq!(times.len(), expected.len(), "{n} ticks: {times:?} instead of {expected:?}");
         for (t, expected) in times.iter().zip(expected) {
-            close(&format!("{n} ticks"), *t, *expected, tolerance);
+            close(format_args!("{n} ticks"), *t, *expected, tolerance);
         }
     }
 }

@@ -3,8 +3,6 @@
 //! The flow is a parabola, which RK4 and its dense output follow exactly: what is
 //! left is rounding, a few ulps of the time per bounce.
 
-#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-
 mod common;
 
 use common::{Ball, BallMode, G, all_completed, close, each_step_and_phase, run};
@@ -37,7 +35,7 @@ fn check_bounces(e: f64, h: f64, phase: f64) {
     let settled = T1 * (1.0 + e) / (1.0 - e);
     let (recorder, ticks) = run(&mut ball, h, phase, settled + 1.0);
     for (n, seen) in (1..=10).zip(&recorder.seen) {
-        close(&format!("e {e}, h {h}, phase {phase}: bounce {n}"), seen.t, bounce(n, e), 1e-12);
+        close(format_args!("e {e}, h {h}, phase {phase}: bounce {n}"), seen.t, bounce(n, e), 1e-12);
     }
     let last = &recorder.seen[recorder.seen.len() - 1];
     assert_eq!((last.guard, last.mode), ("settled", BallMode::Rest), "e {e}, h {h}");

@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Ball, ONE, Timed, count};
-use pode::stepper::{Rk4, Stepper};
+use pode::stepper::{Rk4, Stepper as _};
 use pode::{
     Advance, Cap, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Settling,
     Silent, Simulator, Tick, Work,

@@ -81,7 +81,7 @@ fn impacts_are_at_their_times() {
     each_step_and_phase(|h, phase| {
         let (recorder, ticks) = run(&mut from_rest(), h, phase, 10.0);
         for (n, t) in IMPACTS {
-            close(&format!("h {h}, impact {n}"), recorder.seen[n - 1].t, t, tolerance(h, t));
+            close(format_args!("h {h}, impact {n}"), recorder.seen[n - 1].t, t, tolerance(h, t));
         }
         all_completed(&ticks);
     });
@@ -93,7 +93,7 @@ fn the_first_impact_has_the_speed_of_the_fall() {
         let (recorder, _) = run(&mut from_rest(), h, phase, 0.6);
         // A speed errs like a time, times an acceleration of at most ω0² = 9.81.
         let speed = -recorder.seen[0].before[1];
-        close(&format!("h {h}"), speed, 3.537_024_294_116_124, G * tolerance(h, 0.6));
+        close(format_args!("h {h}"), speed, 3.537_024_294_116_124, G * tolerance(h, 0.6));
     });
 }
 

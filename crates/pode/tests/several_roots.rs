@@ -23,7 +23,7 @@ fn check(guard: fn(GuardId, f64) -> GuardValue, effect: Effect, expected: &[f64]
         assert_eq!(times.len(), expected.len(), "{n} ticks: {times:?}");
         for (t, expected) in times.iter().zip(expected) {
             // Rounding of the guard, 1e-16, over its slope at the root, 0.08 at least.
-            close(&format!("{n} ticks"), *t, *expected, 1e-14);
+            close(format_args!("{n} ticks"), *t, *expected, 1e-14);
         }
     }
 }
@@ -97,7 +97,7 @@ fn a_ball_that_peeps_over_a_line_crosses_it_once_upwards() {
         let mut ball = Simulator::new(Thrown, Rk4, Limits::default(), (), start);
         let (recorder, _) = run(&mut ball, h, phase, 1.0);
         assert_eq!(recorder.seen.len(), 1, "h {h}, phase {phase}");
-        close(&format!("h {h}"), recorder.seen[0].t, 0.361_710_296_415_529_76, 1e-12);
+        close(format_args!("h {h}"), recorder.seen[0].t, 0.361_710_296_415_529_76, 1e-12);
     };
     each_step_and_phase(check);
     // Both crossings, 0.2 s apart, in one step of 1 s.
@@ -130,7 +130,7 @@ fn a_touch_is_an_event_if_it_goes_through() {
             assert_eq!(times.len(), usize::from(expected.is_some()), "h {h}: {times:?}");
             for (t, expected) in times.into_iter().zip(expected) {
                 // 2500 sums of the time round by 1e-14 at most.
-                close(&format!("h {h}, phase {phase}"), t, expected, 2e-14);
+                close(format_args!("h {h}, phase {phase}"), t, expected, 2e-14);
             }
         });
     }
@@ -201,9 +201,9 @@ fn a_ball_leaves_a_shaker_without_gap_speed_or_acceleration_and_lands() {
         assert_eq!(names, ["lift-off", "landing"], "h {h}, phase {phase}");
         // Flight is a parabola and the table is known: rounding only.
         let [lift_off, landing] = [&recorder.seen[0], &recorder.seen[1]];
-        close(&format!("h {h}: lift-off"), lift_off.t, 0.002_513_355_797_052_246, 1e-14);
-        close(&format!("h {h}: landing"), landing.t, 0.051_865_286_988_733_95, 1e-14);
+        close(format_args!("h {h}: lift-off"), lift_off.t, 0.002_513_355_797_052_246, 1e-14);
+        close(format_args!("h {h}: landing"), landing.t, 0.051_865_286_988_733_95, 1e-14);
         let relative = landing.before[2] - table(landing.before[0])[1];
-        close(&format!("h {h}: speed"), relative, -0.489_701_201_981_647_3, 1e-12);
+        close(format_args!("h {h}: speed"), relative, -0.489_701_201_981_647_3, 1e-12);
     });
 }

@@ -70,8 +70,8 @@ fn two_balls_that_land_together_both_bounce() {
             let (first, second) = (named("first"), named("second"));
             assert_eq!((first.len(), second.len()), (2, 1), "h {h}, phase {phase}");
             // The flow is a parabola: rounding only.
-            close(&format!("h {h}: first"), first[1], TOGETHER, 1e-12);
-            close(&format!("h {h}: second"), second[0], TOGETHER, 1e-12);
+            close(format_args!("h {h}: first"), first[1], TOGETHER, 1e-12);
+            close(format_args!("h {h}: second"), second[0], TOGETHER, 1e-12);
         });
     }
 }
@@ -132,12 +132,14 @@ fn resets_that_do_not_commute_go_by_priority() {
             let mut timed = Timed { guards, guard: shapes, effect: double_or_add }.start();
             let (recorder, _) = run(&mut timed, h, phase, 0.5);
             assert_eq!(recorder.seen.len(), 2, "h {h}, phase {phase}");
-            close(&format!("h {h}, phase {phase}"), timed.state()[1], expected, 0.0);
+            close(format_args!("h {h}, phase {phase}"), timed.state()[1], expected, 0.0);
         });
     };
     // From 0: doubled and then added to is 1, added to and then doubled is 2.
-    DOUBLE_FIRST.iter().for_each(|guards| check(guards, 1.0));
-    ADD_FIRST.iter().for_each(|guards| check(guards, 2.0));
+    for (double_first, add_first) in DOUBLE_FIRST.iter().zip(&ADD_FIRST) {
+        check(double_first, 1.0);
+        check(add_first, 2.0);
+    }
 }
 
 #[test]

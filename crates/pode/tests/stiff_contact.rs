@@ -8,7 +8,7 @@
 
 mod common;
 
-use common::{G, PHASES, STEPS, all_completed, close, each_step_and_phase, run};
+use common::{G, all_completed, close, each_step_and_phase, run};
 use pode::stepper::Rk4;
 use pode::{
     Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator,
@@ -34,7 +34,7 @@ enum Mode {
 }
 
 impl Head {
-    fn omega(&self) -> f64 {
+    fn omega(self) -> f64 {
         (self.k / MASS).sqrt()
     }
 
@@ -147,7 +147,12 @@ fn the_head_leaves_as_fast_as_it_came() {
     for [k, ..] in CONTACTS {
         each_step_and_phase(|h, phase| {
             let (recorder, _) = run(&mut Head { k }.dropped(), h, phase, 0.5);
-            close(&format!("k {k}, h {h}"), recorder.seen[2].before[1], 1.0, amplitude_error(2.0));
+            close(
+                format_args!("k {k}, h {h}"),
+                recorder.seen[2].before[1],
+                1.0,
+                amplitude_error(2.0),
+            );
         });
     }
 }
@@ -161,25 +166,27 @@ fn the_impulse_of_a_contact_within_one_tick_is_in_its_mean_force() {
         let tick = head.advance(h, &|_| (), &mut pode::Silent);
         assert_eq!((tick.advance, tick.work.events), (Advance::Completed, 3), "k {k}");
         let impulse = MASS * (2.0 + G * contact);
-        close(&format!("k {k}"), tick.mean_readout * h, impulse, impulse * amplitude_error(2.0));
+        close(
+            format_args!("k {k}"),
+            tick.mean_readout * h,
+            impulse,
+            impulse * amplitude_error(2.0),
+        );
     }
 }
 
 #[test]
 fn the_impulse_does_not_depend_on_how_ticks_cut_the_contact() {
     for [k, contact, ..] in CONTACTS {
-        for h in STEPS {
-            for phase in PHASES {
-                let (_, ticks) = run(&mut Head { k }.dropped(), h, phase, 0.1);
-                let first = if phase > 0.0 { (1.0 - phase) * h } else { h };
-                let cut = |n: usize| if n == 0 { first } else { h };
-                let impulse: f64 =
-                    ticks.iter().enumerate().map(|(n, tick)| tick.mean_readout * cut(n)).sum();
-                let expected = MASS * (2.0 + G * contact);
-                let what = format!("k {k}, h {h}, phase {phase}");
-                close(&what, impulse, expected, expected * amplitude_error(2.0));
-            }
-        }
+        each_step_and_phase(|h, phase| {
+            let (_, ticks) = run(&mut Head { k }.dropped(), h, phase, 0.1);
+            let first = if phase > 0.0 { (1.0 - phase) * h } else { h };
+            let rest: f64 = ticks[1..].iter().map(|tick| tick.mean_readout).sum();
+            let impulse = first * ticks[0].mean_readout + h * rest;
+            let expected = MASS * (2.0 + G * contact);
+            let tolerance = expected * amplitude_error(2.0);
+            close(format_args!("k {k}, h {h}, phase {phase}"), impulse, expected, tolerance);
+        });
     }
 }
 
@@ -272,8 +279,8 @@ fn felt_error(n: f64) -> f64 {
 fn hunt_crossley_leaves_at_the_speed_of_its_invariant() {
     /// Loss λ [s/m], entry speed and exit speed [m/s]; any stiffness.
     const EXITS: [[f64; 3]; 3] = [
-        [0.1, 1.0, -0.937_475_579_949_905_1],
-        [0.1, 5.0, -3.742_174_657_987_170_8],
+        [0.1, 1.0, -0.937_475_579_949_905],
+        [0.1, 5.0, -3.742_174_657_987_171],
         [0.6, 1.0, -0.711_950_179_577_866_2],
     ];
     for [lambda, v0, exit] in EXITS {
@@ -283,7 +290,7 @@ fn hunt_crossley_leaves_at_the_speed_of_its_invariant() {
             for n in [50.0, 400.0] {
                 let [found, ..] = contact(k, lambda, v0, duration, n);
                 close(
-                    &format!("λ {lambda}, v0 {v0}, k {k}, n {n}"),
+                    format_args!("λ {lambda}, v0 {v0}, k {k}, n {n}"),
                     found,
                     exit,
                     v0 * felt_error(n),
@@ -297,14 +304,14 @@ fn hunt_crossley_leaves_at_the_speed_of_its_invariant() {
 fn hunt_crossley_has_its_time_and_depth() {
     /// Stiffness, deepest point [m], contact time [s]; λ = 0.6, v0 = 1.
     const FELTS: [[f64; 3]; 2] = [
-        [1e5, 0.001_521_344_239_131_188_8, 0.005_332_605_765_715_331],
-        [1e7, 0.000_241_116_812_798_895_35, 0.000_845_161_057_611_2],
+        [1e5, 0.001_521_344_239_131, 0.005_332_605_765_715_331],
+        [1e7, 0.000_241_116_812_798_9, 0.000_845_161_057_611_2],
     ];
     for [k, depth, time] in FELTS {
         for n in [50.0, 400.0] {
             let [_, t, x] = contact(k, 0.6, 1.0, time, n);
-            close(&format!("k {k}, n {n}: time"), t, time, time * felt_error(n));
-            close(&format!("k {k}, n {n}: depth"), x, depth, depth * felt_error(n));
+            close(format_args!("k {k}, n {n}: time"), t, time, time * felt_error(n));
+            close(format_args!("k {k}, n {n}: depth"), x, depth, depth * felt_error(n));
         }
     }
 }

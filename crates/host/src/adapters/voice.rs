@@ -150,8 +150,9 @@ struct Rest {
 impl Rest {
     /// Ticks without any movement after which a voice sleeps.
     const PATIENCE: u32 = 20;
-    /// State change in a tick that counts as none: far below what an encoder shows.
-    const STILL: f64 = 1e-7;
+    /// State change in a tick that counts as none: of a hammer it means 0.1 mN at the
+    /// finger, a tenth of what the wire resolves.
+    const STILL: f64 = 2e-5;
 
     fn observe(&mut self, position: f64, force: f64, moved: f64) {
         // Bits, not a tolerance: the encoder says whether the key has moved.

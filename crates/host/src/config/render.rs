@@ -1,5 +1,6 @@
 //! `[render]`: how a voice is computed, and what the finger may feel at most.
 
+use haptics::Kalman;
 use pode::input::Reconstruction as Samples;
 use pode::stepper::{BogackiShampine, Heun, Rk4, SemiImplicitEuler};
 use pode::{Limits, Stepper as _};
@@ -12,6 +13,9 @@ const LONGEST_STEP: Quantity = Quantity { unit: "s", range: (1e-6, 0.1) };
 
 /// A bracket of half a tick locates nothing; below 1e-15 the fraction has no digits left.
 const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
+
+/// From a key that hardly moves to one that is hammered.
+const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1e-3, 1e12) };
 
 /// A finger holds about 100 N for a moment, and no keyboard needs it to.
 const FORCE_LIMIT: Quantity = Quantity { unit: "N", range: (0.1, 100.0) };
@@ -29,6 +33,9 @@ pub struct Render {
     pub event_tolerance: f64,
     /// What makes a motion of encoder counts.
     pub estimator: EstimatorName,
+    /// Power density of the jerk that the Kalman filter reckons with [m²/s⁵]: the smaller,
+    /// the smoother and slower. Rigid models need it small, see key_hammer_rigid's README.
+    pub jerk_density: f64,
     /// How that motion goes on over the tick.
     pub reconstruction: Reconstruction,
     /// Largest force [N].
@@ -44,6 +51,7 @@ impl Default for Render {
             longest_step: 1e-3,
             event_tolerance: Limits::default().event_tolerance,
             estimator: EstimatorName::Kalman,
+            jerk_density: Kalman::KEY_JERK_DENSITY,
             reconstruction: Reconstruction::Estimate,
             force_limit: 25.0,
             slew_limit: 2e4,
@@ -149,6 +157,7 @@ pub(super) fn read(report: &mut Report<'_>, scene: &mut Reader<'_>, tick_hz: u32
         &mut render.estimator,
         reader.choice(report, "estimator", "there is no estimator", &estimators),
     );
+    keep(&mut render.jerk_density, reader.number(report, "jerk_density", JERK_DENSITY));
     let reconstruction =
         reader.choice(report, "reconstruction", "there is no reconstruction", &reconstructions);
     keep(&mut render.reconstruction, reconstruction);

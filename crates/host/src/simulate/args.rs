@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
-use pode::Limits;
 use pode::stepper::{Rk4, Stepper as _};
 
 const EXAMPLES: &str = "\
@@ -59,7 +58,8 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "M")]
     pub mode: Option<String>,
 
-    /// States at the start that differ from rest under the input at t = 0, in SI units.
+    /// States at the start that differ from rest under the input at t = 0, in SI units;
+    /// what the mode slaves to the input stays with the input.
     #[arg(long, value_name = "NAME=VALUE", num_args = 1..)]
     pub initial: Vec<String>,
 
@@ -75,14 +75,10 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "M", default_value = Rk4::NAME)]
     pub method: String,
 
-    /// Width to which an event is located, as a fraction of a tick, 1e-16 to 0.5.
-    #[arg(
-        long,
-        value_name = "THETA",
-        allow_negative_numbers = true,
-        default_value_t = Limits::default().event_tolerance
-    )]
-    pub event_tolerance: f64,
+    /// Width to which an event is located, as a fraction of a tick, 1e-16 to 0.5
+    /// [default: 2^-40].
+    #[arg(long, value_name = "THETA", allow_negative_numbers = true)]
+    pub event_tolerance: Option<f64>,
 
     /// File for the trajectory: one row at t = 0 and one at the end of every tick.
     #[arg(long, value_name = "FILE")]

@@ -36,7 +36,9 @@ pub(super) struct Clock {
 
 impl Clock {
     pub(super) fn check(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Self {
-        let SimulateArgs { until, step, event_tolerance, .. } = *args;
+        let SimulateArgs { until, step, .. } = *args;
+        let default = Limits::default();
+        let event_tolerance = args.event_tolerance.unwrap_or(default.event_tolerance);
         let before = mistakes.len();
         for (option, value) in [("--until", until), ("--step", step)] {
             if !(value > 0.0 && value.is_finite()) {
@@ -48,7 +50,7 @@ impl Clock {
             mistakes.push(Mistake::TooManyTicks { ticks, most: MOST_TICKS });
         }
         check_range("--event-tolerance", event_tolerance, TOLERANCES, "of a tick", mistakes);
-        let limits = Limits { longest_step: step, event_tolerance, ..Limits::default() };
+        let limits = Limits { longest_step: step, event_tolerance, ..default };
         #[expect(clippy::cast_possible_truncation, reason = "at most MOST_TICKS, or a mistake")]
         #[expect(clippy::cast_sign_loss, reason = "at least 1")]
         Self { step, until, ticks: ticks as u64, limits }

@@ -5,6 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::input::InputMistake;
+use super::nearest::nearest;
 
 /// Why a simulation did not come to its end.
 #[derive(Debug, thiserror::Error)]
@@ -100,7 +101,10 @@ pub enum Mistake {
         name: String,
     },
     /// A value outside its range.
-    #[error("{what} = {value:?} is out of range: {low:?} to {high:?} {unit}")]
+    #[error(
+        "{what} = {} is out of range: {} to {}{}",
+        short(*value), short(*low), short(*high), after_number(unit)
+    )]
     OutOfRange {
         /// What has the value.
         what: String,
@@ -110,7 +114,7 @@ pub enum Mistake {
         low: f64,
         /// Largest allowed value.
         high: f64,
-        /// Unit of all three.
+        /// Unit of all three; `1` for a ratio.
         unit: &'static str,
     },
     /// A time that is not a length of time.
@@ -185,44 +189,16 @@ fn lines(mistakes: &[Mistake]) -> String {
 }
 
 fn suggestion(name: &str, known: &[&'static str]) -> String {
-    nearest(name, known).map_or_else(String::new, |near| format!(", did you mean `{near}`?"))
+    nearest(name, known).map_or_else(String::new, |near| format!(" (did you mean `{near}`?)"))
 }
 
-/// The known name that was probably meant: at most a third of it is to be changed.
-pub(super) fn nearest(name: &str, known: &[&'static str]) -> Option<&'static str> {
-    let (distance, near) = known
-        .iter()
-        .map(|candidate| (distance(name, candidate), *candidate))
-        .min_by_key(|(distance, _)| *distance)?;
-    (distance <= near.chars().count().div_ceil(3)).then_some(near)
+/// A number as people write it: 88, not 88.0.
+fn short(number: f64) -> String {
+    let text = format!("{number:?}");
+    text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
 }
 
-/// Letters to insert, drop or change to make `a` into `b`; case does not count.
-fn distance(a: &str, b: &str) -> usize {
-    let [a, b] = [a, b].map(|text| text.to_lowercase().chars().collect::<Vec<_>>());
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, from) in a.iter().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, to) in b.iter().enumerate() {
-            let change = diagonal + usize::from(from != to);
-            diagonal = row[j + 1];
-            row[j + 1] = change.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_slip_of_the_finger_is_recognised_and_a_stranger_is_not() {
-        let known = ["key-hammer-springs", "key-hammer-rigid", "L1"];
-        assert_eq!(nearest("key-hamer-sprigns", &known), Some("key-hammer-springs"));
-        assert_eq!(nearest("l1", &known), Some("L1"));
-        assert_eq!(nearest("harpsichord", &known), None);
-        assert_eq!(nearest("x", &[]), None);
-    }
+/// The unit behind a number; a ratio has none.
+fn after_number(unit: &str) -> String {
+    if unit == "1" { String::new() } else { format!(" {unit}") }
 }

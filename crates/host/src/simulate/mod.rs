@@ -1,8 +1,8 @@
 //! `letoff simulate`: one key, offline, from a model's name to two tables and a summary.
 //!
-//! In the order of a run: [`args`] what can be asked for, [`check`] from arguments to a
-//! plan with every mistake at once, [`input`] s(t) with its derivatives, [`drive`] tick
-//! after tick, [`output`] the tables, [`summary`] what is printed, [`error`] what can go
+//! In the order of a run: `args` what can be asked for, `check` from arguments to a
+//! plan with every mistake at once, `input` s(t) with its derivatives, `drive` tick
+//! after tick, `output` the tables, `summary` what is printed, `error` what can go
 //! wrong. Not here: anything of real time; this clock is an argument.
 
 mod args;
@@ -10,6 +10,7 @@ mod check;
 mod drive;
 mod error;
 mod input;
+mod nearest;
 mod output;
 mod summary;
 #[cfg(test)]

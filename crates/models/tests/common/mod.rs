@@ -1,5 +1,15 @@
 //! Reads the reference cases and runs a model on them.
-#![expect(unreachable_pub, clippy::disallowed_methods, reason = "a test's own module, on the heap")]
+#![expect(
+    unreachable_pub,
+    clippy::disallowed_methods,
+    clippy::disallowed_macros,
+    clippy::disallowed_types,
+    clippy::expect_used,
+    clippy::wildcard_enum_match_arm,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a test's own module: it has the heap and files, and fails aloud"
+)]
 
 use std::fs;
 use std::path::PathBuf;

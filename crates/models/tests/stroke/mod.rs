@@ -3,6 +3,7 @@
     dead_code,
     unreachable_pub,
     clippy::disallowed_methods,
+    clippy::expect_used,
     reason = "each test file uses its own part, on the heap"
 )]
 
@@ -137,8 +138,9 @@ pub fn run<M: Described>(
 ) -> (Books<M>, Simulator<M, Rk4>) {
     let mut simulator = Simulator::new(model, Rk4, Limits::default(), start.0, start.1);
     let mut books = Books::new(h);
-    for tick in 0..(until / h).round() as u64 {
-        let signal = |theta: f64| input((tick as f64 + theta) * h);
+    let ticks = (0_u32..).map(f64::from).take_while(|tick| (tick + 0.5) * h < until);
+    for tick in ticks {
+        let signal = |theta: f64| input((tick + theta) * h);
         let done = simulator.advance(h, &signal, &mut books);
         assert_eq!(done.advance, Advance::Completed, "tick {tick}, {:?}", simulator.mode());
         books.ticks.push(done);

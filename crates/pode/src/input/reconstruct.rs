@@ -100,3 +100,82 @@ impl Reconstructor {
         Cubic { c, h }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each reconstruction, its order, and its latency in ticks.
+    const ALL: [(Reconstruction, i32, f64); 4] = [
+        (Reconstruction::Hold, 1, 0.0),
+        (Reconstruction::Linear, 2, 0.0),
+        (Reconstruction::Quadratic, 3, 0.0),
+        (Reconstruction::LateHermite, 4, 1.0),
+    ];
+
+    /// Largest distance from `motion` [m] over 0.64 s in ticks of `h` [s], after four samples.
+    fn error(kind: Reconstruction, latency: f64, h: f64, motion: impl Fn(f64) -> f64) -> f64 {
+        let mut reconstructor = Reconstructor::new(kind, motion(-4.0 * h), h);
+        let mut most: f64 = 0.0;
+        let mut n = -3.0;
+        while n * h < 0.64 {
+            let cubic = reconstructor.push(motion(n * h));
+            for part in (0..=8_u8).filter(|_| n >= 0.0) {
+                let theta = f64::from(part) / 8.0;
+                let t = (n + theta - latency) * h;
+                most = most.max((cubic.at(theta).position - motion(t)).abs());
+            }
+            n += 1.0;
+        }
+        most
+    }
+
+    #[test]
+    fn every_reconstruction_has_its_order_on_a_sine() {
+        for (kind, order, latency) in ALL {
+            let coarse = error(kind, latency, 0.02, |t| (t + 0.4).sin());
+            let fine = error(kind, latency, 0.01, |t| (t + 0.4).sin());
+            let observed = (coarse / fine).log2();
+            // The next term of the error is some 0.02 of the first.
+            let off = (observed - f64::from(order)).abs();
+            assert!(off < 0.1, "{kind:?}: observed order {observed:.3}, not {order}");
+        }
+    }
+
+    #[test]
+    fn every_reconstruction_is_exact_below_its_order() {
+        for (kind, order, latency) in ALL {
+            for power in 0..order {
+                // Values up to 1 and combinations of up to 18 of them round by 1e-14.
+                let error = error(kind, latency, 0.02, |t| (1.3 * t).powi(power));
+                assert!(error < 1e-14, "{kind:?} on t^{power}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_late_cubic_does_not_jump_between_ticks() {
+        let mut reconstructor = Reconstructor::new(Reconstruction::LateHermite, 0.0, 0.02);
+        let mut end = 0.0;
+        for n in 1..50 {
+            let cubic = reconstructor.push((0.1 * f64::from(n)).sin());
+            let start = cubic.at(0.0).position;
+            assert!((start - end).abs() < 1e-15, "tick {n}: from {end} to {start}");
+            end = cubic.at(1.0).position;
+        }
+    }
+
+    #[test]
+    fn a_cubic_has_its_stated_rates() {
+        let cubic = Cubic::hermite(1.0, 2.0, 3.0, 4.0, 0.5);
+        let (start, end) = (cubic.at(0.0), cubic.at(1.0));
+        let found = [start.position, start.rate, end.position, end.rate];
+        let wrong = found.iter().zip([1.0, 2.0, 3.0, 4.0]).find(|(a, b)| (*a - b).abs() > 1e-14);
+        assert_eq!(wrong, None);
+        let fallen = Cubic::ballistic(1.0, 0.0, -9.81, 0.5).at(1.0);
+        assert!((fallen.position - (1.0 - 0.125 * 9.81)).abs() < 1e-15);
+        assert!(
+            (fallen.rate + 0.5 * 9.81).abs() < 1e-14 && (fallen.acceleration + 9.81).abs() < 1e-14
+        );
+    }
+}

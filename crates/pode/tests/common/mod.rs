@@ -27,7 +27,7 @@ pub fn each_step_and_phase(mut check: impl FnMut(f64, f64)) {
 
 /// Asserts that `found` is `expected` to within `tolerance`.
 #[track_caller]
-pub fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
+pub fn close(what: impl std::fmt::Display, found: f64, expected: f64, tolerance: f64) {
     let error = (found - expected).abs();
     assert!(error <= tolerance, "{what}: {found} is {error:e} from {expected}, over {tolerance:e}");
 }

@@ -141,7 +141,7 @@ mod tests {
         let h = ((t - 0.1) / w).tanh();
         let d = 1.0 - h * h;
         let expected =
-            [0.5 * (1.0 + h), 0.5 * d / w, -h * d / (w * w), (2.0 * h * h - d) * d / (w * w * w)];
+            [0.5 * (1.0 + h), 0.5 * d / w, -h * d / w.powi(2), (2.0 * h * h - d) * d / w.powi(3)];
         check("s=(1+tanh((t-0.1)/0.015))/2", t, expected);
     }
 

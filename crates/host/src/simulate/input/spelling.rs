@@ -15,7 +15,7 @@
 use std::iter::Peekable;
 use std::str::CharIndices;
 
-use super::super::error::nearest;
+use super::super::nearest::nearest;
 
 /// Functions of one argument, as exmex calls them.
 const FUNCTIONS: &[&str] = &[

@@ -266,3 +266,104 @@ fn solve_tridiagonal(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
     solution.reverse();
     solution
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// s = sin t, sampled every `h` [s] on average, every second interval a third longer.
+    fn sine(h: f64) -> Vec<(f64, f64)> {
+        let step = |i: u32| h * (f64::from(i) + f64::from(i % 2) / 6.0);
+        (0..1000).map(step).take_while(|t| *t < 6.0).map(|t| (t, t.sin())).collect()
+    }
+
+    /// Largest errors of position and rate in the table's inner part.
+    fn errors(h: f64, how: Reconstruct) -> (f64, f64) {
+        let table = Table::through(&sine(h), how);
+        (0..4000).map(|i| 1.0 + f64::from(i) * 1e-3).fold((0.0, 0.0), |(s, rate), t| {
+            let at = table.at(t);
+            let error = ((at.position - t.sin()).abs(), (at.rate - t.cos()).abs());
+            (error.0.max(s), error.1.max(rate))
+        })
+    }
+
+    #[track_caller]
+    fn check_order(how: Reconstruct, position: f64, rate: f64) {
+        let (coarse, fine) = (errors(0.1, how), errors(0.0125, how));
+        let orders = [(coarse.0 / fine.0).log(8.0), (coarse.1 / fine.1).log(8.0)];
+        for (observed, expected) in orders.into_iter().zip([position, rate]) {
+            assert!((observed - expected).abs() < 0.15, "{how:?}: order {observed}");
+        }
+    }
+
+    #[test]
+    fn each_reconstruction_has_its_order() {
+        check_order(Reconstruct::Hold, 1.0, 0.0);
+        check_order(Reconstruct::Linear, 2.0, 1.0);
+        check_order(Reconstruct::Quadratic, 3.0, 2.0);
+        check_order(Reconstruct::Hermite, 3.0, 2.0);
+        check_order(Reconstruct::Spline, 4.0, 3.0);
+    }
+
+    /// The jumps of position, rate and acceleration at the inner knots.
+    fn jumps(how: Reconstruct) -> [f64; 3] {
+        let samples = sine(0.2);
+        let table = Table::through(&samples, how);
+        samples[1..samples.len() - 1].iter().fold([0.0; 3], |most, (t, _)| {
+            let (before, after) = (table.at(t.next_down()), table.at(*t));
+            let jump = [
+                after.position - before.position,
+                after.rate - before.rate,
+                after.acceleration - before.acceleration,
+            ];
+            std::array::from_fn(|i| jump[i].abs().max(most[i]))
+        })
+    }
+
+    #[test]
+    fn each_reconstruction_is_as_smooth_as_it_says() {
+        let continuous = |how| jumps(how).map(|jump| jump < 1e-11);
+        assert_eq!(continuous(Reconstruct::Hold), [false, true, true], "both sides are at rest");
+        assert_eq!(continuous(Reconstruct::Linear), [true, false, true], "no side bends");
+        assert_eq!(continuous(Reconstruct::Quadratic), [true, false, false]);
+        assert_eq!(continuous(Reconstruct::Hermite), [true, true, false]);
+        assert_eq!(continuous(Reconstruct::Spline), [true, true, true]);
+    }
+
+    #[test]
+    fn a_cubic_comes_back_from_its_spline() {
+        let cubic = |t: f64| 2.0 - t + 3.0 * t * t - 0.5 * t * t * t;
+        let samples: Vec<_> = [0.0, 0.3, 1.0, 1.1, 2.0].map(|t| (t, cubic(t))).to_vec();
+        let at = Table::through(&samples, Reconstruct::Spline).at(1.7);
+        let expected = [cubic(1.7), -1.0 + 6.0 * 1.7 - 1.5 * 1.7 * 1.7, 6.0 - 3.0 * 1.7, -3.0];
+        let got = [at.position, at.rate, at.acceleration, at.jerk];
+        for (got, expected) in got.into_iter().zip(expected) {
+            assert!((got - expected).abs() < 1e-12, "{got} is not {expected}");
+        }
+    }
+
+    #[test]
+    fn outside_the_table_the_end_values_hold() {
+        for how in [Reconstruct::Hold, Reconstruct::Linear, Reconstruct::Spline] {
+            let table = Table::through(&sine(0.2), how);
+            let [first, last] = table.ends;
+            let held = |position| Motion { position, ..Motion::default() };
+            assert_eq!(table.at(first.0 - 0.1), held(first.1));
+            assert_eq!(table.at(last.0 + 0.1), held(last.1));
+            assert!((table.at(last.0).position - last.1).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn few_samples_give_a_line_and_a_parabola() {
+        let parabola = |t: f64| (t, 1.0 + t * t);
+        for how in [Reconstruct::Quadratic, Reconstruct::Hermite, Reconstruct::Spline] {
+            let line = Table::through(&[(0.0, 1.0), (2.0, 5.0)], how).at(0.5);
+            assert_eq!((line.position, line.rate, line.acceleration), (2.0, 2.0, 0.0), "{how:?}");
+            let samples = [0.0, 1.0, 3.0].map(parabola);
+            let at = Table::through(&samples, how).at(2.0);
+            assert!((at.position - 5.0).abs() < 1e-14, "{how:?}: {at:?}");
+            assert!((at.acceleration - 2.0).abs() < 1e-13, "{how:?}: {at:?}");
+        }
+    }
+}

@@ -1,1 +1,246 @@
-//! The command as a whole.
+//! The command as a whole: its files, its summary, its exit codes.
+
+mod mistakes;
+mod reference;
+
+use std::fs;
+use std::path::PathBuf;
+use std::process;
+
+use clap::Parser as _;
+use serde_json::Value;
+
+use super::{SimulateArgs, SimulateError, run};
+
+/// A folder that is gone after the test.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("letoff-simulate-{}-{name}", process::id()));
+        fs::create_dir_all(&path).expect("a folder");
+        Self(path)
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.0.join(name).to_str().expect("UTF-8").to_owned()
+    }
+
+    fn write(&self, name: &str, text: &str) -> String {
+        fs::write(self.path(name), text).expect("a file");
+        self.path(name)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // A test that fails to tidy up has not failed.
+        let _tidied = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn args(words: &[&str]) -> SimulateArgs {
+    let all = ["simulate"].iter().chain(words);
+    SimulateArgs::try_parse_from(all).expect("arguments that clap takes")
+}
+
+/// Runs the command; gives what it prints.
+fn simulate(words: &[&str]) -> Result<String, SimulateError> {
+    let mut out = Vec::new();
+    run(&args(words), &mut out)?;
+    Ok(String::from_utf8(out).expect("UTF-8"))
+}
+
+/// Runs the command with `--json`.
+#[track_caller]
+fn summary(words: &[&str]) -> Value {
+    let words: Vec<_> = words.iter().copied().chain(["--json"]).collect();
+    serde_json::from_str(&simulate(&words).expect("a run")).expect("JSON")
+}
+
+/// A CSV file by columns.
+struct Columns {
+    names: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Columns {
+    fn read(path: &str) -> Self {
+        let mut reader = csv::Reader::from_path(path).expect("a table");
+        let names = reader.headers().expect("a header").iter().map(String::from).collect();
+        let rows =
+            reader.records().map(|row| row.expect("a row").iter().map(String::from).collect());
+        Self { names, rows: rows.collect() }
+    }
+
+    #[track_caller]
+    fn text(&self, column: &str) -> Vec<&str> {
+        let index = self.names.iter().position(|name| name == column).expect("a column");
+        self.rows.iter().map(|row| row[index].as_str()).collect()
+    }
+
+    #[track_caller]
+    fn numbers(&self, column: &str) -> Vec<f64> {
+        self.text(column).iter().map(|text| text.parse().expect("a number")).collect()
+    }
+}
+
+#[test]
+fn the_help_shows_an_example_and_units() {
+    let help = SimulateArgs::try_parse_from(["simulate", "--help"]).expect_err("help").to_string();
+    for wanted in
+        ["letoff simulate key-hammer-springs", "[s]", "Exit codes: 0 done", "[default: rk4]"]
+    {
+        assert!(help.contains(wanted), "{wanted} is not in\n{help}");
+    }
+}
+
+#[test]
+fn the_trajectory_has_a_row_per_tick_and_a_shorter_last_one() {
+    let folder = Folder::new("rows");
+    let out = folder.path("traj.csv");
+    simulate(&["bouncing-ball", "--until", "0.35", "--step", "0.1", "--out", &out]).expect("a run");
+    let table = Columns::read(&out);
+    assert_eq!(table.names, ["t", "mode", "y", "v", "s", "guard_floor", "guard_lift", "F", "gap"]);
+    let step = 0.1;
+    assert_eq!(table.numbers("t"), [0.0, step, 2.0 * step, 3.0 * step, 0.35]);
+    assert_eq!(table.text("mode"), ["flight"; 5]);
+    assert_eq!(table.text("guard_lift"), [""; 5], "lift is a guard of the other mode");
+    assert_eq!(table.numbers("guard_floor"), table.numbers("gap"));
+    for (t, y) in table.numbers("t").into_iter().zip(table.numbers("y")) {
+        assert!((y - (1.0 - 0.5 * 9.81 * t * t)).abs() < 1e-14, "y({t}) = {y}");
+    }
+}
+
+#[test]
+fn preset_parameters_mode_and_initial_state_are_taken() {
+    let folder = Folder::new("start");
+    let out = folder.path("traj.csv");
+    let run = ["bouncing-ball", "--until", "1e-3", "--step", "1e-3", "--out", &out];
+    let first = |more: &[&str], column: &str| {
+        simulate(&[&run, more].concat()).expect("a run");
+        Columns::read(&out).text(column)[0].to_owned()
+    };
+    assert_eq!(first(&["--set", "y0=2"], "y"), "2.0");
+    assert_eq!(first(&["--preset", "key"], "y"), "0.0");
+    assert_eq!(first(&["--initial", "v=-3", "y=0.5"], "v"), "-3.0");
+    assert_eq!(first(&["--mode", "rest", "--input", "s=0.25+t"], "y"), "0.25");
+    assert_eq!(first(&["--mode", "rest", "--set", "mass=2"], "F"), "19.62");
+}
+
+/// Checks that `--initial state=…` is where a run of `model` starts.
+#[track_caller]
+fn check_initial(model: &str, state: &str, more: &[&str]) {
+    let initial = format!("{state}=0.015625");
+    let start = |given: &[&str]| {
+        let words = [&[model, "--until", "1e-12", "--step", "1e-12"], more, given].concat();
+        summary(&words)["final"]["state"][state].as_f64().expect("a state")
+    };
+    let (rest, given) = (start(&[]), start(&["--initial", &initial]));
+    assert!((given - 0.015_625).abs() < 1e-9, "{state} of {model} is {given}, at rest {rest}");
+}
+
+#[test]
+fn every_state_of_every_model_can_be_given() {
+    for entry in models::catalogue::ENTRIES {
+        // A1 has no freedom: all its state is the input's.
+        let is_slaved = entry.name == "key-hammer-rigid";
+        let more = if is_slaved { ["--mode", "A2"].as_slice() } else { &[] };
+        for state in entry.states {
+            check_initial(entry.name, state, more);
+        }
+    }
+}
+
+#[test]
+fn the_summary_is_one_json_object() {
+    let words = ["bouncing-ball", "--until", "0.5", "--step", "1e-3", "--method", "heun"];
+    let json = summary(&words);
+    assert_eq!(json["model"], "bouncing-ball");
+    assert_eq!(json["method"], "heun");
+    assert_eq!(json["outcome"], "completed");
+    assert_eq!(json["counts"]["ticks"], 500);
+    assert_eq!(json["counts"]["events"], 1);
+    assert_eq!(json["counts"]["steps"], 501, "the tick with the impact has two steps");
+    assert_eq!(json["counts"]["evaluations"]["derivatives"], 1002);
+    assert_eq!(json["final"]["t"], 0.5);
+    assert_eq!(json["final"]["mode"], "flight");
+    let [y, v] = ["y", "v"].map(|name| json["final"]["state"][name].as_f64().expect("a state"));
+    assert!(y > 0.0 && v > 0.0, "{json}");
+    let audit = |name: &str| json["energy_audit"][name].as_f64().expect("an energy");
+    // At the impact 1 kg loses 1 − 0.8² of what it had from 1 m.
+    assert!((audit("jumps") + 0.36 * 9.81).abs() < 1e-9, "{json}");
+    assert!(audit("residual").abs() < 1e-9, "{json}");
+    assert!(simulate(&words).expect("a run").starts_with("bouncing-ball with heun: completed"));
+}
+
+#[test]
+fn capped_ticks_are_counted_and_no_failure() {
+    let words = ["bouncing-ball", "--set", "restitution=1", "--until", "100", "--step", "50"];
+    let json = summary(&words);
+    assert_eq!(json["outcome"], "capped: events 2");
+    assert_eq!(json["capped_ticks"]["events"], 2);
+    assert_eq!(json["final"]["t"], 100.0);
+}
+
+#[test]
+fn a_fault_says_where_and_leaves_what_was_produced() {
+    let folder = Folder::new("fault");
+    let out = folder.path("traj.csv");
+    let words = ["bouncing-ball", "--until", "2", "--step", "0.25", "--input", "s=0.1/(1-t)-1"];
+    let mut printed = Vec::new();
+    let words = [&words[..], &["--out", &out, "--json"]].concat();
+    let error = run(&args(&words), &mut printed).expect_err("a fault");
+    assert_eq!(error.exit_code(), 1);
+    let sentence = error.to_string();
+    assert!(sentence.starts_with("bouncing-ball failed after t = "), "{sentence}");
+    assert!(
+        sentence.ends_with("the input s or a derivative of it is not finite there"),
+        "{sentence}"
+    );
+    assert_eq!(Columns::read(&out).numbers("t"), [0.0, 0.25, 0.5, 0.75]);
+    let json: Value = serde_json::from_slice(&printed).expect("JSON also then");
+    assert_eq!(json["outcome"], "fault: input");
+}
+
+#[test]
+fn a_state_that_leaves_the_finite_numbers_is_a_fault() {
+    let words = ["key-hammer-springs", "--until", "1", "--step", "1e-3"];
+    let error =
+        simulate(&[&words[..], &["--initial", "theta_h_dot=1e308", "theta_k_dot=1e308"]].concat())
+            .expect_err("a fault");
+    assert_eq!(
+        error.to_string(),
+        "key-hammer-springs failed after t = 0.0 s in mode B1: \
+         the state is not finite any more; take a shorter --step"
+    );
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_disk_is_one_sentence() {
+    for until in ["0.01", "10"] {
+        for file in ["--out", "--events"] {
+            let words = ["bouncing-ball", "--until", until, "--step", "1e-3", file, "/dev/full"];
+            let error = simulate(&words).expect_err("a full disk");
+            assert_eq!(error.exit_code(), 1);
+            assert_eq!(
+                error.to_string(),
+                "cannot write /dev/full: No space left on device (os error 28); \
+                 make room there or choose another file"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_same_run_gives_the_same_bytes() {
+    let folder = Folder::new("bytes");
+    let files = ["a", "b"].map(|name| folder.path(name));
+    for out in &files {
+        let words = ["key-hammer-springs", "--until", "0.2", "--step", "1e-3", "--out", out];
+        simulate(&[&words[..], &["--input", "s=0.1*sin(20*t)"]].concat()).expect("a run");
+    }
+    let [a, b] = files.map(|path| fs::read(path).expect("a file"));
+    assert_eq!(a, b);
+}

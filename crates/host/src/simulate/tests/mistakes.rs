@@ -1,0 +1,161 @@
+//! Wrong usage and wrong files: every message, word for word.
+
+use super::{Folder, args, simulate};
+use crate::simulate::{SimulateError, run};
+
+const RUN: [&str; 4] = ["--until", "1", "--step", "1e-3"];
+
+/// Checks that `words` are refused with exactly these sentences, and write nothing.
+#[track_caller]
+fn check(words: &[&str], expected: &[&str]) {
+    let mut out = Vec::new();
+    let error = run(&args(&[words, &RUN].concat()), &mut out).expect_err("a mistake");
+    assert_eq!(error.exit_code(), 2);
+    assert!(matches!(error, SimulateError::Usage(_)));
+    assert_eq!(error.to_string().lines().collect::<Vec<_>>(), expected);
+    assert!(out.is_empty());
+}
+
+const MODELS: &str = "key-hammer-springs, key-hammer-rigid";
+
+#[test]
+fn an_unknown_model_is_refused_with_the_nearest_name() {
+    let error = simulate(&[&["key-hammer-spring"], &RUN[..]].concat()).expect_err("a mistake");
+    let start = format!(
+        "there is no model `key-hammer-spring` (did you mean `key-hammer-springs`?); there are {MODELS}"
+    );
+    assert!(error.to_string().starts_with(&start), "{error}");
+    let error = simulate(&[&["my/action.toml"], &RUN[..]].concat()).expect_err("a mistake");
+    let start = format!(
+        "`my/action.toml` looks like a path: MODEL is a built-in name for now, a path to a \
+         description comes later; there are {MODELS}"
+    );
+    assert!(error.to_string().starts_with(&start), "{error}");
+}
+
+#[test]
+fn all_mistakes_come_at_once() {
+    let words = "bouncing-ball --preset defualt --key 88 --set mas=1 g=x restitution=1.5 g=2 g=3 y0 \
+         --mode fly --initial z=1 --method rk5 --event-tolerance 0 --input s=2t --reconstruct hold";
+    let words: Vec<_> = words.split_whitespace().collect();
+    check(
+        &words,
+        &[
+            "--event-tolerance = 0 is out of range: 1e-16 to 0.5 of a tick",
+            "--input, column 4: expected an operator, not `t`",
+            "--reconstruct is for an --input from a CSV file",
+            "there is no method `rk5` (did you mean `rk4`?); there are semi-implicit-euler, heun, \
+             bogacki-shampine, rk4",
+            "--key = 88 is out of range: 0 to 87 (A0 to C8)",
+            "there is no preset `defualt` (did you mean `default`?); there are default, key",
+            "there is no parameter `mas` (did you mean `mass`?); there are g, restitution, mass, \
+             y0, scale",
+            "`--set g=x`: `x` is not a finite number",
+            "`--set g` is given twice",
+            "`--set y0` must be NAME=VALUE",
+            "parameter `restitution` = 1.5 is out of range: 0 to 1",
+            "there is no state `z`; there are y, v",
+            "there is no mode `fly`; there are flight, rest",
+        ],
+    );
+}
+
+#[test]
+fn times_must_be_lengths_of_time() {
+    let check = |until: &str, step: &str, expected: &[&str]| {
+        let error = simulate(&["bouncing-ball", "--until", until, "--step", step]);
+        let error = error.expect_err("a mistake");
+        assert_eq!(error.to_string().lines().collect::<Vec<_>>(), expected);
+    };
+    check(
+        "-1",
+        "0",
+        &[
+            "--until = -1.0: it must be a positive, finite number of seconds",
+            "--step = 0.0: it must be a positive, finite number of seconds",
+        ],
+    );
+    check("1", "nan", &["--step = NaN: it must be a positive, finite number of seconds"]);
+    check("1", "1e-12", &["--until / --step are 1e12 ticks, more than 1e11: take a longer --step"]);
+}
+
+#[test]
+fn expressions_that_cannot_be_read_or_derived_are_refused() {
+    let check =
+        |input: &str, expected: &str| check(&["bouncing-ball", "--input", input], &[expected]);
+    check("x=t", "--input x=…: the model's input is called `s`");
+    check("s = 0.1 * sni(t)", "--input, column 11: there is no `sni`; did you mean `sin`?");
+    check("s=", "--input, column 3: expected a value, and here is the end");
+    check("s=1/t", "--input: s or one of its first three derivatives is not finite at t = 0");
+    check("s=sqrt(t)", "--input: s or one of its first three derivatives is not finite at t = 0");
+    check(
+        "s=abs(t-1)",
+        "--input: exmex cannot derive this expression, and the model needs s', s'' and s''': \
+         operator abs needed for outer partial derivative",
+    );
+}
+
+#[test]
+fn tables_are_refused_with_line_and_column() {
+    let folder = Folder::new("tables");
+    let check = |text: &str, expected: &[&str]| {
+        let path = folder.write("in.csv", text);
+        let expected: Vec<_> = expected.iter().map(|text| format!("{path}{text}")).collect();
+        let expected: Vec<_> = expected.iter().map(String::as_str).collect();
+        check(&["bouncing-ball", "--input", &path], &expected);
+    };
+    check("t,s\n0,0\n", &[" has 1 rows: an input needs at least 2"]);
+    check("", &[" has 0 rows: an input needs at least 2"]);
+    check(
+        "time,s\n0,0\n1,x\n1,2,3\n0.5,1\n2\n3,inf\n4,1\n",
+        &[
+            ", line 1, column 1: the header must be t,s: expected `t`, not `time`",
+            ", line 3, column 2: s = `x` is not a finite number",
+            ", line 4, column 3: 3 columns: a row is t,s",
+            ", line 5, column 1: t = 0.5 is not after 1.0: times must increase",
+            ", line 6, column 2: s is missing",
+            ", line 7, column 2: s = `inf` is not a finite number",
+        ],
+    );
+    let many = format!("t,s\n{}", "x,0\n".repeat(12));
+    let path = folder.write("in.csv", &many);
+    let error = simulate(&[&["bouncing-ball", "--input", &path], &RUN[..]].concat());
+    let error = error.expect_err("mistakes").to_string();
+    assert_eq!(error.lines().count(), 11);
+    assert!(error.ends_with("in.csv: 2 more mistakes"), "{error}");
+}
+
+#[test]
+fn files_that_cannot_be_opened_are_refused() {
+    let folder = Folder::new("files");
+    let missing = folder.path("missing.csv");
+    check(
+        &["bouncing-ball", "--input", &missing],
+        &[&format!("cannot read {missing}: No such file or directory (os error 2)")],
+    );
+    let (out, events) = (folder.path("no/traj.csv"), folder.path("no/events.csv"));
+    check(
+        &["bouncing-ball", "--out", &out, "--events", &events],
+        &[
+            &format!("cannot create {out}: No such file or directory (os error 2)"),
+            &format!("cannot create {events}: No such file or directory (os error 2)"),
+        ],
+    );
+}
+
+#[test]
+fn an_input_is_never_overwritten() {
+    let folder = Folder::new("same");
+    let path = folder.write("in.csv", "t,s\n0,0\n1,0\n");
+    let again = folder.path("./in.csv");
+    check(
+        &["bouncing-ball", "--input", &path, "--out", &again],
+        &[&format!("--input and --out are the same file, {again}")],
+    );
+    let new = folder.path("new.csv");
+    check(
+        &["bouncing-ball", "--out", &new, "--events", &new],
+        &[&format!("--out and --events are the same file, {new}")],
+    );
+    assert!(!std::path::Path::new(&new).exists(), "nothing is created on a mistake");
+}

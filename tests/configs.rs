@@ -1,0 +1,73 @@
+//! Every file in configs/ is good, and none is left out of the program.
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use host::config::{self, Kind, check_file};
+
+#[test]
+fn every_scene_loads_and_is_embedded() {
+    check_shelf("scenes", Kind::Scene, config::scenes().map(String::from).collect());
+}
+
+#[test]
+fn every_instrument_loads_and_is_embedded() {
+    let names = config::instruments().into_iter().map(|instrument| instrument.name);
+    check_shelf("instruments", Kind::Instrument, names.collect());
+}
+
+#[test]
+fn every_performance_is_read_without_leaving_a_note_out_and_is_embedded() {
+    let paths = files("performances", "mid");
+    assert_eq!(names(&paths), config::performances().map(String::from).collect());
+    for path in paths {
+        let score = performance::read(&fs::read(&path).expect("a file"));
+        let score = score.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        assert!(20 < score.notes.len(), "{}", path.display());
+        assert_eq!((score.skipped, score.overlaps), (0, 0), "{}", path.display());
+    }
+}
+
+#[test]
+fn no_file_in_configs_is_of_an_unknown_kind() {
+    let known = ["instruments", "performances", "scenes", "service"].map(String::from);
+    let folders = fs::read_dir(configs()).expect("configs/").filter_map(Result::ok);
+    let found: BTreeSet<_> =
+        folders.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    assert_eq!(found, known.into());
+    for folder in ["scenes", "instruments"] {
+        let all = fs::read_dir(configs().join(folder)).expect("a folder").count();
+        assert_eq!(files(folder, "toml").len(), all, "{folder} holds something else");
+    }
+}
+
+/// Asserts that every file in `folder` is a good `kind`, and that `embedded` are all of them.
+#[track_caller]
+fn check_shelf(folder: &str, kind: Kind, embedded: BTreeSet<String>) {
+    let paths = files(folder, "toml");
+    for path in &paths {
+        match check_file(path) {
+            Ok(found) => assert_eq!(found, kind, "{}", path.display()),
+            Err(mistakes) => panic!("{mistakes}"),
+        }
+    }
+    assert_eq!(names(&paths), embedded);
+}
+
+/// The files in a folder of configs/ that end in `ending`.
+fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(configs().join(folder)).expect("a folder of configs/");
+    let paths = entries.filter_map(Result::ok).map(|entry| entry.path());
+    paths.filter(|path| path.extension().is_some_and(|found| found == ending)).collect()
+}
+
+fn names(paths: &[PathBuf]) -> BTreeSet<String> {
+    let stem = |path: &PathBuf| path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    paths.iter().filter_map(stem).collect()
+}
+
+fn configs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("configs")
+}

@@ -1,0 +1,208 @@
+//! A key's sensor or wire fails; its neighbours never notice, and it fades and comes back.
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+
+mod stage;
+
+use std::ops::Range;
+
+use firmware_protocol::key::BoardId;
+use haptics::Touch;
+use hardware::link::faulty::{Chance, Direction, Fault, FaultPlan, Scripted};
+use hardware::sim::keybed::SimulatedKeybed;
+use host::config::Scene;
+use scheduler::motion::KEYS;
+use scheduler::port::KeyBus;
+use stage::broken_sensor::BrokenSensor;
+use stage::{Nobody, Stage, key, keybed, play_all, scene, stroke};
+
+/// The key whose sensor fails: held down, so that it should feel a force all the time.
+const FAILING: usize = 40;
+/// Ticks of a run, a millisecond each.
+const TICKS: u64 = 1500;
+/// When something is wrong.
+const WRONG: Range<u64> = 700..760;
+/// Ticks from the first that is held to the first without force: 20 ms.
+const FADE: u64 = 20;
+
+/// All keys are played, and the one that will fail is held down.
+fn hands(scene: &Scene) -> SimulatedKeybed {
+    let mut keybed = keybed(scene);
+    play_all(&mut keybed, 1.5);
+    keybed.play(key(FAILING), vec![stroke(0.1, f64::INFINITY, Touch::Pressed, 0.3)]);
+    keybed
+}
+
+/// What every key was sent in every tick [N], and how many voices faulted in it.
+struct Felt {
+    forces: Vec<[f64; KEYS]>,
+    faults: Vec<u32>,
+}
+
+fn felt<B: KeyBus>(stage: &mut Stage<B, Nobody>) -> Felt {
+    let (mut forces, mut faults) = (Vec::new(), Vec::new());
+    for _ in 0..TICKS {
+        faults.push(stage.tick().voices.faults);
+        forces.push(*stage.forces());
+    }
+    Felt { forces, faults }
+}
+
+fn healthy() -> Felt {
+    let scene = scene("default", &[]);
+    let bus = hands(&scene);
+    let felt = felt(&mut Stage::new(&scene, bus));
+    assert_eq!(felt.faults.iter().sum::<u32>(), 0);
+    felt
+}
+
+/// Asserts that keys not in `disturbed` feel the same to the last bit, and that those do not.
+#[track_caller]
+fn check_neighbours(healthy: &Felt, felt: &Felt, disturbed: &Range<usize>) {
+    let mut differed = false;
+    for (tick, (expected, forces)) in healthy.forces.iter().zip(&felt.forces).enumerate() {
+        for (key, (expected, force)) in expected.iter().zip(forces).enumerate() {
+            let same = expected.to_bits() == force.to_bits();
+            assert!(same || disturbed.contains(&key), "tick {tick}: key {key} noticed");
+            differed |= !same;
+        }
+    }
+    assert!(differed, "nothing was disturbed");
+}
+
+/// Asserts that the failing key is held at `last_good`, fades in 20 ms, and comes back after
+/// tick `back`, without a step on the way.
+#[track_caller]
+fn check_fade(felt: &Felt, last_good: u64, back: u64) {
+    let at = |tick: u64| felt.forces[tick as usize][FAILING];
+    let held = at(last_good);
+    assert!(0.1 < held, "the key felt {held} N");
+    assert!(at(last_good + 1).to_bits() == held.to_bits(), "the first faulty tick holds");
+    for tick in last_good + 1 + FADE..back {
+        assert!(at(tick) == 0.0, "{} N at tick {tick}", at(tick));
+    }
+    let after = at(TICKS - 1);
+    assert!((after - held).abs() < 0.05 * held, "{held} N before, {after} N after");
+    // A blend from or to the force takes the fade; the key moves while its force is gone,
+    // and the voice that is put at rest there has up to half as much force again.
+    let step = 1.5 * held / FADE as f64;
+    for tick in last_good..TICKS - 1 {
+        let change = (at(tick + 1) - at(tick)).abs();
+        assert!(change <= step, "{change} N after tick {tick}, allowed {step} N");
+    }
+}
+
+#[test]
+fn nan_from_a_sensor_stays_with_its_key_on_any_number_of_lanes() {
+    let healthy = healthy();
+    for n_lanes in 1..=2 {
+        let scene = scene("default", &[]);
+        let bus = BrokenSensor { keybed: hands(&scene), key: FAILING, ticks: WRONG };
+        let felt = felt(&mut Stage::on_lanes(&scene, bus, n_lanes));
+        check_neighbours(&healthy, &felt, &(FAILING..FAILING + 1));
+        check_fade(&felt, WRONG.start - 1, WRONG.end);
+        for (tick, faults) in (0..).zip(&felt.faults) {
+            assert_eq!(*faults, u32::from(WRONG.contains(&tick)), "tick {tick}");
+        }
+    }
+}
+
+#[test]
+fn one_nan_is_a_fault_that_fades_whole() {
+    let scene = scene("default", &[]);
+    let bus = BrokenSensor { keybed: hands(&scene), key: FAILING, ticks: 700..701 };
+    let felt = felt(&mut Stage::new(&scene, bus));
+    assert_eq!(felt.faults.iter().sum::<u32>(), 1);
+    check_fade(&felt, 699, 699 + FADE + 1);
+    check_neighbours(&healthy(), &felt, &(FAILING..FAILING + 1));
+}
+
+/// A run in which the wire of the failing key's board has `plan`.
+fn disturbed(plan: FaultPlan) -> (Felt, Stage<SimulatedKeybed, Nobody>) {
+    let scene = scene("default", &[]);
+    let mut bus = hands(&scene);
+    bus.disturb(board(), plan);
+    let mut stage = Stage::new(&scene, bus);
+    (felt(&mut stage), stage)
+}
+
+fn board() -> BoardId {
+    key(FAILING).board()
+}
+
+fn scripted(exchanges: Range<u64>, fault: Fault) -> FaultPlan {
+    let script = vec![Scripted { exchanges, direction: Direction::Receive, fault }];
+    FaultPlan { script, ..FaultPlan::default() }
+}
+
+#[test]
+fn one_lost_sample_is_bridged() {
+    let healthy = healthy();
+    let (felt, stage) = disturbed(scripted(700..701, Fault::Drop));
+    check_neighbours(&healthy, &felt, &board().keys());
+    assert_eq!(stage.bus.statistics(board()).samples.gaps, 1);
+    let (expected, force) = (healthy.forces[700][FAILING], felt.forces[700][FAILING]);
+    assert!((expected - force).abs() < 1e-2 * expected, "{expected} N, {force} N");
+}
+
+#[test]
+fn lost_samples_are_bridged_held_and_faded_and_the_board_alone_notices() {
+    // Shorter than the board's own patience, 20 ms, after which it would have to be armed.
+    let lost = 700..718;
+    let (felt, stage) = disturbed(scripted(lost.clone(), Fault::Drop));
+    check_neighbours(&healthy(), &felt, &board().keys());
+    let statistics = stage.bus.statistics(board());
+    assert_eq!((statistics.samples.gaps, statistics.samples.missing), (1, 18));
+    assert!(!stage.bus.is_safe(board()));
+    let at = |tick: usize| felt.forces[tick][FAILING];
+    assert!(at(701).to_bits() == at(700).to_bits(), "after one tick it holds");
+    assert!(at(717) < 0.3 * at(700), "and fades: {} N of {} N are left", at(717), at(700));
+    let step = 1.5 * at(700) / FADE as f64;
+    for tick in 699..TICKS as usize - 1 {
+        let change = (at(tick + 1) - at(tick)).abs();
+        assert!(change <= step, "{change} N after tick {tick}, allowed {step} N");
+    }
+}
+
+#[test]
+fn a_board_that_was_silent_fades_and_comes_back_when_it_is_armed() {
+    let scene = scene("default", &[]);
+    let mut bus = hands(&scene);
+    bus.disturb(board(), scripted(WRONG, Fault::Down));
+    let mut stage = Stage::new(&scene, bus);
+    let mut felt = Felt { forces: Vec::new(), faults: Vec::new() };
+    for tick in 0..TICKS {
+        if tick == WRONG.end {
+            assert!(stage.bus.is_safe(board()), "its own watchdog tripped");
+            stage.bus.rearm();
+        }
+        felt.faults.push(stage.tick().voices.faults);
+        felt.forces.push(*stage.forces());
+    }
+    check_neighbours(&healthy(), &felt, &board().keys());
+    // The first lost sample is bridged, so the second tick holds.
+    check_fade(&felt, WRONG.start, WRONG.end);
+    let statistics = stage.bus.statistics(board());
+    assert_eq!(statistics.receive_errors, WRONG.end - WRONG.start);
+    assert_eq!(stage.bus.board_faults(board()).trips, 1);
+}
+
+#[test]
+fn corrupt_frames_are_counted_and_never_acted_on() {
+    let healthy = healthy();
+    let chances = vec![Chance { probability: 0.05, fault: Fault::FlipBit }];
+    let (felt, stage) = disturbed(FaultPlan { seed: 7, chances, script: Vec::new() });
+    check_neighbours(&healthy, &felt, &board().keys());
+    let flipped = stage.bus.fault_counts(board()).flipped;
+    let statistics = stage.bus.statistics(board());
+    let at_board = stage.bus.board_faults(board());
+    let refused = statistics.corrupt + statistics.refused + at_board.corrupt + at_board.refused;
+    assert!(100 < flipped, "{flipped} bits were flipped");
+    // A bit flipped in a closing zero joins two frames into one that is refused.
+    assert!(refused <= flipped && 0.9 * flipped as f64 <= refused as f64, "{refused} of {flipped}");
+    assert_eq!(felt.faults.iter().sum::<u32>(), 0);
+    // The key is held: whatever was lost on the way, it never feels a step.
+    for (tick, pair) in felt.forces.windows(2).enumerate().skip(500) {
+        let change = (pair[1][FAILING] - pair[0][FAILING]).abs();
+        assert!(change < 0.1, "{change} N after tick {tick}");
+    }
+}

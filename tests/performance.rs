@@ -1,0 +1,114 @@
+//! What the virtual pianist plays is what comes out, whole runs in virtual time.
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+
+mod stage;
+
+use std::fs;
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use host::config::{self, Scene};
+use host::report::Report;
+use host::session::{Options, Session};
+use stage::scene;
+
+/// Promised of 99 % of the notes: how far from their time [ms], and from their velocity.
+const ONSET_MS: f64 = 1.0;
+const VELOCITY: f64 = 2.0;
+
+/// Energy that integration may leave unexplained, as a share of what the fingers supply.
+///
+/// The audit sums the supply by quadrature over the pieces of a 1 ms tick, whose error is a
+/// thousandth of what passes through at worst.
+const UNEXPLAINED: f64 = 2e-3;
+
+#[test]
+fn the_default_scene_is_played_as_written() {
+    check_played("default", 50);
+}
+
+#[test]
+fn the_bach_scene_is_played_as_written() {
+    check_played("bach", 100);
+}
+
+#[test]
+fn the_fast_scene_is_played_as_written() {
+    check(&run(&scene("fast", &[]), 10.0), 10);
+}
+
+#[test]
+fn every_embedded_scene_runs_without_a_fault() {
+    for name in config::scenes() {
+        check_healthy(&run(&scene(name, &[]), 3.0));
+    }
+}
+
+#[test]
+fn every_instrument_runs_on_all_keys_without_a_fault() {
+    for instrument in config::instruments() {
+        let scene = scene("default", &[("keys.instrument", &instrument.name)]);
+        check_healthy(&run(&scene, 3.0));
+    }
+}
+
+/// Asserts what is promised of 30 s of scene `name`, with `least` notes, and that it is the
+/// same to the last bit when it is played again and on another number of lanes.
+#[track_caller]
+fn check_played(name: &str, least: usize) {
+    let (report, midi) = recorded(name, "1");
+    check(&report, least);
+    assert!(least * 6 < midi.len(), "{} bytes of MIDI", midi.len());
+    for n_lanes in ["1", "2"] {
+        let (again, again_midi) = recorded(name, n_lanes);
+        assert_eq!(comparable(&again), comparable(&report), "{n_lanes} lanes");
+        assert!(again_midi == midi, "the MIDI file differs on {n_lanes} lanes");
+    }
+}
+
+#[track_caller]
+fn check(report: &Report, least: usize) {
+    check_healthy(report);
+    let notes = report.notes.expect("a pianist");
+    assert!(least <= notes.played, "{notes:?}");
+    assert_eq!((notes.struck, notes.missed, notes.extra), (notes.played, 0, 0), "{notes:?}");
+    assert!(notes.onset_error_ms.p99 < ONSET_MS, "{notes:?}");
+    assert!(notes.velocity_error.p99 <= VELOCITY, "{notes:?}");
+    let energy = report.energy_audit;
+    assert!(0.0 < energy.supplied && 0.0 < energy.dissipated, "{energy:?}");
+    assert!(energy.residual.abs() < UNEXPLAINED * energy.supplied, "{energy:?}");
+}
+
+#[track_caller]
+fn check_healthy(report: &Report) {
+    let name = &report.scene;
+    assert_eq!((report.faults, report.dropped, report.skipped), (0, 0, 0), "{name}");
+    assert_eq!((report.links.gaps, report.links.refused), (0, 0), "{name}");
+    assert_eq!((report.midi.failed, report.deadline.missed), (0, 0), "{name}");
+    assert!(report.energy_audit.residual.is_finite(), "{name}");
+}
+
+/// 30 s of scene `name` on `n_lanes`, and the bytes of the MIDI file that was written.
+fn recorded(name: &str, n_lanes: &str) -> (Report, Vec<u8>) {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+    let path = folder.join(format!("{name}-{}.mid", std::process::id()));
+    let output = path.to_str().expect("a path that is text");
+    let report = run(&scene(name, &[("lanes", n_lanes), ("midi.output", output)]), 30.0);
+    let bytes = fs::read(&path).expect("the MIDI file");
+    fs::remove_file(&path).expect("it can go");
+    (report, bytes)
+}
+
+fn run(scene: &Scene, seconds: f64) -> Report {
+    let options = Options { duration: Some(seconds), virtual_time: true };
+    let session = Session::prepare(scene, options, &|_| {}).expect("a session");
+    session.run(&AtomicBool::new(false)).expect("a run")
+}
+
+/// A report without what may differ: how many lanes there were, and what the file is called.
+fn comparable(report: &Report) -> serde_json::Value {
+    let mut report = serde_json::to_value(report).expect("a report as JSON");
+    report["lanes"].take();
+    report["midi"]["output"].take();
+    report
+}

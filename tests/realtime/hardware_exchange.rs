@@ -1,0 +1,45 @@
+//! The exchange with the boards alone, on good wires and bad ones.
+
+use firmware_protocol::key::BoardId;
+use hardware::link::faulty::{Chance, Fault, FaultPlan};
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::port::KeyBus as _;
+
+use crate::stage::{keybed, play_all, scene};
+use crate::tick::WATCHED;
+use crate::trap;
+
+/// Asserts that receiving and sending leave the heap alone under `plan` on every wire.
+#[track_caller]
+fn check(plan: &FaultPlan) {
+    let watch = trap::watch();
+    let mut keybed = keybed(&scene("default", &[]));
+    play_all(&mut keybed, 4.0);
+    for (board, seed) in BoardId::all().zip(1..) {
+        keybed.disturb(board, FaultPlan { seed, ..plan.clone() });
+    }
+    let mut samples = Box::new([KeySample::default(); KEYS]);
+    let mut deepest = 0.0_f64;
+    watch.within(|| {
+        for tick in 0..WATCHED.end {
+            keybed.receive(tick, &mut samples);
+            let forces = samples.map(|sample| 200.0 * sample.position);
+            keybed.send(tick, &forces);
+            deepest = samples.iter().fold(deepest, |most, sample| most.max(sample.position));
+        }
+    });
+    assert_eq!(watch.caught(), (0, 0), "{plan:?}");
+    assert!(5e-3 < deepest, "the keys were played");
+}
+
+#[test]
+fn an_exchange_leaves_the_heap_alone() {
+    check(&FaultPlan::default());
+}
+
+#[test]
+fn an_exchange_on_a_bad_wire_leaves_the_heap_alone() {
+    let faults = [Fault::Drop, Fault::Duplicate, Fault::FlipBit, Fault::Delay(7), Fault::Down];
+    let chances = faults.map(|fault| Chance { probability: 0.05, fault }).to_vec();
+    check(&FaultPlan { chances, ..FaultPlan::default() });
+}

@@ -1,0 +1,55 @@
+//! Marks the threads of the lanes, from inside: with a voice that runs on them.
+
+use std::ops::Range;
+
+use host::realtime::pool::BoxedVoice;
+use scheduler::motion::KeySample;
+use scheduler::slot::lane_of;
+use scheduler::voice::{Turn, Voice};
+
+use crate::trap;
+
+/// A voice that marks the thread it runs on, for some ticks and all that is between them.
+struct Marking {
+    voice: BoxedVoice,
+    ticks: Range<u64>,
+}
+
+impl Voice for Marking {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
+        trap::mark(self.ticks.contains(&tick));
+        self.voice.tick(tick, sample)
+    }
+
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+        trap::mark(self.ticks.contains(&tick));
+        self.voice.tick_into(tick, sample, turn);
+    }
+
+    fn reset(&mut self, sample: &KeySample) {
+        self.voice.reset(sample);
+    }
+}
+
+/// Has every lane but the tick's own marked over `ticks`.
+///
+/// A lane is unmarked by the first tick after them, which must be run.
+pub(crate) fn mark_lanes(voices: &mut [(usize, BoxedVoice)], n_lanes: usize, ticks: &Range<u64>) {
+    for lane in 1..n_lanes {
+        let first = voices.iter_mut().find(|(key, _)| lane_of(*key, n_lanes) == lane);
+        let (_, voice) = first.expect("a key on every lane");
+        let inner = std::mem::replace(voice, Box::new(Silent));
+        *voice = Box::new(Marking { voice: inner, ticks: ticks.clone() });
+    }
+}
+
+/// A voice that does nothing.
+struct Silent;
+
+impl Voice for Silent {
+    fn tick(&mut self, _tick: u64, _sample: &KeySample) -> Turn {
+        Turn::default()
+    }
+
+    fn reset(&mut self, _sample: &KeySample) {}
+}

@@ -1,0 +1,150 @@
+//! Ticks in which nothing goes wrong: every model, every method, one lane and two.
+
+use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
+use host::adapters::observer::{LiveCounters, Publisher};
+use host::bell::Bell;
+use host::config::Scene;
+use host::realtime::run::{Assembly, Timings, Until};
+use host::realtime::{clock, run};
+use midi::KeyEvent as MidiEvent;
+use models::catalogue;
+use rtrb::Consumer;
+use scheduler::motion::KEYS;
+use scheduler::port::{KeyBus, TickObserver};
+use scheduler::time::Nanos;
+use scheduler::voice::Turn;
+
+use crate::marking::mark_lanes;
+use crate::stage::{Stage, keybed, play_all, scene, voices};
+use crate::trap::{self, Watch};
+
+/// Ticks in which whatever is set up once is set up.
+pub(crate) const WARM_UP: u64 = 200;
+/// Ticks that are watched: every key is struck five times and more.
+pub(crate) const WATCHED: Range<u64> = WARM_UP..WARM_UP + 3000;
+
+/// What the tick publishes to, and what every key has done.
+pub(crate) struct Audience {
+    publisher: Publisher,
+    pub(crate) ring: Consumer<MidiEvent>,
+    pub(crate) counters: Arc<LiveCounters>,
+    /// Ticks in which each key's equations were run, and reset maps applied.
+    active: [u32; KEYS],
+    events: [u32; KEYS],
+}
+
+impl Audience {
+    /// With a ring of `places`.
+    pub(crate) fn new(places: usize) -> Self {
+        let (producer, ring) = rtrb::RingBuffer::new(places);
+        let bell = Arc::new(Bell::new().expect("a descriptor"));
+        let counters = Arc::new(LiveCounters::default());
+        let pedals = (0..100).map(|n| (0.03 * f64::from(n), f64::from(n % 2))).collect();
+        let publisher = Publisher::new(producer, bell, Arc::clone(&counters), pedals, 1e-3);
+        Self { publisher, ring, counters, active: [0; KEYS], events: [0; KEYS] }
+    }
+}
+
+impl TickObserver for Audience {
+    fn observe(&mut self, tick: u64, turns: &[Turn; KEYS], forces: &[f64; KEYS]) {
+        self.publisher.observe(tick, turns, forces);
+        for (key, turn) in turns.iter().enumerate() {
+            self.active[key] += u32::from(!turn.idle);
+            self.events[key] += turn.work.events;
+        }
+    }
+}
+
+/// The voices of `scene` on `bus`, with lanes marked and an audience.
+pub(crate) fn stage<B: KeyBus>(scene: &Scene, bus: B, n_lanes: usize) -> Stage<B, Audience> {
+    let mut voices = voices(scene);
+    mark_lanes(&mut voices, n_lanes, &WATCHED);
+    Stage::of(voices, scene.tick_hz, bus, n_lanes).watched_by(Audience::new(1 << 16))
+}
+
+/// Warms up, runs the watched ticks in the trap, and one more to unmark the lanes.
+pub(crate) fn run_watched<B: KeyBus>(watch: &Watch, stage: &mut Stage<B, Audience>) {
+    for tick in 0..=WATCHED.end {
+        if WATCHED.contains(&tick) {
+            watch.within(|| stage.tick());
+        } else {
+            stage.tick();
+        }
+    }
+}
+
+/// Asserts that the tick of `scene`, every key being played, leaves the heap alone.
+#[track_caller]
+fn check(scene: &Scene, n_lanes: usize) -> Audience {
+    let watch = trap::watch();
+    let mut bus = keybed(scene);
+    play_all(&mut bus, WATCHED.end as f64 * 1e-3);
+    let mut stage = stage(scene, bus, n_lanes);
+    run_watched(&watch, &mut stage);
+    assert_eq!(watch.caught(), (0, 0), "allocations and frees on {n_lanes} lanes");
+    let audience = stage.observer;
+    assert!(audience.active.iter().all(|ticks| 100 < *ticks), "every key was played");
+    assert!(audience.ring.slots() > KEYS, "key events were published");
+    assert_eq!(audience.counters.dropped.load(Relaxed), 0);
+    audience
+}
+
+#[test]
+fn a_tick_of_every_model_leaves_the_heap_alone() {
+    let scene = scene("mixed", &[]);
+    for n_lanes in 1..=2 {
+        let events = check(&scene, n_lanes).events;
+        for entry in catalogue::ENTRIES {
+            let keys = || {
+                let described = scene.keys.iter().enumerate();
+                described.filter(|(_, it)| it.as_ref().is_some_and(|it| it.model.name == entry.name))
+            };
+            assert!(keys().count() > 0, "the scene has no {}", entry.name);
+            assert!(keys().any(|(key, _)| 0 < events[key]), "no event of any {}", entry.name);
+        }
+    }
+}
+
+#[test]
+fn a_tick_of_every_method_leaves_the_heap_alone() {
+    for stepper in ["semi-implicit-euler", "heun", "bogacki-shampine"] {
+        check(&scene("default", &[("render.stepper", stepper)]), 1);
+    }
+}
+
+#[test]
+fn a_tick_of_every_input_path_leaves_the_heap_alone() {
+    for reconstruction in ["hold", "linear", "quadratic", "late-hermite"] {
+        check(&scene("default", &[("render.reconstruction", reconstruction)]), 1);
+    }
+    check(&scene("default", &[("render.estimator", "backward-difference")]), 1);
+}
+
+#[test]
+fn the_loop_in_real_time_leaves_the_heap_alone() {
+    let watch = trap::watch();
+    let scene = scene("mixed", &[]);
+    let mut bus = keybed(&scene);
+    play_all(&mut bus, 1.0);
+    let Stage { mut scheduler, mut bus, mut lanes, swaps: _, mut observer } = stage(&scene, bus, 2);
+    let mut timings = Timings::new().expect("possible histograms");
+    let mut assembly = Assembly {
+        scheduler: &mut scheduler,
+        bus: &mut bus,
+        lanes: &mut lanes,
+        observer: &mut observer,
+    };
+    let stop = AtomicBool::new(false);
+    let (start, until) = (clock::monotonic(), Until { stop: &stop, ticks: Some(500) });
+    // The machine may skip ticks, so the lane is marked until it ends with its last one.
+    watch.within(|| {
+        run::run(&mut assembly, start, until, &mut timings, |_pulse| {});
+        run::ramp_down(&mut assembly);
+    });
+    assert_eq!(watch.caught(), (0, 0));
+    assert_eq!(timings.counters().ticks, 500);
+    assert!(start.after(Nanos::from_millis(499)) <= clock::monotonic());
+}

@@ -1,0 +1,123 @@
+//! An allocator that counts who calls it when nobody should: the one unsafe island here.
+#![expect(unsafe_code, reason = "a global allocator cannot be written without it")]
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+struct Trap;
+
+#[global_allocator]
+static TRAP: Trap = Trap;
+
+static ALLOCATED: AtomicU64 = AtomicU64::new(0);
+static FREED: AtomicU64 = AtomicU64::new(0);
+
+thread_local! {
+    /// Without a destructor and constant, so that looking at it never allocates.
+    static IN_TICK: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Counts if the calling thread is in a tick.
+fn count(counter: &AtomicU64) {
+    if IN_TICK.get() {
+        counter.fetch_add(1, Relaxed);
+    }
+}
+
+// SAFETY: every call goes on to `System` with the arguments it came with and returns what
+// `System` returns; counting touches no memory of the heap.
+unsafe impl GlobalAlloc for Trap {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count(&ALLOCATED);
+        // SAFETY: the caller vouches for `layout` as `System` asks for it.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        count(&ALLOCATED);
+        // SAFETY: as in `alloc`.
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn realloc(&self, place: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count(&ALLOCATED);
+        count(&FREED);
+        // SAFETY: `place` came from `System` through this allocator with `layout`.
+        unsafe { System.realloc(place, layout, size) }
+    }
+
+    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
+        count(&FREED);
+        // SAFETY: `place` came from `System` through this allocator with `layout`.
+        unsafe { System.dealloc(place, layout) }
+    }
+}
+
+/// Marks the calling thread as ticking, or as not ticking any more.
+pub(crate) fn mark(in_tick: bool) {
+    IN_TICK.set(in_tick);
+}
+
+/// The right to use the trap, of which there is one: tests of this program run in turn.
+#[derive(Debug)]
+pub(crate) struct Watch {
+    _turn: MutexGuard<'static, ()>,
+}
+
+/// Takes the trap and sets it to zero.
+pub(crate) fn watch() -> Watch {
+    static TURN: Mutex<()> = Mutex::new(());
+    let watch = Watch { _turn: TURN.lock().unwrap_or_else(PoisonError::into_inner) };
+    ALLOCATED.store(0, Relaxed);
+    FREED.store(0, Relaxed);
+    watch
+}
+
+impl Watch {
+    /// Does `work` on the calling thread as if in a tick.
+    pub(crate) fn within<T>(&self, work: impl FnOnce() -> T) -> T {
+        mark(true);
+        let unmark = Unmark;
+        let done = work();
+        drop(unmark);
+        done
+    }
+
+    /// Allocations and frees of marked threads so far.
+    pub(crate) fn caught(&self) -> (u64, u64) {
+        (ALLOCATED.load(Relaxed), FREED.load(Relaxed))
+    }
+}
+
+/// Unmarks even if an assertion fails in a tick.
+struct Unmark;
+
+impl Drop for Unmark {
+    fn drop(&mut self) {
+        mark(false);
+    }
+}
+
+#[test]
+fn the_trap_catches_an_allocation_a_free_and_a_growth() {
+    let watch = watch();
+    let kept = watch.within(|| vec![1_u8]);
+    assert_eq!(watch.caught(), (1, 0));
+    watch.within(|| drop(kept));
+    assert_eq!(watch.caught(), (1, 1));
+    let mut growing = Vec::with_capacity(1);
+    growing.push(1_u8);
+    watch.within(|| growing.reserve_exact(100));
+    assert_eq!(watch.caught(), (2, 2));
+}
+
+#[test]
+fn what_is_not_marked_may_allocate() {
+    let watch = watch();
+    drop(vec![1_u8]);
+    watch.within(|| std::hint::black_box(1));
+    drop(vec![1_u8]);
+    assert_eq!(watch.caught(), (0, 0));
+}

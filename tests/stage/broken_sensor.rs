@@ -1,0 +1,29 @@
+//! A sensor that says NaN.
+
+use std::ops::Range;
+
+use hardware::sim::keybed::SimulatedKeybed;
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::port::KeyBus;
+
+/// A simulated keybed on which one key's sensor fails for a while.
+#[derive(Debug)]
+pub struct BrokenSensor {
+    pub keybed: SimulatedKeybed,
+    pub key: usize,
+    /// When its samples are NaN.
+    pub ticks: Range<u64>,
+}
+
+impl KeyBus for BrokenSensor {
+    fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        self.keybed.receive(tick, samples);
+        if self.ticks.contains(&tick) {
+            samples[self.key].position = f64::NAN;
+        }
+    }
+
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
+        self.keybed.send(tick, forces);
+    }
+}

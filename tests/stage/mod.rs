@@ -1,0 +1,136 @@
+//! A scene's voices on a simulated keybed, run tick by tick in virtual time.
+#![allow(dead_code, unreachable_pub, reason = "each test program uses its own part")]
+#![allow(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+
+pub mod broken_sensor;
+
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+use firmware_protocol::key::KeyIndex;
+use haptics::{Gesture, RigParameters, Touch};
+use hardware::sim::keybed::SimulatedKeybed;
+use host::assemble::Assembler;
+use host::config::Scene;
+use host::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
+use scheduler::motion::KEYS;
+use scheduler::port::{KeyBus, TickObserver};
+use scheduler::tick::{Scheduler, TickReport};
+use scheduler::time::{Nanos, Period, Timetable};
+use scheduler::voice::Turn;
+
+/// A scene of ours with overrides.
+pub fn scene(name: &str, overrides: &[(&str, &str)]) -> Scene {
+    let overrides: Vec<_> =
+        overrides.iter().map(|(name, value)| (String::from(*name), String::from(*value))).collect();
+    Scene::load(name, &overrides).expect("a good scene")
+}
+
+/// The voices of `scene`, each with its key.
+pub fn voices(scene: &Scene) -> Vec<(usize, BoxedVoice)> {
+    let assembler = Assembler::new(scene).expect("a rate that can be kept");
+    let voice = |voice| assembler.voice(voice, Arc::default()).expect("a known model");
+    assembler.keys().map(|(key, described)| (key, voice(described) as BoxedVoice)).collect()
+}
+
+/// A keybed at rest for `scene`.
+pub fn keybed(scene: &Scene) -> SimulatedKeybed {
+    let period = 1.0 / f64::from(scene.tick_hz);
+    SimulatedKeybed::new(period, RigParameters::default()).expect("a possible period")
+}
+
+/// Lanes with their threads, if there is more than one.
+pub fn lanes(voices: Vec<(usize, BoxedVoice)>, n_lanes: usize) -> (ThreadedLanes, VoiceSwaps) {
+    let n_lanes = NonZeroUsize::new(n_lanes).expect("a lane at least");
+    ThreadedLanes::start(voices, n_lanes, None).expect("threads")
+}
+
+/// The key with this number.
+pub fn key(number: usize) -> KeyIndex {
+    u8::try_from(number).ok().and_then(KeyIndex::new).expect("one of the 88 keys")
+}
+
+/// A stroke from `start` to `release` [s] at `speed` [m/s].
+pub fn stroke(start: f64, release: f64, touch: Touch, speed: f64) -> Gesture {
+    Gesture { start, release, touch, speed, hold: Gesture::HOLD }
+}
+
+/// Plays every key about twice a second until `end` [s]: pressed and struck, soft and loud,
+/// no two neighbours at once.
+pub fn play_all(keybed: &mut SimulatedKeybed, end: f64) {
+    for number in 0..KEYS {
+        keybed.play(key(number), strokes(number, end));
+    }
+}
+
+fn strokes(number: usize, end: f64) -> Vec<Gesture> {
+    let first = 0.01 + 0.007 * (number * 37 % 71) as f64;
+    let strokes = (0_u32..).map(|n| {
+        let start = first + 0.55 * f64::from(n);
+        let (touch, speed) = match (number + n as usize) % 3 {
+            0 => (Touch::Pressed, 0.15),
+            1 => (Touch::Pressed, 0.5),
+            _ => (Touch::Struck, 1.5),
+        };
+        stroke(start, start + 0.2, touch, speed)
+    });
+    strokes.take_while(|gesture| gesture.start < end).collect()
+}
+
+/// Nobody watches.
+#[derive(Debug)]
+pub struct Nobody;
+
+impl TickObserver for Nobody {
+    fn observe(&mut self, _tick: u64, _turns: &[Turn; KEYS], _forces: &[f64; KEYS]) {}
+}
+
+/// Everything that a tick needs.
+#[derive(Debug)]
+pub struct Stage<B, O> {
+    pub scheduler: Box<Scheduler>,
+    pub bus: B,
+    pub lanes: ThreadedLanes,
+    pub swaps: VoiceSwaps,
+    pub observer: O,
+}
+
+impl<B: KeyBus> Stage<B, Nobody> {
+    /// The voices of `scene` on `bus`, on one lane, with nobody watching.
+    pub fn new(scene: &Scene, bus: B) -> Self {
+        Self::on_lanes(scene, bus, 1)
+    }
+
+    /// The same on `n_lanes`.
+    pub fn on_lanes(scene: &Scene, bus: B, n_lanes: usize) -> Self {
+        Self::of(voices(scene), scene.tick_hz, bus, n_lanes)
+    }
+
+    /// With voices of any kind.
+    pub fn of(voices: Vec<(usize, BoxedVoice)>, tick_hz: u32, bus: B, n_lanes: usize) -> Self {
+        let (lanes, swaps) = lanes(voices, n_lanes);
+        let period = Period::from_hz(tick_hz).expect("a rate that can be kept");
+        let scheduler = host::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period));
+        Self { scheduler, bus, lanes, swaps, observer: Nobody }
+    }
+
+    /// With somebody who watches.
+    pub fn watched_by<O>(self, observer: O) -> Stage<B, O> {
+        let Self { scheduler, bus, lanes, swaps, observer: Nobody } = self;
+        Stage { scheduler, bus, lanes, swaps, observer }
+    }
+}
+
+impl<B: KeyBus, O: TickObserver> Stage<B, O> {
+    /// Runs the next tick exactly when it is due.
+    pub fn tick(&mut self) -> TickReport {
+        let due = self.scheduler.next_due();
+        let Self { scheduler, bus, lanes, observer, .. } = self;
+        scheduler.poll(due, bus, lanes, observer).expect("due")
+    }
+
+    /// The forces sent last [N].
+    pub fn forces(&self) -> &[f64; KEYS] {
+        self.scheduler.forces()
+    }
+}
