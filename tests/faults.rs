@@ -18,16 +18,16 @@ use stage::{Nobody, Stage, key, keybed, play_all, scene, stroke};
 /// The key whose sensor fails: held down, so that it should feel a force all the time.
 const FAILING: usize = 40;
 /// Ticks of a run, a millisecond each.
-const TICKS: u64 = 1500;
-/// When something is wrong.
-const WRONG: Range<u64> = 700..760;
+const TICKS: u64 = 5500;
+/// When something is wrong; by then the hammer of the key that is held has come to rest.
+const WRONG: Range<u64> = 4000..4060;
 /// Ticks from the first that is held to the first without force: 20 ms.
 const FADE: u64 = 20;
 
 /// All keys are played, and the one that will fail is held down.
 fn hands(scene: &Scene) -> SimulatedKeybed {
     let mut keybed = keybed(scene);
-    play_all(&mut keybed, 1.5);
+    play_all(&mut keybed, 5.5);
     keybed.play(key(FAILING), vec![stroke(0.1, f64::INFINITY, Touch::Pressed, 0.3)]);
     keybed
 }
@@ -82,9 +82,9 @@ fn check_fade(felt: &Felt, last_good: u64, back: u64) {
     }
     let after = at(TICKS - 1);
     assert!((after - held).abs() < 0.05 * held, "{held} N before, {after} N after");
-    // A blend from or to the force takes the fade; the key moves while its force is gone,
-    // and the voice that is put at rest there has up to half as much force again.
-    let step = 1.5 * held / FADE as f64;
+    // A blend from or to the force takes the fade; a step would be all of it in one tick.
+    // The key moves under the finger meanwhile, and the hammer swings: twice as much again.
+    let step = 3.0 * held / FADE as f64;
     for tick in last_good..TICKS - 1 {
         let change = (at(tick + 1) - at(tick)).abs();
         assert!(change <= step, "{change} N after tick {tick}, allowed {step} N");
@@ -109,10 +109,10 @@ fn nan_from_a_sensor_stays_with_its_key_on_any_number_of_lanes() {
 #[test]
 fn one_nan_is_a_fault_that_fades_whole() {
     let scene = scene("default", &[]);
-    let bus = BrokenSensor { keybed: hands(&scene), key: FAILING, ticks: 700..701 };
+    let bus = BrokenSensor { keybed: hands(&scene), key: FAILING, ticks: 4000..4001 };
     let felt = felt(&mut Stage::new(&scene, bus));
     assert_eq!(felt.faults.iter().sum::<u32>(), 1);
-    check_fade(&felt, 699, 699 + FADE + 1);
+    check_fade(&felt, 3999, 3999 + FADE + 1);
     check_neighbours(&healthy(), &felt, &(FAILING..FAILING + 1));
 }
 
@@ -137,27 +137,27 @@ fn scripted(exchanges: Range<u64>, fault: Fault) -> FaultPlan {
 #[test]
 fn one_lost_sample_is_bridged() {
     let healthy = healthy();
-    let (felt, stage) = disturbed(scripted(700..701, Fault::Drop));
+    let (felt, stage) = disturbed(scripted(4000..4001, Fault::Drop));
     check_neighbours(&healthy, &felt, &board().keys());
     assert_eq!(stage.bus.statistics(board()).samples.gaps, 1);
-    let (expected, force) = (healthy.forces[700][FAILING], felt.forces[700][FAILING]);
+    let (expected, force) = (healthy.forces[4000][FAILING], felt.forces[4000][FAILING]);
     assert!((expected - force).abs() < 1e-2 * expected, "{expected} N, {force} N");
 }
 
 #[test]
 fn lost_samples_are_bridged_held_and_faded_and_the_board_alone_notices() {
     // Shorter than the board's own patience, 20 ms, after which it would have to be armed.
-    let lost = 700..718;
+    let lost = 4000..4018;
     let (felt, stage) = disturbed(scripted(lost.clone(), Fault::Drop));
     check_neighbours(&healthy(), &felt, &board().keys());
     let statistics = stage.bus.statistics(board());
     assert_eq!((statistics.samples.gaps, statistics.samples.missing), (1, 18));
     assert!(!stage.bus.is_safe(board()));
     let at = |tick: usize| felt.forces[tick][FAILING];
-    assert!(at(701).to_bits() == at(700).to_bits(), "after one tick it holds");
-    assert!(at(717) < 0.3 * at(700), "and fades: {} N of {} N are left", at(717), at(700));
-    let step = 1.5 * at(700) / FADE as f64;
-    for tick in 699..TICKS as usize - 1 {
+    assert!(at(4001).to_bits() == at(4000).to_bits(), "after one tick it holds");
+    assert!(at(4017) < 0.3 * at(4000), "and fades: {} N of {} N are left", at(4017), at(4000));
+    let step = 3.0 * at(4000) / FADE as f64;
+    for tick in 3999..TICKS as usize - 1 {
         let change = (at(tick + 1) - at(tick)).abs();
         assert!(change <= step, "{change} N after tick {tick}, allowed {step} N");
     }
@@ -197,11 +197,11 @@ fn corrupt_frames_are_counted_and_never_acted_on() {
     let at_board = stage.bus.board_faults(board());
     let refused = statistics.corrupt + statistics.refused + at_board.corrupt + at_board.refused;
     assert!(100 < flipped, "{flipped} bits were flipped");
-    // A bit flipped in a closing zero joins two frames into one that is refused.
-    assert!(refused <= flipped && 0.9 * flipped as f64 <= refused as f64, "{refused} of {flipped}");
+    // A flipped bit may make a zero, which cuts a frame in two, or unmake the closing one.
+    assert!(refused.abs_diff(flipped) <= flipped / 10, "{refused} of {flipped}");
     assert_eq!(felt.faults.iter().sum::<u32>(), 0);
     // The key is held: whatever was lost on the way, it never feels a step.
-    for (tick, pair) in felt.forces.windows(2).enumerate().skip(500) {
+    for (tick, pair) in felt.forces.windows(2).enumerate().skip(4000) {
         let change = (pair[1][FAILING] - pair[0][FAILING]).abs();
         assert!(change < 0.1, "{change} N after tick {tick}");
     }

@@ -76,7 +76,13 @@ impl<'a> Assembler<'a> {
     pub fn voice(&self, voice: &KeyVoice, cell: Arc<AuditCell>) -> Result<AnyVoice, AssembleError> {
         let name = voice.model.name;
         let h = self.period.as_secs_f64();
-        let builder = Builder { render: &self.scene.render, values: &voice.values, h, quantum: self.rig.quantum, cell };
+        let builder = Builder {
+            render: &self.scene.render,
+            values: &voice.values,
+            h,
+            quantum: self.rig.quantum,
+            cell,
+        };
         catalogue::visit(name, builder).ok_or(AssembleError::NoSuchModel(name))?
     }
 

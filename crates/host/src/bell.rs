@@ -46,6 +46,6 @@ mod tests {
         let bell = Bell::new().expect("an eventfd");
         bell.ring();
         bell.ring();
-        bell.wait(Duration::from_secs(3600));
+        bell.wait(Duration::from_hours(1));
     }
 }

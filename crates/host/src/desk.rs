@@ -13,6 +13,7 @@ use scheduler::time::Nanos;
 use crate::bell::Bell;
 use crate::realtime::clock;
 use crate::realtime::thread::{DEFAULT_PRIORITY, ask_for_fifo};
+use crate::session::whole;
 
 /// Longest wait without a bell: ports that vanished are looked for this often.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -69,18 +70,16 @@ impl Desk {
 
     /// Plays from the ring whenever `bell` rings, each event at its time after `start`,
     /// until `stop`.
-    pub fn attend(&mut self, bell: &Bell, start: Nanos, stop: &AtomicBool, handover: &mut Histogram<u64>) {
+    pub fn attend(
+        &mut self,
+        bell: &Bell,
+        start: Nanos,
+        stop: &AtomicBool,
+        handover: &mut Histogram<u64>,
+    ) {
         loop {
             let last_round = stop.load(Ordering::Acquire);
-            while let Ok(event) = self.events.pop() {
-                let due = start.after(Nanos::new((event.at.max(0.0) * 1e9) as u64));
-                // The tick sees up to one period ahead: wait for the event's own time.
-                clock::sleep_until(due);
-                self.play(event);
-                if matches!(event.kind, EventKind::Strike { .. }) {
-                    handover.saturating_record(clock::monotonic().since(due).as_u64());
-                }
-            }
+            self.play_due(start, handover);
             if last_round {
                 return;
             }
@@ -88,6 +87,19 @@ impl Desk {
             let polled = self.player.poll(now);
             self.note(polled);
             bell.wait(PATIENCE);
+        }
+    }
+
+    /// Plays what is in the ring, each event at its time after `start`.
+    fn play_due(&mut self, start: Nanos, handover: &mut Histogram<u64>) {
+        while let Ok(event) = self.events.pop() {
+            let due = start.after(Nanos::new(whole(event.at * 1e9)));
+            // The tick sees up to one period ahead: wait for the event's own time.
+            clock::sleep_until(due);
+            self.play(event);
+            if matches!(event.kind, EventKind::Strike { .. }) {
+                handover.saturating_record(clock::monotonic().since(due).as_u64());
+            }
         }
     }
 
@@ -130,7 +142,12 @@ impl Attended {
     ///
     /// # Errors
     /// If the system gives no thread.
-    pub fn start(mut desk: Desk, bell: Arc<Bell>, start: Nanos, mut handover: Histogram<u64>) -> std::io::Result<Self> {
+    pub fn start(
+        mut desk: Desk,
+        bell: Arc<Bell>,
+        start: Nanos,
+        mut handover: Histogram<u64>,
+    ) -> std::io::Result<Self> {
         let stop = Arc::new(AtomicBool::new(false));
         let (its_stop, its_bell) = (Arc::clone(&stop), Arc::clone(&bell));
         let thread = std::thread::Builder::new().name("letoff-midi".into()).spawn(move || {

@@ -11,6 +11,7 @@ pub mod assemble;
 pub mod bell;
 pub mod command;
 pub mod config;
+pub mod control;
 pub mod desk;
 pub mod realtime;
 pub mod rehearsal;

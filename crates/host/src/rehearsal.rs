@@ -5,7 +5,7 @@ use std::fmt;
 use haptics::Gesture;
 use hardware::sim::key::SimulatedKey;
 use performance::{Outcome, Rehearsal, Strike};
-use scheduler::motion::KeyEvent;
+use scheduler::motion::{KeyEvent, Moment};
 use scheduler::safety::KeyGate;
 use scheduler::slot::Slot;
 use scheduler::time::Period;
@@ -62,6 +62,17 @@ impl RehearsedKey {
     }
 }
 
+impl RehearsedKey {
+    fn note(&self, (at, event): &(Moment, KeyEvent), outcome: &mut Outcome) {
+        let at = at.seconds(self.period);
+        match *event {
+            KeyEvent::Strike { speed } => outcome.strikes.push(Strike { at, speed }),
+            KeyEvent::DamperFall { .. } => outcome.damper_fall = Some(at),
+            KeyEvent::DamperLift => {}
+        }
+    }
+}
+
 impl Clone for RehearsedKey {
     fn clone(&self) -> Self {
         Self {
@@ -89,14 +100,7 @@ impl Rehearsal for RehearsedKey {
             let sample = self.key.receive(self.tick);
             self.slot.tick(self.tick, &sample, &mut turn);
             self.key.send(self.gate.apply(&turn, &sample));
-            for (at, event) in turn.events.as_slice() {
-                let at = at.seconds(self.period);
-                match event {
-                    KeyEvent::Strike { speed } => outcome.strikes.push(Strike { at, speed: *speed }),
-                    KeyEvent::DamperFall { .. } => outcome.damper_fall = Some(at),
-                    KeyEvent::DamperLift => {}
-                }
-            }
+            turn.events.as_slice().iter().for_each(|it| self.note(it, &mut outcome));
             self.tick += 1;
         }
         outcome

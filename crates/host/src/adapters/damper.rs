@@ -26,12 +26,7 @@ impl Damper {
     }
 
     /// Follows the key to `position` [m] at the start of `tick`; `period` in [s].
-    pub fn follow(
-        &mut self,
-        tick: u64,
-        position: f64,
-        period: f64,
-    ) -> Option<(Moment, KeyEvent)> {
+    pub fn follow(&mut self, tick: u64, position: f64, period: f64) -> Option<(Moment, KeyEvent)> {
         let before = std::mem::replace(&mut self.position, position);
         let threshold = if self.lifted { FALL } else { LIFT };
         let crossed = if self.lifted { position <= threshold } else { position > threshold };
@@ -72,7 +67,8 @@ mod tests {
     fn a_key_held_at_the_threshold_does_not_chatter() {
         let mut damper = Damper::new(0.0);
         let events = (0..1000)
-            .filter_map(|tick| damper.follow(tick, 5.0e-3 + 1e-5 * f64::from(tick as i32 % 3 - 1), 1e-3));
+            .zip(0_usize..)
+            .filter_map(|(tick, n)| damper.follow(tick, 5.0e-3 + [0.0, 1e-5, -1e-5][n % 3], 1e-3));
         assert_eq!(events.count(), 1);
     }
 }

@@ -1,6 +1,6 @@
 //! From samples to a model's input: estimate, then continue over the tick.
 
-use haptics::{BackwardDifference, Estimator, Kalman, Motion as KeyMotion};
+use haptics::{BackwardDifference, Estimator as _, Kalman, Motion as KeyMotion};
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 
 /// Which estimator of a key's motion.

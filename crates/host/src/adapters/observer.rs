@@ -71,7 +71,8 @@ impl Publisher {
     fn press_pedals(&mut self, tick: u64) -> bool {
         let end = Moment { tick, theta: 1.0 }.seconds(self.period);
         let before = self.next_pedal;
-        while let Some(&(at, depth)) = self.pedals.get(self.next_pedal).filter(|move_| move_.0 < end)
+        while let Some(&(at, depth)) =
+            self.pedals.get(self.next_pedal).filter(|move_| move_.0 < end)
         {
             self.publish(MidiEvent { key: 0, at, kind: EventKind::Sustain(depth) });
             self.next_pedal += 1;

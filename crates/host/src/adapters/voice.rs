@@ -4,9 +4,7 @@ use std::sync::Arc;
 
 use haptics::ForceGate;
 use models::Playable;
-use pode::{
-    Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch,
-};
+use pode::{Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch};
 use scheduler::motion::{KeyEvent, KeySample, Moment};
 use scheduler::voice::{Events, Turn, Voice, VoiceFault, Work};
 

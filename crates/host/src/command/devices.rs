@@ -36,7 +36,7 @@ struct Device {
 }
 
 /// Prints serial ports, CAN interfaces and MIDI ports.
-pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure> {
+pub(super) fn run(args: DevicesArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let sections = [serial(), can(), midi()];
     if args.json {
         return print_json(&sections, out);
@@ -53,7 +53,10 @@ pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure
             writeln!(out, "  none: {why}")?;
         }
     }
-    writeln!(out, "Boards are driven by a simulated keybed in this version; real links come next.")?;
+    writeln!(
+        out,
+        "Boards are driven by a simulated keybed in this version; real links come next."
+    )?;
     Ok(())
 }
 

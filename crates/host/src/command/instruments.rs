@@ -2,23 +2,44 @@
 
 use std::io::Write;
 
-use clap::Args;
+use clap::{Args, Subcommand};
 use models::catalogue;
 use serde::Serialize;
 
 use super::{Failure, print_json};
 use crate::config::{InstrumentInfo, instruments};
+use crate::control::{Reply, Request, send, socket_path};
 
 /// What `letoff instruments` takes.
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "Example:
-  letoff instruments key-hammer-springs")]
+#[command(
+    args_conflicts_with_subcommands = true,
+    after_help = "Examples:
+  letoff instruments key-hammer-springs          its parameters and presets
+  letoff instruments use spring-wall --keys C4..B4   on the host that is running"
+)]
 pub struct InstrumentsArgs {
+    /// What to do besides listing.
+    #[command(subcommand)]
+    pub action: Option<Action>,
     /// A model, to see its parameters and presets.
     pub model: Option<String>,
     /// Prints the list as JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+/// What can be done with instruments.
+#[derive(Clone, Debug, Subcommand)]
+pub enum Action {
+    /// Gives keys of the running host another instrument, without a force step.
+    Use {
+        /// An instrument's name or file.
+        instrument: String,
+        /// Which keys, as `C4..B5` or `60..83`; all without.
+        #[arg(long)]
+        keys: Option<String>,
+    },
 }
 
 #[derive(Serialize)]
@@ -63,13 +84,20 @@ impl From<&catalogue::Entry> for ModelInfo {
             name: entry.name,
             summary: entry.summary,
             parameters: entry.parameters.iter().enumerate().map(parameter).collect(),
-            presets: entry.presets.iter().map(|it| PresetInfo { name: it.name, doc: it.doc }).collect(),
+            presets: entry
+                .presets
+                .iter()
+                .map(|it| PresetInfo { name: it.name, doc: it.doc })
+                .collect(),
         }
     }
 }
 
 /// Prints the instruments and models, or one model's parameters.
 pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    if let Some(Action::Use { instrument, keys }) = &args.action {
+        return switch(Request { instrument: instrument.clone(), keys: keys.clone() }, out);
+    }
     let models = chosen(args.model.as_deref())?;
     let instruments = instruments();
     if args.json {
@@ -91,6 +119,19 @@ pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Fai
     Ok(())
 }
 
+/// Asks the running host to switch.
+fn switch(mut request: Request, out: &mut dyn Write) -> Result<(), Failure> {
+    // The host may stand in another folder.
+    if let Ok(path) = std::fs::canonicalize(&request.instrument) {
+        request.instrument = path.display().to_string();
+    }
+    match send(&socket_path(), &request) {
+        Ok(Reply::Switched(n)) => Ok(writeln!(out, "{n} keys are now {}", request.instrument)?),
+        Ok(Reply::Refused(why)) => Err(Failure::Usage(why)),
+        Err(error) => Err(Failure::Running(error.to_string())),
+    }
+}
+
 fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {
     let Some(name) = model else {
         return Ok(catalogue::ENTRIES.iter().map(ModelInfo::from).collect());
@@ -108,7 +149,11 @@ fn print_model(model: &ModelInfo, out: &mut dyn Write) -> Result<(), Failure> {
     }
     for it in &model.parameters {
         let (lo, hi) = it.range;
-        writeln!(out, "    {:14} {:>12} {:12} {lo} ..= {hi}  {}", it.name, it.default, it.unit, it.doc)?;
+        writeln!(
+            out,
+            "    {:14} {:>12} {:12} {lo} ..= {hi}  {}",
+            it.name, it.default, it.unit, it.doc
+        )?;
     }
     Ok(())
 }

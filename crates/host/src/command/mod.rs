@@ -88,7 +88,7 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Run(args) => run::run(args, out),
         Command::Simulate(args) => simulate(args, out),
         Command::Check(args) => check::run(args, out),
-        Command::Devices(args) => devices::run(args, out),
+        Command::Devices(args) => devices::run(*args, out),
         Command::Instruments(args) => instruments::run(args, out),
     }
 }
@@ -97,7 +97,11 @@ fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
     use crate::simulate::SimulateError;
     crate::simulate::run(args, out).map_err(|error| {
         let text = error.to_string();
-        if matches!(error, SimulateError::Usage(_)) { Failure::Usage(text) } else { Failure::Running(text) }
+        if matches!(error, SimulateError::Usage(_)) {
+            Failure::Usage(text)
+        } else {
+            Failure::Running(text)
+        }
     })
 }
 

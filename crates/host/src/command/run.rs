@@ -8,6 +8,7 @@ use clap::Args;
 
 use super::{Failure, live, print_json};
 use crate::config::Scene;
+use crate::control::{Server, Switchboard, serve, socket_path};
 use crate::report::Report;
 use crate::session::{Options, Session, SessionError};
 
@@ -96,13 +97,14 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
 fn perform(scene: &Scene, options: Options) -> Result<Report, Failure> {
     let rehearsal = live::Rehearsal::new();
     let session = Session::prepare(scene, options, &|progress| rehearsal.show(progress))
-        .map_err(failure)?;
+        .map_err(|error| failure(&error))?;
     rehearsal.finish();
     let stop = Arc::new(AtomicBool::new(false));
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     runtime.block_on(async {
         let counters = session.counters();
         let line = live::Line::new(session.tick_hz(), session.ticks());
+        listen(scene, options, &session);
         let its_stop = Arc::clone(&stop);
         let mut running = tokio::task::spawn_blocking(move || session.run(&its_stop));
         let mut signals = Signals::new()?;
@@ -111,13 +113,26 @@ fn perform(scene: &Scene, options: Options) -> Result<Report, Failure> {
             tokio::select! {
                 done = &mut running => {
                     line.finish();
-                    return done.map_err(|panic| Failure::Running(panic.to_string()))?.map_err(failure);
+                    return done.map_err(|panic| Failure::Running(panic.to_string()))?.map_err(|error| failure(&error));
                 }
                 () = signals.next() => stop.store(true, Ordering::Release),
                 _ = every.tick() => line.show(&counters),
             }
         }
     })
+}
+
+/// Listens for `letoff instruments use`; in virtual time there is nobody to talk to.
+fn listen(scene: &Scene, options: Options, session: &Session) {
+    if options.virtual_time {
+        return;
+    }
+    // A second host, or a machine without a place for sockets, runs all the same.
+    if let Ok(server) = Server::listen(&socket_path()) {
+        let switchboard = Switchboard::new(scene.clone(), session.swaps());
+        // Ends with the runtime, and takes the socket with it.
+        tokio::spawn(serve(server, Arc::new(switchboard)));
+    }
 }
 
 /// The signals that end a run well: all notes off, forces down, then the report.
@@ -143,7 +158,7 @@ impl Signals {
     }
 }
 
-fn failure(error: SessionError) -> Failure {
+fn failure(error: &SessionError) -> Failure {
     match error {
         SessionError::System(_) | SessionError::Panicked(_) => Failure::Running(error.to_string()),
         SessionError::Assemble(_)

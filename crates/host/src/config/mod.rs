@@ -46,5 +46,6 @@ pub use embedded::{performances, scenes};
 pub use instrument::{Instrument, InstrumentInfo, instruments};
 pub use keys::KeyVoice;
 pub use kind::{Kind, check_file};
+pub use range::keys_named;
 pub use render::{EstimatorName, Reconstruction, Render, StepperName};
 pub use scene::{Lanes, Links, Midi, MidiOutput, PerformanceSource, Scene};

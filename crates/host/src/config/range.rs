@@ -39,6 +39,20 @@ impl KeyRange {
     }
 }
 
+/// The keys that `text` names, as 0 (A0) ..= 87 (C8).
+///
+/// # Errors
+///
+/// What is wrong with it, in a sentence.
+pub fn keys_named(text: &str) -> Result<std::ops::RangeInclusive<u8>, String> {
+    let range = KeyRange::parse(text).map_err(|refusal| match refusal {
+        Refusal::NoNote(note) => format!("\"{note}\" is no note: write C4..B5 or 60..83"),
+        Refusal::OffKeyboard(note) => format!("\"{note}\" is not on the keyboard, A0 to C8"),
+        Refusal::Backwards => format!("\"{text}\" goes backwards: write the lower note first"),
+    })?;
+    Ok(range.first..=range.last)
+}
+
 impl fmt::Display for KeyRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_note(f, self.first)?;

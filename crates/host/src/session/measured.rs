@@ -32,13 +32,10 @@ impl Measured {
             lateness_us: Quantiles::of(&timings.lateness),
             work_us: Quantiles::of(&timings.work),
             turnaround_us: Quantiles::of(&timings.turnaround),
-            timer_baseline_us: baseline.map_or_else(Quantiles::default, |it| Quantiles::of(&it.lateness)),
+            timer_baseline_us: baseline
+                .map_or_else(Quantiles::default, |it| Quantiles::of(&it.lateness)),
         };
-        let realtime = Realtime {
-            policy: standing.policy,
-            memory_locked: locked.current,
-            advice,
-        };
+        let realtime = Realtime { policy: standing.policy, memory_locked: locked.current, advice };
         Self { realtime, deadline, skipped: counters.skipped }
     }
 }

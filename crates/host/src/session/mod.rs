@@ -22,6 +22,7 @@ use crate::adapters::observer::{LiveCounters, Publisher};
 use crate::assemble::{AssembleError, Assembler};
 use crate::bell::Bell;
 use crate::config::{Lanes, Scene};
+use crate::control::Swaps;
 use crate::desk::{Desk, Played};
 use crate::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use crate::realtime::thread::DEFAULT_PRIORITY;
@@ -75,7 +76,7 @@ const RING: usize = 4096;
 
 /// Everything of one run, connected and at rest.
 pub struct Session {
-    stage: Stage,
+    stage: Box<Stage>,
     desk: Desk,
 }
 
@@ -95,6 +96,7 @@ struct Stage {
     midi: MidiReport,
     bell: Arc<Bell>,
     counters: Arc<LiveCounters>,
+    swaps: Swaps,
 }
 
 impl std::fmt::Debug for Session {
@@ -120,7 +122,8 @@ impl Session {
         if options.virtual_time && seconds.is_none() {
             return Err(SessionError::Endless);
         }
-        let mut keybed = SimulatedKeybed::new(period, assembler.rig()).map_err(AssembleError::from)?;
+        let mut keybed =
+            SimulatedKeybed::new(period, assembler.rig()).map_err(AssembleError::from)?;
         pianist::seat(&mut keybed, performance.as_ref());
         let (mut voices, mut cells) = (Vec::new(), Vec::new());
         for (key, voice) in assembler.keys() {
@@ -133,14 +136,19 @@ impl Session {
         let desk = Desk::new(consumer, output, scene.midi.curve);
         let (bell, counters) = (Arc::new(Bell::new()?), Arc::new(LiveCounters::default()));
         let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
-        let publisher =
-            Publisher::new(producer, Arc::clone(&bell), Arc::clone(&counters), pedals.into(), period);
+        let publisher = Publisher::new(
+            producer,
+            Arc::clone(&bell),
+            Arc::clone(&counters),
+            pedals.into(),
+            period,
+        );
         let stage = Stage {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
             n_voices: voices.len(),
             n_lanes: lanes(scene.lanes),
-            ticks: seconds.map(|seconds| (seconds / period).round() as u64),
+            ticks: seconds.map(|seconds| whole(seconds / period)),
             virtual_time: options.virtual_time,
             voices,
             cells,
@@ -150,8 +158,9 @@ impl Session {
             midi,
             bell,
             counters,
+            swaps: Swaps::default(),
         };
-        Ok(Self { stage, desk })
+        Ok(Self { stage: Box::new(stage), desk })
     }
 
     /// Ticks that the run will take; `None` until it is stopped.
@@ -169,6 +178,11 @@ impl Session {
         Arc::clone(&self.stage.counters)
     }
 
+    /// The way into its lanes, once it runs in real time.
+    pub fn swaps(&self) -> Swaps {
+        Arc::clone(&self.stage.swaps)
+    }
+
     /// Runs until the end or until `stop`, and reports.
     ///
     /// # Errors
@@ -176,9 +190,9 @@ impl Session {
     pub fn run(self, stop: &AtomicBool) -> Result<Report, SessionError> {
         let Self { stage, desk } = self;
         if stage.virtual_time {
-            virtual_run::run(stage, desk, stop)
+            virtual_run::run(*stage, desk, stop)
         } else {
-            real::run(stage, desk, stop)
+            real::run(*stage, desk, stop)
         }
     }
 }
@@ -221,7 +235,10 @@ impl Stage {
             strikes: load(&counters.strikes),
             faults: load(&counters.faults),
             dropped: load(&counters.dropped),
-            work: Evaluations { derivatives: load(&counters.derivatives), guards: load(&counters.guards) },
+            work: Evaluations {
+                derivatives: load(&counters.derivatives),
+                guards: load(&counters.guards),
+            },
             links: links(&self.keybed),
             energy_audit: energy.into(),
             midi: MidiReport {
@@ -232,6 +249,12 @@ impl Stage {
             },
         }
     }
+}
+
+/// A count that is not negative, rounded.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+pub(crate) fn whole(count: f64) -> u64 {
+    count.round() as u64
 }
 
 /// How many threads share the tick.

@@ -43,7 +43,8 @@ pub(super) fn seat(keybed: &mut SimulatedKeybed, performance: Option<&Performanc
 }
 
 fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
-    let failed = |name: &str, reason: String| SessionError::Performance { name: name.into(), reason };
+    let failed =
+        |name: &str, reason: String| SessionError::Performance { name: name.into(), reason };
     let (name, score) = match source {
         PerformanceSource::Embedded(name, bytes) => ((*name).to_owned(), read(bytes)),
         PerformanceSource::Path(path) => {

@@ -1,7 +1,7 @@
 //! A run in real time: the tick on its own thread, MIDI on another, a bare timer beside.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, PoisonError};
 
 use super::measured::Measured;
 use super::{SessionError, Stage, bus};
@@ -28,7 +28,8 @@ pub(super) fn run(mut stage: Stage, desk: Desk, stop: &AtomicBool) -> Result<Rep
     // The scope joins the tick's thread whatever happens, so a panic there ends here.
     let ticked = std::thread::scope(|scope| {
         let named = std::thread::Builder::new().name("letoff-tick".into());
-        named.spawn_scoped(scope, || tick(&mut stage, start, stop)).map(|tick| tick.join())
+        let tick = named.spawn_scoped(scope, || tick(&mut stage, start, stop));
+        tick.map(std::thread::ScopedJoinHandle::join)
     });
     let baseline = baseline.stop();
     let played = attended.finish().map_err(|_panic| SessionError::Panicked("MIDI"))?;
@@ -45,7 +46,8 @@ fn tick(
 ) -> Result<(Timings, Standing), SessionError> {
     let standing = ask_for_fifo(Some(DEFAULT_PRIORITY));
     memory::prefault_stack();
-    let (mut lanes, _swaps) = stage.start_lanes()?;
+    let (mut lanes, swaps) = stage.start_lanes()?;
+    *stage.swaps.lock().unwrap_or_else(PoisonError::into_inner) = Some(swaps);
     let mut scheduler = scheduler(stage.timetable()?);
     let mut timings = Timings::new().map_err(std::io::Error::other)?;
     let until = Until { stop, ticks: stage.ticks };
@@ -58,6 +60,7 @@ fn tick(
     };
     ticks::run(&mut assembly, start, until, &mut timings, |pulse| count(&counters, pulse));
     ramp_down(&mut assembly);
+    *stage.swaps.lock().unwrap_or_else(PoisonError::into_inner) = None;
     Ok((timings, standing))
 }
 

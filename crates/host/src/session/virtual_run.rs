@@ -10,7 +10,11 @@ use crate::realtime::virtual_time;
 use crate::report::Report;
 
 /// Runs all ticks; the MIDI side follows after each tick, on this thread.
-pub(super) fn run(mut stage: Stage, mut desk: Desk, stop: &AtomicBool) -> Result<Report, SessionError> {
+pub(super) fn run(
+    mut stage: Stage,
+    mut desk: Desk,
+    stop: &AtomicBool,
+) -> Result<Report, SessionError> {
     let (mut lanes, _swaps) = stage.start_lanes()?;
     let mut scheduler = scheduler(stage.timetable()?);
     let until = Until { stop, ticks: stage.ticks };

@@ -1,0 +1,51 @@
+//! Switching instruments on a running host: one JSON object a line over a Unix socket.
+//!
+//! ```text
+//! letoff instruments use NAME ──socket──▶ server ── Switchboard ──ring──▶ lanes, between ticks
+//! ```
+//!
+//! A request is checked and its voices are built here, off the tick; the tick only swaps
+//! finished voices, and safety blends their forces in.
+
+mod client;
+mod server;
+mod switchboard;
+
+pub use client::{ControlError, send};
+pub use server::{Server, serve};
+pub use switchboard::{Swaps, Switchboard};
+
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+/// What a client asks for.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Request {
+    /// An instrument's name or file.
+    pub instrument: String,
+    /// Which keys, as `C4..B5`; all without.
+    pub keys: Option<String>,
+}
+
+/// What the host answers.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Reply {
+    /// Voices are on their way to so many keys.
+    Switched(usize),
+    /// Nothing was changed; why, in a sentence.
+    Refused(String),
+}
+
+/// Where a host of this user listens: in the runtime directory, or else beside other
+/// temporary files, in a folder of the user's own.
+pub fn socket_path() -> PathBuf {
+    let runtime = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from);
+    let folder = runtime.filter(|folder| folder.is_dir()).unwrap_or_else(|| {
+        let user = rustix::process::getuid().as_raw();
+        std::env::temp_dir().join(format!("letoff-{user}"))
+    });
+    folder.join("letoff.sock")
+}

@@ -1,0 +1,83 @@
+//! The host's end: listens, one request per line, bounded in size and time.
+
+use std::fs;
+use std::io;
+use std::os::unix::fs::{DirBuilderExt as _, PermissionsExt as _};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
+use tokio::net::{UnixListener, UnixStream};
+
+use super::{Reply, Switchboard};
+
+/// Longest request in bytes; a sentence would do.
+const MAX_REQUEST: u64 = 4096;
+
+/// Longest time that one client is listened to.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// A socket that is removed when the host ends.
+#[derive(Debug)]
+pub struct Server {
+    listener: UnixListener,
+    path: PathBuf,
+}
+
+impl Server {
+    /// Listens at `path`, for this user only; a socket that a killed host left is replaced.
+    ///
+    /// # Errors
+    /// If another host listens there, or the socket cannot be made.
+    pub fn listen(path: &Path) -> io::Result<Self> {
+        if let Some(folder) = path.parent() {
+            fs::DirBuilder::new().recursive(true).mode(0o700).create(folder)?;
+        }
+        if std::os::unix::net::UnixStream::connect(path).is_ok() {
+            return Err(io::Error::new(io::ErrorKind::AddrInUse, "another host is running"));
+        }
+        if path.exists() {
+            fs::remove_file(path)?;
+        }
+        let listener = UnixListener::bind(path)?;
+        fs::set_permissions(path, fs::Permissions::from_mode(0o600))?;
+        Ok(Self { listener, path: path.to_owned() })
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        // Somebody may have removed it already, which is as good.
+        let _gone = fs::remove_file(&self.path);
+    }
+}
+
+/// Answers clients one after the other, until it is dropped.
+#[expect(clippy::infinite_loop, reason = "whoever spawned it ends it")]
+pub async fn serve(server: Server, switchboard: Arc<Switchboard>) {
+    loop {
+        // A client that fails, stalls or talks nonsense is dropped; the next one is heard.
+        if let Ok((client, _address)) = server.listener.accept().await {
+            let _served = tokio::time::timeout(PATIENCE, converse(client, &switchboard)).await;
+        }
+    }
+}
+
+async fn converse(client: UnixStream, switchboard: &Arc<Switchboard>) -> io::Result<()> {
+    let (reader, mut writer) = client.into_split();
+    let mut line = String::new();
+    BufReader::new(reader.take(MAX_REQUEST)).read_line(&mut line).await?;
+    let reply = match serde_json::from_str(&line) {
+        // Building a keyboard of voices may take a while: not on the thread that hears signals.
+        Ok(request) => {
+            let switchboard = Arc::clone(switchboard);
+            let answered = tokio::task::spawn_blocking(move || switchboard.answer(&request)).await;
+            answered.unwrap_or_else(|panic| Reply::Refused(panic.to_string()))
+        }
+        Err(error) => Reply::Refused(format!("this is no request of letoff's: {error}")),
+    };
+    let mut text = serde_json::to_string(&reply)?;
+    text.push('\n');
+    writer.write_all(text.as_bytes()).await
+}
