@@ -128,11 +128,11 @@ fn springs_cases(mut check: impl FnMut(&KeyHammerSprings, [f64; 4], Motion)) {
 fn model_b_is_lagranges_equations_of_its_energy() {
     springs_cases(|model, x, s| {
         for mode in [Springs::B1, Springs::B2] {
-            let l = |q, v| springs_lagrangian(&model.values, mode, s.position, q, v);
+            let l = |q, v| springs_lagrangian(model.values(), mode, s.position, q, v);
             let expected = lagrange(l, [x[0], x[1]], [x[2], x[3]], [0.0; 2]);
             let dx = model.derivative(mode, &x, &s);
             assert_eq!([dx[0], dx[1]], [x[2], x[3]]);
-            let p = &model.values;
+            let p = model.values();
             // The largest acceleration that the springs give in a case.
             let scale = p.k1 / p.jk + p.k2 * (p.l1 * p.l1 / p.jk + 0.1 / p.jh);
             agree("θh''", dx[2], expected[0], scale);
@@ -146,10 +146,10 @@ fn the_energies_of_model_b_are_those_of_the_vectors() {
     springs_cases(|model, x, s| {
         for mode in [Springs::B1, Springs::B2] {
             let (q, v) = ([x[0], x[1]], [x[2], x[3]]);
-            let l = |v| springs_lagrangian(&model.values, mode, s.position, q, v);
+            let l = |v| springs_lagrangian(model.values(), mode, s.position, q, v);
             let energy = l(v) - 2.0 * l([0.0; 2]);
             // The vectors measure heights from P1, the model's energy the hammer's from P2.
-            let p = &model.values;
+            let p = model.values();
             let offset = p.g * p.m2 * p.l4;
             let got = model.energy(mode, &x, &s) + offset;
             assert!((got - energy).abs() < 1e-13 * (1.0 + energy.abs()), "{got} is not {energy}");
@@ -160,7 +160,7 @@ fn the_energies_of_model_b_are_those_of_the_vectors() {
 #[test]
 fn the_slider_moves_as_the_identities_say() {
     springs_cases(|model, x, s| {
-        let p = &model.values;
+        let p = model.values();
         let mut out = [0.0; 5];
         model.outputs(Springs::B1, &x, &s, &mut out);
         let [_, _, gap, q4, q3] = out;
@@ -262,7 +262,7 @@ fn a_stiff_model_b_stands_like_model_a() {
         let soft: KeyHammerSprings = preset(name, 44, &[]);
         // The sag is force over stiffness; ten times the stiffness, a tenth of it.
         let sag = |times: f64, s: &Motion| {
-            let stiff = [("k1", soft.values.k1 * times), ("k2", soft.values.k2 * times)];
+            let stiff = [("k1", soft.values().k1 * times), ("k2", soft.values().k2 * times)];
             let springs: KeyHammerSprings = preset(name, 44, &stiff);
             let (mode, x) = springs.at_rest(s);
             let torque = springs.readout(mode, &x, s);

@@ -27,7 +27,7 @@ fn hammer<M: Described>(model: &M, down: f64) -> f64 {
 #[test]
 fn the_key_bottom_leaves_the_hammer_short_of_the_string() {
     for (key, model) in compass::<KeyHammerSprings>() {
-        let p = &model.values;
+        let p = model.values();
         let short = p.l2 * (p.string_angle - hammer(&model, DIP));
         assert!((2e-3..3e-3).contains(&short), "key {key}, springs: {:.3} mm", short * 1e3);
         let rigid: KeyHammerRigid = preset("playable", key, &[]);
@@ -39,7 +39,7 @@ fn the_key_bottom_leaves_the_hammer_short_of_the_string() {
 #[test]
 fn the_blow_is_five_dips_and_what_is_left() {
     for (key, model) in compass::<KeyHammerSprings>() {
-        let p = &model.values;
+        let p = model.values();
         let blow = p.l2 * (p.string_angle - hammer(&model, 0.0));
         assert!((0.053..0.0545).contains(&blow), "key {key}: {:.2} mm", blow * 1e3);
     }
@@ -48,7 +48,7 @@ fn the_blow_is_five_dips_and_what_is_left() {
 #[test]
 fn the_head_travels_five_times_the_key_front() {
     for (key, model) in compass::<KeyHammerSprings>() {
-        let head = model.values.l2 * (hammer(&model, DIP) - hammer(&model, 0.0));
+        let head = model.values().l2 * (hammer(&model, DIP) - hammer(&model, 0.0));
         let ratio = head / DIP;
         assert!((4.75..5.25).contains(&ratio), "key {key}: {ratio:.3}");
     }

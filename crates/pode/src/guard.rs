@@ -16,6 +16,15 @@ pub enum Fires {
     OnCrossing,
 }
 
+/// What a guard is a function of.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Reads {
+    /// State and input: where the input jumps between two ticks, the guard does too.
+    StateAndInput,
+    /// The state alone, in a mode that slaves no coordinate to the input.
+    State,
+}
+
 /// The constant description of one guard of one mode.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct GuardSpec {
@@ -30,12 +39,21 @@ pub struct GuardSpec {
     pub scale: f64,
     /// When it fires.
     pub fires: Fires,
+    /// What it is a function of.
+    pub reads: Reads,
 }
 
 impl GuardSpec {
     /// A guard that must stay positive, of size 1 and priority equal to its id.
     pub const fn new(id: u8, name: &'static str) -> Self {
-        Self { id: GuardId(id), name, priority: id, scale: 1.0, fires: Fires::WhileNegative }
+        Self {
+            id: GuardId(id),
+            name,
+            priority: id,
+            scale: 1.0,
+            fires: Fires::WhileNegative,
+            reads: Reads::StateAndInput,
+        }
     }
 
     /// The same guard with terms of size `scale`.
@@ -54,6 +72,13 @@ impl GuardSpec {
     #[must_use]
     pub const fn on_crossing(self) -> Self {
         Self { fires: Fires::OnCrossing, ..self }
+    }
+
+    /// The same guard, a function of the state alone: it is not taken again where only the
+    /// input jumped.
+    #[must_use]
+    pub const fn of_state(self) -> Self {
+        Self { reads: Reads::State, ..self }
     }
 
     /// Width of the band around zero that rounding alone can fill.

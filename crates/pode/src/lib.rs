@@ -59,7 +59,7 @@ pub mod stepper;
 
 pub use audit::{Energetic, EnergyAudit};
 pub use dense::Dense;
-pub use guard::{Fires, GuardId, GuardSpec, GuardValue, MAX_GUARDS};
+pub use guard::{Fires, GuardId, GuardSpec, GuardValue, MAX_GUARDS, Reads};
 pub use input::{Motion, Signal};
 pub use limits::Limits;
 pub use locate::{Bracket, Located, locate};

@@ -405,7 +405,7 @@ fn an_input_that_jumps_across_a_guard_is_an_event_at_the_ticks_start() {
             let mut simulator = Simulator::new(model, Rk4, Limits::default(), true, [0.0]);
             let mut thetas = Thetas::default();
             for sample in [0.0, 0.5, 1.5, 1.6] {
-                let held = Cubic { c: [sample, 0.0, 0.0, 0.0], h };
+                let held = Cubic::new([sample, 0.0, 0.0, 0.0], h);
                 let tick = simulator.advance(h, &held, &mut thetas);
                 assert_eq!(tick.advance, Advance::Completed);
             }
@@ -424,7 +424,7 @@ fn an_input_that_moves_across_a_guard_is_an_event_within_the_tick() {
             let mut thetas = Thetas::default();
             for n in 0..4 {
                 // From 0 by 0.4 per tick, through 1 in the middle of tick 2.
-                let ramp = Cubic { c: [0.4 * f64::from(n), 0.4, 0.0, 0.0], h };
+                let ramp = Cubic::new([0.4 * f64::from(n), 0.4, 0.0, 0.0], h);
                 let _ = simulator.advance(h, &ramp, &mut thetas);
             }
             assert_eq!(thetas.0.len(), 1, "{guards:?}, h {h}");
@@ -441,7 +441,7 @@ fn a_guard_that_fires_on_crossings_is_not_bothered_by_an_entry_below_it() {
     let mut simulator = Simulator::new(model, Rk4, Limits::default(), true, [0.0]);
     let mut thetas = Thetas::default();
     for sample in [1.5, 1.6, 0.5, 1.5] {
-        let held = Cubic { c: [sample, 0.0, 0.0, 0.0], h: 1e-3 };
+        let held = Cubic::new([sample, 0.0, 0.0, 0.0], 1e-3);
         let _ = simulator.advance(1e-3, &held, &mut thetas);
     }
     assert_eq!(thetas.0, [(3, 0.0)]);
@@ -456,7 +456,7 @@ fn an_event_at_the_end_of_a_tick_is_not_undone_by_an_input_that_jumps_by_roundin
         // Reaches 1 at the very end of tick 0, and starts tick 1 short of it by less than
         // the input moves in the width to which the event was located.
         for start in [0.0, 1.0 - 1e-13] {
-            let _ = simulator.advance(h, &Cubic { c: [start, 1.0, 0.0, 0.0], h }, &mut thetas);
+            let _ = simulator.advance(h, &Cubic::new([start, 1.0, 0.0, 0.0], h), &mut thetas);
         }
         assert_eq!(thetas.0, [(0, 1.0)], "h {h}");
     }

@@ -106,6 +106,7 @@ fn perform(scene: &Scene, options: Options) -> Result<Report, Failure> {
         let line = live::Line::new(session.tick_hz(), session.ticks());
         listen(scene, options, &session);
         let its_stop = Arc::clone(&stop);
+        let _stops = StopOnDrop(Arc::clone(&stop));
         let mut running = tokio::task::spawn_blocking(move || session.run(&its_stop));
         let mut signals = Signals::new()?;
         let mut every = tokio::time::interval(live::REFRESH);
@@ -135,10 +136,20 @@ fn listen(scene: &Scene, options: Options, session: &Session) {
     }
 }
 
+/// Ends the run when this thread unwinds: notes off, forces down.
+struct StopOnDrop(Arc<AtomicBool>);
+
+impl Drop for StopOnDrop {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Release);
+    }
+}
+
 /// The signals that end a run well: all notes off, forces down, then the report.
 struct Signals {
     interrupt: tokio::signal::unix::Signal,
     terminate: tokio::signal::unix::Signal,
+    hang_up: tokio::signal::unix::Signal,
 }
 
 impl Signals {
@@ -147,6 +158,7 @@ impl Signals {
         Ok(Self {
             interrupt: signal(SignalKind::interrupt())?,
             terminate: signal(SignalKind::terminate())?,
+            hang_up: signal(SignalKind::hangup())?,
         })
     }
 
@@ -154,6 +166,7 @@ impl Signals {
         tokio::select! {
             _ = self.interrupt.recv() => {}
             _ = self.terminate.recv() => {}
+            _ = self.hang_up.recv() => {}
         }
     }
 }

@@ -4,7 +4,7 @@ use pode::math::{cos, sin, sin_cos, sqrt};
 use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Reset, Resets};
 
 use super::{KeyHammerSprings, Mode};
-use crate::key_hammer::{Coupled, below_string, gap};
+use crate::key_hammer::{Coupled, Values, below_string, gap};
 
 const RELEASE: GuardId = GuardId(0);
 const LAND: GuardId = GuardId(1);
@@ -12,10 +12,10 @@ const LAND: GuardId = GuardId(1);
 pub(super) const STRING: GuardId = GuardId(2);
 /// On the crossing only: a hammer that the key has pushed through the string stays there.
 /// Putting it back when the mode changes would squeeze it into the key.
-const STRING_SPEC: GuardSpec = GuardSpec::new(2, "string").on_crossing();
+const STRING_SPEC: GuardSpec = GuardSpec::new(2, "string").on_crossing().of_state();
 
-const B1: [GuardSpec; 2] = [GuardSpec::new(0, "release"), STRING_SPEC];
-const B2: [GuardSpec; 2] = [GuardSpec::new(1, "land"), STRING_SPEC];
+const B1: [GuardSpec; 2] = [GuardSpec::new(0, "release").of_state(), STRING_SPEC];
+const B2: [GuardSpec; 2] = [GuardSpec::new(1, "land").of_state(), STRING_SPEC];
 
 /// The spring k2 and the slider.
 #[derive(Clone, Copy, Debug)]
@@ -143,17 +143,20 @@ impl Model for KeyHammerSprings {
         self.coupling(x, s)
     }
 
-    /// Three quarters of a radian of the fastest oscillation that the springs allow.
     fn longest_step(&self, mode: Mode) -> f64 {
-        const RADIANS: f64 = 0.75;
-        let p = &self.values;
-        let reach = p.l1 - p.l3;
-        let contact = match mode {
-            Mode::B1 => p.k2 * (p.l1 * p.l1 / p.jk + reach * reach / p.jh),
-            Mode::B2 => 0.0,
-        };
-        RADIANS / sqrt(p.k1 / p.jk + contact)
+        match mode {
+            Mode::B1 => self.longest_steps[0],
+            Mode::B2 => self.longest_steps[1],
+        }
     }
+}
+
+/// Three quarters of a radian of the fastest oscillation in B1 and in B2 [s].
+pub(super) fn longest_steps(p: &Values) -> [f64; 2] {
+    const RADIANS: f64 = 0.75;
+    let reach = p.l1 - p.l3;
+    let contact = p.k2 * (p.l1 * p.l1 / p.jk + reach * reach / p.jh);
+    [contact, 0.0].map(|contact| RADIANS / sqrt(p.k1 / p.jk + contact))
 }
 
 impl Guarded for KeyHammerSprings {

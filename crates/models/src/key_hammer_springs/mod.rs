@@ -12,8 +12,16 @@ use crate::key_hammer::{PARAMETERS, PRESETS, Values};
 /// State: θh, θk [rad], θh', θk' [rad/s]. Input: the manipulandum's angle s [rad].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeyHammerSprings {
-    /// Parameter values.
-    pub values: Values,
+    values: Values,
+    /// Longest steps in B1 and B2 [s]: asked for in every tick, so found once.
+    longest_steps: [f64; 2],
+}
+
+impl KeyHammerSprings {
+    /// The parameter values.
+    pub const fn values(&self) -> &Values {
+        &self.values
+    }
 }
 
 /// Contact configuration.
@@ -36,7 +44,8 @@ impl Described for KeyHammerSprings {
     const OUTPUTS: &'static [&'static str] = &["F_KH", "T_KU", "gap", "q4", "q3"];
 
     fn with_values(values: &[f64]) -> Self {
-        Self { values: Values::from_array(&filled::<_, Self>(values)) }
+        let values = Values::from_array(&filled::<_, Self>(values));
+        Self { values, longest_steps: equations::longest_steps(&values) }
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {

@@ -29,30 +29,36 @@ pub enum Reconstruction {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cubic {
     /// Coefficients by power of θ.
-    pub c: [f64; 4],
-    /// Length of the tick [s].
-    pub h: f64,
+    c: [f64; 4],
+    /// Ticks per second [1/s].
+    per_second: f64,
 }
 
 impl Cubic {
+    /// The cubic with coefficients `c` by power of θ, over `h` [s].
+    pub fn new(c: [f64; 4], h: f64) -> Self {
+        Self { c, per_second: 1.0 / h }
+    }
+
     /// The motion that keeps `acceleration` from the given start over `h` [s].
     pub fn ballistic(position: f64, rate: f64, acceleration: f64, h: f64) -> Self {
-        Self { c: [position, rate * h, 0.5 * acceleration * h * h, 0.0], h }
+        Self::new([position, rate * h, 0.5 * acceleration * h * h, 0.0], h)
     }
 
     /// The cubic from (`s0`, `v0`) to (`s1`, `v1`) over `h` [s].
     pub fn hermite(s0: f64, v0: f64, s1: f64, v1: f64, h: f64) -> Self {
         let rise = s1 - s0;
         let (d0, d1) = (v0 * h, v1 * h);
-        Self { c: [s0, d0, 3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise], h }
+        Self::new([s0, d0, 3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise], h)
     }
 }
 
 impl Signal<Motion> for Cubic {
     #[inline]
+    #[inline]
     fn at(&self, theta: f64) -> Motion {
         let [c0, c1, c2, c3] = self.c;
-        let r = 1.0 / self.h;
+        let r = self.per_second;
         Motion {
             position: c0 + theta * (c1 + theta * (c2 + theta * c3)),
             rate: (c1 + theta * (2.0 * c2 + theta * 3.0 * c3)) * r,
@@ -97,7 +103,7 @@ impl Reconstructor {
                 return Cubic::hermite(s1, d0 / h, s0, d1 / h, h);
             }
         };
-        Cubic { c, h }
+        Cubic::new(c, h)
     }
 }
 

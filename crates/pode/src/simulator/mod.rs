@@ -9,7 +9,7 @@ mod transition;
 use detect::First;
 
 use crate::epoch::{Stand, stand_after};
-use crate::guard::{GuardValue, MAX_GUARDS};
+use crate::guard::{GuardValue, MAX_GUARDS, Reads};
 use crate::input::Signal;
 use crate::limits::Limits;
 use crate::math;
@@ -124,6 +124,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let from = self.last_input.map(|_| self.mode);
         if from.is_some() {
             run.since_event = self.since_event;
+            let specs = self.model.guards(self.mode);
+            if specs.iter().all(|spec| spec.reads == Reads::State) {
+                return;
+            }
             self.expect_jumps(run);
         }
         if self.take_guards(run, from) {
