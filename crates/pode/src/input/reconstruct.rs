@@ -55,7 +55,6 @@ impl Cubic {
 
 impl Signal<Motion> for Cubic {
     #[inline]
-    #[inline]
     fn at(&self, theta: f64) -> Motion {
         let [c0, c1, c2, c3] = self.c;
         let r = self.per_second;
