@@ -261,9 +261,12 @@ impl MidiReport {
         if let Some(q) = &self.handover_us {
             write!(f, "; handed over after p50 {:.0} p99 {:.0} max {:.0} us", q.p50, q.p99, q.max)?;
         }
-        if let Some(trouble) = &self.trouble {
-            write!(f, "; {} messages failed: {trouble}", self.failed)?;
+        match &self.trouble {
+            Some(trouble) if self.failed > 0 => {
+                writeln!(f, "; {} messages failed: {trouble}", self.failed)
+            }
+            Some(notice) => writeln!(f, "\n              {notice}"),
+            None => writeln!(f),
         }
-        writeln!(f)
     }
 }
