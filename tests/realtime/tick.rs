@@ -94,7 +94,7 @@ fn check(scene: &Scene, n_lanes: usize) -> Audience {
 
 #[test]
 fn a_tick_of_every_model_leaves_the_heap_alone() {
-    let scene = scene("mixed", &[]);
+    let scene = scene("mixed", &[("tick_hz", "1000")]);
     for n_lanes in 1..=2 {
         let events = check(&scene, n_lanes).events;
         for entry in catalogue::ENTRIES {
@@ -126,7 +126,7 @@ fn a_tick_of_every_input_path_leaves_the_heap_alone() {
 #[test]
 fn the_loop_in_real_time_leaves_the_heap_alone() {
     let watch = trap::watch();
-    let scene = scene("mixed", &[]);
+    let scene = scene("mixed", &[("tick_hz", "1000")]);
     let mut bus = keybed(&scene);
     play_all(&mut bus, 1.0);
     let Stage { mut scheduler, mut bus, mut lanes, swaps: _, mut observer } = stage(&scene, bus, 2);

@@ -19,7 +19,7 @@ pub struct Report {
     pub tick_hz: u32,
     /// Ticks that were run.
     pub ticks: u64,
-    /// Ticks that were never run.
+    /// Ticks that were never run; `deadline` counts them as missed.
     pub skipped: u64,
     /// Length of the run [s].
     pub duration_s: f64,
@@ -63,7 +63,7 @@ pub struct Realtime {
 /// Deadlines and what was measured around them.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Deadline {
-    /// Ticks whose forces were out too late.
+    /// Ticks whose forces were out too late, or that were never run.
     pub missed: u64,
     /// Of these, because the voices took too long.
     pub missed_own_work: u64,
@@ -216,7 +216,7 @@ impl Deadline {
     fn fmt_lines(&self, f: &mut fmt::Formatter<'_>, skipped: u64) -> fmt::Result {
         writeln!(
             f,
-            "  deadlines   {} missed: {} own work, {} woken late, {} preempted; {skipped} ticks skipped",
+            "  deadlines   {} missed: {} own work, {} woken late, {} preempted; {skipped} of these never run",
             self.missed, self.missed_own_work, self.missed_woken_late, self.missed_preempted
         )?;
         writeln!(f, "              [us]        p50      p99    p99.9      max")?;

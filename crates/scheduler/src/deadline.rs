@@ -12,7 +12,8 @@
 //! | otherwise | preempted |
 //!
 //! A tick that begins late because the one before it was still running did not oversleep: its
-//! lateness has that tick's cause. The same holds for ticks that were skipped.
+//! lateness has that tick's cause. A tick that was skipped missed its deadline like any other,
+//! with the cause that made the next one begin late.
 
 use crate::time::Nanos;
 
@@ -82,10 +83,8 @@ pub struct Counters {
     pub missed_woken_late: u64,
     /// Of these, by [`Cause::Preempted`].
     pub missed_preempted: u64,
-    /// Ticks that were never run.
+    /// Ticks that were never run; they count as missed, too.
     pub skipped: u64,
-    /// Of these, while a tick that missed by own work was still running.
-    pub skipped_own_work: u64,
 }
 
 /// Keeps the counters; remembers one tick.
@@ -103,14 +102,12 @@ impl Ledger {
         let outcome = judge(times, late_because);
         self.counters.ticks += 1;
         self.counters.skipped += skipped;
-        if late_because == Cause::OwnWork {
-            self.counters.skipped_own_work += skipped;
-        }
+        self.count_misses(late_because, skipped);
         self.last_finished = times.finished;
         self.last_cause = match outcome {
             Outcome::Met => None,
             Outcome::Missed(cause) => {
-                self.count_miss(cause);
+                self.count_misses(cause, 1);
                 Some(cause)
             }
         };
@@ -129,12 +126,12 @@ impl Ledger {
         }
     }
 
-    const fn count_miss(&mut self, cause: Cause) {
-        self.counters.missed += 1;
+    const fn count_misses(&mut self, cause: Cause, n: u64) {
+        self.counters.missed += n;
         match cause {
-            Cause::OwnWork => self.counters.missed_own_work += 1,
-            Cause::WokenLate => self.counters.missed_woken_late += 1,
-            Cause::Preempted => self.counters.missed_preempted += 1,
+            Cause::OwnWork => self.counters.missed_own_work += n,
+            Cause::WokenLate => self.counters.missed_woken_late += n,
+            Cause::Preempted => self.counters.missed_preempted += n,
         }
     }
 }
@@ -238,10 +235,10 @@ mod tests {
         assert_eq!(ledger.enter(&tick(190, 1, 1, 0), 5), Outcome::Met);
         let expected = Counters {
             ticks: 3,
-            missed: 1,
-            missed_own_work: 1,
+            missed: 8,
+            missed_own_work: 3,
+            missed_woken_late: 5,
             skipped: 7,
-            skipped_own_work: 2,
             ..Counters::default()
         };
         assert_eq!(ledger.counters(), expected);
