@@ -69,7 +69,6 @@ fn count(counters: &LiveCounters, pulse: &Pulse) {
     let before = counters.work_ns.load(Ordering::Relaxed);
     let smoothed = (15 * before + pulse.times.work.as_u64()) / 16;
     counters.work_ns.store(smoothed, Ordering::Relaxed);
-    if pulse.outcome != ::scheduler::deadline::Outcome::Met {
-        counters.missed.fetch_add(1, Ordering::Relaxed);
-    }
+    let too_late = u64::from(pulse.outcome != ::scheduler::deadline::Outcome::Met);
+    counters.missed.fetch_add(too_late + pulse.report.skipped, Ordering::Relaxed);
 }
