@@ -27,7 +27,7 @@ pub struct RunArgs {
     #[arg(long = "scene", value_name = "SCENE", conflicts_with = "scene")]
     pub scene_option: Option<String>,
     /// Length of the run [s]; without it, to the end of the performance.
-    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    #[arg(long, value_name = "SECONDS", value_parser = positive, allow_negative_numbers = true)]
     pub duration: Option<f64>,
     /// What the virtual pianist plays: an embedded piece's name or a MIDI file.
     #[arg(long, value_name = "FILE.mid")]
