@@ -39,9 +39,12 @@ pub enum Reply {
     Refused(String),
 }
 
-/// Where a host of this user listens: in the runtime directory, or else beside other
-/// temporary files, in a folder of the user's own.
+/// Where a host of this user listens: where `LETOFF_SOCKET` says, in the runtime directory,
+/// or else beside other temporary files, in a folder of the user's own.
 pub fn socket_path() -> PathBuf {
+    if let Some(path) = std::env::var_os("LETOFF_SOCKET") {
+        return path.into();
+    }
     let runtime = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from);
     let folder = runtime.filter(|folder| folder.is_dir()).unwrap_or_else(|| {
         let user = rustix::process::getuid().as_raw();
