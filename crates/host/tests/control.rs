@@ -18,7 +18,7 @@ fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> Report {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene = Scene::load("default", &silent).expect("the default scene");
     let session = Session::prepare(&scene, Options::default(), &|_| {}).expect("a session");
-    let switchboard = Arc::new(Switchboard::new(scene, session.swaps()));
+    let switchboard = Arc::new(Switchboard::new(scene, session.patchbay()));
     let path = socket(name);
     let stop = AtomicBool::new(false);
     let runtime = tokio::runtime::Builder::new_multi_thread()

@@ -28,7 +28,8 @@ pub struct TickTimes {
     pub woken: Nanos,
     /// When its forces were out.
     pub finished: Nanos,
-    /// CPU time that it needed: the tick's own thread without waiting, and its slowest lane.
+    /// CPU time that it needed: the tick's own thread without waiting, and its slowest lane;
+    /// where a hypervisor may steal, what [`crate::pace::Pace`] leaves of it.
     pub work: Nanos,
 }
 

@@ -23,6 +23,7 @@ extern crate std;
 pub mod deadline;
 pub mod lane;
 pub mod motion;
+pub mod pace;
 pub mod port;
 pub mod safety;
 pub mod slot;

@@ -46,25 +46,15 @@ pub enum Failure {
     Running(String),
     /// Wrong usage or a wrong file: exit code 2.
     Usage(String),
-}
-
-impl Failure {
-    const fn code(&self) -> u8 {
-        match self {
-            Self::Running(_) => 1,
-            Self::Usage(_) => 2,
-        }
-    }
-
-    fn text(&self) -> &str {
-        match self {
-            Self::Running(text) | Self::Usage(text) => text,
-        }
-    }
+    /// Whoever read the output has seen enough, as `head` does: no failure at all.
+    Unread,
 }
 
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            return Self::Unread;
+        }
         Self::Running(format!("the output cannot be written: {error}"))
     }
 }
@@ -73,14 +63,14 @@ impl From<io::Error> for Failure {
 pub fn run(letoff: &Letoff) -> ExitCode {
     let mut out = io::stdout().lock();
     let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            // A closed stderr leaves nobody to tell.
-            let _unheard = writeln!(io::stderr(), "letoff: {}", failure.text());
-            ExitCode::from(failure.code())
-        }
-    }
+    let (code, text) = match done {
+        Ok(()) | Err(Failure::Unread) => return ExitCode::SUCCESS,
+        Err(Failure::Running(text)) => (1, text),
+        Err(Failure::Usage(text)) => (2, text),
+    };
+    // A closed stderr leaves nobody to tell.
+    let _unheard = writeln!(io::stderr(), "letoff: {text}");
+    ExitCode::from(code)
 }
 
 fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
@@ -97,7 +87,9 @@ fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
     use crate::simulate::SimulateError;
     crate::simulate::run(args, out).map_err(|error| {
         let text = error.to_string();
-        if matches!(error, SimulateError::Usage(_)) {
+        if let SimulateError::Summary(cause) = error {
+            cause.into()
+        } else if matches!(error, SimulateError::Usage(_)) {
             Failure::Usage(text)
         } else {
             Failure::Running(text)
@@ -105,9 +97,8 @@ fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
     })
 }
 
-/// Prints `value` as JSON, on one line unless `out` is read by people.
+/// Prints `value` as JSON.
 fn print_json(value: &impl serde::Serialize, out: &mut dyn Write) -> Result<(), Failure> {
-    serde_json::to_writer_pretty(&mut *out, value)
-        .map_err(|error| Failure::Running(format!("the report cannot be written: {error}")))?;
+    serde_json::to_writer_pretty(&mut *out, value).map_err(io::Error::from)?;
     Ok(writeln!(out)?)
 }

@@ -130,7 +130,7 @@ fn listen(scene: &Scene, options: Options, session: &Session) {
     }
     // A second host, or a machine without a place for sockets, runs all the same.
     if let Ok(server) = Server::listen(&socket_path()) {
-        let switchboard = Switchboard::new(scene.clone(), session.swaps());
+        let switchboard = Switchboard::new(scene.clone(), session.patchbay());
         // Ends with the runtime, and takes the socket with it.
         tokio::spawn(serve(server, Arc::new(switchboard)));
     }

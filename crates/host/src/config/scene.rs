@@ -49,7 +49,7 @@ pub struct Scene {
 /// Threads of the tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Lanes {
-    /// As many as the machine and the keys call for.
+    /// One for each processor, at most 16.
     Auto,
     /// So many, 1 ..= 16.
     Count(usize),

@@ -8,12 +8,14 @@
 //! finished voices, and safety blends their forces in.
 
 mod client;
+mod patchbay;
 mod server;
 mod switchboard;
 
 pub use client::{ControlError, send};
+pub use patchbay::Patchbay;
 pub use server::{Server, serve};
-pub use switchboard::{Swaps, Switchboard};
+pub use switchboard::Switchboard;
 
 use std::path::PathBuf;
 

@@ -1,30 +1,27 @@
 //! From a request to voices on their way into the lanes.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
-use super::{Reply, Request};
-use crate::adapters::audit::AuditCell;
+use super::{Patchbay, Reply, Request};
 use crate::assemble::Assembler;
 use crate::config::{Instrument, KeyVoice, Scene, keys_named};
-use crate::realtime::pool::{BoxedVoice, VoiceSwaps};
-
-/// The way into the lanes, while there are any.
-pub type Swaps = Arc<Mutex<Option<VoiceSwaps>>>;
+use crate::realtime::pool::BoxedVoice;
 
 /// Builds voices for a running scene and hands them to its lanes.
 #[derive(Debug)]
 pub struct Switchboard {
     scene: Scene,
-    swaps: Swaps,
+    patchbay: Arc<Patchbay>,
 }
 
 impl Switchboard {
-    /// For the host that runs `scene` and fills `swaps` while it does.
-    pub const fn new(scene: Scene, swaps: Swaps) -> Self {
-        Self { scene, swaps }
+    /// For the host that runs `scene` and opens `patchbay` while it does.
+    pub const fn new(scene: Scene, patchbay: Arc<Patchbay>) -> Self {
+        Self { scene, patchbay }
     }
 
-    /// Does what `request` asks for, as a whole or not at all.
+    /// Does what `request` asks for. It is checked and built as a whole before a voice is
+    /// sent; only a host that is flooded with requests may take a part of one.
     pub fn answer(&self, request: &Request) -> Reply {
         self.switch(request).map_or_else(Reply::Refused, Reply::Switched)
     }
@@ -33,13 +30,7 @@ impl Switchboard {
         let instrument = Instrument::load(&request.instrument).map_err(|it| it.to_string())?;
         let range = keys_named(request.keys.as_deref().unwrap_or("A0..C8"))?;
         let voices = self.voices(&instrument, range)?;
-        let n = voices.len();
-        let mut swaps = self.swaps.lock().unwrap_or_else(PoisonError::into_inner);
-        let swaps = swaps.as_mut().ok_or("the host is not running yet, or not any more")?;
-        for (key, voice) in voices {
-            swaps.replace(key, voice).map_err(|refused| format!("key {key}: {refused}"))?;
-        }
-        Ok(n)
+        self.patchbay.send(voices)
     }
 
     /// A voice for each key of `range` that has one in the scene.
@@ -52,7 +43,7 @@ impl Switchboard {
         let sounding = range.filter(|key| self.scene.keys[usize::from(*key)].is_some());
         let voice = |key: u8| {
             let voice = KeyVoice { model: instrument.model(), values: instrument.values(key) };
-            let cell = Arc::new(AuditCell::default());
+            let cell = self.patchbay.new_cell();
             Ok((usize::from(key), assembler.voice(&voice, cell).map_err(|it| it.to_string())? as _))
         };
         sounding.map(voice).collect()

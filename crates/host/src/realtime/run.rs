@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use hdrhistogram::Histogram;
 use scheduler::deadline::{Counters, Ledger, Outcome, TickTimes};
+use scheduler::pace::Pace;
 use scheduler::port::{KeyBus, TickObserver};
 use scheduler::safety::FADE;
 use scheduler::tick::{Scheduler, TickReport};
@@ -70,11 +71,12 @@ pub struct Timings {
     pub lateness: Histogram<u64>,
     /// Samples in → forces out and observed, in nanoseconds of host time.
     pub turnaround: Histogram<u64>,
-    /// CPU time that the tick needed, in nanoseconds.
+    /// CPU time of the tick by its threads' clocks, in nanoseconds.
     pub work: Histogram<u64>,
     /// Voices' turns that were not ready in time and were held.
     pub late_turns: u64,
     ledger: Ledger,
+    pace: Box<Pace>,
 }
 
 impl Timings {
@@ -89,6 +91,7 @@ impl Timings {
             work: histogram()?,
             late_turns: 0,
             ledger: Ledger::default(),
+            pace: Box::default(),
         })
     }
 
@@ -103,7 +106,9 @@ impl Timings {
         self.turnaround.saturating_record(times.turnaround().as_u64());
         self.work.saturating_record(times.work.as_u64());
         self.late_turns += u64::from(report.voices.late);
-        self.ledger.enter(times, report.skipped)
+        let work = report.voices.work;
+        let needed = self.pace.needed(work.derivatives + work.guards, times.work);
+        self.ledger.enter(&TickTimes { work: needed, ..*times }, report.skipped)
     }
 }
 

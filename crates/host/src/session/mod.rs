@@ -13,16 +13,14 @@ use std::sync::atomic::AtomicBool;
 use firmware_protocol::key::{BoardId, KeyIndex};
 use hardware::sim::keybed::SimulatedKeybed;
 use performance::{Performance, Struck, assess};
-use pode::EnergyAudit;
 use scheduler::port::KeyBus;
 use scheduler::time::{Nanos, Timetable};
 
-use crate::adapters::audit::AuditCell;
 use crate::adapters::observer::{LiveCounters, Publisher};
 use crate::assemble::{AssembleError, Assembler};
 use crate::bell::Bell;
 use crate::config::{Lanes, Scene};
-use crate::control::Swaps;
+use crate::control::Patchbay;
 use crate::desk::{Desk, Played};
 use crate::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use crate::realtime::thread::DEFAULT_PRIORITY;
@@ -74,6 +72,9 @@ const AFTERGLOW: f64 = 1.0;
 /// Key events that may wait for the MIDI thread; a chord of all keys makes 88.
 const RING: usize = 4096;
 
+/// Most threads that share the tick.
+const MOST_LANES: usize = 16;
+
 /// Everything of one run, connected and at rest.
 pub struct Session {
     stage: Box<Stage>,
@@ -89,14 +90,13 @@ struct Stage {
     ticks: Option<u64>,
     virtual_time: bool,
     voices: Vec<(usize, BoxedVoice)>,
-    cells: Vec<Arc<AuditCell>>,
     keybed: SimulatedKeybed,
     performance: Option<Performance>,
     publisher: Publisher,
     midi: MidiReport,
     bell: Arc<Bell>,
     counters: Arc<LiveCounters>,
-    swaps: Swaps,
+    patchbay: Arc<Patchbay>,
 }
 
 impl std::fmt::Debug for Session {
@@ -125,11 +125,10 @@ impl Session {
         let mut keybed =
             SimulatedKeybed::new(period, assembler.rig()).map_err(AssembleError::from)?;
         pianist::seat(&mut keybed, performance.as_ref());
-        let (mut voices, mut cells) = (Vec::new(), Vec::new());
+        let patchbay = Arc::new(Patchbay::default());
+        let mut voices = Vec::new();
         for (key, voice) in assembler.keys() {
-            let cell = Arc::new(AuditCell::default());
-            voices.push((key, assembler.voice(voice, Arc::clone(&cell))? as BoxedVoice));
-            cells.push(cell);
+            voices.push((key, assembler.voice(voice, patchbay.new_cell())? as BoxedVoice));
         }
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi)?;
@@ -151,14 +150,13 @@ impl Session {
             ticks: seconds.map(|seconds| whole(seconds / period)),
             virtual_time: options.virtual_time,
             voices,
-            cells,
             keybed,
             performance,
             publisher,
             midi,
             bell,
             counters,
-            swaps: Swaps::default(),
+            patchbay,
         };
         Ok(Self { stage: Box::new(stage), desk })
     }
@@ -179,8 +177,8 @@ impl Session {
     }
 
     /// The way into its lanes, once it runs in real time.
-    pub fn swaps(&self) -> Swaps {
-        Arc::clone(&self.stage.swaps)
+    pub fn patchbay(&self) -> Arc<Patchbay> {
+        Arc::clone(&self.stage.patchbay)
     }
 
     /// Runs until the end or until `stop`, and reports.
@@ -215,10 +213,6 @@ impl Stage {
         use std::sync::atomic::Ordering::Relaxed;
         let duration = ticks as f64 / f64::from(self.tick_hz);
         let counters = &self.counters;
-        let mut energy = EnergyAudit::default();
-        for cell in &self.cells {
-            energy.add(&cell.read());
-        }
         let load = |counter: &std::sync::atomic::AtomicU64| counter.load(Relaxed);
         Report {
             scene: self.name.clone(),
@@ -240,7 +234,7 @@ impl Stage {
                 guards: load(&counters.guards),
             },
             links: links(&self.keybed),
-            energy_audit: energy.into(),
+            energy_audit: self.patchbay.energy().into(),
             midi: MidiReport {
                 handover_us: played.handover.as_ref().map(crate::report::Quantiles::of),
                 failed: played.n_troubles,
@@ -261,7 +255,10 @@ pub(crate) fn whole(count: f64) -> u64 {
 fn lanes(lanes: Lanes) -> NonZeroUsize {
     match lanes {
         Lanes::Count(count) => NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN),
-        Lanes::Auto => std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN),
+        Lanes::Auto => {
+            let processors = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+            NonZeroUsize::new(processors.min(MOST_LANES)).unwrap_or(NonZeroUsize::MIN)
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! A run in real time: the tick on its own thread, MIDI on another, a bare timer beside.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, PoisonError};
 
 use super::measured::Measured;
 use super::{SessionError, Stage, bus};
@@ -47,7 +47,7 @@ fn tick(
     let standing = ask_for_fifo(Some(DEFAULT_PRIORITY));
     memory::prefault_stack();
     let (mut lanes, swaps) = stage.start_lanes()?;
-    *stage.swaps.lock().unwrap_or_else(PoisonError::into_inner) = Some(swaps);
+    stage.patchbay.open(swaps);
     let mut scheduler = scheduler(stage.timetable()?);
     let mut timings = Timings::new().map_err(std::io::Error::other)?;
     let until = Until { stop, ticks: stage.ticks };
@@ -60,7 +60,7 @@ fn tick(
     };
     ticks::run(&mut assembly, start, until, &mut timings, |pulse| count(&counters, pulse));
     ramp_down(&mut assembly);
-    *stage.swaps.lock().unwrap_or_else(PoisonError::into_inner) = None;
+    stage.patchbay.close();
     Ok((timings, standing))
 }
 

@@ -1,0 +1,64 @@
+//! What a run shares with those who switch its voices: the way in, and the audits.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use pode::EnergyAudit;
+
+use crate::adapters::audit::AuditCell;
+use crate::realtime::pool::{BoxedVoice, VoiceSwaps};
+
+/// Off the tick on both sides; the tick itself only sees the rings behind it.
+#[derive(Debug, Default)]
+pub struct Patchbay {
+    /// The way into the lanes, while there are any.
+    swaps: Mutex<Option<VoiceSwaps>>,
+    /// The audits of all voices that ever played.
+    cells: Mutex<Vec<Arc<AuditCell>>>,
+}
+
+impl Patchbay {
+    /// Lets voices in.
+    pub fn open(&self, swaps: VoiceSwaps) {
+        *lock(&self.swaps) = Some(swaps);
+    }
+
+    /// Lets no more voices in.
+    pub fn close(&self) {
+        *lock(&self.swaps) = None;
+    }
+
+    /// Sends `voices` to their keys; returns how many.
+    ///
+    /// # Errors
+    /// Why one was not taken, in a sentence; those before it are on their way.
+    pub fn send(&self, voices: Vec<(usize, BoxedVoice)>) -> Result<usize, String> {
+        let mut swaps = lock(&self.swaps);
+        let swaps = swaps.as_mut().ok_or("the host is not running yet, or not any more")?;
+        let n = voices.len();
+        for (key, voice) in voices {
+            swaps.replace(key, voice).map_err(|refused| format!("key {key}: {refused}"))?;
+        }
+        Ok(n)
+    }
+
+    /// A place for one more voice's energy audit.
+    pub fn new_cell(&self) -> Arc<AuditCell> {
+        let cell = Arc::new(AuditCell::default());
+        lock(&self.cells).push(Arc::clone(&cell));
+        cell
+    }
+
+    /// The audits of all voices together.
+    pub fn energy(&self) -> EnergyAudit {
+        let mut sum = EnergyAudit::default();
+        for cell in lock(&self.cells).iter() {
+            sum.add(&cell.read());
+        }
+        sum
+    }
+}
+
+/// What a panicking thread left behind is whole: every change is one assignment or push.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
