@@ -1,1 +1,147 @@
-fn main() {}
+//! Model B, a grand's size, one tick of 1 ms: every method, with and without an event; and
+//! the root finder alone.
+#![expect(clippy::expect_used, reason = "a bench may stop here")]
+
+#[path = "setting/mod.rs"]
+mod setting;
+
+use std::f64::consts::TAU;
+use std::hint::black_box;
+
+use criterion::Criterion;
+use models::{Described as _, KeyHammerSprings, Playable as _};
+use pode::input::Cubic;
+use pode::stepper::{BogackiShampine, Heun, Rk4, SemiImplicitEuler};
+use pode::{Bracket, Event, Limits, Model, Motion, Simulator, Stepper, Watch, locate};
+use setting::TICKS;
+
+/// Tick [s].
+const H: f64 = 1e-3;
+
+/// 2⁻²⁰ of a tick: events are located to 1 ns.
+const NANOSECOND: f64 = 1.0 / ((1_u64 << 20) as f64);
+
+fn main() {
+    let mut criterion = setting::criterion();
+    quiet(&mut criterion, SemiImplicitEuler);
+    quiet(&mut criterion, Heun);
+    quiet(&mut criterion, BogackiShampine);
+    quiet(&mut criterion, Rk4);
+    eventful(&mut criterion);
+    roots(&mut criterion);
+    criterion.final_summary();
+}
+
+/// Model B of the middle key.
+fn model() -> KeyHammerSprings {
+    let preset = KeyHammerSprings::PRESETS.iter().find(|preset| preset.name == "playable");
+    let value = preset.expect("the preset").value;
+    let values: Vec<_> = (0..KeyHammerSprings::PARAMETERS.len()).map(|it| value(it, 39)).collect();
+    KeyHammerSprings::with_values(&values)
+}
+
+fn simulator<T: Stepper>(stepper: T) -> Simulator<KeyHammerSprings, T> {
+    let (mode, state) = model().at_rest(&Motion::default());
+    let limits = Limits { event_tolerance: NANOSECOND, ..Limits::default() };
+    Simulator::new(model(), stepper, limits, mode, state)
+}
+
+/// A tick with guards and without an event, the key swinging slowly.
+fn quiet<T: Stepper>(criterion: &mut Criterion, stepper: T) {
+    let scale = model().input_per_metre();
+    let w = TAU / (TICKS as f64 * H);
+    let signal = |tick: usize| {
+        let (sin, cos) = (w * tick as f64 * H).sin_cos();
+        let [s, v, a] = [1.0 - cos, w * sin, w * w * cos].map(|it| 1.5e-3 * scale * it);
+        Cubic::ballistic(s, v, a, H)
+    };
+    let signals: Vec<Cubic> = (0..TICKS).map(signal).collect();
+    let (mut simulator, mut tick) = (simulator(stepper), 0);
+    let mut next = || {
+        let done = simulator.advance(H, &signals[tick % TICKS], &mut pode::Silent);
+        tick += 1;
+        done
+    };
+    for _ in 0..2 * TICKS {
+        let work = next().work;
+        assert_eq!((work.events, work.pieces), (0, 1), "a tick in one step, without an event");
+    }
+    let name = format!("pode/model_b_tick/{}", T::NAME);
+    criterion.bench_function(&name, |bencher| bencher.iter(&mut next));
+}
+
+/// A tick in which the hammer meets the string, and one in which it lands on the key.
+fn eventful(criterion: &mut Criterion) {
+    for guard in ["string", "land"] {
+        let (before, signal) = just_before(guard);
+        let name = format!("pode/model_b_tick_event_to_1_ns/{guard}");
+        criterion.bench_function(&name, |bencher| {
+            bencher.iter(|| {
+                let mut simulator = *black_box(&before);
+                let done = simulator.advance(H, black_box(&signal), &mut pode::Silent);
+                (simulator, done)
+            });
+        });
+    }
+}
+
+/// Remembers the guards that fire.
+#[derive(Default)]
+struct Fired(Vec<&'static str>);
+
+impl<M: Model> Watch<M> for Fired {
+    fn event(&mut self, _model: &M, event: &Event<'_, M>) {
+        self.0.push(event.cause.name());
+    }
+}
+
+/// The first tick of a stroke whose only event is `guard`: what was before, and its input.
+fn just_before(guard: &str) -> (Simulator<KeyHammerSprings, Rk4>, Cubic) {
+    let mut simulator = simulator(Rk4);
+    for tick in 0..1000 {
+        let signal = pressed(f64::from(tick) * H);
+        let (before, mut fired) = (simulator, Fired::default());
+        let _done = simulator.advance(H, &signal, &mut fired);
+        if fired.0 == [guard] {
+            return (before, signal);
+        }
+    }
+    unreachable!("no tick of a stroke has `{guard}` for its only event")
+}
+
+/// The key from its rest to its bottom in 40 ms, over the tick that begins at `t` [s].
+fn pressed(t: f64) -> Cubic {
+    const DIP: f64 = 10e-3;
+    let w = 0.5 * TAU / 40e-3;
+    let scale = model().input_per_metre();
+    let (sin, cos) = (w * t.min(40e-3)).sin_cos();
+    let moving = if t < 40e-3 { 1.0 } else { 0.0 };
+    let (s, v, a) = (1.0 - cos, moving * w * sin, moving * w * w * cos);
+    let half = 0.5 * DIP * scale;
+    Cubic::ballistic(half * s, half * v, half * a, H)
+}
+
+/// A guard as a function of the distance from its root.
+type Guard = fn(f64) -> f64;
+
+/// Guards that fall through zero at a given place; some are hard on root finders.
+const FAMILIES: [(&str, Guard); 7] = [
+    ("line", |d| -d),
+    ("parabola", |d| -d * (d + 1.5)),
+    ("three_halves", |d| -d.abs().sqrt() * d),
+    ("square_root", |d| -d.abs().sqrt().copysign(d)),
+    ("ninth_power", |d| -d.powi(9)),
+    ("step", |d| if d < 0.0 { 1.0 } else { -1.0 }),
+    ("exponential", |d| 1.0 - (30.0 * d).exp()),
+];
+
+/// The root finder without a seed, to 2⁻²⁰; the root lies at an arbitrary place.
+fn roots(criterion: &mut Criterion) {
+    for (name, guard) in FAMILIES {
+        let guard = |tau: f64| guard(tau - black_box(0.618_034));
+        let bracket = Bracket { lo: 0.0, at_lo: guard(0.0), hi: 1.0, at_hi: guard(1.0) };
+        criterion.bench_function(&format!("pode/locate/{name}"), |bencher| {
+            bencher.iter(|| locate(guard, black_box(bracket), None, NANOSECOND));
+        });
+    }
+}

@@ -1,1 +1,204 @@
-fn main() {}
+//! One whole tick of 88 grands (model B, playable): receive, voices, safety, send, publish.
+//!
+//! The bus is memory, so that the host's own work is measured and not the simulated keys.
+//!
+//! | case | what the keys do |
+//! |---|---|
+//! | idle | all have come to rest |
+//! | active | all move, so all equations run: RK4, guards, no event |
+//! | event | all 88 hammers are in free flight and meet their strings within this one tick |
+#![expect(clippy::expect_used, reason = "a bench may stop here")]
+
+#[path = "setting/mod.rs"]
+mod setting;
+#[path = "../tests/stage/mod.rs"]
+mod stage;
+
+use std::sync::Arc;
+
+use criterion::{BatchSize, Criterion};
+use haptics::RigParameters;
+use hardware::sim::key::SimulatedKey;
+use host::adapters::observer::{LiveCounters, Publisher};
+use host::adapters::voice::RehearsableVoice;
+use host::assemble::Assembler;
+use host::bell::Bell;
+use scheduler::motion::{KEYS, KeyEvent, KeySample};
+use scheduler::port::{KeyBus, Lanes, TickObserver};
+use scheduler::slot::Slot;
+use scheduler::tick::Scheduler;
+use scheduler::time::{Nanos, Period, Timetable};
+use scheduler::voice::{Turn, Voice};
+use setting::{TICKS, swing};
+use stage::{Stage, scene, stroke};
+
+const HZ: u32 = 1000;
+
+fn main() {
+    let mut criterion = setting::criterion();
+    idle(&mut criterion);
+    active(&mut criterion);
+    event(&mut criterion);
+    criterion.final_summary();
+}
+
+/// Keys whose positions are read from tables, over and over.
+struct Tables {
+    positions: Vec<[f64; TICKS]>,
+    next: usize,
+}
+
+impl KeyBus for Tables {
+    fn receive(&mut self, _tick: u64, samples: &mut [KeySample; KEYS]) {
+        for (sample, table) in samples.iter_mut().zip(&self.positions) {
+            *sample = KeySample { position: table[self.next], age: 0 };
+        }
+        self.next = (self.next + 1) % TICKS;
+    }
+
+    fn send(&mut self, _tick: u64, forces: &[f64; KEYS]) {
+        std::hint::black_box(forces);
+    }
+}
+
+/// Keys that are all held at one position [m].
+struct Held(f64);
+
+impl KeyBus for Held {
+    fn receive(&mut self, _tick: u64, samples: &mut [KeySample; KEYS]) {
+        *samples = [KeySample { position: self.0, age: 0 }; KEYS];
+    }
+
+    fn send(&mut self, _tick: u64, forces: &[f64; KEYS]) {
+        std::hint::black_box(forces);
+    }
+}
+
+/// What a host publishes to, and the other end of its ring.
+struct Published {
+    publisher: Publisher,
+    ring: rtrb::Consumer<midi::KeyEvent>,
+}
+
+impl Published {
+    fn new() -> Self {
+        let (producer, ring) = rtrb::RingBuffer::new(4096);
+        let bell = Arc::new(Bell::new().expect("a descriptor"));
+        let counters = Arc::new(LiveCounters::default());
+        let publisher = Publisher::new(producer, bell, counters, Box::default(), 1e-3);
+        Self { publisher, ring }
+    }
+}
+
+impl TickObserver for Published {
+    fn observe(&mut self, tick: u64, turns: &[Turn; KEYS], forces: &[f64; KEYS]) {
+        self.publisher.observe(tick, turns, forces);
+    }
+}
+
+/// Ticks of the whole host side, voices on one lane as a session has them.
+fn ticks(criterion: &mut Criterion, name: &str, positions: Vec<[f64; TICKS]>, idle: usize) {
+    let bus = Tables { positions, next: 0 };
+    let mut stage = Stage::new(&scene("default", &[]), bus).watched_by(Published::new());
+    for _ in 0..8 * TICKS {
+        stage.tick();
+    }
+    assert_eq!(stage.tick().voices.idle as usize, idle, "{name}");
+    criterion.bench_function(name, |bencher| bencher.iter(|| stage.tick()));
+    assert_eq!(stage.tick().voices.idle as usize, idle, "{name}");
+}
+
+fn idle(criterion: &mut Criterion) {
+    ticks(criterion, "tick_88_voices/idle", vec![[0.0; TICKS]; KEYS], KEYS);
+}
+
+fn active(criterion: &mut Criterion) {
+    let quantum = RigParameters::default().quantum;
+    let swings = (0..KEYS).map(|key| swing(key as f64 / KEYS as f64, quantum));
+    ticks(criterion, "tick_88_voices/active", swings.collect(), 0);
+}
+
+/// A voice that can be put back to where it was.
+struct Copied(Box<dyn RehearsableVoice>);
+
+impl Clone for Copied {
+    fn clone(&self) -> Self {
+        Self(self.0.copy())
+    }
+}
+
+impl Voice for Copied {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
+        self.0.tick(tick, sample)
+    }
+
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+        self.0.tick_into(tick, sample, turn);
+    }
+
+    fn reset(&mut self, sample: &KeySample) {
+        self.0.reset(sample);
+    }
+}
+
+/// All keys are copies of the middle one, played alike, just before a tick with an event.
+fn event(criterion: &mut Criterion) {
+    let (slot, tick, position) = just_before_a_strike();
+    let slots: Vec<_> = (0..KEYS).map(|_| slot.clone()).collect();
+    let (mut bus, mut published) = (Held(position), Published::new());
+    criterion.bench_function("tick_88_voices/event", |bencher| {
+        bencher.iter_batched_ref(
+            || (scheduler_at(tick), Copies(slots.clone())),
+            |(scheduler, lanes)| {
+                let due = scheduler.next_due();
+                let report = scheduler.poll(due, &mut bus, lanes, &mut published);
+                let events = report.map_or(0, |report| report.voices.work.events);
+                assert!(KEYS <= events as usize, "{events} events");
+                while published.ring.pop().is_ok() {}
+            },
+            BatchSize::PerIteration,
+        );
+    });
+}
+
+/// A lane of slots that all believe to be the same key.
+struct Copies(Vec<Slot<Copied>>);
+
+impl Lanes for Copies {
+    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
+        for ((slot, sample), turn) in self.0.iter_mut().zip(samples).zip(turns) {
+            slot.tick(tick, sample, turn);
+        }
+    }
+}
+
+/// A scheduler whose next tick is `tick`.
+fn scheduler_at(tick: u64) -> Box<Scheduler> {
+    let period = Period::from_hz(HZ).expect("a rate that can be kept");
+    let mut scheduler = host::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period));
+    let (due, mut nothing) = (scheduler.timetable().due(tick - 1), Copies(Vec::new()));
+    scheduler.poll(due, &mut Held(0.0), &mut nothing, &mut stage::Nobody);
+    scheduler
+}
+
+/// The middle key, the tick in which its hammer's flight ends, and where the key is then [m].
+fn just_before_a_strike() -> (Slot<Copied>, u64, f64) {
+    let scene = scene("default", &[]);
+    let assembler = Assembler::new(&scene).expect("a scene of ours");
+    let described = scene.keys[39].as_ref().expect("a voice");
+    let voice = assembler.voice(described, Arc::default()).expect("a model of ours");
+    let mut slot = Slot::new(39, Copied(voice));
+    let mut key = SimulatedKey::new(1e-3, RigParameters::default()).expect("a period");
+    key.play(vec![stroke(0.1, 0.3, haptics::Touch::Pressed, 0.5)]);
+    let mut turn = Turn::default();
+    for tick in 0..1000 {
+        let (sample, before) = (key.receive(tick), slot.clone());
+        slot.tick(tick, &sample, &mut turn);
+        key.send(turn.force);
+        let is_strike = |(_, event): &(_, KeyEvent)| matches!(event, KeyEvent::Strike { .. });
+        if turn.events.as_slice().iter().any(is_strike) {
+            return (before, tick, sample.position);
+        }
+    }
+    unreachable!("no stroke of 0.5 m/s is silent")
+}

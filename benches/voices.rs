@@ -1,1 +1,57 @@
-fn main() {}
+//! One voice for one tick: estimate, equations, force limits, energy audit, of each model.
+//!
+//! The key swings slowly, so that hammers stay on their keys; what bounces does bounce.
+#![expect(clippy::expect_used, reason = "a bench may stop here")]
+
+#[path = "setting/mod.rs"]
+mod setting;
+#[path = "../tests/stage/mod.rs"]
+mod stage;
+
+use std::sync::Arc;
+
+use criterion::Criterion;
+use haptics::RigParameters;
+use host::assemble::{AnyVoice, Assembler};
+use host::config;
+use scheduler::motion::KeySample;
+use scheduler::voice::Turn;
+use setting::{TICKS, swing};
+use stage::scene;
+
+/// C4, the key that stands for the others.
+const MIDDLE: usize = 39;
+
+fn main() {
+    let mut criterion = setting::criterion();
+    for instrument in config::instruments() {
+        let name = format!("voice/{}", instrument.name);
+        let positions = swing(0.0, RigParameters::default().quantum);
+        ticks(&mut criterion, &name, voice(&instrument.name), &positions);
+    }
+    ticks(&mut criterion, "voice/asleep", voice("grand-springs"), &[0.0; TICKS]);
+    criterion.final_summary();
+}
+
+fn voice(instrument: &str) -> AnyVoice {
+    let scene = scene("default", &[("keys.instrument", instrument)]);
+    let assembler = Assembler::new(&scene).expect("a scene of ours");
+    let described = scene.keys[MIDDLE].as_ref().expect("a voice");
+    assembler.voice(described, Arc::default()).expect("a model of ours")
+}
+
+fn ticks(criterion: &mut Criterion, name: &str, mut voice: AnyVoice, positions: &[f64; TICKS]) {
+    let mut samples =
+        positions.iter().map(|position| KeySample { position: *position, age: 0 }).cycle();
+    voice.reset(&KeySample { position: positions[0], age: 0 });
+    let mut turn = Turn::default();
+    let mut tick = 0;
+    let mut next = || {
+        let sample = samples.next().unwrap_or_default();
+        voice.tick_into(tick, &sample, &mut turn);
+        tick += 1;
+        turn.force
+    };
+    (0..8 * TICKS).for_each(|_| _ = next());
+    criterion.bench_function(name, |bencher| bencher.iter(&mut next));
+}

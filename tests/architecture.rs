@@ -1,4 +1,5 @@
 //! Who may know whom: the crate graph of ARCHITECTURE.md, read from the manifests.
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::collections::BTreeSet;
 use std::fs;

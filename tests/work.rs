@@ -1,5 +1,4 @@
 //! How much a tick computes, in counted evaluations: the same on every machine.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod stage;
 
@@ -27,7 +26,7 @@ fn a_keyboard_that_nobody_plays_falls_asleep_and_computes_nothing() {
         for tick in 0..2 * ASLEEP {
             let voices = stage.tick().voices;
             if ASLEEP <= tick {
-                assert_eq!(voices.idle, KEYS as u32, "{name}, tick {tick}");
+                assert_eq!(voices.idle as usize, KEYS, "{name}, tick {tick}");
                 assert_eq!(voices.work, Work::default(), "{name}, tick {tick}");
             }
         }
@@ -73,7 +72,7 @@ fn no_tick_of_one_key_exceeds_what_its_limits_declare() {
 
 #[test]
 fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
-    check_most("grand-springs", Work { derivatives: 16, guards: 63, events: 3 });
+    check_most("grand-springs", Work { derivatives: 16, guards: 57, events: 3 });
     check_most("grand-rigid", Work { derivatives: 32, guards: 70, events: 14 });
     check_most("bouncing-ball", Work { derivatives: 8, guards: 6, events: 1 });
     check_most("cart-pendulum", Work { derivatives: 28, guards: 214, events: 7 });
@@ -86,7 +85,7 @@ fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
 /// put in what the failing test prints, and say in the commit why it grew. They are the same
 /// on every machine whose libm gives the same sines; another libm may move an event by a
 /// rounding, and a count with it.
-const GOLDEN: (u64, u64, u64) = (833_316, 438_347, 150);
+const GOLDEN: (u64, u64, u64) = (833_316, 418_511, 150);
 
 #[test]
 fn the_default_scenes_first_seconds_take_the_committed_work() {
@@ -101,7 +100,11 @@ fn the_default_scenes_first_seconds_take_the_committed_work() {
 /// To update: as for [`GOLDEN`].
 #[track_caller]
 fn check_most(instrument: &str, expected: Work) {
-    assert_eq!(most_of_a_key("default", &[("keys.instrument", instrument)]), expected, "{instrument}");
+    assert_eq!(
+        most_of_a_key("default", &[("keys.instrument", instrument)]),
+        expected,
+        "{instrument}"
+    );
 }
 
 /// The most that one key takes in one tick in 2 s of playing, each count by itself.

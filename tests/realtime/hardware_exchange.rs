@@ -20,7 +20,7 @@ fn check(plan: &FaultPlan) {
     }
     let mut samples = Box::new([KeySample::default(); KEYS]);
     let mut deepest = 0.0_f64;
-    watch.within(|| {
+    trap::within(|| {
         for tick in 0..WATCHED.end {
             keybed.receive(tick, &mut samples);
             let forces = samples.map(|sample| 200.0 * sample.position);

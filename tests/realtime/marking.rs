@@ -7,7 +7,7 @@ use scheduler::motion::KeySample;
 use scheduler::slot::lane_of;
 use scheduler::voice::{Turn, Voice};
 
-use crate::trap;
+use crate::trap::{self, Zone};
 
 /// A voice that marks the thread it runs on, for some ticks and all that is between them.
 struct Marking {
@@ -15,14 +15,21 @@ struct Marking {
     ticks: Range<u64>,
 }
 
+impl Marking {
+    fn mark(&self, tick: u64) {
+        let is_watched = self.ticks.contains(&tick);
+        trap::enter(if is_watched { Zone::Tick } else { Zone::Elsewhere });
+    }
+}
+
 impl Voice for Marking {
     fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
-        trap::mark(self.ticks.contains(&tick));
+        self.mark(tick);
         self.voice.tick(tick, sample)
     }
 
     fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
-        trap::mark(self.ticks.contains(&tick));
+        self.mark(tick);
         self.voice.tick_into(tick, sample, turn);
     }
 

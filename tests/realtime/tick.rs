@@ -19,7 +19,7 @@ use scheduler::voice::Turn;
 
 use crate::marking::mark_lanes;
 use crate::stage::{Stage, keybed, play_all, scene, voices};
-use crate::trap::{self, Watch};
+use crate::trap;
 
 /// Ticks in which whatever is set up once is set up.
 pub(crate) const WARM_UP: u64 = 200;
@@ -66,10 +66,10 @@ pub(crate) fn stage<B: KeyBus>(scene: &Scene, bus: B, n_lanes: usize) -> Stage<B
 }
 
 /// Warms up, runs the watched ticks in the trap, and one more to unmark the lanes.
-pub(crate) fn run_watched<B: KeyBus>(watch: &Watch, stage: &mut Stage<B, Audience>) {
+pub(crate) fn run_watched<B: KeyBus>(stage: &mut Stage<B, Audience>) {
     for tick in 0..=WATCHED.end {
         if WATCHED.contains(&tick) {
-            watch.within(|| stage.tick());
+            trap::within(|| stage.tick());
         } else {
             stage.tick();
         }
@@ -83,7 +83,7 @@ fn check(scene: &Scene, n_lanes: usize) -> Audience {
     let mut bus = keybed(scene);
     play_all(&mut bus, WATCHED.end as f64 * 1e-3);
     let mut stage = stage(scene, bus, n_lanes);
-    run_watched(&watch, &mut stage);
+    run_watched(&mut stage);
     assert_eq!(watch.caught(), (0, 0), "allocations and frees on {n_lanes} lanes");
     let audience = stage.observer;
     assert!(audience.active.iter().all(|ticks| 100 < *ticks), "every key was played");
@@ -100,7 +100,8 @@ fn a_tick_of_every_model_leaves_the_heap_alone() {
         for entry in catalogue::ENTRIES {
             let keys = || {
                 let described = scene.keys.iter().enumerate();
-                described.filter(|(_, it)| it.as_ref().is_some_and(|it| it.model.name == entry.name))
+                described
+                    .filter(|(_, it)| it.as_ref().is_some_and(|it| it.model.name == entry.name))
             };
             assert!(keys().count() > 0, "the scene has no {}", entry.name);
             assert!(keys().any(|(key, _)| 0 < events[key]), "no event of any {}", entry.name);
@@ -140,7 +141,7 @@ fn the_loop_in_real_time_leaves_the_heap_alone() {
     let stop = AtomicBool::new(false);
     let (start, until) = (clock::monotonic(), Until { stop: &stop, ticks: Some(500) });
     // The machine may skip ticks, so the lane is marked until it ends with its last one.
-    watch.within(|| {
+    trap::within(|| {
         run::run(&mut assembly, start, until, &mut timings, |_pulse| {});
         run::ramp_down(&mut assembly);
     });

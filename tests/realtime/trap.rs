@@ -55,61 +55,71 @@ unsafe impl GlobalAlloc for Trap {
     }
 }
 
-/// Marks the calling thread as ticking, or as not ticking any more.
-pub(crate) fn mark(in_tick: bool) {
-    IN_TICK.set(in_tick);
+/// Where a thread is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Zone {
+    /// In a tick, where the heap is out of bounds.
+    Tick,
+    /// Anywhere else.
+    Elsewhere,
+}
+
+/// Says where the calling thread is from now on.
+pub(crate) fn enter(zone: Zone) {
+    IN_TICK.set(zone == Zone::Tick);
+}
+
+/// Does `work` on the calling thread as if in a tick.
+pub(crate) fn within<T>(work: impl FnOnce() -> T) -> T {
+    /// Leaves even if an assertion fails in a tick.
+    struct Leave;
+    impl Drop for Leave {
+        fn drop(&mut self) {
+            enter(Zone::Elsewhere);
+        }
+    }
+    let _leave = Leave;
+    enter(Zone::Tick);
+    work()
 }
 
 /// The right to use the trap, of which there is one: tests of this program run in turn.
 #[derive(Debug)]
 pub(crate) struct Watch {
     _turn: MutexGuard<'static, ()>,
+    /// What the tests before have left.
+    before: (u64, u64),
 }
 
-/// Takes the trap and sets it to zero.
+/// Takes the trap.
 pub(crate) fn watch() -> Watch {
     static TURN: Mutex<()> = Mutex::new(());
-    let watch = Watch { _turn: TURN.lock().unwrap_or_else(PoisonError::into_inner) };
-    ALLOCATED.store(0, Relaxed);
-    FREED.store(0, Relaxed);
-    watch
+    let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+    Watch { _turn: turn, before: counts() }
 }
 
 impl Watch {
-    /// Does `work` on the calling thread as if in a tick.
-    pub(crate) fn within<T>(&self, work: impl FnOnce() -> T) -> T {
-        mark(true);
-        let unmark = Unmark;
-        let done = work();
-        drop(unmark);
-        done
-    }
-
-    /// Allocations and frees of marked threads so far.
+    /// Allocations and frees in ticks since the trap was taken.
     pub(crate) fn caught(&self) -> (u64, u64) {
-        (ALLOCATED.load(Relaxed), FREED.load(Relaxed))
+        let (allocated, freed) = counts();
+        (allocated - self.before.0, freed - self.before.1)
     }
 }
 
-/// Unmarks even if an assertion fails in a tick.
-struct Unmark;
-
-impl Drop for Unmark {
-    fn drop(&mut self) {
-        mark(false);
-    }
+fn counts() -> (u64, u64) {
+    (ALLOCATED.load(Relaxed), FREED.load(Relaxed))
 }
 
 #[test]
 fn the_trap_catches_an_allocation_a_free_and_a_growth() {
     let watch = watch();
-    let kept = watch.within(|| vec![1_u8]);
+    let kept = within(|| vec![1_u8]);
     assert_eq!(watch.caught(), (1, 0));
-    watch.within(|| drop(kept));
+    within(|| drop(kept));
     assert_eq!(watch.caught(), (1, 1));
     let mut growing = Vec::with_capacity(1);
     growing.push(1_u8);
-    watch.within(|| growing.reserve_exact(100));
+    within(|| growing.reserve_exact(100));
     assert_eq!(watch.caught(), (2, 2));
 }
 
@@ -117,7 +127,7 @@ fn the_trap_catches_an_allocation_a_free_and_a_growth() {
 fn what_is_not_marked_may_allocate() {
     let watch = watch();
     drop(vec![1_u8]);
-    watch.within(|| std::hint::black_box(1));
+    within(|| std::hint::black_box(1));
     drop(vec![1_u8]);
     assert_eq!(watch.caught(), (0, 0));
 }

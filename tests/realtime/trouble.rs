@@ -32,7 +32,7 @@ fn a_voice_that_faults_leaves_the_heap_alone() {
         play_all(&mut keybed, 4.0);
         let bus = BrokenSensor { keybed, key: ELSEWHERE, ticks: 1000..1500 };
         let mut stage = stage(&scene, bus, n_lanes);
-        run_watched(&watch, &mut stage);
+        run_watched(&mut stage);
         assert_eq!(watch.caught(), (0, 0), "{n_lanes} lanes");
         assert_eq!(stage.observer.counters.faults.load(Ordering::Relaxed), 500);
     }
@@ -47,7 +47,7 @@ fn a_full_ring_drops_and_leaves_the_heap_alone() {
     let mut voices = voices(&scene);
     mark_lanes(&mut voices, 2, &WATCHED);
     let mut stage = Stage::of(voices, scene.tick_hz, bus, 2).watched_by(Audience::new(2));
-    run_watched(&watch, &mut stage);
+    run_watched(&mut stage);
     assert_eq!(watch.caught(), (0, 0));
     assert_eq!(stage.observer.ring.slots(), 2);
     assert!(100 < stage.observer.counters.dropped.load(Ordering::Relaxed));
@@ -69,7 +69,7 @@ fn a_voice_that_is_replaced_is_freed_outside_the_tick() {
             if let Some((key, voice)) = others.pop() {
                 stage.swaps.replace(key, voice).expect("room for it");
             }
-            watch.within(|| stage.tick());
+            trap::within(|| stage.tick());
             replaced += stage.swaps.drain();
         } else {
             stage.tick();
@@ -116,7 +116,7 @@ fn a_lane_that_is_late_leaves_the_heap_alone() {
         stage.lanes.set_patience(patience);
         reached.store(tick, Ordering::Release);
         if WATCHED.contains(&tick) {
-            let report = watch.within(|| stage.tick());
+            let report = trap::within(|| stage.tick());
             assert_eq!(0 < report.voices.late, (from..until).contains(&tick), "tick {tick}");
         } else {
             stage.tick();
@@ -147,7 +147,7 @@ fn the_trap_sees_the_threads_of_the_lanes() {
         mark_lanes(&mut voices, n_lanes, &WATCHED);
         let bus = keybed(&scene);
         let mut stage = Stage::of(voices, 1000, bus, n_lanes).watched_by(Audience::new(16));
-        run_watched(&watch, &mut stage);
+        run_watched(&mut stage);
         let n = WATCHED.end - WATCHED.start;
         assert_eq!(watch.caught(), (n, n), "{n_lanes} lanes");
     }

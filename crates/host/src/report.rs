@@ -104,7 +104,7 @@ impl Quantiles {
 pub struct Notes {
     /// Notes that the piece asks for within the run.
     pub played: usize,
-    /// Strikes heard, wanted or not.
+    /// Of these, struck.
     pub struck: usize,
     /// Notes asked for and not struck.
     pub missed: usize,
@@ -130,7 +130,7 @@ impl From<&Assessment> for Notes {
         let spread = |it: &performance::Spread| Spread { p50: it.p50, p99: it.p99, max: it.max };
         Self {
             played: it.played,
-            struck: it.struck,
+            struck: it.played - it.missed,
             missed: it.missed,
             extra: it.extra,
             onset_error_ms: spread(&it.onset_error_ms),
@@ -157,6 +157,8 @@ pub struct Links {
     pub gaps: u64,
     /// Bytes or frames that were refused.
     pub refused: u64,
+    /// Times that boards were armed again after their watchdogs had taken the forces away.
+    pub rearmed: u64,
 }
 
 /// What became of the MIDI output.
@@ -241,10 +243,7 @@ impl Notes {
         writeln!(
             f,
             "  notes       {} of {} struck, {} missed, {} extra",
-            self.played - self.missed,
-            self.played,
-            self.missed,
-            self.extra
+            self.struck, self.played, self.missed, self.extra
         )?;
         let (o, v) = (&self.onset_error_ms, &self.velocity_error);
         writeln!(

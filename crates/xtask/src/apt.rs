@@ -18,18 +18,21 @@ pub(crate) fn install_missing() -> Result<(), Error> {
     if needs.is_empty() {
         return Ok(());
     }
-    let prefix = match prefix() {
-        Ok(prefix) => prefix,
-        Err(because) => return Err(Error::Missing { needs, because }),
-    };
+    if let Err(because) = prefix() {
+        return Err(Error::Missing { needs, because });
+    }
     let packages = needs::packages(&needs);
     println!("installing what is missing: {}", packages.join(" "));
-    install(prefix, &packages)?;
+    install(&packages)?;
     confirm()
 }
 
 /// Installs `packages`; reads the package lists anew only if that is needed.
-fn install(prefix: &[&str], packages: &[&str]) -> Result<(), Error> {
+///
+/// # Errors
+/// Says why packages cannot be installed here, or which command failed.
+pub(crate) fn install(packages: &[&str]) -> Result<(), Error> {
+    let prefix = prefix().map_err(|because| Error::unobtainable(packages.join(" "), because))?;
     let mut arguments = vec!["install", "--yes", "--no-install-recommends"];
     arguments.extend(packages);
     if packages.iter().all(|package| is_known(package)) {
@@ -41,6 +44,15 @@ fn install(prefix: &[&str], packages: &[&str]) -> Result<(), Error> {
     }
     command::run(&mut apt_get(prefix, &["update"]))?;
     command::run(&mut apt_get(prefix, &arguments))
+}
+
+/// Reads the package lists anew.
+///
+/// # Errors
+/// Says why that is impossible here, or which command failed.
+pub(crate) fn update() -> Result<(), Error> {
+    let prefix = prefix().map_err(|it| Error::unobtainable("the lists of packages", it))?;
+    command::run(&mut apt_get(prefix, &["update"]))
 }
 
 /// Checks that nothing is lacking any more.

@@ -12,6 +12,10 @@ Chores of this workspace.
                                     `letoff run --duration 30 ARGUMENTS`: the simulated
                                     keybed and a virtual pianist, on any machine
   cargo xtask test                  installs what is missing and runs every test
+  cargo xtask guest-midi            plays to real ALSA ports in an emulated machine, and
+                                    checks what is heard: Debian or Ubuntu on x86_64; the
+                                    first time downloads QEMU and a kernel (90 MB), then
+                                    about a minute; skipped, and says so, elsewhere
   cargo xtask help                  prints this
 
 Example: cargo xtask demo -- --duration 5
@@ -27,6 +31,8 @@ pub(crate) enum Task {
     },
     /// Run every test.
     Test,
+    /// Play to real MIDI ports in a guest.
+    GuestMidi,
     /// Say what there is.
     Help,
 }
@@ -37,6 +43,7 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
     let task = match name.to_str() {
         Some("demo") => return demo(arguments),
         Some("test") => Task::Test,
+        Some("guest-midi") => Task::GuestMidi,
         Some("help" | "--help" | "-h") => Task::Help,
         _ => return Err(refused(&name)),
     };
@@ -89,6 +96,7 @@ mod tests {
     fn each_chore_has_its_name() {
         check("demo", &demo(&[]));
         check("test", &Task::Test);
+        check("guest-midi", &Task::GuestMidi);
         check("help", &Task::Help);
     }
 

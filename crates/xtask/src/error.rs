@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::io;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use crate::needs::{self, Need};
@@ -17,6 +18,12 @@ pub(crate) enum Error {
         /// Why it is not installed from here.
         because: &'static str,
     },
+    /// Something else that a chore needs cannot be had.
+    Unobtainable { what: String, because: String },
+    /// A file or folder could not be read or written.
+    File { path: PathBuf, cause: io::Error },
+    /// Checks in the guest failed, or were not made.
+    Guest(String),
     /// A command could not be started.
     NotStarted { command: String, cause: io::Error },
     /// A command ended without success.
@@ -24,6 +31,16 @@ pub(crate) enum Error {
 }
 
 impl Error {
+    /// Why `what` cannot be had.
+    pub(crate) fn unobtainable(what: impl Into<String>, because: impl Into<String>) -> Self {
+        Self::Unobtainable { what: what.into(), because: because.into() }
+    }
+
+    /// What became of the file or folder at `path`.
+    pub(crate) fn file(path: impl Into<PathBuf>, cause: io::Error) -> Self {
+        Self::File { path: path.into(), cause }
+    }
+
     /// 2 for a wrong argument, 1 for everything else, as with `letoff`.
     pub(crate) fn exit_code(&self) -> ExitCode {
         if matches!(self, Self::Argument(_)) { ExitCode::from(2) } else { ExitCode::FAILURE }
@@ -48,6 +65,13 @@ impl fmt::Display for Error {
                     names.join(" and "),
                 )
             }
+            Self::Unobtainable { what, because } => {
+                write!(f, "{what} cannot be had here: {because}")
+            }
+            Self::File { path, cause } => {
+                write!(f, "{} cannot be used: {cause}", path.display())
+            }
+            Self::Guest(verdict) => write!(f, "not all is well in the guest: {verdict}"),
             Self::NotStarted { command, cause } => write!(f, "cannot start `{command}`: {cause}"),
             Self::Failed { command } => write!(f, "this command failed: {command}"),
         }

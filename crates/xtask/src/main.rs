@@ -1,4 +1,4 @@
-//! Chores: install what is missing, play the demo, run every test.
+//! Chores: install what is missing, play the demo, run every test, play to real MIDI ports.
 //!
 //! `cargo xtask help` lists them. Nothing here is part of the product, and nothing here
 //! needs a system library: it must run on the machine on which they are still missing.
@@ -10,6 +10,7 @@ mod arguments;
 mod command;
 mod demo;
 mod error;
+mod guest_midi;
 mod needs;
 mod stage;
 mod test;
@@ -34,6 +35,7 @@ fn perform(task: Task) -> Result<(), Error> {
     match task {
         Task::Demo { forwarded } => demo::play(forwarded),
         Task::Test => test::run(),
+        Task::GuestMidi => guest_midi::run(),
         Task::Help => {
             print!("{USAGE}");
             Ok(())

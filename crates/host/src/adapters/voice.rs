@@ -82,8 +82,11 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
         let signal = self.input.push(position);
         let before = *self.simulator.state();
-        let mut strikes = Strikes { tick, events: &mut turn.events };
-        let mut watch = (&mut self.audit, &mut strikes);
+        // What a tick says counts only if it ends well: a model that diverges must neither
+        // play notes nor spoil the sums.
+        let (mut audit, mut events) = (self.audit, turn.events);
+        let mut strikes = Strikes { tick, events: &mut events };
+        let mut watch = (&mut audit, &mut strikes);
         let done = self.simulator.advance(self.h, &signal, &mut watch);
         let per_metre = self.simulator.model.input_per_metre();
         turn.force = self.gate.apply(done.mean_readout * per_metre, self.h).force;
@@ -93,7 +96,10 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             events: done.work.events,
         };
         turn.fault = fault(done.advance, done.work.events);
-        self.cell.publish(&self.audit);
+        if turn.fault.is_none() && audit.residual().is_finite() {
+            (self.audit, turn.events) = (audit, events);
+            self.cell.publish(&self.audit);
+        }
         let moved = largest_change::<M>(&before, self.simulator.state());
         self.rest.observe(position, turn.force, moved);
     }

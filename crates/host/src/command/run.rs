@@ -176,6 +176,7 @@ fn failure(error: &SessionError) -> Failure {
         SessionError::System(_) | SessionError::Panicked(_) => Failure::Running(error.to_string()),
         SessionError::Assemble(_)
         | SessionError::Performance { .. }
+        | SessionError::NoFolder { .. }
         | SessionError::Midi(_)
         | SessionError::Endless => Failure::Usage(error.to_string()),
     }

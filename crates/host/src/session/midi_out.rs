@@ -1,5 +1,7 @@
 //! Opens the output that a scene asks for.
 
+use std::path::Path;
+
 use midi::{Message, Output, Port, SendError, Smf, Unavailable};
 
 use crate::config::{Midi, MidiOutput};
@@ -25,6 +27,9 @@ impl Output for Nowhere {
 ///
 /// A machine without MIDI is no error: the run goes on, and the report says what to do.
 pub(super) fn open(midi: &Midi) -> Result<(AnyOutput, MidiReport), SessionError> {
+    if let MidiOutput::File(path) = &midi.output {
+        refuse_without_folder(path)?;
+    }
     let (output, name): (Result<AnyOutput, Unavailable>, String) = match &midi.output {
         MidiOutput::None => (Ok(Box::new(Nowhere)), "none".into()),
         MidiOutput::Virtual => (boxed(Port::create()), "virtual port \"letoff\"".into()),
@@ -43,6 +48,19 @@ pub(super) fn open(midi: &Midi) -> Result<(AnyOutput, MidiReport), SessionError>
         Err(refused @ (Unavailable::NoSuchPort { .. } | Unavailable::Refused { .. })) => {
             Err(refused.into())
         }
+    }
+}
+
+/// The file is written when all is over: what can be known before is said before.
+fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
+            Err(SessionError::NoFolder {
+                path: path.display().to_string(),
+                folder: folder.display().to_string(),
+            })
+        }
+        Some(_) | None => Ok(()),
     }
 }
 

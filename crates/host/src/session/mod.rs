@@ -1,5 +1,6 @@
 //! One run of the host: prepared from a scene, run in real or virtual time, reported.
 
+mod keys;
 mod measured;
 mod midi_out;
 mod pianist;
@@ -13,7 +14,6 @@ use std::sync::atomic::AtomicBool;
 use firmware_protocol::key::{BoardId, KeyIndex};
 use hardware::sim::keybed::SimulatedKeybed;
 use performance::{Performance, Struck, assess};
-use scheduler::port::KeyBus;
 use scheduler::time::{Nanos, Timetable};
 
 use crate::adapters::observer::{LiveCounters, Publisher};
@@ -42,6 +42,14 @@ pub enum SessionError {
         name: String,
         /// What is wrong, and what to do.
         reason: String,
+    },
+    /// The MIDI file cannot be written there.
+    #[error("the MIDI file {path} cannot be written: there is no folder {folder}; make it first")]
+    NoFolder {
+        /// The file.
+        path: String,
+        /// Its folder.
+        folder: String,
     },
     /// The MIDI output is not there.
     #[error("the MIDI output cannot be opened: {0}")]
@@ -233,7 +241,7 @@ impl Stage {
                 derivatives: load(&counters.derivatives),
                 guards: load(&counters.guards),
             },
-            links: links(&self.keybed),
+            links: Links { rearmed: measured.rearmed, ..links(&self.keybed) },
             energy_audit: self.patchbay.energy().into(),
             midi: MidiReport {
                 handover_us: played.handover.as_ref().map(crate::report::Quantiles::of),
@@ -286,11 +294,6 @@ fn links(keybed: &SimulatedKeybed) -> Links {
 /// Every key's index; there are as many as the protocol has.
 fn all_keys() -> impl Iterator<Item = KeyIndex> {
     (0..=u8::MAX).map_while(KeyIndex::new)
-}
-
-/// The bus of a session: the keybed, borrowed for the length of a run.
-fn bus(keybed: &mut SimulatedKeybed) -> &mut impl KeyBus {
-    keybed
 }
 
 /// Policy of a run that no clock decides.

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::keys::Keys;
 use super::measured::Measured;
-use super::{SessionError, Stage, bus};
+use super::{SessionError, Stage};
 use crate::adapters::observer::LiveCounters;
 use crate::desk::{Attended, Desk};
 use crate::realtime::baseline::Baseline;
@@ -33,8 +34,9 @@ pub(super) fn run(mut stage: Stage, desk: Desk, stop: &AtomicBool) -> Result<Rep
     });
     let baseline = baseline.stop();
     let played = attended.finish().map_err(|_panic| SessionError::Panicked("MIDI"))?;
-    let (timings, standing) = ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
-    let measured = Measured::new(&timings, standing, locked, baseline.as_ref());
+    let (timings, standing, rearmed) =
+        ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
+    let measured = Measured::new(&timings, standing, locked, baseline.as_ref(), rearmed);
     Ok(stage.report(timings.counters().ticks, played, measured))
 }
 
@@ -43,7 +45,7 @@ fn tick(
     stage: &mut Stage,
     start: Nanos,
     stop: &AtomicBool,
-) -> Result<(Timings, Standing), SessionError> {
+) -> Result<(Timings, Standing, u64), SessionError> {
     let standing = ask_for_fifo(Some(DEFAULT_PRIORITY));
     memory::prefault_stack();
     let (mut lanes, swaps) = stage.start_lanes()?;
@@ -52,16 +54,18 @@ fn tick(
     let mut timings = Timings::new().map_err(std::io::Error::other)?;
     let until = Until { stop, ticks: stage.ticks };
     let counters = Arc::clone(&stage.counters);
+    let mut keys = Keys::new(&mut stage.keybed);
     let mut assembly = Assembly {
         scheduler: &mut scheduler,
-        bus: bus(&mut stage.keybed),
+        bus: &mut keys,
         lanes: &mut lanes,
         observer: &mut stage.publisher,
     };
     ticks::run(&mut assembly, start, until, &mut timings, |pulse| count(&counters, pulse));
     ramp_down(&mut assembly);
     stage.patchbay.close();
-    Ok((timings, standing))
+    let rearmed = keys.rearmed;
+    Ok((timings, standing, rearmed))
 }
 
 /// Smooths the tick's work and counts misses, for the live line.

@@ -2,8 +2,9 @@
 
 use std::sync::atomic::AtomicBool;
 
+use super::keys::Keys;
 use super::measured::Measured;
-use super::{SessionError, Stage, bus, no_clock};
+use super::{SessionError, Stage, no_clock};
 use crate::desk::Desk;
 use crate::realtime::run::{Assembly, Until, scheduler};
 use crate::realtime::virtual_time;
@@ -19,9 +20,10 @@ pub(super) fn run(
     let mut scheduler = scheduler(stage.timetable()?);
     let until = Until { stop, ticks: stage.ticks };
     let (mut ticks, mut skipped) = (0, 0);
+    let mut keys = Keys::new(&mut stage.keybed);
     let mut assembly = Assembly {
         scheduler: &mut scheduler,
-        bus: bus(&mut stage.keybed),
+        bus: &mut keys,
         lanes: &mut lanes,
         observer: &mut stage.publisher,
     };
@@ -30,8 +32,9 @@ pub(super) fn run(
         ticks += 1;
         skipped += report.skipped;
     });
+    let rearmed = keys.rearmed;
     drop(lanes);
     let (realtime, deadline) = no_clock();
     let played = desk.close(None);
-    Ok(stage.report(ticks, played, Measured { realtime, deadline, skipped }))
+    Ok(stage.report(ticks, played, Measured { realtime, deadline, skipped, rearmed }))
 }

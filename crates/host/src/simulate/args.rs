@@ -9,6 +9,7 @@ const EXAMPLES: &str = "\
 Examples:
   letoff simulate key-hammer-springs --until 3 --step 1e-3 \\
       --input 's=0.1*sin(2*pi*t)' --out traj.csv --events events.csv
+  letoff simulate bouncing-ball --until 4 --step 1e-3 --plot ball.svg
   letoff simulate key-hammer-springs --until 1 --step 1e-4 --method heun --json \\
       --input stroke.csv --reconstruct hermite --set k1=62 k2=150 --initial theta_h=0.1
 
@@ -87,6 +88,11 @@ pub struct SimulateArgs {
     /// File for the events: one row each, t to 17 digits, state before and after.
     #[arg(long, value_name = "FILE")]
     pub events: Option<PathBuf>,
+
+    /// SVG file for a plot over time: forces, guards, coordinates and s; modes as shades,
+    /// events as lines.
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
 
     /// Print counts, final state and energy audit as one JSON object.
     #[arg(long)]

@@ -81,7 +81,12 @@ pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) {
         check_range("--key", args.key.into(), (0.0, LAST_KEY.into()), "(A0 to C8)", mistakes);
     }
     let input = args.input.as_ref().map(PathBuf::from);
-    let files = [("--input", &input), ("--out", &args.out), ("--events", &args.events)];
+    let files = [
+        ("--input", &input),
+        ("--out", &args.out),
+        ("--events", &args.events),
+        ("--plot", &args.plot),
+    ];
     for (index, (first, a)) in files.iter().enumerate() {
         for (second, b) in &files[index + 1..] {
             if let (Some(a), Some(b)) = (a, b)

@@ -85,6 +85,8 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
         self.audit.piece(model, piece);
         let t = self.clock.time(piece.tick, piece.theta_end());
         self.last = (t, piece.mode, piece.end);
+        let start = self.clock.time(piece.tick, piece.theta.0);
+        self.files.piece(model, (start, t), piece);
     }
 
     fn event(&mut self, model: &M, event: &Event<'_, M>) {

@@ -2,7 +2,7 @@
 //!
 //! In the order of a run: `args` what can be asked for, `check` from arguments to a
 //! plan with every mistake at once, `input` s(t) with its derivatives, `drive` tick
-//! after tick, `output` the tables, `summary` what is printed, `error` what can go
+//! after tick, `output` the tables, `plot` the picture, `summary` what is printed, `error` what can go
 //! wrong. Not here: anything of real time; this clock is an argument.
 
 mod args;
@@ -12,6 +12,7 @@ mod error;
 mod input;
 mod nearest;
 mod output;
+mod plot;
 mod summary;
 #[cfg(test)]
 mod tests;
@@ -65,7 +66,7 @@ impl Visitor for Job<'_> {
         let (Some(start), true) = (start, mistakes.is_empty()) else {
             return Err(SimulateError::Usage(mistakes));
         };
-        let mut files = Files::create(args, &start.model).map_err(SimulateError::Usage)?;
+        let mut files = Files::create(args, &start).map_err(SimulateError::Usage)?;
         let report = drive::by_name(&args.method, &start, (&clock, &input), &mut files)?;
         files.finish()?;
         summary::write(&report, args, out).map_err(SimulateError::Summary)?;

@@ -1,4 +1,4 @@
-//! The two tables: the trajectory, a row per tick, and the events.
+//! The files: the trajectory, a row per tick, the events, and the plot.
 //!
 //! Numbers are the shortest that come back to the same bits; an event's t has 17 digits.
 //! A guard's column is `guard_<name>`, so that it never meets a state or an output; an
@@ -9,11 +9,13 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use models::{Described, Playable};
-use pode::{Event, GuardSpec, Motion, State as _};
+use pode::{Event, GuardSpec, Motion, Piece, Signal, State as _};
 
 use super::args::SimulateArgs;
+use super::check::Start;
 use super::drive::mode_name;
 use super::error::{Mistake, SimulateError};
+use super::plot::Plot;
 
 /// What is collected before the system is asked to write it [bytes].
 const BUFFER: usize = 1 << 16;
@@ -23,6 +25,7 @@ const BUFFER: usize = 1 << 16;
 pub(super) struct Files {
     trajectory: Option<Sheet>,
     events: Option<Sheet>,
+    plot: Option<Plot>,
     /// The guards of all modes, in the order of their columns.
     guards: Vec<&'static str>,
     /// Room for a row's outputs.
@@ -32,12 +35,12 @@ pub(super) struct Files {
 }
 
 impl Files {
-    /// Creates both with their headers, or says of each why not.
+    /// Creates all, the tables with their headers, or says of each why not.
     pub(super) fn create<M: Playable>(
         args: &SimulateArgs,
-        model: &M,
+        start: &Start<M>,
     ) -> Result<Self, Vec<Mistake>> {
-        let guards = guard_names(model);
+        let guards = guard_names(&start.model);
         let mut mistakes = Vec::new();
         let mut create = |path: Option<&PathBuf>, header: Vec<String>| {
             let sheet = Sheet::create(path?, &header);
@@ -45,8 +48,10 @@ impl Files {
         };
         let trajectory = create(args.out.as_ref(), trajectory_header::<M>(&guards));
         let events = create(args.events.as_ref(), event_header::<M>());
+        let plot = args.plot.as_ref().map(|path| Plot::create(path, args, start, &guards));
+        let plot = plot.transpose().map_err(|mistake| mistakes.push(mistake)).ok().flatten();
         let outputs = vec![0.0; M::OUTPUTS.len()];
-        let files = Self { trajectory, events, guards, outputs, failure: None };
+        let files = Self { trajectory, events, plot, guards, outputs, failure: None };
         if mistakes.is_empty() { Ok(files) } else { Err(mistakes) }
     }
 
@@ -75,8 +80,23 @@ impl Files {
         sheet.end()
     }
 
-    /// Writes an event's row; a failure is kept for [`Files::check`].
+    /// Follows a piece that lasts from `start` to `end` [s].
+    pub(super) fn piece<M: Described, S: Signal<Motion>>(
+        &mut self,
+        model: &M,
+        (start, end): (f64, f64),
+        piece: &Piece<'_, M, S>,
+    ) {
+        if let Some(plot) = &mut self.plot {
+            plot.piece(model, (start, end), piece);
+        }
+    }
+
+    /// Marks an event and writes its row; a failure is kept for [`Files::check`].
     pub(super) fn event<M: Described>(&mut self, t: f64, event: &Event<'_, M>) {
+        if let Some(plot) = &mut self.plot {
+            plot.event(t, event);
+        }
         let Some(sheet) = &mut self.events else { return };
         let ((from, before), (to, after)) = (&event.before, &event.after);
         sheet.text(&seventeen_digits(t));
@@ -98,9 +118,10 @@ impl Files {
 
     /// Hands everything to the system.
     pub(super) fn finish(self) -> Result<(), SimulateError> {
-        // Both are tried: what one cannot take is no reason to lose the other.
+        // All are tried: what one cannot take is no reason to lose the others.
+        let plotted = self.plot.map_or(Ok(()), Plot::finish);
         let [first, second] = [self.trajectory, self.events].map(|sheet| sheet.map(Sheet::finish));
-        first.unwrap_or(Ok(())).and(second.unwrap_or(Ok(())))
+        first.unwrap_or(Ok(())).and(second.unwrap_or(Ok(()))).and(plotted)
     }
 }
 

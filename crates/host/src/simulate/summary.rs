@@ -182,7 +182,7 @@ pub(super) fn write(report: &Report, args: &SimulateArgs, out: &mut dyn Write) -
         return writeln!(out);
     }
     writeln!(out, "{}", report.text())?;
-    for (what, path) in [("rows", &args.out), ("events", &args.events)] {
+    for (what, path) in [("rows", &args.out), ("events", &args.events), ("plot", &args.plot)] {
         if let Some(path) = path {
             writeln!(out, "{what:<7} {}", path.display())?;
         }

@@ -7,6 +7,7 @@ mod port;
 mod reconnecting;
 mod smf;
 mod system;
+mod watch;
 
 use std::io;
 use std::path::PathBuf;

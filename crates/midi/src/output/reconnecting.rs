@@ -25,6 +25,15 @@ enum Link {
     Down,
 }
 
+/// What the destination does with a note, as far as is known.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Sound {
+    Silent,
+    /// Its note-off was accepted, but nobody has looked since whether the destination was there.
+    Ended,
+    Sounding,
+}
+
 /// Sends through a [`Backend`] and connects it again when it is lost.
 #[derive(Debug)]
 pub(super) struct Reconnecting<B> {
@@ -34,8 +43,7 @@ pub(super) struct Reconnecting<B> {
     link: Link,
     /// When the connection was last attempted or looked at [s]; `None` before.
     looked: Option<f64>,
-    /// Notes that the destination may still sound.
-    sounding: [bool; KEYS as usize],
+    sounds: [Sound; KEYS as usize],
     /// Where the sustain pedal should be, 0 ..= 127.
     pedal: u8,
 }
@@ -44,8 +52,8 @@ impl<B: Backend> Reconnecting<B> {
     /// Connects `backend` for the first time.
     pub(super) fn connect(mut backend: B, name: String) -> Result<Self, Unavailable> {
         backend.connect()?;
-        let sounding = [false; KEYS as usize];
-        Ok(Self { backend, name, link: Link::Up, looked: None, sounding, pedal: 0 })
+        let sounds = [Sound::Silent; KEYS as usize];
+        Ok(Self { backend, name, link: Link::Up, looked: None, sounds, pedal: 0 })
     }
 
     /// Sends `message` at time `at` [s], over a new connection if the old one is lost.
@@ -64,7 +72,9 @@ impl<B: Backend> Reconnecting<B> {
     pub(super) fn poll(&mut self, now: f64) -> Result<(), SendError> {
         if self.link == Link::Up && self.is_due(now) {
             self.looked = Some(now);
-            if !self.backend.is_there() {
+            if self.backend.is_there() {
+                self.confirm();
+            } else {
                 self.link = Link::Down;
                 // An absent port is tried at once, it may only have changed its number.
                 self.looked = None;
@@ -89,12 +99,20 @@ impl<B: Backend> Reconnecting<B> {
         self.restore()
     }
 
+    /// Believes the note-offs that were sent: the destination was there all the time.
+    fn confirm(&mut self) {
+        for sound in self.sounds.iter_mut().filter(|sound| **sound == Sound::Ended) {
+            *sound = Sound::Silent;
+        }
+    }
+
     /// Silences what the destination may still sound, and puts its pedal where it should be.
     fn restore(&mut self) -> bool {
         let notes = (0..KEYS).filter_map(Note::from_key);
         for note in notes {
             let off = Message::NoteOff { note, velocity: Velocity::UNKNOWN };
-            if self.sounding[usize::from(note.key())] && !self.deliver(off) {
+            let sound = self.sounds[usize::from(note.key())];
+            if sound != Sound::Silent && !self.deliver(off) {
                 return false;
             }
         }
@@ -114,10 +132,14 @@ impl<B: Backend> Reconnecting<B> {
 
     fn remember(&mut self, message: Message) {
         match message {
-            Message::NoteOn { note, .. } => self.sounding[usize::from(note.key())] = true,
-            Message::NoteOff { note, .. } => self.sounding[usize::from(note.key())] = false,
+            Message::NoteOn { note, .. } => self.hear(note, Sound::Sounding),
+            Message::NoteOff { note, .. } => self.hear(note, Sound::Ended),
             Message::ControlChange { .. } => {}
         }
+    }
+
+    fn hear(&mut self, note: Note, sound: Sound) {
+        self.sounds[usize::from(note.key())] = sound;
     }
 
     fn follow_pedal(&mut self, message: Message) {
@@ -214,6 +236,22 @@ mod tests {
         assert!(port.poll(1.5).is_err(), "not tried again yet");
         port.poll(2.3).unwrap();
         assert_eq!(port.backend.received[1..], [[0x80, 60, 64], [0xB0, 64, 0]]);
+    }
+
+    #[test]
+    fn a_note_that_ended_after_the_port_had_vanished_is_ended_again() {
+        let mut port = port();
+        port.send(0.0, on(60)).unwrap();
+        port.send(0.1, on(64)).unwrap();
+        port.send(0.2, off(60)).unwrap();
+        port.poll(0.3).unwrap();
+        // The connection accepts a while longer, for nobody.
+        port.backend.unplugged = true;
+        port.send(0.5, off(64)).unwrap();
+        assert!(port.poll(1.4).is_err());
+        port.backend.unplugged = false;
+        port.poll(2.5).unwrap();
+        assert_eq!(port.backend.received[4..], [[0x80, 64, 64], [0xB0, 64, 0]]);
     }
 
     #[test]

@@ -5,6 +5,7 @@ use std::fmt;
 use midir::{MidiOutput, MidiOutputConnection, MidiOutputPort};
 
 use super::reconnecting::Backend;
+use super::watch::Watch;
 
 /// Our name towards other programs, and that of the virtual port.
 pub(super) const CLIENT: &str = "letoff";
@@ -83,8 +84,8 @@ pub(super) struct System {
     connection: Option<MidiOutputConnection>,
     /// Full name of the port that is connected; none for a virtual one.
     port: Option<String>,
-    /// Lists ports: an established connection cannot.
-    watch: Option<MidiOutput>,
+    /// Notices that it has gone; none for a virtual one.
+    watch: Option<Watch>,
 }
 
 impl System {
@@ -95,10 +96,12 @@ impl System {
     fn connect_existing(&mut self, wanted: &str) -> Result<(), Unavailable> {
         let system = open()?;
         let (name, port) = find(&system, wanted)?;
+        let watch = Watch::of(&port)?;
         let connection =
             system.connect(&port, CLIENT).map_err(|error| refused(&name, &error.to_string()))?;
         self.connection = Some(connection);
         self.port = Some(name);
+        self.watch = Some(watch);
         Ok(())
     }
 
@@ -119,8 +122,7 @@ impl System {
 
 impl Backend for System {
     fn connect(&mut self) -> Result<(), Unavailable> {
-        self.connection = None;
-        self.port = None;
+        *self = Self::new(self.wanted.clone());
         match self.wanted.clone() {
             Wanted::Existing(name) => self.connect_existing(&name),
             Wanted::Virtual => self.connect_virtual(),
@@ -132,11 +134,7 @@ impl Backend for System {
     }
 
     fn is_there(&mut self) -> bool {
-        let Some(port) = &self.port else { return self.connection.is_some() };
-        if self.watch.is_none() {
-            self.watch = open().ok();
-        }
-        self.watch.as_ref().is_some_and(|system| named(system).iter().any(|(name, _)| name == port))
+        self.connection.is_some() && self.watch.as_mut().is_none_or(Watch::is_there)
     }
 }
 
@@ -154,7 +152,7 @@ fn refused(port: &str, reason: &str) -> Unavailable {
     Unavailable::Refused { port: port.to_owned(), reason: reason.to_owned() }
 }
 
-fn open() -> Result<MidiOutput, Unavailable> {
+pub(super) fn open() -> Result<MidiOutput, Unavailable> {
     look_for_sequencer()?;
     MidiOutput::new(CLIENT).map_err(|_init| Unavailable::NotStarted)
 }
@@ -179,7 +177,7 @@ fn look_for_sequencer() -> Result<(), Unavailable> {
 }
 
 /// All ports with their names; a port that vanishes meanwhile is left out.
-fn named(system: &MidiOutput) -> Vec<(String, MidiOutputPort)> {
+pub(super) fn named(system: &MidiOutput) -> Vec<(String, MidiOutputPort)> {
     let ports = system.ports().into_iter();
     ports.filter_map(|port| Some((system.port_name(&port).ok()?, port))).collect()
 }

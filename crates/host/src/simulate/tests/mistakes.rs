@@ -133,12 +133,14 @@ fn files_that_cannot_be_opened_are_refused() {
         &["bouncing-ball", "--input", &missing],
         &[&format!("cannot read {missing}: No such file or directory (os error 2)")],
     );
-    let (out, events) = (folder.path("no/traj.csv"), folder.path("no/events.csv"));
+    let [out, events, plot] =
+        ["traj.csv", "events.csv", "plot.svg"].map(|name| folder.path(&format!("no/{name}")));
     check(
-        &["bouncing-ball", "--out", &out, "--events", &events],
+        &["bouncing-ball", "--out", &out, "--events", &events, "--plot", &plot],
         &[
             &format!("cannot create {out}: No such file or directory (os error 2)"),
             &format!("cannot create {events}: No such file or directory (os error 2)"),
+            &format!("cannot create {plot}: No such file or directory (os error 2)"),
         ],
     );
 }
@@ -156,6 +158,10 @@ fn an_input_is_never_overwritten() {
     check(
         &["bouncing-ball", "--out", &new, "--events", &new],
         &[&format!("--out and --events are the same file, {new}")],
+    );
+    check(
+        &["bouncing-ball", "--out", &new, "--plot", &new],
+        &[&format!("--out and --plot are the same file, {new}")],
     );
     assert!(!std::path::Path::new(&new).exists(), "nothing is created on a mistake");
 }

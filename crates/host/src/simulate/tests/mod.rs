@@ -1,6 +1,7 @@
 //! The command as a whole: its files, its summary, its exit codes.
 
 mod mistakes;
+mod plot;
 mod reference;
 
 use std::fs;
@@ -220,7 +221,7 @@ fn a_state_that_leaves_the_finite_numbers_is_a_fault() {
 #[cfg(target_os = "linux")]
 fn a_full_disk_is_one_sentence() {
     for until in ["0.01", "10"] {
-        for file in ["--out", "--events"] {
+        for file in ["--out", "--events", "--plot"] {
             let words = ["bouncing-ball", "--until", until, "--step", "1e-3", file, "/dev/full"];
             let error = simulate(&words).expect_err("a full disk");
             assert_eq!(error.exit_code(), 1);

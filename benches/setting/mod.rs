@@ -1,0 +1,49 @@
+//! What all benches share: short measurements, and on which machine.
+#![allow(dead_code, unreachable_pub, reason = "each bench uses its own part")]
+
+use std::f64::consts::TAU;
+use std::fs;
+use std::time::Duration;
+
+use criterion::Criterion;
+
+/// Short measurements, so that all benches together take a minute or two.
+///
+/// Says which machine and kernel the figures are from.
+#[expect(clippy::print_stderr, reason = "a bench reports to people")]
+pub fn criterion() -> Criterion {
+    eprintln!("machine: {}", machine());
+    Criterion::default()
+        .without_plots()
+        .warm_up_time(Duration::from_millis(500))
+        .measurement_time(Duration::from_millis(1500))
+        .configure_from_args()
+}
+
+/// The processor's name, how many of them, and the kernel.
+fn machine() -> String {
+    let processors = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let names: Vec<_> = processors
+        .lines()
+        .filter_map(|line| line.strip_prefix("model name")?.split_once(": "))
+        .map(|(_, name)| name)
+        .collect();
+    let kernel = fs::read_to_string("/proc/sys/kernel/osrelease").unwrap_or_default();
+    let name = names.first().unwrap_or(&"unknown");
+    format!("{} x {name}, kernel {}", names.len(), kernel.trim())
+}
+
+/// Ticks of a motion, after which it repeats.
+pub const TICKS: usize = 512;
+
+/// Key positions [m] of one slow swing between 1 and 4 mm, `phase` of it ahead, in steps of
+/// `quantum` [m].
+///
+/// So slow that a hammer stays on its key: nothing happens but equations.
+pub fn swing(phase: f64, quantum: f64) -> [f64; TICKS] {
+    std::array::from_fn(|tick| {
+        let angle = TAU * (tick as f64 / TICKS as f64 + phase);
+        let position = 2.5e-3 - 1.5e-3 * angle.cos();
+        (position / quantum).round() * quantum
+    })
+}

@@ -1,0 +1,38 @@
+//! The simulated keybed as the tick's bus, with the host's answer to a tripped watchdog.
+
+use firmware_protocol::key::BoardId;
+use hardware::sim::keybed::SimulatedKeybed;
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::port::KeyBus;
+
+/// A keybed whose boards are armed again when the host is back.
+///
+/// A board that hears nothing for 20 ms takes its forces away and stays safe until it is
+/// told otherwise. By then safety has faded the host's own forces out too, and blends them
+/// in again, so nothing is felt but the pause.
+#[derive(Debug)]
+pub(super) struct Keys<'a> {
+    keybed: &'a mut SimulatedKeybed,
+    /// Times that boards were armed again.
+    pub(super) rearmed: u64,
+}
+
+impl<'a> Keys<'a> {
+    pub(super) const fn new(keybed: &'a mut SimulatedKeybed) -> Self {
+        Self { keybed, rearmed: 0 }
+    }
+}
+
+impl KeyBus for Keys<'_> {
+    fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        self.keybed.receive(tick, samples);
+        if BoardId::all().any(|board| self.keybed.is_safe(board)) {
+            self.keybed.rearm();
+            self.rearmed += 1;
+        }
+    }
+
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
+        self.keybed.send(tick, forces);
+    }
+}

@@ -1,0 +1,119 @@
+//! `--plot`: the run as a picture, in the manner of [GC93] figure 6.
+//!
+//! In the order of a run: `curve` what is plotted, in which `unit`; `track`, `mark` and
+//! `epoch` what of a run of any length can be seen; `draw` the picture. What is kept is
+//! bounded by the picture's width, not by the run.
+
+mod curve;
+mod draw;
+mod epoch;
+mod mark;
+mod track;
+mod unit;
+
+use std::fs::File;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use models::Described;
+use pode::{Event, Motion, Piece, Signal};
+
+use self::curve::{Curve, Now};
+use self::epoch::Epochs;
+use self::mark::Marks;
+use self::track::Columns;
+use super::args::SimulateArgs;
+use super::check::Start;
+use super::error::{Mistake, SimulateError};
+
+/// What the picture shows.
+#[derive(Debug)]
+struct Picture {
+    /// What was run, in lines.
+    title: [String; 3],
+    axis: Columns,
+    /// The modes' names.
+    modes: Vec<&'static str>,
+    curves: Vec<Curve>,
+    epochs: Epochs,
+    marks: Marks,
+}
+
+/// A picture that follows a run, and the file for it.
+#[derive(Debug)]
+pub(super) struct Plot {
+    path: PathBuf,
+    file: File,
+    picture: Picture,
+    /// Room for a row's outputs.
+    outputs: Vec<f64>,
+}
+
+impl Plot {
+    /// Creates the file, or says why not.
+    pub(super) fn create<M: Described>(
+        path: &Path,
+        args: &SimulateArgs,
+        start: &Start<M>,
+        guards: &[&'static str],
+    ) -> Result<Self, Mistake> {
+        let fail = |cause| Mistake::Create { path: path.to_owned(), cause };
+        let file = File::create(path).map_err(fail)?;
+        let axis = Columns { n: draw::COLUMNS, until: args.until };
+        let picture = Picture {
+            title: [M::NAME.to_owned(), args.method.clone(), format!("ticks of {} s", args.step)],
+            axis,
+            modes: M::MODES.iter().map(|(_, name)| *name).collect(),
+            curves: curve::all::<M>(guards, axis),
+            epochs: Epochs::new(axis, index::<M>(start.mode)),
+            marks: Marks::new(axis),
+        };
+        let outputs = vec![0.0; M::OUTPUTS.len()];
+        Ok(Self { path: path.to_owned(), file, picture, outputs })
+    }
+
+    /// Follows a piece that lasts from `start` to `end` [s], by its dense output.
+    pub(super) fn piece<M: Described, S: Signal<Motion>>(
+        &mut self,
+        model: &M,
+        (start, end): (f64, f64),
+        piece: &Piece<'_, M, S>,
+    ) {
+        let Self { picture, outputs, .. } = self;
+        let n = picture.axis.samples(end - start);
+        for sample in 0..=n {
+            let part = sample as f64 / n as f64;
+            let (state, input) = piece.at(part);
+            let (state, mode) = (&model.constrain(piece.mode, &state, &input), piece.mode);
+            model.outputs(mode, state, &input, outputs);
+            let t = start + part * (end - start);
+            let now = Now { t, mode, state, input: &input, outputs };
+            picture.curves.iter_mut().for_each(|curve| curve.add(model, &now));
+        }
+        picture.epochs.last_until(end);
+    }
+
+    /// Marks an event at `t` [s].
+    pub(super) fn event<M: Described>(&mut self, t: f64, event: &Event<'_, M>) {
+        self.picture.marks.add(t, event.cause.name());
+        if event.before.0 != event.after.0 {
+            self.picture.epochs.begin(t, index::<M>(event.after.0));
+        }
+    }
+
+    /// Draws the picture and writes it.
+    pub(super) fn finish(mut self) -> Result<(), SimulateError> {
+        let written = self.write();
+        written.map_err(|cause| SimulateError::Write { path: self.path, cause: cause.into() })
+    }
+
+    fn write(&mut self) -> io::Result<()> {
+        let svg = draw::svg(&self.picture).map_err(io::Error::other)?;
+        self.file.write_all(svg.as_bytes())
+    }
+}
+
+/// Which of the model's modes this is.
+fn index<M: Described>(mode: M::Mode) -> usize {
+    M::MODES.iter().position(|(known, _)| *known == mode).unwrap_or(0)
+}

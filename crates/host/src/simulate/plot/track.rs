@@ -1,0 +1,203 @@
+//! A curve of any length in bounded memory: of each pixel column, what is seen there.
+
+/// t [s] and a value.
+pub(super) type Point = (f64, f64);
+
+/// The time axis in pixel columns.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Columns {
+    /// How many.
+    pub(super) n: usize,
+    /// The end of the last one [s].
+    pub(super) until: f64,
+}
+
+impl Columns {
+    /// The column of `t` [s].
+    #[expect(clippy::cast_possible_truncation, reason = "clamped to the columns")]
+    #[expect(clippy::cast_sign_loss, reason = "clamped to the columns")]
+    pub(super) fn of(self, t: f64) -> usize {
+        let last = self.n.saturating_sub(1);
+        (t / self.until * self.n as f64).clamp(0.0, last as f64) as usize
+    }
+
+    /// How many samples show all of a stretch of `duration` [s].
+    pub(super) fn samples(self, duration: f64) -> usize {
+        self.of(duration) + 1
+    }
+}
+
+/// What was in one column.
+#[derive(Clone, Copy, Debug)]
+struct Column {
+    first: Point,
+    low: Point,
+    high: Point,
+    last: Point,
+    /// Whether `low` came before `high`.
+    rises: bool,
+    /// Whether the curve begins anew here.
+    is_start: bool,
+}
+
+impl Column {
+    const fn new(point: Point) -> Self {
+        Self { first: point, low: point, high: point, last: point, rises: true, is_start: false }
+    }
+
+    fn add(&mut self, point: Point) {
+        self.last = point;
+        if point.1 < self.low.1 {
+            (self.low, self.rises) = (point, false);
+        } else if point.1 > self.high.1 {
+            (self.high, self.rises) = (point, true);
+        }
+    }
+
+    /// In the order in which they came.
+    const fn points(&self) -> [Point; 4] {
+        let Self { first, low, high, last, .. } = *self;
+        if self.rises { [first, low, high, last] } else { [first, high, low, last] }
+    }
+}
+
+/// A curve as it is drawn: at most four points per pixel column, extremes among them.
+#[derive(Debug)]
+pub(super) struct Track {
+    axis: Columns,
+    columns: Vec<Option<Column>>,
+    /// Whether the next point begins anew.
+    is_cut: bool,
+}
+
+impl Track {
+    pub(super) fn new(axis: Columns) -> Self {
+        Self { axis, columns: vec![None; axis.n], is_cut: true }
+    }
+
+    /// Goes on to `value` at `t` [s], not before the last one; `None` or a value that is
+    /// not finite interrupts the curve.
+    pub(super) fn add(&mut self, t: f64, value: Option<f64>) {
+        let Some(value) = value.filter(|value| value.is_finite()) else {
+            self.is_cut = true;
+            return;
+        };
+        match &mut self.columns[self.axis.of(t)] {
+            Some(column) => column.add((t, value)),
+            empty => {
+                *empty = Some(Column { is_start: self.is_cut, ..Column::new((t, value)) });
+            }
+        }
+        self.is_cut = false;
+    }
+
+    /// The curve's uninterrupted stretches.
+    pub(super) fn stretches(&self) -> Vec<Vec<Point>> {
+        let mut stretches: Vec<Vec<Point>> = Vec::new();
+        for column in self.columns.iter().flatten() {
+            if column.is_start || stretches.is_empty() {
+                stretches.push(Vec::new());
+            }
+            if let Some(stretch) = stretches.last_mut() {
+                stretch.extend(column.points());
+                stretch.dedup();
+            }
+        }
+        stretches
+    }
+
+    /// Lowest and highest value.
+    pub(super) fn extent(&self) -> Option<(f64, f64)> {
+        let ends = self.columns.iter().flatten().map(|column| (column.low.1, column.high.1));
+        ends.reduce(|(low, high), (lower, higher)| (low.min(lower), high.max(higher)))
+    }
+
+    /// Largest magnitude; 1 where there is nothing but zero.
+    pub(super) fn peak(&self) -> f64 {
+        let peak = self.extent().map_or(0.0, |(low, high)| low.abs().max(high.abs()));
+        if peak > 0.0 { peak } else { 1.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const AXIS: Columns = Columns { n: 20, until: 1.0 };
+
+    fn track(points: &[(f64, Option<f64>)]) -> Track {
+        let mut track = Track::new(AXIS);
+        for (t, value) in points {
+            track.add(*t, *value);
+        }
+        track
+    }
+
+    #[test]
+    fn a_short_curve_is_kept_point_by_point() {
+        let points = [(0.0, 1.0), (0.01, -1.0), (0.01, 2.0), (0.02, 0.0), (0.5, 3.0)];
+        let track = track(&points.map(|(t, value)| (t, Some(value))));
+        assert_eq!(track.stretches(), [points.to_vec()]);
+        assert_eq!(track.extent(), Some((-1.0, 3.0)));
+    }
+
+    #[test]
+    fn an_interruption_longer_than_a_column_is_seen() {
+        let points = [(0.0, Some(1.0)), (0.2, None), (0.4, Some(2.0)), (0.6, Some(f64::NAN))];
+        let track = track(&[&points[..], &[(0.8, Some(3.0)), (1.0, Some(4.0))]].concat());
+        let expected = [vec![(0.0, 1.0)], vec![(0.4, 2.0)], vec![(0.8, 3.0), (1.0, 4.0)]];
+        assert_eq!(track.stretches(), expected);
+    }
+
+    #[test]
+    fn nothing_has_no_extent_and_a_peak_to_divide_by() {
+        let track = track(&[(0.0, None)]);
+        assert_eq!(track.extent(), None);
+        assert!((track.peak() - 1.0).abs() < f64::EPSILON);
+    }
+
+    /// Times in order with values, more of them than columns.
+    fn samples() -> impl Strategy<Value = Vec<Point>> {
+        prop::collection::vec((0.0..=1.0, -1e3..1e3), 1..400).prop_map(|mut samples: Vec<Point>| {
+            samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+            samples
+        })
+    }
+
+    /// Lowest and highest value of each column that has any.
+    fn extremes(points: &[Point]) -> Vec<Option<(f64, f64)>> {
+        let of_column = |column: usize| {
+            let values =
+                points.iter().filter(|(t, _)| AXIS.of(*t) == column).map(|(_, v)| (*v, *v));
+            values.reduce(|(low, high), (v, _)| (low.min(v), high.max(v)))
+        };
+        (0..AXIS.n).map(of_column).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn every_extreme_is_kept_and_no_point_is_invented(samples in samples()) {
+            let all: Vec<_> = samples.iter().map(|(t, v)| (*t, Some(*v))).collect();
+            let kept = track(&all).stretches().concat();
+            prop_assert_eq!(extremes(&kept), extremes(&samples));
+            prop_assert!(kept.len() <= 4 * AXIS.n);
+            // In the order in which they came.
+            let mut rest = samples.iter();
+            prop_assert!(kept.iter().all(|point| rest.any(|sample| sample == point)));
+            prop_assert_eq!((kept.first(), kept.last()), (samples.first(), samples.last()));
+        }
+
+        #[test]
+        fn interruptions_lose_no_extreme(
+            samples in samples(),
+            holes in prop::collection::vec(any::<bool>(), 400),
+        ) {
+            let all: Vec<_> =
+                samples.iter().zip(&holes).map(|((t, v), hole)| (*t, (!hole).then_some(*v))).collect();
+            let present: Vec<_> = all.iter().filter_map(|(t, v)| Some((*t, (*v)?))).collect();
+            prop_assert_eq!(extremes(&track(&all).stretches().concat()), extremes(&present));
+        }
+    }
+}

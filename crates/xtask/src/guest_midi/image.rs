@@ -1,0 +1,169 @@
+//! The guest's file system: one program of ours, a few of others, and the modules of ALSA.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::kernel::Kernel;
+use super::{files, piece, tools};
+use crate::command;
+use crate::error::Error;
+
+/// The sequencer, four virtual cables, and Midi Through.
+const MODULES: [&str; 3] = ["snd-seq", "snd-virmidi", "snd-seq-dummy"];
+
+/// Programs of the machine that run in the guest.
+const PROGRAMS: [&str; 3] = ["busybox", "aseqdump", "aconnect"];
+
+/// What alsa-lib reads before it opens anything.
+const ALSA_CONF: &str = "/usr/share/alsa/alsa.conf";
+
+const FOLDERS: [&str; 7] = ["bin", "dev", "modules", "proc", "sys", "tmp", "usr/share/alsa"];
+
+/// Makes the file system beneath `folder`, and returns the file that QEMU loads.
+///
+/// # Errors
+/// Names the file or the command.
+pub(super) fn make(folder: &Path, kernel: &Kernel, letoff: &Path) -> Result<PathBuf, Error> {
+    let root = folder.join("root");
+    files::empty(&root)?;
+    for name in FOLDERS {
+        files::make(&root.join(name))?;
+    }
+    let mut programs = vec![letoff.to_owned()];
+    for name in PROGRAMS {
+        programs.push(tools::path(name)?);
+    }
+    install(&programs, &root)?;
+    add_modules(kernel, &root.join("modules"))?;
+    files::copy(Path::new(ALSA_CONF), &within(&root, Path::new(ALSA_CONF)))?;
+    files::write(&root.join("scene.toml"), include_str!("scene.toml"))?;
+    files::write(&root.join("piece.mid"), piece::file())?;
+    files::write(&root.join("init"), include_str!("init.sh"))?;
+    let initrd = folder.join("initrd");
+    let pack = "chmod 755 init && find . | cpio --quiet -o -H newc >../initrd";
+    command::run(Command::new("sh").args(["-c", pack]).current_dir(&root))?;
+    Ok(initrd)
+}
+
+/// Copies the programs, and the libraries they are linked with to the same places.
+fn install(programs: &[PathBuf], root: &Path) -> Result<(), Error> {
+    let mut needed = BTreeSet::new();
+    for program in programs {
+        let name = program.file_name().unwrap_or_default();
+        files::copy(program, &root.join("bin").join(name))?;
+        // A static program makes ldd fail, and needs nothing.
+        let output = Command::new("ldd").arg(program).output();
+        let output = output.map_err(|cause| Error::file("ldd", cause))?;
+        needed.extend(libraries(&String::from_utf8_lossy(&output.stdout)));
+    }
+    for library in needed {
+        let place = within(root, &library);
+        files::make(place.parent().unwrap_or(root))?;
+        files::copy(&library, &place)?;
+    }
+    Ok(())
+}
+
+/// The place of the absolute `path` beneath `root`.
+fn within(root: &Path, path: &Path) -> PathBuf {
+    root.join(path.strip_prefix("/").unwrap_or(path))
+}
+
+/// The paths in what `ldd` prints.
+fn libraries(ldd: &str) -> Vec<PathBuf> {
+    ldd.split_whitespace().filter(|word| word.starts_with('/')).map(PathBuf::from).collect()
+}
+
+/// Copies the modules, unpacked, and writes the order in which to load them.
+fn add_modules(kernel: &Kernel, to: &Path) -> Result<(), Error> {
+    let dependencies = files::read(&kernel.modules.join("modules.dep"))?;
+    let mut order = String::new();
+    for path in load_order(&dependencies)? {
+        let name = format!("{}.ko", module(path));
+        unpack(&kernel.modules.join(path), &to.join(&name))?;
+        order.push_str(&name);
+        order.push('\n');
+    }
+    files::write(&to.join("order"), order)
+}
+
+/// Copies a module; newer distributions have them compressed.
+fn unpack(from: &Path, to: &Path) -> Result<(), Error> {
+    let program = match from.extension().and_then(|extension| extension.to_str()) {
+        Some("xz") => "xz",
+        Some("zst") => "zstd",
+        _ => return files::copy(from, to),
+    };
+    let mut command = Command::new(program);
+    command.arg("-dc").arg(from);
+    let words = command::words(&command);
+    let output = command.output().map_err(|cause| Error::file(program, cause))?;
+    if output.status.success() {
+        files::write(to, output.stdout)
+    } else {
+        Err(Error::Failed { command: words })
+    }
+}
+
+/// The files of all modules that are needed, each after those it needs itself.
+fn load_order(modules_dep: &str) -> Result<Vec<&str>, Error> {
+    let mut order = Vec::new();
+    for wanted in MODULES {
+        let found = modules_dep
+            .lines()
+            .filter_map(|line| line.split_once(':'))
+            .find(|(path, _)| module(path) == wanted);
+        let (path, needed) = found.ok_or_else(|| {
+            let what = format!("the module {wanted}");
+            Error::unobtainable(what, "the kernel's packages have none")
+        })?;
+        // What is needed first stands last.
+        for path in needed.split_whitespace().rev().chain([path]) {
+            if !order.contains(&path) {
+                order.push(path);
+            }
+        }
+    }
+    Ok(order)
+}
+
+/// The name of the module in the file at `path`.
+fn module(path: &str) -> String {
+    let file = path.rsplit('/').next().unwrap_or(path);
+    file.split(".ko").next().unwrap_or(file).replace('_', "-")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MODULES_DEP: &str = "\
+kernel/sound/snd-seq.ko: kernel/sound/snd-timer.ko kernel/sound/snd.ko
+kernel/sound/snd-seq-dummy.ko: kernel/sound/snd-seq.ko kernel/sound/snd-timer.ko kernel/sound/snd.ko
+kernel/sound/snd.ko:
+kernel/sound/snd_virmidi.ko.xz: kernel/sound/snd-seq.ko kernel/sound/snd-timer.ko kernel/sound/snd.ko
+";
+
+    #[test]
+    fn a_module_is_loaded_once_and_after_those_it_needs() {
+        let order = load_order(MODULES_DEP).unwrap();
+        let names: Vec<_> = order.into_iter().map(module).collect();
+        assert_eq!(names, ["snd", "snd-timer", "snd-seq", "snd-virmidi", "snd-seq-dummy"]);
+    }
+
+    #[test]
+    fn a_kernel_without_a_module_is_refused_by_its_name() {
+        let error = load_order("kernel/sound/snd-seq.ko:\n").unwrap_err().to_string();
+        assert!(error.contains("snd-virmidi"), "{error}");
+    }
+
+    #[test]
+    fn libraries_are_the_paths_that_ldd_prints() {
+        let ldd = "\tlinux-vdso.so.1 (0x1)\n\tlibc.so.6 => /lib/x86_64-linux-gnu/libc.so.6 (0x2)\n\
+                   \t/lib64/ld-linux-x86-64.so.2 (0x3)\n";
+        let expected = ["/lib/x86_64-linux-gnu/libc.so.6", "/lib64/ld-linux-x86-64.so.2"];
+        assert_eq!(libraries(ldd), expected.map(PathBuf::from));
+        assert!(libraries("\tnot a dynamic executable\n").is_empty());
+    }
+}

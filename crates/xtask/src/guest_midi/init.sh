@@ -1,0 +1,224 @@
+#!/bin/busybox sh
+# The first and only program of the guest: plays to real ALSA ports, listens with aseqdump, and
+# says on the console what was heard. Lines that begin with CHECK and VERDICT are read by
+# `cargo xtask guest-midi`; everything else is for people.
+
+/bin/busybox --install -s /bin
+export PATH=/bin HOME=/tmp XDG_RUNTIME_DIR=/tmp
+mount -t proc proc /proc
+mount -t sysfs sys /sys
+mount -t devtmpfs dev /dev
+echo 1 >/proc/sys/kernel/printk
+while read -r module; do insmod "/modules/$module"; done </modules/order
+cd /tmp || poweroff -f
+
+checks=0
+failed=0
+
+uptime() { cut -d ' ' -f 1 /proc/uptime; }
+
+# verdict NAME SENTENCE RESULT DETAIL: RESULT is 0 if the sentence holds.
+verdict() {
+	checks=$((checks + 1))
+	if [ "$3" = 0 ]; then
+		echo "CHECK passed  $(uptime) s: $2 ($4)"
+	else
+		failed=$((failed + 1))
+		echo "CHECK FAILED  $(uptime) s: $2 ($4)"
+		for file in "$1".*; do
+			echo "--- $file" && tail -n 40 "$file"
+		done
+	fi
+}
+
+# within SECONDS COMMAND...: waits until COMMAND succeeds; fails if it does not in time.
+within() {
+	tries=$(($1 * 5))
+	shift
+	until "$@" >/dev/null 2>&1; do
+		tries=$((tries - 1))
+		[ $tries -gt 0 ] || return 1
+		sleep 0.2
+	done
+}
+
+# play NAME ARGUMENTS...: starts the host; its process is $host.
+play() {
+	name=$1
+	shift
+	letoff run /scene.toml --json "$@" >"$name.json" 2>"$name.err" &
+	host=$!
+}
+
+# listen NAME ARGUMENTS...: starts aseqdump; its process is $listener.
+listen() {
+	name=$1
+	shift
+	: >"$name.heard"
+	aseqdump "$@" >"$name.heard" 2>&1 &
+	listener=$!
+}
+
+# hang_up SIGNAL: ends the listener.
+hang_up() {
+	kill "-$1" "$listener"
+	wait "$listener" 2>/dev/null
+}
+
+# ended: waits for the host, at most 40 s, then stops listening; the exit code is in $code.
+ended() {
+	within 40 eval "! kill -0 $host" || kill -KILL "$host"
+	wait "$host"
+	code=$?
+	sleep 0.3
+	hang_up TERM
+}
+
+# tally NAME: counts in what was heard, as shell variables.
+#   ons offs  messages
+#   hanging   notes that are on at the end
+#   unasked   note-offs of a note that is off
+#   silenced  whether "all notes off" was heard, and nothing was struck after it
+tally() {
+	eval "$(awk '
+		/Note on/ { ons++; on[$6] = 1; silenced = 0 }
+		/Note off/ { offs++; if (!on[$6]) unasked++; on[$6] = 0 }
+		/controller 123, value 0/ { silenced = 1 }
+		END {
+			for (note in on) hanging += on[note]
+			printf "ons=%d offs=%d hanging=%d unasked=%d silenced=%d\n",
+				ons, offs, hanging, unasked, silenced
+		}' "$1.heard")"
+	heard="$ons note-ons, $offs note-offs, $hanging hanging, all notes off: $silenced"
+}
+
+# complete NAME: whether every note that was struck was heard, and ended.
+complete() {
+	tally "$1"
+	strikes=$(sed -n 's/^  "strikes": \([0-9]*\),*$/\1/p' "$1.json")
+	heard="$heard; $strikes strikes, exit $code"
+	[ "$code" = 0 ] && [ "$ons" -gt 0 ] && [ "$ons" = "$strikes" ] && [ "$ons" = "$offs" ] &&
+		[ "$hanging" = 0 ] && [ "$unasked" = 0 ] && [ "$silenced" = 1 ]
+}
+
+# holds NAME COUNT: whether COUNT notes or more are on.
+holds() {
+	tally "$1"
+	[ "$hanging" -ge "$2" ]
+}
+
+# rings NAME: whether anything was struck.
+rings() {
+	tally "$1"
+	[ "$ons" -ge 1 ]
+}
+
+is_listed() { aconnect -l | grep -q "'$1'"; }
+is_not_listed() { ! is_listed "$1"; }
+
+devices() {
+	letoff devices >devices.out 2>&1
+	grep -q "Midi Through Port-0" devices.out && grep -q "VirMIDI 0-3" devices.out
+	verdict devices "letoff devices lists the kernel's ports" $? \
+		"$(grep -c -e Through -e VirMIDI devices.out) of 5"
+}
+
+virtual() {
+	play virtual --midi virtual --duration 6
+	within 20 is_listed letoff
+	listen virtual -p letoff
+	ended
+	complete virtual
+	verdict virtual "a virtual port: every strike is heard, and ended" $? "$heard"
+}
+
+through() {
+	listen through -p "Midi Through"
+	play through --midi "midi through" --duration 4
+	ended
+	complete through
+	verdict through "a port by part of its name, Midi Through" $? "$heard"
+}
+
+# The bytes that a cable would carry; the kernel leaves out a status that repeats.
+raw() {
+	cat /dev/snd/midiC0D1 >raw.bytes &
+	listener=$!
+	play raw --midi "VirMIDI 0-1" --duration 4
+	ended
+	od -v -A n -t u1 -w1 raw.bytes | awk '
+		$1 >= 128 { status = $1; n = 0; next }
+		n == 0 { first = $1; n = 1; next }
+		{ n = 0 }
+		status == 144 { print "raw Note on 0, note", first ", velocity", $1; next }
+		status == 128 { print "raw Note off 0, note", first ", velocity", $1; next }
+		status == 176 { print "raw Control change 0, controller", first ", value", $1; next }
+		{ print "raw not ours:", status, first, $1 }
+	' >raw.heard
+	complete raw && ! grep -q "not ours" raw.heard
+	verdict raw "a port by part of its name, VirMIDI: the bytes of a cable" $? "$heard"
+}
+
+terminated() {
+	listen terminated
+	play terminated --midi virtual --duration 15
+	within 20 is_listed letoff
+	aconnect letoff aseqdump
+	within 20 holds terminated 3
+	before=$hanging
+	kill -TERM "$host"
+	ended
+	complete terminated && [ "$before" -ge 3 ]
+	verdict terminated "SIGTERM while a chord is held ends its notes" $? "$before held; $heard"
+}
+
+absent() {
+	letoff run /scene.toml --midi pianoteq --duration 5 >absent.out 2>absent.err
+	code=$?
+	sentence='no MIDI port is called "pianoteq": choose one of "Midi Through:Midi Through Port-0'
+	[ $code = 2 ] && grep -q "$sentence" absent.err && grep -q 'VirMIDI 0-3' absent.err
+	verdict absent "a port that does not exist is answered with those that do" $? "exit $code"
+}
+
+# back NAME SENTENCE SECONDS: the synthesizer dies while notes sound, and is back after SECONDS.
+back() {
+	listen "$1"
+	within 5 is_listed aseqdump
+	play "$1" --midi aseqdump --duration 18
+	within 20 holds "$1" 3
+	hang_up KILL
+	within 5 is_not_listed aseqdump
+	tally "$1"
+	left=$hanging
+	mv "$1.heard" "$1.before"
+	sleep "$3"
+	listen "$1"
+	within 20 rings "$1"
+	kill -TERM "$host"
+	ended
+	tally "$1"
+	# Of the notes that were left on, those that were not ended before anything was struck.
+	kept=$(awk '
+		FILENAME ~ /before/ && /Note on/ { left[$6] = 1 }
+		FILENAME ~ /before/ && /Note off/ { left[$6] = 0 }
+		FILENAME ~ /heard/ && /Note on/ { exit }
+		FILENAME ~ /heard/ && /Note off/ { left[$6] = 0 }
+		END { for (note in left) kept += left[note]; print kept + 0 }
+	' "$1.before" "$1.heard")
+	heard="$left left, of which $kept not ended first; then $heard, exit $code"
+	[ "$left" -ge 3 ] && [ "$kept" = 0 ] && [ "$ons" -gt 0 ] && [ "$hanging" = 0 ] &&
+		[ "$silenced" = 1 ]
+	verdict "$1" "$2" $? "$heard"
+}
+
+devices
+virtual
+through
+raw
+terminated
+absent
+back later "a synthesizer that is started again after 3 s is connected again" 3
+back soon "a synthesizer that is started again at once is connected again" 0
+
+echo "VERDICT $failed of $checks checks failed, after $(uptime) s"
+poweroff -f

@@ -1,0 +1,125 @@
+//! The virtual machine: booted, listened to, and ended when its time is over.
+
+use std::io::{BufRead as _, BufReader};
+use std::path::PathBuf;
+use std::process::{Child, ChildStdout, Command, Stdio};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::verdict::Verdict;
+use crate::command;
+use crate::error::Error;
+
+/// How long everything may take; it takes a minute of one processor.
+const TIME_LIMIT: Duration = Duration::from_mins(5);
+
+/// How long the guest may say nothing; its longest check takes ten.
+const SILENCE_LIMIT: Duration = Duration::from_secs(90);
+
+/// Emulated throughout, as build servers have no virtualisation.
+///
+/// Time in the guest is what its processor has executed, 2 ns an instruction, or has waited for:
+/// a busy machine makes the guest slow and not late, and nothing really waits. A q35 and not the
+/// quicker microvm: that has timers of 4 ms only, and a tick needs better ones.
+const QEMU: &str = "-accel tcg -icount shift=1,sleep=off -machine q35 -smp 1 -m 256 \
+                    -nodefaults -display none -monitor none -serial stdio -no-reboot";
+
+const KERNEL_ARGUMENTS: &str = "console=ttyS0 panic=-1 quiet reboot=t";
+
+/// What is booted.
+pub(super) struct Machine {
+    pub kernel: PathBuf,
+    pub initrd: PathBuf,
+}
+
+impl Machine {
+    /// Boots, shows the console, and returns the verdict that was given there.
+    ///
+    /// # Errors
+    /// If QEMU does not start.
+    pub(super) fn boot(&self) -> Result<Verdict, Error> {
+        let mut command = self.command();
+        println!("$ {}", command::words(&command));
+        let failed = |cause| Error::NotStarted { command: "qemu-system-x86_64".into(), cause };
+        let mut qemu = Guard(command.spawn().map_err(failed)?);
+        let lines = qemu.0.stdout.take().map(read);
+        Ok(lines.map_or_else(Verdict::default, |lines| listen(&lines)))
+    }
+
+    fn command(&self) -> Command {
+        let mut command = Command::new("qemu-system-x86_64");
+        command.args(QEMU.split_whitespace());
+        command.arg("-kernel").arg(&self.kernel).arg("-initrd").arg(&self.initrd);
+        command.args(["-append", KERNEL_ARGUMENTS]);
+        command.stdin(Stdio::null()).stdout(Stdio::piped());
+        command
+    }
+}
+
+/// Ends QEMU with its owner.
+struct Guard(Child);
+
+impl Drop for Guard {
+    fn drop(&mut self) {
+        // Both fail only if it has ended already.
+        if self.0.kill().is_ok() {
+            drop(self.0.wait());
+        }
+    }
+}
+
+/// The lines of the console, as they come.
+fn read(console: ChildStdout) -> Receiver<String> {
+    let (sender, receiver) = mpsc::channel();
+    thread::spawn(move || {
+        for line in BufReader::new(console).split(b'\n').map_while(Result::ok) {
+            let line = String::from_utf8_lossy(&line).trim_end().to_owned();
+            if sender.send(line).is_err() {
+                break;
+            }
+        }
+    });
+    receiver
+}
+
+/// Shows all lines, and judges by them; ends at the limits of time.
+fn listen(lines: &Receiver<String>) -> Verdict {
+    let start = Instant::now();
+    let mut verdict = Verdict::default();
+    loop {
+        let left = TIME_LIMIT.saturating_sub(start.elapsed()).min(SILENCE_LIMIT);
+        match lines.recv_timeout(left) {
+            Ok(line) => {
+                println!("{line}");
+                verdict.hear(&line);
+            }
+            Err(RecvTimeoutError::Disconnected) => return verdict,
+            Err(RecvTimeoutError::Timeout) => {
+                println!("nothing more was said in time: the guest is ended");
+                return verdict;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_guest_ends_when_its_program_does() {
+        let machine = Machine { kernel: "vmlinuz".into(), initrd: "initrd".into() };
+        let line = command::words(&machine.command());
+        assert!(line.contains("-no-reboot -kernel vmlinuz -initrd initrd -append"), "{line}");
+        assert!(line.ends_with("panic=-1 quiet reboot=t"), "{line}");
+    }
+
+    #[test]
+    fn a_console_that_closes_ends_the_listening() {
+        let (sender, lines) = mpsc::channel();
+        sender.send("CHECK passed  1.0 s: something".to_owned()).unwrap();
+        drop(sender);
+        assert!(listen(&lines).into_result().is_err(), "no verdict was given");
+    }
+}

@@ -1,0 +1,89 @@
+//! The guest's verdict, from the lines of its console.
+
+use std::fmt;
+
+use crate::error::Error;
+
+/// What was heard so far.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(super) struct Verdict {
+    n_passed: usize,
+    /// Those that failed, as the guest put it.
+    failed: Vec<String>,
+    /// Whether the guest said that it was done.
+    is_complete: bool,
+}
+
+impl Verdict {
+    /// Takes a line of the console into account.
+    pub(super) fn hear(&mut self, line: &str) {
+        if line.starts_with("CHECK passed ") {
+            self.n_passed += 1;
+        } else if let Some(check) = line.strip_prefix("CHECK FAILED ") {
+            self.failed.push(check.trim().to_owned());
+        } else if line.starts_with("VERDICT ") {
+            self.is_complete = true;
+        }
+    }
+
+    /// # Errors
+    /// If a check failed, or not all were made.
+    pub(super) fn into_result(self) -> Result<(), Error> {
+        if self.is_complete && self.failed.is_empty() && 0 < self.n_passed {
+            Ok(())
+        } else {
+            Err(Error::Guest(self.to_string()))
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "real ALSA ports: {} checks passed, {} failed",
+            self.n_passed,
+            self.failed.len()
+        )?;
+        if !self.is_complete {
+            f.write_str(", and the guest did not come to its end")?;
+        }
+        self.failed.iter().try_for_each(|check| write!(f, "\n  FAILED  {check}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn heard(lines: &[&str]) -> Verdict {
+        let mut verdict = Verdict::default();
+        for line in lines {
+            verdict.hear(line);
+        }
+        verdict
+    }
+
+    const PASSED: &str = "CHECK passed  2.4 s: a port (12 note-ons)";
+    const FAILED: &str = "CHECK FAILED  9.0 s: another port (3 hanging)";
+    const DONE: &str = "VERDICT 0 of 1 checks failed, after 9 s";
+
+    #[test]
+    fn checks_that_passed_and_an_end_are_a_pass() {
+        assert!(heard(&[PASSED, "letoff devices", DONE]).into_result().is_ok());
+    }
+
+    #[test]
+    fn a_failed_check_is_named() {
+        let error = heard(&[PASSED, FAILED, DONE]).into_result().unwrap_err().to_string();
+        assert!(error.contains("1 checks passed, 1 failed"), "{error}");
+        assert!(error.contains("another port (3 hanging)"), "{error}");
+    }
+
+    #[test]
+    fn a_guest_that_hangs_or_checks_nothing_is_no_pass() {
+        assert!(heard(&[PASSED]).into_result().is_err());
+        assert!(heard(&[DONE]).into_result().is_err());
+        assert!(heard(&[]).into_result().is_err());
+    }
+}

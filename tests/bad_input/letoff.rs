@@ -1,0 +1,122 @@
+//! Builds and runs the program.
+//!
+//! Cargo tells a test where the programs of its own package are, but `letoff` is the host's.
+//! So the program is built here, once, by the Cargo that runs the tests, into the folder and
+//! profile that this test was built in: it is there already, or up to date in seconds, and
+//! never an old one.
+
+use std::fmt::Debug;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::OnceLock;
+
+/// Where the program is, built now if need be.
+fn program() -> &'static Path {
+    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
+    PROGRAM.get_or_init(build)
+}
+
+fn build() -> PathBuf {
+    // <target>/<profile's folder>/deps/<this test>
+    let test = std::env::current_exe().expect("this test");
+    let folder = test.ancestors().nth(2).expect("the profile's folder");
+    let target = folder.parent().expect("the target folder");
+    let name = folder.file_name().and_then(|name| name.to_str()).expect("the profile's name");
+    let profile = if name == "debug" { "dev" } else { name };
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let built = Command::new(cargo)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .args(["build", "--quiet", "--package", "host", "--bin", "letoff"])
+        .args(["--profile", profile, "--target-dir"])
+        .arg(target)
+        .status();
+    assert!(built.expect("cargo").success(), "the program cannot be built");
+    folder.join("letoff")
+}
+
+/// A folder of its own for the files of one test; those of an earlier run may lie there.
+pub(crate) fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bad_input").join(test);
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+/// `letoff` with `arguments`, to be run in `folder`.
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(program());
+    command.current_dir(folder).args(arguments).stdin(Stdio::null());
+    // A host that somebody really plays on this machine is none of our business.
+    command.env("LETOFF_SOCKET", folder.join("socket"));
+    command
+}
+
+/// What `letoff` said.
+#[derive(Debug)]
+pub(crate) struct Said {
+    pub(crate) code: Option<i32>,
+    pub(crate) out: String,
+    pub(crate) err: String,
+}
+
+impl Said {
+    fn new(output: Output) -> Self {
+        let text = |bytes| String::from_utf8(bytes).expect("text");
+        let said =
+            Self { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) };
+        assert!(!said.err.contains("panicked") && !said.out.contains("panicked"), "{said:?}");
+        said
+    }
+
+    /// The lines on stderr.
+    pub(crate) fn lines(&self) -> Vec<&str> {
+        self.err.lines().collect()
+    }
+
+    /// The report that `--json` prints.
+    #[track_caller]
+    pub(crate) fn report(&self) -> serde_json::Value {
+        serde_json::from_str(&self.out).expect("a report as JSON")
+    }
+}
+
+/// Runs `letoff` to its end.
+pub(crate) fn run(folder: &Path, arguments: &[&str]) -> Said {
+    Said::new(command(folder, arguments).output().expect("the program runs"))
+}
+
+/// The same, with what it prints going to `out`.
+pub(crate) fn run_into(out: impl Into<Stdio>, folder: &Path, arguments: &[&str]) -> Said {
+    let mut command = command(folder, arguments);
+    command.stdout(out).stderr(Stdio::piped());
+    end(command.spawn().expect("the program starts"))
+}
+
+/// Starts `letoff`; end it with [`end`].
+pub(crate) fn start(folder: &Path, arguments: &[&str]) -> Child {
+    let mut command = command(folder, arguments);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+/// Waits for the end.
+pub(crate) fn end(child: Child) -> Said {
+    Said::new(child.wait_with_output().expect("the program ends"))
+}
+
+/// Runs `letoff` and asserts that it says one sentence with all of `words`, and ends with `code`.
+#[track_caller]
+pub(crate) fn check(folder: &Path, arguments: &[&str], code: i32, words: &[&str]) -> Said {
+    let said = run(folder, arguments);
+    assert_eq!(said.code, Some(code), "{said:?}");
+    assert_eq!(said.lines().len(), 1, "{said:?}");
+    check_words(&said, words);
+    said
+}
+
+/// Asserts that all of `words` stand on stderr.
+#[track_caller]
+pub(crate) fn check_words(said: &Said, words: &[&str]) {
+    for word in words {
+        assert!(said.err.contains(word), "no `{word}` in {said:?}");
+    }
+}

@@ -1,0 +1,62 @@
+//! Performances that are no MIDI files, or only half of one.
+
+use std::fs;
+use std::path::PathBuf;
+
+use crate::letoff::{check, folder};
+
+/// A folder with `name`, which holds `bytes`.
+fn with(name: &str, bytes: &[u8]) -> PathBuf {
+    let folder = folder(name);
+    fs::write(folder.join(name), bytes).expect("a file");
+    folder
+}
+
+/// Asserts how a performance of `bytes` is refused.
+#[track_caller]
+fn check_refused(name: &str, bytes: &[u8], reason: &str) {
+    let folder = with(name, bytes);
+    let arguments = ["run", "--virtual-time", "--duration", "2", "--performance", name];
+    check(&folder, &arguments, 2, &[name, "cannot be played", reason]);
+}
+
+fn bach() -> &'static [u8] {
+    include_bytes!("../../configs/performances/bach-bwv-846.mid")
+}
+
+#[test]
+fn an_empty_file_is_refused() {
+    check_refused("empty.mid", b"", "the file is empty");
+}
+
+#[test]
+fn a_file_that_is_something_else_is_refused() {
+    check_refused("text.mid", b"once upon a time, there was no MIDI", "not a MIDI file");
+}
+
+#[test]
+fn a_truncated_file_is_refused_with_what_is_missing() {
+    check_refused("cut.mid", &bach()[..1000], "truncated: a chunk of 4584 bytes has only 978");
+}
+
+#[test]
+fn a_broken_file_is_refused() {
+    let mut broken = bach().to_vec();
+    // The type of the file and its number of tracks.
+    broken[8..12].fill(0xFF);
+    check_refused("broken.mid", &broken, "broken.mid");
+}
+
+#[test]
+fn a_missing_file_is_named_with_the_folder_it_is_not_in() {
+    let folder = folder("missing-performance");
+    let arguments = ["run", "--virtual-time", "--performance", "missing.mid"];
+    check(&folder, &arguments, 2, &["there is no file \"missing.mid\"", "correct the path"]);
+}
+
+#[test]
+fn a_performance_that_is_not_there_is_answered_with_those_that_are() {
+    let folder = folder("unknown-performance");
+    let arguments = ["run", "--virtual-time", "--performance", "bach"];
+    check(&folder, &arguments, 2, &["bach-bwv-846", "beethoven-ode-to-joy"]);
+}

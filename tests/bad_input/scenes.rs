@@ -1,0 +1,95 @@
+//! Scenes and instruments with mistakes in them.
+
+use std::fs;
+
+use crate::letoff::{check, check_words, folder, run};
+
+/// A typo, a wrong unit, a value out of range, an unknown name, an overlap.
+const MISTAKES: &str = r#"title = "Wrong in many places"
+tick_hz = "4 kg"
+lane = 2
+
+[render]
+stepper = "rk5"
+force_limit = "250 N"
+
+[[keys]]
+range = "A0..C4"
+instrument = "grand-sprigs"
+
+[[keys]]
+range = "C4..C8"
+instrument = "grand-springs"
+"#;
+
+#[test]
+fn all_mistakes_of_a_scene_are_reported_at_once_each_with_its_place() {
+    let folder = folder("mistakes");
+    fs::write(folder.join("mistakes.toml"), MISTAKES).expect("a file");
+    let said = run(&folder, &["run", "mistakes.toml"]);
+    assert_eq!(said.code, Some(2), "{said:?}");
+    let lines = said.lines();
+    let expected = [
+        ("mistakes.toml:2:11: ", "kg"),
+        ("mistakes.toml:3:1: ", "lanes"),
+        ("mistakes.toml:6:11: ", "rk4"),
+        ("mistakes.toml:7:15: ", "250"),
+        ("mistakes.toml:11:14: ", "grand-springs"),
+        ("mistakes.toml:14:9: ", "C4"),
+    ];
+    assert_eq!(lines.len(), expected.len(), "{said:?}");
+    for (line, (place, word)) in lines.iter().zip(expected) {
+        assert!(line.contains(place) && line.contains(word), "no {place}{word} in {line}");
+        // What is wrong, and what to do.
+        assert!(line.contains("; "), "no help in {line}");
+    }
+}
+
+#[test]
+fn checking_it_says_the_same_and_for_programs_too() {
+    let folder = folder("checked");
+    fs::write(folder.join("mistakes.toml"), MISTAKES).expect("a file");
+    let said = run(&folder, &["check", "mistakes.toml"]);
+    assert_eq!((said.code, said.lines().len()), (Some(2), 7), "{said:?}");
+    check_words(&said, &["1 file is wrong", "mistakes.toml:2:11: ", "mistakes.toml:14:9: "]);
+    let said = run(&folder, &["check", "--json", "mistakes.toml"]);
+    assert_eq!(said.code, Some(2), "{said:?}");
+    let mistakes = said.report();
+    assert_eq!(mistakes[0].as_array().map(Vec::len), Some(6), "{mistakes}");
+    assert_eq!((&mistakes[0][0]["line"], &mistakes[0][0]["column"]), (&2.into(), &11.into()));
+}
+
+#[test]
+fn a_scene_that_is_cut_off_is_refused_where_it_ends() {
+    let folder = folder("cut-scene");
+    fs::write(folder.join("cut.toml"), "title = \"half of it\"\n[[keys").expect("a file");
+    check(&folder, &["run", "cut.toml"], 2, &["cut.toml:2:7", "not TOML"]);
+}
+
+#[test]
+fn an_empty_scene_is_refused() {
+    let folder = folder("empty-scene");
+    fs::write(folder.join("empty.toml"), "").expect("a file");
+    check(&folder, &["run", "empty.toml"], 2, &["empty.toml", "no keys"]);
+}
+
+#[test]
+fn a_scene_that_is_no_text_is_refused() {
+    let folder = folder("binary-scene");
+    fs::write(folder.join("binary.toml"), [b'a', b'\n', 0xFF, 0x00]).expect("a file");
+    check(&folder, &["run", "binary.toml"], 2, &["binary.toml:2:1", "UTF-8"]);
+}
+
+#[test]
+fn a_scene_that_is_not_there_is_answered_with_those_that_are() {
+    let folder = folder("no-scene");
+    check(&folder, &["run", "defualt"], 2, &["\"defualt\"", "default"]);
+    check(&folder, &["run", "missing.toml"], 2, &["there is no file \"missing.toml\""]);
+}
+
+#[test]
+fn a_folder_is_no_scene() {
+    let folder = folder("folder-as-scene");
+    fs::create_dir_all(folder.join("scene.toml")).expect("a folder");
+    check(&folder, &["run", "scene.toml"], 2, &["scene.toml"]);
+}
