@@ -57,7 +57,7 @@ fn may_lock_without_limit() -> bool {
     unlimited || capable
 }
 
-/// Touches [`STACK_BYTES`] below the caller, so that the kernel maps them now.
+/// Touches 256 KiB of stack below the caller, so that the kernel maps them now.
 ///
 /// Each thread that ticks calls it once; locked pages then stay.
 #[inline(never)]
