@@ -30,7 +30,7 @@ impl Pace {
     /// CPU time that a tick of so many `evaluations` needed, if its clock says `cpu`.
     ///
     /// # Real-time
-    /// At most [`STEPS`] comparisons, usually one.
+    /// At most 256 comparisons, usually one.
     pub fn needed(&mut self, evaluations: u32, cpu: Nanos) -> Nanos {
         let step = (evaluations as usize / GRAIN).min(STEPS - 1);
         // The tick is evidence for itself and for all smaller ones.
