@@ -84,8 +84,10 @@ impl Desk {
                 return;
             }
             let now = clock::monotonic().since(start).as_secs_f64();
-            let polled = self.player.poll(now);
-            self.note(polled);
+            if let Err(away) = self.player.poll(now) {
+                // Nothing was lost by looking.
+                self.trouble.get_or_insert_with(|| away.to_string());
+            }
             bell.wait(PATIENCE);
         }
     }

@@ -42,7 +42,7 @@ pub struct Assembly<'a, B, O> {
 pub struct Until<'a> {
     /// Set by anybody, seen before the next tick.
     pub stop: &'a AtomicBool,
-    /// Ticks to run; `None` for no limit.
+    /// Ticks until it is over, run or skipped; `None` for no limit.
     pub ticks: Option<u64>,
 }
 
@@ -143,7 +143,7 @@ pub fn run<B: KeyBus, O: TickObserver>(
             let lateness = times.woken.since(slept_for);
             let outcome = timings.enter(lateness, &report, &times);
             watch(&Pulse { report, times, outcome });
-            ticks += 1;
+            ticks += 1 + report.skipped;
         }
     }
 }

@@ -115,11 +115,12 @@ fn every_tick_of_a_run_in_real_time_is_measured_and_accounted_for() {
             });
         });
         let counters = timings.counters();
-        assert_eq!((seen, counters.ticks), (30, 30));
+        assert_eq!(seen, counters.ticks);
+        assert!(counters.ticks + counters.skipped >= 30, "{counters:?}");
         assert_eq!(counters.missed, missed + counters.skipped);
         assert_eq!(counters.ticks + counters.skipped, last + 1);
         for histogram in [&timings.lateness, &timings.turnaround, &timings.work] {
-            assert_eq!(histogram.len(), 30);
+            assert_eq!(histogram.len(), seen);
         }
     }
 }

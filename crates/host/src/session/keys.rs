@@ -36,3 +36,23 @@ impl KeyBus for Keys<'_> {
         self.keybed.send(tick, forces);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use haptics::RigParameters;
+
+    use super::*;
+
+    #[test]
+    fn boards_that_a_stall_of_the_host_made_safe_are_armed_again() {
+        let mut keybed = SimulatedKeybed::new(1e-3, RigParameters::default()).expect("a keybed");
+        let mut keys = Keys::new(&mut keybed);
+        let mut samples = [KeySample::default(); KEYS];
+        for tick in (0..10).chain(100..110) {
+            keys.receive(tick, &mut samples);
+            keys.send(tick, &[0.5; KEYS]);
+        }
+        assert_eq!(keys.rearmed, 1, "90 ms of silence trip every watchdog once");
+        assert!(BoardId::all().all(|board| !keybed.is_safe(board)));
+    }
+}

@@ -7,8 +7,9 @@ use crate::message::Message;
 
 /// Sends to a MIDI port at once; the times of messages only pace the reconnection.
 ///
-/// A port that vanishes is connected again by itself, at most one attempt a second, and first
-/// gets note-offs for what it may still sound.
+/// A port that vanishes is connected again by itself, even if it was away for a moment only, at
+/// most one attempt a second; it first gets note-offs for what it may still sound. Until a loss
+/// is noticed, within a second, messages go nowhere.
 #[derive(Debug)]
 pub struct Port(Reconnecting<System>);
 

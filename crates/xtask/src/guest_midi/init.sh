@@ -114,7 +114,6 @@ rings() {
 }
 
 is_listed() { aconnect -l | grep -q "'$1'"; }
-is_not_listed() { ! is_listed "$1"; }
 
 devices() {
 	letoff devices >devices.out 2>&1
@@ -182,29 +181,27 @@ absent() {
 
 # back NAME SENTENCE SECONDS: the synthesizer dies while notes sound, and is back after SECONDS.
 back() {
-	listen "$1"
+	listen "$1.before"
 	within 5 is_listed aseqdump
 	play "$1" --midi aseqdump --duration 18
-	within 20 holds "$1" 3
+	within 20 holds "$1.before" 3
 	hang_up KILL
-	within 5 is_not_listed aseqdump
-	tally "$1"
-	left=$hanging
-	mv "$1.heard" "$1.before"
-	sleep "$3"
-	listen "$1"
-	within 20 rings "$1"
+	[ "$3" = 0 ] || sleep "$3"
+	listen "$1.after"
+	within 20 rings "$1.after"
 	kill -TERM "$host"
 	ended
-	tally "$1"
+	tally "$1.before"
+	left=$hanging
+	tally "$1.after"
 	# Of the notes that were left on, those that were not ended before anything was struck.
 	kept=$(awk '
 		FILENAME ~ /before/ && /Note on/ { left[$6] = 1 }
 		FILENAME ~ /before/ && /Note off/ { left[$6] = 0 }
-		FILENAME ~ /heard/ && /Note on/ { exit }
-		FILENAME ~ /heard/ && /Note off/ { left[$6] = 0 }
+		FILENAME ~ /after/ && /Note on/ { exit }
+		FILENAME ~ /after/ && /Note off/ { left[$6] = 0 }
 		END { for (note in left) kept += left[note]; print kept + 0 }
-	' "$1.before" "$1.heard")
+	' "$1.before.heard" "$1.after.heard")
 	heard="$left left, of which $kept not ended first; then $heard, exit $code"
 	[ "$left" -ge 3 ] && [ "$kept" = 0 ] && [ "$ons" -gt 0 ] && [ "$hanging" = 0 ] &&
 		[ "$silenced" = 1 ]
