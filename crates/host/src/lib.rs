@@ -13,6 +13,7 @@ pub mod command;
 pub mod config;
 pub mod control;
 pub mod desk;
+mod names;
 pub mod realtime;
 pub mod rehearsal;
 pub mod report;

@@ -5,12 +5,12 @@ use models::catalogue::Entry;
 use super::document::{Node, Value};
 use super::embedded::INSTRUMENTS;
 use super::instrument::Instrument;
-use super::names::quoted;
 use super::range::{KeyRange, Refusal};
 use super::read::{self, Reader};
 use super::report::{Place, Report};
 use super::source::{Missing, Source};
 use super::voicing::Voicing;
+use crate::names::quoted;
 
 /// What a key is.
 #[derive(Clone, Debug)]

@@ -13,7 +13,7 @@
 //! | `kind` | which of the two a file is |
 //! | `embedded`, `source` | what is part of the program; what lies on the disk |
 //! | `document`, `read`, `quantity`, `overrides` | the language, whatever is said in it |
-//! | `diagnostic`, `report`, `names` | what is wrong, where, and what to do |
+//! | `diagnostic`, `report` | what is wrong, where, and what to do |
 //!
 //! A value that comes out is within its range; a name that comes out exists. Not here: whether
 //! the machine has the ports and boards that a scene asks for.
@@ -27,7 +27,6 @@ mod embedded;
 mod instrument;
 mod keys;
 mod kind;
-mod names;
 mod overrides;
 mod quantity;
 mod range;

@@ -1,8 +1,8 @@
 //! `--set name=value`: values of a scene by dotted path, put into the document before it is checked.
 
 use super::document::{Entry, Node, Value};
-use super::names::quoted;
 use super::report::{Place, Report};
+use crate::names::quoted;
 
 /// Names in the longest path that means anything are four: `keys.0.parameters.restitution`.
 const DEEPEST: usize = 8;

@@ -1,9 +1,9 @@
 //! Typed access to a table: what is wrong is reported, what nobody asked for too.
 
 use super::document::{Entry, Node, Value};
-use super::names::{choice, quoted};
 use super::quantity::{self, Quantity, Refusal};
 use super::report::{Place, Report};
+use crate::names::{choice, quoted};
 
 /// Reads the entries of one table.
 #[derive(Debug)]

@@ -8,13 +8,13 @@ use super::diagnostic::Diagnostics;
 use super::document::{self, Value};
 use super::embedded::{PERFORMANCES, SCENES};
 use super::keys::{self, KeyVoice};
-use super::names::{choice, quoted};
 use super::overrides;
 use super::quantity::Quantity;
 use super::read::{self, Reader};
 use super::render::{self, Render};
 use super::report::{Place, Report};
 use super::source::{Missing, Source, no_file, refuse};
+use crate::names::{choice, quoted};
 
 /// The tick's rate on hardware [Hz].
 const DEFAULT_TICK_HZ: u32 = 1000;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::embedded::Shelf;
-use super::names;
+use crate::names;
 
 /// Longest file that is read [bytes]; the largest scene of ours has two thousand.
 const LONGEST: u64 = 1 << 18;

@@ -4,10 +4,10 @@ use models::catalogue::{self, Entry};
 use models::{Parameter, Preset};
 
 use super::document::{Node, Value};
-use super::names::quoted;
 use super::quantity::Quantity;
 use super::read::{self, Reader, unknown};
 use super::report::{Place, Report};
+use crate::names::quoted;
 
 /// Index of the compass's last key.
 const LAST: u8 = midi::KEYS - 1;

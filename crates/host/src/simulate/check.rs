@@ -1,6 +1,5 @@
 //! From arguments to what is run: everything that can be wrong is found before a tick.
 
-use std::any::Any;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -224,28 +223,11 @@ fn named_values(
     values
 }
 
-/// `state` with the entries of `given` in place of its own, or none of them where the
-/// state is not an array of at most 16 numbers.
+/// `state` with the entries of `given` in place of its own.
 fn with_entries<M: Described>(mut state: M::State, given: &[(usize, f64)]) -> M::State {
-    if let Some(entries) = entries_mut(&mut state) {
-        for (index, value) in given {
-            entries[*index] = *value;
-        }
+    let entries = state.as_mut();
+    for (index, value) in given {
+        entries[*index] = *value;
     }
     state
-}
-
-/// The entries of a state, to write to.
-///
-/// [`pode::State`] gives them to read only; every state there is is an array.
-fn entries_mut(state: &mut dyn Any) -> Option<&mut [f64]> {
-    macro_rules! try_sizes {
-        ($($n:literal)+) => {
-            $(if state.is::<[f64; $n]>() {
-                return state.downcast_mut::<[f64; $n]>().map(|entries| entries.as_mut_slice());
-            })+
-        };
-    }
-    try_sizes!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
-    None
 }

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::input::InputMistake;
-use super::nearest::nearest;
+use crate::names::nearest;
 
 /// Why a simulation did not come to its end.
 #[derive(Debug, thiserror::Error)]

@@ -10,7 +10,6 @@ mod check;
 mod drive;
 mod error;
 mod input;
-mod nearest;
 mod output;
 mod plot;
 mod summary;

@@ -15,7 +15,7 @@
 use std::iter::Peekable;
 use std::str::CharIndices;
 
-use super::super::nearest::nearest;
+use crate::names::nearest;
 
 /// Functions of one argument, as exmex calls them.
 const FUNCTIONS: &[&str] = &[

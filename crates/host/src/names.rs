@@ -4,7 +4,7 @@
 const LONGEST: usize = 60;
 
 /// `text` in quotes, on one line, shortened if it is very long.
-pub(super) fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     if text.chars().nth(LONGEST).is_none() {
         return format!("{text:?}");
     }
@@ -13,7 +13,7 @@ pub(super) fn quoted(text: &str) -> String {
 }
 
 /// What to do about `wrong`, where one of `known` is right.
-pub(super) fn choice(wrong: &str, known: impl IntoIterator<Item = impl AsRef<str>>) -> String {
+pub(crate) fn choice(wrong: &str, known: impl IntoIterator<Item = impl AsRef<str>>) -> String {
     let known: Vec<_> = known.into_iter().collect();
     let known: Vec<&str> = known.iter().map(AsRef::as_ref).collect();
     match (nearest(wrong, &known), known.as_slice()) {
@@ -25,7 +25,7 @@ pub(super) fn choice(wrong: &str, known: impl IntoIterator<Item = impl AsRef<str
 }
 
 /// The one of `known` that was probably meant.
-fn nearest<'a>(wrong: &str, known: &[&'a str]) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(wrong: &str, known: &[&'a str]) -> Option<&'a str> {
     let wrong: Vec<char> = wrong.chars().take(LONGEST + 1).flat_map(char::to_lowercase).collect();
     if LONGEST < wrong.len() {
         return None;
@@ -90,6 +90,17 @@ mod tests {
         check("bogacki_shampine", Some("bogacki-shampine"));
         check("restitutoin", Some("restitution"));
         check("bogacki", Some("bogacki-shampine"));
+    }
+
+    #[test]
+    fn a_stranger_among_a_model_s_names_finds_nothing() {
+        let known = ["key-hammer-springs", "key-hammer-rigid", "L1"];
+        assert_eq!(nearest("key-hamer-sprigns", &known), Some("key-hammer-springs"));
+        assert_eq!(nearest("l1", &known), Some("L1"));
+        assert_eq!(nearest("sni", &["cos", "sin", "sinh"]), Some("sin"));
+        assert_eq!(nearest("harpsichord", &known), None);
+        assert_eq!(nearest("z", &["y", "v"]), None);
+        assert_eq!(nearest("x", &[]), None);
     }
 
     #[test]
