@@ -11,6 +11,9 @@
     reason = "a test's own module: it has the heap and files, and fails aloud"
 )]
 
+#[path = "../stroke/mod.rs"]
+mod stroke;
+
 use std::fs;
 use std::path::PathBuf;
 
@@ -86,16 +89,7 @@ impl Case {
 
     /// The exact input at `t` [s].
     pub fn input(&self, t: f64) -> Motion {
-        let mut motion = Motion::default();
-        for [a, tc, w] in &self.bells {
-            let z = (t - tc) / w;
-            let bell = a * (-z * z).exp();
-            motion.position += bell;
-            motion.rate += bell * (-2.0 * z) / w;
-            motion.acceleration += bell * (4.0 * z * z - 2.0) / (w * w);
-            motion.jerk += bell * (12.0 * z - 8.0 * z * z * z) / (w * w * w);
-        }
-        motion
+        stroke::bells(&self.bells, t)
     }
 
     /// The value in `column` of `row`.
