@@ -12,8 +12,8 @@ mod stroke;
 
 use models::catalogue::{self, Visitor};
 use models::{Described, Parameter, Playable};
-use pode::stepper::{Rk4, Stepper as _};
-use pode::{GuardId, MAX_GUARDS, Motion, State};
+use pode::stepper::{Given, Rk4, Stepper as _};
+use pode::{Dense as _, GuardId, MAX_GUARDS, Motion, Nature, State};
 use random::Random;
 use stroke::{run, still};
 
@@ -352,6 +352,7 @@ fn flow<M: Playable>(place: &Place<M>, t: f64) -> (M::State, Motion) {
         }
     };
     let f = |tau: f64, x: &M::State| model.derivative(*mode, x, &later(tau * t));
-    let step = Rk4.step(f, x, None, t, M::COORDS);
+    let mut field = Given { coords: M::COORDS, nature: Nature::default(), f };
+    let step = Rk4.step(&mut field, x, &mut (), t);
     (model.constrain(*mode, step.dense.end(), &later(t)), later(t))
 }

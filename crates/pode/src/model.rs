@@ -4,7 +4,9 @@ use core::fmt::Debug;
 
 use crate::guard::{GuardId, GuardSpec, GuardValue};
 use crate::math;
+use crate::nature::Nature;
 use crate::state::State;
+use crate::stepper::differences;
 
 /// Equations of motion and readout, one set per mode.
 ///
@@ -26,6 +28,22 @@ pub trait Model {
     /// Returns the readout in `mode`: the generalised force on whoever drives the input.
     /// [GC93] eq. 7.
     fn readout(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
+
+    /// Returns the derivative's derivative by the state; by differences unless a model knows
+    /// better. Methods that are linearly implicit ask for it.
+    fn jacobian(
+        &self,
+        mode: Self::Mode,
+        x: &Self::State,
+        input: &Self::Input,
+    ) -> <Self::State as State>::Matrix {
+        differences(x, |x| self.derivative(mode, x, input))
+    }
+
+    /// What the equations of `mode` are like, so that a method can be chosen by need.
+    fn nature(&self, _mode: Self::Mode) -> Nature {
+        Nature::default()
+    }
 
     /// Longest step [s] that resolves the motion in `mode`; a tick is cut to fit.
     fn longest_step(&self, _mode: Self::Mode) -> f64 {

@@ -43,8 +43,10 @@ pub enum Fault {
 pub struct Work {
     /// Steps and parts of steps.
     pub pieces: u32,
-    /// Evaluations of the derivative.
+    /// Evaluations of the derivative, those for a Jacobian apart.
     pub derivatives: u32,
+    /// Evaluations of the Jacobian.
+    pub jacobians: u32,
     /// Evaluations of one guard each.
     pub guards: u32,
     /// Evaluations of the readout.
@@ -60,6 +62,7 @@ impl Work {
         Self {
             pieces: self.pieces + other.pieces,
             derivatives: self.derivatives + other.derivatives,
+            jacobians: self.jacobians + other.jacobians,
             guards: self.guards + other.guards,
             readouts: self.readouts + other.readouts,
             events: self.events + other.events,

@@ -2,8 +2,15 @@
 
 use core::fmt::Debug;
 
+use nalgebra::{Const, DimMin, SMatrix};
+
+use crate::matrix::Matrix;
+
 /// A state vector of fixed size: coordinates first, speeds after.
-pub trait State: Copy + PartialEq + Debug + Send {
+pub trait State: Copy + PartialEq + Debug + Send + 'static {
+    /// A square matrix that maps states to states.
+    type Matrix: Matrix<Self>;
+
     /// The zero vector.
     const ZERO: Self;
 
@@ -19,11 +26,20 @@ pub trait State: Copy + PartialEq + Debug + Send {
     #[must_use]
     fn head_of(&self, n: usize, tail: &Self) -> Self;
 
+    /// Returns `self` with `value` for the entry `index`.
+    #[must_use]
+    fn with_entry(&self, index: usize, value: f64) -> Self;
+
     /// The entries.
     fn entries(&self) -> &[f64];
 }
 
-impl<const N: usize> State for [f64; N] {
+impl<const N: usize> State for [f64; N]
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    type Matrix = SMatrix<f64, N, N>;
+
     const ZERO: Self = [0.0; N];
 
     #[inline]
@@ -42,6 +58,11 @@ impl<const N: usize> State for [f64; N] {
     }
 
     #[inline]
+    fn with_entry(&self, index: usize, value: f64) -> Self {
+        core::array::from_fn(|i| if i == index { value } else { self[i] })
+    }
+
+    #[inline]
     fn entries(&self) -> &[f64] {
         self
     }
@@ -51,4 +72,10 @@ impl<const N: usize> State for [f64; N] {
 #[inline]
 pub(crate) fn is_finite<S: State>(x: &S) -> bool {
     x.entries().iter().all(|entry| entry.is_finite())
+}
+
+/// The largest entry by magnitude; NaN entries do not count.
+#[inline]
+pub(crate) fn largest<S: State>(x: &S) -> f64 {
+    x.entries().iter().fold(0.0, |most: f64, entry| most.max(entry.abs()))
 }

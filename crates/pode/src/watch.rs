@@ -11,7 +11,7 @@ pub struct Piece<'a, M: Model, S> {
     /// The mode.
     pub mode: M::Mode,
     /// Dense output over the step of which this piece is the first part.
-    pub dense: &'a Dense<M::State>,
+    pub dense: &'a dyn Dense<M::State>,
     /// Length of that whole step [s].
     pub h: f64,
     /// How much of the step was kept, 0 ..= 1.

@@ -144,7 +144,8 @@ const DERIVATIVES: u32 = Rk4::EVALUATIONS;
 
 #[track_caller]
 fn check_within(tick: &Tick, limits: &Limits, x: &[f64; 3]) {
-    let Work { pieces, derivatives, guards, readouts, events } = tick.work;
+    let Work { pieces, derivatives, jacobians, guards, readouts, events } = tick.work;
+    assert_eq!(jacobians, 0, "an explicit method needs none");
     assert!(pieces <= limits.pieces, "{tick:?}");
     assert!(derivatives <= DERIVATIVES * limits.pieces, "{tick:?}");
     assert!(guards <= limits.guards, "{tick:?}");
@@ -327,6 +328,7 @@ fn work_of_typical_ticks() {
         guards,
         readouts,
         events,
+        ..Work::default()
     };
     // The first tick takes the guards; then a look at the end of each.
     assert_eq!(works[0], tick(1, 4, 2, 3, 0), "first tick");

@@ -3,7 +3,9 @@
 use core::cell::Cell;
 
 use super::Simulator;
+use super::field::ModeField;
 use crate::crossing::{Crossing, Span};
+use crate::dense::Dense as _;
 use crate::guard::{GuardSet, GuardSpec, MAX_GUARDS};
 use crate::input::Signal;
 use crate::locate::{locate, most_evaluations};
@@ -38,7 +40,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     pub(super) fn first_crossing<S: Signal<M::Input>, W>(
         &mut self,
         run: &mut Run<'_, S, W>,
-        step: &Step<M::State>,
+        step: &mut Step<M::State, T::Dense<M::State>>,
         theta_end: f64,
     ) -> Result<Option<First>, Fault> {
         let specs = self.model.guards(self.mode);
@@ -59,6 +61,9 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             self.guards[index].1 = end;
             let span = Span { spec, stand, start, end, h };
             if span.may_cross() {
+                if !any {
+                    self.refine(run, step, theta_end);
+                }
                 places[index] = self.crossing_place(run, step, theta_end, &span)?;
                 any = true;
             }
@@ -66,12 +71,26 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Ok(if any { earliest(specs, &places) } else { None })
     }
 
+    /// Has the stepper bring the step's dense output to its full order.
+    #[inline]
+    fn refine<S: Signal<M::Input>, W>(
+        &self,
+        run: &mut Run<'_, S, W>,
+        step: &mut Step<M::State, T::Dense<M::State>>,
+        theta_end: f64,
+    ) {
+        let span = theta_end - run.theta;
+        let mut field = ModeField::new(&self.model, self.mode, run.signal, (run.theta, span));
+        self.stepper.refine(&mut field, &mut step.dense, span * run.h);
+        field.count(&mut run.work);
+    }
+
     /// Where in the step one guard crosses, if it does.
     #[inline(never)]
     fn crossing_place<S: Signal<M::Input>, W>(
         &self,
         run: &mut Run<'_, S, W>,
-        step: &Step<M::State>,
+        step: &Step<M::State, T::Dense<M::State>>,
         theta_end: f64,
         span: &Span<'_>,
     ) -> Result<Place, Fault> {

@@ -4,10 +4,13 @@
 //! [`transition`] fires guards until the present instant is over.
 
 mod detect;
+mod field;
 mod transition;
 
 use detect::First;
+use field::ModeField;
 
+use crate::dense::Dense as _;
 use crate::epoch::{Stand, stand_after};
 use crate::guard::{GuardValue, MAX_GUARDS, Reads};
 use crate::input::Signal;
@@ -16,13 +19,13 @@ use crate::math;
 use crate::model::Resets;
 use crate::outcome::{Advance, Cap, Fault, Tick};
 use crate::run::Run;
-use crate::state::is_finite;
-use crate::stepper::{Step, Stepper};
+use crate::state::{is_finite, largest};
+use crate::stepper::{Memory as _, Step, Stepper};
 use crate::watch::{Piece, Watch};
 
 /// A model in motion.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Simulator<M: Resets, T> {
+pub struct Simulator<M: Resets, T: Stepper> {
     /// The model; a change takes effect with the next tick.
     pub model: M,
     stepper: T,
@@ -35,8 +38,8 @@ pub struct Simulator<M: Resets, T> {
     last_input: Option<M::Input>,
     /// Width [s] to which an event at the very end of the last tick was located, or 0.
     since_event: f64,
-    /// The derivative at the present state, where the stepper left it in this tick.
-    carried: Option<M::State>,
+    /// What the stepper carries from one step to the next.
+    memory: T::Memory<M::State>,
 }
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
@@ -52,7 +55,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             guards: [(Stand::Resting, GuardValue::default()); MAX_GUARDS],
             last_input: None,
             since_event: 0.0,
-            carried: None,
+            memory: T::Memory::default(),
         }
     }
 
@@ -80,7 +83,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Puts the model into `mode` and `state` at the start of the next tick.
     pub fn place(&mut self, mode: M::Mode, state: M::State) {
         (self.mode, self.state) = (mode, state);
-        (self.last_input, self.carried) = (None, None);
+        self.last_input = None;
+        self.memory.restart();
     }
 
     /// Advances one tick of `h` [s] under the input `signal`.
@@ -111,8 +115,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Takes the guards at the start of the tick, and settles what is due at once.
     #[inline]
     fn begin<S: Signal<M::Input>, W: Watch<M>>(&mut self, run: &mut Run<'_, S, W>) {
-        // The model may have been changed since the last tick, and its derivative with it.
-        self.carried = None;
+        self.memory.begin_tick();
         let input = run.input();
         if self.last_input == Some(input) {
             return;
@@ -144,20 +147,16 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.work.pieces += 1;
         let theta_end = self.step_end(run);
         let span = theta_end - run.theta;
-        let (h, theta) = (span * run.h, run.theta);
-        let (model, mode, signal) = (&self.model, self.mode, run.signal);
-        let step = self.stepper.step(
-            |tau, x| model.derivative(mode, x, &signal.at(theta + tau * span)),
-            &self.state,
-            self.carried.as_ref(),
-            h,
-            M::COORDS,
-        );
-        run.work.derivatives += step.evaluations;
+        let mut field = ModeField::new(&self.model, self.mode, run.signal, (run.theta, span));
+        let mut step = self.stepper.step(&mut field, &self.state, &mut self.memory, span * run.h);
+        field.count(&mut run.work);
+        if !step.is_accepted {
+            return;
+        }
         if !is_finite(step.dense.end()) {
             return run.fail(Fault::State);
         }
-        match self.first_crossing(run, &step, theta_end) {
+        match self.first_crossing(run, &mut step, theta_end) {
             Err(fault) => run.fail(fault),
             Ok(_) if !run.is_going() => {}
             Ok(None) => _ = self.accept(run, &step, theta_end, 1.0),
@@ -170,7 +169,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     fn leave<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut Run<'_, S, W>,
-        step: &Step<M::State>,
+        step: &Step<M::State, T::Dense<M::State>>,
         theta_end: f64,
         first: &First,
     ) {
@@ -193,7 +192,15 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         const CRUMB: f64 = 1e-9;
         /// More lines than any tick can have pieces.
         const MOST_LINES: f64 = 1e12;
-        let longest = self.model.longest_step(self.mode).min(run.limits.longest_step);
+        let own = self.model.longest_step(self.mode);
+        let longest = self
+            .stepper
+            .longest_step(&self.model.nature(self.mode), own)
+            .min(run.limits.longest_step);
+        let reach = self.memory.reach() / run.h;
+        if reach < 1.0 - run.theta {
+            return self.reached(run, reach, longest / run.h);
+        }
         if longest >= run.h {
             return 1.0;
         }
@@ -203,12 +210,21 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         if k >= n { 1.0 } else { k / n }
     }
 
+    /// Where a step ends that its method wants no longer than `reach`, a part of the tick.
+    fn reached<S, W>(&self, run: &Run<'_, S, W>, reach: f64, longest: f64) -> f64 {
+        let reach = reach.min(longest);
+        let rest = 1.0 - run.theta;
+        // Two even steps rather than a long one and a crumb.
+        let part = if reach < rest && 2.0 * reach > rest { 0.5 * rest } else { reach };
+        if part < rest { run.theta + part } else { 1.0 }
+    }
+
     /// Keeps the step up to `tau` of it; `false` if the state there is not finite.
     #[inline]
     fn accept<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut Run<'_, S, W>,
-        step: &Step<M::State>,
+        step: &Step<M::State, T::Dense<M::State>>,
         theta_end: f64,
         tau: f64,
     ) -> bool {
@@ -231,10 +247,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         };
         self.sum_readout(run, &piece, &input);
         run.watch.piece(&self.model, &piece);
-        run.local_error = run.local_error.max(step.error);
+        run.local_error = run.local_error.max(largest(&step.error));
         self.state = end;
-        self.carried = if tau < 1.0 { None } else { step.last };
-        if tau >= 1.0 {
+        if tau < 1.0 {
+            self.memory.restart();
+        } else {
             for (slot, spec) in self.guards.iter_mut().zip(self.model.guards(self.mode)) {
                 slot.0 = stand_after(slot.0, spec, slot.1, span * run.h);
             }

@@ -9,7 +9,7 @@ use crate::model::{Reset, Resets, Settling};
 use crate::outcome::{Cap, Fault};
 use crate::run::Run;
 use crate::state::State as _;
-use crate::stepper::Stepper;
+use crate::stepper::{Memory as _, Stepper};
 use crate::watch::{Cause, Event, Watch};
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
@@ -126,7 +126,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.impulse += reset.impulse;
         run.readout = None;
         (self.mode, self.state) = after;
-        self.carried = None;
+        self.memory.restart();
         true
     }
 

@@ -1,8 +1,8 @@
 //! The Bogacki–Shampine 3(2) pair.
 
-use crate::dense::Dense;
+use crate::dense::Cubic;
 use crate::state::State;
-use crate::stepper::{Step, Stepper};
+use crate::stepper::{Field, Slope, Step, Stepper};
 
 /// Order 3 with an embedded estimate of order 2, in 4 evaluations, 3 after the first.
 ///
@@ -20,27 +20,28 @@ impl Stepper for BogackiShampine {
     const EVALUATIONS: u32 = 4;
     const NAME: &'static str = "bogacki-shampine";
 
+    type Memory<S: State> = Slope<S>;
+    type Dense<S: State> = Cubic<S>;
+
     #[inline]
     fn step<S: State>(
         &self,
-        mut f: impl FnMut(f64, &S) -> S,
+        field: &mut impl Field<S>,
         x0: &S,
-        first: Option<&S>,
+        memory: &mut Slope<S>,
         h: f64,
-        _coords: usize,
-    ) -> Step<S> {
-        let k1 = first.copied().unwrap_or_else(|| f(0.0, x0));
-        let k2 = f(0.5, &x0.plus(0.5 * h, &k1));
-        let k3 = f(0.75, &x0.plus(0.75 * h, &k2));
+    ) -> Step<S, Cubic<S>> {
+        let k1 = memory.0.unwrap_or_else(|| field.derivative(0.0, x0));
+        let k2 = field.derivative(0.5, &x0.plus(0.5 * h, &k1));
+        let k3 = field.derivative(0.75, &x0.plus(0.75 * h, &k2));
         let sum = k1.times(2.0 / 9.0).plus(1.0 / 3.0, &k2).plus(4.0 / 9.0, &k3);
         let x1 = x0.plus(h, &sum);
-        let k4 = f(1.0, &x1);
+        let k4 = field.derivative(1.0, &x1);
         // Difference of the third- and second-order results.
         let difference =
             k1.times(-5.0 / 72.0).plus(1.0 / 12.0, &k2).plus(1.0 / 9.0, &k3).plus(-1.0 / 8.0, &k4);
-        let error = difference.entries().iter().fold(0.0, |most: f64, e| most.max((h * e).abs()));
-        let dense = Dense::hermite(x0, &k1, &x1, &k4, h);
-        let evaluations = if first.is_some() { 3 } else { 4 };
-        Step { dense, last: Some(k4), error, evaluations }
+        let dense = Cubic::hermite(x0, &k1, &x1, &k4, h);
+        memory.0 = Some(k4);
+        Step::new(dense).with_error(difference.times(h))
     }
 }

@@ -1,8 +1,8 @@
 //! Heun's second-order method.
 
-use crate::dense::Dense;
+use crate::dense::Cubic;
 use crate::state::State;
-use crate::stepper::{Step, Stepper};
+use crate::stepper::{Field, Step, Stepper};
 
 /// Order 2 in 2 evaluations, no error estimate.
 ///
@@ -19,19 +19,21 @@ impl Stepper for Heun {
     const EVALUATIONS: u32 = 2;
     const NAME: &'static str = "heun";
 
+    type Memory<S: State> = ();
+    type Dense<S: State> = Cubic<S>;
+
     #[inline]
     fn step<S: State>(
         &self,
-        mut f: impl FnMut(f64, &S) -> S,
+        field: &mut impl Field<S>,
         x0: &S,
-        _first: Option<&S>,
+        _memory: &mut (),
         h: f64,
-        _coords: usize,
-    ) -> Step<S> {
-        let k1 = f(0.0, x0);
-        let k2 = f(1.0, &x0.plus(h, &k1));
+    ) -> Step<S, Cubic<S>> {
+        let k1 = field.derivative(0.0, x0);
+        let k2 = field.derivative(1.0, &x0.plus(h, &k1));
         let x1 = x0.plus(0.5 * h, &k1.plus(1.0, &k2));
-        let dense = Dense::parabola(x0, &k1, &x1, h);
-        Step { dense, last: None, error: 0.0, evaluations: Self::EVALUATIONS }
+        let dense = Cubic::parabola(x0, &k1, &x1, h);
+        Step::new(dense)
     }
 }

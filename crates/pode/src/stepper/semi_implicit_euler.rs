@@ -1,8 +1,8 @@
 //! Semi-implicit (symplectic) Euler.
 
-use crate::dense::Dense;
+use crate::dense::Cubic;
 use crate::state::State;
-use crate::stepper::{Step, Stepper};
+use crate::stepper::{Field, Step, Stepper};
 
 /// Order 1 in 2 evaluations: speeds first, then coordinates with the new speeds.
 ///
@@ -20,20 +20,22 @@ impl Stepper for SemiImplicitEuler {
     const EVALUATIONS: u32 = 2;
     const NAME: &'static str = "semi-implicit-euler";
 
+    type Memory<S: State> = ();
+    type Dense<S: State> = Cubic<S>;
+
     #[inline]
     fn step<S: State>(
         &self,
-        mut f: impl FnMut(f64, &S) -> S,
+        field: &mut impl Field<S>,
         x0: &S,
-        _first: Option<&S>,
+        _memory: &mut (),
         h: f64,
-        coords: usize,
-    ) -> Step<S> {
-        let k1 = f(0.0, x0);
-        let with_new_speeds = x0.head_of(coords, &x0.plus(h, &k1));
-        let k2 = f(1.0, &with_new_speeds);
-        let x1 = x0.plus(h, &k2).head_of(coords, &with_new_speeds);
-        let dense = Dense::parabola(x0, &k1, &x1, h);
-        Step { dense, last: None, error: 0.0, evaluations: Self::EVALUATIONS }
+    ) -> Step<S, Cubic<S>> {
+        let k1 = field.derivative(0.0, x0);
+        let with_new_speeds = x0.head_of(field.coords(), &x0.plus(h, &k1));
+        let k2 = field.derivative(1.0, &with_new_speeds);
+        let x1 = x0.plus(h, &k2).head_of(field.coords(), &with_new_speeds);
+        let dense = Cubic::parabola(x0, &k1, &x1, h);
+        Step::new(dense)
     }
 }

@@ -1,0 +1,47 @@
+//! The continuous solution inside one step.
+
+mod polynomial;
+
+pub use polynomial::Polynomial;
+
+use core::fmt::Debug;
+
+use crate::state::State;
+
+/// Dense output: the solution at any fraction of a step.
+pub trait Dense<S>: Debug {
+    /// The state at the fraction `tau` of the step, 0 ..= 1.
+    fn at(&self, tau: f64) -> S;
+
+    /// The state at the end of the step.
+    fn end(&self) -> &S;
+}
+
+/// A cubic per entry.
+pub type Cubic<S> = Polynomial<S, 4>;
+
+impl<S: State> Cubic<S> {
+    /// The cubic with the given coefficients by power of τ; `end` is the step's end, exactly.
+    #[inline]
+    pub const fn cubic(x0: S, c1: S, c2: S, c3: S, end: S) -> Self {
+        Self::new([x0, c1, c2, c3], end)
+    }
+
+    /// The parabola from `x0` with slope `k0` to `end`: locally of third order.
+    #[inline]
+    pub fn parabola(x0: &S, k0: &S, end: &S, h: f64) -> Self {
+        let c1 = k0.times(h);
+        let c2 = end.plus(-1.0, x0).plus(-1.0, &c1);
+        Self::cubic(*x0, c1, c2, S::ZERO, *end)
+    }
+
+    /// The cubic Hermite with slopes `k0`, `k1` at both ends: locally of fourth order.
+    #[inline]
+    pub fn hermite(x0: &S, k0: &S, end: &S, k1: &S, h: f64) -> Self {
+        let rise = end.plus(-1.0, x0);
+        let c1 = k0.times(h);
+        let c2 = rise.times(3.0).plus(-2.0, &c1).plus(-h, k1);
+        let c3 = rise.times(-2.0).plus(1.0, &c1).plus(h, k1);
+        Self::cubic(*x0, c1, c2, c3, *end)
+    }
+}

@@ -1,0 +1,49 @@
+//! A polynomial per entry, of any degree up to `N − 1`.
+
+use crate::dense::Dense;
+use crate::state::State;
+
+/// x(τ) = c0 + τ (c1 + τ (c2 + …)) for τ in 0 ..= 1 of a step, with at most `N` terms.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Polynomial<S, const N: usize> {
+    /// Coefficients by power of τ.
+    terms: [S; N],
+    /// How many of them count, at least one.
+    used: usize,
+    end: S,
+}
+
+impl<S: State, const N: usize> Polynomial<S, N> {
+    /// The polynomial with coefficients `terms` by power of τ; `end` is its value at 1.
+    #[inline]
+    pub const fn new(terms: [S; N], end: S) -> Self {
+        Self { terms, used: N, end }
+    }
+
+    /// The same with only the first `used` terms.
+    #[inline]
+    #[must_use]
+    pub fn truncated(self, used: usize) -> Self {
+        Self { used: used.clamp(1, N), ..self }
+    }
+}
+
+impl<S: State, const N: usize> Dense<S> for Polynomial<S, N> {
+    #[inline]
+    fn at(&self, tau: f64) -> S {
+        if tau >= 1.0 {
+            return self.end;
+        }
+        let (mut lower, mut sum) = (self.used.min(N), S::ZERO);
+        while lower > 0 {
+            lower -= 1;
+            sum = self.terms[lower].plus(tau, &sum);
+        }
+        sum
+    }
+
+    #[inline]
+    fn end(&self) -> &S {
+        &self.end
+    }
+}

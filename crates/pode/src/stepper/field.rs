@@ -1,0 +1,66 @@
+//! The right-hand side over one step, as a method sees it.
+
+use crate::math::sqrt;
+use crate::matrix::Matrix;
+use crate::nature::Nature;
+use crate::state::State;
+
+/// A mode's equations over one step of known length.
+pub trait Field<S: State> {
+    /// How many leading entries of the state are coordinates.
+    fn coords(&self) -> usize;
+
+    /// What the model says of the mode.
+    fn nature(&self) -> Nature;
+
+    /// The derivative at the fraction `tau` of the step.
+    fn derivative(&mut self, tau: f64, x: &S) -> S;
+
+    /// The derivative's derivative by the state, at the fraction `tau` of the step.
+    fn jacobian(&mut self, tau: f64, x: &S) -> S::Matrix {
+        differences(x, |x| self.derivative(tau, x))
+    }
+}
+
+/// A right-hand side given as a function, for a method that is used on its own.
+#[derive(Clone, Copy, Debug)]
+pub struct Given<F> {
+    /// How many leading entries of the state are coordinates.
+    pub coords: usize,
+    /// What the equations are like.
+    pub nature: Nature,
+    /// The derivative at a fraction of the step.
+    pub f: F,
+}
+
+impl<S: State, F: FnMut(f64, &S) -> S> Field<S> for Given<F> {
+    fn coords(&self) -> usize {
+        self.coords
+    }
+
+    fn nature(&self) -> Nature {
+        self.nature
+    }
+
+    #[inline]
+    fn derivative(&mut self, tau: f64, x: &S) -> S {
+        (self.f)(tau, x)
+    }
+}
+
+/// A Jacobian by central differences: two evaluations of `f` per entry of the state.
+///
+/// The step is ∛ε of the entry's size, where rounding and curvature weigh the same. [PTVF07] 5.7
+pub(crate) fn differences<S: State>(x: &S, mut f: impl FnMut(&S) -> S) -> S::Matrix {
+    /// About ∛ε.
+    const PART: f64 = 1.0 / 131_072.0;
+    let size = sqrt(x.entries().iter().map(|entry| entry * entry).sum::<f64>());
+    S::Matrix::from_columns(|index| {
+        let entry = x.entries().get(index).copied().unwrap_or(0.0);
+        // An entry that is zero gets the size of the others, and 1 if all of them are.
+        let size = entry.abs().max(1e-3 * size).max(if size > 0.0 { 0.0 } else { 1.0 });
+        let (up, down) = (entry + PART * size, entry - PART * size);
+        let rise = f(&x.with_entry(index, up)).plus(-1.0, &f(&x.with_entry(index, down)));
+        rise.times(1.0 / (up - down))
+    })
+}

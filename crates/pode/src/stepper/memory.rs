@@ -1,0 +1,48 @@
+//! What a method carries from one step to the next, and when it must let go of it.
+
+use core::fmt::Debug;
+
+/// What a method knows from the steps before.
+pub trait Memory: Copy + PartialEq + Default + Debug + Send {
+    /// The state has jumped, or the mode has changed, or the step was cut short:
+    /// what was known of the motion is void.
+    #[inline]
+    fn restart(&mut self) {}
+
+    /// A new tick begins: the input may have jumped, and the model's parameters with it.
+    #[inline]
+    fn begin_tick(&mut self) {}
+
+    /// Longest step [s] that is worth trying next.
+    #[inline]
+    fn reach(&self) -> f64 {
+        f64::INFINITY
+    }
+}
+
+/// Nothing.
+impl Memory for () {}
+
+/// The derivative at the end of the last step: the first stage of the next one.
+///
+/// Void after a reset, a jump of the input, and a change of the mode or the model.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Slope<S>(pub Option<S>);
+
+impl<S> Default for Slope<S> {
+    fn default() -> Self {
+        Self(None)
+    }
+}
+
+impl<S: Copy + PartialEq + Debug + Send> Memory for Slope<S> {
+    #[inline]
+    fn restart(&mut self) {
+        self.0 = None;
+    }
+
+    #[inline]
+    fn begin_tick(&mut self) {
+        self.0 = None;
+    }
+}
