@@ -20,7 +20,7 @@ pub trait RehearsableVoice: Voice + Send {
 
 /// A key's model in motion, between its sensor and its motor.
 #[derive(Clone, Debug)]
-pub struct RenderedKey<M: Playable, T> {
+pub struct RenderedKey<M: Playable, T: Stepper> {
     simulator: Simulator<M, T>,
     input: InputPath,
     gate: ForceGate,
