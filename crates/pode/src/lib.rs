@@ -50,6 +50,7 @@ mod matrix;
 mod model;
 mod nature;
 mod outcome;
+mod quadrature;
 mod run;
 mod simulator;
 mod state;

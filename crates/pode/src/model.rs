@@ -6,7 +6,7 @@ use crate::guard::{GuardId, GuardSpec, GuardValue};
 use crate::math;
 use crate::nature::Nature;
 use crate::state::State;
-use crate::stepper::differences;
+use crate::stepper::{differences, unit_differences};
 
 /// Equations of motion and readout, one set per mode.
 ///
@@ -37,6 +37,9 @@ pub trait Model {
         x: &Self::State,
         input: &Self::Input,
     ) -> <Self::State as State>::Matrix {
+        if self.nature(mode).is_linear() {
+            return unit_differences(|x| self.derivative(mode, x, input));
+        }
         differences(x, |x| self.derivative(mode, x, input))
     }
 

@@ -3,7 +3,9 @@
 /// What kind of equations a mode has.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Kind {
-    /// x' = A x + r(t) with a constant A: an exact flow exists.
+    /// x' = A x + c with constant A and c, whatever the input: gravity and springs.
+    Affine,
+    /// x' = A x + r(t) with a constant A, r by the input.
     Linear,
     /// Smooth over several steps.
     #[default]
@@ -32,6 +34,6 @@ impl Nature {
     /// Whether the mode has an exact flow.
     #[inline]
     pub const fn is_linear(&self) -> bool {
-        matches!(self.kind, Kind::Linear)
+        matches!(self.kind, Kind::Linear | Kind::Affine)
     }
 }

@@ -539,7 +539,8 @@ fn a_model_that_was_changed_moves_as_changed_from_the_next_tick() {
     use pode::stepper::BogackiShampine;
     let mut simulator = Simulator::new(SOUND, BogackiShampine, Limits::default(), (), [0.0]);
     let _ = simulator.advance(0.1, &still, &mut Silent);
-    simulator.model.derivative = 2.0;
+
+    simulator.set_model(Broken { derivative: 2.0, ..SOUND });
     let _ = simulator.advance(0.1, &still, &mut Silent);
     close("0.1 at speed 1 and 0.1 at speed 2", simulator.state()[0], 0.3, 1e-15);
 }

@@ -8,106 +8,12 @@
 
 mod common;
 
+use common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
 use common::{G, all_completed, close, each_step_and_phase, run};
 use pode::stepper::Rk4;
 use pode::{
     Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator,
 };
-
-/// Mass of the head [kg].
-const MASS: f64 = 0.01;
-
-/// Part of a radian of the contact's oscillation that one step may take.
-const RADIANS: f64 = 0.05;
-
-/// A head that falls on F = −k min(x, 0): height [m] and speed [m/s].
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Head {
-    /// Stiffness [N/m].
-    k: f64,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Mode {
-    Flight,
-    Contact,
-}
-
-impl Head {
-    fn omega(self) -> f64 {
-        (self.k / MASS).sqrt()
-    }
-
-    fn dropped(self) -> Simulator<Self, Rk4> {
-        Simulator::new(self, Rk4, Limits::default(), Mode::Flight, [0.0, -1.0])
-    }
-}
-
-impl Model for Head {
-    type Mode = Mode;
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-
-    fn derivative(&self, mode: Mode, x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], self.readout(mode, x, &()) / MASS - G]
-    }
-
-    /// The force of the contact [N].
-    fn readout(&self, mode: Mode, x: &[f64; 2], (): &()) -> f64 {
-        match mode {
-            Mode::Flight => 0.0,
-            Mode::Contact => -self.k * x[0],
-        }
-    }
-
-    fn longest_step(&self, mode: Mode) -> f64 {
-        match mode {
-            Mode::Flight => f64::INFINITY,
-            Mode::Contact => RADIANS / self.omega(),
-        }
-    }
-}
-
-impl Guarded for Head {
-    fn guards(&self, mode: Mode) -> &'static [GuardSpec] {
-        const TOUCH: [GuardSpec; 1] = [GuardSpec::new(0, "touch").scaled(0.1)];
-        const CONTACT: [GuardSpec; 2] = [
-            // Penetrations are smaller than heights.
-            GuardSpec::new(1, "leave").scaled(1e-3),
-            GuardSpec::new(2, "deepest").on_crossing(),
-        ];
-        match mode {
-            Mode::Flight => &TOUCH,
-            Mode::Contact => &CONTACT,
-        }
-    }
-
-    fn guard(&self, mode: Mode, id: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
-        match id.0 {
-            0 => GuardValue::new(x[0], x[1]),
-            1 => GuardValue::new(-x[0], -x[1]),
-            _ => GuardValue::new(-x[1], -self.derivative(mode, x, &())[1]),
-        }
-    }
-}
-
-impl Resets for Head {
-    fn reset(&self, _: Mode, id: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
-        match id.0 {
-            0 => Reset::to(Mode::Contact, [0.0, x[1]]),
-            1 => Reset::to(Mode::Flight, [0.0, x[1]]),
-            _ => Reset::to(Mode::Contact, *x),
-        }
-    }
-}
-
-/// Stiffness [N/m], contact time [s], deepest point [m], period [s]; from 40-digit arithmetic.
-const CONTACTS: [[f64; 4]; 3] = [
-    [1e3, 0.010_130_725_365_363_42, 0.003_261_898_920_601_624, 0.214_004_323_732_714_6],
-    [1e5, 0.000_995_420_820_285_805_5, 0.000_317_210_287_639_522_7, 0.204_869_018_989_197_1],
-    [1e7, 0.000_099_365_502_657_331_63, 0.000_031_632_588_123_310_1, 0.203_972_963_868_671_5],
-];
 
 /// Relative error of a time in contact.
 fn phase_error() -> f64 {
@@ -124,7 +30,7 @@ fn amplitude_error(events: f64) -> f64 {
 fn a_contact_has_its_time_depth_and_period() {
     for [k, contact, depth, period] in CONTACTS {
         each_step_and_phase(|h, phase| {
-            let (recorder, ticks) = run(&mut Head { k }.dropped(), h, phase, 0.5);
+            let (recorder, ticks) = run(&mut Head { k }.dropped(Rk4), h, phase, 0.5);
             all_completed(&ticks);
             let seen = &recorder.seen;
             let names: Vec<_> = seen.iter().take(4).map(|it| it.guard).collect();
@@ -146,7 +52,7 @@ fn a_contact_has_its_time_depth_and_period() {
 fn the_head_leaves_as_fast_as_it_came() {
     for [k, ..] in CONTACTS {
         each_step_and_phase(|h, phase| {
-            let (recorder, _) = run(&mut Head { k }.dropped(), h, phase, 0.5);
+            let (recorder, _) = run(&mut Head { k }.dropped(Rk4), h, phase, 0.5);
             close(
                 format_args!("k {k}, h {h}"),
                 recorder.seen[2].before[1],
@@ -162,7 +68,7 @@ fn the_impulse_of_a_contact_within_one_tick_is_in_its_mean_force() {
     // The whole contact: the change of momentum, and the weight while it lasts. Simpson's
     // rule over each step errs by r⁴/2880 of it, less than the momentum does.
     for ([k, contact, ..], h) in CONTACTS.into_iter().zip([14e-3, 7e-3, 1e-3]) {
-        let mut head = Head { k }.dropped();
+        let mut head = Head { k }.dropped(Rk4);
         let tick = head.advance(h, &|_| (), &mut pode::Silent);
         assert_eq!((tick.advance, tick.work.events), (Advance::Completed, 3), "k {k}");
         let impulse = MASS * (2.0 + G * contact);
@@ -179,7 +85,7 @@ fn the_impulse_of_a_contact_within_one_tick_is_in_its_mean_force() {
 fn the_impulse_does_not_depend_on_how_ticks_cut_the_contact() {
     for [k, contact, ..] in CONTACTS {
         each_step_and_phase(|h, phase| {
-            let (_, ticks) = run(&mut Head { k }.dropped(), h, phase, 0.1);
+            let (_, ticks) = run(&mut Head { k }.dropped(Rk4), h, phase, 0.1);
             let first = if phase > 0.0 { (1.0 - phase) * h } else { h };
             let rest: f64 = ticks[1..].iter().map(|tick| tick.mean_readout).sum();
             let impulse = first * ticks[0].mean_readout + h * rest;
@@ -193,7 +99,7 @@ fn the_impulse_does_not_depend_on_how_ticks_cut_the_contact() {
 #[test]
 fn a_minute_of_contacts_keeps_the_energy() {
     let [k, _, _, period] = CONTACTS[1];
-    let mut head = Head { k }.dropped();
+    let mut head = Head { k }.dropped(Rk4);
     let mut ticks = 0_u32;
     while f64::from(ticks) * 1e-3 < 60.0 || head.mode() == Mode::Contact {
         assert_eq!(head.advance(1e-3, &|_| (), &mut pode::Silent).advance, Advance::Completed);

@@ -88,7 +88,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let mut strikes = Strikes { tick, events: &mut events };
         let mut watch = (&mut audit, &mut strikes);
         let done = self.simulator.advance(self.h, &signal, &mut watch);
-        let per_metre = self.simulator.model.input_per_metre();
+        let per_metre = self.simulator.model().input_per_metre();
         turn.force = self.gate.apply(done.mean_readout * per_metre, self.h).force;
         turn.work = Work {
             derivatives: done.work.derivatives,
@@ -125,7 +125,7 @@ impl<M: Playable, T: Stepper> Voice for RenderedKey<M, T> {
 
     fn reset(&mut self, sample: &KeySample) {
         let input = self.input.reset(sample.position);
-        let (mode, state) = self.simulator.model.at_rest(&input);
+        let (mode, state) = self.simulator.model().at_rest(&input);
         self.simulator.place(mode, state);
         self.damper = Damper::new(sample.position);
         self.rest = Rest::default();

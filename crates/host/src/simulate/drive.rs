@@ -45,7 +45,7 @@ fn drive<M: Playable, T: Stepper>(
         Follower { clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
     let mut tally = Tally::default();
     let mut simulator = Simulator::new(model, stepper, clock.limits, mode, state);
-    follower.files.row(&simulator.model, 0.0, (mode, &state), &input.at(0.0))?;
+    follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0))?;
     for tick in 0..clock.ticks {
         let signal = |theta: f64| input.at(clock.time(tick, theta));
         let done = simulator.advance(clock.length(tick), &signal, &mut follower);
@@ -59,7 +59,7 @@ fn drive<M: Playable, T: Stepper>(
         let t = clock.time(tick, 1.0);
         let (mode, state) = (simulator.mode(), simulator.state());
         follower.last = (t, mode, *state);
-        follower.files.row(&simulator.model, t, (mode, state), &signal(1.0))?;
+        follower.files.row(simulator.model(), t, (mode, state), &signal(1.0))?;
     }
     Ok(tally.report::<M, T>(clock, &follower))
 }

@@ -2,6 +2,9 @@
 //! order, stages, embedded error, dense output, evaluations, what a reset discards.
 
 mod bogacki_shampine;
+mod controlled;
+mod dop853;
+mod exact;
 mod field;
 mod heun;
 mod memory;
@@ -9,8 +12,11 @@ mod rk4;
 mod semi_implicit_euler;
 
 pub use bogacki_shampine::BogackiShampine;
-pub(crate) use field::differences;
+pub use controlled::{Control, Controlled, Tolerance};
+pub use dop853::{Dense8, Dop853};
+pub use exact::{Either, Exact, Flow};
 pub use field::{Field, Given};
+pub(crate) use field::{differences, unit_differences};
 pub use heun::Heun;
 pub use memory::{Memory, Slope};
 pub use rk4::Rk4;
@@ -52,6 +58,8 @@ impl<S: State, D> Step<S, D> {
 pub trait Stepper: Copy + Default + Debug + PartialEq {
     /// Order of convergence.
     const ORDER: u32;
+    /// Order of the dense output where a crossing is looked for.
+    const DENSE: u32 = Self::ORDER;
     /// Most evaluations of the derivative in one step, those for the Jacobian apart.
     const EVALUATIONS: u32;
     /// Its name on the command line.

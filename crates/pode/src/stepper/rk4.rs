@@ -17,6 +17,7 @@ pub struct Rk4;
 
 impl Stepper for Rk4 {
     const ORDER: u32 = 4;
+    const DENSE: u32 = 3;
     const EVALUATIONS: u32 = 4;
     const NAME: &'static str = "rk4";
 

@@ -2,6 +2,8 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 #![allow(clippy::disallowed_methods, reason = "a test may use the heap")]
 
+pub mod head;
+
 use pode::stepper::Rk4;
 use pode::{
     Advance, Event, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets,

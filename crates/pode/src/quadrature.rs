@@ -1,0 +1,59 @@
+//! The mean of a readout over a piece, its value at both ends being known.
+
+/// Simpson's rule: the one place inside, and weights of the ends and of that place.
+/// Exact up to cubics.
+pub(crate) const SIMPSON: Rule<1> = Rule { ends: 1.0 / 6.0, inside: [(0.5, 4.0 / 6.0)] };
+
+/// Gauss–Lobatto with six places: exact up to degree 9, for dense outputs of high order.
+/// [AS64] table 25.6.
+pub(crate) const LOBATTO: Rule<4> = Rule {
+    ends: 1.0 / 30.0,
+    inside: [
+        (0.117_472_338_035_267_65, 0.189_237_478_148_923_5),
+        (0.357_384_241_759_677_45, 0.277_429_188_517_743_2),
+        (0.642_615_758_240_322_5, 0.277_429_188_517_743_2),
+        (0.882_527_661_964_732_3, 0.189_237_478_148_923_5),
+    ],
+};
+
+/// Places inside 0 .. 1 with their weights, and the weight of each end.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rule<const N: usize> {
+    ends: f64,
+    inside: [(f64, f64); N],
+}
+
+impl<const N: usize> Rule<N> {
+    /// Evaluations inside.
+    pub(crate) const fn looks(&self) -> u32 {
+        self.inside.len() as u32
+    }
+
+    /// The mean over 0 ..= 1 of a function with the values `ends` there.
+    #[inline]
+    pub(crate) fn mean(&self, ends: [f64; 2], mut value: impl FnMut(f64) -> f64) -> f64 {
+        let inside: f64 = self.inside.iter().map(|(place, weight)| weight * value(*place)).sum();
+        self.ends * (ends[0] + ends[1]) + inside
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check<const N: usize>(rule: Rule<N>, degree: i32) {
+        for power in 0..=degree + 1 {
+            let f = |x: f64| (0.2 + x).powi(power);
+            let exact = (1.2_f64.powi(power + 1) - 0.2_f64.powi(power + 1)) / f64::from(power + 1);
+            let error = (rule.mean([f(0.0), f(1.0)], f) - exact).abs();
+            assert_eq!(error < 1e-14, power <= degree, "x^{power}: {error:e}");
+        }
+    }
+
+    #[test]
+    fn each_rule_is_exact_up_to_its_degree_and_no_further() {
+        check(SIMPSON, 3);
+        check(LOBATTO, 9);
+    }
+}

@@ -1,0 +1,65 @@
+//! Dense output of Dormand–Prince 8(5,3): a cubic at no cost, order 7 for three evaluations.
+
+use super::moved;
+use super::tableau::{A13, A14, A15, D0, D1, D2, D3, NODES};
+use super::weighed;
+use crate::dense::Dense;
+use crate::state::State;
+use crate::stepper::Field;
+
+/// x(τ) = c0 + τ (c1 + σ (c2 + τ (c3 + σ (c4 + …)))), σ = 1 − τ.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Dense8<S> {
+    terms: [S; 8],
+    /// 4 for the cubic Hermite, 8 once refined.
+    used: usize,
+    /// The stages, of which the dense output is made.
+    stages: [S; 13],
+    end: S,
+}
+
+impl<S: State> Dense8<S> {
+    /// The cubic Hermite with the slopes of the first and the last stage.
+    #[inline]
+    pub(super) fn hermite(x0: &S, x1: &S, k: &[S; 13], h: f64) -> Self {
+        let rise = x1.plus(-1.0, x0);
+        let bend = k[0].times(h).plus(-1.0, &rise);
+        let twist = rise.plus(-h, &k[12]).plus(-1.0, &bend);
+        let mut terms = [S::ZERO; 8];
+        (terms[0], terms[1], terms[2], terms[3]) = (*x0, rise, bend, twist);
+        Self { terms, used: 4, stages: *k, end: *x1 }
+    }
+
+    /// Evaluates three more stages, and the four terms that come of them.
+    pub(super) fn refine(&mut self, field: &mut impl Field<S>, h: f64) {
+        let x0 = self.terms[0];
+        let mut k = [S::ZERO; 16];
+        k[..13].copy_from_slice(&self.stages);
+        k[13] = field.derivative(NODES[13], &moved(&x0, h, &k, &A13));
+        k[14] = field.derivative(NODES[14], &moved(&x0, h, &k, &A14));
+        k[15] = field.derivative(NODES[15], &moved(&x0, h, &k, &A15));
+        self.terms[4] = weighed(&k, &D0).times(h);
+        self.terms[5] = weighed(&k, &D1).times(h);
+        self.terms[6] = weighed(&k, &D2).times(h);
+        self.terms[7] = weighed(&k, &D3).times(h);
+        self.used = 8;
+    }
+}
+
+impl<S: State> Dense<S> for Dense8<S> {
+    fn at(&self, tau: f64) -> S {
+        if tau >= 1.0 {
+            return self.end;
+        }
+        let factors = [tau, 1.0 - tau];
+        let mut sum = S::ZERO;
+        for index in (1..self.used.min(8)).rev() {
+            sum = self.terms[index].plus(1.0, &sum).times(factors[(index + 1) % 2]);
+        }
+        self.terms[0].plus(1.0, &sum)
+    }
+
+    fn end(&self) -> &S {
+        &self.end
+    }
+}
