@@ -4,7 +4,7 @@
 //! true guard once at the minimum of its cubic; a guard that starts at zero or below,
 //! rises and falls again; and one that rests at zero and then turns negative.
 
-use crate::cubic::Cubic;
+use crate::cubic::{Cubic, Turns};
 use crate::epoch::Stand;
 use crate::guard::{GuardSpec, GuardValue};
 use crate::locate::Bracket;
@@ -97,7 +97,8 @@ impl Span<'_> {
     /// The first fall of a guard that starts positive, or at zero on its way up.
     fn falls(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
         let cubic = self.cubic();
-        let (maximum, minimum) = cubic.turns();
+        let turns = cubic.turns();
+        let (maximum, minimum) = turns;
         let low = if self.ends_below() {
             Some((1.0, self.end.value))
         } else {
@@ -110,18 +111,19 @@ impl Span<'_> {
         } else {
             high_point(maximum.filter(|tau| *tau < hi), hi, self.spec.band(), guard)
         };
-        high.map_or(Crossing::AtStart, |(lo, at_lo)| shut_in(&cubic, lo, at_lo, hi, at_hi))
+        high.map_or(Crossing::AtStart, |(lo, at_lo)| shut_in((&cubic, turns), lo, at_lo, hi, at_hi))
     }
 
     /// The fall of a guard that starts and ends below zero, if it is positive between.
     fn rises_and_falls(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
         let cubic = self.cubic();
-        let Some(top) = cubic.turns().0 else { return Crossing::None };
+        let turns = cubic.turns();
+        let Some(top) = turns.0 else { return Crossing::None };
         let at_top = guard(top);
         if at_top <= self.spec.band() {
             return Crossing::None;
         }
-        shut_in(&cubic, top, at_top, 1.0, self.end.value)
+        shut_in((&cubic, turns), top, at_top, 1.0, self.end.value)
     }
 
     /// Where a guard that rests at zero turns negative.
@@ -145,8 +147,14 @@ impl Span<'_> {
 }
 
 /// The crossing between a high and a low point, with the cubic's own root as the seed.
-fn shut_in(cubic: &Cubic, lo: f64, at_lo: f64, hi: f64, at_hi: f64) -> Crossing {
-    let seed = cubic.first_root(lo, hi).map(|tau| (tau, cubic.slope(tau)));
+fn shut_in(
+    (cubic, turns): (&Cubic, Turns),
+    lo: f64,
+    at_lo: f64,
+    hi: f64,
+    at_hi: f64,
+) -> Crossing {
+    let seed = cubic.first_root(turns, lo, hi).map(|tau| (tau, cubic.slope(tau)));
     Crossing::Within { bracket: Bracket { lo, at_lo, hi, at_hi }, level: 0.0, seed }
 }
 

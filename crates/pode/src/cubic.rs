@@ -2,6 +2,9 @@
 
 use crate::math::sqrt;
 
+/// Where a cubic has its interior local maximum and minimum.
+pub(crate) type Turns = (Option<f64>, Option<f64>);
+
 /// p(τ) = a + b τ + c τ² + d τ³ on 0 ..= 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cubic {
@@ -31,8 +34,14 @@ impl Cubic {
         self.b + tau * (2.0 * self.c + tau * 3.0 * self.d)
     }
 
+    /// Whether it bends down all the way from 0 to 1.
+    #[inline]
+    fn is_concave(&self) -> bool {
+        self.c <= 0.0 && self.c + 3.0 * self.d <= 0.0
+    }
+
     /// The interior local maximum and minimum, each if there is one in (0, 1).
-    pub(crate) fn turns(&self) -> (Option<f64>, Option<f64>) {
+    pub(crate) fn turns(&self) -> Turns {
         let inside = |tau: f64| (tau > 0.0 && tau < 1.0).then_some(tau);
         let discriminant = self.c * self.c - 3.0 * self.b * self.d;
         if discriminant <= 0.0 {
@@ -49,15 +58,33 @@ impl Cubic {
         (maximum, minimum)
     }
 
-    /// The first root in (`lo`, `hi`] reached from above, if the cubic has one.
-    pub(crate) fn first_root(&self, lo: f64, hi: f64) -> Option<f64> {
-        let (maximum, minimum) = self.turns();
-        let mut ends = [lo, maximum.unwrap_or(hi), minimum.unwrap_or(hi), hi];
-        ends.sort_unstable_by(f64::total_cmp);
-        ends.windows(2)
-            .filter(|pair| pair[0] >= lo && pair[1] <= hi && pair[0] < pair[1])
-            .find(|pair| self.at(pair[0]) > 0.0 && self.at(pair[1]) <= 0.0)
-            .map(|pair| self.root_between(pair[0], pair[1]))
+    /// The first root in (`lo`, `hi`] reached from above, if the cubic has one; `turns` are
+    /// its own.
+    pub(crate) fn first_root(&self, turns: Turns, lo: f64, hi: f64) -> Option<f64> {
+        if self.is_concave() {
+            // Falls once and for all, wherever it turns.
+            let falls = self.at(hi) <= 0.0;
+            return falls.then(|| self.root_between(lo, hi));
+        }
+        let clipped = |turn: Option<f64>| turn.map_or(hi, |tau| tau.clamp(lo, hi));
+        let (maximum, minimum) = (clipped(turns.0), clipped(turns.1));
+        let mut from = lo;
+        for to in [maximum.min(minimum), maximum.max(minimum), hi] {
+            if self.at(from) > 0.0 && self.at(to) <= 0.0 {
+                return Some(self.root_between(from, to));
+            }
+            from = to;
+        }
+        None
+    }
+
+    /// Where the parabola through both ends with the slope at the start falls through zero;
+    /// NaN or elsewhere if it does not.
+    fn parabola_root(&self) -> f64 {
+        let c = self.c + self.d;
+        let root = sqrt(self.b * self.b - 4.0 * self.a * c);
+        // a + b τ + c τ² = 0 with the slope −root, by the form that loses no digits.
+        if self.b > 0.0 { -0.5 * (self.b + root) / c } else { 2.0 * self.a / (root - self.b) }
     }
 
     /// The root of a monotone stretch, by Newton kept inside its bracket.
@@ -65,7 +92,10 @@ impl Cubic {
         /// Newton on a monotone cubic doubles its digits; 12 rounds reach the last one
         /// from any start, and bisection covers the flat ends.
         const ROUNDS: usize = 12;
-        let mut tau = 0.5 * (lo + hi);
+        /// A Newton step this short leaves an error of its square.
+        const LAST: f64 = 1e-9;
+        let start = self.parabola_root();
+        let mut tau = if start > lo && start < hi { start } else { 0.5 * (lo + hi) };
         for _ in 0..ROUNDS {
             let value = self.at(tau);
             if value > 0.0 {
@@ -74,10 +104,11 @@ impl Cubic {
                 hi = tau;
             }
             let next = tau - value / self.slope(tau);
-            if (next - tau).abs() <= f64::EPSILON {
-                return tau;
+            let is_inside = next > lo && next < hi;
+            if (next - tau).abs() <= LAST {
+                return if is_inside { next } else { tau };
             }
-            tau = if next > lo && next < hi { next } else { 0.5 * (lo + hi) };
+            tau = if is_inside { next } else { 0.5 * (lo + hi) };
         }
         tau
     }
@@ -96,7 +127,8 @@ mod tests {
 
     #[test]
     fn the_first_of_three_roots_is_found() {
-        let root = three_roots().first_root(0.0, 1.0).expect("a root");
+        let cubic = three_roots();
+        let root = cubic.first_root(cubic.turns(), 0.0, 1.0).expect("a root");
         assert!((root - 0.2).abs() < 1e-14, "{root}");
     }
 

@@ -71,12 +71,8 @@ pub fn locate(
     if let Some((tau, slope)) = seed {
         search.look_around(tau, slope);
     }
-    let itp = Itp::new(&search.bracket, tolerance);
-    for round in 0..=halvings(tolerance) {
-        if search.is_over() {
-            break;
-        }
-        search.look(itp.probe(&search.bracket, round));
+    if !search.is_over() {
+        search.narrow();
     }
     let end = search.bracket;
     let tau = if end.holds_jump(&bracket) { end.hi } else { end.chord() };
@@ -91,13 +87,15 @@ pub(crate) const fn most_evaluations(tolerance: f64) -> u32 {
 
 /// Halvings from 1 to `tolerance`, at most 60: a fraction has no more digits than that.
 const fn halvings(tolerance: f64) -> u32 {
-    let mut halvings = 0;
-    let mut width = 1.0;
-    while width > tolerance && halvings < 60 {
-        width *= 0.5;
-        halvings += 1;
+    const MOST: u32 = 60;
+    /// The exponent that stands for 1.
+    const ONE: u64 = 1023;
+    if !(tolerance > 0.0) {
+        return MOST;
     }
-    halvings
+    // The largest power of two that is not above the tolerance.
+    let halvings = ONE.saturating_sub(tolerance.to_bits() >> 52);
+    if halvings < MOST as u64 { halvings as u32 } else { MOST }
 }
 
 /// A search in progress.
@@ -131,6 +129,17 @@ impl<G: FnMut(f64) -> f64> Search<G> {
         let beyond = seed + if reach.abs() > self.tolerance { reach } else { least };
         if self.is_inside(beyond) {
             self.look(beyond);
+        }
+    }
+
+    /// Looks where interpolation, truncation and projection say, until the bracket is narrow.
+    fn narrow(&mut self) {
+        let itp = Itp::new(&self.bracket, self.tolerance);
+        for round in 0..=halvings(self.tolerance) {
+            if self.is_over() {
+                break;
+            }
+            self.look(itp.probe(&self.bracket, round));
         }
     }
 

@@ -136,7 +136,11 @@ fn slack(spec: &GuardSpec, slope: f64) -> f64 {
 ///
 /// Depends on the set of guards only, not on their order.
 fn earliest(specs: &[GuardSpec], places: &[Place; MAX_GUARDS]) -> Option<First> {
-    let limit = places.iter().map(|place| place.tau + place.radius).fold(f64::INFINITY, f64::min);
+    let limit = specs
+        .iter()
+        .zip(places)
+        .map(|(_, place)| place.tau + place.radius)
+        .fold(f64::INFINITY, f64::min);
     if limit.is_infinite() {
         return None;
     }
