@@ -18,6 +18,10 @@ pub(crate) struct Span<'a> {
     pub(crate) end: GuardValue,
     /// Length of the step [s].
     pub(crate) h: f64,
+    /// Bound on the guard's curvature [1/s²].
+    pub(crate) bound: f64,
+    /// It is positive for certain; what it was at the start may not be known.
+    pub(crate) is_quiet: bool,
 }
 
 /// What a step holds for a guard.
@@ -147,13 +151,7 @@ impl Span<'_> {
 }
 
 /// The crossing between a high and a low point, with the cubic's own root as the seed.
-fn shut_in(
-    (cubic, turns): (&Cubic, Turns),
-    lo: f64,
-    at_lo: f64,
-    hi: f64,
-    at_hi: f64,
-) -> Crossing {
+fn shut_in((cubic, turns): (&Cubic, Turns), lo: f64, at_lo: f64, hi: f64, at_hi: f64) -> Crossing {
     let seed = cubic.first_root(turns, lo, hi).map(|tau| (tau, cubic.slope(tau)));
     Crossing::Within { bracket: Bracket { lo, at_lo, hi, at_hi }, level: 0.0, seed }
 }

@@ -104,11 +104,16 @@ impl Cubic {
                 hi = tau;
             }
             let next = tau - value / self.slope(tau);
+            let is_last = (next - tau).abs() <= LAST;
             let is_inside = next > lo && next < hi;
-            if (next - tau).abs() <= LAST {
-                return if is_inside { next } else { tau };
+            tau = match (is_inside, is_last) {
+                (true, _) => next,
+                (false, true) => tau,
+                (false, false) => 0.5 * (lo + hi),
+            };
+            if is_last {
+                break;
             }
-            tau = if is_inside { next } else { 0.5 * (lo + hi) };
         }
         tau
     }

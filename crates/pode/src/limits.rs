@@ -15,6 +15,9 @@ pub struct Limits {
     pub pieces: u32,
     /// Longest step [s], whatever the model allows.
     pub longest_step: f64,
+    /// Whether what is known of the guards' future is used: guards that are far for certain are
+    /// left alone, and a step ends just behind an event that is expected.
+    pub forecast: bool,
     /// Width to which an event is bracketed, as a fraction of the tick.
     pub event_tolerance: f64,
 }
@@ -29,6 +32,7 @@ impl Default for Limits {
             guards: 8192,
             pieces: 1024,
             longest_step: f64::INFINITY,
+            forecast: true,
             event_tolerance: DEFAULT_EVENT_TOLERANCE,
         }
     }

@@ -125,7 +125,8 @@ impl<G: FnMut(f64) -> f64> Search<G> {
         }
         let value = self.look(seed);
         let reach = 2.0 * value / slope.abs();
-        let least = self.tolerance.copysign(value);
+        // A little less than the tolerance: the sum rounds.
+        let least = (0.99 * self.tolerance).copysign(value);
         let beyond = seed + if reach.abs() > self.tolerance { reach } else { least };
         if self.is_inside(beyond) {
             self.look(beyond);

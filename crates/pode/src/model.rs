@@ -3,7 +3,6 @@
 use core::fmt::Debug;
 
 use crate::guard::{GuardId, GuardSpec, GuardValue};
-use crate::math;
 use crate::nature::Nature;
 use crate::state::State;
 use crate::stepper::{differences, unit_differences};
@@ -64,6 +63,15 @@ pub trait Guarded: Model {
     /// The guards of `mode`, at most [`MAX_GUARDS`](crate::MAX_GUARDS), in any order.
     fn guards(&self, mode: Self::Mode) -> &'static [GuardSpec];
 
+    /// Bound on the magnitude of the guard's second derivative along any motion in `mode`
+    /// [1/s²]; infinite where the model states none.
+    ///
+    /// With a bound a far guard is left alone until it could be reached, and a step is
+    /// certified to hide no pair of roots. One that is too low hides crossings.
+    fn curvature_bound(&self, _mode: Self::Mode, _guard: GuardId) -> f64 {
+        f64::INFINITY
+    }
+
     /// Returns the guard and its rate along the motion in `mode`. [GC93] eq. 8.
     fn guard(
         &self,
@@ -95,20 +103,30 @@ pub struct Reset<M: Model> {
     pub state: M::State,
     /// Impulse on whoever drives the input [readout × s].
     pub impulse: f64,
-    /// Where the impacts that follow accumulate, if they do.
+    /// Where the impacts that follow accumulate, if the model knows that they do.
     pub settles: Option<Settling<M>>,
+    /// The contact mode in which such impacts come to rest, and the state in it right now, if
+    /// the model leaves it to the intervals to tell whether they accumulate.
+    pub rests: Option<(M::Mode, M::State)>,
 }
 
 impl<M: Model> Reset<M> {
     /// A transition without an impulse.
     pub const fn to(mode: M::Mode, state: M::State) -> Self {
-        Self { mode, state, impulse: 0.0, settles: None }
+        Self { mode, state, impulse: 0.0, settles: None, rests: None }
     }
 
     /// The same with an impulse on the input [readout × s].
     #[must_use]
     pub const fn with_impulse(self, impulse: f64) -> Self {
         Self { impulse, ..self }
+    }
+
+    /// The same where impacts may come to rest in `mode`, whose state right now is `state`:
+    /// whether and when is measured by the intervals between them.
+    #[must_use]
+    pub const fn resting(self, mode: M::Mode, state: M::State) -> Self {
+        Self { rests: Some((mode, state)), ..self }
     }
 
     /// The same with a declared accumulation point.
@@ -136,11 +154,4 @@ pub struct Settling<M: Model> {
     pub state: M::State,
     /// Impulse of all the impacts until then [readout × s].
     pub impulse: f64,
-}
-
-impl<M: Model> Settling<M> {
-    /// How many impacts are over within `rest` [s], less than `after`.
-    pub(crate) fn impacts_within(&self, rest: f64) -> f64 {
-        math::floor(math::ln(1.0 - rest / self.after) / math::ln(self.ratio))
-    }
 }

@@ -53,9 +53,38 @@ pub struct Work {
     pub readouts: u32,
     /// Reset maps applied.
     pub events: u32,
+    /// Steps of which it is certain that they hide no pair of roots, see [`Verdict`].
+    pub certified: u32,
+    /// Steps of which it is likely.
+    pub likely: u32,
+    /// Steps of which nothing is known.
+    pub unknown: u32,
+}
+
+/// Whether a step can hide a pair of roots of one guard: two crossings, of which the values at
+/// the step's ends show nothing.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Verdict {
+    /// No: every guard has a bound on its curvature, and stays positive within it.
+    Certified,
+    /// Hardly: the step resolves the mode's fastest motion, so each guard is close to its
+    /// cubic, and the true guard was looked at where the cubic is lowest.
+    Likely,
+    /// The mode's rates are not known, or the step is longer than they are.
+    Unknown,
 }
 
 impl Work {
+    /// Counts a step with this verdict.
+    #[inline]
+    pub(crate) const fn judge(&mut self, verdict: Verdict) {
+        match verdict {
+            Verdict::Certified => self.certified += 1,
+            Verdict::Likely => self.likely += 1,
+            Verdict::Unknown => self.unknown += 1,
+        }
+    }
+
     /// Sum of two counts.
     #[must_use]
     pub const fn plus(self, other: Self) -> Self {
@@ -66,6 +95,9 @@ impl Work {
             guards: self.guards + other.guards,
             readouts: self.readouts + other.readouts,
             events: self.events + other.events,
+            certified: self.certified + other.certified,
+            likely: self.likely + other.likely,
+            unknown: self.unknown + other.unknown,
         }
     }
 }

@@ -22,6 +22,8 @@ pub(crate) struct Run<'a, S, W> {
     pub(crate) since_event: f64,
     /// Guards that have crossed at the present instant and have not fired yet.
     pub(crate) due: GuardSet,
+    /// Whether a step was made to end behind an expected event, since the last event.
+    pub(crate) has_aimed: bool,
     /// ∫ readout dt so far, without impulses.
     pub(crate) integral: f64,
     pub(crate) impulse: f64,
@@ -42,6 +44,7 @@ impl<'a, S, W> Run<'a, S, W> {
             cascade: 0,
             since_event: 0.0,
             due: GuardSet::EMPTY,
+            has_aimed: false,
             integral: 0.0,
             impulse: 0.0,
             readout: None,
@@ -64,6 +67,11 @@ impl<'a, S, W> Run<'a, S, W> {
     /// The width to which events are located, in time [s].
     pub(crate) fn resolution(&self) -> f64 {
         self.limits.event_tolerance * self.h
+    }
+
+    /// How much of the tick is left [s].
+    pub(crate) fn rest(&self) -> f64 {
+        (1.0 - self.theta) * self.h
     }
 
     /// Moves to `theta`; what happened at the instant before is over.

@@ -144,7 +144,9 @@ const DERIVATIVES: u32 = Rk4::EVALUATIONS;
 
 #[track_caller]
 fn check_within(tick: &Tick, limits: &Limits, x: &[f64; 3]) {
-    let Work { pieces, derivatives, jacobians, guards, readouts, events } = tick.work;
+    let Work { pieces, derivatives, jacobians, guards, readouts, events, .. } = tick.work;
+    let judged = tick.work.certified + tick.work.likely + tick.work.unknown;
+    assert!(judged <= pieces, "{tick:?}");
     assert_eq!(jacobians, 0, "an explicit method needs none");
     assert!(pieces <= limits.pieces, "{tick:?}");
     assert!(derivatives <= DERIVATIVES * limits.pieces, "{tick:?}");
@@ -209,9 +211,10 @@ prop_compose! {
         guards in 0_u32..600,
         pieces in 0_u32..40,
         longest_step in odd(1e-4..1.0),
+        forecast in any::<bool>(),
         event_tolerance in odd(1e-15..0.1),
     ) -> Limits {
-        Limits { events, cascade, followed, guards, pieces, longest_step, event_tolerance }
+        Limits { events, cascade, followed, guards, pieces, longest_step, forecast, event_tolerance }
     }
 }
 
@@ -328,6 +331,7 @@ fn work_of_typical_ticks() {
         guards,
         readouts,
         events,
+        likely: pieces,
         ..Work::default()
     };
     // The first tick takes the guards; then a look at the end of each.

@@ -210,6 +210,7 @@ fn a_step_takes_its_stated_evaluations() {
                 derivatives,
                 guards: steps,
                 readouts: 2 * steps + 1,
+                unknown: steps,
                 ..Work::default()
             };
             assert_eq!(work::<T>(f64::from(steps)), expected, "{} in {steps} steps", T::NAME);

@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 
 use crate::error::Error;
+use crate::peers::Options;
 
 /// What `cargo xtask help` prints.
 pub(crate) const USAGE: &str = "\
@@ -16,6 +17,11 @@ Chores of this workspace.
                                     checks what is heard: Debian or Ubuntu on x86_64; the
                                     first time downloads QEMU and a kernel (90 MB), then
                                     about a minute; skipped, and says so, elsewhere
+  cargo xtask peers [--quick] [--out DIR]
+                                    runs other people's ODE solvers and ours side by side
+                                    and writes results.json and table.md, by default into
+                                    benches/peers/results; a quarter of an hour, with
+                                    --quick two minutes and into target/peers/results
   cargo xtask help                  prints this
 
 Example: cargo xtask demo -- --duration 5
@@ -33,6 +39,8 @@ pub(crate) enum Task {
     Test,
     /// Play to real MIDI ports in a guest.
     GuestMidi,
+    /// Measure other people's solvers beside ours.
+    Peers(Options),
     /// Say what there is.
     Help,
 }
@@ -42,6 +50,7 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
     let Some(name) = arguments.next() else { return Ok(Task::Help) };
     let task = match name.to_str() {
         Some("demo") => return demo(arguments),
+        Some("peers") => return peers(arguments),
         Some("test") => Task::Test,
         Some("guest-midi") => Task::GuestMidi,
         Some("help" | "--help" | "-h") => Task::Help,
@@ -62,6 +71,25 @@ fn demo(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
         Some(argument) if is_help(&argument) => Ok(Task::Help),
         Some(argument) => Err(refused(&argument)),
     }
+}
+
+/// Reads what follows `peers`.
+fn peers(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
+    let mut options = Options::default();
+    while let Some(argument) = arguments.next() {
+        if is_help(&argument) {
+            return Ok(Task::Help);
+        } else if argument == "--quick" {
+            options.quick = true;
+        } else if argument == "--out"
+            && let Some(folder) = arguments.next()
+        {
+            options.out = Some(folder.into());
+        } else {
+            return Err(refused(&argument));
+        }
+    }
+    Ok(Task::Peers(options))
 }
 
 fn is_help(argument: &OsString) -> bool {
@@ -111,6 +139,15 @@ mod tests {
     fn what_follows_the_separator_is_for_letoff() {
         check("demo -- --duration 5 --help", &demo(&["--duration", "5", "--help"]));
         check("demo --", &demo(&[]));
+    }
+
+    #[test]
+    fn the_peers_take_a_folder() {
+        let options = Options { quick: true, out: Some("here".into()) };
+        check("peers --quick --out here", &Task::Peers(options));
+        check("peers", &Task::Peers(Options::default()));
+        check("peers --help", &Task::Help);
+        check_refused("peers --out", "--out");
     }
 
     #[test]

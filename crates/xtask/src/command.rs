@@ -16,7 +16,7 @@ pub(crate) fn cargo<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> 
 }
 
 /// The workspace's root: two folders above this crate.
-fn root() -> &'static Path {
+pub(crate) fn root() -> &'static Path {
     let ours = Path::new(env!("CARGO_MANIFEST_DIR"));
     ours.ancestors().nth(2).unwrap_or(ours)
 }

@@ -1,4 +1,5 @@
-//! Chores: install what is missing, play the demo, run every test, play to real MIDI ports.
+//! Chores: install what is missing, play the demo, run every test, play to real MIDI ports,
+//! measure other people's solvers beside ours.
 //!
 //! `cargo xtask help` lists them. Nothing here is part of the product, and nothing here
 //! needs a system library: it must run on the machine on which they are still missing.
@@ -12,6 +13,7 @@ mod demo;
 mod error;
 mod guest_midi;
 mod needs;
+mod peers;
 mod stage;
 mod test;
 
@@ -36,6 +38,7 @@ fn perform(task: Task) -> Result<(), Error> {
         Task::Demo { forwarded } => demo::play(forwarded),
         Task::Test => test::run(),
         Task::GuestMidi => guest_midi::run(),
+        Task::Peers(options) => peers::run(&options),
         Task::Help => {
             print!("{USAGE}");
             Ok(())

@@ -41,7 +41,8 @@ pub(super) struct Contact {
 
 impl KeyHammerSprings {
     /// q4 = (L1 sin δ − L4 cos θh + L3 sin θh)/cos δ, q3 = (L1 − L3 cos θk − L4 sin θk)/cos δ.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call hands over nine numbers through memory")]
+    #[inline(always)]
     pub(super) fn contact(&self, x: &[f64; 4]) -> Contact {
         let p = &self.values;
         let (sin_h, cos_h) = sin_cos(x[0]);
@@ -74,9 +75,10 @@ impl KeyHammerSprings {
         torques: (f64, f64),
     ) -> [f64; 2] {
         let p = &self.values;
+        let [hammer, key] = self.per_inertia;
         [
-            (torques.0 - p.m2 * p.g * p.l2 * cosines.0) / p.jh,
-            (self.coupling(x, s) - p.m1 * p.g * p.ck * cosines.1 + torques.1) / p.jk,
+            (torques.0 - p.m2 * p.g * p.l2 * cosines.0) * hammer,
+            (self.coupling(x, s) - p.m1 * p.g * p.ck * cosines.1 + torques.1) * key,
         ]
     }
 

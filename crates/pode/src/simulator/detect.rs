@@ -2,17 +2,19 @@
 
 use core::cell::Cell;
 
-use super::Simulator;
 use super::field::ModeField;
+use super::{Simulator, Taken};
 use crate::crossing::{Crossing, Span};
 use crate::dense::Dense as _;
+use crate::forecast::{Slot, due, is_certain};
 use crate::guard::{GuardSet, GuardSpec, MAX_GUARDS};
 use crate::input::Signal;
 use crate::locate::{locate, most_evaluations};
 use crate::model::Resets;
-use crate::outcome::{Cap, Fault};
+use crate::nature::{Kind, Nature};
+use crate::outcome::{Cap, Fault, Verdict};
 use crate::run::Run;
-use crate::stepper::{Step, Stepper};
+use crate::stepper::Stepper;
 
 /// The first crossing of a step: which guard, where in the step, and who else is there.
 #[derive(Clone, Copy)]
@@ -40,48 +42,90 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     pub(super) fn first_crossing<S: Signal<M::Input>, W>(
         &mut self,
         run: &mut Run<'_, S, W>,
-        step: &mut Step<M::State, T::Dense<M::State>>,
-        theta_end: f64,
+        taken: &mut Taken<M, T>,
     ) -> Result<Option<First>, Fault> {
         let specs = self.model.guards(self.mode);
-        let end_input = run.signal.at(theta_end);
-        let end_state = self.model.constrain(self.mode, step.dense.end(), &end_input);
-        let h = (theta_end - run.theta) * run.h;
         let mut places = [Place::NOWHERE; MAX_GUARDS];
-        let mut any = false;
+        let (mut any, mut verdict) = (false, Verdict::Certified);
         for (index, spec) in specs.iter().enumerate().take(MAX_GUARDS) {
-            if !run.spend_guards(1) {
-                return Ok(None);
+            let slot = &mut self.guards[index];
+            if run.limits.forecast && slot.is_asleep(taken.h) {
+                slot.later(taken.h);
+                continue;
             }
-            let end = self.model.guard(self.mode, spec.id, &end_state, &end_input);
-            if !end.value.is_finite() || !end.rate.is_finite() {
-                return Err(Fault::Guard);
-            }
-            let (stand, start) = self.guards[index];
-            self.guards[index].1 = end;
-            let span = Span { spec, stand, start, end, h };
-            if span.may_cross() {
-                if !any {
-                    self.refine(run, step, theta_end);
-                }
-                places[index] = self.crossing_place(run, step, theta_end, &span)?;
+            let Some(span) = self.span(run, taken, index, spec)? else { return Ok(None) };
+            verdict = verdict.max(self.verdict(&span));
+            if !span.is_quiet && span.may_cross() {
+                self.refine(run, taken);
+                places[index] = self.crossing_place(run, taken, &span)?;
                 any = true;
             }
         }
+        run.work.judge(verdict);
         Ok(if any { earliest(specs, &places) } else { None })
+    }
+
+    /// A guard's values at both ends of a step, and from there what it will do next; `None` if
+    /// the tick has no more evaluations.
+    #[inline]
+    fn span<'a, S: Signal<M::Input>, W>(
+        &mut self,
+        run: &mut Run<'_, S, W>,
+        taken: &Taken<M, T>,
+        index: usize,
+        spec: &'a GuardSpec,
+    ) -> Result<Option<Span<'a>>, Fault> {
+        let slot = self.guards[index];
+        let is_quiet = run.limits.forecast && slot.is_quiet(taken.h);
+        if !run.spend_guards(1 + u32::from(!slot.is_fresh && !is_quiet)) {
+            return Ok(None);
+        }
+        let guard = |x: &M::State, input: &M::Input| self.model.guard(self.mode, spec.id, x, input);
+        let end = guard(&taken.end, &taken.input);
+        // After a sleep the value at the start is not known, and not needed either.
+        let start = match slot.is_fresh || is_quiet {
+            true => slot.value,
+            false => guard(&self.state, &run.input()),
+        };
+        if ![end.value, end.rate, start.value, start.rate].iter().all(|it| it.is_finite()) {
+            return Err(Fault::Guard);
+        }
+        let bound = self.model.curvature_bound(self.mode, spec.id);
+        let mut next = Slot::new(slot.stand, spec, end, bound);
+        if T::DENSE < T::ORDER {
+            next.due = due(end, (end.rate - start.rate) / taken.h);
+        }
+        self.guards[index] = next;
+        Ok(Some(Span { spec, stand: slot.stand, start, end, h: taken.h, bound, is_quiet }))
+    }
+
+    /// Whether the step can hide a pair of this guard's roots.
+    #[inline]
+    fn verdict(&self, span: &Span<'_>) -> Verdict {
+        if span.is_quiet || is_certain(span.spec.band(), span.start, span.end, span.bound, span.h) {
+            return Verdict::Certified;
+        }
+        let Nature { kind, rate } = self.model.nature(self.mode);
+        let own = self.model.longest_step(self.mode);
+        let is_resolved = match kind {
+            // Without a rate such a mode is a polynomial in the time.
+            Kind::Affine | Kind::Linear => rate * span.h <= 1.0,
+            Kind::Smooth | Kind::Conservative | Kind::Stiff if rate > 0.0 => rate * span.h <= 1.0,
+            Kind::Smooth | Kind::Conservative | Kind::Stiff => span.h <= own && own < f64::INFINITY,
+        };
+        if is_resolved { Verdict::Likely } else { Verdict::Unknown }
     }
 
     /// Has the stepper bring the step's dense output to its full order.
     #[inline]
-    fn refine<S: Signal<M::Input>, W>(
-        &self,
-        run: &mut Run<'_, S, W>,
-        step: &mut Step<M::State, T::Dense<M::State>>,
-        theta_end: f64,
-    ) {
-        let span = theta_end - run.theta;
-        let mut field = ModeField::new(&self.model, self.mode, run.signal, (run.theta, span));
-        self.stepper.refine(&mut field, &mut step.dense, span * run.h);
+    fn refine<S: Signal<M::Input>, W>(&self, run: &mut Run<'_, S, W>, taken: &mut Taken<M, T>) {
+        if taken.is_refined {
+            return;
+        }
+        taken.is_refined = true;
+        let part = (run.theta, taken.theta_end - run.theta);
+        let mut field = ModeField::new(&self.model, self.mode, run.signal, part);
+        self.stepper.refine(&mut field, &mut taken.step.dense, taken.h);
         field.count(&mut run.work);
     }
 
@@ -90,10 +134,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     fn crossing_place<S: Signal<M::Input>, W>(
         &self,
         run: &mut Run<'_, S, W>,
-        step: &Step<M::State, T::Dense<M::State>>,
-        theta_end: f64,
+        taken: &Taken<M, T>,
         span: &Span<'_>,
     ) -> Result<Place, Fault> {
+        let (dense, theta_end) = (&taken.step.dense, taken.theta_end);
         // The tolerance is a fraction of the tick; the step is a part of it.
         let tolerance = (run.limits.event_tolerance / (theta_end - run.theta)).min(0.5);
         if !run.affords_guards(Span::LOOKS + most_evaluations(tolerance)) {
@@ -105,7 +149,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let mut guard = |tau: f64| {
             looks.set(looks.get() + 1);
             let input = signal.at(start + tau * (theta_end - start));
-            let x = model.constrain(mode, &step.dense.at(tau), &input);
+            let x = model.constrain(mode, &dense.at(tau), &input);
             model.guard(mode, span.spec.id, &x, &input).value
         };
         let place = match span.crossing(&mut guard) {

@@ -3,20 +3,23 @@
 //! Here is the tick itself; [`detect`] looks for the first crossing of a step, and
 //! [`transition`] fires guards until the present instant is over.
 
+mod accumulation;
 mod detect;
 mod field;
+mod step_end;
 mod transition;
 
 use detect::First;
 use field::ModeField;
 
 use crate::dense::Dense as _;
-use crate::epoch::{Stand, stand_after};
-use crate::guard::{GuardValue, MAX_GUARDS, Reads};
+use crate::epoch::stand_after;
+use crate::forecast::Slot;
+use crate::guard::{MAX_GUARDS, Reads};
+use crate::impacts::Impacts;
 use crate::input::Signal;
 use crate::limits::Limits;
-use crate::math;
-use crate::model::Resets;
+use crate::model::{Model, Resets};
 use crate::outcome::{Advance, Cap, Fault, Tick};
 use crate::quadrature::{LOBATTO, SIMPSON};
 use crate::run::Run;
@@ -33,13 +36,39 @@ pub struct Simulator<M: Resets, T: Stepper> {
     tick: u64,
     mode: M::Mode,
     state: M::State,
-    guards: [(Stand, GuardValue); MAX_GUARDS],
+    guards: [Slot; MAX_GUARDS],
     /// The input at the end of the last tick: guards are taken anew where it jumped.
     last_input: Option<M::Input>,
     /// Width [s] to which an event at the very end of the last tick was located, or 0.
     since_event: f64,
     /// What the stepper carries from one step to the next.
     memory: T::Memory<M::State>,
+    /// The latest impacts, to see whether they accumulate.
+    impacts: Impacts,
+    /// Whether anybody needs the readout.
+    is_read: bool,
+}
+
+/// A step that was taken and not kept yet.
+struct Taken<M: Model, T: Stepper> {
+    step: Step<M::State, T::Dense<M::State>>,
+    /// Where it ends in the tick.
+    theta_end: f64,
+    /// Its length [s].
+    h: f64,
+    /// State and input at its end, what is slaved in place.
+    end: M::State,
+    input: M::Input,
+    /// Whether its dense output has its full order.
+    is_refined: bool,
+}
+
+impl<M: Model, T: Stepper> Taken<M, T> {
+    /// Where in the tick the fraction `tau` of a step from `theta` is.
+    #[inline]
+    fn theta(&self, theta: f64, tau: f64) -> f64 {
+        if tau < 1.0 { theta + tau * (self.theta_end - theta) } else { self.theta_end }
+    }
 }
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
@@ -52,10 +81,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             tick: 0,
             mode,
             state,
-            guards: [(Stand::Resting, GuardValue::default()); MAX_GUARDS],
+            guards: [Slot::EMPTY; MAX_GUARDS],
             last_input: None,
             since_event: 0.0,
             memory: T::Memory::default(),
+            impacts: Impacts::NONE,
+            is_read: true,
         }
     }
 
@@ -63,6 +94,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     #[must_use]
     pub fn with_tick(self, tick: u64) -> Self {
         Self { tick, ..self }
+    }
+
+    /// The same where nobody needs the readout: none is evaluated, and a tick reads 0.
+    #[must_use]
+    pub fn without_readout(self) -> Self {
+        Self { is_read: false, ..self }
     }
 
     /// The model.
@@ -76,6 +113,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.model = model;
         self.last_input = None;
         self.memory.restart();
+        self.impacts = Impacts::NONE;
     }
 
     /// The present mode.
@@ -98,6 +136,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         (self.mode, self.state) = (mode, state);
         self.last_input = None;
         self.memory.restart();
+        self.impacts = Impacts::NONE;
     }
 
     /// Advances one tick of `h` [s] under the input `signal`.
@@ -158,23 +197,52 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             return run.cap(Cap::Pieces);
         }
         run.work.pieces += 1;
-        let theta_end = self.step_end(run);
-        let span = theta_end - run.theta;
-        let mut field = ModeField::new(&self.model, self.mode, run.signal, (run.theta, span));
-        let mut step = self.stepper.step(&mut field, &self.state, &mut self.memory, span * run.h);
-        field.count(&mut run.work);
-        if !step.is_accepted {
-            return;
-        }
-        if !is_finite(step.dense.end()) {
-            return run.fail(Fault::State);
-        }
-        match self.first_crossing(run, &mut step, theta_end) {
+        let Some(mut taken) = self.take_step(run) else { return };
+        match self.first_crossing(run, &mut taken) {
             Err(fault) => run.fail(fault),
             Ok(_) if !run.is_going() => {}
-            Ok(None) => _ = self.accept(run, &step, theta_end, 1.0),
-            Ok(Some(first)) => self.leave(run, &step, theta_end, &first),
+            Ok(None) => self.keep(run, &taken),
+            Ok(Some(first)) => self.leave(run, &taken, &first),
         }
+    }
+
+    /// Takes a step; `None` if the method refuses it, or its end is not finite.
+    #[inline]
+    fn take_step<S: Signal<M::Input>, W>(
+        &mut self,
+        run: &mut Run<'_, S, W>,
+    ) -> Option<Taken<M, T>> {
+        let theta_end = self.step_end(run);
+        let span = theta_end - run.theta;
+        let h = span * run.h;
+        let mut field = ModeField::new(&self.model, self.mode, run.signal, (run.theta, span));
+        let step = self.stepper.step(&mut field, &self.state, &mut self.memory, h);
+        field.count(&mut run.work);
+        if !step.is_accepted {
+            return None;
+        }
+        let input = run.signal.at(theta_end);
+        let Some(end) = self.constrained(self.mode, step.dense.end(), &input) else {
+            run.fail(Fault::State);
+            return None;
+        };
+        Some(Taken { step, theta_end, h, end, input, is_refined: false })
+    }
+
+    /// Keeps a whole step.
+    #[inline]
+    fn keep<S: Signal<M::Input>, W: Watch<M>>(
+        &mut self,
+        run: &mut Run<'_, S, W>,
+        taken: &Taken<M, T>,
+    ) {
+        self.accept(run, taken, 1.0, taken.end, &taken.input);
+        for (slot, spec) in self.guards.iter_mut().zip(self.model.guards(self.mode)) {
+            if slot.is_fresh {
+                slot.stand = stand_after(slot.stand, spec, slot.value, taken.h);
+            }
+        }
+        run.move_to(taken.theta_end);
     }
 
     /// Keeps the step up to the first crossing, and fires what crosses there.
@@ -182,14 +250,19 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     fn leave<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut Run<'_, S, W>,
-        step: &Step<M::State, T::Dense<M::State>>,
-        theta_end: f64,
+        taken: &Taken<M, T>,
         first: &First,
     ) {
         if first.tau > 0.0 {
-            if !self.accept(run, step, theta_end, first.tau) {
-                return;
-            }
+            let theta = taken.theta(run.theta, first.tau);
+            let input = run.signal.at(theta);
+            let Some(end) = self.constrained(self.mode, &taken.step.dense.at(first.tau), &input)
+            else {
+                return run.fail(Fault::State);
+            };
+            self.accept(run, taken, first.tau, end, &input);
+            self.memory.restart();
+            run.move_to(theta);
             run.since_event = run.resolution();
         }
         run.due = first.crossed;
@@ -198,79 +271,33 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
     }
 
-    /// Where the step that begins now ends: on the next line of the mode's grid.
-    #[inline]
-    fn step_end<S, W>(&self, run: &Run<'_, S, W>) -> f64 {
-        /// A rest shorter than this part of a step joins the next one.
-        const CRUMB: f64 = 1e-9;
-        /// More lines than any tick can have pieces.
-        const MOST_LINES: f64 = 1e12;
-        let own = self.model.longest_step(self.mode);
-        let longest = self
-            .stepper
-            .longest_step(&self.model.nature(self.mode), own)
-            .min(run.limits.longest_step);
-        let reach = self.memory.reach() / run.h;
-        if reach < 1.0 - run.theta {
-            return self.reached(run, reach, longest / run.h);
-        }
-        if longest >= run.h {
-            return 1.0;
-        }
-        let n = math::ceil(run.h / longest * (1.0 - CRUMB)).clamp(1.0, MOST_LINES);
-        let rounding = 4.0 * f64::EPSILON * n;
-        let k = math::floor(run.theta * n + CRUMB + rounding) + 1.0;
-        if k >= n { 1.0 } else { k / n }
-    }
-
-    /// Where a step ends that its method wants no longer than `reach`, a part of the tick.
-    fn reached<S, W>(&self, run: &Run<'_, S, W>, reach: f64, longest: f64) -> f64 {
-        let reach = reach.min(longest);
-        let rest = 1.0 - run.theta;
-        // Two even steps rather than a long one and a crumb.
-        let part = if reach < rest && 2.0 * reach > rest { 0.5 * rest } else { reach };
-        if part < rest { run.theta + part } else { 1.0 }
-    }
-
-    /// Keeps the step up to `tau` of it; `false` if the state there is not finite.
+    /// Takes over the state at `tau` of a step, and what was to be felt and seen until there.
     #[inline]
     fn accept<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut Run<'_, S, W>,
-        step: &Step<M::State, T::Dense<M::State>>,
-        theta_end: f64,
+        taken: &Taken<M, T>,
         tau: f64,
-    ) -> bool {
-        let span = theta_end - run.theta;
-        let theta = if tau < 1.0 { run.theta + tau * span } else { theta_end };
-        let input = run.signal.at(theta);
-        let Some(end) = self.constrained(self.mode, &step.dense.at(tau), &input) else {
-            run.fail(Fault::State);
-            return false;
-        };
+        end: M::State,
+        input: &M::Input,
+    ) {
         let piece = Piece {
             mode: self.mode,
-            dense: &step.dense,
-            h: span * run.h,
+            dense: &taken.step.dense,
+            h: taken.h,
             tau,
             end,
-            theta: (run.theta, theta_end),
+            theta: (run.theta, taken.theta_end),
             tick: self.tick,
             signal: run.signal,
         };
-        self.sum_readout(run, &piece, &input);
-        run.watch.piece(&self.model, &piece);
-        run.local_error = run.local_error.max(largest(&step.error));
-        self.state = end;
-        if tau < 1.0 {
-            self.memory.restart();
-        } else {
-            for (slot, spec) in self.guards.iter_mut().zip(self.model.guards(self.mode)) {
-                slot.0 = stand_after(slot.0, spec, slot.1, span * run.h);
-            }
+        if self.is_read {
+            self.sum_readout(run, &piece, input);
         }
-        run.move_to(theta);
-        true
+        run.watch.piece(&self.model, &piece);
+        run.local_error = run.local_error.max(largest(&taken.step.error));
+        self.impacts.pass(tau * taken.h);
+        self.state = end;
     }
 
     /// Adds a piece's readout to the tick's mean, by a rule that fits the dense output.
@@ -317,7 +344,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
         self.last_input = is_complete.then_some(input);
         self.since_event = run.since_event;
-        let end = run.readout.unwrap_or_else(|| self.model.readout(self.mode, &self.state, &input));
+        let end = match run.readout {
+            Some(end) => end,
+            None if self.is_read => self.model.readout(self.mode, &self.state, &input),
+            None => 0.0,
+        };
         self.tick += 1;
         let mut tick = run.into_tick(end);
         let is_finite = tick.mean_readout.is_finite() && tick.end_readout.is_finite();

@@ -2,13 +2,12 @@
 
 use super::Simulator;
 use crate::epoch::{Stand, stand};
+use crate::forecast::Slot;
 use crate::guard::{GuardId, MAX_GUARDS};
 use crate::input::Signal;
-use crate::math;
-use crate::model::{Reset, Resets, Settling};
+use crate::model::{Reset, Resets};
 use crate::outcome::{Cap, Fault};
 use crate::run::Run;
-use crate::state::State as _;
 use crate::stepper::{Memory as _, Stepper};
 use crate::watch::{Cause, Event, Watch};
 
@@ -22,7 +21,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         for _ in 0..=run.limits.cascade {
             let specs = self.model.guards(self.mode);
             let leaving = (0..specs.len().min(MAX_GUARDS))
-                .filter(|index| self.guards[*index].0 == Stand::Leaving)
+                .filter(|index| self.guards[*index].stand == Stand::Leaving)
                 .min_by_key(|index| (specs[*index].priority, specs[*index].id.0));
             let Some(index) = leaving else { return };
             if !self.fire(run, index) {
@@ -46,53 +45,30 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             return false;
         }
         run.cascade += 1;
+        run.has_aimed = false;
         let spec = &self.model.guards(self.mode)[index];
-        run.due.remove(spec.id);
+        let fired = spec.id;
+        run.due.remove(fired);
         let input = run.input();
         let reset = self.model.reset(self.mode, spec.id, &self.state, &input);
         let from = self.mode;
         if !self.land(run, Cause::Guard(spec), &reset, &input) {
             return false;
         }
-        if let Some(settling) = reset.settles.filter(|it| is_due(run, it)) {
-            return self.accumulate(run, &settling) && self.take_guards(run, None);
+        if !self.take_guards(run, Some(from)) {
+            return false;
         }
-        let taken = self.take_guards(run, Some(from));
-        self.disarm_if_spent(from, spec.id);
-        taken
-    }
-
-    /// Takes a declared Zeno sequence in one move: to its end if that lies within the
-    /// tick, otherwise over all the impacts that do.
-    fn accumulate<S, W>(&mut self, run: &mut Run<'_, S, W>, settling: &Settling<M>) -> bool
-    where
-        S: Signal<M::Input>,
-        W: Watch<M>,
-    {
-        let rest = (1.0 - run.theta) * run.h;
-        let (part, mode, cause) = if settling.after <= rest {
-            (1.0, settling.mode, Cause::Settled)
-        } else {
-            let n = settling.impacts_within(rest);
-            (1.0 - math::powf(settling.ratio, n), self.mode, Cause::Impacts(n))
-        };
-        let way = settling.state.plus(-1.0, &self.state);
-        let reset = Reset::to(mode, self.state.plus(part, &way));
-        let theta = (run.theta + part * settling.after / run.h).max(run.theta).min(1.0);
-        let duration = (theta - run.theta) * run.h;
-        // Between the impacts the readout goes its way, nearly straight.
-        let start = self.model.readout(self.mode, &self.state, &run.input());
-        run.move_to(theta);
-        run.since_event = run.resolution();
-        let input = run.input();
-        let end = self.model.readout(self.mode, &reset.state, &input);
-        run.integral += 0.5 * duration * (start + end);
-        run.work.readouts += 2;
-        self.land(run, cause, &reset.with_impulse(part * settling.impulse), &input)
+        match self.accumulates(run, &reset, fired) {
+            None => {
+                self.disarm_if_spent(from, fired);
+                true
+            }
+            Some(goes_on) => goes_on && self.take_guards(run, None),
+        }
     }
 
     /// Takes over what a reset map gave, and tells the watch; `false` if it is not finite.
-    fn land<S, W>(
+    pub(super) fn land<S, W>(
         &mut self,
         run: &mut Run<'_, S, W>,
         cause: Cause<'_>,
@@ -133,7 +109,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Notes that every guard that was positive crosses if the input's jump makes it negative.
     pub(super) fn expect_jumps<S, W>(&self, run: &mut Run<'_, S, W>) {
         for (slot, spec) in self.guards.iter().zip(self.model.guards(self.mode)) {
-            if slot.0 == Stand::Armed {
+            if slot.stand == Stand::Armed {
                 run.due.insert(spec.id);
             }
         }
@@ -167,10 +143,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             let now = stand(spec, value, run.h, run.since_event);
             let stands = match from {
                 _ if is_due => now.crossed(),
-                Some(mode) if mode == self.mode => now.again(slot.0),
+                Some(mode) if mode == self.mode => now.again(slot.stand),
                 _ => now,
             };
-            *slot = (stands, value);
+            *slot = Slot::new(stands, spec, value, self.model.curvature_bound(self.mode, spec.id));
             if stands != Stand::Leaving {
                 run.due.remove(spec.id);
             }
@@ -184,19 +160,9 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             return;
         }
         for (slot, spec) in self.guards.iter_mut().zip(self.model.guards(self.mode)) {
-            if spec.id == fired && matches!(slot.0, Stand::Leaving | Stand::Resting) {
-                slot.0 = Stand::Disarmed;
+            if spec.id == fired && matches!(slot.stand, Stand::Leaving | Stand::Resting) {
+                slot.stand = Stand::Disarmed;
             }
         }
     }
-}
-
-/// Whether a declared Zeno sequence is taken in one move: when enough of its impacts
-/// were followed one by one in this tick, or they are too close to tell apart.
-fn is_due<M: Resets, S, W>(run: &Run<'_, S, W>, settling: &Settling<M>) -> bool {
-    let is_soon = run.work.events >= run.limits.followed || settling.after <= run.resolution();
-    let rest = (1.0 - run.theta) * run.h;
-    is_soon
-        && run.work.events < run.limits.events
-        && (settling.after <= rest || settling.impacts_within(rest) >= 1.0)
 }

@@ -56,14 +56,14 @@ impl<T: Stepper> Stepper for Exact<T> {
     ) -> Step<S, Self::Dense<S>> {
         let nature = field.nature();
         if nature.is_linear() {
-            let forcing = match nature.kind {
-                Kind::Affine => [field.derivative(0.0, &S::ZERO), S::ZERO, S::ZERO, S::ZERO],
-                Kind::Linear | Kind::Smooth | Kind::Conservative | Kind::Stiff => {
-                    cubic(PLACES.map(|tau| field.derivative(tau, &S::ZERO)))
-                }
-            };
             let a = field.jacobian(0.0, x0);
-            return Step::new(Either::Left(series(&a, &forcing, x0, h)));
+            let flow = if nature.kind == Kind::Affine {
+                series(&a, &[field.derivative(0.0, &S::ZERO)], x0, h)
+            } else {
+                let forcing = PLACES.map(|tau| field.derivative(tau, &S::ZERO));
+                series(&a, &cubic(forcing), x0, h)
+            };
+            return Step::new(Either::Left(flow));
         }
         let Step { dense, error, is_accepted } = self.other.step(field, x0, memory, h);
         Step { dense: Either::Right(dense), error, is_accepted }
@@ -108,10 +108,10 @@ fn cubic<S: State>([r0, r1, r2, r3]: [S; 4]) -> [S; 4] {
 /// longer count in any entry. One that does not end within its terms ends in NaN: the rate
 /// that the model states is too low by far.
 #[inline]
-fn series<S: State>(a: &S::Matrix, forcing: &[S; 4], x0: &S, h: f64) -> Flow<S> {
+fn series<S: State>(a: &S::Matrix, forcing: &[S], x0: &S, h: f64) -> Flow<S> {
     let mut terms = [S::ZERO; TERMS];
-    (terms[0], terms[1]) = (*x0, a.apply(x0).plus(1.0, &forcing[0]).times(h));
-    let (mut sum, mut used, mut small) = (terms[0].plus(1.0, &terms[1]), 2, 0);
+    terms[0] = *x0;
+    let (mut sum, mut used, mut small) = (*x0, 1, 0);
     while used < TERMS {
         let mut slope = a.apply(&terms[used - 1]);
         if let Some(force) = forcing.get(used - 1) {
@@ -122,7 +122,7 @@ fn series<S: State>(a: &S::Matrix, forcing: &[S; 4], x0: &S, h: f64) -> Flow<S> 
         // Two in a row: in an oscillation every other term of an entry may vanish.
         small = if next == sum { small + 1 } else { 0 };
         (sum, used) = (next, used + 1);
-        if small == 2 && used > forcing.len() {
+        if small >= 2 && used > forcing.len() + 1 {
             return Flow::new(terms, sum).truncated(used);
         }
     }

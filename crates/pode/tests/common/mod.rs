@@ -6,8 +6,8 @@ pub mod head;
 
 use pode::stepper::Rk4;
 use pode::{
-    Advance, Event, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets,
-    Settling, Simulator, Stepper, Tick, Watch,
+    Advance, Event, GuardId, GuardSpec, GuardValue, Guarded, Kind, Limits, Model, Nature, Reset,
+    Resets, Settling, Simulator, Stepper, Tick, Watch,
 };
 
 pub const G: f64 = 9.81;
@@ -138,6 +138,10 @@ impl Model for Ball {
             BallMode::Flight => [x[1], -G],
             BallMode::Rest => [0.0, 0.0],
         }
+    }
+
+    fn nature(&self, _: BallMode) -> Nature {
+        Nature::new(Kind::Affine, 0.0)
     }
 
     fn readout(&self, mode: BallMode, _: &[f64; 2], (): &()) -> f64 {

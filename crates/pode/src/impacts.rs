@@ -1,0 +1,173 @@
+//! Impacts of one guard, as they come: whether they accumulate, where, and with what impulse.
+//!
+//! A bouncing thing meets its floor at ever shorter intervals. If these shrink like a geometric
+//! sequence, or ever more like one, infinitely many of them fit into a finite time (Zeno); if
+//! they tend to a constant, they do not, however much they shrink at first: a pendulum against
+//! a wall keeps its period. Aitken's Δ² tells the two apart: it is the limit of the intervals.
+
+use crate::guard::GuardId;
+
+/// Changes of a ratio below this may be rounding: an interval is known to some 1e-9 of it.
+const NOISE: f64 = 1e-6;
+
+/// The latest impacts of one guard.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Impacts {
+    guard: Option<GuardId>,
+    /// Time since the latest one [s].
+    since: f64,
+    /// Times between them [s], newest first; 0 where there was none yet.
+    intervals: [f64; 4],
+    /// Their impulses, newest first.
+    impulses: [f64; 4],
+}
+
+/// A sequence of impacts that comes to its end.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Accumulation {
+    /// From the latest impact to the last of them all [s].
+    pub(crate) after: f64,
+    /// How far `after` may be wrong [s], by what the ratio did last.
+    pub(crate) error: f64,
+    /// Each interval's ratio to the one before, as it will be.
+    pub(crate) ratio: f64,
+    /// Impulse of all that are to come.
+    pub(crate) impulse: f64,
+}
+
+impl Impacts {
+    pub(crate) const NONE: Self =
+        Self { guard: None, since: 0.0, intervals: [0.0; 4], impulses: [0.0; 4] };
+
+    /// Time passes [s].
+    #[inline]
+    pub(crate) fn pass(&mut self, dt: f64) {
+        self.since += dt;
+    }
+
+    /// The guard has thrown something back, with this impulse.
+    pub(crate) fn strike(&mut self, guard: GuardId, impulse: f64) {
+        if self.guard == Some(guard) {
+            self.intervals = pushed(self.intervals, self.since);
+        } else {
+            *self = Self { guard: Some(guard), ..Self::NONE };
+        }
+        self.impulses = pushed(self.impulses, impulse);
+        self.since = 0.0;
+    }
+
+    /// Where the impacts accumulate, if they do.
+    pub(crate) fn accumulation(&self) -> Option<Accumulation> {
+        /// The intervals' limit, as a part of the newest, that still counts as zero.
+        const NOTHING: f64 = 0.05;
+        let [c, b, a, first] = self.intervals;
+        let shrinks = 0.0 < c && c < b && b < a;
+        // Aitken's limit of the intervals: 0 for a geometric sequence.
+        let limit = c - (c - b) * (c - b) / ((c - b) - (b - a));
+        if !shrinks || limit.abs() > NOTHING * c || !limit.is_finite() {
+            return None;
+        }
+        let now = c / b;
+        let after = remaining(self.intervals)?;
+        // What the change of the ratio adds is known to about its own square, and to what one
+        // change more or less of its last size would make; rounding is part of that.
+        let added = (after - c * now / (1.0 - now)).abs();
+        let wavers = ((now - b / a) - (b / a - a / first)).abs().min((now - b / a).abs());
+        let error = (30.0 * added * added / after).max(wavers * after / (1.0 - now));
+        // Impacts without an impulse on the input have none to come.
+        let impulse = remaining(self.impulses).unwrap_or(0.0);
+        after.is_finite().then_some(Accumulation { after, error, ratio: now, impulse })
+    }
+}
+
+/// `list` with `newest` before it, and the oldest gone.
+fn pushed([a, b, c, _]: [f64; 4], newest: f64) -> [f64; 4] {
+    [newest, a, b, c]
+}
+
+/// Σ of all that follow a sequence of which these were the last four, newest first; `None` if
+/// the sum is not finite.
+///
+/// The ratio of one to the one before tends to a constant, and its distance from there shrinks
+/// by a factor of its own: like a power of the speed, whatever the law of the impact is.
+fn remaining([d, c, b, a]: [f64; 4]) -> Option<f64> {
+    /// Terms before the rest is summed up as a geometric sequence.
+    const TERMS: usize = 48;
+    let [first, second, third] = [b / a, c / b, d / c];
+    let shrinks = (third - second) / (second - first);
+    // Where the ratio is constant but for rounding, that quotient says nothing; and it shrinks
+    // at least like the speed itself.
+    let is_noise = (third - second).abs() < NOISE;
+    let shrinks = if is_noise { 0.0 } else { shrinks.max(0.0).min(third) };
+    let (mut ratio, mut change) = (third, third - second);
+    let (mut term, mut sum) = (d, 0.0);
+    for _ in 0..TERMS {
+        change *= shrinks;
+        ratio += change;
+        term *= ratio;
+        sum += term;
+    }
+    let sum = sum + term * ratio / (1.0 - ratio);
+    (sum.is_finite() && ratio < 1.0).then_some(sum)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is made of impacts at these intervals, each with this impulse.
+    fn after(intervals: &[f64], impulses: &[f64]) -> Option<Accumulation> {
+        let mut impacts = Impacts::NONE;
+        impacts.strike(GuardId(0), impulses[0]);
+        for (interval, impulse) in intervals.iter().zip(&impulses[1..]) {
+            impacts.pass(*interval);
+            impacts.strike(GuardId(0), *impulse);
+        }
+        impacts.accumulation()
+    }
+
+    #[test]
+    fn a_geometric_sequence_ends_where_its_sum_does() {
+        for e in [0.1, 0.5, 0.9, 0.99] {
+            let powers = [1.0, e, e * e, e * e * e, e * e * e * e];
+            let end = after(&powers[..4], &powers).expect("an end");
+            let rest = powers[4] / (1.0 - e);
+            assert!((end.after - rest).abs() < 1e-12 * rest, "e {e}: {end:?}");
+            let impulse = powers[4] * e / (1.0 - e);
+            assert!((end.impulse - impulse).abs() < 1e-12 * impulse, "e {e}: {end:?}");
+        }
+    }
+
+    #[test]
+    fn a_ratio_that_still_changes_is_followed_to_its_limit() {
+        // Intervals whose ratio is 0.6 less a part of the interval itself.
+        let mut intervals = vec![0.2];
+        for _ in 0..200 {
+            let last = *intervals.last().expect("one");
+            intervals.push(last * (0.6 - 0.5 * last));
+        }
+        for n in 8..12 {
+            let rest: f64 = intervals[n..].iter().sum();
+            let end = after(&intervals[n - 4..n], &[5.0, 4.0, 3.0, 2.0, 1.0]).expect("an end");
+            let error = (end.after - rest).abs();
+            assert!(
+                error < 60.0 * intervals[n] * intervals[n] * rest,
+                "{n}: {error:e} of {rest:e}"
+            );
+            assert!(error <= end.error, "{n}: {error:e}, not within {:e}", end.error);
+        }
+    }
+
+    #[test]
+    fn intervals_that_tend_to_a_constant_never_end() {
+        for e in [0.5_f64, 0.9, 0.99] {
+            for n in 0..60 {
+                let at = |k: i32| 1.0 + 0.3 * e.powi(n + k);
+                let end = after(&[at(0), at(1), at(2), at(3)], &[1.0, e, e * e, e * e * e, 1e-3]);
+                assert_eq!(end, None, "e {e} from {n}");
+            }
+        }
+        assert_eq!(after(&[1.0; 4], &[1.0; 5]), None);
+        assert_eq!(after(&[1.0, 1.1, 1.2, 1.3], &[1.0; 5]), None, "they grow");
+    }
+}

@@ -1,0 +1,166 @@
+//! Impacts that accumulate (Zeno), taken in one move: to where they come to rest, or over all
+//! that one tick holds.
+//!
+//! A model declares such a sequence in closed form ([`Settling`]), or names the mode in which
+//! its impacts would come to rest ([`Reset::rests`]) and the intervals tell the rest.
+
+use super::Simulator;
+use super::field::ModeField;
+use crate::dense::Dense as _;
+use crate::guard::GuardId;
+use crate::impacts::{Accumulation, Impacts};
+use crate::input::Signal;
+use crate::math;
+use crate::model::{Reset, Resets, Settling};
+use crate::run::Run;
+use crate::state::State as _;
+use crate::stepper::Stepper;
+use crate::watch::{Cause, Watch};
+
+/// A hop must rise above this many times the width of rounding to be seen.
+const SEEN: f64 = 64.0;
+
+/// And above this many to be measured: where it rises to H, rounding by δ takes δ/H of its
+/// speed, and of all that is concluded from it.
+const MEASURED: f64 = 1_048_576.0;
+
+/// How far a sequence is taken in one move.
+struct Move {
+    /// Which part of the sequence's time, 0 ..= 1.
+    part: f64,
+    /// Which part of the motion is left after it.
+    left: f64,
+    cause: Cause<'static>,
+}
+
+impl Move {
+    /// To the end if that lies within `rest` [s], otherwise over the impacts that do.
+    fn within(rest: f64, after: f64, ratio: f64) -> Self {
+        if after <= rest {
+            return Self { part: 1.0, left: 0.0, cause: Cause::Settled };
+        }
+        let n = impacts_within(rest, after, ratio);
+        let left = math::powf(ratio, n);
+        Self { part: 1.0 - left, left, cause: Cause::Impacts(n) }
+    }
+}
+
+/// How many impacts are over within `rest` [s], less than `after`: `after (1 − ratioⁿ)` has
+/// passed with the n-th.
+fn impacts_within(rest: f64, after: f64, ratio: f64) -> f64 {
+    math::floor(math::ln(1.0 - rest / after) / math::ln(ratio))
+}
+
+impl<M: Resets, T: Stepper> Simulator<M, T> {
+    /// Takes the impacts that follow the reset of `fired` in one move if they accumulate and it
+    /// is time to; tells then whether the tick goes on.
+    pub(super) fn accumulates<S: Signal<M::Input>, W: Watch<M>>(
+        &mut self,
+        run: &mut Run<'_, S, W>,
+        reset: &Reset<M>,
+        fired: GuardId,
+    ) -> Option<bool> {
+        if let Some(settling) = &reset.settles {
+            let is_due = self.is_worth_it(run, (settling.after, settling.ratio), (fired, SEEN));
+            return is_due.then(|| self.accumulate(run, settling));
+        }
+        let rest = reset.rests?;
+        self.impacts.strike(fired, reset.impulse);
+        let end = self.impacts.accumulation()?;
+        let is_due = self.is_worth_it(run, (end.after, end.ratio), (fired, MEASURED));
+        (is_due && self.is_sure(run, rest.0, &end)).then(|| self.come_to_rest(run, rest, &end))
+    }
+
+    /// Takes a declared sequence in one move.
+    fn accumulate<S: Signal<M::Input>, W: Watch<M>>(
+        &mut self,
+        run: &mut Run<'_, S, W>,
+        settling: &Settling<M>,
+    ) -> bool {
+        let it = Move::within(run.rest(), settling.after, settling.ratio);
+        let mode = if it.left > 0.0 { self.mode } else { settling.mode };
+        let way = settling.state.plus(-1.0, &self.state);
+        let reset = Reset::to(mode, self.state.plus(it.part, &way))
+            .with_impulse(it.part * settling.impulse);
+        self.jump(run, it.part * settling.after, it.cause, &reset)
+    }
+
+    /// Takes a measured sequence in one move: the resting mode's own motion goes on, and what
+    /// is left of the bouncing rides on it.
+    fn come_to_rest<S: Signal<M::Input>, W: Watch<M>>(
+        &mut self,
+        run: &mut Run<'_, S, W>,
+        (resting, at_rest): (M::Mode, M::State),
+        end: &Accumulation,
+    ) -> bool {
+        let it = Move::within(run.rest(), end.after, end.ratio);
+        let mode = if it.left > 0.0 { self.mode } else { resting };
+        let time = it.part * end.after;
+        let part = (run.theta, time / run.h);
+        let mut field = ModeField::new(&self.model, resting, run.signal, part);
+        let mut memory = T::Memory::default();
+        let step = self.stepper.step(&mut field, &at_rest, &mut memory, time);
+        field.count(&mut run.work);
+        let bouncing = self.state.plus(-1.0, &at_rest);
+        let reset = Reset::to(mode, step.dense.end().plus(it.left, &bouncing))
+            .with_impulse(it.part * end.impulse);
+        self.jump(run, time, it.cause, &reset)
+    }
+
+    /// Lands `time` [s] from now, with the readout going its way between the impacts, nearly
+    /// straight.
+    fn jump<S: Signal<M::Input>, W: Watch<M>>(
+        &mut self,
+        run: &mut Run<'_, S, W>,
+        time: f64,
+        cause: Cause<'_>,
+        reset: &Reset<M>,
+    ) -> bool {
+        let theta = (run.theta + time / run.h).max(run.theta).min(1.0);
+        let (from, duration) = (run.input(), (theta - run.theta) * run.h);
+        run.move_to(theta);
+        run.since_event = run.resolution();
+        let to = run.input();
+        if self.is_read {
+            let start = self.model.readout(self.mode, &self.state, &from);
+            let end = self.model.readout(self.mode, &reset.state, &to);
+            run.integral += 0.5 * duration * (start + end);
+            run.work.readouts += 2;
+        }
+        self.impacts = Impacts::NONE;
+        self.land(run, cause, reset, &to)
+    }
+
+    /// Whether a measured sequence is known well enough to be taken in one move to `resting`:
+    /// to a part of the tick, or as well as the tick's last events allow.
+    fn is_sure<S, W>(&self, run: &Run<'_, S, W>, resting: M::Mode, end: &Accumulation) -> bool {
+        /// 1 ns at 1 ms.
+        const PART: f64 = 1.0 / 1_048_576.0;
+        /// Events kept back for what comes after the impacts.
+        const SPARE: u32 = 2;
+        let is_exact = end.error <= PART * run.h;
+        let is_last = run.work.events + SPARE >= run.limits.events;
+        let own = self.model.longest_step(resting);
+        let longest = self.stepper.longest_step(&self.model.nature(resting), own);
+        (is_exact || is_last) && end.after.min(run.rest()) <= longest
+    }
+
+    /// Whether enough impacts were followed one by one in this tick, or they are too close to
+    /// tell apart, in time or in the guard's own rounding; and a move takes at least one.
+    fn is_worth_it<S, W>(
+        &self,
+        run: &Run<'_, S, W>,
+        (after, ratio): (f64, f64),
+        (fired, bands): (GuardId, f64),
+    ) -> bool {
+        // A hop rises to a quarter of its first rate times the time that it takes.
+        let is_flat = self.guards.iter().zip(self.model.guards(self.mode)).any(|(slot, spec)| {
+            let rise = 0.25 * slot.value.rate * after * (1.0 - ratio);
+            spec.id == fired && rise <= bands * spec.band()
+        });
+        let is_soon = is_flat || run.work.events >= run.limits.followed;
+        (is_soon || after <= run.resolution())
+            && run.work.events < run.limits.events
+            && (after <= run.rest() || impacts_within(run.rest(), after, ratio) >= 1.0)
+    }
+}

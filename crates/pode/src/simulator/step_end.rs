@@ -1,0 +1,71 @@
+//! Where the next step ends: on the mode's grid, as far as its method reaches, and just behind
+//! an event that is expected.
+
+use super::Simulator;
+use crate::epoch::Stand;
+use crate::math;
+use crate::model::Resets;
+use crate::run::Run;
+use crate::stepper::{Memory as _, Stepper};
+
+impl<M: Resets, T: Stepper> Simulator<M, T> {
+    /// Where the step that begins now ends.
+    #[inline]
+    pub(super) fn step_end<S, W>(&self, run: &mut Run<'_, S, W>) -> f64 {
+        let end = self.line(run);
+        // Where the dense output is as good as the end there is nothing to gain.
+        let may_aim = T::DENSE < T::ORDER && run.limits.forecast && !run.has_aimed;
+        if may_aim { self.aimed(run, end) } else { end }
+    }
+
+    /// Just behind the first event that is expected before `end`, or there.
+    #[inline]
+    fn aimed<S, W>(&self, run: &mut Run<'_, S, W>, end: f64) -> f64 {
+        /// Part by which the expected time may be short.
+        const MARGIN: f64 = 0.02;
+        /// Part of the step before which it is not worth while.
+        const WORTH: f64 = 0.02;
+        let h = (end - run.theta) * run.h;
+        let armed = self.guards.iter().filter(|slot| slot.stand == Stand::Armed);
+        let due = armed.map(|slot| slot.due).fold(f64::INFINITY, f64::min) * (1.0 + MARGIN);
+        if due < WORTH * h || due >= h {
+            return end;
+        }
+        run.has_aimed = true;
+        run.theta + due / run.h
+    }
+
+    /// The next line of the mode's grid, or as far as the method reaches.
+    #[inline]
+    fn line<S, W>(&self, run: &Run<'_, S, W>) -> f64 {
+        /// A rest shorter than this part of a step joins the next one.
+        const CRUMB: f64 = 1e-9;
+        /// More lines than any tick can have pieces.
+        const MOST_LINES: f64 = 1e12;
+        let own = self.model.longest_step(self.mode);
+        let longest = self
+            .stepper
+            .longest_step(&self.model.nature(self.mode), own)
+            .min(run.limits.longest_step);
+        let reach = self.memory.reach() / run.h;
+        if reach < 1.0 - run.theta {
+            return self.reached(run, reach, longest / run.h);
+        }
+        if longest >= run.h {
+            return 1.0;
+        }
+        let n = math::ceil(run.h / longest * (1.0 - CRUMB)).clamp(1.0, MOST_LINES);
+        let rounding = 4.0 * f64::EPSILON * n;
+        let k = math::floor(run.theta * n + CRUMB + rounding) + 1.0;
+        if k >= n { 1.0 } else { k / n }
+    }
+
+    /// Where a step ends that its method wants no longer than `reach`, a part of the tick.
+    fn reached<S, W>(&self, run: &Run<'_, S, W>, reach: f64, longest: f64) -> f64 {
+        let reach = reach.min(longest);
+        let rest = 1.0 - run.theta;
+        // Two even steps rather than a long one and a crumb.
+        let part = if reach < rest && 2.0 * reach > rest { 0.5 * rest } else { reach };
+        if part < rest { run.theta + part } else { 1.0 }
+    }
+}

@@ -1,0 +1,205 @@
+//! What is known of a guard's future, carried from tick to tick ([GC93] 5.1): fewer
+//! evaluations in every tick, the worst one included, and events where the method is at its best.
+
+mod common;
+
+use common::head::{CONTACTS, Head};
+use common::{G, run};
+use pode::stepper::Rk4;
+use pode::{
+    GuardId, GuardSpec, GuardValue, Guarded, Kind, Limits, Model, Nature, Reset, Resets, Silent,
+    Simulator, Work,
+};
+
+/// A pendulum between a wall at its lowest point and seven more that it never reaches:
+/// angle [rad] and its rate. |θ''| ≤ ω0² everywhere, which bounds every guard's curvature.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Walled {
+    is_bounded: bool,
+}
+
+impl Model for Walled {
+    type Mode = ();
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], -G * x[0].sin()]
+    }
+
+    fn readout(&self, (): (), _: &[f64; 2], (): &()) -> f64 {
+        0.0
+    }
+
+    fn nature(&self, (): ()) -> Nature {
+        Nature::new(Kind::Conservative, G.sqrt())
+    }
+}
+
+impl Guarded for Walled {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        const WALLS: [GuardSpec; 8] = {
+            let mut walls = [GuardSpec::new(0, "wall").of_state(); 8];
+            let mut n = 1;
+            while n < 8 {
+                walls[n] = GuardSpec::new(n as u8, "far wall").of_state();
+                n += 1;
+            }
+            walls
+        };
+        &WALLS
+    }
+
+    fn guard(&self, (): (), id: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
+        if id.0 == 0 { GuardValue::new(x[0], x[1]) } else { GuardValue::new(1.3 - x[0], -x[1]) }
+    }
+
+    fn curvature_bound(&self, (): (), _: GuardId) -> f64 {
+        if self.is_bounded { G } else { f64::INFINITY }
+    }
+}
+
+impl Resets for Walled {
+    fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
+        Reset::to((), [0.0, -0.9 * x[1]])
+    }
+}
+
+/// Every event's time in 5 s at 1 ms, the work of the worst tick, and that of all.
+fn swing(is_bounded: bool) -> (Vec<f64>, Work, Work) {
+    let limits = Limits::default();
+    let mut pendulum = Simulator::new(Walled { is_bounded }, Rk4, limits, (), [1.2, 0.0]);
+    let (recorder, ticks) = run(&mut pendulum, 1e-3, 0.0, 5.0);
+    common::all_completed(&ticks);
+    let worst = ticks.iter().skip(1).max_by_key(|tick| tick.work.guards).expect("a tick");
+    let sum = ticks.iter().fold(Work::default(), |sum, tick| sum.plus(tick.work));
+    (recorder.times(), worst.work, sum)
+}
+
+#[test]
+fn far_guards_are_left_alone_and_every_tick_is_cheaper_the_worst_one_too() {
+    let (times, worst, sum) = swing(true);
+    let (plain_times, plain_worst, plain_sum) = swing(false);
+    assert_eq!((times.len(), plain_times.len()), (5, 5));
+    for (time, plain) in times.iter().zip(&plain_times) {
+        // The same events; a step that ends behind one may end elsewhere.
+        common::close("an impact", *time, *plain, 1e-12);
+    }
+    // Eight guards a tick, 5000 ticks; with a bound, each when its worst parabola comes near.
+    assert!(plain_sum.guards > 40_000 && sum.guards < 2_000, "{plain_sum:?}\n{sum:?}");
+    // The tick with the impact: all guards are taken anew after it; before it and at the end
+    // of the tick only the wall itself, with its two looks.
+    assert!(plain_worst.guards >= 8 + 8 + 8 + 2, "{plain_worst:?}");
+    assert!(worst.guards <= 1 + 3 + 8 + 1, "{worst:?}");
+    assert_eq!(worst.derivatives, plain_worst.derivatives);
+}
+
+#[test]
+fn bounded_guards_certify_their_steps() {
+    let (_, _, sum) = swing(true);
+    // All but the steps in which a guard is so near that it might dip and come back.
+    assert_eq!(sum.unknown, 0);
+    assert!(sum.likely < 30 && sum.certified > 4970, "{sum:?}");
+    let (_, _, sum) = swing(false);
+    assert_eq!((sum.certified, sum.unknown), (0, 0));
+}
+
+/// Error of the exit speed of a contact of 1e5 N/m from `start` [s] before, in steps of
+/// `radians`, and its derivatives.
+fn exit_speed(radians: f64, start: f64, forecast: bool) -> (f64, u32) {
+    let head = Head { k: CONTACTS[1][0] };
+    let h = radians / head.omega();
+    let limits = Limits { forecast, longest_step: h, ..Limits::default() };
+    let (t, v) = (start * h, 1.0 - G * start * h);
+    let at = [v * t + 0.5 * G * t * t, -v];
+    let mut head = Simulator::new(head, Rk4, limits, common::head::Mode::Flight, at);
+    let mut recorder = common::Recorder::new(h);
+    let mut derivatives = 0;
+    while recorder.seen.len() < 3 {
+        let tick = head.advance(h, &|_| (), &mut recorder);
+        derivatives += tick.work.derivatives;
+    }
+    ((recorder.seen[2].before[1] - 1.0).abs(), derivatives)
+}
+
+#[test]
+fn an_expected_event_lies_at_a_steps_end_and_costs_no_more() {
+    // RK4's third-order dense output takes (ωh)⁴/69 of the amplitude where an event lies in
+    // the middle of a step; at the step's end a fiftieth of that is left.
+    for radians in [0.05, 0.04] {
+        let (mut with, mut without) = ((0.0_f64, 0), (0.0_f64, 0));
+        for n in 0..20 {
+            let start = f64::from(n) / 20.0 + 0.01;
+            let sum = |sum: (f64, u32), it: (f64, u32)| (sum.0.max(it.0), sum.1 + it.1);
+            with = sum(with, exit_speed(radians, start, true));
+            without = sum(without, exit_speed(radians, start, false));
+        }
+        assert!(with.0 < 0.2 * without.0, "{radians}: {:e}, without {:e}", with.0, without.0);
+        let more = f64::from(with.1) / f64::from(without.1);
+        assert!(more < 1.02, "{radians}: {} derivatives, without {}", with.1, without.1);
+    }
+}
+
+#[test]
+fn a_bound_that_is_exact_hides_nothing() {
+    // A parabola that touches its bound everywhere: thrown up so that it comes back late.
+    for h in common::STEPS {
+        let mut ball = Simulator::new(Tossed, Rk4, Limits::default(), (), [0.0, 9.81]);
+        let (recorder, ticks) = run(&mut ball, h, 0.0, 2.5);
+        common::all_completed(&ticks);
+        assert_eq!(recorder.seen.len(), 1, "h {h}");
+        common::close("back on the floor", recorder.seen[0].t, 2.0, 1e-12);
+        let guards: u32 = ticks.iter().map(|tick| tick.work.guards).sum();
+        assert!(f64::from(guards) < 20.0 + 0.55 / h, "h {h}: {guards} guards");
+    }
+}
+
+/// A ball that is thrown up and stays where it falls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Tossed;
+
+impl Model for Tossed {
+    type Mode = ();
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], if x[1] == 0.0 { 0.0 } else { -G }]
+    }
+
+    fn readout(&self, (): (), _: &[f64; 2], (): &()) -> f64 {
+        0.0
+    }
+}
+
+impl Guarded for Tossed {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        const FLOOR: [GuardSpec; 1] = [GuardSpec::new(0, "floor").of_state().on_crossing()];
+        &FLOOR
+    }
+
+    fn guard(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
+        GuardValue::new(x[0], x[1])
+    }
+
+    fn curvature_bound(&self, (): (), _: GuardId) -> f64 {
+        G
+    }
+}
+
+impl Resets for Tossed {
+    fn reset(&self, (): (), _: GuardId, _: &[f64; 2], (): &()) -> Reset<Self> {
+        Reset::to((), [0.0, 0.0])
+    }
+}
+
+#[test]
+fn nothing_is_forecast_where_that_is_switched_off() {
+    let limits = Limits { forecast: false, ..Limits::default() };
+    let model = Walled { is_bounded: true };
+    let mut pendulum = Simulator::new(model, Rk4, limits, (), [1.2, 0.0]);
+    let _ = pendulum.advance(1e-3, &|_| (), &mut Silent);
+    assert_eq!(pendulum.advance(1e-3, &|_| (), &mut Silent).work.guards, 8);
+}

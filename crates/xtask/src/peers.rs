@@ -1,0 +1,117 @@
+//! The peers bench: installs what other people's solvers need, builds, and runs all side by
+//! side. What cannot be had is skipped, and the report says so.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::apt;
+use crate::command;
+use crate::error::Error;
+use crate::needs::succeeds;
+
+/// Where the bench is, from the workspace's root.
+const BENCH: &str = "benches/peers";
+
+/// What was asked for.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Options {
+    /// Only to see that everything runs.
+    pub(crate) quick: bool,
+    /// Where the report goes; the committed one if nothing is said, unless it is quick.
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// Installs what is missing, builds, and runs the bench.
+///
+/// # Errors
+/// Says which command failed; a peer that cannot be had is no error.
+pub(crate) fn run(options: &Options) -> Result<(), Error> {
+    apt::install_missing()?;
+    let root = command::root();
+    let work = root.join("target/peers");
+    std::fs::create_dir_all(&work).map_err(|cause| Error::file(&work, cause))?;
+    let mut arguments: Vec<OsString> = vec!["--out".into(), out(root, options).into()];
+    if options.quick {
+        arguments.push("--quick".into());
+    }
+    let obtained = [
+        ("--cvode", "CVODE", cvode(root, &work)),
+        ("--python", "SciPy and MuJoCo", python(root, &work)),
+    ];
+    for (flag, code, obtained) in obtained {
+        match obtained {
+            Ok(path) => arguments.extend([flag.into(), path.into()]),
+            Err(why) => {
+                println!("skipped: {code}: {why}");
+                arguments.extend(["--skipped".into(), format!("{code}: {why}").into()]);
+            }
+        }
+    }
+    let fixed = ["run", "--release", "--manifest-path", "benches/peers/Cargo.toml", "--target-dir"];
+    let fixed = fixed.map(OsString::from).into_iter();
+    let build = fixed.chain([work.join("cargo").into(), "--".into()]);
+    command::run(&mut command::cargo(build.chain(arguments)))
+}
+
+/// The folder of the report.
+fn out(root: &Path, options: &Options) -> PathBuf {
+    let here = || std::env::current_dir().unwrap_or_else(|_| root.to_path_buf());
+    match &options.out {
+        // As it was typed, for the bench runs elsewhere.
+        Some(out) => here().join(out),
+        None if options.quick => root.join("target/peers/results"),
+        None => root.join(BENCH).join("results"),
+    }
+}
+
+/// The program around SUNDIALS CVODE.
+fn cvode(root: &Path, work: &Path) -> Result<PathBuf, Error> {
+    const LIBRARIES: [&str; 6] = [
+        "-lsundials_cvode",
+        "-lsundials_nvecserial",
+        "-lsundials_sunlinsoldense",
+        "-lsundials_sunmatrixdense",
+        "-lsundials_sunnonlinsolfixedpoint",
+        "-lm",
+    ];
+    if !Path::new("/usr/include/cvode/cvode.h").exists() {
+        apt::install(&["libsundials-dev"])?;
+    }
+    let program = work.join("cvode");
+    let mut compiler = Command::new("cc");
+    compiler.arg("-O2").arg(root.join(BENCH).join("external/cvode.c"));
+    command::run(compiler.arg("-o").arg(&program).args(LIBRARIES))?;
+    Ok(program)
+}
+
+/// A Python with SciPy and MuJoCo, in the versions that the bench names.
+fn python(root: &Path, work: &Path) -> Result<PathBuf, Error> {
+    let environment = work.join("venv");
+    let python = environment.join("bin/python");
+    if !python.exists() {
+        if !succeeds("python3", &["-c", "import ensurepip, venv"]) {
+            apt::install(&["python3-venv"])?;
+        }
+        command::run(Command::new("python3").args(["-m", "venv"]).arg(&environment))?;
+    }
+    let mut pip = Command::new(&python);
+    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement"]);
+    command::run(pip.arg(root.join(BENCH).join("external/requirements.txt")))?;
+    Ok(python)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quick_run_leaves_the_committed_report_alone() {
+        let root = Path::new("/w");
+        let quick = Options { quick: true, out: None };
+        assert_eq!(out(root, &quick), Path::new("/w/target/peers/results"));
+        assert_eq!(out(root, &Options::default()), Path::new("/w/benches/peers/results"));
+        let elsewhere = Options { quick: true, out: Some("/tmp/x".into()) };
+        assert_eq!(out(root, &elsewhere), Path::new("/tmp/x"));
+    }
+}
