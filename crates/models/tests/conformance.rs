@@ -13,7 +13,7 @@ mod stroke;
 use models::catalogue::{self, Visitor};
 use models::{Described, Parameter, Playable};
 use pode::stepper::{Given, Rk4, Stepper as _};
-use pode::{Dense as _, GuardId, MAX_GUARDS, Motion, Nature, State};
+use pode::{Dense as _, GuardId, Kind, MAX_GUARDS, Matrix as _, Motion, Nature, State};
 use random::Random;
 use stroke::{run, still};
 
@@ -320,6 +320,48 @@ fn rates_agree<M: Playable>() {
             let error = (rate - fine).abs();
             assert!(error <= allowed, "{label} {name}: rate {rate} is not {fine} ± {allowed:e}");
         }
+    }
+}
+
+#[test]
+fn every_mode_is_of_the_nature_that_it_states() {
+    with_all!(natures_are_true);
+}
+
+fn natures_are_true<M: Playable>() {
+    let mut random = Random::new(20);
+    let model = M::with_values(&[]);
+    for (mode, name) in M::MODES {
+        let nature = model.nature(*mode);
+        for _ in 0..50 {
+            let (x, input) = somewhere(&model, *mode, &mut random);
+            let (y, other) = somewhere(&model, *mode, &mut random);
+            if nature.is_linear() {
+                let f = |x: &M::State, u: &Motion| model.derivative(*mode, x, u);
+                let sum = f(&x, &input).plus(1.0, &f(&y, &input));
+                let parts = f(&x.plus(1.0, &y), &input).plus(1.0, &f(&M::State::ZERO, &input));
+                check_equal(&sum, &parts, format_args!("{} {name} is not linear", M::NAME));
+                if nature.kind == Kind::Affine {
+                    let what = format_args!("{} {name} reads its input", M::NAME);
+                    check_equal(&f(&x, &input), &f(&x, &other), what);
+                }
+            }
+            if nature.rate > 0.0 {
+                // ‖J³²‖^(1/32) is the largest magnitude of an eigenvalue, or little more.
+                let squared = |j: <M::State as State>::Matrix| j.product(&j);
+                let j = model.jacobian(*mode, &x, &input);
+                let rate = squared(squared(squared(squared(squared(j))))).norm().powf(1.0 / 32.0);
+                let stated = nature.rate;
+                assert!(rate < 2.0 * stated, "{} {name}: {rate}, stated {stated}", M::NAME);
+            }
+        }
+    }
+}
+
+#[track_caller]
+fn check_equal<S: State>(a: &S, b: &S, what: std::fmt::Arguments<'_>) {
+    for (a, b) in a.entries().iter().zip(b.entries()) {
+        assert!((a - b).abs() <= 1e-12 * (1.0 + a.abs()), "{what}: {a} and {b}");
     }
 }
 

@@ -1,7 +1,8 @@
 //! The bouncing ball's equations, by hand, in the form that generated ones will take.
 
 use pode::{
-    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Reset, Resets, Settling,
+    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
+    Settling,
 };
 
 use super::{BouncingBall, Mode};
@@ -66,6 +67,15 @@ impl Model for BouncingBall {
             Mode::Flight => [x[1], -self.g],
             Mode::Rest => [s.rate, s.acceleration],
         }
+    }
+
+    /// A parabola in flight; the floor's own motion on it.
+    fn nature(&self, mode: Mode) -> Nature {
+        let kind = match mode {
+            Mode::Flight => Kind::Affine,
+            Mode::Rest => Kind::Linear,
+        };
+        Nature::new(kind, 0.0)
     }
 
     fn readout(&self, mode: Mode, _x: &[f64; 2], s: &Motion) -> f64 {

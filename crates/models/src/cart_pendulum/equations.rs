@@ -2,7 +2,8 @@
 
 use pode::math::{sin_cos, sqrt};
 use pode::{
-    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Reset, Resets, Settling,
+    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
+    Settling,
 };
 
 use super::{CartPendulum, Mode};
@@ -64,6 +65,13 @@ impl CartPendulum {
     /// k (s − x) + b (s' − x') [N].
     pub(super) fn pull(&self, x: &[f64; 4], s: &Motion) -> f64 {
         self.k * (s.position - x[0]) + self.b * (s.rate - x[2])
+    }
+
+    /// The fastest oscillation, with the pendulum hanging [rad/s].
+    fn oscillation(&self) -> f64 {
+        let hanging = self.dynamics(&[0.0; 4], &Motion::default());
+        let weight = self.g * hanging.a12 * hanging.a11 / hanging.a22;
+        sqrt((self.k + weight) / hanging.felt_mass())
     }
 
     /// J + m l², inertia of the pendulum about its pivot [kg·m²].
@@ -173,12 +181,16 @@ impl Model for CartPendulum {
         self.pull(x, s)
     }
 
-    /// A quarter of a radian of the fastest oscillation, with the pendulum hanging.
+    /// A quarter of a radian of the fastest oscillation.
     fn longest_step(&self, _mode: Mode) -> f64 {
         const RADIANS: f64 = 0.25;
+        RADIANS / self.oscillation()
+    }
+
+    /// The damper adds to the oscillation's rate where it is strong.
+    fn nature(&self, _mode: Mode) -> Nature {
         let hanging = self.dynamics(&[0.0; 4], &Motion::default());
-        let weight = self.g * hanging.a12 * hanging.a11 / hanging.a22;
-        RADIANS / sqrt((self.k + weight) / hanging.felt_mass())
+        Nature::new(Kind::Smooth, self.oscillation() + self.b / hanging.felt_mass())
     }
 
     fn constrain(&self, mode: Mode, x: &[f64; 4], _s: &Motion) -> [f64; 4] {

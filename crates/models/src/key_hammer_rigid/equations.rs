@@ -1,7 +1,7 @@
 //! Model A's equations, by hand, in the form that generated ones will take.
 
-use pode::math::{cos, sin};
-use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Reset, Resets};
+use pode::math::{cos, sin, sqrt};
+use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets};
 
 use super::{KeyHammerRigid, Mode};
 use crate::key_hammer::{Coupled, below_string, gap};
@@ -63,6 +63,15 @@ impl Model for KeyHammerRigid {
                 [hammer.rate, hammer.acceleration]
             }
             Mode::A2 => [x[1], -self.weight(x[0]) / self.values.jh],
+        }
+    }
+
+    /// On the key the hammer goes where the key goes; apart it is a pendulum upside down.
+    fn nature(&self, mode: Mode) -> Nature {
+        let p = &self.values;
+        match mode {
+            Mode::A1 => Nature::new(Kind::Linear, 0.0),
+            Mode::A2 => Nature::new(Kind::Conservative, sqrt(p.m2 * p.g * p.l2 / p.jh)),
         }
     }
 

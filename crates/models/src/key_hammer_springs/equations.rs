@@ -1,7 +1,9 @@
 //! Model B's equations, by hand, in the form that generated ones will take.
 
 use pode::math::{cos, sin, sin_cos, sqrt};
-use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Reset, Resets};
+use pode::{
+    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
+};
 
 use super::{KeyHammerSprings, Mode};
 use crate::key_hammer::{Coupled, Values, below_string, gap};
@@ -145,6 +147,13 @@ impl Model for KeyHammerSprings {
         self.coupling(x, s)
     }
 
+    fn nature(&self, mode: Mode) -> Nature {
+        let p = &self.values;
+        let is_lossless = p.b1 == 0.0 && p.c2 == 0.0;
+        let kind = if is_lossless { Kind::Conservative } else { Kind::Smooth };
+        Nature::new(kind, self.rates[mode as usize])
+    }
+
     fn longest_step(&self, mode: Mode) -> f64 {
         match mode {
             Mode::B1 => self.longest_steps[0],
@@ -156,9 +165,19 @@ impl Model for KeyHammerSprings {
 /// Three quarters of a radian of the fastest oscillation in B1 and in B2 [s].
 pub(super) fn longest_steps(p: &Values) -> [f64; 2] {
     const RADIANS: f64 = 0.75;
+    oscillations(p).map(|rate| RADIANS / rate)
+}
+
+/// The fastest rates in B1 and in B2 [rad/s]: an oscillation's, with its damper's on top.
+pub(super) fn rates(p: &Values) -> [f64; 2] {
+    oscillations(p).map(|rate| rate + p.b1 / p.jk)
+}
+
+/// The fastest oscillation in B1 and in B2 [rad/s].
+fn oscillations(p: &Values) -> [f64; 2] {
     let reach = p.l1 - p.l3;
     let contact = p.k2 * (p.l1 * p.l1 / p.jk + reach * reach / p.jh);
-    [contact, 0.0].map(|contact| RADIANS / sqrt(p.k1 / p.jk + contact))
+    [contact, 0.0].map(|contact| sqrt(p.k1 / p.jk + contact))
 }
 
 impl Guarded for KeyHammerSprings {

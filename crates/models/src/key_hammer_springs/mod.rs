@@ -15,6 +15,8 @@ pub struct KeyHammerSprings {
     values: Values,
     /// Longest steps in B1 and B2 [s]: asked for in every tick, so found once.
     longest_steps: [f64; 2],
+    /// Fastest rates in B1 and B2 [rad/s].
+    rates: [f64; 2],
     /// 1/JH and 1/JK [1/(kg·m²)]: a product takes a third of a division's time.
     per_inertia: [f64; 2],
 }
@@ -48,7 +50,8 @@ impl Described for KeyHammerSprings {
     fn with_values(values: &[f64]) -> Self {
         let values = Values::from_array(&filled::<_, Self>(values));
         let per_inertia = [1.0 / values.jh, 1.0 / values.jk];
-        Self { values, longest_steps: equations::longest_steps(&values), per_inertia }
+        let longest_steps = equations::longest_steps(&values);
+        Self { values, longest_steps, rates: equations::rates(&values), per_inertia }
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {

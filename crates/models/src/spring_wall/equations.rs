@@ -1,6 +1,8 @@
 //! The spring wall's equations, by hand, in the form that generated ones will take.
 
-use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Reset, Resets};
+use pode::{
+    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
+};
 
 use super::{Mode, SpringWall};
 
@@ -32,6 +34,11 @@ impl Model for SpringWall {
 
     fn derivative(&self, _mode: Mode, _x: &[f64; 0], _s: &Motion) -> [f64; 0] {
         []
+    }
+
+    /// Nothing moves but the key.
+    fn nature(&self, _mode: Mode) -> Nature {
+        Nature::new(Kind::Affine, 0.0)
     }
 
     fn readout(&self, mode: Mode, _x: &[f64; 0], s: &Motion) -> f64 {
