@@ -1,6 +1,6 @@
 //! What a model says about itself: names, parameters, presets, how a key plays it.
 
-use pode::{Energetic, GuardId, Model, Motion, Resets};
+use pode::{Energetic, GuardId, Model, Motion, Resets, Sloped};
 
 /// A model's parameter.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -81,7 +81,14 @@ pub struct Preset {
 ///
 /// Its state is an array, so that entries can be set by name: `x.as_mut()[index]`.
 pub trait Described:
-    Model<Input = Motion, State: AsMut<[f64]>> + Resets + Energetic + Copy + PartialEq + Send + 'static
+    Model<Input = Motion, State: AsMut<[f64]>>
+    + Resets
+    + Energetic
+    + Sloped
+    + Copy
+    + PartialEq
+    + Send
+    + 'static
 {
     /// Name in scenes and on the command line.
     const NAME: &'static str;

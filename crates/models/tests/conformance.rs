@@ -324,6 +324,39 @@ fn rates_agree<M: Playable>() {
 }
 
 #[test]
+fn slopes_are_those_of_the_readout() {
+    with_all!(slopes_are_true);
+}
+
+fn slopes_are_true<M: Playable>() {
+    let mut random = Random::new(30);
+    let model = M::with_values(&[]);
+    for (mode, name) in M::MODES {
+        for _ in 0..50 {
+            let (x, input) = somewhere(&model, *mode, &mut random);
+            let readout =
+                |input: Motion| model.readout(*mode, &model.constrain(*mode, &x, &input), &input);
+            let slopes = model.slopes(*mode, &x, &input);
+            // A chord over 1e-5 of the key's travel: what bends there is not seen by a board.
+            let by = 1e-7 * model.input_per_metre();
+            let position = |by: f64| Motion { position: input.position + by, ..input };
+            let rate = |by: f64| Motion { rate: input.rate + by, ..input };
+            let chord = |moved: &dyn Fn(f64) -> Motion| {
+                (readout(moved(by)) - readout(moved(-by))) / (2.0 * by)
+            };
+            let size = 1.0 + readout(input).abs() * 1e-3 / by.abs();
+            for (chord, slope) in
+                [(chord(&position), slopes.per_position), (chord(&rate), slopes.per_rate)]
+            {
+                let error = (chord - slope).abs();
+                let tolerance = 1e-4 * chord.abs() + 1e-10 * size;
+                assert!(error < tolerance, "{} {name}: {slope}, chord {chord}", M::NAME);
+            }
+        }
+    }
+}
+
+#[test]
 fn every_mode_is_of_the_nature_that_it_states() {
     with_all!(natures_are_true);
 }

@@ -55,6 +55,7 @@ mod outcome;
 mod quadrature;
 mod run;
 mod simulator;
+mod slopes;
 mod state;
 mod watch;
 
@@ -73,6 +74,7 @@ pub use model::{Guarded, Model, Reset, Resets, Settling};
 pub use nature::{Kind, Nature};
 pub use outcome::{Advance, Cap, Fault, Tick, Verdict, Work};
 pub use simulator::Simulator;
+pub use slopes::{Sloped, Slopes};
 pub use state::State;
 pub use stepper::{Field, Step, Stepper};
 pub use watch::{Cause, Event, Piece, Silent, Watch};

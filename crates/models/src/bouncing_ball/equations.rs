@@ -2,7 +2,7 @@
 
 use pode::{
     Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
-    Settling,
+    Settling, Sloped,
 };
 
 use super::{BouncingBall, Mode};
@@ -125,3 +125,5 @@ impl Energetic for BouncingBall {
         self.contact(mode, s) * s.rate
     }
 }
+
+impl Sloped for BouncingBall {}

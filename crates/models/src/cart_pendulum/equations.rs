@@ -3,7 +3,7 @@
 use pode::math::{sin_cos, sqrt};
 use pode::{
     Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
-    Settling,
+    Settling, Sloped, Slopes,
 };
 
 use super::{CartPendulum, Mode};
@@ -244,5 +244,11 @@ impl Energetic for CartPendulum {
     fn dissipated(&self, _mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
         let slip = s.rate - x[2];
         self.b * slip * slip
+    }
+}
+
+impl Sloped for CartPendulum {
+    fn slopes(&self, _mode: Mode, _x: &[f64; 4], _s: &Motion) -> Slopes {
+        Slopes { per_position: self.k, per_rate: self.b }
     }
 }

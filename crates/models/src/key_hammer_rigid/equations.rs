@@ -1,7 +1,10 @@
 //! Model A's equations, by hand, in the form that generated ones will take.
 
 use pode::math::{cos, sin, sqrt};
-use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets};
+use pode::{
+    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
+    Sloped,
+};
 
 use super::{KeyHammerRigid, Mode};
 use crate::key_hammer::{Coupled, below_string, gap};
@@ -136,3 +139,5 @@ impl Energetic for KeyHammerRigid {
         self.readout(mode, x, s) * s.rate
     }
 }
+
+impl Sloped for KeyHammerRigid {}

@@ -3,6 +3,7 @@
 use pode::math::{cos, sin, sin_cos, sqrt};
 use pode::{
     Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
+    Sloped, Slopes,
 };
 
 use super::{KeyHammerSprings, Mode};
@@ -242,5 +243,11 @@ impl Energetic for KeyHammerSprings {
             Mode::B2 => 0.0,
         };
         self.values.b1 * slip * slip + felt
+    }
+}
+
+impl Sloped for KeyHammerSprings {
+    fn slopes(&self, _mode: Mode, _x: &[f64; 4], _s: &Motion) -> Slopes {
+        Slopes { per_position: self.values.k1, per_rate: self.values.b1 }
     }
 }

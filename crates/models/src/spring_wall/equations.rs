@@ -2,6 +2,7 @@
 
 use pode::{
     Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
+    Sloped, Slopes,
 };
 
 use super::{Mode, SpringWall};
@@ -91,6 +92,16 @@ impl Energetic for SpringWall {
         match mode {
             Mode::Free => 0.0,
             Mode::Contact => (self.force(mode, s) - self.stiffness * self.depth(s)) * s.rate,
+        }
+    }
+}
+
+impl Sloped for SpringWall {
+    fn slopes(&self, mode: Mode, _x: &[f64; 0], s: &Motion) -> Slopes {
+        if self.force(mode, s) > 0.0 {
+            Slopes { per_position: self.stiffness, per_rate: self.damping }
+        } else {
+            Slopes::default()
         }
     }
 }

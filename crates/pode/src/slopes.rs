@@ -1,0 +1,36 @@
+//! How the readout goes on for a moment: what a board renders between two ticks.
+
+use crate::input::Motion;
+use crate::model::Model;
+
+/// Slopes of the readout by the input, at one instant.
+///
+/// A board between ticks renders F0 + `per_position` (s − s0) + `per_rate` (s' − s0').
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Slopes {
+    /// ∂F/∂s [readout / unit of the input].
+    pub per_position: f64,
+    /// ∂F/∂s' [readout × s / unit of the input].
+    pub per_rate: f64,
+}
+
+/// A model whose readout has slopes; those of a mode that slaves coordinates to the input
+/// take them along.
+pub trait Sloped: Model<Input = Motion> {
+    /// The slopes in `mode` at `x`; by central differences unless a model knows better.
+    fn slopes(&self, mode: Self::Mode, x: &Self::State, input: &Motion) -> Slopes {
+        /// Part of the input's size by which it is moved; forces are all but linear in it.
+        const PART: f64 = 1e-6;
+        let readout = |input: &Motion| self.readout(mode, &self.constrain(mode, x, input), input);
+        let slope = |size: f64, moved: &dyn Fn(f64) -> Motion| {
+            let by = PART * (1e-2 + size.abs());
+            (readout(&moved(by)) - readout(&moved(-by))) / (2.0 * by)
+        };
+        let position = |by: f64| Motion { position: input.position + by, ..*input };
+        let rate = |by: f64| Motion { rate: input.rate + by, ..*input };
+        Slopes {
+            per_position: slope(input.position, &position),
+            per_rate: slope(input.rate, &rate),
+        }
+    }
+}
