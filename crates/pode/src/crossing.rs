@@ -1,10 +1,11 @@
 //! Whether a guard crosses zero within a step, and where it is shut in.
 //!
-//! Found are: a sign change; a pair of roots (both ends positive), by looking at the
-//! true guard once at the minimum of its cubic; a guard that starts at zero or below,
-//! rises and falls again; and one that rests at zero and then turns negative.
+//! Found are: a sign change; a pair of roots, by looking at the true guard where its cubic,
+//! and what is learnt by looking, is lowest; a guard that starts at zero or below, rises and
+//! falls again; and one that rests at zero and then turns negative.
 
 use crate::cubic::{Cubic, Turns};
+use crate::dip::Dip;
 use crate::epoch::Stand;
 use crate::guard::{GuardSpec, GuardValue};
 use crate::locate::Bracket;
@@ -42,7 +43,7 @@ pub(crate) enum Crossing {
 
 impl Span<'_> {
     /// Most evaluations of the true guard that [`Self::crossing`] takes.
-    pub(crate) const LOOKS: u32 = 4;
+    pub(crate) const LOOKS: u32 = Dip::LOOKS + TRIES;
 
     /// Whether the values at both ends leave room for a crossing.
     ///
@@ -52,7 +53,8 @@ impl Span<'_> {
         match self.stand {
             Stand::Leaving | Stand::Departing => true,
             Stand::Resting => self.end.value < -self.spec.band(),
-            Stand::Disarmed => self.ends_below() && self.may_turn(-1.0),
+            Stand::Disarmed if self.ends_below() => self.may_turn(-1.0),
+            Stand::Disarmed => self.may_dip(),
             Stand::Armed => self.ends_below() || self.may_turn(1.0),
         }
     }
@@ -103,31 +105,44 @@ impl Span<'_> {
         let cubic = self.cubic();
         let turns = cubic.turns();
         let (maximum, minimum) = turns;
-        let low = if self.ends_below() {
-            Some((1.0, self.end.value))
-        } else {
-            // A touch within rounding is not a crossing.
-            minimum.map(|tau| (tau, guard(tau))).filter(|(_, value)| *value < -self.spec.band())
-        };
+        // A touch within rounding is not a crossing.
+        let band = self.spec.band();
+        let low = minimum.and_then(|tau| Dip::below(&cubic, tau, band, &mut guard));
+        let low = low.or_else(|| self.ends_below().then_some((1.0, self.end.value)));
         let Some((hi, at_hi)) = low else { return Crossing::None };
         let high = if self.stand == Stand::Armed {
             Some((0.0, self.start.value))
         } else {
-            high_point(maximum.filter(|tau| *tau < hi), hi, self.spec.band(), guard)
+            high_point(maximum.filter(|tau| *tau < hi), hi, guard)
         };
         high.map_or(Crossing::AtStart, |(lo, at_lo)| shut_in((&cubic, turns), lo, at_lo, hi, at_hi))
     }
 
-    /// The fall of a guard that starts and ends below zero, if it is positive between.
+    /// Whether a guard that starts below zero and ends above can be there twice: it has to
+    /// rise, fall and rise again.
+    #[inline]
+    fn may_dip(&self) -> bool {
+        self.start.rate > 0.0 && self.end.rate > 0.0 && {
+            let (maximum, minimum) = self.cubic().turns();
+            maximum.zip(minimum).is_some_and(|(top, bottom)| top < bottom)
+        }
+    }
+
+    /// The fall of a guard that starts below zero, if it is positive in between.
     fn rises_and_falls(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
         let cubic = self.cubic();
         let turns = cubic.turns();
-        let Some(top) = turns.0 else { return Crossing::None };
+        let (Some(top), minimum) = turns else { return Crossing::None };
         let at_top = guard(top);
         if at_top <= self.spec.band() {
             return Crossing::None;
         }
-        shut_in((&cubic, turns), top, at_top, 1.0, self.end.value)
+        let low = if self.ends_below() {
+            Some((1.0, self.end.value))
+        } else {
+            minimum.and_then(|tau| Dip::below(&cubic, tau, self.spec.band(), guard))
+        };
+        low.map_or(Crossing::None, |(hi, at_hi)| shut_in((&cubic, turns), top, at_top, hi, at_hi))
     }
 
     /// Where a guard that rests at zero turns negative.
@@ -156,15 +171,16 @@ fn shut_in((cubic, turns): (&Cubic, Turns), lo: f64, at_lo: f64, hi: f64, at_hi:
     Crossing::Within { bracket: Bracket { lo, at_lo, hi, at_hi }, level: 0.0, seed }
 }
 
+/// Looks for a place where a guard is positive.
+const TRIES: u32 = 3;
+
 /// A point before `hi` at which a guard that started at zero is positive.
 fn high_point(
     maximum: Option<f64>,
     hi: f64,
-    band: f64,
     mut guard: impl FnMut(f64) -> f64,
 ) -> Option<(f64, f64)> {
-    /// After the cubic's own maximum, two places ever nearer to the start.
-    const TRIES: [f64; 2] = [1.0 / 16.0, 1.0 / 1024.0];
-    let places = [maximum, Some(TRIES[0] * hi), Some(TRIES[1] * hi)];
-    places.into_iter().flatten().map(|tau| (tau, guard(tau))).find(|(_, value)| *value > band)
+    // After the cubic's own maximum, two places ever nearer to the start.
+    let places: [_; TRIES as usize] = [maximum, Some(hi / 16.0), Some(hi / 1024.0)];
+    places.into_iter().flatten().map(|tau| (tau, guard(tau))).find(|(_, value)| *value > 0.0)
 }

@@ -34,6 +34,11 @@ impl Cubic {
         self.b + tau * (2.0 * self.c + tau * 3.0 * self.d)
     }
 
+    /// Second derivative.
+    pub(crate) fn bend(&self, tau: f64) -> f64 {
+        2.0 * self.c + tau * 6.0 * self.d
+    }
+
     /// Whether it bends down all the way from 0 to 1.
     #[inline]
     fn is_concave(&self) -> bool {

@@ -42,6 +42,7 @@ mod audit;
 mod crossing;
 mod cubic;
 mod dense;
+mod dip;
 mod epoch;
 mod forecast;
 mod guard;
@@ -59,6 +60,7 @@ mod slopes;
 mod state;
 mod watch;
 
+pub mod filippov;
 pub mod input;
 pub mod math;
 pub mod stepper;

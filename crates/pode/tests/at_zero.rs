@@ -112,3 +112,22 @@ fn a_reset_that_leaves_its_guard_two_ulps_short_does_not_fire_again() {
         assert_eq!(recorder.seen.len(), 1, "{n} ticks: {:?}", recorder.seen);
     }
 }
+
+#[test]
+fn a_guard_entered_below_zero_that_rises_and_dips_within_a_step_fires_at_the_dip() {
+    // (t − .2)(t − .4)(t − .8): below, above from 0.2 on, below from 0.4 to 0.8, above.
+    let guard = |_: GuardId, t: f64| {
+        let (a, b, c) = (t - 0.2, t - 0.4, t - 0.8);
+        GuardValue::new(a * b * c, b * c + a * c + a * b)
+    };
+    const FALLS: [pode::GuardSpec; 1] = [ONE[0].on_crossing()];
+    for n in TICKS {
+        let mut timed = Timed { guards: &FALLS, guard, effect: count }.start();
+        let mut recorder = Recorder::new(1.0 / f64::from(n));
+        for _ in 0..n {
+            let _ = timed.advance(1.0 / f64::from(n), &|_| (), &mut recorder);
+        }
+        assert_eq!(recorder.seen.len(), 1, "{n} ticks: {:?}", recorder.times());
+        close(format_args!("{n} ticks"), recorder.seen[0].t, 0.4, 1e-14);
+    }
+}

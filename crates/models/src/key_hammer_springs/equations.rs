@@ -1,6 +1,6 @@
 //! Model B's equations, by hand, in the form that generated ones will take.
 
-use pode::math::{cos, sin, sin_cos, sqrt};
+use pode::math::{sin, sin_cos, sqrt};
 use pode::{
     Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
     Sloped, Slopes,
@@ -137,7 +137,7 @@ impl Model for KeyHammerSprings {
                     (-contact.force * contact.per_hammer, -contact.force * contact.per_key);
                 ((contact.cos_h, contact.cos_k), torques)
             }
-            Mode::B2 => ((cos(x[0]), cos(x[1])), (0.0, 0.0)),
+            Mode::B2 => ((sin_cos(x[0]).1, sin_cos(x[1]).1), (0.0, 0.0)),
         };
         let [hammer, key] = self.accelerations(x, s, cosines, torques);
         [x[2], x[3], hammer, key]

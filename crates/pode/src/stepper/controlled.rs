@@ -88,6 +88,17 @@ impl<M: Memory> Memory for Control<M> {
     }
 }
 
+/// The root of this order of `x`, quickly where it is a power of two.
+#[inline]
+fn root(x: f64, order: u32) -> f64 {
+    match order {
+        2 => sqrt(x),
+        4 => sqrt(sqrt(x)),
+        8 => sqrt(sqrt(sqrt(x))),
+        _ => powf(x, 1.0 / f64::from(order)),
+    }
+}
+
 impl<T: Stepper> Stepper for Controlled<T> {
     const ORDER: u32 = T::ORDER;
     const DENSE: u32 = T::DENSE;
@@ -107,14 +118,16 @@ impl<T: Stepper> Stepper for Controlled<T> {
     ) -> Step<S, Self::Dense<S>> {
         /// The next step is never shorter or longer than this by these factors.
         const FACTORS: (f64, f64) = (0.1, 6.0);
-        /// Part of the length that would just meet the tolerance.
-        const SAFETY: f64 = 0.9;
+        /// Part of the length that would just meet the tolerance. Between events a step is
+        /// often followed by a harder one: 0.9 has a sixth of all steps refused on the paper's
+        /// figure 6, and takes a fifth more evaluations for the same error.
+        const SAFETY: f64 = 0.7;
         /// A step this short [s] without a number for its error is the model's own fault.
         const SHORTEST: f64 = 1e-9;
         let before = memory.method;
         let mut step = self.method.step(field, x0, &mut memory.method, h);
         let error = self.tolerance.weigh(&step.error, x0, step.dense.end());
-        let wish = SAFETY * powf(error, -1.0 / f64::from(T::ORDER));
+        let wish = SAFETY / root(error, T::ORDER);
         // NaN is refused: the step may just have been far too long.
         let factor = if wish.is_nan() { FACTORS.0 } else { wish.clamp(FACTORS.0, FACTORS.1) };
         step.is_accepted = error <= 1.0 || (error.is_nan() && h <= SHORTEST);

@@ -1,0 +1,177 @@
+//! How low a guard gets between two ends where it is not: by its cubic, and better.
+//!
+//! The cubic Hermite of a step does not know where a guard that is no cubic is lowest, and
+//! a dip of 1e-12 is narrow. Each look at the true guard makes the polynomial through all
+//! that is known one degree better, and its own lowest place is where to look next.
+
+use crate::cubic::Cubic;
+
+/// Looks that are learnt from: all but the last.
+const PLACES: usize = Dip::LOOKS as usize - 1;
+
+/// The cubic of a step, corrected by looks at the true guard inside it:
+/// p(τ) = c(τ) + w(τ) n(τ) with w = τ² (1 − τ)², which leaves both ends and their slopes.
+struct Corrected<'a> {
+    cubic: &'a Cubic,
+    /// Where was looked, first to last.
+    nodes: [f64; PLACES],
+    /// Coefficients of n in Newton's form.
+    terms: [f64; PLACES],
+    used: usize,
+}
+
+/// A value with its first and second derivative by τ.
+type Jet = [f64; 3];
+
+fn product([a, a1, a2]: Jet, [b, b1, b2]: Jet) -> Jet {
+    [a * b, a1 * b + a * b1, a2 * b + 2.0 * a1 * b1 + a * b2]
+}
+
+fn sum(a: Jet, b: Jet) -> Jet {
+    core::array::from_fn(|i| a[i] + b[i])
+}
+
+/// w(τ) and its derivatives.
+fn weight(tau: f64) -> Jet {
+    let root = [tau * (1.0 - tau), 1.0 - 2.0 * tau, -2.0];
+    product(root, root)
+}
+
+impl<'a> Corrected<'a> {
+    const fn new(cubic: &'a Cubic) -> Self {
+        Self { cubic, nodes: [0.0; PLACES], terms: [0.0; PLACES], used: 0 }
+    }
+
+    /// n(τ) and its derivatives.
+    fn correction(&self, tau: f64) -> Jet {
+        let known = self.nodes.iter().zip(&self.terms).take(self.used);
+        known.rev().fold([0.0; 3], |sum_, (node, term)| {
+            sum([*term, 0.0, 0.0], product([tau - node, 1.0, 0.0], sum_))
+        })
+    }
+
+    /// p(τ) and its derivatives.
+    fn jet(&self, tau: f64) -> Jet {
+        let cubic = [self.cubic.at(tau), self.cubic.slope(tau), self.cubic.bend(tau)];
+        sum(cubic, product(weight(tau), self.correction(tau)))
+    }
+
+    /// Takes over that the guard is `value` at `tau`.
+    fn learn(&mut self, tau: f64, value: f64) {
+        let missing = value - self.jet(tau)[0];
+        let reach: f64 = self.nodes.iter().take(self.used).map(|node| tau - node).product();
+        (self.nodes[self.used], self.terms[self.used]) = (tau, missing / (weight(tau)[0] * reach));
+        self.used += 1;
+    }
+
+    /// Where the polynomial is lowest next to `tau`, by Newton, if it is curved upwards there.
+    fn lowest(&self, mut tau: f64) -> Option<f64> {
+        const ROUNDS: usize = 4;
+        for _ in 0..ROUNDS {
+            let [_, slope, bend] = self.jet(tau);
+            let next = tau - slope / bend;
+            if !(bend > 0.0 && next > 0.0 && next < 1.0) {
+                return None;
+            }
+            tau = next;
+        }
+        Some(tau)
+    }
+}
+
+/// Looks for a dip below zero.
+pub(crate) struct Dip;
+
+impl Dip {
+    /// Most looks at the true guard.
+    pub(crate) const LOOKS: u32 = 4;
+
+    /// A place where `guard` is below `-band`, found from the minimum `tau` of its `cubic`.
+    ///
+    /// A look is worth it as long as the polynomial expects less than half of what was seen.
+    pub(crate) fn below(
+        cubic: &Cubic,
+        tau: f64,
+        band: f64,
+        mut guard: impl FnMut(f64) -> f64,
+    ) -> Option<(f64, f64)> {
+        let mut model = Corrected::new(cubic);
+        let mut at = tau;
+        loop {
+            let value = guard(at);
+            if value < -band {
+                return Some((at, value));
+            }
+            if model.used == PLACES || model.nodes[..model.used].contains(&at) {
+                return None;
+            }
+            model.learn(at, value);
+            at = model.lowest(at)?;
+            let expected = model.jet(at)[0];
+            if expected >= 0.5 * value || expected.is_nan() {
+                return None;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Looks that it takes to find that `guard` dips below zero, if it does.
+    fn looks(guard: impl Fn(f64) -> [f64; 2]) -> (bool, usize) {
+        let ([g0, d0], [g1, d1]) = (guard(0.0), guard(1.0));
+        let cubic = Cubic::hermite(g0, d0, g1, d1);
+        let mut looks = 0;
+        let minimum = cubic.turns().1.expect("a minimum");
+        let found = Dip::below(&cubic, minimum, 1e-15, |tau| {
+            looks += 1;
+            guard(tau)[0]
+        });
+        (found.is_some(), looks)
+    }
+
+    /// A wave of 1, ω per step, that dips below zero by `depth` at `touch`.
+    fn wave(omega: f64, touch: f64, depth: f64) -> (bool, usize) {
+        looks(|tau| {
+            let half = (0.5 * omega * (tau - touch)).sin();
+            [2.0 * half * half - depth, omega * (omega * (tau - touch)).sin()]
+        })
+    }
+
+    #[test]
+    fn a_dip_of_1e_12_is_found_in_a_wave() {
+        for omega in [0.1, 0.3, 0.7, 1.0] {
+            for touch in [0.2, 0.45, 0.618, 0.9] {
+                assert!(wave(omega, touch, 1e-12).0, "ω {omega} at {touch}");
+                assert!(!wave(omega, touch, -1e-12).0, "ω {omega} at {touch}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_dip_far_from_zero_takes_one_look() {
+        let (found, looks) = looks(|tau| [1.0 + (tau - 0.4).powi(2), 2.0 * (tau - 0.4)]);
+        assert_eq!((found, looks), (false, 1));
+    }
+
+    #[test]
+    fn a_deep_dip_takes_one_look() {
+        let (found, looks) = looks(|tau| [(tau - 0.4).powi(2) - 0.01, 2.0 * (tau - 0.4)]);
+        assert_eq!((found, looks), (true, 1));
+    }
+
+    #[test]
+    fn what_is_not_finite_ends_the_search() {
+        let cubic = Cubic::hermite(1.0, -4.0, 1.0, 4.0);
+        for bad in [f64::NAN, f64::INFINITY] {
+            let mut looks = 0;
+            let found = Dip::below(&cubic, 0.5, 1e-15, |_| {
+                looks += 1;
+                bad
+            });
+            assert!(found.is_none() && looks <= 2, "{bad}: {looks}");
+        }
+    }
+}

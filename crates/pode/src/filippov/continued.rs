@@ -1,0 +1,30 @@
+//! An input that is known a little ahead.
+
+use core::fmt::Debug;
+
+use crate::input::Motion;
+
+/// An input that can be continued for a moment by its own rates: a surface that moves with
+/// it has a rate, and the rate has one.
+pub trait Continued: Copy + PartialEq + Debug + Send {
+    /// The input `dt` [s] later, or earlier if negative.
+    #[must_use]
+    fn after(&self, dt: f64) -> Self;
+}
+
+/// No input.
+impl Continued for () {
+    fn after(&self, _dt: f64) -> Self {}
+}
+
+impl Continued for Motion {
+    fn after(&self, dt: f64) -> Self {
+        let Self { position, rate, acceleration, jerk } = *self;
+        Self {
+            position: position + dt * (rate + dt * (acceleration / 2.0 + dt * jerk / 6.0)),
+            rate: rate + dt * (acceleration + dt * jerk / 2.0),
+            acceleration: acceleration + dt * jerk,
+            jerk,
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Sliding modes (Filippov) and stick: one description of two sides gives all three modes.
+//!
+//! A surface h(x, u) = 0 parts two sets of equations, f₊ above it and f₋ below. Where both
+//! lead onto it, neither can hold: a simulation that switches between them chatters at its
+//! own step. Filippov's solution slides along the surface with the one mixture that stays on:
+//!
+//! ```text
+//! x' = (1 − α) f₋ + α f₊,   α = h'₋ / (h'₋ − h'₊),   so that h' = 0
+//! ```
+//!
+//! Dry friction is the same mechanism, with h the slip speed: sliding along the surface is
+//! sticking. [`Sided`] describes the two sides, and [`Filippov`] is the whole model:
+//!
+//! | mode | holds while | ends where | next |
+//! |---|---|---|---|
+//! | `Above` | h > 0 | h = 0 | by the rule below |
+//! | `Below` | h < 0 | h = 0 | by the rule below |
+//! | `Sliding` | h = 0, h'₊ < 0 < h'₋ | h'₊ = 0 | `Above` |
+//! | | | h'₋ = 0 | `Below` |
+//! | | | the surface jumped away from the state | the side where it left it |
+//!
+//! At the surface the one-sided rates decide, and where one is zero, its own derivative:
+//!
+//! | h'₊ | h'₋ | surface | next mode |
+//! |---|---|---|---|
+//! | − | + | attracts | `Sliding` |
+//! | − | − | is crossed downwards | `Below` |
+//! | + | + | is crossed upwards | `Above` |
+//! | + | − | repels | the side that the state comes from; `Above` if none |
+//!
+//! A slide ends tangentially, with h = h' = 0 and h'' ≠ 0: the side that takes over departs
+//! from there and fires nothing. The state is kept on the surface by a move along f₊ − f₋,
+//! the only direction in which the share α can have gone wrong, so that nothing accumulates.
+//!
+//! # What is not here
+//!
+//! More than one surface at a time: Filippov leaves the mixture open where two meet.
+//!
+//! # References
+//! [Fil88] §4, §10, §19; [PK08], whose event functions these are; [DL09] for exit conditions.
+
+mod continued;
+mod heading;
+mod modes;
+mod point;
+mod sided;
+
+pub use continued::Continued;
+pub use sided::{Branch, Side, Sided, Surface};
+
+use heading::Heading;
+use point::Point;
+
+/// Which equations hold.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mode {
+    /// Above the surface, h > 0.
+    Above,
+    /// Below the surface, h < 0.
+    Below,
+    /// On the surface, between both.
+    Sliding,
+}
+
+impl From<Side> for Mode {
+    fn from(side: Side) -> Self {
+        match side {
+            Side::Above => Self::Above,
+            Side::Below => Self::Below,
+        }
+    }
+}
+
+/// A two-sided system as a model with the modes [`Mode`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Filippov<M>(
+    /// What is on both sides.
+    pub M,
+);
+
+impl<M: Sided> Filippov<M> {
+    /// The mode in which `x` starts, and `x`, put on the surface if it starts there.
+    ///
+    /// A state on a surface that repels goes up.
+    pub fn start(&self, x: &M::State, input: &M::Input) -> (Mode, M::State) {
+        let height = self.0.surface(x, input).value;
+        if height.abs() > Sizes::<M>::HEIGHT_BAND {
+            let side = if height > 0.0 { Side::Above } else { Side::Below };
+            return (side.into(), *x);
+        }
+        self.meet(Side::Above, x, input)
+    }
+
+    /// What a state at the surface does that comes `from` a side: the table above.
+    ///
+    /// A state that rounding has left on the wrong side of its mode is put on the surface.
+    fn meet(&self, from: Side, x: &M::State, input: &M::Input) -> (Mode, M::State) {
+        let height = self.0.surface(x, input).value;
+        let foot = Point::new(&self.0, x, input).onto_surface();
+        let point = Point::new(&self.0, &foot, input);
+        let mode = match (point.heading(Side::Above), point.heading(Side::Below)) {
+            (Heading::Up, Heading::Down) => from.into(),
+            (Heading::Up, Heading::Up | Heading::Still) => Mode::Above,
+            (Heading::Down | Heading::Still, Heading::Down) => Mode::Below,
+            (Heading::Down | Heading::Still, Heading::Up | Heading::Still) => Mode::Sliding,
+        };
+        let is_there = match mode {
+            Mode::Above => height >= 0.0,
+            Mode::Below => height <= 0.0,
+            Mode::Sliding => false,
+        };
+        (mode, if is_there { *x } else { foot })
+    }
+}
+
+/// What counts as zero, from the sizes that a system declares.
+struct Sizes<M>(core::marker::PhantomData<M>);
+
+impl<M: Sided> Sizes<M> {
+    /// Rounding at the size of h.
+    const HEIGHT_BAND: f64 = 16.0 * f64::EPSILON * M::SIZE;
+    /// Rounding at the size of its rates [1/s].
+    const RATE_BAND: f64 = 16.0 * f64::EPSILON * M::RATE;
+    /// Over which rates are compared to know their own derivative [s].
+    const MOMENT: f64 = M::SIZE / M::RATE / 16_384.0;
+    /// Rounding of such a derivative, with some to spare [1/s²].
+    const CHANGE_BAND: f64 = 64.0 * Self::RATE_BAND / Self::MOMENT;
+}

@@ -1,0 +1,171 @@
+//! The whole model: what holds in each mode, and what ends it.
+
+use super::{Branch, Filippov, Heading, Mode, Point, Side, Sided, Sizes};
+use crate::guard::{GuardId, GuardSpec, GuardValue};
+use crate::model::{Guarded, Model, Reset, Resets};
+use crate::nature::{Kind, Nature};
+
+/// Meets the surface from above, or from below.
+const MEETS: [GuardId; 2] = [GuardId(0), GuardId(1)];
+/// Leaves it upwards, or downwards.
+const LEAVES: [GuardId; 2] = [GuardId(2), GuardId(3)];
+/// The surface jumps away.
+const TORN: GuardId = GuardId(4);
+
+/// The free equations of a side.
+const fn free(side: Side) -> Branch {
+    Branch { side, holds: false }
+}
+
+/// What can hold against a side.
+const fn limit(side: Side) -> Branch {
+    Branch { side, holds: true }
+}
+
+/// The side that a guard is about.
+fn side_of(guard: GuardId) -> Side {
+    if guard == MEETS[0] || guard == LEAVES[0] { Side::Above } else { Side::Below }
+}
+
+impl<M: Sided> Model for Filippov<M> {
+    type Mode = Mode;
+    type State = M::State;
+    type Input = M::Input;
+    const COORDS: usize = M::COORDS;
+
+    fn derivative(&self, mode: Mode, x: &M::State, input: &M::Input) -> M::State {
+        match mode {
+            Mode::Above => self.0.derivative(free(Side::Above), x, input),
+            Mode::Below => self.0.derivative(free(Side::Below), x, input),
+            Mode::Sliding => Point::new(&self.0, x, input).sliding_flow(),
+        }
+    }
+
+    fn readout(&self, mode: Mode, x: &M::State, input: &M::Input) -> f64 {
+        let readout = |branch| self.0.readout(branch, x, input);
+        match mode {
+            Mode::Above => readout(free(Side::Above)),
+            Mode::Below => readout(free(Side::Below)),
+            Mode::Sliding => {
+                let share = Point::new(&self.0, x, input).limits().share();
+                (1.0 - share) * readout(limit(Side::Below)) + share * readout(limit(Side::Above))
+            }
+        }
+    }
+
+    fn nature(&self, mode: Mode) -> Nature {
+        let [above, below] = [Side::Above, Side::Below].map(|side| self.0.nature(side));
+        match mode {
+            Mode::Above => above,
+            Mode::Below => below,
+            Mode::Sliding => {
+                let is_stiff = above.kind == Kind::Stiff || below.kind == Kind::Stiff;
+                let kind = if is_stiff { Kind::Stiff } else { Kind::Smooth };
+                Nature::new(kind, above.rate.max(below.rate))
+            }
+        }
+    }
+
+    fn longest_step(&self, _mode: Mode) -> f64 {
+        self.0.longest_step()
+    }
+
+    fn constrain(&self, mode: Mode, x: &M::State, input: &M::Input) -> M::State {
+        /// From a jump of [`Sided::SLACK`], each one squares what is left; the last one
+        /// is for the rounding.
+        const MOVES: usize = 4;
+        let mut x = *x;
+        if mode != Mode::Sliding {
+            return x;
+        }
+        for _ in 0..MOVES {
+            let height = self.0.surface(&x, input).value.abs();
+            if height == 0.0 || height > M::SLACK {
+                break;
+            }
+            x = Point::new(&self.0, &x, input).back();
+            if height <= Sizes::<M>::HEIGHT_BAND {
+                break;
+            }
+        }
+        x
+    }
+}
+
+impl<M: Sided> Filippov<M> {
+    const ABOVE: [GuardSpec; 1] = [GuardSpec::new(0, "meets from above").scaled(M::SIZE)];
+    const BELOW: [GuardSpec; 1] = [GuardSpec::new(1, "meets from below").scaled(M::SIZE)];
+    const SLIDING: [GuardSpec; 3] = [
+        GuardSpec::new(2, "leaves upwards").scaled(M::RATE),
+        GuardSpec::new(3, "leaves downwards").scaled(M::RATE),
+        // A side is looked for before a share is asked for.
+        GuardSpec::new(4, "torn off").scaled(M::SLACK).with_priority(0),
+    ];
+}
+
+impl<M: Sided> Guarded for Filippov<M> {
+    fn guards(&self, mode: Mode) -> &'static [GuardSpec] {
+        match mode {
+            Mode::Above => &Self::ABOVE,
+            Mode::Below => &Self::BELOW,
+            Mode::Sliding => &Self::SLIDING,
+        }
+    }
+
+    fn guard(&self, _: Mode, guard: GuardId, x: &M::State, input: &M::Input) -> GuardValue {
+        let point = Point::new(&self.0, x, input);
+        if guard == TORN {
+            GuardValue::new(M::SLACK - point.surface().value.abs(), 0.0)
+        } else if MEETS.contains(&guard) {
+            distance(&point, side_of(guard))
+        } else {
+            grip(&point, side_of(guard))
+        }
+    }
+}
+
+/// How far the state is on its `side` of the surface.
+///
+/// A side that is entered tangentially, from the end of a slide, starts at zero with a rate
+/// of either sign, as rounding will. What its own change makes good counts as zero.
+fn distance<M: Sided>(point: &Point<'_, M>, side: Side) -> GuardValue {
+    let height = side.sign() * point.surface().value;
+    let rate = side.sign() * point.rate(free(side));
+    let is_on = height.abs() <= Sizes::<M>::HEIGHT_BAND;
+    let falls = match side {
+        Side::Above => Heading::Down,
+        Side::Below => Heading::Up,
+    };
+    if is_on && rate < 0.0 && point.heading_on(free(side)) != falls {
+        return GuardValue::new(height, 0.0);
+    }
+    GuardValue::new(height, rate)
+}
+
+/// How fast the equations of `side` lead back onto the surface: what holds the state there.
+fn grip<M: Sided>(point: &Point<'_, M>, side: Side) -> GuardValue {
+    let rate = point.rate(limit(side));
+    let change = point.change(limit(side), &point.sliding_flow());
+    let leaves = match side {
+        Side::Above => Heading::Up,
+        Side::Below => Heading::Down,
+    };
+    let grip = -side.sign() * rate;
+    let is_hidden = grip < 0.0 && Point::<M>::heading_of(rate, change) != leaves;
+    GuardValue::new(if is_hidden { 0.0 } else { grip }, -side.sign() * change)
+}
+
+impl<M: Sided> Resets for Filippov<M> {
+    fn reset(&self, _: Mode, guard: GuardId, x: &M::State, input: &M::Input) -> Reset<Self> {
+        let height = self.0.surface(x, input).value;
+        if LEAVES.contains(&guard) {
+            return Reset::to(side_of(guard).into(), *x);
+        }
+        if guard == TORN || height.abs() > M::SLACK {
+            // The input has jumped, and the surface with it.
+            return Reset::to(if height > 0.0 { Mode::Above } else { Mode::Below }, *x);
+        }
+        let (mode, x) = self.meet(side_of(guard), x, input);
+        Reset::to(mode, x)
+    }
+}

@@ -1,0 +1,114 @@
+//! A state near the surface: its one-sided rates, how they change, and the way back on.
+
+use super::{Branch, Continued as _, Heading, Side, Sided, Sizes, Surface, heading};
+use crate::state::State as _;
+
+/// A state and an input of a two-sided system.
+pub(super) struct Point<'a, M: Sided> {
+    system: &'a M,
+    x: &'a M::State,
+    input: &'a M::Input,
+}
+
+/// Both limits of what the surface can hold against, at a point.
+pub(super) struct Limits<S> {
+    above: S,
+    below: S,
+    /// Their rates of h [1/s].
+    rate_above: f64,
+    rate_below: f64,
+}
+
+impl<S> Limits<S> {
+    /// α, the share of the equations above that keeps h' = 0; between 0 and 1 on a surface
+    /// that attracts, and the same formula a little beyond its end.
+    pub(super) fn share(&self) -> f64 {
+        let share = self.rate_below / (self.rate_below - self.rate_above);
+        // Both rates are zero: both sides go along the surface.
+        if share.is_finite() { share } else { 0.5 }
+    }
+}
+
+impl<'a, M: Sided> Point<'a, M> {
+    pub(super) const fn new(system: &'a M, x: &'a M::State, input: &'a M::Input) -> Self {
+        Self { system, x, input }
+    }
+
+    pub(super) fn surface(&self) -> Surface<M::State> {
+        self.system.surface(self.x, self.input)
+    }
+
+    /// The derivative on a branch.
+    pub(super) fn flow(&self, branch: Branch) -> M::State {
+        self.system.derivative(branch, self.x, self.input)
+    }
+
+    /// The rate of h on a branch [1/s].
+    pub(super) fn rate(&self, branch: Branch) -> f64 {
+        self.surface().rate(&self.flow(branch))
+    }
+
+    /// How fast the rate on `branch` changes along `flow` [1/s²], by a central difference.
+    pub(super) fn change(&self, branch: Branch, flow: &M::State) -> f64 {
+        let dt = Sizes::<M>::MOMENT;
+        let [late, early] = [dt, -dt].map(|dt| {
+            let (x, input) = (self.x.plus(dt, flow), self.input.after(dt));
+            Point::new(self.system, &x, &input).rate(branch)
+        });
+        (late - early) / (2.0 * dt)
+    }
+
+    /// Where a side leads from here, taken as a point of the surface.
+    pub(super) fn heading(&self, side: Side) -> Heading {
+        self.heading_on(Branch { side, holds: true })
+    }
+
+    /// The same for any branch.
+    pub(super) fn heading_on(&self, branch: Branch) -> Heading {
+        let flow = self.flow(branch);
+        let rate = self.surface().rate(&flow);
+        Self::heading_of(rate, self.change(branch, &flow))
+    }
+
+    /// The heading by a rate [1/s] and its change [1/s²].
+    pub(super) fn heading_of(rate: f64, change: f64) -> Heading {
+        let [height, band] = [Sizes::<M>::HEIGHT_BAND, Sizes::<M>::RATE_BAND];
+        heading::heading((rate, change), height, band, Sizes::<M>::CHANGE_BAND)
+    }
+
+    /// Both limits, with their rates.
+    pub(super) fn limits(&self) -> Limits<M::State> {
+        let surface = self.surface();
+        let [above, below] =
+            [Side::Above, Side::Below].map(|side| self.flow(Branch { side, holds: true }));
+        let (rate_above, rate_below) = (surface.rate(&above), surface.rate(&below));
+        Limits { above, below, rate_above, rate_below }
+    }
+
+    /// The derivative along the surface.
+    pub(super) fn sliding_flow(&self) -> M::State {
+        let limits = self.limits();
+        let share = limits.share();
+        limits.below.times(1.0 - share).plus(share, &limits.above)
+    }
+
+    /// The point of the surface next to here.
+    pub(super) fn onto_surface(&self) -> M::State {
+        let surface = self.surface();
+        let step = surface.value / surface.slope(&surface.gradient);
+        if step.is_finite() { self.x.plus(-step, &surface.gradient) } else { *self.x }
+    }
+
+    /// The point of the surface that is reached along f₊ − f₋; the state itself if that does
+    /// not lead there, or not soon.
+    pub(super) fn back(&self) -> M::State {
+        let limits = self.limits();
+        // How much sooner or later the share would have had to change [s].
+        let time = self.surface().value / (limits.rate_below - limits.rate_above);
+        let is_soon = time.abs() <= M::SIZE / M::RATE;
+        if !is_soon || limits.rate_below <= limits.rate_above {
+            return *self.x;
+        }
+        self.x.plus(time, &limits.above.plus(-1.0, &limits.below))
+    }
+}

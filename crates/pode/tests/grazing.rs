@@ -1,0 +1,166 @@
+//! Case C2: touches, and dips that are hardly more than that.
+//!
+//! Error model: the gap is a function of the time, known at any time to rounding; a root is
+//! met with the slope 20 √d and located to 2⁻⁴⁰ of the tick, far below that.
+
+mod common;
+mod driven;
+
+use common::{all_completed, close, each_step_and_phase};
+use driven::run_driven;
+use pode::stepper::Rk4;
+use pode::{
+    Fires, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion, Reset, Resets, Simulator,
+};
+
+/// A body at rest at 0 over a platform that moves: the gap is the platform's distance below.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Platform {
+    fires: Fires,
+}
+
+impl Model for Platform {
+    /// Whether the platform has not come yet.
+    type Mode = bool;
+    type State = [f64; 1];
+    type Input = Motion;
+    const COORDS: usize = 1;
+
+    fn derivative(&self, _: bool, _: &[f64; 1], _: &Motion) -> [f64; 1] {
+        [0.0]
+    }
+
+    fn readout(&self, _: bool, _: &[f64; 1], _: &Motion) -> f64 {
+        0.0
+    }
+}
+
+impl Guarded for Platform {
+    fn guards(&self, clear: bool) -> &'static [GuardSpec] {
+        const GAP: [GuardSpec; 1] = [GuardSpec::new(0, "gap")];
+        const FALLS: [GuardSpec; 1] = [GAP[0].on_crossing()];
+        match self.fires {
+            _ if !clear => &[],
+            Fires::WhileNegative => &GAP,
+            Fires::OnCrossing => &FALLS,
+        }
+    }
+
+    fn guard(&self, _: bool, _: GuardId, _: &[f64; 1], platform: &Motion) -> GuardValue {
+        GuardValue::new(-platform.position, -platform.rate)
+    }
+}
+
+impl Resets for Platform {
+    fn reset(&self, _: bool, _: GuardId, x: &[f64; 1], _: &Motion) -> Reset<Self> {
+        Reset::to(false, *x)
+    }
+}
+
+/// When the gap closes, under both kinds of guard, at one step and phase.
+fn closes(at: (f64, f64), until: f64, gap: impl Fn(f64) -> [f64; 2]) -> Option<f64> {
+    let [a, b] = [Fires::WhileNegative, Fires::OnCrossing].map(|fires| {
+        let mut it = Simulator::new(Platform { fires }, Rk4, Limits::default(), true, [0.0]);
+        let (recorder, ticks) = run_driven(&mut it, at, until, |t| {
+            let [gap, rate] = gap(t);
+            Motion { position: -gap, rate: -rate, ..Motion::default() }
+        });
+        all_completed(&ticks);
+        recorder.seen.first().map(|seen| seen.t)
+    });
+    assert_eq!(a.map(f64::to_bits), b.map(f64::to_bits), "at {at:?}");
+    a
+}
+
+/// Asserts when the gap closes first, if it does, at all steps and phases.
+#[track_caller]
+fn check(what: &str, gap: impl Fn(f64) -> [f64; 2], expected: Option<f64>, tolerance: f64) {
+    each_step_and_phase(|h, phase| {
+        let found = closes((h, phase), 0.25, &gap);
+        assert_eq!(found.is_some(), expected.is_some(), "{what}, h {h}, phase {phase}: {found:?}");
+        for (found, expected) in found.into_iter().zip(expected) {
+            close(format_args!("{what}, h {h}, phase {phase}"), found, expected, tolerance);
+        }
+    });
+}
+
+/// t* of the case.
+const TOUCH: f64 = 0.123_456_789;
+
+#[test]
+fn c2_a_platform_that_grazes() {
+    for (d, root) in [
+        (-1e-2, None),
+        (-1e-10, None),
+        (0.0, None),
+        (1e-4, Some(0.113_456_789)),
+        (1e-6, Some(0.122_456_789)),
+        (1e-8, Some(0.123_356_789)),
+        (1e-10, Some(0.123_446_789)),
+    ] {
+        let gap = |t: f64| [10.0 * ((t - TOUCH) * (t - TOUCH) - d), 20.0 * (t - TOUCH)];
+        check(&format!("d {d:e}"), gap, root, 2e-16);
+    }
+}
+
+#[test]
+fn a_dip_is_found_down_to_rounding() {
+    for n in 3..14 {
+        let d = 10.0_f64.powi(-n);
+        for curvature in [0.1, 10.0, 1e3, 1e5] {
+            let gap =
+                |t: f64| [curvature * ((t - TOUCH).powi(2) - d), 2.0 * curvature * (t - TOUCH)];
+            // A dip of less than 16 ε is none, and one of a few times that may be none.
+            let depth = curvature * d;
+            if depth > 1e-14 {
+                check(&format!("d {d:e}, {curvature}"), gap, Some(TOUCH - d.sqrt()), 1e-15);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_swinging_platform_grazes_as_precisely() {
+    // gap = A (1 − d − cos ω(t − t*)), with ωh up to 0.7: its cubic does not know the dip.
+    for omega in [5.0, 20.0, 60.0, 100.0] {
+        for d in [-1e-12_f64, 1e-3, 1e-6, 1e-9, 1e-12] {
+            let gap = |t: f64| {
+                let half = (0.5 * omega * (t - TOUCH)).sin();
+                [2.0 * half * half - d, omega * (omega * (t - TOUCH)).sin()]
+            };
+            let half = 2.0 * (0.5 * d.max(0.0)).sqrt().asin() / omega;
+            // The first of its dips, one in each turn.
+            let root = (d > 0.0).then(|| (TOUCH - half).rem_euclid(std::f64::consts::TAU / omega));
+            let until = TOUCH + 0.5 * std::f64::consts::PI / omega;
+            each_step_and_phase(|h, phase| {
+                let found = closes((h, phase), until, gap);
+                assert_eq!(found.is_some(), root.is_some(), "ω {omega}, d {d:e}, h {h}, {phase}");
+                for (found, known) in found.into_iter().zip(root) {
+                    // Rounding of the gap, 1e-16, over its slope, ω √(2d).
+                    let tolerance = 1e-15 + 1e-15 / (omega * (2.0 * d).sqrt());
+                    close(format_args!("ω {omega}, d {d:e}, h {h}"), found, known, tolerance);
+                }
+            });
+        }
+    }
+}
+
+#[test]
+fn a_touch_of_higher_order_is_none() {
+    for power in [2, 4, 6] {
+        let gap =
+            |t: f64| [(t - TOUCH).powi(power), f64::from(power) * (t - TOUCH).powi(power - 1)];
+        check(&format!("power {power}"), gap, None, 0.0);
+    }
+}
+
+#[test]
+fn a_gap_that_closes_flatly_closes_where_rounding_lets_it_be_seen() {
+    for power in [3, 5] {
+        let gap =
+            |t: f64| [-(t - TOUCH).powi(power), -f64::from(power) * (t - TOUCH).powi(power - 1)];
+        // Positive, zero within rounding, negative: within the band's root of that power.
+        let band = (16.0 * f64::EPSILON).powf(1.0 / f64::from(power));
+        check(&format!("power {power}"), gap, Some(TOUCH), band);
+    }
+}

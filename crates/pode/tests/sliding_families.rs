@@ -1,0 +1,198 @@
+//! Filippov systems at random against an event machine in closed form.
+//!
+//! The rates are lines in the time, so x is a parabola on each side: the reference solves
+//! quadratics, one after another, with no step at all.
+
+#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
+#![allow(clippy::disallowed_methods, reason = "a test may use the heap")]
+
+mod common;
+mod driven;
+
+use driven::{Clock, run_driven};
+use pode::filippov::{Branch, Filippov, Mode, Side, Sided, Surface};
+use pode::stepper::Rk4;
+use pode::{Advance, Limits, Simulator};
+use proptest::prelude::*;
+
+/// x' = a + b t, on either side of a surface x = c t.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Lines {
+    above: [f64; 2],
+    below: [f64; 2],
+    /// Speed of the surface.
+    drift: f64,
+    /// What all lengths are multiplied by.
+    size: f64,
+}
+
+impl Lines {
+    /// The line of a side, relative to the surface.
+    fn relative(&self, side: Side) -> [f64; 2] {
+        let [a, b] = if side == Side::Above { self.above } else { self.below };
+        [a - self.drift, b]
+    }
+}
+
+impl Sided for Lines {
+    type State = [f64; 2];
+    type Input = Clock;
+    const COORDS: usize = 2;
+    const SIZE: f64 = 1.0;
+    const RATE: f64 = 1.0;
+
+    fn derivative(&self, branch: Branch, _: &[f64; 2], t: &Clock) -> [f64; 2] {
+        let [a, b] = if branch.side == Side::Above { self.above } else { self.below };
+        [self.size * (a + b * t.0), branch.side.sign()]
+    }
+
+    fn readout(&self, branch: Branch, _: &[f64; 2], _: &Clock) -> f64 {
+        branch.side.sign()
+    }
+
+    fn surface(&self, x: &[f64; 2], t: &Clock) -> Surface<[f64; 2]> {
+        let drift = self.size * self.drift;
+        Surface { value: x[0] - drift * t.0, gradient: [1.0, 0.0], drift: -drift }
+    }
+}
+
+/// The smallest root above `from` of c0 + c1 t + c2 t², if any.
+fn first_root([c0, c1, c2]: [f64; 3], from: f64) -> Option<f64> {
+    let roots = if c2 == 0.0 {
+        [-c0 / c1, f64::NAN]
+    } else {
+        let d = (c1 * c1 - 4.0 * c0 * c2).sqrt();
+        let q = -0.5 * (c1 + d.copysign(c1));
+        [q / c2, c0 / q]
+    };
+    roots.into_iter().filter(|t| *t > from).min_by(f64::total_cmp)
+}
+
+/// One epoch of the reference: from when, in which mode, and how sharply it began.
+#[derive(Clone, Copy, Debug)]
+struct Epoch {
+    from: f64,
+    mode: Mode,
+    /// The smallest rate that had a say in it.
+    margin: f64,
+}
+
+fn rate([a, b]: [f64; 2], t: f64) -> f64 {
+    a + b * t
+}
+
+/// The modes from the height `x` at t = 0 to `until`.
+fn reference(lines: &Lines, x: f64, until: f64) -> Vec<Epoch> {
+    let [up, down] = [Side::Above, Side::Below].map(|side| lines.relative(side));
+    let begin = if x > 0.0 { Mode::Above } else { Mode::Below };
+    let mut epochs = vec![Epoch { from: 0.0, mode: begin, margin: 1.0 }];
+    let mut height = x;
+    while let Some(&Epoch { from, mode, .. }) = epochs.last() {
+        let ahead = from + 1e-7;
+        let next = match mode {
+            Mode::Sliding => {
+                let exits = [up, down].map(|line| first_root([line[0], line[1], 0.0], ahead));
+                let ends = exits.map(|t| t.unwrap_or(f64::INFINITY));
+                let (t, mode) =
+                    if ends[0] < ends[1] { (ends[0], Mode::Above) } else { (ends[1], Mode::Below) };
+                // How far apart the exits are.
+                t.is_finite().then(|| Epoch { from: t, mode, margin: (ends[0] - ends[1]).abs() })
+            }
+            Mode::Above | Mode::Below => {
+                let [a, b] = if mode == Mode::Above { up } else { down };
+                let at_zero = height - a * from - 0.5 * b * from * from;
+                first_root([at_zero, a, 0.5 * b], ahead).map(|t| meet(up, down, t))
+            }
+        };
+        height = 0.0;
+        match next {
+            Some(epoch) if epoch.from < until => epochs.push(epoch),
+            _ => return epochs,
+        }
+    }
+    epochs
+}
+
+fn meet(up: [f64; 2], down: [f64; 2], t: f64) -> Epoch {
+    let [above, below] = [rate(up, t), rate(down, t)];
+    let mode = match (above < 0.0, below > 0.0) {
+        (true, true) => Mode::Sliding,
+        (true, false) => Mode::Below,
+        (false, _) => Mode::Above,
+    };
+    Epoch { from: t, mode, margin: above.abs().min(below.abs()) }
+}
+
+prop_compose! {
+    fn lines()(
+        above in prop::array::uniform2(-2.0..2.0),
+        below in prop::array::uniform2(-2.0..2.0),
+        drift in prop_oneof![Just(0.0), -1.0..1.0],
+        exponent in -3..4_i32,
+    ) -> Lines {
+        Lines { above, below, drift, size: 10_f64.powi(exponent) }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn modes_and_times_are_those_of_the_closed_form(
+        lines in lines(),
+        x in prop_oneof![-1.0..-0.01, 0.01..1.0],
+        h in prop_oneof![Just(1e-3), Just(7e-3), 1e-3..5e-2],
+        phase in prop_oneof![Just(0.0), Just(1.0 / 3.0), Just(0.999)],
+    ) {
+        let expected = reference(&lines, x, 4.0);
+        // Where a decision hangs on a margin of 1e-6, rounding may decide.
+        prop_assume!(expected.iter().all(|epoch| epoch.margin > 1e-6 && (epoch.from - 4.0).abs() > 1e-6));
+        let model = Filippov(lines);
+        let (mode, state) = model.start(&[lines.size * x, 0.0], &Clock(0.0));
+        let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
+        let (recorder, ticks) = run_driven(&mut it, (h, phase), 4.0, Clock);
+        prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed));
+        let found: Vec<_> = recorder.seen.iter().map(|it| (it.t, it.mode)).collect();
+        prop_assert_eq!(found.len(), expected.len() - 1, "{:?} {:?}", &found, &expected);
+        for ((t, mode), epoch) in found.iter().zip(&expected[1..]) {
+            prop_assert_eq!(*mode, epoch.mode);
+            // Rounding of some 4000 steps over the rate with which the surface is met.
+            let tolerance = 1e-11 / epoch.margin.min(1.0);
+            prop_assert!((t - epoch.from).abs() < tolerance, "{} is not {}", t, epoch.from);
+        }
+    }
+
+    #[test]
+    fn coincidences_are_bounded_and_keep_to_their_sides(
+        above in prop::array::uniform2(-2..3_i32),
+        below in prop::array::uniform2(-2..3_i32),
+        drift in -1..2_i32,
+        exponent in -3..4_i32,
+        x in -2..3_i32,
+        h in prop_oneof![Just(1e-3), Just(7e-3), Just(0.125)],
+        phase in prop_oneof![Just(0.0), Just(1.0 / 3.0), Just(0.999)],
+    ) {
+        // Halves, so that rates, hits and exits coincide in the very bits.
+        let halves = |it: [i32; 2]| it.map(|n| 0.5 * f64::from(n));
+        let lines = Lines {
+            above: halves(above),
+            below: halves(below),
+            drift: 0.5 * f64::from(drift),
+            size: 10_f64.powi(exponent),
+        };
+        let model = Filippov(lines);
+        let (mode, state) = model.start(&[0.5 * lines.size * f64::from(x), 0.0], &Clock(0.0));
+        let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
+        let (recorder, ticks) = run_driven(&mut it, (h, phase), 4.0, Clock);
+        prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed), "{:?}", recorder.seen);
+        // A parabola meets its surface twice at most, on either side, and is let go twice.
+        prop_assert!(recorder.seen.len() <= 6, "{:?}", recorder.seen);
+        let height = model.0.surface(it.state(), &Clock(4.0)).value / lines.size.max(1.0);
+        let is_there = match it.mode() {
+            Mode::Above => height > -1e-12,
+            Mode::Below => height < 1e-12,
+            Mode::Sliding => height.abs() < 1e-12,
+        };
+        prop_assert!(is_there, "{:?} at {:e}", it.mode(), height);
+    }
+}
