@@ -11,7 +11,11 @@ use std::hint::black_box;
 use criterion::Criterion;
 use models::{Described as _, KeyHammerSprings, Playable as _};
 use pode::input::Cubic;
-use pode::stepper::{BogackiShampine, Heun, Rk4, SemiImplicitEuler};
+use pode::stepper::{
+    AdamsBashforth2, AdamsBashforth3, BogackiShampine, ExplicitEuler, ExponentialRosenbrock,
+    Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler,
+    Tsitouras5, VelocityVerlet,
+};
 use pode::{Bracket, Event, Limits, Model, Motion, Simulator, Stepper, Watch, locate};
 use setting::TICKS;
 
@@ -23,10 +27,21 @@ const NANOSECOND: f64 = 1.0 / ((1_u64 << 20) as f64);
 
 fn main() {
     let mut criterion = setting::criterion();
+    quiet(&mut criterion, ExplicitEuler);
     quiet(&mut criterion, SemiImplicitEuler);
     quiet(&mut criterion, Heun);
+    quiet(&mut criterion, VelocityVerlet);
+    quiet(&mut criterion, AdamsBashforth2);
+    quiet(&mut criterion, AdamsBashforth3);
     quiet(&mut criterion, BogackiShampine);
     quiet(&mut criterion, Rk4);
+    quiet(&mut criterion, Tsitouras5);
+    quiet(&mut criterion, LinearImplicitMidpoint);
+    quiet(&mut criterion, Ros2);
+    quiet(&mut criterion, Rodas3);
+    quiet(&mut criterion, Rodas4);
+    quiet(&mut criterion, ExponentialRosenbrock);
+    quiet(&mut criterion, Exprb32);
     eventful(&mut criterion);
     roots(&mut criterion);
     criterion.final_summary();

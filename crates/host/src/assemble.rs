@@ -6,8 +6,7 @@ use haptics::{BackwardDifference, ForceGate, Kalman, RigParameters};
 use hardware::sim::key::SimulatedKey;
 use models::Playable;
 use models::catalogue::{self, Visitor};
-use pode::Limits;
-use pode::stepper::{BogackiShampine, Heun, Rk4, SemiImplicitEuler};
+use pode::{Limits, stepper};
 use scheduler::time::Period;
 
 use crate::adapters::audit::AuditCell;
@@ -112,18 +111,34 @@ impl Visitor for Builder<'_> {
 
     fn visit<M: Playable>(self) -> Self::Output {
         let model = M::with_values(self.values);
-        let stepper = self.render.stepper;
+        let name = self.render.stepper;
         let fittings = self.fittings(model.input_per_metre())?;
-        Ok(match stepper {
-            StepperName::Rk4 => Box::new(RenderedKey::new(model, Rk4, fittings)),
-            StepperName::Heun => Box::new(RenderedKey::new(model, Heun, fittings)),
-            StepperName::BogackiShampine => {
-                Box::new(RenderedKey::new(model, BogackiShampine, fittings))
-            }
-            StepperName::SemiImplicitEuler => {
-                Box::new(RenderedKey::new(model, SemiImplicitEuler, fittings))
-            }
-        })
+        macro_rules! rendered {
+            ($($stepper:ident),+ $(,)?) => {
+                match name {
+                    $(StepperName::$stepper => {
+                        Box::new(RenderedKey::new(model, stepper::$stepper, fittings))
+                    })+
+                }
+            };
+        }
+        Ok(rendered!(
+            ExplicitEuler,
+            SemiImplicitEuler,
+            Heun,
+            VelocityVerlet,
+            AdamsBashforth2,
+            AdamsBashforth3,
+            BogackiShampine,
+            Rk4,
+            Tsitouras5,
+            LinearImplicitMidpoint,
+            Ros2,
+            Rodas3,
+            Rodas4,
+            ExponentialRosenbrock,
+            Exprb32,
+        ))
     }
 }
 

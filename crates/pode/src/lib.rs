@@ -53,6 +53,7 @@ mod matrix;
 mod model;
 mod nature;
 mod outcome;
+mod phi;
 mod quadrature;
 mod run;
 mod simulator;

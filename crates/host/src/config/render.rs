@@ -2,8 +2,7 @@
 
 use haptics::Kalman;
 use pode::input::Reconstruction as Samples;
-use pode::stepper::{BogackiShampine, Heun, Rk4, SemiImplicitEuler};
-use pode::{Limits, Stepper as _};
+use pode::{Limits, Stepper as _, stepper};
 
 use super::quantity::Quantity;
 use super::read::Reader;
@@ -59,33 +58,59 @@ impl Default for Render {
     }
 }
 
-/// A method of `pode::stepper`.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum StepperName {
-    /// First order, one evaluation.
+macro_rules! steppers {
+    ($($(#[$doc:meta])+ $name:ident,)+) => {
+        /// A method of `pode::stepper`.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub enum StepperName {
+            $($(#[$doc])+ $name,)+
+        }
+
+        impl StepperName {
+            /// Every method, the explicit ones first, by order.
+            pub const ALL: &[Self] = &[$(Self::$name),+];
+
+            /// Its name in scenes and on the command line.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$name => stepper::$name::NAME,)+
+                }
+            }
+        }
+    };
+}
+
+steppers! {
+    /// First order, one evaluation; makes energy.
+    ExplicitEuler,
+    /// First order, two evaluations; keeps energy bounded.
     SemiImplicitEuler,
     /// Second order, two evaluations.
     Heun,
+    /// Second order, two evaluations; keeps energy bounded.
+    VelocityVerlet,
+    /// Second order, one evaluation; starts anew after events.
+    AdamsBashforth2,
+    /// Third order, one evaluation; starts anew after events.
+    AdamsBashforth3,
     /// Third order, three evaluations.
     BogackiShampine,
     /// Fourth order, four evaluations.
     Rk4,
-}
-
-impl StepperName {
-    /// Every method, cheapest first.
-    pub const ALL: [Self; 4] =
-        [Self::SemiImplicitEuler, Self::Heun, Self::BogackiShampine, Self::Rk4];
-
-    /// Its name in scenes and on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::SemiImplicitEuler => SemiImplicitEuler::NAME,
-            Self::Heun => Heun::NAME,
-            Self::BogackiShampine => BogackiShampine::NAME,
-            Self::Rk4 => Rk4::NAME,
-        }
-    }
+    /// Fifth order, six evaluations.
+    Tsitouras5,
+    /// Second order, linearly implicit; makes no energy at any stiffness.
+    LinearImplicitMidpoint,
+    /// Second order, linearly implicit; stiff motion dies out.
+    Ros2,
+    /// Third order, linearly implicit; stiff motion dies out.
+    Rodas3,
+    /// Fourth order, linearly implicit; stiff motion dies out.
+    Rodas4,
+    /// Second order, by the exponential of the linear part.
+    ExponentialRosenbrock,
+    /// Third order, by the exponential of the linear part.
+    Exprb32,
 }
 
 /// An estimator of `haptics`.
@@ -145,7 +170,7 @@ impl Reconstruction {
 pub(super) fn read(report: &mut Report<'_>, scene: &mut Reader<'_>, tick_hz: u32) -> Render {
     let mut render = Render::default();
     let Some(mut reader) = scene.table(report, "render") else { return render };
-    let steppers = StepperName::ALL.map(|all| (all.name(), all));
+    let steppers: Vec<_> = StepperName::ALL.iter().map(|all| (all.name(), *all)).collect();
     let estimators = EstimatorName::ALL.map(|all| (all.name(), all));
     let reconstructions = Reconstruction::ALL.map(|all| (all.name(), all));
 

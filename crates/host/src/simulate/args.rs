@@ -72,7 +72,10 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "H", allow_negative_numbers = true)]
     pub step: f64,
 
-    /// Method: semi-implicit-euler, heun, bogacki-shampine or rk4.
+    /// Method. Explicit, by order: explicit-euler, semi-implicit-euler, heun, velocity-verlet,
+    /// adams-bashforth2, adams-bashforth3, bogacki-shampine, rk4, tsitouras5. For stiff modes:
+    /// linear-implicit-midpoint (makes no energy), ros2, rodas3, rodas4. For nearly linear
+    /// modes: exponential-rosenbrock, exprb32.
     #[arg(long, value_name = "M", default_value = Rk4::NAME)]
     pub method: String,
 

@@ -1,7 +1,11 @@
 //! Tick after tick, with the audit and the tables looking on.
 
 use models::{Described, Playable};
-use pode::stepper::{BogackiShampine, Heun, Rk4, SemiImplicitEuler};
+use pode::stepper::{
+    AdamsBashforth2, AdamsBashforth3, BogackiShampine, ExplicitEuler, ExponentialRosenbrock,
+    Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler,
+    Tsitouras5, VelocityVerlet,
+};
 use pode::{Advance, Cap, EnergyAudit, Event, Motion, Piece, Signal, Simulator};
 use pode::{State as _, Stepper, Tick, Watch};
 
@@ -31,7 +35,23 @@ macro_rules! methods {
     };
 }
 
-methods!(SemiImplicitEuler, Heun, BogackiShampine, Rk4);
+methods!(
+    ExplicitEuler,
+    SemiImplicitEuler,
+    Heun,
+    VelocityVerlet,
+    AdamsBashforth2,
+    AdamsBashforth3,
+    BogackiShampine,
+    Rk4,
+    Tsitouras5,
+    LinearImplicitMidpoint,
+    Ros2,
+    Rodas3,
+    Rodas4,
+    ExponentialRosenbrock,
+    Exprb32,
+);
 
 /// Advances a model from 0 to the clock's end, or to its first fault.
 fn drive<M: Playable, T: Stepper>(
@@ -66,9 +86,10 @@ fn drive<M: Playable, T: Stepper>(
 
 /// Whether the input was finite where a tick failed.
 fn is_driven(clock: &Clock, input: &Input, tick: u64) -> bool {
-    /// Where a method of at most four stages looks in a tick without events.
-    const PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-    PLACES.iter().all(|theta| is_finite(&input.at(clock.time(tick, *theta))))
+    /// Near every place where some method looks in a tick without events.
+    const PLACES: u32 = 64;
+    let mut places = (0..=PLACES).map(|n| f64::from(n) / f64::from(PLACES));
+    places.all(|theta| is_finite(&input.at(clock.time(tick, theta))))
 }
 
 /// Looks on while a tick runs.

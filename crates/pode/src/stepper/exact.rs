@@ -65,8 +65,7 @@ impl<T: Stepper> Stepper for Exact<T> {
             };
             return Step::new(Either::Left(flow));
         }
-        let Step { dense, error, is_accepted } = self.other.step(field, x0, memory, h);
-        Step { dense: Either::Right(dense), error, is_accepted }
+        self.other.step(field, x0, memory, h).map(Either::Right)
     }
 
     fn refine<S: State>(&self, field: &mut impl Field<S>, dense: &mut Self::Dense<S>, h: f64) {

@@ -1,26 +1,56 @@
 //! One step of a method. One method per file, each answering the same questions:
 //! order, stages, embedded error, dense output, evaluations, what a reset discards.
 
+mod adams_bashforth2;
+mod adams_bashforth3;
 mod bogacki_shampine;
+mod by_need;
 mod controlled;
 mod dop853;
 mod exact;
+mod explicit_euler;
+mod exponential_rosenbrock;
+mod exprb32;
 mod field;
 mod heun;
+mod history;
+mod linear_implicit_midpoint;
 mod memory;
+mod quarters;
 mod rk4;
+mod rodas3;
+mod rodas4;
+mod ros2;
+mod rosenbrock;
 mod semi_implicit_euler;
+mod shifted;
+mod time_slope;
+mod tsitouras5;
+mod velocity_verlet;
 
+pub use adams_bashforth2::AdamsBashforth2;
+pub use adams_bashforth3::AdamsBashforth3;
 pub use bogacki_shampine::BogackiShampine;
+pub use by_need::{ByNeed, Choice, MENU, Method, Offer};
 pub use controlled::{Control, Controlled, Tolerance};
 pub use dop853::{Dense8, Dop853};
 pub use exact::{Either, Exact, Flow};
+pub use explicit_euler::ExplicitEuler;
+pub use exponential_rosenbrock::ExponentialRosenbrock;
+pub use exprb32::Exprb32;
 pub use field::{Field, Given};
 pub(crate) use field::{differences, unit_differences};
 pub use heun::Heun;
+pub use history::History;
+pub use linear_implicit_midpoint::LinearImplicitMidpoint;
 pub use memory::{Memory, Slope};
 pub use rk4::Rk4;
+pub use rodas3::Rodas3;
+pub use rodas4::Rodas4;
+pub use ros2::Ros2;
 pub use semi_implicit_euler::SemiImplicitEuler;
+pub use tsitouras5::Tsitouras5;
+pub use velocity_verlet::VelocityVerlet;
 
 use core::fmt::Debug;
 
@@ -44,6 +74,13 @@ impl<S: State, D> Step<S, D> {
     #[inline]
     pub const fn new(dense: D) -> Self {
         Self { dense, error: S::ZERO, is_accepted: true }
+    }
+
+    /// The same with another form of dense output.
+    #[inline]
+    pub(crate) fn map<E>(self, form: impl FnOnce(D) -> E) -> Step<S, E> {
+        let Self { dense, error, is_accepted } = self;
+        Step { dense: form(dense), error, is_accepted }
     }
 
     /// The same with an estimate of the end's error, entry by entry.

@@ -1,0 +1,196 @@
+//! The cheapest method that meets an error budget, mode by mode.
+
+use crate::dense::Cubic;
+use crate::math::{ceil, powf};
+use crate::nature::{Kind, Nature};
+use crate::state::State;
+use crate::stepper::exact::{Either, Exact, Flow};
+use crate::stepper::{Field, Heun, Rk4, Rodas3, Step, Stepper, VelocityVerlet};
+
+/// Chooses for each mode, by what the model says of it, the method and the step that meet an
+/// error budget at the least cost.
+///
+/// Linear modes get their exact flow, stiff ones RODAS3 at the model's own step, the others
+/// the cheapest of the [`MENU`] by evaluations per tick. Order, evaluations and dense output
+/// are those of the method; no memory, nothing discarded after a reset.
+/// [`ByNeed::choice`] says what is taken and why.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ByNeed {
+    /// Relative error of the state that may be made per radian of a mode's fastest motion.
+    budget: f64,
+    /// Length of the tick [s].
+    tick: f64,
+    /// Longest step that meets the budget [rad], for each line of the menu.
+    reaches: [f64; MENU.len()],
+}
+
+/// A method that `ByNeed` may take.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Method {
+    /// [`Exact`].
+    Exact,
+    /// [`Heun`].
+    Heun,
+    /// [`VelocityVerlet`].
+    VelocityVerlet,
+    /// [`Rk4`].
+    Rk4,
+    /// [`Rodas3`].
+    Rodas3,
+}
+
+impl Method {
+    /// Its name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Exact => Exact::<Rk4>::NAME,
+            Self::Heun => Heun::NAME,
+            Self::VelocityVerlet => VelocityVerlet::NAME,
+            Self::Rk4 => Rk4::NAME,
+            Self::Rodas3 => Rodas3::NAME,
+        }
+    }
+}
+
+/// What is taken in a mode.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Choice {
+    /// The method.
+    pub method: Method,
+    /// Longest step [s]; infinite where the method sets no limit.
+    pub step: f64,
+    /// Relative error to be expected per radian of the mode's fastest motion; NaN where the
+    /// model does not say how fast that is.
+    pub error: f64,
+}
+
+/// A method with its error: the relative error per radian of an oscillator in steps of r
+/// radians is `constant` r^`order`.
+#[derive(Clone, Copy, Debug)]
+pub struct Offer {
+    /// The method.
+    pub method: Method,
+    /// What its error is proportional to.
+    pub constant: f64,
+    /// Its order.
+    pub order: f64,
+    /// Evaluations of the derivative per step.
+    pub evaluations: f64,
+    /// Whether it keeps its order with forces that depend on the speed.
+    pub is_for_damped: bool,
+}
+
+/// What there is to choose from in smooth modes; the constants are those of the phase.
+/// [HNW93] II.1, [HLW06] I.1.
+pub const MENU: [Offer; 3] = [
+    Offer {
+        method: Method::Heun,
+        constant: 1.0 / 6.0,
+        order: 2.0,
+        evaluations: 2.0,
+        is_for_damped: true,
+    },
+    Offer {
+        method: Method::VelocityVerlet,
+        constant: 1.0 / 24.0,
+        order: 2.0,
+        evaluations: 2.0,
+        is_for_damped: false,
+    },
+    Offer {
+        method: Method::Rk4,
+        constant: 1.0 / 120.0,
+        order: 4.0,
+        evaluations: 4.0,
+        is_for_damped: true,
+    },
+];
+
+impl Default for ByNeed {
+    /// 1e-4 per radian in ticks of 1 ms.
+    fn default() -> Self {
+        Self::new(1e-4, 1e-3)
+    }
+}
+
+impl ByNeed {
+    /// Meets `budget`, a relative error per radian, in ticks of `tick` [s].
+    pub fn new(budget: f64, tick: f64) -> Self {
+        /// Guards are seen, and all of the menu is stable, up to this [rad].
+        const MOST: f64 = 1.0;
+        let reach = |it: Offer| powf(budget / it.constant, 1.0 / it.order).min(MOST);
+        Self { budget, tick, reaches: MENU.map(reach) }
+    }
+
+    /// What is taken in a mode of this `nature`, where the model asks for steps of `own` [s].
+    pub fn choice(&self, nature: &Nature, own: f64) -> Choice {
+        match nature.kind {
+            Kind::Affine | Kind::Linear => {
+                let step = Exact::<Rk4>::default().longest_step(nature, own);
+                Choice { method: Method::Exact, step, error: 0.0 }
+            }
+            Kind::Stiff => Choice { method: Method::Rodas3, step: own, error: f64::NAN },
+            Kind::Smooth | Kind::Conservative if nature.rate > 0.0 => self.cheapest(nature, own),
+            Kind::Smooth | Kind::Conservative => {
+                Choice { method: Method::Rk4, step: own, error: f64::NAN }
+            }
+        }
+    }
+
+    /// The line of the menu that meets the budget with the fewest evaluations per tick; of two
+    /// that cost the same, the one with the smaller error.
+    #[inline]
+    fn cheapest(&self, nature: &Nature, own: f64) -> Choice {
+        let radians = nature.rate * self.tick;
+        let may_be = |it: &Offer| it.is_for_damped || nature.kind == Kind::Conservative;
+        let mut best = (f64::INFINITY, f64::INFINITY, &MENU[MENU.len() - 1], own);
+        for (offer, reach) in MENU.iter().zip(self.reaches).filter(|(it, _)| may_be(it)) {
+            let steps = ceil(radians / reach.min(nature.rate * own)).max(1.0);
+            let error = offer.constant * powi(radians / steps, offer.order);
+            let cost = steps * offer.evaluations;
+            if cost < best.0 || (cost <= best.0 && error < best.1) {
+                best = (cost, error, offer, reach / nature.rate);
+            }
+        }
+        let (_, error, offer, step) = best;
+        Choice { method: offer.method, step: step.min(own), error }
+    }
+}
+
+/// `x` to the power of an even order.
+fn powi(x: f64, order: f64) -> f64 {
+    let square = x * x;
+    if order > 3.0 { square * square } else { square }
+}
+
+impl Stepper for ByNeed {
+    const ORDER: u32 = 2;
+    const DENSE: u32 = 2;
+    const EVALUATIONS: u32 = Rodas3::EVALUATIONS;
+    const NAME: &'static str = "by-need";
+
+    type Memory<S: State> = ();
+    type Dense<S: State> = Either<Flow<S>, Cubic<S>>;
+
+    #[inline]
+    fn step<S: State>(
+        &self,
+        field: &mut impl Field<S>,
+        x0: &S,
+        memory: &mut (),
+        h: f64,
+    ) -> Step<S, Self::Dense<S>> {
+        match self.choice(&field.nature(), h).method {
+            Method::Exact => Exact::<Rk4>::default().step(field, x0, memory, h),
+            Method::Heun => Heun.step(field, x0, memory, h).map(Either::Right),
+            Method::VelocityVerlet => VelocityVerlet.step(field, x0, memory, h).map(Either::Right),
+            Method::Rk4 => Rk4.step(field, x0, memory, h).map(Either::Right),
+            Method::Rodas3 => Rodas3.step(field, x0, memory, h).map(Either::Right),
+        }
+    }
+
+    #[inline]
+    fn longest_step(&self, nature: &Nature, own: f64) -> f64 {
+        self.choice(nature, own).step
+    }
+}

@@ -1,0 +1,18 @@
+//! Dense output through a quarter, a half and the whole of a step.
+
+use crate::dense::Cubic;
+use crate::state::State;
+
+/// The places, as parts of the step.
+pub(super) const PLACES: [f64; 3] = [0.25, 0.5, 1.0];
+
+/// The cubic through `x0` and what the state has risen by at [`PLACES`]: locally of fourth
+/// order, and no larger than a small multiple of the values, however stiff the motion.
+#[inline]
+pub(super) fn through_quarters<S: State>(x0: &S, rises: &[S; 3]) -> Cubic<S> {
+    let [first, second, third] = [0, 1, 2].map(|n| rises[n].times(1.0 / PLACES[n]));
+    let c1 = first.times(8.0 / 3.0).plus(-2.0, &second).plus(1.0 / 3.0, &third);
+    let c2 = first.times(-8.0).plus(10.0, &second).plus(-2.0, &third);
+    let c3 = first.times(16.0 / 3.0).plus(-8.0, &second).plus(8.0 / 3.0, &third);
+    Cubic::cubic(*x0, c1, c2, c3, x0.plus(1.0, &rises[2]))
+}
