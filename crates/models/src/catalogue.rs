@@ -1,7 +1,9 @@
 //! From a name to a model: the only file that knows all models.
 
 use crate::describe::{Parameter, Playable, Preset};
-use crate::{BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, SpringWall};
+use crate::{
+    BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, ReducedGrand, SpringWall,
+};
 
 /// Something to be done with a model whose type is known by name only.
 pub trait Visitor {
@@ -44,7 +46,7 @@ macro_rules! catalogue {
     };
 }
 
-catalogue!(KeyHammerSprings, KeyHammerRigid, BouncingBall, CartPendulum, SpringWall);
+catalogue!(KeyHammerSprings, KeyHammerRigid, ReducedGrand, BouncingBall, CartPendulum, SpringWall);
 
 const fn entry<M: Playable>() -> Entry {
     Entry {

@@ -21,6 +21,7 @@ pub mod catalogue;
 pub mod key_hammer;
 pub mod key_hammer_rigid;
 pub mod key_hammer_springs;
+pub mod reduced_grand;
 pub mod spring_wall;
 
 pub use bouncing_ball::BouncingBall;
@@ -28,4 +29,5 @@ pub use cart_pendulum::CartPendulum;
 pub use describe::{Described, Parameter, Playable, Preset, Sounding};
 pub use key_hammer_rigid::KeyHammerRigid;
 pub use key_hammer_springs::KeyHammerSprings;
+pub use reduced_grand::ReducedGrand;
 pub use spring_wall::SpringWall;

@@ -98,7 +98,7 @@ fn guards_are_named<M: Playable>() {
             }
         }
     }
-    check_names(M::NAME, &['_'], &known.iter().map(|it| it.1).collect::<Vec<_>>());
+    check_names(M::NAME, &['_', '-'], &known.iter().map(|it| it.1).collect::<Vec<_>>());
 }
 
 #[test]
@@ -302,8 +302,9 @@ fn guard_rates_are_the_guards_rates() {
 ///
 /// The difference over 2ε is off by ε²/6 of the third derivative, a third of what it
 /// differs from the one over 4ε; and by rounding, a few ulps of the guard's terms over ε.
+/// Far from rest stiff springs turn friction round within 1 µs: there ε must be smaller.
 fn rates_agree<M: Playable>() {
-    const EPSILON: f64 = 1e-5;
+    const EPSILONS: [f64; 3] = [1e-5, 1e-6, 1e-7];
     for place in places::<M>(20, 4) {
         let Place { label, model, mode, x, input } = &place;
         for guard in model.guards(*mode) {
@@ -311,14 +312,17 @@ fn rates_agree<M: Playable>() {
                 let (x, input) = flow(&place, t);
                 model.guard(*mode, guard.id, &x, &input).value
             };
-            let slope = |e: f64| (at(e) - at(-e)) / (2.0 * e);
-            let (fine, coarse) = (slope(EPSILON), slope(2.0 * EPSILON));
             let here = model.guard(*mode, guard.id, x, input);
-            let rounding = 1e-14 * (here.value.abs() + guard.scale) / EPSILON;
-            let allowed = (fine - coarse).abs() + rounding;
+            let difference = |epsilon: f64| {
+                let slope = |e: f64| (at(e) - at(-e)) / (2.0 * e);
+                let (fine, coarse) = (slope(epsilon), slope(2.0 * epsilon));
+                let rounding = 1e-14 * (here.value.abs() + guard.scale) / epsilon;
+                (fine, (fine - coarse).abs() + rounding)
+            };
+            let tried = EPSILONS.map(difference);
             let (name, rate) = (guard.name, here.rate);
-            let error = (rate - fine).abs();
-            assert!(error <= allowed, "{label} {name}: rate {rate} is not {fine} ± {allowed:e}");
+            let agrees = tried.iter().any(|(slope, allowed)| (rate - slope).abs() <= *allowed);
+            assert!(agrees, "{label} {name}: rate {rate} is none of {tried:?}");
         }
     }
 }
@@ -365,29 +369,53 @@ fn natures_are_true<M: Playable>() {
     let mut random = Random::new(20);
     let model = M::with_values(&[]);
     for (mode, name) in M::MODES {
-        let nature = model.nature(*mode);
         for _ in 0..50 {
-            let (x, input) = somewhere(&model, *mode, &mut random);
-            let (y, other) = somewhere(&model, *mode, &mut random);
-            if nature.is_linear() {
-                let f = |x: &M::State, u: &Motion| model.derivative(*mode, x, u);
-                let sum = f(&x, &input).plus(1.0, &f(&y, &input));
-                let parts = f(&x.plus(1.0, &y), &input).plus(1.0, &f(&M::State::ZERO, &input));
-                check_equal(&sum, &parts, format_args!("{} {name} is not linear", M::NAME));
-                if nature.kind == Kind::Affine {
-                    let what = format_args!("{} {name} reads its input", M::NAME);
-                    check_equal(&f(&x, &input), &f(&x, &other), what);
-                }
+            let here = somewhere(&model, *mode, &mut random);
+            let there = somewhere(&model, *mode, &mut random);
+            if model.nature(*mode).is_linear() {
+                check_linear(&model, (*mode, name), &here, &there);
             }
-            if nature.rate > 0.0 {
-                // ‖J³²‖^(1/32) is the largest magnitude of an eigenvalue, or little more.
-                let squared = |j: <M::State as State>::Matrix| j.product(&j);
-                let j = model.jacobian(*mode, &x, &input);
-                let rate = squared(squared(squared(squared(squared(j))))).norm().powf(1.0 / 32.0);
-                let stated = nature.rate;
-                assert!(rate < 2.0 * stated, "{} {name}: {rate}, stated {stated}", M::NAME);
-            }
+            check_rate(&model, (*mode, name), &here);
         }
+    }
+}
+
+/// Superposition, and for an affine mode that the input is not read.
+#[track_caller]
+fn check_linear<M: Playable>(
+    model: &M,
+    (mode, name): (M::Mode, &str),
+    (x, input): &(M::State, Motion),
+    (y, other): &(M::State, Motion),
+) {
+    let f = |x: &M::State, u: &Motion| model.derivative(mode, x, u);
+    let sum = f(x, input).plus(1.0, &f(y, input));
+    let parts = f(&x.plus(1.0, y), input).plus(1.0, &f(&M::State::ZERO, input));
+    check_equal(&sum, &parts, format_args!("{} {name} is not linear", M::NAME));
+    if model.nature(mode).kind == Kind::Affine {
+        check_equal(&f(x, input), &f(x, other), format_args!("{} {name} reads its input", M::NAME));
+    }
+}
+
+/// The stated rate, near rest and where the mode is valid: a felt that hardens has any rate if
+/// it is pressed deep enough.
+#[track_caller]
+fn check_rate<M: Playable>(
+    model: &M,
+    (mode, name): (M::Mode, &str),
+    (x, input): &(M::State, Motion),
+) {
+    let rest = model.at_rest(input).1;
+    let x = model.constrain(mode, &rest.plus(0.01, &x.plus(-1.0, &rest)), input);
+    let mut guards = model.guards(mode).iter();
+    let is_valid = guards.all(|guard| model.guard(mode, guard.id, &x, input).value >= 0.0);
+    let stated = model.nature(mode).rate;
+    if stated > 0.0 && is_valid {
+        // ‖J³²‖^(1/32) is the largest magnitude of an eigenvalue, or little more.
+        let squared = |j: <M::State as State>::Matrix| j.product(&j);
+        let j = model.jacobian(mode, &x, input);
+        let rate = squared(squared(squared(squared(squared(j))))).norm().powf(1.0 / 32.0);
+        assert!(rate < 2.0 * stated, "{} {name}: {rate}, stated {stated}", M::NAME);
     }
 }
 

@@ -1,4 +1,4 @@
-//! Models A and B against trajectories from an independent program.
+//! Models A, B and C against trajectories from an independent program.
 
 #![expect(
     clippy::expect_used,
@@ -10,7 +10,8 @@
 mod common;
 
 use common::{Case, Trace, mode_name, run};
-use models::{Described, KeyHammerRigid, KeyHammerSprings};
+use models::{Described, KeyHammerRigid, KeyHammerSprings, ReducedGrand};
+use pode::State as _;
 use pode::stepper::Rk4;
 
 /// Largest event-time error of a run [s]; panics unless the mode sequence is the same.
@@ -58,24 +59,67 @@ fn model_a_throws_and_catches_twice() {
     check_events::<KeyHammerRigid>("model-a-two-throws");
 }
 
+/// The forte of model C, with ticks of `h` [s]: the largest error of an event's time.
+fn forte_error(h: f64) -> f64 {
+    let case = Case::load::<ReducedGrand>("model-c-forte");
+    event_error(&case, &run::<ReducedGrand, _>(&case, Rk4, h), h)
+}
+
+#[test]
+fn model_c_plays_a_forte_at_the_speed_of_a_keyboard() {
+    // However long the tick, steps are a quarter of a radian of what moves: RK4 is off by
+    // 0.25⁵/120 = 8e-6 of a radian in each, hence by 3e-9 s on the string (1/ω = 0.21 ms) and
+    // 2e-8 s on the key (1/ω = 1.3 to 2.4 ms). Over a handful of steps that makes 1e-7 s.
+    for h in [1e-3, 5e-4, 2.5e-4, 1e-4] {
+        let error = forte_error(h);
+        assert!(error < 2e-7, "at ticks of {h} s event times are off by {error:e} s");
+    }
+}
+
+#[test]
+fn model_c_converges_as_its_felts_allow() {
+    // The string sets in as p^2.5, so RK4's fourth order is one of 3.5 in the steps where the
+    // hammer comes and goes: a tenth of the step divides by 10^3.5 at least.
+    let (coarse, fine) = (forte_error(2.5e-5), forte_error(2.5e-6));
+    assert!(coarse / fine > 10.0_f64.powf(3.5), "{coarse:e} s, then {fine:e} s");
+    assert!(fine < 1e-12, "event times are off by {fine:e} s");
+}
+
 #[test]
 fn states_at_events_are_the_references() {
+    check_states::<KeyHammerSprings>("model-b-figure6", 1e-4, 1e-8);
+    // The string decelerates the head by some km/s²: 1e-12 s make 1e-8 m/s.
+    check_states::<ReducedGrand>("model-c-forte", 1e-5, 1e-7);
     let case = Case::load::<KeyHammerSprings>("model-b-figure6");
-    let trace = run::<KeyHammerSprings, _>(&case, Rk4, 1e-4);
-    for (state, event) in trace.after.iter().zip(&case.events) {
-        for (a, b) in state.iter().zip(&event.after) {
-            assert!((a - b).abs() < 1e-8, "{} at {}: {a} is not {b}", event.guard, event.t);
-        }
-    }
     let first = &case.events[0];
     assert_eq!(first.before, first.after, "a release keeps the state");
 }
 
+/// Checks the states before and after each event.
+#[track_caller]
+fn check_states<M: Described>(name: &str, h: f64, tolerance: f64) {
+    let case = Case::load::<M>(name);
+    let trace = run::<M, _>(&case, Rk4, h);
+    for ((before, after), event) in trace.before.iter().zip(&trace.after).zip(&case.events) {
+        let sides = [(before, &event.before), (after, &event.after)];
+        for (a, b) in sides.iter().flat_map(|(got, it)| got.entries().iter().zip(*it)) {
+            assert!((a - b).abs() < tolerance, "{} at {}: {a} is not {b}", event.guard, event.t);
+        }
+    }
+}
+
 #[test]
 fn the_start_is_the_equilibrium() {
-    let case = Case::load::<KeyHammerSprings>("model-b-figure6");
-    let (_, state) = case.model::<KeyHammerSprings>().at_rest(&case.input(0.0));
-    for (name, value) in KeyHammerSprings::STATES.iter().zip(state) {
+    check_start::<KeyHammerSprings>("model-b-figure6");
+    check_start::<ReducedGrand>("model-c-forte");
+}
+
+#[track_caller]
+fn check_start<M: Described>(name: &str) {
+    let case = Case::load::<M>(name);
+    let (mode, state) = case.start(&case.model::<M>());
+    assert_eq!(mode_name::<M>(mode), case.rows[0][1]);
+    for (name, value) in M::STATES.iter().zip(state.entries()) {
         assert!((value - case.value(0, name)).abs() < 1e-15, "{name} = {value}");
     }
 }
@@ -86,7 +130,7 @@ fn check_outputs<M: Described>(name: &str, columns: &[&str], h: f64, tolerance: 
     let case = Case::load::<M>(name);
     let trace = run::<M, _>(&case, Rk4, h);
     let model: M = case.model();
-    let per_row = (0.01 / h).round() as usize;
+    let per_row = (case.value(1, "t") / h).round() as usize;
     let mut out = [0.0; 8];
     for row in 0..case.rows.len() {
         let t = case.value(row, "t");
@@ -115,6 +159,20 @@ fn outputs_of_model_b_follow_the_reference() {
 }
 
 #[test]
+fn trajectory_and_force_of_model_c_follow_the_reference() {
+    check_outputs::<ReducedGrand>("model-c-forte", &["F_KU"], 1e-5, 1e-7);
+    let case = Case::load::<ReducedGrand>("model-c-forte");
+    let trace = run::<ReducedGrand, _>(&case, Rk4, 1e-5);
+    for row in 0..case.rows.len() {
+        let (_, state) = &trace.ends[row * 500];
+        for (name, value) in ReducedGrand::STATES.iter().zip(state) {
+            let error = (value - case.value(row, name)).abs();
+            assert!(error < 1e-7, "{name} in row {row} is off by {error:e}");
+        }
+    }
+}
+
+#[test]
 fn energy_is_accounted_for() {
     for name in ["model-b-figure6", "model-b-stiff-10"] {
         let case = Case::load::<KeyHammerSprings>(name);
@@ -122,4 +180,10 @@ fn energy_is_accounted_for() {
         assert!(audit.supplied.abs() > 1e-3, "the stroke supplies {} J", audit.supplied);
         assert!(audit.residual().abs() < 1e-9, "{name}: residual {:e} J", audit.residual());
     }
+    // 30 mJ go into the string and come out of it again; Simpson's rule over the onset of
+    // its p^2.5 is of order 3.5, as the motion is.
+    let case = Case::load::<ReducedGrand>("model-c-forte");
+    let residual = |h| run::<ReducedGrand, _>(&case, Rk4, h).audit.residual().abs();
+    let (coarse, fine) = (residual(1e-3), residual(6.25e-6));
+    assert!(coarse < 1e-6 && fine < 2e-10, "{coarse:e} J, then {fine:e} J");
 }

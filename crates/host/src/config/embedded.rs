@@ -41,6 +41,7 @@ pub(super) const INSTRUMENTS: Shelf = Shelf {
         include_str, "instruments", ".toml":
         "grand-springs",
         "grand-rigid",
+        "grand-reduced",
         "paper-springs",
         "paper-rigid",
         "bouncing-ball",

@@ -9,6 +9,7 @@ mod presets;
 
 pub use parameters::{PARAMETERS, Values};
 pub use presets::PRESETS;
+pub(crate) use presets::{BALANCE, hammer_mass};
 
 use pode::math::{atan2, hypot, sin_cos};
 use pode::{GuardValue, Motion};

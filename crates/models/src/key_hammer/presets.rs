@@ -109,7 +109,7 @@ const SHORT: f64 = 0.002_05;
 /// Key stick and leads, 0.10–0.16 [kg] (E).
 const KEY_MASS: f64 = 0.13;
 /// Balance weight: 39 gf at the front [N] (P: 38–40 gf).
-const BALANCE: f64 = 0.382;
+pub(crate) const BALANCE: f64 = 0.382;
 
 /// Mass centre of the key, whippen included, that balances a hammer of `head` [kg] [m].
 fn balance(head: f64) -> f64 {
@@ -118,7 +118,7 @@ fn balance(head: f64) -> f64 {
 }
 
 /// Hammer mass over the compass [kg]: Chabassier & Duruflé, Steinway D (S).
-fn hammer_mass(key: u8) -> f64 {
+pub(crate) fn hammer_mass(key: u8) -> f64 {
     0.0112 - 6.2348e-5 * f64::from(key + 1)
 }
 

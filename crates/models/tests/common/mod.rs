@@ -34,12 +34,25 @@ pub struct Expected {
     pub after: Vec<f64>,
 }
 
+/// What a reference's input is a sum of.
+#[derive(Clone, Copy, Debug)]
+pub enum Shape {
+    /// A exp(−((t − tc)/w)²).
+    Bells,
+    /// A (1 + tanh((t − tc)/w))/2.
+    Presses,
+}
+
 /// A reference case: parameters, input, events and the sampled trajectory.
 #[derive(Clone, Debug)]
 pub struct Case {
     pub parameters: Vec<(String, f64)>,
-    /// (A, tc, w) of s(t) = Σ A exp(−((t − tc)/w)²).
-    pub bells: Vec<[f64; 3]>,
+    /// What s(t) is a sum of.
+    pub shape: Shape,
+    /// (A, tc, w) of each.
+    pub terms: Vec<[f64; 3]>,
+    /// Whether the start is the rest under s = 0 rather than under s(0).
+    pub starts_at_zero: bool,
     pub t_end: f64,
     pub events: Vec<Expected>,
     /// Rows of the trajectory, by column name.
@@ -60,13 +73,16 @@ impl Case {
             .map(|row| row.expect("a row").iter().map(String::from).collect())
             .collect();
         let parameters = json["parameters"].as_object().expect("parameters");
-        let bells = json["input"]["A_tc_w"].as_array().expect("an input");
+        let terms = json["input"]["A_tc_w"].as_array().expect("an input");
+        let formula = json["input"]["s"].as_str().expect("a formula");
         Self {
             parameters: parameters
                 .iter()
                 .map(|(key, value)| (key.clone(), number(value)))
                 .collect(),
-            bells: bells.iter().map(|bell| [0, 1, 2].map(|i| number(&bell[i]))).collect(),
+            shape: if formula.contains("tanh") { Shape::Presses } else { Shape::Bells },
+            terms: terms.iter().map(|term| [0, 1, 2].map(|i| number(&term[i]))).collect(),
+            starts_at_zero: json["start"].as_str().is_some_and(|it| it.contains("s = 0")),
             t_end: number(&json["t_end"]),
             events: json["events"].as_array().expect("events").iter().map(event::<M>).collect(),
             columns,
@@ -89,7 +105,15 @@ impl Case {
 
     /// The exact input at `t` [s].
     pub fn input(&self, t: f64) -> Motion {
-        stroke::bells(&self.bells, t)
+        match self.shape {
+            Shape::Bells => stroke::bells(&self.terms, t),
+            Shape::Presses => stroke::presses(&self.terms, t),
+        }
+    }
+
+    /// Mode and state of `model` at the start.
+    pub fn start<M: Described>(&self, model: &M) -> (M::Mode, M::State) {
+        model.at_rest(&if self.starts_at_zero { stroke::still(0.0) } else { self.input(0.0) })
     }
 
     /// The value in `column` of `row`.
@@ -124,6 +148,8 @@ fn event<M: Described>(json: &Value) -> Expected {
 pub struct Trace<M: Described> {
     pub h: f64,
     pub events: Vec<(f64, &'static str, M::Mode, M::Mode)>,
+    /// States before and after each.
+    pub before: Vec<M::State>,
     pub after: Vec<M::State>,
     /// State and mode at the end of each tick.
     pub ends: Vec<(M::Mode, M::State)>,
@@ -140,6 +166,7 @@ impl<M: Described> Watch<M> for Trace<M> {
         self.audit.event(model, event);
         let t = (event.tick as f64 + event.theta) * self.h;
         self.events.push((t, event.cause.name(), event.before.0, event.after.0));
+        self.before.push(event.before.1);
         self.after.push(event.after.1);
     }
 }
@@ -147,11 +174,12 @@ impl<M: Described> Watch<M> for Trace<M> {
 /// Runs `case` with ticks of `h` [s] and the exact input.
 pub fn run<M: Described, T: Stepper>(case: &Case, stepper: T, h: f64) -> Trace<M> {
     let model: M = case.model();
-    let (mode, state) = model.at_rest(&case.input(0.0));
+    let (mode, state) = case.start(&model);
     let mut simulator = Simulator::new(model, stepper, Limits::default(), mode, state);
     let mut trace = Trace {
         h,
         events: Vec::new(),
+        before: Vec::new(),
         after: Vec::new(),
         ends: vec![(mode, state)],
         audit: <_>::default(),

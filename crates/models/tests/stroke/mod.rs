@@ -25,6 +25,20 @@ pub fn bells(bells: &[[f64; 3]], t: f64) -> Motion {
     motion
 }
 
+/// s(t) = Σ A (1 + tanh((t − tc)/w))/2 with its derivatives.
+pub fn presses(presses: &[[f64; 3]], t: f64) -> Motion {
+    let mut motion = Motion::default();
+    for [a, tc, w] in presses {
+        let tanh = ((t - tc) / w).tanh();
+        let slope = 0.5 * a * (1.0 - tanh * tanh) / w;
+        motion.position += 0.5 * a * (1.0 + tanh);
+        motion.rate += slope;
+        motion.acceleration += slope * (-2.0 * tanh) / w;
+        motion.jerk += slope * (6.0 * tanh * tanh - 2.0) / (w * w);
+    }
+    motion
+}
+
 /// s(t) = A sin ωt with its derivatives.
 pub fn sine(amplitude: f64, omega: f64, t: f64) -> Motion {
     let (sin, cos) = (omega * t).sin_cos();

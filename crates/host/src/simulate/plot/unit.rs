@@ -7,6 +7,7 @@
 pub(super) fn of(model: &str, name: &str) -> Option<&'static str> {
     Some(match (model, name) {
         (_, "F" | "F_KH" | "N" | "off") | ("key-hammer-rigid", "release") => "N",
+        ("reduced-grand", name) => of_reduced_grand(name)?,
         (_, "T_KU") => "N·m",
         (_, "theta" | "theta_h" | "theta_k" | "string")
         | ("key-hammer-rigid" | "key-hammer-springs", "s") => "rad",
@@ -19,6 +20,18 @@ pub(super) fn of(model: &str, name: &str) -> Option<&'static str> {
         | ("key-hammer-springs", "release") => "m",
         (_, "v" | "x_dot") => "m/s",
         (_, "lift") => "m/s²",
+        _ => return None,
+    })
+}
+
+/// The unit of `name` in the reduced grand: all its guards but one are on a place.
+fn of_reduced_grand(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "F_KU" | "F_jack" | "F_lever" | "F_string" | "lift-off" => "N",
+        "y" | "z" | "s" | "button" | "button-off" | "trip" | "land" | "string-on"
+        | "string-off" | "rep-on" | "rep-off" | "check" | "check-far" | "check-near"
+        | "check-off" | "reset" | "jack-in" | "jack-out" => "m",
+        "u" | "w" => "m/s",
         _ => return None,
     })
 }

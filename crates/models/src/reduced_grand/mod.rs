@@ -1,0 +1,121 @@
+//! A reduced grand action with let-off, check and repetition: model C. See README.md.
+
+mod energy;
+mod forces;
+mod geometry;
+mod guards;
+mod motion;
+mod parameters;
+mod presets;
+mod resets;
+mod rest;
+mod softplus;
+mod steps;
+
+pub use parameters::Values;
+
+use pode::{GuardId, Motion};
+
+use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use geometry::LetOff;
+use steps::LongestSteps;
+
+/// A key and a hammer in eleven configurations of jack, string, lever and check.
+///
+/// State: y [m] key front, down; z [m] hammer head, up; u = y', w = z' [m/s].
+/// Input: the finger's position s [m], down.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ReducedGrand {
+    values: Values,
+    let_off: LetOff,
+    longest_steps: LongestSteps,
+}
+
+impl ReducedGrand {
+    /// The parameter values.
+    pub const fn values(&self) -> &Values {
+        &self.values
+    }
+}
+
+/// Contact configuration.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mode {
+    /// Accelerated: the head on the jack.
+    Acc,
+    /// Let-off: the head on the jack, the jack on its button.
+    Lo,
+    /// In the air, the jack below and off its button.
+    Fla,
+    /// In the air, the jack below and on its button.
+    Fll,
+    /// In the air, the jack tripped.
+    Flt,
+    /// On the string, the jack below.
+    Stu,
+    /// On the string, the jack tripped.
+    Stt,
+    /// On the repetition lever, with the check in reach.
+    RepH,
+    /// On the repetition lever, with the check out of reach.
+    RepL,
+    /// On the repetition lever, the jack pushing its way back.
+    Rep0,
+    /// In check.
+    Chk,
+}
+
+impl Described for ReducedGrand {
+    const NAME: &'static str = "reduced-grand";
+    const SUMMARY: &'static str =
+        "a grand's key and hammer with let-off, check and repetition, reduced to two coordinates";
+    const STATES: &'static [&'static str] = &["y", "z", "u", "w"];
+    const MODES: &'static [(Mode, &'static str)] = &[
+        (Mode::Acc, "ACC"),
+        (Mode::Lo, "LO"),
+        (Mode::Fla, "FLA"),
+        (Mode::Fll, "FLL"),
+        (Mode::Flt, "FLT"),
+        (Mode::Stu, "STU"),
+        (Mode::Stt, "STT"),
+        (Mode::RepH, "REPH"),
+        (Mode::RepL, "REPL"),
+        (Mode::Rep0, "REP0"),
+        (Mode::Chk, "CHK"),
+    ];
+    const PARAMETERS: &'static [Parameter] = &parameters::PARAMETERS;
+    const PRESETS: &'static [Preset] = &presets::PRESETS;
+    const OUTPUTS: &'static [&'static str] = &["F_KU", "F_jack", "F_lever", "F_string"];
+
+    fn with_values(values: &[f64]) -> Self {
+        let values = Values::from_array(&filled::<_, Self>(values));
+        Self { values, let_off: LetOff::new(&values), longest_steps: LongestSteps::new(&values) }
+    }
+
+    fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {
+        let [y, z, u, w] = *x;
+        let (mut jack, mut lever, mut string) = (0.0, 0.0, 0.0);
+        match mode {
+            Mode::Acc | Mode::Lo => jack = self.jack_force(mode, x, s).value,
+            Mode::RepH | Mode::RepL | Mode::Rep0 => lever = self.lever_force(&self.lever(y), x),
+            Mode::Stu | Mode::Stt => string = self.string_force(z, w),
+            Mode::Chk => lever = self.lever_under_check(y),
+            Mode::Fla | Mode::Fll | Mode::Flt => {}
+        }
+        write(out, [self.finger(y, u, s), jack, lever, string]);
+    }
+
+    fn at_rest(&self, input: &Motion) -> (Mode, [f64; 4]) {
+        self.balance(input.position)
+    }
+}
+
+impl Playable for ReducedGrand {
+    fn input_per_metre(&self) -> f64 {
+        1.0
+    }
+
+    fn sounding(&self, guard: GuardId, before: &[f64; 4]) -> Option<Sounding> {
+        (guard == guards::STRING_ON).then(|| Sounding { speed: before[3].abs() })
+    }
+}

@@ -1,0 +1,160 @@
+//! The equations of motion: the model's derivative in each mode.
+
+use pode::{GuardValue, Kind, Model, Motion, Nature, Sloped, Slopes};
+
+use super::geometry::Carried;
+use super::{Mode, ReducedGrand};
+
+impl ReducedGrand {
+    /// ζ and ζ' of a head that the key carries in `mode`, if it does.
+    #[inline]
+    fn place(&self, mode: Mode, y: f64) -> Option<(f64, f64)> {
+        let straight = |head: Carried| Some((head.height, head.ratio));
+        match mode {
+            Mode::Acc => straight(self.on_jack(y)),
+            Mode::Lo => Some(self.let_off.head(&self.values, y)),
+            Mode::Chk => straight(self.in_check(y)),
+            Mode::Fla
+            | Mode::Fll
+            | Mode::Flt
+            | Mode::Stu
+            | Mode::Stt
+            | Mode::RepH
+            | Mode::RepL
+            | Mode::Rep0 => None,
+        }
+    }
+
+    /// What the finger pushes beyond the key's own load: Fu − S [N].
+    #[inline]
+    fn push(&self, x: &[f64; 4], s: &Motion) -> f64 {
+        self.finger(x[0], x[2], s) - self.key_load(x[0], x[2])
+    }
+
+    /// Force on a carried head but for its ζ' y'': mh (ζ'' u² + g) + ch ζ' u [N].
+    #[inline]
+    fn burden(&self, head: &Carried, u: f64) -> f64 {
+        let p = &self.values;
+        p.hammer_mass * (head.bend * u * u + p.g) + p.hammer_damping * head.ratio * u
+    }
+
+    /// mk + mh t ζ': the mass that the finger moves [kg].
+    #[inline]
+    fn carried_mass(&self, head: &Carried) -> f64 {
+        let p = &self.values;
+        p.key_mass + p.hammer_mass * head.transmission * head.ratio
+    }
+
+    /// y'' with the head carried, under a further `push` on the key [m/s²].
+    #[inline]
+    fn with_head(&self, head: &Carried, u: f64, push: f64) -> f64 {
+        (push - head.transmission * self.burden(head, u)) / self.carried_mass(head)
+    }
+
+    /// λ, the jack's force on the head in ACC and LO [N], and its rate.
+    pub(super) fn jack_force(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> GuardValue {
+        let [y, _, u, _] = *x;
+        let is_at_button = mode == Mode::Lo;
+        let head = if is_at_button { self.at_button(y, u) } else { self.on_jack(y) };
+        let acceleration = self.with_head(&head, u, self.push(x, s));
+        let burden = self.burden(&head, u);
+        let force = self.values.hammer_mass * head.ratio * acceleration + burden;
+        let turn = if is_at_button { self.transmission_rate(y, u, acceleration) } else { 0.0 };
+        GuardValue::new(force, self.jack_force_rate(&head, turn, acceleration, (x, s)))
+    }
+
+    /// λ', with the transmission changing at the rate `turn` [N/s].
+    fn jack_force_rate(
+        &self,
+        head: &Carried,
+        turn: f64,
+        acceleration: f64,
+        (x, s): (&[f64; 4], &Motion),
+    ) -> f64 {
+        let p = &self.values;
+        let [y, _, u, _] = *x;
+        let Carried { ratio, bend, transmission, .. } = *head;
+        let burden_rate = 2.0 * p.hammer_mass * bend * u * acceleration
+            + p.hammer_damping * (bend * u * u + ratio * acceleration);
+        let mass_rate = p.hammer_mass * (turn * ratio + transmission * bend * u);
+        let push_rate =
+            self.finger_rate(u, acceleration, s) - self.key_load_rate(y, u, acceleration);
+        let jerk = (push_rate
+            - turn * self.burden(head, u)
+            - transmission * burden_rate
+            - mass_rate * acceleration)
+            / self.carried_mass(head);
+        p.hammer_mass * (bend * u * acceleration + ratio * jerk) + burden_rate
+    }
+
+    /// The derivative with the head carried under a further `push` on the key.
+    #[inline]
+    fn move_together(&self, head: &Carried, u: f64, push: f64) -> [f64; 4] {
+        let acceleration = self.with_head(head, u, push);
+        [u, head.ratio * u, acceleration, head.ratio * acceleration + head.bend * u * u]
+    }
+
+    /// The derivative with the head apart: `push` on the key, `lift` on the head [N].
+    #[inline]
+    fn move_apart(&self, x: &[f64; 4], push: f64, lift: f64) -> [f64; 4] {
+        let p = &self.values;
+        let fall = -p.g - p.hammer_damping / p.hammer_mass * x[3];
+        [x[2], x[3], push / p.key_mass, fall + lift / p.hammer_mass]
+    }
+}
+
+impl Model for ReducedGrand {
+    type Mode = Mode;
+    type State = [f64; 4];
+    type Input = Motion;
+    const COORDS: usize = 2;
+
+    #[inline]
+    fn derivative(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> [f64; 4] {
+        let [y, z, u, w] = *x;
+        let push = self.push(x, s);
+        match mode {
+            Mode::Acc => self.move_together(&self.on_jack(y), u, push),
+            Mode::Lo => self.move_together(&self.at_button(y, u), u, push),
+            Mode::Fla | Mode::Fll | Mode::Flt => self.move_apart(x, push, 0.0),
+            Mode::Stu | Mode::Stt => self.move_apart(x, push, -self.string_force(z, w)),
+            Mode::RepH | Mode::RepL | Mode::Rep0 => {
+                let lever = self.lever(y);
+                let force = self.lever_force(&lever, x);
+                self.move_apart(x, push - lever.ratio * force, force)
+            }
+            Mode::Chk => {
+                let (head, lever) = (self.in_check(y), self.lever(y));
+                let spring = self.lever_under_check(y);
+                self.move_together(&head, u, push + spring * (head.ratio - lever.ratio))
+            }
+        }
+    }
+
+    #[inline]
+    fn readout(&self, _mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
+        self.finger(x[0], x[2], s)
+    }
+
+    fn nature(&self, mode: Mode) -> Nature {
+        Nature::new(Kind::Smooth, self.longest_steps.rate(mode))
+    }
+
+    fn longest_step(&self, mode: Mode) -> f64 {
+        self.longest_steps.of(mode)
+    }
+
+    /// A carried head is where the key puts it.
+    #[inline]
+    fn constrain(&self, mode: Mode, x: &[f64; 4], _s: &Motion) -> [f64; 4] {
+        let [y, _, u, _] = *x;
+        self.place(mode, y).map_or(*x, |(height, ratio)| [y, height, u, ratio * u])
+    }
+}
+
+impl Sloped for ReducedGrand {
+    fn slopes(&self, _mode: Mode, _x: &[f64; 4], _s: &Motion) -> Slopes {
+        let p = &self.values;
+        Slopes { per_position: p.coupling, per_rate: p.coupling_damping }
+    }
+}

@@ -1,0 +1,96 @@
+//! The longest step that resolves the motion in each mode: an estimate, on the safe side.
+//!
+//! Masses, springs and dampers of a mode are lumped into one oscillator each, with what is
+//! nonlinear taken where a hard blow presses it most; the step is a quarter of a radian of it.
+
+use pode::math::{hypot, powf, sqrt};
+
+use super::Mode;
+use super::parameters::Values;
+
+/// A quarter of a radian of the fastest motion: RK4 is off by 1e-5 of a radian there.
+const RADIANS: f64 = 0.25;
+/// Speed of a hammer in a hard blow [m/s].
+const BLOW: f64 = 5.0;
+/// Force of a finger in it [N].
+const FORCE: f64 = 50.0;
+/// Force of a jack that rubs on its button while the key turns round [N]: five hammers'
+/// weights. A faster key does not turn round there.
+const RUBBING: f64 = 0.5;
+
+/// Longest steps [s]: asked for in every tick, so found once.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct LongestSteps {
+    /// ACC: key and hammer as one.
+    on_jack: f64,
+    /// LO: as one, with the hammer hardly felt at the trip, and rubbing.
+    at_button: f64,
+    /// In the air, on the repetition lever and in check.
+    apart: f64,
+    /// STU and STT.
+    on_string: f64,
+}
+
+impl LongestSteps {
+    pub(super) fn new(p: &Values) -> Self {
+        let with_hammer = p.key_mass + p.ratio * p.ratio * p.hammer_mass;
+        let (stiffness, damping) = (key_stiffness(p), key_damping(p));
+        let lever = p.ratio * p.ratio * p.lever_stiffness;
+        let rubbing = p.button_friction * RUBBING / p.friction_speed;
+        let on_jack = rate(stiffness, damping, with_hammer);
+        let at_button = rate(stiffness, damping + rubbing, p.key_mass);
+        let apart = rate(stiffness + lever, damping, p.key_mass);
+        let string = rate(string_stiffness(p), 0.0, p.hammer_mass);
+        Self {
+            on_jack: RADIANS / on_jack,
+            at_button: RADIANS / at_button,
+            apart: RADIANS / apart,
+            on_string: RADIANS / apart.max(string),
+        }
+    }
+
+    /// The fastest rate in `mode`, pressed as hard [rad/s].
+    pub(super) const fn rate(&self, mode: Mode) -> f64 {
+        RADIANS / self.of(mode)
+    }
+
+    /// The longest step in `mode` [s].
+    pub(super) const fn of(&self, mode: Mode) -> f64 {
+        match mode {
+            Mode::Acc => self.on_jack,
+            Mode::Lo => self.at_button,
+            Mode::Fla
+            | Mode::Fll
+            | Mode::Flt
+            | Mode::RepH
+            | Mode::RepL
+            | Mode::Rep0
+            | Mode::Chk => self.apart,
+            Mode::Stu | Mode::Stt => self.on_string,
+        }
+    }
+}
+
+/// |λ| of an oscillator, at most: √(k/m + (b/m)²) [rad/s].
+fn rate(stiffness: f64, damping: f64, mass: f64) -> f64 {
+    hypot(sqrt(stiffness / mass), damping / mass)
+}
+
+/// Coupling, jack, and bed or rail under the whole force: a square law's slope is 2 √(K F).
+fn key_stiffness(p: &Values) -> f64 {
+    let felt = 2.0 * sqrt(p.bed_stiffness.max(p.rail_stiffness) * FORCE);
+    p.coupling + p.jack_stiffness + felt
+}
+
+/// Coupling, key, and dry friction as it turns round.
+fn key_damping(p: &Values) -> f64 {
+    p.coupling_damping + p.key_damping + p.friction / p.friction_speed
+}
+
+/// The hammer's felt where a blow presses it most: mh v²/2 = Ks p^(ps+1)/(ps + 1).
+fn string_stiffness(p: &Values) -> f64 {
+    let power = p.string_exponent + 1.0;
+    let work = power * p.hammer_mass * BLOW * BLOW / (2.0 * p.string_stiffness);
+    let deepest = powf(work, 1.0 / power);
+    p.string_exponent * p.string_stiffness * powf(deepest, p.string_exponent - 1.0)
+}
