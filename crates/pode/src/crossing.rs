@@ -142,6 +142,8 @@ impl Span<'_> {
         } else {
             minimum.and_then(|tau| Dip::below(&cubic, tau, self.spec.band(), guard))
         };
+        // A guard that is no cubic may be found low before its cubic's top.
+        let low = low.filter(|(tau, _)| *tau > top);
         low.map_or(Crossing::None, |(hi, at_hi)| shut_in((&cubic, turns), top, at_top, hi, at_hi))
     }
 

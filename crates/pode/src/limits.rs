@@ -1,5 +1,8 @@
 //! The contract of a tick: the most work of each kind.
 
+use crate::quadrature::looks;
+use crate::stepper::Stepper;
+
 /// Declared maxima of one tick, and how finely events are located.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Limits {
@@ -35,6 +38,29 @@ impl Default for Limits {
             forecast: true,
             event_tolerance: DEFAULT_EVENT_TOLERANCE,
         }
+    }
+}
+
+/// What follows from the limits for a method: no tick does more, whatever the model does.
+impl Limits {
+    /// Most evaluations of the derivative in one tick with the method `T`, those for Jacobians
+    /// apart: each piece is one step, that may be refined once.
+    pub const fn most_derivatives<T: Stepper>(&self) -> u32 {
+        self.pieces.saturating_mul(T::EVALUATIONS + T::REFINEMENT)
+    }
+
+    /// Most evaluations of the Jacobian in one tick with the method `T`.
+    pub const fn most_jacobians<T: Stepper>(&self) -> u32 {
+        self.pieces.saturating_mul(T::JACOBIANS)
+    }
+
+    /// Most evaluations of the readout in one tick with the method `T`: in each piece those
+    /// inside, at the end, and at the start where it jumped; two for each move over impacts that
+    /// accumulate, which is one event in two at most; and one at the end of the tick.
+    pub const fn most_readouts<T: Stepper>(&self) -> u32 {
+        let moves = self.events / 2;
+        let pieces = self.pieces.saturating_mul(2 + looks::<T>());
+        pieces.saturating_add(moves.saturating_mul(2)).saturating_add(1)
     }
 }
 

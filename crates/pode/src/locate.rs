@@ -28,7 +28,8 @@ impl Bracket {
     #[inline]
     fn chord(&self) -> f64 {
         let tau = (self.hi * self.at_lo - self.lo * self.at_hi) / (self.at_lo - self.at_hi);
-        if tau.is_finite() { tau.clamp(self.lo, self.hi) } else { self.hi }
+        // Not `clamp`, which panics where somebody's ends are not in order.
+        if tau.is_finite() { tau.max(self.lo).min(self.hi) } else { self.hi }
     }
 
     /// Whether the guard falls more steeply than any root: it jumps inside.

@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use nalgebra::{Const, DimMin, LU, SMatrix, SVector};
+use nalgebra::{ArrayStorage, Const, DimMin, LU, SMatrix, SVector};
 
 use crate::state::State;
 
@@ -86,7 +86,10 @@ where
 
     #[inline]
     fn solve(factored: &Self::Factored, b: &[f64; N]) -> Option<[f64; N]> {
-        factored.solve(&SVector::<f64, N>::from(*b)).map(Into::into)
+        let mut x = SVector::<f64, N>::from(*b);
+        // Written out: without std nothing but the bounds on this impl tells the shapes.
+        let is_regular = factored.solve_mut::<Const<N>, Const<1>, ArrayStorage<f64, N, 1>>(&mut x);
+        is_regular.then(|| x.into())
     }
 }
 
@@ -98,5 +101,5 @@ const fn unit<const N: usize>() -> SMatrix<f64, N, N> {
         columns[index][index] = 1.0;
         index += 1;
     }
-    SMatrix::from_array_storage(nalgebra::ArrayStorage(columns))
+    SMatrix::from_array_storage(ArrayStorage(columns))
 }

@@ -32,7 +32,8 @@ pub enum Fault {
     Period,
     /// The derivative or the state left the set of finite numbers.
     State,
-    /// A guard left the set of finite numbers.
+    /// A guard left the set of finite numbers, or a mode has more than
+    /// [`MAX_GUARDS`](crate::MAX_GUARDS) of them.
     Guard,
     /// The readout or an impulse left the set of finite numbers.
     Readout,

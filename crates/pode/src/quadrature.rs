@@ -1,5 +1,7 @@
 //! The mean of a readout over a piece, its value at both ends being known.
 
+use crate::stepper::Stepper;
+
 /// Simpson's rule: the one place inside, and weights of the ends and of that place.
 /// Exact up to cubics.
 pub(crate) const SIMPSON: Rule<1> = Rule { ends: 1.0 / 6.0, inside: [(0.5, 4.0 / 6.0)] };
@@ -16,6 +18,16 @@ pub(crate) const LOBATTO: Rule<4> = Rule {
     ],
 };
 
+/// Evaluations inside a piece that the method `T` takes for the mean.
+pub(crate) const fn looks<T: Stepper>() -> u32 {
+    if is_high::<T>() { LOBATTO.looks() } else { SIMPSON.looks() }
+}
+
+/// Whether Simpson's rule would lose what the dense output of `T` has gained.
+pub(crate) const fn is_high<T: Stepper>() -> bool {
+    T::DENSE >= 5
+}
+
 /// Places inside 0 .. 1 with their weights, and the weight of each end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rule<const N: usize> {
@@ -25,7 +37,7 @@ pub(crate) struct Rule<const N: usize> {
 
 impl<const N: usize> Rule<N> {
     /// Evaluations inside.
-    pub(crate) const fn looks(&self) -> u32 {
+    const fn looks(&self) -> u32 {
         self.inside.len() as u32
     }
 

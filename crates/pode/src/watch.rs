@@ -31,8 +31,7 @@ impl<M: Model, S: Signal<M::Input>> Piece<'_, M, S> {
     #[inline]
     pub fn at(&self, part: f64) -> (M::State, M::Input) {
         let tau = part * self.tau;
-        let theta = self.theta.0 + tau * (self.theta.1 - self.theta.0);
-        (self.dense.at(tau), self.signal.at(theta))
+        (self.dense.at(tau), self.signal.at(self.theta_at(tau)))
     }
 
     /// Length of the piece [s].
@@ -43,7 +42,14 @@ impl<M: Model, S: Signal<M::Input>> Piece<'_, M, S> {
 
     /// Where the piece ends within its tick, 0 ..= 1.
     pub fn theta_end(&self) -> f64 {
-        self.theta.0 + self.tau * (self.theta.1 - self.theta.0)
+        self.theta_at(self.tau)
+    }
+
+    /// Where the fraction `tau` of the whole step is, to the bit where the simulator has it.
+    #[inline]
+    fn theta_at(&self, tau: f64) -> f64 {
+        let (start, end) = self.theta;
+        if tau < 1.0 { start + tau * (end - start) } else { end }
     }
 }
 

@@ -150,7 +150,8 @@ fn a_period_that_is_not_positive_and_finite_is_refused_without_work() {
         let mut simulator = start(SOUND);
         let tick = simulator.advance(h, &still, &mut Silent);
         assert_eq!(tick.advance, Advance::Faulty(Fault::Period), "h = {h}");
-        assert_eq!(tick.work, pode::Work::default(), "h = {h}");
+        let held = pode::Work { readouts: 1, ..pode::Work::default() };
+        assert_eq!(tick.work, held, "h = {h}");
         close("the state", simulator.state()[0], 0.0, 0.0);
         close("the readout that was held", tick.mean_readout, 1.0, 0.0);
         assert_eq!(simulator.advance(0.1, &still, &mut Silent).advance, Advance::Completed);

@@ -75,9 +75,16 @@ pub struct SimulateArgs {
     /// Method. Explicit, by order: explicit-euler, semi-implicit-euler, heun, velocity-verlet,
     /// adams-bashforth2, adams-bashforth3, bogacki-shampine, rk4, tsitouras5. For stiff modes:
     /// linear-implicit-midpoint (makes no energy), ros2, rodas3, rodas4. For nearly linear
-    /// modes: exponential-rosenbrock, exprb32.
+    /// modes: exponential-rosenbrock, exprb32. For linear modes: exact (rk4 in the others).
+    /// For long steps: dop853. The cheapest that will do, mode by mode: by-need.
     #[arg(long, value_name = "M", default_value = Rk4::NAME)]
     pub method: String,
+
+    /// Error that may be made: with by-need relative and per radian of a mode's fastest motion
+    /// [default: 1e-4]; with bogacki-shampine, tsitouras5 and dop853 of each step, absolute and
+    /// relative: their steps are then as long as it allows, up to a tick.
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
 
     /// Width to which an event is located, as a fraction of a tick, 1e-16 to 0.5
     /// [default: 2^-40].

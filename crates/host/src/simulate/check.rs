@@ -7,7 +7,7 @@ use models::{Described, Parameter, Playable};
 use pode::{Limits, State as _};
 
 use super::args::SimulateArgs;
-use super::drive::METHODS;
+use super::drive::{METHODS, TOLERANT};
 use super::error::Mistake;
 use super::input::Input;
 
@@ -29,6 +29,8 @@ pub(super) struct Clock {
     pub(super) until: f64,
     /// Ticks, the last one perhaps shorter.
     pub(super) ticks: u64,
+    /// Error that may be made, if somebody said.
+    pub(super) tolerance: Option<f64>,
     /// What a tick may cost, and how finely events are located.
     pub(super) limits: Limits,
 }
@@ -49,10 +51,13 @@ impl Clock {
             mistakes.push(Mistake::TooManyTicks { ticks, most: MOST_TICKS });
         }
         check_range("--event-tolerance", event_tolerance, TOLERANCES, "of a tick", mistakes);
+        if let Some(tolerance) = args.tolerance {
+            check_range("--tolerance", tolerance, (1e-15, 1.0), "of the state", mistakes);
+        }
         let limits = Limits { longest_step: step, event_tolerance, ..default };
         #[expect(clippy::cast_possible_truncation, reason = "at most MOST_TICKS, or a mistake")]
         #[expect(clippy::cast_sign_loss, reason = "at least 1")]
-        Self { step, until, ticks: ticks as u64, limits }
+        Self { step, until, ticks: ticks as u64, tolerance: args.tolerance, limits }
     }
 
     /// Length of tick `tick` [s].
@@ -75,6 +80,8 @@ impl Clock {
 pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) {
     if !METHODS.contains(&args.method.as_str()) {
         mistakes.push(Mistake::unknown("method", &args.method, METHODS));
+    } else if args.tolerance.is_some() && !TOLERANT.contains(&args.method.as_str()) {
+        mistakes.push(Mistake::NoTolerance { method: args.method.clone(), known: TOLERANT });
     }
     if args.key > LAST_KEY {
         check_range("--key", args.key.into(), (0.0, LAST_KEY.into()), "(A0 to C8)", mistakes);

@@ -2,9 +2,9 @@
 
 use models::{Described, Playable};
 use pode::stepper::{
-    AdamsBashforth2, AdamsBashforth3, BogackiShampine, ExplicitEuler, ExponentialRosenbrock,
-    Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler,
-    Tsitouras5, VelocityVerlet,
+    AdamsBashforth2, AdamsBashforth3, BogackiShampine, ByNeed, Controlled, Dop853, Exact,
+    ExplicitEuler, ExponentialRosenbrock, Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3,
+    Rodas4, Ros2, SemiImplicitEuler, Tolerance, Tsitouras5, VelocityVerlet,
 };
 use pode::{Advance, Cap, EnergyAudit, Event, Motion, Piece, Signal, Simulator};
 use pode::{State as _, Stepper, Tick, Watch};
@@ -16,9 +16,13 @@ use super::output::Files;
 use super::summary::{Capped, Counts, Report, Why};
 
 macro_rules! methods {
-    ($($stepper:ident),+ $(,)?) => {
+    (tolerant: $($tolerant:ty),+; plain: $($stepper:ty),+ $(,)?) => {
         /// The names of the methods.
-        pub(super) const METHODS: &[&str] = &[$($stepper::NAME),+];
+        pub(super) const METHODS: &[&str] =
+            &[ByNeed::NAME, $(<$tolerant>::NAME,)+ $(<$stepper>::NAME),+];
+
+        /// The names of those that heed a tolerance.
+        pub(super) const TOLERANT: &[&str] = &[ByNeed::NAME, $(<$tolerant>::NAME),+];
 
         /// Runs a model with the method called `name`; the caller knows that there is one.
         pub(super) fn by_name<M: Playable>(
@@ -27,8 +31,18 @@ macro_rules! methods {
             plan: (&Clock, &Input),
             files: &mut Files,
         ) -> Result<Report, SimulateError> {
-            $(if name == $stepper::NAME {
-                return drive(start, $stepper, plan, files);
+            if name == ByNeed::NAME {
+                return by_need(start, plan, files);
+            }
+            $(if name == <$tolerant>::NAME {
+                let method = <$tolerant>::default();
+                return match plan.0.tolerance.map(Tolerance::both) {
+                    None => drive(start, method, plan, files),
+                    Some(tolerance) => drive(start, Controlled { method, tolerance }, plan, files),
+                };
+            })+
+            $(if name == <$stepper>::NAME {
+                return drive(start, <$stepper>::default(), plan, files);
             })+
             Err(SimulateError::Usage(Vec::new()))
         }
@@ -36,22 +50,39 @@ macro_rules! methods {
 }
 
 methods!(
+    tolerant: BogackiShampine, Tsitouras5, Dop853;
+    plain:
     ExplicitEuler,
     SemiImplicitEuler,
     Heun,
     VelocityVerlet,
     AdamsBashforth2,
     AdamsBashforth3,
-    BogackiShampine,
     Rk4,
-    Tsitouras5,
     LinearImplicitMidpoint,
     Ros2,
     Rodas3,
     Rodas4,
     ExponentialRosenbrock,
     Exprb32,
+    Exact<Rk4>,
 );
+
+/// Runs a model with what each mode needs, and says what that is.
+fn by_need<M: Playable>(
+    start: &Start<M>,
+    plan: (&Clock, &Input),
+    files: &mut Files,
+) -> Result<Report, SimulateError> {
+    let Clock { step, tolerance, .. } = *plan.0;
+    let budget = tolerance.unwrap_or(ByNeed::BUDGET);
+    let stepper = ByNeed::new(budget, step);
+    let choices = M::MODES.iter().map(|(mode, name)| {
+        let own = start.model.longest_step(*mode).min(step);
+        (*name, stepper.choice(&start.model.nature(*mode), own))
+    });
+    Ok(Report { choices: choices.collect(), ..drive(start, stepper, plan, files)? })
+}
 
 /// Advances a model from 0 to the clock's end, or to its first fault.
 fn drive<M: Playable, T: Stepper>(
@@ -65,7 +96,8 @@ fn drive<M: Playable, T: Stepper>(
         Follower { clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
     let mut tally = Tally::default();
     let mut simulator = Simulator::new(model, stepper, clock.limits, mode, state);
-    follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0))?;
+    let audit = follower.audit;
+    follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
     for tick in 0..clock.ticks {
         let signal = |theta: f64| input.at(clock.time(tick, theta));
         let done = simulator.advance(clock.length(tick), &signal, &mut follower);
@@ -79,7 +111,8 @@ fn drive<M: Playable, T: Stepper>(
         let t = clock.time(tick, 1.0);
         let (mode, state) = (simulator.mode(), simulator.state());
         follower.last = (t, mode, *state);
-        follower.files.row(simulator.model(), t, (mode, state), &signal(1.0))?;
+        let audit = follower.audit;
+        follower.files.row(simulator.model(), t, (mode, state), &signal(1.0), &audit)?;
     }
     Ok(tally.report::<M, T>(clock, &follower))
 }
@@ -128,13 +161,17 @@ struct Tally {
 
 impl Tally {
     fn add(&mut self, tick: &Tick) {
-        let Counts { ticks, steps, evaluations, events } = &mut self.counts;
+        let Counts { ticks, steps, evaluations, events, verdicts } = &mut self.counts;
         *ticks += 1;
         *steps += u64::from(tick.work.pieces);
         evaluations.derivatives += u64::from(tick.work.derivatives);
+        evaluations.jacobians += u64::from(tick.work.jacobians);
         evaluations.guards += u64::from(tick.work.guards);
         evaluations.readouts += u64::from(tick.work.readouts);
         *events += u64::from(tick.work.events);
+        verdicts.certified += u64::from(tick.work.certified);
+        verdicts.likely += u64::from(tick.work.likely);
+        verdicts.unknown += u64::from(tick.work.unknown);
         let Capped { events, cascade, guards, pieces } = &mut self.capped;
         match tick.advance {
             Advance::Capped(Cap::Events) => *events += 1,
@@ -157,6 +194,7 @@ impl Tally {
             capped: self.capped,
             t: *t,
             mode: mode_name::<M>(*mode),
+            choices: Vec::new(),
             state,
             audit: follower.audit,
             failure: self.failure,

@@ -117,6 +117,14 @@ pub enum Mistake {
         /// Unit of all three; `1` for a ratio.
         unit: &'static str,
     },
+    /// A tolerance for a method that cannot heed one.
+    #[error("--tolerance is not for {method}, which has no say in its steps; it is for {}", known.join(", "))]
+    NoTolerance {
+        /// The method.
+        method: String,
+        /// Those that heed one.
+        known: &'static [&'static str],
+    },
     /// A time that is not a length of time.
     #[error("{option} = {value:?}: it must be a positive, finite number of seconds")]
     NotADuration {

@@ -9,13 +9,20 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use models::{Described, Playable};
-use pode::{Event, GuardSpec, Motion, Piece, Signal, State as _};
+use pode::{EnergyAudit, Event, GuardSpec, Motion, Piece, Signal, State as _};
 
 use super::args::SimulateArgs;
 use super::check::Start;
 use super::drive::mode_name;
 use super::error::{Mistake, SimulateError};
 use super::plot::Plot;
+
+/// Columns of the readout's slopes by s and by s'.
+const SLOPES: [&str; 2] = ["readout_per_s", "readout_per_s_dot"];
+
+/// Columns of the energy audit since the start [J]: what is stored more than then is supplied
+/// − dissipated + jumps.
+const ENERGIES: [&str; 4] = ["E_supplied", "E_dissipated", "E_jumps", "E_stored"];
 
 /// What is collected before the system is asked to write it [bytes].
 const BUFFER: usize = 1 << 16;
@@ -62,6 +69,7 @@ impl Files {
         t: f64,
         (mode, state): (M::Mode, &M::State),
         input: &Motion,
+        audit: &EnergyAudit,
     ) -> Result<(), SimulateError> {
         let Some(sheet) = &mut self.trajectory else { return Ok(()) };
         sheet.number(t);
@@ -77,6 +85,10 @@ impl Files {
         }
         model.outputs(mode, state, input, &mut self.outputs);
         sheet.numbers(&self.outputs);
+        let slopes = model.slopes(mode, state, input);
+        sheet.numbers(&[slopes.per_position, slopes.per_rate]);
+        let EnergyAudit { supplied, dissipated, jumps, stored } = *audit;
+        sheet.numbers(&[supplied, dissipated, jumps, stored]);
         sheet.end()
     }
 
@@ -145,6 +157,7 @@ fn trajectory_header<M: Described>(guards: &[&str]) -> Vec<String> {
         let taken = header.iter().any(|column| column == name);
         header.push(if taken { format!("output_{name}") } else { (*name).to_owned() });
     }
+    header.extend(SLOPES.iter().chain(&ENERGIES).map(|name| (*name).to_owned()));
     header
 }
 

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use pode::stepper::Choice;
 use pode::{EnergyAudit, Fault};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -23,6 +24,8 @@ pub(super) struct Report {
     /// The end that was reached [s].
     pub(super) t: f64,
     pub(super) mode: &'static str,
+    /// What `by-need` takes in each mode; empty with any other method.
+    pub(super) choices: Vec<(&'static str, Choice)>,
     pub(super) state: Vec<(&'static str, f64)>,
     pub(super) audit: EnergyAudit,
     pub(super) failure: Option<Why>,
@@ -35,12 +38,22 @@ pub(super) struct Counts {
     pub(super) steps: u64,
     pub(super) evaluations: Evaluations,
     pub(super) events: u64,
+    pub(super) verdicts: Verdicts,
+}
+
+/// Steps by whether they can hide a pair of roots of a guard.
+#[derive(Clone, Copy, Default, Debug, Serialize)]
+pub(super) struct Verdicts {
+    pub(super) certified: u64,
+    pub(super) likely: u64,
+    pub(super) unknown: u64,
 }
 
 /// Evaluations of a model.
 #[derive(Clone, Copy, Default, Debug, Serialize)]
 pub(super) struct Evaluations {
     pub(super) derivatives: u64,
+    pub(super) jacobians: u64,
     pub(super) guards: u64,
     pub(super) readouts: u64,
 }
@@ -143,13 +156,16 @@ impl Report {
                 "stored": stored,
                 "residual": self.audit.residual(),
             },
+            "choices": self.choices.iter().map(choice_json).collect::<Vec<_>>(),
             "outcome": self.outcome(),
             "capped_ticks": self.capped,
         })
     }
 
     fn text(&self) -> String {
-        let Counts { ticks, steps, evaluations, events } = self.counts;
+        let Counts { ticks, steps, evaluations, events, verdicts } = self.counts;
+        let Verdicts { certified, likely, unknown } = verdicts;
+        let choices: String = self.choices.iter().map(choice_text).collect();
         let state: Vec<_> =
             self.state.iter().map(|(name, value)| format!("{name} = {value:.6e}")).collect();
         let state = if state.is_empty() { "no state".to_owned() } else { state.join(", ") };
@@ -158,6 +174,8 @@ impl Report {
             "{} with {}: {} at t = {:?} s\n\
              work    {ticks} ticks of {:?} s, {steps} steps, {events} events; evaluations: \
              {} derivatives, {} guards, {} readouts\n\
+             missed  no crossing for certain in {certified} steps, likely none in {likely}, \
+             unknown in {unknown}\n{choices}\
              final   mode {}, {state}\n\
              energy  supplied {supplied:.6e} J, dissipated {dissipated:.6e} J, jumps {jumps:.6e} J, \
              stored {stored:.6e} J, residual {:.1e} J",
@@ -173,6 +191,21 @@ impl Report {
             self.audit.residual(),
         )
     }
+}
+
+/// What is taken in a mode, for a program; an error or a step without limit is null.
+fn choice_json((mode, choice): &(&'static str, Choice)) -> Value {
+    let Choice { method, step, error } = *choice;
+    json!({ "mode": mode, "method": method.name(), "step": step, "error_per_radian": error })
+}
+
+/// The same for people.
+fn choice_text((mode, choice): &(&'static str, Choice)) -> String {
+    let Choice { method, step, error } = *choice;
+    format!(
+        "mode    {mode}: {}, steps up to {step:.2e} s, error {error:.0e} per radian\n",
+        method.name()
+    )
 }
 
 /// Prints the report as `args` ask for.

@@ -68,7 +68,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.impacts.strike(fired, reset.impulse);
         let end = self.impacts.accumulation()?;
         let is_due = self.is_worth_it(run, (end.after, end.ratio), (fired, MEASURED));
-        (is_due && self.is_sure(run, rest.0, &end)).then(|| self.come_to_rest(run, rest, &end))
+        let is_sure = is_due && self.is_sure(run, rest.0, &end);
+        if is_sure { self.come_to_rest(run, rest, &end) } else { None }
     }
 
     /// Takes a declared sequence in one move.
@@ -86,13 +87,14 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     /// Takes a measured sequence in one move: the resting mode's own motion goes on, and what
-    /// is left of the bouncing rides on it.
+    /// is left of the bouncing rides on it. It is one step, a piece of the tick as any other;
+    /// `None` if the method refuses it.
     fn come_to_rest<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut Run<'_, S, W>,
         (resting, at_rest): (M::Mode, M::State),
         end: &Accumulation,
-    ) -> bool {
+    ) -> Option<bool> {
         let it = Move::within(run.rest(), end.after, end.ratio);
         let mode = if it.left > 0.0 { self.mode } else { resting };
         let time = it.part * end.after;
@@ -101,10 +103,14 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let mut memory = T::Memory::default();
         let step = self.stepper.step(&mut field, &at_rest, &mut memory, time);
         field.count(&mut run.work);
+        run.work.pieces += 1;
+        if !step.is_accepted {
+            return None;
+        }
         let bouncing = self.state.plus(-1.0, &at_rest);
         let reset = Reset::to(mode, step.dense.end().plus(it.left, &bouncing))
             .with_impulse(it.part * end.impulse);
-        self.jump(run, time, it.cause, &reset)
+        Some(self.jump(run, time, it.cause, &reset))
     }
 
     /// Lands `time` [s] from now, with the readout going its way between the impacts, nearly
@@ -119,6 +125,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let theta = (run.theta + time / run.h).max(run.theta).min(1.0);
         let (from, duration) = (run.input(), (theta - run.theta) * run.h);
         run.move_to(theta);
+        run.cascade += 1;
         run.since_event = run.resolution();
         let to = run.input();
         if self.is_read {
@@ -142,7 +149,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let is_last = run.work.events + SPARE >= run.limits.events;
         let own = self.model.longest_step(resting);
         let longest = self.stepper.longest_step(&self.model.nature(resting), own);
-        (is_exact || is_last) && end.after.min(run.rest()) <= longest
+        let has_piece = run.work.pieces < run.limits.pieces;
+        (is_exact || is_last) && has_piece && end.after.min(run.rest()) <= longest
     }
 
     /// Whether enough impacts were followed one by one in this tick, or they are too close to
@@ -161,6 +169,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let is_soon = is_flat || run.work.events >= run.limits.followed;
         (is_soon || after <= run.resolution())
             && run.work.events < run.limits.events
+            && run.cascade < run.limits.cascade
             && (after <= run.rest() || impacts_within(run.rest(), after, ratio) >= 1.0)
     }
 }

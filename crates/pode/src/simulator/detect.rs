@@ -145,26 +145,27 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             return Ok(Place::NOWHERE);
         }
         let (model, mode, signal, start) = (&self.model, self.mode, run.signal, run.theta);
-        let looks = Cell::new(0);
+        let (looks, is_finite) = (Cell::new(0), Cell::new(true));
         let mut guard = |tau: f64| {
             looks.set(looks.get() + 1);
             let input = signal.at(start + tau * (theta_end - start));
             let x = model.constrain(mode, &dense.at(tau), &input);
-            model.guard(mode, span.spec.id, &x, &input).value
+            let value = model.guard(mode, span.spec.id, &x, &input).value;
+            is_finite.set(is_finite.get() && value.is_finite());
+            value
         };
         let place = match span.crossing(&mut guard) {
-            Crossing::None => Ok(Place::NOWHERE),
-            Crossing::AtStart => Ok(Place { tau: 0.0, radius: 0.5 * tolerance }),
+            Crossing::None => Place::NOWHERE,
+            Crossing::AtStart => Place { tau: 0.0, radius: 0.5 * tolerance },
             Crossing::Within { bracket, level, seed } => {
                 let located = locate(|tau| guard(tau) - level, bracket, seed, tolerance);
                 let slope = seed.map_or(bracket.at_hi - bracket.at_lo, |(_, slope)| slope);
                 let radius = 0.5 * tolerance + slack(span.spec, slope);
-                let place = Place { tau: located.tau, radius };
-                if located.not_finite { Err(Fault::Guard) } else { Ok(place) }
+                Place { tau: located.tau, radius }
             }
         };
         run.work.guards += looks.get();
-        place
+        if is_finite.get() { Ok(place) } else { Err(Fault::Guard) }
     }
 }
 

@@ -21,7 +21,7 @@ use crate::input::Signal;
 use crate::limits::Limits;
 use crate::model::{Model, Resets};
 use crate::outcome::{Advance, Cap, Fault, Tick};
-use crate::quadrature::{LOBATTO, SIMPSON};
+use crate::quadrature::{LOBATTO, SIMPSON, is_high, looks};
 use crate::run::Run;
 use crate::state::{is_finite, largest};
 use crate::stepper::{Memory as _, Step, Stepper};
@@ -308,8 +308,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         piece: &Piece<'_, M, S>,
         end_input: &M::Input,
     ) {
-        /// From this order on, Simpson's rule would lose what the method has gained.
-        const HIGH: u32 = 5;
         let readout = |x: &M::State, input: &M::Input| self.model.readout(self.mode, x, input);
         let start = run.readout.unwrap_or_else(|| readout(&self.state, &run.input()));
         let end = readout(&piece.end, end_input);
@@ -317,12 +315,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             let (x, input) = piece.at(part);
             readout(&self.model.constrain(self.mode, &x, &input), &input)
         };
-        let (mean, looks) = if T::DENSE >= HIGH {
-            (LOBATTO.mean([start, end], inside), LOBATTO.looks())
-        } else {
-            (SIMPSON.mean([start, end], inside), SIMPSON.looks())
-        };
-        run.work.readouts += 1 + looks + u32::from(run.readout.is_none());
+        let ends = [start, end];
+        let mean =
+            if is_high::<T>() { LOBATTO.mean(ends, inside) } else { SIMPSON.mean(ends, inside) };
+        run.work.readouts += 1 + looks::<T>() + u32::from(run.readout.is_none());
         run.integral += piece.duration() * mean;
         run.readout = Some(end);
     }
@@ -346,10 +342,13 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.since_event = run.since_event;
         let end = match run.readout {
             Some(end) => end,
-            None if self.is_read => self.model.readout(self.mode, &self.state, &input),
+            None if self.is_read => {
+                run.work.readouts += 1;
+                self.model.readout(self.mode, &self.state, &input)
+            }
             None => 0.0,
         };
-        self.tick += 1;
+        self.tick = self.tick.wrapping_add(1);
         let mut tick = run.into_tick(end);
         let is_finite = tick.mean_readout.is_finite() && tick.end_readout.is_finite();
         if !is_finite && !matches!(tick.advance, Advance::Faulty(_)) {

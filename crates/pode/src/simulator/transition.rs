@@ -44,9 +44,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             run.cap(Cap::Events);
             return false;
         }
+        let Some(spec) = self.model.guards(self.mode).get(index) else {
+            run.fail(Fault::Guard);
+            return false;
+        };
         run.cascade += 1;
         run.has_aimed = false;
-        let spec = &self.model.guards(self.mode)[index];
         let fired = spec.id;
         run.due.remove(fired);
         let input = run.input();
@@ -129,7 +132,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     {
         let input = run.input();
         let specs = self.model.guards(self.mode);
-        debug_assert!(specs.len() <= MAX_GUARDS, "a mode has too many guards");
+        if specs.len() > MAX_GUARDS {
+            run.fail(Fault::Guard);
+            return false;
+        }
         for (slot, spec) in self.guards.iter_mut().zip(specs) {
             if !run.spend_guards(1) {
                 return false;

@@ -107,13 +107,16 @@ pub const MENU: [Offer; 3] = [
 ];
 
 impl Default for ByNeed {
-    /// 1e-4 per radian in ticks of 1 ms.
+    /// [`ByNeed::BUDGET`] in ticks of 1 ms.
     fn default() -> Self {
-        Self::new(1e-4, 1e-3)
+        Self::new(Self::BUDGET, 1e-3)
     }
 }
 
 impl ByNeed {
+    /// A relative error per radian that no finger feels.
+    pub const BUDGET: f64 = 1e-4;
+
     /// Meets `budget`, a relative error per radian, in ticks of `tick` [s].
     pub fn new(budget: f64, tick: f64) -> Self {
         /// Guards are seen, and all of the menu is stable, up to this [rad].
@@ -167,6 +170,7 @@ impl Stepper for ByNeed {
     const ORDER: u32 = 2;
     const DENSE: u32 = 2;
     const EVALUATIONS: u32 = Rodas3::EVALUATIONS;
+    const JACOBIANS: u32 = Rodas3::JACOBIANS;
     const NAME: &'static str = "by-need";
 
     type Memory<S: State> = ();

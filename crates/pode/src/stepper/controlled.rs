@@ -103,6 +103,8 @@ impl<T: Stepper> Stepper for Controlled<T> {
     const ORDER: u32 = T::ORDER;
     const DENSE: u32 = T::DENSE;
     const EVALUATIONS: u32 = T::EVALUATIONS;
+    const REFINEMENT: u32 = T::REFINEMENT;
+    const JACOBIANS: u32 = T::JACOBIANS;
     const NAME: &'static str = T::NAME;
 
     type Memory<S: State> = Control<T::Memory<S>>;

@@ -41,6 +41,8 @@ impl<T: Stepper> Stepper for Exact<T> {
     const ORDER: u32 = 4;
     const DENSE: u32 = TERMS as u32 - 1;
     const EVALUATIONS: u32 = if T::EVALUATIONS > 4 { T::EVALUATIONS } else { 4 };
+    const REFINEMENT: u32 = T::REFINEMENT;
+    const JACOBIANS: u32 = if T::JACOBIANS > 1 { T::JACOBIANS } else { 1 };
     const NAME: &'static str = "exact";
 
     type Memory<S: State> = T::Memory<S>;

@@ -30,6 +30,7 @@ pub struct ExponentialRosenbrock;
 impl Stepper for ExponentialRosenbrock {
     const ORDER: u32 = 2;
     const EVALUATIONS: u32 = 2;
+    const JACOBIANS: u32 = 1;
     const NAME: &'static str = "exponential-rosenbrock";
 
     type Memory<S: State> = ();

@@ -31,6 +31,7 @@ pub struct Exprb32;
 impl Stepper for Exprb32 {
     const ORDER: u32 = 3;
     const EVALUATIONS: u32 = 4;
+    const JACOBIANS: u32 = 1;
     const NAME: &'static str = "exprb32";
 
     type Memory<S: State> = ();

@@ -30,6 +30,7 @@ pub struct LinearImplicitMidpoint;
 impl Stepper for LinearImplicitMidpoint {
     const ORDER: u32 = 2;
     const EVALUATIONS: u32 = 2;
+    const JACOBIANS: u32 = 1;
     const NAME: &'static str = "linear-implicit-midpoint";
 
     type Memory<S: State> = ();

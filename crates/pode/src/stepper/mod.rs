@@ -99,6 +99,10 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     const DENSE: u32 = Self::ORDER;
     /// Most evaluations of the derivative in one step, those for the Jacobian apart.
     const EVALUATIONS: u32;
+    /// Most evaluations of the derivative in one [`refine`](Self::refine).
+    const REFINEMENT: u32 = 0;
+    /// Most evaluations of the Jacobian in one step.
+    const JACOBIANS: u32 = 0;
     /// Its name on the command line.
     const NAME: &'static str;
 

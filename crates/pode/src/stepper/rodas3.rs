@@ -42,6 +42,7 @@ impl Stepper for Rodas3 {
     const ORDER: u32 = 3;
     const DENSE: u32 = 2;
     const EVALUATIONS: u32 = 5;
+    const JACOBIANS: u32 = 1;
     const NAME: &'static str = "rodas3";
 
     type Memory<S: State> = ();

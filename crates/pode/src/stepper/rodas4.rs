@@ -88,6 +88,7 @@ impl Stepper for Rodas4 {
     const ORDER: u32 = 4;
     const DENSE: u32 = 3;
     const EVALUATIONS: u32 = 9;
+    const JACOBIANS: u32 = 1;
     const NAME: &'static str = "rodas4";
 
     type Memory<S: State> = ();

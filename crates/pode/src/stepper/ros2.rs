@@ -50,6 +50,7 @@ const DENSE: [[f64; 2]; 2] = {
 impl Stepper for Ros2 {
     const ORDER: u32 = 2;
     const EVALUATIONS: u32 = 3;
+    const JACOBIANS: u32 = 1;
     const NAME: &'static str = "ros2";
 
     type Memory<S: State> = ();

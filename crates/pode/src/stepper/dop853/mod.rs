@@ -28,6 +28,7 @@ impl Stepper for Dop853 {
     const ORDER: u32 = 8;
     const DENSE: u32 = 7;
     const EVALUATIONS: u32 = 13;
+    const REFINEMENT: u32 = 3;
     const NAME: &'static str = "dop853";
 
     type Memory<S: State> = Slope<S>;

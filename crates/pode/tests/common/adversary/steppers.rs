@@ -1,0 +1,34 @@
+//! The methods that are asked, one per line.
+
+/// Calls `$with!` with a name, a type and a value of every method.
+#[macro_export]
+macro_rules! every_stepper {
+    ($with:ident) => {
+        $with! {
+            explicit_euler: ExplicitEuler = ExplicitEuler,
+            semi_implicit_euler: SemiImplicitEuler = SemiImplicitEuler,
+            velocity_verlet: VelocityVerlet = VelocityVerlet,
+            heun: Heun = Heun,
+            rk4: Rk4 = Rk4,
+            bogacki_shampine: BogackiShampine = BogackiShampine,
+            tsitouras5: Tsitouras5 = Tsitouras5,
+            dop853: Dop853 = Dop853,
+            adams_bashforth2: AdamsBashforth2 = AdamsBashforth2,
+            adams_bashforth3: AdamsBashforth3 = AdamsBashforth3,
+            ros2: Ros2 = Ros2,
+            rodas3: Rodas3 = Rodas3,
+            rodas4: Rodas4 = Rodas4,
+            linear_implicit_midpoint: LinearImplicitMidpoint = LinearImplicitMidpoint,
+            exponential_rosenbrock: ExponentialRosenbrock = ExponentialRosenbrock,
+            exprb32: Exprb32 = Exprb32,
+            exact_or_rk4: Exact<Rk4> = Exact::default(),
+            exact_or_dop853: Exact<Dop853> = Exact::default(),
+            by_need: ByNeed = ByNeed::default(),
+            controlled_bogacki_shampine: Controlled<BogackiShampine> = Controlled::default(),
+            controlled_tsitouras5: Controlled<Tsitouras5> = Controlled::default(),
+            controlled_dop853: Controlled<Dop853> = Controlled::default(),
+            controlled_rodas4: Controlled<Rodas4> = Controlled::default(),
+            controlled_exact: Controlled<Exact<Dop853>> = Controlled::default(),
+        }
+    };
+}

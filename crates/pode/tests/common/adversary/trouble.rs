@@ -1,0 +1,104 @@
+//! Guards made to be difficult.
+
+use pode::{GuardValue, Motion};
+
+use super::STATE;
+use super::bytes::Bytes;
+
+/// A guard, as a function of the time x₀, the count x₁, the height x₂ and its rate x₃.
+#[derive(Clone, Copy, Debug)]
+pub enum Trouble {
+    /// A line that falls through zero at this time [s].
+    Falls(f64),
+    /// Height over a floor.
+    Floor,
+    /// Jumps between −1 and 1 at this frequency [1/s].
+    Chatters(f64),
+    /// The same value and rate for ever.
+    Constant(f64, f64),
+    /// Falls by a jump at this time [s].
+    Jumps(f64),
+    /// Not a number over this long from this time on [s].
+    NotANumber(f64, f64),
+    /// Its rate is not a number from this time on [s].
+    NoRate(f64),
+    /// Many roots: cos ωt.
+    Waves(f64),
+    /// Pairs of roots so close to each other: 1 + cos ωt − δ.
+    Dips(f64, f64),
+    /// Flat roots: −(t − t0)⁹, with rate zero.
+    Flat(f64),
+    /// Steep roots: a square root with a sign.
+    Steep(f64),
+    /// Changes with each reset.
+    Counts(f64),
+    /// Beyond the largest number.
+    Huge(f64),
+    /// The input, up to this threshold.
+    Follows(f64),
+    /// No function at all: another answer each time.
+    Fickle(u64),
+}
+
+impl Trouble {
+    pub fn from_bytes(bytes: &mut Bytes<'_>) -> Self {
+        let time = |bytes: &mut Bytes<'_>| bytes.sized(1e-5, 0.05);
+        let rate = |bytes: &mut Bytes<'_>| bytes.sized(1.0, 1e7);
+        match bytes.byte() % 20 {
+            0..=2 => Self::Falls(time(bytes)),
+            3..=5 => Self::Floor,
+            6 => Self::Chatters(rate(bytes)),
+            7 => Self::Constant(0.0, 0.0),
+            8 => Self::Constant(
+                bytes.odd(|it| it.signed(1e-18, 1e3)),
+                bytes.odd(|it| it.signed(1.0, 1e9)),
+            ),
+            9 => Self::Jumps(time(bytes)),
+            10 => Self::NotANumber(time(bytes), time(bytes)),
+            11 => Self::NoRate(time(bytes)),
+            12 => Self::Waves(rate(bytes)),
+            13 => Self::Dips(rate(bytes), bytes.signed(1e-16, 1.0)),
+            14 => Self::Flat(time(bytes)),
+            15 => Self::Steep(time(bytes)),
+            16 => Self::Counts(rate(bytes)),
+            17 => Self::Huge(time(bytes)),
+            18 => Self::Follows(bytes.signed(1e-3, 1.0)),
+            _ => Self::Fickle(bytes.word()),
+        }
+    }
+
+    /// The guard and its rate; `call` is how often guards were evaluated before.
+    pub fn value(self, x: &[f64; STATE], input: &Motion, call: u32) -> GuardValue {
+        let [t, n, z, w] = *x;
+        let (value, rate) = match self {
+            Self::Falls(t0) => (t0 - t, -1.0),
+            Self::Floor => (z, w),
+            Self::Chatters(f) => (if (t * f).fract() < 0.5 { 1.0 } else { -1.0 }, 0.0),
+            Self::Constant(value, rate) => (value, rate),
+            Self::Jumps(t0) => (if t < t0 { 1.0 } else { -1.0 }, 0.0),
+            Self::NotANumber(t0, long) => {
+                (if (t0..t0 + long).contains(&t) { f64::NAN } else { t0 + 0.5 * long - t }, -1.0)
+            }
+            Self::NoRate(t0) => (t0 - t, if t < t0 { -1.0 } else { f64::NAN }),
+            Self::Waves(f) => ((f * t).cos(), -f * (f * t).sin()),
+            Self::Dips(f, depth) => (1.0 + (f * t).cos() - depth, -f * (f * t).sin()),
+            Self::Flat(t0) => (-(t - t0).powi(9), 0.0),
+            Self::Steep(t0) => ((t0 - t).abs().sqrt().copysign(t0 - t), -1e300),
+            Self::Counts(f) => ((f * t + n).sin(), f),
+            Self::Huge(t0) => (f64::MAX * (t0 - t), f64::MIN),
+            Self::Follows(threshold) => (threshold - input.position, -input.rate),
+            Self::Fickle(seed) => fickle(seed.wrapping_add(u64::from(call))),
+        };
+        GuardValue::new(value, rate)
+    }
+}
+
+/// Two numbers that have nothing to do with those before. [splitmix64]
+fn fickle(seed: u64) -> (f64, f64) {
+    const VALUES: [f64; 8] = [1.0, -1.0, 1.0, -1.0, 0.0, 1e-15, -1e-15, 1e9];
+    const RATES: [f64; 8] = [1.0, -1.0, 1e6, -1e6, 0.0, 1e3, -1e3, -1e12];
+    let mut z = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    (VALUES[(z >> 8) as usize % 8], RATES[(z >> 16) as usize % 8])
+}
