@@ -103,6 +103,9 @@ impl Span<'_> {
     /// The first fall of a guard that starts positive, or at zero on its way up.
     fn falls(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
         let cubic = self.cubic();
+        if self.ends_below() && cubic.is_concave() {
+            return self.falls_once(&cubic, guard);
+        }
         let turns = cubic.turns();
         let (maximum, minimum) = turns;
         // A touch within rounding is not a crossing.
@@ -116,6 +119,21 @@ impl Span<'_> {
             high_point(maximum.filter(|tau| *tau < hi), hi, guard)
         };
         high.map_or(Crossing::AtStart, |(lo, at_lo)| shut_in((&cubic, turns), lo, at_lo, hi, at_hi))
+    }
+
+    /// The fall of a guard that bends down all the way: there is one, wherever it turns.
+    fn falls_once(&self, cubic: &Cubic, guard: impl FnMut(f64) -> f64) -> Crossing {
+        let root = cubic.root_between(0.0, 1.0);
+        let high = if self.stand == Stand::Armed {
+            Some((0.0, self.start.value))
+        } else {
+            high_point(Some(0.5 * root), 1.0, guard)
+        };
+        high.map_or(Crossing::AtStart, |(lo, at_lo)| Crossing::Within {
+            bracket: Bracket { lo, at_lo, hi: 1.0, at_hi: self.end.value },
+            level: 0.0,
+            seed: Some((root, cubic.slope(root))),
+        })
     }
 
     /// Whether a guard that starts below zero and ends above can be there twice: it has to

@@ -41,7 +41,7 @@ impl Cubic {
 
     /// Whether it bends down all the way from 0 to 1.
     #[inline]
-    fn is_concave(&self) -> bool {
+    pub(crate) fn is_concave(&self) -> bool {
         self.c <= 0.0 && self.c + 3.0 * self.d <= 0.0
     }
 
@@ -66,11 +66,6 @@ impl Cubic {
     /// The first root in (`lo`, `hi`] reached from above, if the cubic has one; `turns` are
     /// its own.
     pub(crate) fn first_root(&self, turns: Turns, lo: f64, hi: f64) -> Option<f64> {
-        if self.is_concave() {
-            // Falls once and for all, wherever it turns.
-            let falls = self.at(hi) <= 0.0;
-            return falls.then(|| self.root_between(lo, hi));
-        }
         let clipped = |turn: Option<f64>| turn.map_or(hi, |tau| tau.clamp(lo, hi));
         let (maximum, minimum) = (clipped(turns.0), clipped(turns.1));
         let mut from = lo;
@@ -93,7 +88,7 @@ impl Cubic {
     }
 
     /// The root of a monotone stretch, by Newton kept inside its bracket.
-    fn root_between(&self, mut lo: f64, mut hi: f64) -> f64 {
+    pub(crate) fn root_between(&self, mut lo: f64, mut hi: f64) -> f64 {
         /// Newton on a monotone cubic doubles its digits; 12 rounds reach the last one
         /// from any start, and bisection covers the flat ends.
         const ROUNDS: usize = 12;

@@ -145,8 +145,8 @@ mod tests {
         for (rate, curvature) in [(1.0, -4.0), (-1.0, 0.0)] {
             assert!((due(guard(1.0, rate), curvature) - 1.0).abs() < 1e-15);
         }
-        assert_eq!(due(guard(1.0, 1.0), 0.0), f64::INFINITY);
-        assert_eq!(due(guard(1.0, -1.0), 4.0), f64::INFINITY, "it turns before");
+        assert!(due(guard(1.0, 1.0), 0.0).is_infinite());
+        assert!(due(guard(1.0, -1.0), 4.0).is_infinite(), "it turns before");
     }
 
     #[test]

@@ -141,10 +141,10 @@ mod tests {
     #[test]
     fn a_ratio_that_still_changes_is_followed_to_its_limit() {
         // Intervals whose ratio is 0.6 less a part of the interval itself.
-        let mut intervals = vec![0.2];
-        for _ in 0..200 {
-            let last = *intervals.last().expect("one");
-            intervals.push(last * (0.6 - 0.5 * last));
+        let mut intervals = [0.2; 200];
+        for n in 1..intervals.len() {
+            let last = intervals[n - 1];
+            intervals[n] = last * (0.6 - 0.5 * last);
         }
         for n in 8..12 {
             let rest: f64 = intervals[n..].iter().sum();

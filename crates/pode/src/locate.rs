@@ -90,13 +90,12 @@ pub(crate) const fn most_evaluations(tolerance: f64) -> u32 {
 const fn halvings(tolerance: f64) -> u32 {
     const MOST: u32 = 60;
     /// The exponent that stands for 1.
-    const ONE: u64 = 1023;
-    if !(tolerance > 0.0) {
-        return MOST;
-    }
-    // The largest power of two that is not above the tolerance.
-    let halvings = ONE.saturating_sub(tolerance.to_bits() >> 52);
-    if halvings < MOST as u64 { halvings as u32 } else { MOST }
+    const ONE: u32 = 1023;
+    // The largest power of two that is not above the tolerance: its exponent. What is
+    // negative has its sign there, and gets as few as a tolerance above 1.
+    let exponent = (tolerance.to_bits() >> 52) as u32;
+    let halvings = ONE.saturating_sub(exponent);
+    if halvings < MOST && tolerance > 0.0 { halvings } else { MOST }
 }
 
 /// A search in progress.

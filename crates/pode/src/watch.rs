@@ -96,6 +96,10 @@ pub struct Event<'a, M: Model> {
 
 /// Follows a simulation; everything is optional.
 pub trait Watch<M: Model> {
+    /// Whether pieces are looked at between their ends: their dense output then has its full
+    /// order, which costs some methods evaluations.
+    const LOOKS_INSIDE: bool = true;
+
     /// A piece was advanced.
     fn piece<S: Signal<M::Input>>(&mut self, _model: &M, _piece: &Piece<'_, M, S>) {}
 
@@ -107,9 +111,13 @@ pub trait Watch<M: Model> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Silent;
 
-impl<M: Model> Watch<M> for Silent {}
+impl<M: Model> Watch<M> for Silent {
+    const LOOKS_INSIDE: bool = false;
+}
 
 impl<M: Model, A: Watch<M>, B: Watch<M>> Watch<M> for (A, B) {
+    const LOOKS_INSIDE: bool = A::LOOKS_INSIDE || B::LOOKS_INSIDE;
+
     fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
         self.0.piece(model, piece);
         self.1.piece(model, piece);
@@ -122,6 +130,8 @@ impl<M: Model, A: Watch<M>, B: Watch<M>> Watch<M> for (A, B) {
 }
 
 impl<M: Model, W: Watch<M>> Watch<M> for &mut W {
+    const LOOKS_INSIDE: bool = W::LOOKS_INSIDE;
+
     fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
         (**self).piece(model, piece);
     }

@@ -62,7 +62,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             }
         }
         run.work.judge(verdict);
-        Ok(if any { earliest(specs, &places) } else { None })
+        Ok(match specs {
+            _ if !any => None,
+            [only] => alone(only, places[0]),
+            _ => earliest(specs, &places),
+        })
     }
 
     /// A guard's values at both ends of a step, and from there what it will do next; `None` if
@@ -83,10 +87,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let guard = |x: &M::State, input: &M::Input| self.model.guard(self.mode, spec.id, x, input);
         let end = guard(&taken.end, &taken.input);
         // After a sleep the value at the start is not known, and not needed either.
-        let start = match slot.is_fresh || is_quiet {
-            true => slot.value,
-            false => guard(&self.state, &run.input()),
-        };
+        let is_enough = slot.is_fresh || is_quiet;
+        let start = if is_enough { slot.value } else { guard(&self.state, &run.input()) };
         if ![end.value, end.rate, start.value, start.rate].iter().all(|it| it.is_finite()) {
             return Err(Fault::Guard);
         }
@@ -118,14 +120,18 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// Has the stepper bring the step's dense output to its full order.
     #[inline]
-    fn refine<S: Signal<M::Input>, W>(&self, run: &mut Run<'_, S, W>, taken: &mut Taken<M, T>) {
+    pub(super) fn refine<S: Signal<M::Input>, W>(
+        &self,
+        run: &mut Run<'_, S, W>,
+        taken: &mut Taken<M, T>,
+    ) {
         if taken.is_refined {
             return;
         }
         taken.is_refined = true;
         let part = (run.theta, taken.theta_end - run.theta);
         let mut field = ModeField::new(&self.model, self.mode, run.signal, part);
-        self.stepper.refine(&mut field, &mut taken.step.dense, taken.h);
+        self.stepper.refine(&mut field, &self.memory, &mut taken.step.dense, taken.h);
         field.count(&mut run.work);
     }
 
@@ -175,6 +181,14 @@ fn slack(spec: &GuardSpec, slope: f64) -> f64 {
     const MOST: f64 = 1.0 / 1_048_576.0;
     // A slope of zero gives infinity, or NaN without a band, and `min` takes the other.
     (spec.band() / slope.abs()).min(MOST)
+}
+
+/// The crossing of a mode's only guard.
+#[inline]
+fn alone(spec: &GuardSpec, place: Place) -> Option<First> {
+    let mut crossed = GuardSet::EMPTY;
+    crossed.insert(spec.id);
+    place.tau.is_finite().then_some(First { index: 0, tau: place.tau, crossed })
 }
 
 /// The earliest crossing; among those that cannot be told from it, the lowest priority.

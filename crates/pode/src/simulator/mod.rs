@@ -201,7 +201,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         match self.first_crossing(run, &mut taken) {
             Err(fault) => run.fail(fault),
             Ok(_) if !run.is_going() => {}
-            Ok(None) => self.keep(run, &taken),
+            Ok(None) => self.keep(run, &mut taken),
             Ok(Some(first)) => self.leave(run, &taken, &first),
         }
     }
@@ -234,8 +234,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     fn keep<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut Run<'_, S, W>,
-        taken: &Taken<M, T>,
+        taken: &mut Taken<M, T>,
     ) {
+        if self.is_read || W::LOOKS_INSIDE {
+            self.refine(run, taken);
+        }
         self.accept(run, taken, 1.0, taken.end, &taken.input);
         for (slot, spec) in self.guards.iter_mut().zip(self.model.guards(self.mode)) {
             if slot.is_fresh {
@@ -336,6 +339,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         if !is_complete {
             // Held: the rest of the tick keeps the last good state.
             self.state = self.constrained(self.mode, &self.state, &input).unwrap_or(self.state);
+            self.memory.restart();
+            self.impacts = Impacts::NONE;
             run.readout = None;
         }
         self.last_input = is_complete.then_some(input);

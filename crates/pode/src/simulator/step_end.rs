@@ -51,7 +51,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let longest = if longest > 0.0 { longest } else { 0.0 };
         let reach = self.memory.reach() / run.h;
         if reach < 1.0 - run.theta {
-            return self.reached(run, reach, longest / run.h);
+            return reached(run, reach, longest / run.h);
         }
         if longest >= run.h {
             return 1.0;
@@ -61,14 +61,13 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let k = math::floor(run.theta * n + CRUMB + rounding) + 1.0;
         if k >= n { 1.0 } else { k / n }
     }
+}
 
-    /// Where a step ends that its method wants no longer than `reach`, a part of the tick.
-    fn reached<S, W>(&self, run: &Run<'_, S, W>, reach: f64, longest: f64) -> f64 {
-        // Never so short that the time would stand still.
-        let reach = reach.min(longest).max(f64::EPSILON);
-        let rest = 1.0 - run.theta;
-        // Two even steps rather than a long one and a crumb.
-        let part = if reach < rest && 2.0 * reach > rest { 0.5 * rest } else { reach };
-        if part < rest { run.theta + part } else { 1.0 }
-    }
+/// Where a step ends that its method wants no longer than `reach`, a part of the tick.
+fn reached<S, W>(run: &Run<'_, S, W>, reach: f64, longest: f64) -> f64 {
+    let reach = reach.min(longest);
+    let rest = 1.0 - run.theta;
+    // Two even steps rather than a long one and a crumb.
+    let part = if reach < rest && 2.0 * reach > rest { 0.5 * rest } else { reach };
+    if part < rest { run.theta + part } else { 1.0 }
 }

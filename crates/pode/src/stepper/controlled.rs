@@ -126,7 +126,6 @@ impl<T: Stepper> Stepper for Controlled<T> {
         const SAFETY: f64 = 0.7;
         /// A step this short [s] without a number for its error is the model's own fault.
         const SHORTEST: f64 = 1e-9;
-        let before = memory.method;
         let mut step = self.method.step(field, x0, &mut memory.method, h);
         let error = self.tolerance.weigh(&step.error, x0, step.dense.end());
         let wish = SAFETY / root(error, T::ORDER);
@@ -134,13 +133,19 @@ impl<T: Stepper> Stepper for Controlled<T> {
         let factor = if wish.is_nan() { FACTORS.0 } else { wish.clamp(FACTORS.0, FACTORS.1) };
         step.is_accepted = error <= 1.0 || (error.is_nan() && h <= SHORTEST);
         if !step.is_accepted {
-            memory.method = before;
+            memory.method.refuse();
         }
         memory.reach = factor * h;
         step
     }
 
-    fn refine<S: State>(&self, field: &mut impl Field<S>, dense: &mut T::Dense<S>, h: f64) {
-        self.method.refine(field, dense, h);
+    fn refine<S: State>(
+        &self,
+        field: &mut impl Field<S>,
+        memory: &Self::Memory<S>,
+        dense: &mut T::Dense<S>,
+        h: f64,
+    ) {
+        self.method.refine(field, &memory.method, dense, h);
     }
 }

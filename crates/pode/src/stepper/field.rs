@@ -1,7 +1,7 @@
 //! The right-hand side over one step, as a method sees it.
 
 use crate::math::sqrt;
-use crate::matrix::Matrix;
+use crate::matrix::Matrix as _;
 use crate::nature::Nature;
 use crate::state::State;
 

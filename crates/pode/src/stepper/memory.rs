@@ -9,6 +9,12 @@ pub trait Memory: Copy + PartialEq + Default + Debug + Send {
     #[inline]
     fn restart(&mut self) {}
 
+    /// The step just taken is refused, and another will be taken from the same state.
+    #[inline]
+    fn refuse(&mut self) {
+        self.restart();
+    }
+
     /// A new tick begins: the input may have jumped, and the model's parameters with it.
     #[inline]
     fn begin_tick(&mut self) {}

@@ -121,9 +121,16 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     ) -> Step<S, Self::Dense<S>>;
 
     /// Brings the dense output of the step just taken to its full order, where that costs
-    /// evaluations of its own: asked for only where a crossing is looked for inside.
+    /// evaluations of its own: asked for only where somebody looks inside.
     #[inline]
-    fn refine<S: State>(&self, _field: &mut impl Field<S>, _dense: &mut Self::Dense<S>, _h: f64) {}
+    fn refine<S: State>(
+        &self,
+        _field: &mut impl Field<S>,
+        _memory: &Self::Memory<S>,
+        _dense: &mut Self::Dense<S>,
+        _h: f64,
+    ) {
+    }
 
     /// Longest step [s] in a mode of this `nature`, where the model itself asks for `own`.
     #[inline]

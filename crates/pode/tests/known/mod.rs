@@ -45,7 +45,7 @@ pub fn whole_step<T: Stepper>(
     let f = |tau: f64, x: &[f64; 2]| [x[1], (problem.acceleration)(t + tau * h, x)];
     let mut field = Given { coords: 1, nature: Nature::new(problem.kind, 1.0), f };
     let mut step = T::default().step(&mut field, x, memory, h);
-    T::default().refine(&mut field, &mut step.dense, h);
+    T::default().refine(&mut field, memory, &mut step.dense, h);
     step
 }
 

@@ -13,28 +13,26 @@ pub struct Dense8<S> {
     terms: [S; 8],
     /// 4 for the cubic Hermite, 8 once refined.
     used: usize,
-    /// The stages, of which the dense output is made.
-    stages: [S; 13],
     end: S,
 }
 
 impl<S: State> Dense8<S> {
     /// The cubic Hermite with the slopes of the first and the last stage.
     #[inline]
-    pub(super) fn hermite(x0: &S, x1: &S, k: &[S; 13], h: f64) -> Self {
+    pub(super) fn hermite(x0: &S, x1: &S, slopes: [&S; 2], h: f64) -> Self {
         let rise = x1.plus(-1.0, x0);
-        let bend = k[0].times(h).plus(-1.0, &rise);
-        let twist = rise.plus(-h, &k[12]).plus(-1.0, &bend);
+        let bend = slopes[0].times(h).plus(-1.0, &rise);
+        let twist = rise.plus(-h, slopes[1]).plus(-1.0, &bend);
         let mut terms = [S::ZERO; 8];
         (terms[0], terms[1], terms[2], terms[3]) = (*x0, rise, bend, twist);
-        Self { terms, used: 4, stages: *k, end: *x1 }
+        Self { terms, used: 4, end: *x1 }
     }
 
     /// Evaluates three more stages, and the four terms that come of them.
-    pub(super) fn refine(&mut self, field: &mut impl Field<S>, h: f64) {
+    pub(super) fn refine(&mut self, field: &mut impl Field<S>, stages: &[S; 13], h: f64) {
         let x0 = self.terms[0];
         let mut k = [S::ZERO; 16];
-        k[..13].copy_from_slice(&self.stages);
+        k[..13].copy_from_slice(stages);
         k[13] = field.derivative(NODES[13], &moved(&x0, h, &k, &A13));
         k[14] = field.derivative(NODES[14], &moved(&x0, h, &k, &A14));
         k[15] = field.derivative(NODES[15], &moved(&x0, h, &k, &A15));

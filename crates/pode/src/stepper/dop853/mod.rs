@@ -7,7 +7,7 @@ pub use dense::Dense8;
 
 use crate::math::sqrt;
 use crate::state::State;
-use crate::stepper::{Field, Slope, Step, Stepper};
+use crate::stepper::{Field, Memory, Step, Stepper};
 use tableau::{A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, B, E3, E5, NODES, Row};
 
 /// Order 8 with embedded estimates of orders 5 and 3, in 13 evaluations, 12 after the first.
@@ -24,6 +24,39 @@ use tableau::{A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, B, E3, E5, NODES, Ro
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Dop853;
 
+/// The stages of the last step, from which its dense output is refined; the last one is the
+/// next step's first.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Stages<S> {
+    k: [S; 13],
+    /// Whether the last stage is the slope where the next step begins.
+    is_known: bool,
+}
+
+impl<S: State> Default for Stages<S> {
+    fn default() -> Self {
+        Self { k: [S::ZERO; 13], is_known: false }
+    }
+}
+
+impl<S: State> Memory for Stages<S> {
+    #[inline]
+    fn restart(&mut self) {
+        self.is_known = false;
+    }
+
+    /// The first stage belongs to the state, not to the step.
+    #[inline]
+    fn refuse(&mut self) {
+        self.k[12] = self.k[0];
+    }
+
+    #[inline]
+    fn begin_tick(&mut self) {
+        self.is_known = false;
+    }
+}
+
 impl Stepper for Dop853 {
     const ORDER: u32 = 8;
     const DENSE: u32 = 7;
@@ -31,7 +64,7 @@ impl Stepper for Dop853 {
     const REFINEMENT: u32 = 3;
     const NAME: &'static str = "dop853";
 
-    type Memory<S: State> = Slope<S>;
+    type Memory<S: State> = Stages<S>;
     type Dense<S: State> = Dense8<S>;
 
     #[inline]
@@ -39,26 +72,32 @@ impl Stepper for Dop853 {
         &self,
         field: &mut impl Field<S>,
         x0: &S,
-        memory: &mut Slope<S>,
+        memory: &mut Stages<S>,
         h: f64,
     ) -> Step<S, Dense8<S>> {
-        let mut k = [S::ZERO; 13];
-        k[0] = memory.0.unwrap_or_else(|| field.derivative(0.0, x0));
+        let k = &mut memory.k;
+        k[0] = if memory.is_known { k[12] } else { field.derivative(0.0, x0) };
         macro_rules! stages {
             ($($n:literal: $row:ident),+) => {$(
-                k[$n] = field.derivative(NODES[$n], &moved(x0, h, &k, &$row));
+                k[$n] = field.derivative(NODES[$n], &moved(x0, h, k, &$row));
             )+};
         }
         stages!(1: A1, 2: A2, 3: A3, 4: A4, 5: A5, 6: A6, 7: A7, 8: A8, 9: A9, 10: A10, 11: A11);
-        let x1 = moved(x0, h, &k, &B);
+        let x1 = moved(x0, h, k, &B);
         k[12] = field.derivative(1.0, &x1);
-        memory.0 = Some(k[12]);
-        let error = estimate(&weighed(&k, &E5), &weighed(&k, &E3)).times(h);
-        Step::new(Dense8::hermite(x0, &x1, &k, h)).with_error(error)
+        memory.is_known = true;
+        let error = estimate(&weighed(k, &E5), &weighed(k, &E3)).times(h);
+        Step::new(Dense8::hermite(x0, &x1, [&k[0], &k[12]], h)).with_error(error)
     }
 
-    fn refine<S: State>(&self, field: &mut impl Field<S>, dense: &mut Dense8<S>, h: f64) {
-        dense.refine(field, h);
+    fn refine<S: State>(
+        &self,
+        field: &mut impl Field<S>,
+        memory: &Stages<S>,
+        dense: &mut Dense8<S>,
+        h: f64,
+    ) {
+        dense.refine(field, &memory.k, h);
     }
 }
 
