@@ -1,0 +1,43 @@
+//! From the command line to a plan.
+
+use std::path::PathBuf;
+
+/// What is asked for.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Arguments {
+    /// Fewer rounds and shorter repeats: to see that everything runs.
+    pub(crate) quick: bool,
+    /// Where the results go.
+    pub(crate) out: PathBuf,
+    /// A Python with SciPy and MuJoCo.
+    pub(crate) python: Option<PathBuf>,
+    /// The compiled program around CVODE.
+    pub(crate) cvode: Option<PathBuf>,
+    /// `code: reason` of what cannot be run here.
+    pub(crate) skipped: Vec<String>,
+}
+
+impl Arguments {
+    /// Reads what follows the program's name.
+    ///
+    /// # Errors
+    /// Names what is not understood.
+    pub(crate) fn parse(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
+        let mut it = Self { out: PathBuf::from("results"), ..Self::default() };
+        while let Some(word) = words.next() {
+            if word == "--quick" {
+                it.quick = true;
+                continue;
+            }
+            let value = words.next().ok_or_else(|| format!("{word} needs a value"))?;
+            match word.as_str() {
+                "--out" => it.out = value.into(),
+                "--python" => it.python = Some(value.into()),
+                "--cvode" => it.cvode = Some(value.into()),
+                "--skipped" => it.skipped.push(value),
+                _ => return Err(format!("\"{word}\" is not understood")),
+            }
+        }
+        Ok(it)
+    }
+}

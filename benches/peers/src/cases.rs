@@ -1,0 +1,152 @@
+//! The problems, with everything that is run on them.
+
+use std::fs;
+
+use models::{BouncingBall, Described, KeyHammerSprings};
+use pode::Motion;
+use serde_json::Value;
+
+use crate::entry::Entry;
+use crate::peers;
+use crate::peers::Ours;
+use crate::problems::Ball;
+use crate::reference::{self, Reference};
+
+/// A problem: what is right, and who tries it.
+pub(crate) struct Case {
+    /// Its name in the results.
+    pub(crate) name: &'static str,
+    /// What it is, in one line.
+    pub(crate) summary: &'static str,
+    /// Its end [s].
+    pub(crate) t_end: f64,
+    /// What is right.
+    pub(crate) reference: Reference,
+    /// The rows of the codes that are Rust.
+    pub(crate) entries: Vec<Entry>,
+    /// Parameters as `name value` lines, for the other programs.
+    pub(crate) parameters: String,
+}
+
+/// All problems.
+pub(crate) fn all() -> Result<Vec<Case>, String> {
+    Ok(vec![
+        model_b(
+            "figure-6",
+            "model-b-figure6",
+            "model B under a stroke: release, catch, throw, string, landing, bounces",
+        )?,
+        ball(),
+        model_b(
+            "stiff-10",
+            "model-b-stiff-10",
+            "the same stroke with both springs ten times stiffer",
+        )?,
+    ])
+}
+
+/// A ball dropped from 1 m, restitution 0.8, ten impacts.
+fn ball() -> Case {
+    const T_END: f64 = 3.6;
+    let problem = Ball { g: 9.81, e: 0.8, height: 1.0 };
+    let model = BouncingBall {
+        g: problem.g,
+        restitution: problem.e,
+        mass: 1.0,
+        y0: problem.height,
+        scale: 1.0,
+    };
+    let input = |_: f64| Motion::default();
+    let ours = Ours { model, input, names: &[("floor", "impact")] };
+    let mut entries = peers::entries::<2, 1, 3, _>(problem, T_END);
+    entries.extend(peers::ours::<2, _, _>(ours, T_END));
+    let Ball { g, e, height } = problem;
+    Case {
+        name: "ball",
+        summary: "a ball dropped from 1 m, restitution 0.8: ten impacts, in closed form",
+        t_end: T_END,
+        reference: problem.reference(T_END),
+        entries,
+        parameters: format!("problem ball\nt_end {T_END:?}\ng {g:?}\ne {e:?}\nheight {height:?}\n"),
+    }
+}
+
+/// A case of model B.
+fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case, String> {
+    let (problem, t_end, reference) = reference::model_b(file)?;
+    let bells = problem.bells;
+    // Only the position: nothing else of the input enters where b1 is zero, and the peers
+    // compute nothing else.
+    let input = move |t: f64| {
+        let position = bells.iter().fold(0.0, |sum, [a, tc, per_w]| {
+            let z = (t - tc) * per_w;
+            sum + a * (-z * z).exp()
+        });
+        Motion { position, ..Motion::default() }
+    };
+    let ours = Ours { model: model(file)?, input, names: &[] };
+    let mut entries = peers::entries::<4, 2, 5, _>(problem, t_end);
+    entries.extend(peers::ours::<4, _, _>(ours, t_end));
+    Ok(Case { name, summary, t_end, reference, entries, parameters: problem.lines(t_end) })
+}
+
+/// Our model with the parameters of a case.
+fn model(file: &str) -> Result<KeyHammerSprings, String> {
+    let path = reference::folder().join(format!("{file}.json"));
+    let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let json: Value = serde_json::from_str(&text).map_err(|error| format!("{file}: {error}"))?;
+    let given = |name: &str| reference::number(&json["parameters"][name]);
+    let preset = KeyHammerSprings::PRESETS.first().ok_or("the model has no preset")?;
+    let parameters = KeyHammerSprings::PARAMETERS.iter().enumerate();
+    let values: Vec<f64> = parameters
+        .map(|(index, it)| given(it.name).unwrap_or_else(|| (preset.value)(index, 0)))
+        .collect();
+    Ok(KeyHammerSprings::with_values(&values))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem::Problem as _;
+    use models::key_hammer_springs::Mode;
+    use pode::{GuardId, Guarded as _, Model as _};
+
+    /// A small generator: the same states every time.
+    fn states() -> impl Iterator<Item = [f64; 4]> {
+        let mut seed = 1_u64;
+        let mut next = move || {
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        (0..1000).map(move |_| [next(), next(), 10.0 * next(), 10.0 * next()])
+    }
+
+    #[test]
+    fn the_peers_equations_are_the_models() {
+        let (problem, _, _) = reference::model_b("model-b-figure6").unwrap();
+        let model = model("model-b-figure6").unwrap();
+        let coupled = problem.start().0;
+        let apart = problem.fire(coupled, 0, &[0.0; 4]).0;
+        for x in states() {
+            for (ours, theirs, sign) in [(Mode::B1, coupled, -1.0), (Mode::B2, apart, 1.0)] {
+                let t = 3.0 * (x[0] + 0.5);
+                let input = Motion { position: problem.input(t), ..Motion::default() };
+                check(model.derivative(ours, &x, &input), problem.derivative(theirs, t, &x));
+                let guard = model.guard(ours, GuardId(1), &x, &input);
+                let gap = sign * problem.guards(theirs, &x)[0];
+                let rate = sign * problem.guard_rates(theirs, &x)[0];
+                check([guard.value, guard.rate], [gap, rate]);
+            }
+        }
+    }
+
+    /// Asserts that two ways of the same arithmetic agree to rounding.
+    #[track_caller]
+    fn check<const K: usize>(ours: [f64; K], theirs: [f64; K]) {
+        let scale = ours.iter().fold(1.0, |most: f64, it| most.max(it.abs()));
+        let off = ours.iter().zip(&theirs).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+        assert!(off < 1e-13 * scale, "{ours:?} is not {theirs:?}");
+    }
+}

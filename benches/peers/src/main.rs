@@ -1,0 +1,77 @@
+//! Other people's ODE solvers and ours, side by side on the same problems. See README.md.
+
+mod arguments;
+mod cases;
+mod entry;
+mod external;
+mod judge;
+mod log;
+mod measure;
+mod peers;
+mod probes;
+mod problem;
+mod problems;
+mod reference;
+mod report;
+mod rounds;
+mod row;
+mod table;
+mod versions;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Duration;
+
+use arguments::Arguments;
+use external::External;
+use rounds::Plan;
+
+fn main() -> ExitCode {
+    let done = Arguments::parse(std::env::args().skip(1)).and_then(|arguments| run(&arguments));
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("peers: {why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), String> {
+    let plan = if arguments.quick {
+        Plan { rounds: 1, budget: Duration::from_millis(2), last: 10 }
+    } else {
+        Plan { rounds: 5, budget: Duration::from_millis(15), last: 13 }
+    };
+    let probes = probes::all();
+    let cases = cases::all()?;
+    let out = &arguments.out;
+    std::fs::create_dir_all(out).map_err(|error| format!("{}: {error}", out.display()))?;
+    let work = parameter_folder(out)?;
+    let mut outcome = rounds::run(&cases, &externals(arguments), plan, &work);
+    std::fs::remove_dir_all(&work).map_err(|error| format!("{}: {error}", work.display()))?;
+    outcome.skipped.extend(arguments.skipped.iter().cloned());
+    report::write(out, &cases, &outcome, &probes, plan)
+}
+
+/// A folder for the parameter files.
+fn parameter_folder(out: &Path) -> Result<PathBuf, String> {
+    let folder = out.join("parameters");
+    std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    Ok(folder)
+}
+
+/// The programs that are not Rust, as far as they are there.
+fn externals(arguments: &Arguments) -> Vec<External> {
+    let script = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("external").join(name);
+    let mut all = Vec::new();
+    if let Some(program) = &arguments.cvode {
+        all.push(External { code: "CVODE", command: vec![program.clone()], only: &[] });
+    }
+    if let Some(python) = &arguments.python {
+        let with = |name: &str| vec![python.clone(), script(name)];
+        all.push(External { code: "SciPy", command: with("scipy_peer.py"), only: &[] });
+        all.push(External { code: "MuJoCo", command: with("mujoco_peer.py"), only: &["ball"] });
+    }
+    all
+}

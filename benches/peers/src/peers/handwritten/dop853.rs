@@ -1,0 +1,159 @@
+//! Dormand–Prince 8(5,3) with a root search on its dense output, restarted at each event.
+//!
+//! [HNW93] II.5 and II.6: the pair, the error estimate and the step control of Hairer's
+//! DOP853. The three evaluations more of the dense output are spent only in a step in which
+//! a guard changes its sign.
+
+use super::root::falling;
+use super::stages::{Dense, Stages, error, step};
+use crate::log::Log;
+use crate::problem::{Problem, armed};
+
+/// First step [s]: the motion starts from rest, and six times longer each is soon enough.
+const FIRST: f64 = 1e-3;
+
+/// Steps in one run, after which something is wrong.
+const MOST_STEPS: u32 = 1_000_000;
+
+/// A run in motion.
+struct Integrator<'a, P: Problem<N, G>, const N: usize, const G: usize> {
+    problem: &'a P,
+    mode: P::Mode,
+    time: f64,
+    x: [f64; N],
+    h: f64,
+    /// The last attempt was rejected: the step must not grow at once.
+    was_rejected: bool,
+    k: Stages<N>,
+    guards: [f64; G],
+    watched: [bool; G],
+    evaluations: u64,
+}
+
+/// Runs `problem` to its end at `tolerance`, relative and absolute.
+pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>>(
+    problem: &P,
+    t_end: f64,
+    tolerance: f64,
+    log: &mut Log,
+) -> Result<(), String> {
+    let longest = problem.longest_step().min(t_end);
+    let mut integrator = Integrator::new(problem);
+    for _ in 0..MOST_STEPS {
+        integrator.h = integrator.h.min(longest).min(t_end - integrator.time);
+        integrator.attempt(tolerance, log)?;
+        if integrator.time >= t_end * (1.0 - 1e-15) {
+            log.count(integrator.evaluations);
+            return Ok(());
+        }
+    }
+    Err("too many steps".to_owned())
+}
+
+impl<'a, P: Problem<N, G>, const N: usize, const G: usize> Integrator<'a, P, N, G> {
+    fn new(problem: &'a P) -> Self {
+        let (mode, x) = problem.start();
+        let mut new = Self {
+            problem,
+            mode,
+            time: 0.0,
+            x,
+            h: FIRST,
+            was_rejected: false,
+            k: [[0.0; N]; 16],
+            guards: [0.0; G],
+            watched: [false; G],
+            evaluations: 0,
+        };
+        new.restart();
+        new
+    }
+
+    /// Takes derivative and guards anew in a new mode or state.
+    fn restart(&mut self) {
+        self.k[0] = self.problem.derivative(self.mode, self.time, &self.x);
+        self.evaluations += 1;
+        self.guards = self.problem.guards(self.mode, &self.x);
+        self.watched = armed(self.problem, self.mode, &self.x);
+    }
+
+    /// Tries a step of `h`, and keeps it, or the part of it up to the first event.
+    #[inline]
+    fn attempt(&mut self, tolerance: f64, log: &mut Log) -> Result<(), String> {
+        let (problem, mode) = (self.problem, self.mode);
+        let f = |t: f64, x: &[f64; N]| problem.derivative(mode, t, x);
+        let end = step(&f, self.time, &self.x, self.h, &mut self.k);
+        let error = error(&self.x, &end, self.h, &self.k, tolerance);
+        self.evaluations += 11;
+        let growth = if self.was_rejected { 1.0 } else { 6.0 };
+        let factor = (0.9 * error.powf(-0.125)).clamp(0.333, growth);
+        self.was_rejected = error > 1.0 || error.is_nan();
+        if self.was_rejected {
+            self.h *= factor.min(0.9);
+            return Ok(());
+        }
+        self.k[12] = f(self.time + self.h, &end);
+        self.evaluations += 1;
+        let guards = problem.guards(mode, &end);
+        if (0..G).any(|i| self.watched[i] && guards[i] <= 0.0) {
+            return self.leave(&end, &guards, log);
+        }
+        self.sample(&end, log);
+        self.accept(end, guards);
+        self.h *= factor;
+        Ok(())
+    }
+
+    /// Keeps a step without an event.
+    #[inline]
+    fn accept(&mut self, end: [f64; N], guards: [f64; G]) {
+        self.time += self.h;
+        (self.x, self.k[0], self.guards) = (end, self.k[12], guards);
+        for (watched, guard) in self.watched.iter_mut().zip(guards) {
+            *watched |= guard > 0.0;
+        }
+    }
+
+    /// Keeps the step up to its first event, and goes on from there in the new mode.
+    fn leave(&mut self, end: &[f64; N], guards: &[f64; G], log: &mut Log) -> Result<(), String> {
+        let dense = self.dense(end);
+        let (theta, guard) = self.earliest(&dense, guards);
+        log.sample(self.time + theta * self.h, |t| dense.at((t - self.time) / self.h));
+        self.time += theta * self.h;
+        log.event(self.time, P::names(self.mode)[guard])?;
+        (self.mode, self.x) = self.problem.fire(self.mode, guard, &dense.at(theta));
+        self.restart();
+        Ok(())
+    }
+
+    /// The dense output of the step that leads to `end`.
+    fn dense(&mut self, end: &[f64; N]) -> Dense<N> {
+        let (problem, mode) = (self.problem, self.mode);
+        let f = |t: f64, x: &[f64; N]| problem.derivative(mode, t, x);
+        self.evaluations += 3;
+        Dense::new(&f, self.time, (&self.x, end), self.h, &mut self.k)
+    }
+
+    /// The first guard that falls through zero, and where in the step.
+    fn earliest(&self, dense: &Dense<N>, end: &[f64; G]) -> (f64, usize) {
+        let mut first = (1.0, 0);
+        for i in (0..G).filter(|i| self.watched[*i] && end[*i] <= 0.0) {
+            let theta = falling((self.guards[i], end[i]), |theta| {
+                let x = dense.at(theta);
+                let rate = self.problem.guard_rates(self.mode, &x)[i];
+                (self.problem.guards(self.mode, &x)[i], self.h * rate)
+            });
+            if theta <= first.0 {
+                first = (theta, i);
+            }
+        }
+        first
+    }
+
+    /// Takes the wanted states of a step without an event; nothing in timed runs.
+    fn sample(&mut self, end: &[f64; N], log: &mut Log) {
+        let (time, h) = (self.time, self.h);
+        let mut dense = None;
+        log.sample(time + h, |t| dense.get_or_insert_with(|| self.dense(end)).at((t - time) / h));
+    }
+}

@@ -1,0 +1,58 @@
+//! Dop853: no continuous output that can be asked, so a point inside a step is a shorter step.
+
+use ode_solvers::dop_shared::{IntegrationError, OutputType, SolverResult, Stats};
+use ode_solvers::{Dop853, SVector};
+
+use super::events::Solver;
+use super::flight::{Flight, state};
+use crate::problem::Problem;
+
+/// Locates events by steps of its own.
+pub(super) struct LastStep;
+
+/// The crate's defaults, but for the steps' lengths and the output.
+fn stepper<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
+    flight: Flight<'_, N, G, M, P>,
+    (from, start): (f64, SVector<f64, M>),
+    until: f64,
+    first: f64,
+    tolerance: f64,
+) -> Dop853<f64, SVector<f64, M>, Flight<'_, N, G, M, P>> {
+    let longest = flight.problem.longest_step().min(until - from);
+    let (h, output) = (first.min(longest), OutputType::Sparse);
+    Dop853::from_param(
+        flight, from, until, 0.0, start, tolerance, tolerance, 0.9, 0.0, 0.333, 6.0, longest, h,
+        100_000, 1000, output,
+    )
+}
+
+impl Solver for LastStep {
+    fn integrate<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
+        flight: Flight<'_, N, G, M, P>,
+        from: (f64, SVector<f64, M>),
+        until: f64,
+        first: f64,
+        tolerance: f64,
+    ) -> (Result<Stats, IntegrationError>, SolverResult<f64, SVector<f64, M>>) {
+        let mut stepper = stepper(flight, from, until, first, tolerance);
+        (stepper.integrate(), stepper.into())
+    }
+
+    fn over_step<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
+        flight: Flight<'_, N, G, M, P>,
+        from: (f64, SVector<f64, M>),
+        _until: f64,
+        tolerance: f64,
+    ) -> impl Fn(f64) -> [f64; N] {
+        // Nothing is watched: the step must not stop at the guard that it looks for.
+        let flight = Flight { watched: [false; G], ..flight };
+        move |t| {
+            if t <= from.0 {
+                return state(&from.1);
+            }
+            let mut stepper = stepper(flight, from, t, t - from.0, tolerance);
+            let _ = stepper.integrate();
+            stepper.y_out().last().map_or([f64::NAN; N], state)
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! The crate `ode_solvers`: Dopri5 and Dop853, which know no events.
+//!
+//! Its documentation stops at an event through `System::solout`, which sees the ends of
+//! steps (or the points of a dense grid), and leaves the rest to the user. Here:
+//! - default: as in the crate's own example `bouncing_ball`: tolerances 1e-2 and 1e-6,
+//!   dense output every 10 ms, the first point beyond the guard is the event;
+//! - best: sparse output; the step in which a guard changes its sign is done again, and
+//!   the event located in it (Dopri5: on the crate's continuous output; Dop853, which has
+//!   none that can be asked: by Newton on the length of the step);
+//! - Dop853 evaluates its last stage at the wrong time, see `probes`: a second sweep carries
+//!   the time as one state more, which hides that.
+
+mod dop853;
+mod dopri5;
+mod events;
+mod flight;
+
+use std::hint::black_box;
+
+use crate::entry::{Entry, Setting, tolerances};
+use crate::problem::Problem;
+
+const CODE: &str = "ode_solvers";
+
+/// All rows; `M` is N + 1.
+pub(crate) fn entries<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
+    problem: P,
+    t_end: f64,
+) -> Vec<Entry> {
+    let mut all = vec![default(problem, t_end)];
+    for tolerance in tolerances(13) {
+        let entry = |method, advice, note, run| Entry {
+            code: CODE,
+            method,
+            setting: Setting::Best(advice),
+            knob: tolerance,
+            note,
+            run,
+        };
+        all.push(entry(
+            "Dopri5",
+            "sweep",
+            "hand-made root search on its continuous output",
+            Box::new(move |log| {
+                events::run::<N, G, N, P, dopri5::LastStep>(
+                    &black_box(problem),
+                    black_box(t_end),
+                    tolerance,
+                    log,
+                )
+            }),
+        ));
+        all.push(entry(
+            "Dop853",
+            "sweep",
+            "hand-made root search by steps of its own",
+            Box::new(move |log| {
+                events::run::<N, G, N, P, dop853::LastStep>(
+                    &black_box(problem),
+                    black_box(t_end),
+                    tolerance,
+                    log,
+                )
+            }),
+        ));
+        all.push(entry(
+            "Dop853",
+            "time as a state",
+            "avoids its wrong node",
+            Box::new(move |log| {
+                events::run::<N, G, M, P, dop853::LastStep>(
+                    &black_box(problem),
+                    black_box(t_end),
+                    tolerance,
+                    log,
+                )
+            }),
+        ));
+    }
+    all
+}
+
+fn default<const N: usize, const G: usize, P: Problem<N, G>>(problem: P, t_end: f64) -> Entry {
+    Entry {
+        code: CODE,
+        method: "Dopri5",
+        setting: Setting::Default,
+        knob: 1e-2,
+        note: "as in its example bouncing_ball: events on a dense grid of 10 ms; the absolute \
+               tolerance is 1e-6",
+        run: Box::new(move |log| dopri5::on_a_grid(&black_box(problem), black_box(t_end), log)),
+    }
+}

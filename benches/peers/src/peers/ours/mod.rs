@@ -1,0 +1,127 @@
+//! Our own: `pode` with the models of the crate `models`, as a user of the two would write it.
+//!
+//! **To add a method**: a line in [`by_tick`] if its step is the tick or a part of it, in
+//! [`by_tolerance`] if it chooses its steps itself and the tick is the whole run. One with a
+//! loop of its own: a file beside this one and a line in [`entries`]. Nothing else changes.
+
+mod ticks;
+
+use std::hint::black_box;
+
+use models::Described;
+use pode::stepper::{BogackiShampine, Controlled, Dop853, Exact, Rk4, Stepper, Tolerance};
+use pode::{Limits, Motion};
+
+use crate::entry::{Entry, Run, STEPS, Setting, tolerances};
+
+const CODE: &str = "pode";
+
+/// A model of ours on a problem: what the peers get as equations.
+#[derive(Clone, Copy)]
+pub(crate) struct Ours<M, I> {
+    /// The model, with the problem's parameters.
+    pub(crate) model: M,
+    /// The input at t [s].
+    pub(crate) input: I,
+    /// Names of our guards and of the reference's.
+    pub(crate) names: &'static [(&'static str, &'static str)],
+}
+
+/// All rows.
+pub(crate) fn entries<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> Vec<Entry>
+where
+    M: Described<State = [f64; N]> + 'static,
+    I: Fn(f64) -> Motion + Copy + 'static,
+{
+    let ticks = STEPS.into_iter().flat_map(|h| by_tick(ours, t_end, h));
+    let tolerances = tolerances(13).flat_map(|tolerance| by_tolerance(ours, t_end, tolerance));
+    ticks.chain(tolerances).chain(one_tick(ours, t_end)).collect()
+}
+
+/// Ticks of `h` [s], as a key runs; at 1 ms this is the default.
+fn by_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, h: f64) -> Vec<Entry>
+where
+    M: Described<State = [f64; N]> + 'static,
+    I: Fn(f64) -> Motion + Copy + 'static,
+{
+    let entry = |method, run| Entry {
+        code: CODE,
+        method,
+        setting: Setting::Best("sweep"),
+        knob: h,
+        note: "the knob is the tick; the exact input at the stages",
+        run,
+    };
+    let limits = Limits::default();
+    let mut rows = vec![
+        entry("RK4", run(ours, Rk4, limits, h, t_end)),
+        entry("Bogacki–Shampine", run(ours, BogackiShampine, limits, h, t_end)),
+        entry("exact flow", run(ours, Exact::<Rk4>::default(), limits, h, t_end)),
+    ];
+    if (h - 1e-3).abs() < 1e-12 {
+        let run = run(ours, Rk4, limits, h, t_end);
+        rows.push(Entry { setting: Setting::Default, ..entry("RK4", run) });
+    }
+    rows
+}
+
+/// One tick from the start to the end, with steps as long as `tolerance` allows.
+fn by_tolerance<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, tolerance: f64) -> Vec<Entry>
+where
+    M: Described<State = [f64; N]> + 'static,
+    I: Fn(f64) -> Motion + Copy + 'static,
+{
+    let method = Controlled { method: Dop853, tolerance: Tolerance::both(tolerance) };
+    vec![Entry {
+        code: CODE,
+        method: "Dormand–Prince 8(5,3)",
+        setting: Setting::Best("sweep"),
+        knob: tolerance,
+        note: "one tick, steps by the tolerance",
+        run: run(ours, method, offline(), t_end, t_end),
+    }]
+}
+
+/// One tick from the start to the end: with the exact flow where a mode is linear, and with
+/// RK4, which is exact on parabolas.
+fn one_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> [Entry; 2]
+where
+    M: Described<State = [f64; N]> + 'static,
+    I: Fn(f64) -> Motion + Copy + 'static,
+{
+    let entry = |method, note, run| {
+        Entry { code: CODE, method, setting: Setting::Best("one tick"), knob: t_end, note, run }
+    };
+    let exact = run(ours, Exact::<Rk4>::default(), offline(), t_end, t_end);
+    let rk4 = run(ours, Rk4, offline(), t_end, t_end);
+    let note = "one tick; RK4 in steps of the model's longest where a mode is not linear";
+    let longest = "one tick, in steps of the model's longest";
+    [entry("exact flow", note, exact), entry("RK4", longest, rk4)]
+}
+
+/// Offline nothing has a deadline.
+fn offline() -> Limits {
+    Limits {
+        events: u32::MAX,
+        followed: u32::MAX,
+        guards: u32::MAX,
+        pieces: u32::MAX,
+        ..Limits::default()
+    }
+}
+
+/// A run with `stepper` in ticks of `h` [s].
+fn run<const N: usize, M, I, T>(
+    ours: Ours<M, I>,
+    stepper: T,
+    limits: Limits,
+    h: f64,
+    t_end: f64,
+) -> Run
+where
+    M: Described<State = [f64; N]> + 'static,
+    I: Fn(f64) -> Motion + Copy + 'static,
+    T: Stepper + 'static,
+{
+    Box::new(move |log| ticks::run(&black_box(ours), (stepper, limits), h, black_box(t_end), log))
+}

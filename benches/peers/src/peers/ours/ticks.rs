@@ -1,0 +1,92 @@
+//! The tick of a key, repeated: `Simulator::advance` with a stepper.
+
+use models::Described;
+use pode::stepper::Stepper;
+use pode::{Advance, Event, Limits, Motion, Piece, Signal, Simulator, Watch};
+
+use super::Ours;
+use crate::log::Log;
+
+/// Writes events into the log, and wanted states if it looks `INSIDE` the steps.
+struct Scribe<'a, const INSIDE: bool> {
+    log: &'a mut Log,
+    h: f64,
+    names: &'static [(&'static str, &'static str)],
+    failed: Result<(), String>,
+}
+
+impl<const N: usize, const INSIDE: bool, M> Watch<M> for Scribe<'_, INSIDE>
+where
+    M: Described<State = [f64; N]>,
+{
+    const LOOKS_INSIDE: bool = INSIDE;
+
+    #[inline]
+    fn piece<S: Signal<Motion>>(&mut self, _model: &M, piece: &Piece<'_, M, S>) {
+        let at = |theta: f64| (piece.tick as f64 + theta) * self.h;
+        let (start, whole) = (at(piece.theta.0), at(piece.theta.1) - at(piece.theta.0));
+        self.log.sample(at(piece.theta_end()), |t| piece.dense.at((t - start) / whole));
+    }
+
+    fn event(&mut self, _model: &M, event: &Event<'_, M>) {
+        let name = event.cause.name();
+        let theirs = self.names.iter().find(|(ours, _)| *ours == name).map_or(name, |it| it.1);
+        let t = (event.tick as f64 + event.theta) * self.h;
+        let written = self.log.event(t, theirs);
+        if self.failed.is_ok() {
+            self.failed = written;
+        }
+    }
+}
+
+/// Runs to `t_end` with ticks of `h` [s].
+pub(super) fn run<const N: usize, M, I, T>(
+    ours: &Ours<M, I>,
+    method: (T, Limits),
+    h: f64,
+    t_end: f64,
+    log: &mut Log,
+) -> Result<(), String>
+where
+    M: Described<State = [f64; N]>,
+    I: Fn(f64) -> Motion,
+    T: Stepper,
+{
+    if log.wants_states() {
+        follow::<true, N, M, I, T>(ours, method, h, t_end, log)
+    } else {
+        follow::<false, N, M, I, T>(ours, method, h, t_end, log)
+    }
+}
+
+/// The same, looking inside the steps or not; nobody needs the force, as with the peers.
+fn follow<const INSIDE: bool, const N: usize, M, I, T>(
+    ours: &Ours<M, I>,
+    (stepper, limits): (T, Limits),
+    h: f64,
+    t_end: f64,
+    log: &mut Log,
+) -> Result<(), String>
+where
+    M: Described<State = [f64; N]>,
+    I: Fn(f64) -> Motion,
+    T: Stepper,
+{
+    let (mode, state) = ours.model.at_rest(&(ours.input)(0.0));
+    let simulator = Simulator::new(ours.model, stepper, limits, mode, state);
+    let mut simulator = simulator.without_readout();
+    let mut scribe = Scribe::<INSIDE> { log, h, names: ours.names, failed: Ok(()) };
+    let mut evaluations = 0;
+    let ticks = (0_u32..).map(f64::from).take_while(|tick| (tick + 0.5) * h < t_end);
+    for tick in ticks {
+        let signal = |theta: f64| (ours.input)((tick + theta) * h);
+        let done = simulator.advance(h, &signal, &mut scribe);
+        evaluations += u64::from(done.work.derivatives);
+        if done.advance != Advance::Completed {
+            return Err(format!("tick {tick}: {:?}", done.advance));
+        }
+    }
+    scribe.failed?;
+    log.count(evaluations);
+    Ok(())
+}

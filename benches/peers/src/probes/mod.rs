@@ -1,0 +1,31 @@
+//! Faults of peers that a reader should know of, measured anew in each run: an exact
+//! question with a known answer, and what the code answers.
+
+mod differential_equations;
+mod diffsol;
+mod ode_solvers;
+
+use serde::Serialize;
+
+/// One observation.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub(crate) struct Probe {
+    /// Which code, with its version.
+    pub(crate) code: String,
+    /// The question, the right answer, and what was answered.
+    pub(crate) seen: String,
+}
+
+impl Probe {
+    fn new(code: &str, seen: String) -> Self {
+        Self { code: format!("{code} {}", crate::versions::version(code)), seen }
+    }
+}
+
+/// All of them.
+pub(crate) fn all() -> Vec<Probe> {
+    let mut all = ode_solvers::probes();
+    all.extend(differential_equations::probes());
+    all.extend(diffsol::probes());
+    all
+}

@@ -1,0 +1,97 @@
+//! All rows, in rounds: what disturbs the machine for a while disturbs all codes alike.
+
+use std::path::Path;
+use std::time::Duration;
+
+use crate::cases::Case;
+use crate::external::External;
+use crate::judge::judge;
+use crate::log::Log;
+use crate::measure;
+use crate::row::Row;
+
+/// How much time there is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Plan {
+    /// Rounds over all codes.
+    pub(crate) rounds: u32,
+    /// Time for each row and round.
+    pub(crate) budget: Duration,
+    /// The sweep of the programs that are not Rust ends at 10^-last.
+    pub(crate) last: i32,
+}
+
+/// What came of it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Outcome {
+    /// All rows, by problem.
+    pub(crate) rows: Vec<Row>,
+    /// `code: reason` of what could not be run.
+    pub(crate) skipped: Vec<String>,
+}
+
+/// Runs everything.
+pub(crate) fn run(cases: &[Case], externals: &[External], plan: Plan, folder: &Path) -> Outcome {
+    let mut outcome = Outcome::default();
+    for case in cases {
+        for entry in &case.entries {
+            let mut log = Log::new(&case.reference.times);
+            let ended = (entry.run)(&mut log);
+            let verdict = judge(&case.reference, &log.events, &log.states, ended);
+            // Counted without samples: a dense output at a sample may cost evaluations.
+            let mut quiet = Log::new(&[]);
+            let rhs = (entry.run)(&mut quiet).ok().and(quiet.evaluations);
+            outcome.rows.push(Row::new(case.name, entry, verdict, rhs));
+        }
+    }
+    for round in 1..=plan.rounds {
+        eprintln!("round {round} of {}", plan.rounds);
+        time_entries(cases, plan, &mut outcome.rows);
+        run_externals(cases, externals, plan, folder, &mut outcome);
+    }
+    for row in &mut outcome.rows {
+        let t_end = cases.iter().find(|case| case.name == row.problem).map(|case| case.t_end);
+        row.sum_up(t_end.unwrap_or(1.0));
+    }
+    outcome
+}
+
+/// One round over the Rust codes: their rows are the first, in the order of the entries.
+fn time_entries(cases: &[Case], plan: Plan, rows: &mut [Row]) {
+    let entries = cases.iter().flat_map(|case| &case.entries);
+    let mut log = Log::new(&[]);
+    for (entry, row) in entries.zip(rows).filter(|(_, row)| row.sequence_ok) {
+        row.times.extend(measure::time(&entry.run, &mut log, plan.budget));
+    }
+}
+
+/// One round over the other programs; what fails is skipped, once, with its reason.
+fn run_externals(
+    cases: &[Case],
+    externals: &[External],
+    plan: Plan,
+    folder: &Path,
+    outcome: &mut Outcome,
+) {
+    for (case, external) in cases.iter().flat_map(|case| externals.iter().map(move |it| (case, it)))
+    {
+        match external.run(case, plan.budget, folder, plan.last) {
+            Ok(rows) => rows.into_iter().for_each(|row| merge(&mut outcome.rows, row)),
+            Err(why) => {
+                let line = format!("{} on {}: {why}", external.code, case.name);
+                if !outcome.skipped.contains(&line) {
+                    eprintln!("skipped: {line}");
+                    outcome.skipped.push(line);
+                }
+            }
+        }
+    }
+}
+
+/// Adds the row's times to those of the same row in an earlier round.
+fn merge(rows: &mut Vec<Row>, row: Row) {
+    match rows.iter_mut().find(|known| known.is_same(&row)) {
+        Some(known) => known.times.extend(row.times),
+        None => rows.push(row),
+    }
+}
