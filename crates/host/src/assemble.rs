@@ -112,33 +112,17 @@ impl Visitor for Builder<'_> {
     fn visit<M: Playable>(self) -> Self::Output {
         let model = M::with_values(self.values);
         let name = self.render.stepper;
+        let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
         let fittings = self.fittings(model.input_per_metre())?;
-        macro_rules! rendered {
-            ($($stepper:ident),+ $(,)?) => {
-                match name {
-                    $(StepperName::$stepper => {
-                        Box::new(RenderedKey::new(model, stepper::$stepper, fittings))
-                    })+
-                }
-            };
-        }
-        Ok(rendered!(
-            ExplicitEuler,
-            SemiImplicitEuler,
-            Heun,
-            VelocityVerlet,
-            AdamsBashforth2,
-            AdamsBashforth3,
-            BogackiShampine,
-            Rk4,
-            Tsitouras5,
-            LinearImplicitMidpoint,
-            Ros2,
-            Rodas3,
-            Rodas4,
-            ExponentialRosenbrock,
-            Exprb32,
-        ))
+        // The usual ones are compiled into the voice; the others cost it a choice per step.
+        Ok(if name == StepperName::Rk4 {
+            Box::new(RenderedKey::new(model, stepper::Rk4, fittings))
+        } else if name == StepperName::ByNeed {
+            Box::new(RenderedKey::new(model, by_need, fittings))
+        } else {
+            let any = stepper::Any::named(name.name()).unwrap_or_default();
+            Box::new(RenderedKey::new(model, any, fittings))
+        })
     }
 }
 

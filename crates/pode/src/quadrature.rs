@@ -19,14 +19,12 @@ pub(crate) const LOBATTO: Rule<4> = Rule {
     looks: 4,
 };
 
-/// Evaluations inside a piece that the method `T` takes for the mean.
-pub(crate) const fn looks<T: Stepper>() -> u32 {
-    if is_high::<T>() { LOBATTO.looks() } else { SIMPSON.looks() }
-}
+/// Order of a dense output from which on Simpson's rule would lose what it has gained.
+pub(crate) const HIGH: u32 = 5;
 
-/// Whether Simpson's rule would lose what the dense output of `T` has gained.
-pub(crate) const fn is_high<T: Stepper>() -> bool {
-    T::DENSE >= 5
+/// Most evaluations inside a piece that the method `T` takes for the mean.
+pub(crate) const fn looks<T: Stepper>() -> u32 {
+    if T::DENSE >= HIGH { LOBATTO.looks() } else { SIMPSON.looks() }
 }
 
 /// Places inside 0 .. 1 with their weights, and the weight of each end.
@@ -39,7 +37,7 @@ pub(crate) struct Rule<const N: usize> {
 
 impl<const N: usize> Rule<N> {
     /// Evaluations inside.
-    const fn looks(&self) -> u32 {
+    pub(crate) const fn looks(&self) -> u32 {
         self.looks
     }
 

@@ -10,6 +10,9 @@ use super::report::{Place, Report};
 
 const LONGEST_STEP: Quantity = Quantity { unit: "s", range: (1e-6, 0.1) };
 
+/// Below 1e-9 no key's motion is known, above 0.1 none is rendered.
+const ERROR_BUDGET: Quantity = Quantity { unit: "1", range: (1e-9, 0.1) };
+
 /// A bracket of half a tick locates nothing; below 1e-15 the fraction has no digits left.
 const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
 
@@ -26,6 +29,8 @@ const SLEW_LIMIT: Quantity = Quantity { unit: "N/s", range: (1.0, 1e7) };
 pub struct Render {
     /// The method.
     pub stepper: StepperName,
+    /// Relative error per radian of a mode's fastest motion that `by-need` may make.
+    pub error_budget: f64,
     /// Longest step [s]; the model's own limit holds too.
     pub longest_step: f64,
     /// Width to which an event is located, as a fraction of the tick.
@@ -47,6 +52,7 @@ impl Default for Render {
     fn default() -> Self {
         Self {
             stepper: StepperName::Rk4,
+            error_budget: stepper::ByNeed::BUDGET,
             longest_step: 1e-3,
             event_tolerance: Limits::default().event_tolerance,
             estimator: EstimatorName::Kalman,
@@ -60,7 +66,7 @@ impl Default for Render {
 
 macro_rules! steppers {
     ($($(#[$doc:meta])+ $name:ident,)+) => {
-        /// A method of `pode::stepper`.
+        /// A method of `pode::stepper` that makes sense in a tick.
         #[derive(Clone, Copy, PartialEq, Eq, Debug)]
         pub enum StepperName {
             $($(#[$doc])+ $name,)+
@@ -73,7 +79,7 @@ macro_rules! steppers {
             /// Its name in scenes and on the command line.
             pub const fn name(self) -> &'static str {
                 match self {
-                    $(Self::$name => stepper::$name::NAME,)+
+                    $(Self::$name => <stepper::$name>::NAME,)+
                 }
             }
         }
@@ -81,8 +87,6 @@ macro_rules! steppers {
 }
 
 steppers! {
-    /// First order, one evaluation; makes energy.
-    ExplicitEuler,
     /// First order, two evaluations; keeps energy bounded.
     SemiImplicitEuler,
     /// Second order, two evaluations.
@@ -105,12 +109,10 @@ steppers! {
     Ros2,
     /// Third order, linearly implicit; stiff motion dies out.
     Rodas3,
-    /// Fourth order, linearly implicit; stiff motion dies out.
-    Rodas4,
-    /// Second order, by the exponential of the linear part.
-    ExponentialRosenbrock,
-    /// Third order, by the exponential of the linear part.
-    Exprb32,
+    /// The exact flow of linear modes, `Rk4` in the others.
+    Exact,
+    /// For each mode the cheapest that meets the error budget.
+    ByNeed,
 }
 
 /// An estimator of `haptics`.
@@ -175,6 +177,7 @@ pub(super) fn read(report: &mut Report<'_>, scene: &mut Reader<'_>, tick_hz: u32
     let reconstructions = Reconstruction::ALL.map(|all| (all.name(), all));
 
     keep(&mut render.stepper, reader.choice(report, "stepper", "there is no stepper", &steppers));
+    keep(&mut render.error_budget, reader.number(report, "error_budget", ERROR_BUDGET));
     let longest_step = reader.take("longest_step").map(|entry| entry.node.place);
     keep(&mut render.longest_step, reader.number(report, "longest_step", LONGEST_STEP));
     keep(&mut render.event_tolerance, reader.number(report, "event_tolerance", EVENT_TOLERANCE));

@@ -4,10 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use models::{Described, Parameter, Playable};
+use pode::stepper::{Any, ByNeed};
 use pode::{Limits, State as _};
 
 use super::args::SimulateArgs;
-use super::drive::{METHODS, TOLERANT};
 use super::error::Mistake;
 use super::input::Input;
 
@@ -20,6 +20,21 @@ const TOLERANCES: (f64, f64) = (1e-16, 0.5);
 /// The highest key, C8.
 const LAST_KEY: u8 = 87;
 
+/// The method called for, with its tolerance; RK4 where there is a mistake.
+fn method(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Any {
+    let Some(method) = Any::named(&args.method) else {
+        mistakes.push(Mistake::unknown("method", &args.method, Any::NAMES));
+        return Any::default();
+    };
+    // `by-need` has to know the tick even where nobody said how precise it should be.
+    let by_default = matches!(method, Any::ByNeed(_)).then_some(ByNeed::BUDGET);
+    let Some(tolerance) = args.tolerance.or(by_default) else { return method };
+    method.with_tolerance(tolerance, args.step).unwrap_or_else(|| {
+        mistakes.push(Mistake::NoTolerance { method: args.method.clone(), known: Any::TOLERANT });
+        method
+    })
+}
+
 /// Ticks from 0 to `until`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Clock {
@@ -29,8 +44,8 @@ pub(super) struct Clock {
     pub(super) until: f64,
     /// Ticks, the last one perhaps shorter.
     pub(super) ticks: u64,
-    /// Error that may be made, if somebody said.
-    pub(super) tolerance: Option<f64>,
+    /// The method, as precise as was asked for.
+    pub(super) method: Any,
     /// What a tick may cost, and how finely events are located.
     pub(super) limits: Limits,
 }
@@ -57,7 +72,7 @@ impl Clock {
         let limits = Limits { longest_step: step, event_tolerance, ..default };
         #[expect(clippy::cast_possible_truncation, reason = "at most MOST_TICKS, or a mistake")]
         #[expect(clippy::cast_sign_loss, reason = "at least 1")]
-        Self { step, until, ticks: ticks as u64, tolerance: args.tolerance, limits }
+        Self { step, until, ticks: ticks as u64, method: method(args, mistakes), limits }
     }
 
     /// Length of tick `tick` [s].
@@ -78,11 +93,6 @@ impl Clock {
 
 /// What does not depend on the model.
 pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) {
-    if !METHODS.contains(&args.method.as_str()) {
-        mistakes.push(Mistake::unknown("method", &args.method, METHODS));
-    } else if args.tolerance.is_some() && !TOLERANT.contains(&args.method.as_str()) {
-        mistakes.push(Mistake::NoTolerance { method: args.method.clone(), known: TOLERANT });
-    }
     if args.key > LAST_KEY {
         check_range("--key", args.key.into(), (0.0, LAST_KEY.into()), "(A0 to C8)", mistakes);
     }

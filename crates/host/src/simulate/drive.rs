@@ -1,13 +1,9 @@
 //! Tick after tick, with the audit and the tables looking on.
 
 use models::{Described, Playable};
-use pode::stepper::{
-    AdamsBashforth2, AdamsBashforth3, BogackiShampine, ByNeed, Controlled, Dop853, Exact,
-    ExplicitEuler, ExponentialRosenbrock, Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3,
-    Rodas4, Ros2, SemiImplicitEuler, Tolerance, Tsitouras5, VelocityVerlet,
-};
+use pode::stepper::{Any, ByNeed, Choice};
 use pode::{Advance, Cap, EnergyAudit, Event, Motion, Piece, Signal, Simulator};
-use pode::{State as _, Stepper, Tick, Watch};
+use pode::{State as _, Tick, Watch};
 
 use super::check::{Clock, Start};
 use super::error::SimulateError;
@@ -15,79 +11,28 @@ use super::input::{Input, is_finite};
 use super::output::Files;
 use super::summary::{Capped, Counts, Report, Why};
 
-macro_rules! methods {
-    (tolerant: $($tolerant:ty),+; plain: $($stepper:ty),+ $(,)?) => {
-        /// The names of the methods.
-        pub(super) const METHODS: &[&str] =
-            &[ByNeed::NAME, $(<$tolerant>::NAME,)+ $(<$stepper>::NAME),+];
-
-        /// The names of those that heed a tolerance.
-        pub(super) const TOLERANT: &[&str] = &[ByNeed::NAME, $(<$tolerant>::NAME),+];
-
-        /// Runs a model with the method called `name`; the caller knows that there is one.
-        pub(super) fn by_name<M: Playable>(
-            name: &str,
-            start: &Start<M>,
-            plan: (&Clock, &Input),
-            files: &mut Files,
-        ) -> Result<Report, SimulateError> {
-            if name == ByNeed::NAME {
-                return by_need(start, plan, files);
-            }
-            $(if name == <$tolerant>::NAME {
-                let method = <$tolerant>::default();
-                return match plan.0.tolerance.map(Tolerance::both) {
-                    None => drive(start, method, plan, files),
-                    Some(tolerance) => drive(start, Controlled { method, tolerance }, plan, files),
-                };
-            })+
-            $(if name == <$stepper>::NAME {
-                return drive(start, <$stepper>::default(), plan, files);
-            })+
-            Err(SimulateError::Usage(Vec::new()))
-        }
-    };
-}
-
-methods!(
-    tolerant: BogackiShampine, Tsitouras5, Dop853;
-    plain:
-    ExplicitEuler,
-    SemiImplicitEuler,
-    Heun,
-    VelocityVerlet,
-    AdamsBashforth2,
-    AdamsBashforth3,
-    Rk4,
-    LinearImplicitMidpoint,
-    Ros2,
-    Rodas3,
-    Rodas4,
-    ExponentialRosenbrock,
-    Exprb32,
-    Exact<Rk4>,
-);
-
-/// Runs a model with what each mode needs, and says what that is.
-fn by_need<M: Playable>(
+/// Runs a model with the method of the clock, and says what `by-need` takes.
+pub(super) fn run<M: Playable>(
     start: &Start<M>,
     plan: (&Clock, &Input),
     files: &mut Files,
 ) -> Result<Report, SimulateError> {
-    let Clock { step, tolerance, .. } = *plan.0;
-    let budget = tolerance.unwrap_or(ByNeed::BUDGET);
-    let stepper = ByNeed::new(budget, step);
-    let choices = M::MODES.iter().map(|(mode, name)| {
-        let own = start.model.longest_step(*mode).min(step);
-        (*name, stepper.choice(&start.model.nature(*mode), own))
-    });
-    Ok(Report { choices: choices.collect(), ..drive(start, stepper, plan, files)? })
+    let Clock { method, step, .. } = *plan.0;
+    let report = drive(start, plan, files)?;
+    let Any::ByNeed(by_need) = method else { return Ok(report) };
+    Ok(Report { choices: choices(&by_need, &start.model, step), ..report })
+}
+
+/// What is taken in each mode, by its name.
+fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(&'static str, Choice)> {
+    let choice =
+        |mode: M::Mode| by_need.choice(&model.nature(mode), model.longest_step(mode).min(step));
+    M::MODES.iter().map(|(mode, name)| (*name, choice(*mode))).collect()
 }
 
 /// Advances a model from 0 to the clock's end, or to its first fault.
-fn drive<M: Playable, T: Stepper>(
+fn drive<M: Playable>(
     start: &Start<M>,
-    stepper: T,
     (clock, input): (&Clock, &Input),
     files: &mut Files,
 ) -> Result<Report, SimulateError> {
@@ -95,7 +40,7 @@ fn drive<M: Playable, T: Stepper>(
     let mut follower =
         Follower { clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
     let mut tally = Tally::default();
-    let mut simulator = Simulator::new(model, stepper, clock.limits, mode, state);
+    let mut simulator = Simulator::new(model, clock.method, clock.limits, mode, state);
     let audit = follower.audit;
     follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
     for tick in 0..clock.ticks {
@@ -114,7 +59,7 @@ fn drive<M: Playable, T: Stepper>(
         let audit = follower.audit;
         follower.files.row(simulator.model(), t, (mode, state), &signal(1.0), &audit)?;
     }
-    Ok(tally.report::<M, T>(clock, &follower))
+    Ok(tally.report(clock, &follower))
 }
 
 /// Whether the input was finite where a tick failed.
@@ -182,12 +127,12 @@ impl Tally {
         }
     }
 
-    fn report<M: Described, T: Stepper>(self, clock: &Clock, follower: &Follower<'_, M>) -> Report {
+    fn report<M: Described>(self, clock: &Clock, follower: &Follower<'_, M>) -> Report {
         let (t, mode, state) = &follower.last;
         let state = M::STATES.iter().copied().zip(state.entries().iter().copied()).collect();
         Report {
             model: M::NAME,
-            method: T::NAME,
+            method: clock.method.name(),
             step: clock.step,
             until: clock.until,
             counts: self.counts,

@@ -66,7 +66,7 @@ impl Visitor for Job<'_> {
             return Err(SimulateError::Usage(mistakes));
         };
         let mut files = Files::create(args, &start).map_err(SimulateError::Usage)?;
-        let report = drive::by_name(&args.method, &start, (&clock, &input), &mut files)?;
+        let report = drive::run(&start, (&clock, &input), &mut files)?;
         files.finish()?;
         summary::write(&report, args, out).map_err(SimulateError::Summary)?;
         report.into_result()

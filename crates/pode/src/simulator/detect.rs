@@ -94,7 +94,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
         let bound = self.model.curvature_bound(self.mode, spec.id);
         let mut next = Slot::new(slot.stand, spec, end, bound);
-        if T::DENSE < T::ORDER {
+        if self.stepper.aims() {
             next.due = due(end, (end.rate - start.rate) / taken.h);
         }
         self.guards[index] = next;

@@ -21,7 +21,7 @@ use crate::input::Signal;
 use crate::limits::Limits;
 use crate::model::{Model, Resets};
 use crate::outcome::{Advance, Cap, Fault, Tick};
-use crate::quadrature::{LOBATTO, SIMPSON, is_high, looks};
+use crate::quadrature::{LOBATTO, SIMPSON};
 use crate::run::Run;
 use crate::state::{is_finite, largest};
 use crate::stepper::{Memory as _, Step, Stepper};
@@ -319,9 +319,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             readout(&self.model.constrain(self.mode, &x, &input), &input)
         };
         let ends = [start, end];
-        let mean =
-            if is_high::<T>() { LOBATTO.mean(ends, inside) } else { SIMPSON.mean(ends, inside) };
-        run.work.readouts += 1 + looks::<T>() + u32::from(run.readout.is_none());
+        let (mean, looks) = if self.stepper.is_smooth_inside() {
+            (LOBATTO.mean(ends, inside), LOBATTO.looks())
+        } else {
+            (SIMPSON.mean(ends, inside), SIMPSON.looks())
+        };
+        run.work.readouts += 1 + looks + u32::from(run.readout.is_none());
         run.integral += piece.duration() * mean;
         run.readout = Some(end);
     }

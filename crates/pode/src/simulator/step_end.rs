@@ -14,7 +14,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     pub(super) fn step_end<S, W>(&self, run: &mut Run<'_, S, W>) -> f64 {
         let end = self.line(run);
         // Where the dense output is as good as the end there is nothing to gain.
-        let may_aim = T::DENSE < T::ORDER && run.limits.forecast && !run.has_aimed;
+        let may_aim = self.stepper.aims() && run.limits.forecast && !run.has_aimed;
         if may_aim { self.aimed(run, end) } else { end }
     }
 

@@ -139,6 +139,14 @@ impl<T: Stepper> Stepper for Controlled<T> {
         step
     }
 
+    fn aims(&self) -> bool {
+        self.method.aims()
+    }
+
+    fn is_smooth_inside(&self) -> bool {
+        self.method.is_smooth_inside()
+    }
+
     fn refine<S: State>(
         &self,
         field: &mut impl Field<S>,

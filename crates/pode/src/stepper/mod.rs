@@ -3,6 +3,7 @@
 
 mod adams_bashforth2;
 mod adams_bashforth3;
+mod any;
 mod bogacki_shampine;
 mod by_need;
 mod controlled;
@@ -30,6 +31,7 @@ mod velocity_verlet;
 
 pub use adams_bashforth2::AdamsBashforth2;
 pub use adams_bashforth3::AdamsBashforth3;
+pub use any::{Any, AnyDense, AnyMemory, Fits};
 pub use bogacki_shampine::BogackiShampine;
 pub use by_need::{ByNeed, Choice, MENU, Method, Offer};
 pub use controlled::{Control, Controlled, Tolerance};
@@ -56,6 +58,7 @@ use core::fmt::Debug;
 
 use crate::dense::Dense;
 use crate::nature::Nature;
+use crate::quadrature::HIGH;
 use crate::state::State;
 
 /// A step that was taken.
@@ -130,6 +133,19 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
         _dense: &mut Self::Dense<S>,
         _h: f64,
     ) {
+    }
+
+    /// Whether a step is made to end behind an expected event: the end is of a higher order than
+    /// the dense output.
+    #[inline]
+    fn aims(&self) -> bool {
+        Self::DENSE < Self::ORDER
+    }
+
+    /// Whether the dense output is so smooth that Simpson's rule would lose what it has gained.
+    #[inline]
+    fn is_smooth_inside(&self) -> bool {
+        Self::DENSE >= HIGH
     }
 
     /// Longest step [s] in a mode of this `nature`, where the model itself asks for `own`.

@@ -1,5 +1,6 @@
 //! The command as a whole: its files, its summary, its exit codes.
 
+mod methods;
 mod mistakes;
 mod plot;
 mod reference;

@@ -1,0 +1,316 @@
+//! Any of the methods, chosen at run time.
+
+use crate::dense::{Cubic, Dense, Polynomial};
+use crate::nature::Nature;
+use crate::state::State;
+use crate::stepper::{
+    AdamsBashforth2, AdamsBashforth3, BogackiShampine, ByNeed, Controlled, Dense8, Dop853, Exact,
+    ExplicitEuler, ExponentialRosenbrock, Exprb32, Field, Flow, Heun, LinearImplicitMidpoint,
+    Memory, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler, Step, Stepper, Tolerance, Tsitouras5,
+    VelocityVerlet,
+};
+
+/// Dense output of any method.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum AnyDense<S> {
+    /// A cubic.
+    Cubic(Cubic<S>),
+    /// Of degree 4.
+    Quartic(Polynomial<S, 5>),
+    /// The exact flow's series.
+    Flow(Flow<S>),
+    /// That of Dormand–Prince 8(5,3).
+    Eighth(Dense8<S>),
+}
+
+impl<S: State> Dense<S> for AnyDense<S> {
+    fn at(&self, tau: f64) -> S {
+        match self {
+            Self::Cubic(dense) => dense.at(tau),
+            Self::Quartic(dense) => dense.at(tau),
+            Self::Flow(dense) => dense.at(tau),
+            Self::Eighth(dense) => dense.at(tau),
+        }
+    }
+
+    fn end(&self) -> &S {
+        match self {
+            Self::Cubic(dense) => dense.end(),
+            Self::Quartic(dense) => dense.end(),
+            Self::Flow(dense) => dense.end(),
+            Self::Eighth(dense) => dense.end(),
+        }
+    }
+}
+
+/// A dense output that [`AnyDense`] can hold.
+pub trait Fits<S>: Sized {
+    /// As one of many.
+    fn wide(self) -> AnyDense<S>;
+
+    /// The one in `any`, if it is of this kind.
+    fn narrow(any: &mut AnyDense<S>) -> Option<&mut Self>;
+}
+
+macro_rules! fits {
+    ($($kind:ident($dense:ty)),+) => {$(
+        impl<S: State> Fits<S> for $dense {
+            fn wide(self) -> AnyDense<S> {
+                AnyDense::$kind(self)
+            }
+
+            fn narrow(any: &mut AnyDense<S>) -> Option<&mut Self> {
+                if let AnyDense::$kind(dense) = any { Some(dense) } else { None }
+            }
+        }
+    )+};
+}
+
+fits!(Cubic(Cubic<S>), Quartic(Polynomial<S, 5>), Flow(Flow<S>), Eighth(Dense8<S>));
+
+impl<S: State> Fits<S> for super::Either<Flow<S>, Cubic<S>> {
+    fn wide(self) -> AnyDense<S> {
+        match self {
+            Self::Left(dense) => AnyDense::Flow(dense),
+            Self::Right(dense) => AnyDense::Cubic(dense),
+        }
+    }
+
+    /// Nothing of these is ever refined.
+    fn narrow(_any: &mut AnyDense<S>) -> Option<&mut Self> {
+        None
+    }
+}
+
+macro_rules! any {
+    ($($(#[$doc:meta])* $name:ident($stepper:ty)),+ $(,)?) => {
+        /// Any of the methods, chosen at run time: where a simulation is set up by name, and a
+        /// nanosecond does not count.
+        ///
+        /// Each step is the method's own, to the last bit; orders, dense output, memory and what
+        /// a reset discards are the method's.
+        #[derive(Clone, Copy, PartialEq, Debug)]
+        pub enum Any {
+            $($(#[$doc])* $name($stepper)),+
+        }
+
+        /// What the method carries.
+        #[derive(Clone, Copy, PartialEq, Debug, Default)]
+        pub enum AnyMemory<S: State> {
+            /// No step was taken yet.
+            #[default]
+            None,
+            $($(#[$doc])* $name(<$stepper as Stepper>::Memory<S>)),+
+        }
+
+        impl<S: State> Memory for AnyMemory<S> {
+            fn restart(&mut self) {
+                match self {
+                    Self::None => {}
+                    $(Self::$name(memory) => memory.restart()),+
+                }
+            }
+
+            fn begin_tick(&mut self) {
+                match self {
+                    Self::None => {}
+                    $(Self::$name(memory) => memory.begin_tick()),+
+                }
+            }
+
+            fn refuse(&mut self) {
+                match self {
+                    Self::None => {}
+                    $(Self::$name(memory) => memory.refuse()),+
+                }
+            }
+
+            fn reach(&self) -> f64 {
+                match self {
+                    Self::None => f64::INFINITY,
+                    $(Self::$name(memory) => memory.reach()),+
+                }
+            }
+        }
+
+        impl Any {
+            /// The method called `name` with its defaults; of several of one name the first.
+            pub fn named(name: &str) -> Option<Self> {
+                $(if name == <$stepper>::NAME {
+                    return Some(Self::$name(<$stepper>::default()));
+                })+
+                None
+            }
+
+            /// Its name on the command line.
+            pub const fn name(&self) -> &'static str {
+                match self {
+                    $(Self::$name(_) => <$stepper>::NAME),+
+                }
+            }
+        }
+
+        impl Stepper for Any {
+            /// That of the coarsest method.
+            const ORDER: u32 = 1;
+            /// That of the smoothest dense output, by which the work of a tick is bounded.
+            const DENSE: u32 = 23;
+            const EVALUATIONS: u32 = Dop853::EVALUATIONS;
+            const NAME: &'static str = "any";
+
+            type Memory<S: State> = AnyMemory<S>;
+            type Dense<S: State> = AnyDense<S>;
+
+            fn step<S: State>(
+                &self,
+                field: &mut impl Field<S>,
+                x0: &S,
+                memory: &mut AnyMemory<S>,
+                h: f64,
+            ) -> Step<S, AnyDense<S>> {
+                match self {
+                    $(Self::$name(stepper) => {
+                        if !matches!(memory, AnyMemory::$name(_)) {
+                            *memory = AnyMemory::$name(Default::default());
+                        }
+                        let AnyMemory::$name(memory) = memory else { unreachable!("just put there") };
+                        stepper.step(field, x0, memory, h).map(Fits::wide)
+                    })+
+                }
+            }
+
+            fn refine<S: State>(
+                &self,
+                field: &mut impl Field<S>,
+                memory: &AnyMemory<S>,
+                dense: &mut AnyDense<S>,
+                h: f64,
+            ) {
+                match (self, memory) {
+                    $((Self::$name(stepper), AnyMemory::$name(memory)) => {
+                        if let Some(dense) = Fits::narrow(dense) {
+                            stepper.refine(field, memory, dense, h);
+                        }
+                    })+
+                    _ => {}
+                }
+            }
+
+            fn longest_step(&self, nature: &Nature, own: f64) -> f64 {
+                match self {
+                    $(Self::$name(stepper) => stepper.longest_step(nature, own)),+
+                }
+            }
+
+            fn aims(&self) -> bool {
+                match self {
+                    $(Self::$name(stepper) => stepper.aims()),+
+                }
+            }
+
+            fn is_smooth_inside(&self) -> bool {
+                match self {
+                    $(Self::$name(stepper) => stepper.is_smooth_inside()),+
+                }
+            }
+        }
+    };
+}
+
+any! {
+    /// [`ByNeed`].
+    ByNeed(ByNeed),
+    /// [`ExplicitEuler`].
+    ExplicitEuler(ExplicitEuler),
+    /// [`SemiImplicitEuler`].
+    SemiImplicitEuler(SemiImplicitEuler),
+    /// [`Heun`].
+    Heun(Heun),
+    /// [`VelocityVerlet`].
+    VelocityVerlet(VelocityVerlet),
+    /// [`AdamsBashforth2`].
+    AdamsBashforth2(AdamsBashforth2),
+    /// [`AdamsBashforth3`].
+    AdamsBashforth3(AdamsBashforth3),
+    /// [`BogackiShampine`].
+    BogackiShampine(BogackiShampine),
+    /// [`Rk4`].
+    Rk4(Rk4),
+    /// [`Tsitouras5`].
+    Tsitouras5(Tsitouras5),
+    /// [`Dop853`].
+    Dop853(Dop853),
+    /// [`LinearImplicitMidpoint`].
+    LinearImplicitMidpoint(LinearImplicitMidpoint),
+    /// [`Ros2`].
+    Ros2(Ros2),
+    /// [`Rodas3`].
+    Rodas3(Rodas3),
+    /// [`Rodas4`].
+    Rodas4(Rodas4),
+    /// [`ExponentialRosenbrock`].
+    ExponentialRosenbrock(ExponentialRosenbrock),
+    /// [`Exprb32`].
+    Exprb32(Exprb32),
+    /// [`Exact`].
+    Exact(Exact<Rk4>),
+    /// [`BogackiShampine`] in steps as long as a tolerance allows.
+    ControlledBogackiShampine(Controlled<BogackiShampine>),
+    /// [`Tsitouras5`] in steps as long as a tolerance allows.
+    ControlledTsitouras5(Controlled<Tsitouras5>),
+    /// [`Dop853`] in steps as long as a tolerance allows.
+    ControlledDop853(Controlled<Dop853>),
+}
+
+impl Any {
+    /// Names of the methods.
+    pub const NAMES: &[&str] = &[
+        ByNeed::NAME,
+        ExplicitEuler::NAME,
+        SemiImplicitEuler::NAME,
+        Heun::NAME,
+        VelocityVerlet::NAME,
+        AdamsBashforth2::NAME,
+        AdamsBashforth3::NAME,
+        BogackiShampine::NAME,
+        Rk4::NAME,
+        Tsitouras5::NAME,
+        Dop853::NAME,
+        LinearImplicitMidpoint::NAME,
+        Ros2::NAME,
+        Rodas3::NAME,
+        Rodas4::NAME,
+        ExponentialRosenbrock::NAME,
+        Exprb32::NAME,
+        Exact::<Rk4>::NAME,
+    ];
+
+    /// Names of the methods that heed a tolerance.
+    pub const TOLERANT: &[&str] =
+        &[ByNeed::NAME, BogackiShampine::NAME, Tsitouras5::NAME, Dop853::NAME];
+
+    /// The same method as precise as `tolerance` says, in ticks of `tick` [s]: see [`ByNeed`]
+    /// and [`Controlled`]. `None` for a method that has no say in its error.
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: f64, tick: f64) -> Option<Self> {
+        let both = Tolerance::both(tolerance);
+        #[expect(clippy::wildcard_enum_match_arm, reason = "all others have no estimate")]
+        Some(match self {
+            Self::ByNeed(_) => Self::ByNeed(ByNeed::new(tolerance, tick)),
+            Self::BogackiShampine(method) => {
+                Self::ControlledBogackiShampine(Controlled { method, tolerance: both })
+            }
+            Self::Tsitouras5(method) => {
+                Self::ControlledTsitouras5(Controlled { method, tolerance: both })
+            }
+            Self::Dop853(method) => Self::ControlledDop853(Controlled { method, tolerance: both }),
+            _ => return None,
+        })
+    }
+}
+
+impl Default for Any {
+    fn default() -> Self {
+        Self::Rk4(Rk4)
+    }
+}
