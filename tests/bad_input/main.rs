@@ -4,6 +4,7 @@
 //! sentence on stderr for each mistake; never a panic.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
+mod lab;
 mod letoff;
 mod midi_files;
 mod output;

@@ -204,3 +204,36 @@ fn high_point(
     let places: [_; TRIES as usize] = [maximum, Some(hi / 16.0), Some(hi / 1024.0)];
     places.into_iter().flatten().map(|tau| (tau, guard(tau))).find(|(_, value)| *value > 0.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dip_before_the_top_is_no_fall() {
+        // The guard's cubic rises to 5/8 and falls to 2/3; the guard itself does otherwise.
+        let span = Span {
+            spec: &GuardSpec::new(0, "g"),
+            stand: Stand::Disarmed,
+            start: GuardValue::new(-0.45, 5.0),
+            end: GuardValue::new(0.8, 1.5),
+            h: 1.0,
+            bound: f64::INFINITY,
+            is_quiet: false,
+        };
+        assert!(span.may_cross());
+        let (mut looks, mut lowest) = (0, 1.0_f64);
+        let crossing = span.crossing(|tau| {
+            (looks, lowest) = (looks + 1, lowest.min(tau));
+            if tau < 0.6 {
+                -0.6
+            } else if tau < 0.65 {
+                0.4
+            } else {
+                0.0
+            }
+        });
+        assert_eq!((crossing, looks), (Crossing::None, 3));
+        assert!(lowest < 0.5, "the dip was not seen: {lowest}");
+    }
+}

@@ -86,7 +86,7 @@ pub(crate) fn stand_after(before: Stand, spec: &GuardSpec, end: GuardValue, h: f
         return Stand::Armed;
     }
     match before {
-        Stand::Armed if end.value > 0.0 => Stand::Armed,
+        Stand::Armed | Stand::Departing if end.value > 0.0 => Stand::Armed,
         Stand::Disarmed => Stand::Disarmed,
         Stand::Departing if end.rate > 0.0 => Stand::Departing,
         Stand::Armed | Stand::Departing | Stand::Resting | Stand::Leaving => {

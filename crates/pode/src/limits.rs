@@ -55,12 +55,11 @@ impl Limits {
     }
 
     /// Most evaluations of the readout in one tick with the method `T`: in each piece those
-    /// inside, at the end, and at the start where it jumped; two for each move over impacts that
-    /// accumulate, which is one event in two at most; and one at the end of the tick.
+    /// inside and at its end; at the start of the tick and after each event; at its end; and
+    /// for each two events one more, if they are an event and a move over impacts.
     pub const fn most_readouts<T: Stepper>(&self) -> u32 {
-        let moves = self.events / 2;
-        let pieces = self.pieces.saturating_mul(2 + looks::<T>());
-        pieces.saturating_add(moves.saturating_mul(2)).saturating_add(1)
+        let pieces = self.pieces.saturating_mul(1 + looks::<T>());
+        pieces.saturating_add(self.events).saturating_add(self.events / 2).saturating_add(2)
     }
 }
 

@@ -115,12 +115,12 @@ fn a_reset_that_leaves_its_guard_two_ulps_short_does_not_fire_again() {
 
 #[test]
 fn a_guard_entered_below_zero_that_rises_and_dips_within_a_step_fires_at_the_dip() {
+    const FALLS: [pode::GuardSpec; 1] = [ONE[0].on_crossing()];
     // (t − .2)(t − .4)(t − .8): below, above from 0.2 on, below from 0.4 to 0.8, above.
     let guard = |_: GuardId, t: f64| {
         let (a, b, c) = (t - 0.2, t - 0.4, t - 0.8);
         GuardValue::new(a * b * c, b * c + a * c + a * b)
     };
-    const FALLS: [pode::GuardSpec; 1] = [ONE[0].on_crossing()];
     for n in TICKS {
         let mut timed = Timed { guards: &FALLS, guard, effect: count }.start();
         let mut recorder = Recorder::new(1.0 / f64::from(n));
@@ -130,4 +130,22 @@ fn a_guard_entered_below_zero_that_rises_and_dips_within_a_step_fires_at_the_dip
         assert_eq!(recorder.seen.len(), 1, "{n} ticks: {:?}", recorder.times());
         close(format_args!("{n} ticks"), recorder.seen[0].t, 0.4, 1e-14);
     }
+}
+
+#[test]
+fn hops_lower_than_rounding_take_time_and_no_cascade() {
+    // e = 1 and 2e-7 m/s: 2e-15 m high, below 16 ε of 1 m, and 41 ns long.
+    let speed = 2e-7;
+    let hop = 2.0 * speed / common::G;
+    let mut ball = common::Ball::dropped(1.0, 0.0, pode::Limits::default());
+    ball.place(common::BallMode::Flight, [0.0, speed]);
+    let mut recorder = Recorder::new(1e-7);
+    for _ in 0..10 {
+        assert_eq!(ball.advance(1e-7, &|_| (), &mut recorder).advance, Advance::Completed);
+    }
+    close("the first hop", recorder.seen[0].t, hop, 1e-9 * hop);
+    // Where a tick ends in the air, it ends within rounding of the floor: the fall is then
+    // seen at 16 ε below, up to half a hop late.
+    let (number, most) = (recorder.seen.len() as f64, 1e-6 / hop);
+    assert!(0.5 * most < number && number <= most, "{number} of {most}");
 }

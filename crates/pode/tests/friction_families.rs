@@ -5,7 +5,7 @@
 //! form, come to their ends. No equation is integrated.
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
-#![allow(clippy::disallowed_methods, reason = "a test may use the heap")]
+#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
 
 mod common;
 mod driven;
@@ -147,10 +147,10 @@ impl Piece {
                 let rate = (K * motion.rate + motion.jerk).abs();
                 Self { from: t, mode: leaves, x, margin: 0.01 * rate }
             }
-            _ if held.abs() < belt.limit => {
-                Self { from: t, mode: Mode::Sliding, x, margin: free.min(slope) }
+            Mode::Above | Mode::Below => {
+                let mode = if held.abs() < belt.limit { Mode::Sliding } else { leaves };
+                Self { from: t, mode, x, margin: free.min(slope) }
             }
-            _ => Self { from: t, mode: leaves, x, margin: free.min(slope) },
         }
     }
 }

@@ -1,10 +1,11 @@
-//! What people type: `letoff run`, `simulate`, `check`, `devices`, `instruments`.
+//! What people type: `letoff run`, `simulate`, `check`, `devices`, `instruments`, `lab`.
 //!
 //! Exit codes: 0 done, 1 something failed while running, 2 wrong usage or file.
 
 mod check;
 mod devices;
 mod instruments;
+mod lab;
 mod live;
 mod run;
 
@@ -37,6 +38,8 @@ pub enum Command {
     Devices(devices::DevicesArgs),
     /// Lists the instruments, models and their parameters.
     Instruments(instruments::InstrumentsArgs),
+    /// Offline studies with reports.
+    Lab(lab::LabArgs),
 }
 
 /// How a command ended, other than well.
@@ -80,6 +83,7 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Check(args) => check::run(args, out),
         Command::Devices(args) => devices::run(*args, out),
         Command::Instruments(args) => instruments::run(args, out),
+        Command::Lab(args) => lab::run(args, out),
     }
 }
 

@@ -129,15 +129,16 @@ impl<M: Sided> Guarded for Filippov<M> {
 /// A side that is entered tangentially, from the end of a slide, starts at zero with a rate
 /// of either sign, as rounding will. What its own change makes good counts as zero.
 fn distance<M: Sided>(point: &Point<'_, M>, side: Side) -> GuardValue {
-    let height = side.sign() * point.surface().value;
-    let rate = side.sign() * point.rate(free(side));
-    let is_on = height.abs() <= Sizes::<M>::HEIGHT_BAND;
+    let surface = point.surface();
+    let height = side.sign() * surface.value;
+    let rate = side.sign() * surface.rate(&point.flow(free(side)));
     let falls = match side {
         Side::Above => Heading::Down,
         Side::Below => Heading::Up,
     };
-    if is_on && rate < 0.0 && point.heading_on(free(side)) != falls {
-        return GuardValue::new(height, 0.0);
+    let is_on = height.abs() <= point.rounding(&surface);
+    if is_on && (rate >= 0.0 || point.heading_on(free(side)) != falls) {
+        return GuardValue::new(height.max(0.0), rate.max(0.0));
     }
     GuardValue::new(height, rate)
 }

@@ -38,6 +38,13 @@ impl<'a, M: Sided> Point<'a, M> {
         self.system.surface(self.x, self.input)
     }
 
+    /// Rounding of h here: of its declared size, or of its terms if they are larger.
+    pub(super) fn rounding(&self, surface: &Surface<M::State>) -> f64 {
+        let pairs = surface.gradient.entries().iter().zip(self.x.entries());
+        let terms: f64 = pairs.map(|(a, b)| (a * b).abs()).sum();
+        Sizes::<M>::HEIGHT_BAND.max(16.0 * f64::EPSILON * terms)
+    }
+
     /// The derivative on a branch.
     pub(super) fn flow(&self, branch: Branch) -> M::State {
         self.system.derivative(branch, self.x, self.input)

@@ -65,7 +65,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
 /// Where a step ends that its method wants no longer than `reach`, a part of the tick.
 fn reached<S, W>(run: &Run<'_, S, W>, reach: f64, longest: f64) -> f64 {
-    let reach = reach.min(longest);
+    // Never so short that the time would stand still.
+    let reach = reach.min(longest).max(f64::EPSILON);
     let rest = 1.0 - run.theta;
     // Two even steps rather than a long one and a crumb.
     let part = if reach < rest && 2.0 * reach > rest { 0.5 * rest } else { reach };

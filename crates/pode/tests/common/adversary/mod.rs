@@ -38,6 +38,8 @@ pub struct Calls {
     pub readouts: Cell<u32>,
     /// For the list of a mode's guards.
     pub lists: Cell<u32>,
+    /// Where the guard that means no good has its root shut in.
+    pub malice: Cell<[f64; 2]>,
 }
 
 /// Counts one call and returns how many there were before.
@@ -167,8 +169,8 @@ impl Guarded for Adversary<'_> {
     }
 
     fn guard(&self, mode: u8, id: GuardId, x: &[f64; STATE], input: &Motion) -> GuardValue {
-        let call = count(&self.calls.guards);
-        let it = self.part(id).trouble.value(x, input, call);
+        count(&self.calls.guards);
+        let it = self.part(id).trouble.value(x, input, self.calls);
         if self.mode(mode).is_negated { GuardValue::new(-it.value, -it.rate) } else { it }
     }
 }

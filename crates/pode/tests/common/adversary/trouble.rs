@@ -1,9 +1,11 @@
 //! Guards made to be difficult.
 
+use std::cell::Cell;
+
 use pode::{GuardValue, Motion};
 
-use super::STATE;
 use super::bytes::Bytes;
+use super::{Calls, STATE};
 
 /// A guard, as a function of the time x₀, the count x₁, the height x₂ and its rate x₃.
 #[derive(Clone, Copy, Debug)]
@@ -38,13 +40,15 @@ pub enum Trouble {
     Follows(f64),
     /// No function at all: another answer each time.
     Fickle(u64),
+    /// No function either: has whoever looks for its root look as long as possible.
+    Malice,
 }
 
 impl Trouble {
     pub fn from_bytes(bytes: &mut Bytes<'_>) -> Self {
         let time = |bytes: &mut Bytes<'_>| bytes.sized(1e-5, 0.05);
         let rate = |bytes: &mut Bytes<'_>| bytes.sized(1.0, 1e7);
-        match bytes.byte() % 20 {
+        match bytes.byte() % 21 {
             0..=2 => Self::Falls(time(bytes)),
             3..=5 => Self::Floor,
             6 => Self::Chatters(rate(bytes)),
@@ -63,12 +67,13 @@ impl Trouble {
             16 => Self::Counts(rate(bytes)),
             17 => Self::Huge(time(bytes)),
             18 => Self::Follows(bytes.signed(1e-3, 1.0)),
-            _ => Self::Fickle(bytes.word()),
+            19 => Self::Fickle(bytes.word()),
+            _ => Self::Malice,
         }
     }
 
-    /// The guard and its rate; `call` is how often guards were evaluated before.
-    pub fn value(self, x: &[f64; STATE], input: &Motion, call: u32) -> GuardValue {
+    /// The guard and its rate; `calls` are those that came before.
+    pub fn value(self, x: &[f64; STATE], input: &Motion, calls: &Calls) -> GuardValue {
         let [t, n, z, w] = *x;
         let (value, rate) = match self {
             Self::Falls(t0) => (t0 - t, -1.0),
@@ -87,13 +92,14 @@ impl Trouble {
             Self::Counts(f) => ((f * t + n).sin(), f),
             Self::Huge(t0) => (f64::MAX * (t0 - t), f64::MIN),
             Self::Follows(threshold) => (threshold - input.position, -input.rate),
-            Self::Fickle(seed) => fickle(seed.wrapping_add(u64::from(call))),
+            Self::Fickle(seed) => fickle(seed.wrapping_add(u64::from(calls.guards.get()))),
+            Self::Malice => malice(t, &calls.malice),
         };
         GuardValue::new(value, rate)
     }
 }
 
-/// Two numbers that have nothing to do with those before. [splitmix64]
+/// Two numbers that have nothing to do with those before. By splitmix64.
 fn fickle(seed: u64) -> (f64, f64) {
     const VALUES: [f64; 8] = [1.0, -1.0, 1.0, -1.0, 0.0, 1e-15, -1e-15, 1e9];
     const RATES: [f64; 8] = [1.0, -1.0, 1e6, -1e6, 0.0, 1e3, -1e3, -1e12];
@@ -101,4 +107,29 @@ fn fickle(seed: u64) -> (f64, f64) {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     (VALUES[(z >> 8) as usize % 8], RATES[(z >> 16) as usize % 8])
+}
+
+/// Leaves the longer part of the bracket, where the times asked for shut in a root, and leads
+/// to its start whoever interpolates.
+fn malice(t: f64, bracket: &Cell<[f64; 2]>) -> (f64, f64) {
+    const BEFORE: (f64, f64) = (1e-9, -1e9);
+    const AFTER: (f64, f64) = (-1e9, 1e12);
+    let [lo, hi] = bracket.get();
+    if t <= lo {
+        bracket.set([t, hi]);
+        BEFORE
+    } else if t > hi {
+        bracket.set([hi, t]);
+        AFTER
+    } else if t == hi {
+        // The root was found: another one comes.
+        bracket.set([t, t]);
+        AFTER
+    } else if hi - t >= t - lo {
+        bracket.set([t, hi]);
+        BEFORE
+    } else {
+        bracket.set([lo, t]);
+        AFTER
+    }
 }

@@ -1,0 +1,54 @@
+//! One run: a scenario, a method, a tick.
+
+use pode::{Limits, Silent, Simulator, Stepper, Tick, Watch};
+
+use super::stepped::{Stepped, Stepping};
+use crate::scenario::Scenario;
+
+/// One run, which can be done any number of times.
+#[derive(Debug)]
+pub(super) struct Job<'a, S, T> {
+    pub(super) scenario: &'a S,
+    pub(super) stepper: T,
+    pub(super) limits: Limits,
+    pub(super) stepping: Stepping,
+    /// Length of a tick [s].
+    pub(super) tick: f64,
+}
+
+impl<S: Scenario, T: Stepper> Job<'_, S, T> {
+    /// How many ticks the run has.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a count far below 2^53"
+    )]
+    pub(super) fn ticks(&self) -> u64 {
+        (self.scenario.plan().until / self.tick).round() as u64
+    }
+
+    /// The model at the start.
+    pub(super) fn simulator(&self) -> Simulator<Stepped<S::Model>, T> {
+        let (model, mode, state) = self.scenario.start();
+        let model = Stepped { model, stepping: self.stepping };
+        Simulator::new(model, self.stepper, self.limits, mode, state)
+    }
+
+    /// Advances by one tick under the exact input.
+    #[inline]
+    pub(super) fn advance<W: Watch<Stepped<S::Model>>>(
+        &self,
+        simulator: &mut Simulator<Stepped<S::Model>, T>,
+        watch: &mut W,
+    ) -> Tick {
+        let (start, h) = (simulator.tick() as f64, self.tick);
+        let signal = |theta: f64| self.scenario.input((start + theta) * h);
+        simulator.advance(h, &signal, watch)
+    }
+
+    /// The same, watched by nobody: what is timed.
+    #[inline(never)]
+    pub(super) fn advance_alone(&self, simulator: &mut Simulator<Stepped<S::Model>, T>) -> Tick {
+        self.advance(simulator, &mut Silent)
+    }
+}

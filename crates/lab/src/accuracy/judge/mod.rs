@@ -1,0 +1,142 @@
+//! A run against the reference: the sequence first, then errors that are never mixed.
+
+use pode::{Model, State};
+use serde::Serialize;
+
+use super::observe::{Found, Observed, Seen};
+use crate::scenario::{Expected, Reference, Sample};
+
+/// How right a run was.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct Verdict {
+    /// Whether all events happened in their order, and no others.
+    pub sequence: Sequence,
+    /// Events that happened, judged or not.
+    pub events: usize,
+    /// Largest error of an event's time [s].
+    pub event_error: Option<f64>,
+    /// Largest error of the state away from events; each entry over its largest magnitude.
+    pub state_error: Option<f64>,
+    /// Largest error of the force away from events, over its largest magnitude.
+    pub force_error: Option<f64>,
+}
+
+/// Whether the events were the right ones.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Sequence {
+    /// All of them, in their order.
+    Right,
+    /// Not all, or others.
+    Wrong(Difference),
+    /// The run did not come to its end.
+    Failed(String),
+}
+
+/// Where a sequence of events differs first.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+pub struct Difference {
+    /// How many events were right.
+    pub index: usize,
+    /// What should have happened then.
+    pub expected: String,
+    /// What did.
+    pub found: String,
+}
+
+impl Sequence {
+    /// Whether there is an error to speak of.
+    pub const fn is_right(&self) -> bool {
+        matches!(self, Self::Right)
+    }
+}
+
+/// Judges a run.
+pub(super) fn judge<M: Model>(reference: &Reference<M>, observed: &Observed<M>) -> Verdict {
+    let sequence = sequence(reference, observed);
+    let is_right = sequence.is_right();
+    Verdict {
+        events: observed.events.len(),
+        event_error: is_right.then(|| event_error(reference, observed)),
+        state_error: state_error(&reference.samples, &observed.samples).filter(|_| is_right),
+        force_error: force_error(&reference.samples, &observed.samples).filter(|_| is_right),
+        sequence,
+    }
+}
+
+fn sequence<M: Model>(reference: &Reference<M>, observed: &Observed<M>) -> Sequence {
+    if let Some(difference) = difference(reference, &observed.events) {
+        return match observed.trouble {
+            // What happens after a cap or a fault is its consequence.
+            Some((t, why)) => Sequence::Failed(format!("{why} at {t:.4} s")),
+            None => Sequence::Wrong(difference),
+        };
+    }
+    if let Some((t, why)) = observed.trouble {
+        return Sequence::Failed(format!("{why} at {t:.4} s"));
+    }
+    match (reference.rest, observed.entered) {
+        (Some((_, rest)), entered) if entered.map(|(_, mode)| mode) != Some(rest) => {
+            Sequence::Wrong(Difference {
+                index: observed.events.len(),
+                expected: format!("rest in {rest:?}"),
+                found: "no rest".to_owned(),
+            })
+        }
+        _ => Sequence::Right,
+    }
+}
+
+/// Where the events differ first, if they do.
+fn difference<M: Model>(reference: &Reference<M>, seen: &[Seen<M>]) -> Option<Difference> {
+    let expected = &reference.events;
+    let is_same = |(e, s): &(&Expected<M>, &Seen<M>)| e.guard == s.guard && e.to == s.to;
+    let index = expected.iter().zip(seen).take_while(is_same).count();
+    let is_over = index == seen.len() || !reference.is_whole;
+    if index == expected.len() && is_over {
+        return None;
+    }
+    let nothing = || "nothing".to_owned();
+    let name = |guard: &str, to: &M::Mode, t: f64| format!("{guard} to {to:?} at {t:.4} s");
+    let expected = expected.get(index).map_or_else(nothing, |e| name(&e.guard, &e.to, e.t));
+    let found = seen.get(index).map_or_else(nothing, |s| name(s.guard, &s.to, s.t));
+    Some(Difference { index, expected, found })
+}
+
+/// Largest error of a time [s]: of the matched events, and of the rest they lead to.
+fn event_error<M: Model>(reference: &Reference<M>, observed: &Observed<M>) -> f64 {
+    let pairs = reference.events.iter().zip(&observed.events);
+    let events = pairs.map(|(expected, seen)| (expected.t - seen.t).abs());
+    let rest =
+        reference.rest.zip(observed.entered).map(|(rest, entered)| (rest.0 - entered.0).abs());
+    events.chain(rest).fold(0.0, f64::max)
+}
+
+/// Largest error of any entry of the state, over that entry's largest magnitude.
+fn state_error<S: State>(samples: &[Sample<S>], found: &[Option<Found<S>>]) -> Option<f64> {
+    let entries = S::ZERO.entries().len();
+    let error = |index: usize| {
+        let pairs = samples.iter().zip(found).filter_map(|(sample, found)| {
+            let (state, _) = found.as_ref()?;
+            Some((sample.state.entries()[index], state.entries()[index]))
+        });
+        relative(pairs)
+    };
+    (0..entries).filter_map(error).reduce(f64::max)
+}
+
+fn force_error<S>(samples: &[Sample<S>], found: &[Option<Found<S>>]) -> Option<f64> {
+    let pairs = samples.iter().zip(found);
+    relative(pairs.filter_map(|(sample, found)| Some((sample.force, found.as_ref()?.1))))
+}
+
+/// Largest difference within the pairs of (right, found), over the largest right one; nothing
+/// if there are no pairs.
+fn relative(pairs: impl Iterator<Item = (f64, f64)>) -> Option<f64> {
+    let sizes = pairs.map(|(right, found)| ((right - found).abs(), right.abs()));
+    let (error, size) = sizes.reduce(|most, it| (most.0.max(it.0), most.1.max(it.1)))?;
+    Some(if size > 0.0 { error / size } else { error })
+}
+
+#[cfg(test)]
+mod tests;

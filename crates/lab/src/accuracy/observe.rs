@@ -1,0 +1,165 @@
+//! What happens in a run: events, states at the times of samples, work of each tick.
+
+use pode::{Advance, Cap, EnergyAudit, Event, Fault, Model, Piece, Signal, Stepper, Watch, Work};
+
+use super::job::Job;
+use super::stepped::Stepped;
+use crate::scenario::{Felt, Plan, Scenario, StateOf, Studied};
+
+/// An event that happened.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Seen<M: Model> {
+    /// When [s].
+    pub(super) t: f64,
+    /// Which guard fired.
+    pub(super) guard: &'static str,
+    /// The mode after.
+    pub(super) to: M::Mode,
+}
+
+/// State and force where the reference has a sample.
+pub(super) type Found<S> = (S, f64);
+
+/// What a run gave.
+#[derive(Clone, Debug)]
+pub(super) struct Observed<M: Model> {
+    pub(super) events: Vec<Seen<M>>,
+    /// The last mode that was entered, and when [s].
+    pub(super) entered: Option<(f64, M::Mode)>,
+    /// One for each sample of the reference; none where no tick ended there.
+    pub(super) samples: Vec<Option<Found<M::State>>>,
+    /// Of every tick, until the end or the first fault.
+    pub(super) work: Vec<Work>,
+    /// What the energy audit leaves unexplained [J].
+    pub(super) residual: f64,
+    /// Where and why the run did not go on as it should [s].
+    pub(super) trouble: Option<(f64, &'static str)>,
+}
+
+/// Does the run once, looking on.
+pub(super) fn observe<S: Scenario, T: Stepper>(job: &Job<'_, S, T>) -> Observed<S::Model> {
+    let mut log = Log::<S::Model>::new(job.tick);
+    let mut samples = Samples::new(job.scenario, job.tick);
+    let mut trouble = None;
+    let mut simulator = job.simulator();
+    for tick in 0..job.ticks() {
+        let done = job.advance(&mut simulator, &mut log);
+        samples.add(tick + 1, simulator.state(), [done.mean_readout, done.end_readout]);
+        if trouble.is_none() {
+            trouble = failure(done.advance).map(|why| (tick as f64 * job.tick, why));
+        }
+        if matches!(done.advance, Advance::Faulty(_)) {
+            break;
+        }
+    }
+    Observed {
+        events: log.events,
+        entered: log.entered,
+        samples: samples.found,
+        work: work(job),
+        residual: log.audit.residual(),
+        trouble,
+    }
+}
+
+/// Work of every tick, until the end or the first fault, while nobody looks on: who looks
+/// inside a step may cost evaluations.
+fn work<S: Scenario, T: Stepper>(job: &Job<'_, S, T>) -> Vec<Work> {
+    let mut simulator = job.simulator();
+    let mut work = Vec::new();
+    for _ in 0..job.ticks() {
+        let done = job.advance_alone(&mut simulator);
+        work.push(done.work);
+        if matches!(done.advance, Advance::Faulty(_)) {
+            break;
+        }
+    }
+    work
+}
+
+/// Why a tick did not go as it should.
+const fn failure(advance: Advance) -> Option<&'static str> {
+    Some(match advance {
+        Advance::Completed => return None,
+        Advance::Capped(Cap::Events) => "too many events in one tick",
+        Advance::Capped(Cap::Cascade) => "too many events at one instant",
+        Advance::Capped(Cap::Guards) => "too many guard evaluations in one tick",
+        Advance::Capped(Cap::Pieces) => "too many steps in one tick",
+        Advance::Faulty(Fault::Period) => "the tick has no length",
+        Advance::Faulty(Fault::State) => "the state is not finite",
+        Advance::Faulty(Fault::Guard) => "a guard is not finite",
+        Advance::Faulty(Fault::Readout) => "the readout is not finite",
+    })
+}
+
+/// Writes down events, and audits the energy.
+struct Log<M: Model> {
+    tick: f64,
+    events: Vec<Seen<M>>,
+    entered: Option<(f64, M::Mode)>,
+    audit: EnergyAudit,
+}
+
+impl<M: Model> Log<M> {
+    fn new(tick: f64) -> Self {
+        Self { tick, events: Vec::new(), entered: None, audit: EnergyAudit::default() }
+    }
+}
+
+impl<M: Studied> Watch<Stepped<M>> for Log<M> {
+    fn piece<S: Signal<M::Input>>(&mut self, model: &Stepped<M>, piece: &Piece<'_, Stepped<M>, S>) {
+        self.audit.piece(model, piece);
+    }
+
+    fn event(&mut self, model: &Stepped<M>, event: &Event<'_, Stepped<M>>) {
+        self.audit.event(model, event);
+        let t = (event.tick as f64 + event.theta) * self.tick;
+        let (from, to) = (event.before.0, event.after.0);
+        self.events.push(Seen { t, guard: event.cause.name(), to });
+        if from != to {
+            self.entered = Some((t, to));
+        }
+    }
+}
+
+/// The states at the times of the reference's samples.
+struct Samples<S: Scenario + ?Sized> {
+    felt: Felt,
+    tick: f64,
+    /// Number of the tick that ends at each sample, in their order.
+    due: Vec<Option<u64>>,
+    found: Vec<Option<Found<StateOf<S>>>>,
+    impulse: f64,
+    next: usize,
+}
+
+impl<S: Scenario> Samples<S> {
+    fn new(scenario: &S, tick: f64) -> Self {
+        let Plan { felt, .. } = scenario.plan();
+        let samples = &scenario.reference().samples;
+        let due = samples.iter().map(|sample| whole(sample.t / tick)).collect();
+        Self { felt, tick, due, found: vec![None; samples.len()], impulse: 0.0, next: 0 }
+    }
+
+    /// `ticks` have passed; the last one had the given mean and end of the readout.
+    fn add(&mut self, ticks: u64, state: &StateOf<S>, [mean, end]: [f64; 2]) {
+        self.impulse += mean * self.tick;
+        while let Some(None) = self.due.get(self.next) {
+            self.next += 1;
+        }
+        if self.due.get(self.next) == Some(&Some(ticks)) {
+            let force = match self.felt {
+                Felt::Readout => end,
+                Felt::Impulse => self.impulse,
+            };
+            self.found[self.next] = Some((*state, force));
+            self.next += 1;
+        }
+    }
+}
+
+/// The number that `ticks` is, unless it lies between two.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of ticks")]
+fn whole(ticks: f64) -> Option<u64> {
+    ((ticks - ticks.round()).abs() < 1e-6).then(|| ticks.round() as u64)
+}

@@ -1,0 +1,100 @@
+//! The figures of one run.
+
+use pode::{State as _, Work};
+use serde::Serialize;
+
+use super::judge::Verdict;
+use super::method::Method;
+use super::study::Setting;
+use crate::scenario::{Scenario, StateOf};
+
+/// One run, judged, counted and timed.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Which scenario.
+    pub scenario: &'static str,
+    /// Which method.
+    pub method: &'static Method,
+    /// With which step or tolerance.
+    pub setting: Setting,
+    /// How right it was.
+    pub verdict: Verdict,
+    /// How much work it was; the same on every machine.
+    pub counts: Counts,
+    /// How long it took on this machine.
+    pub times: Times,
+    /// What the energy audit leaves unexplained [J].
+    pub energy_residual: f64,
+}
+
+/// Evaluations, as `pode` counts them.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
+pub struct Counts {
+    /// Of the derivative, per simulated ms.
+    pub derivatives_per_ms: f64,
+    /// Of the Jacobian, per simulated ms.
+    pub jacobians_per_ms: f64,
+    /// Of one guard each, per simulated ms.
+    pub guards_per_ms: f64,
+    /// Of the readout, per simulated ms.
+    pub readouts_per_ms: f64,
+    /// Of the derivative, in the worst tick.
+    pub worst_derivatives: u32,
+    /// Of the Jacobian, in the worst tick.
+    pub worst_jacobians: u32,
+    /// Of guards, in the worst tick.
+    pub worst_guards: u32,
+    /// Steps that certainly hide no pair of roots of a guard, in the whole run.
+    pub steps_certified: u64,
+    /// Steps that hardly hide one.
+    pub steps_likely: u64,
+    /// Steps of which this is not known.
+    pub steps_unknown: u64,
+    /// Derivatives per simulated ms, each Jacobian as many as the state has entries.
+    pub evaluations_per_ms: f64,
+}
+
+impl Counts {
+    /// The counts of ticks of `tick` [s].
+    pub(super) fn new<S: Scenario>(work: &[Work], tick: f64) -> Self {
+        let ms = work.len() as f64 * tick * 1e3;
+        let sum = |count: fn(&Work) -> u32| -> u64 {
+            work.iter().map(|work| u64::from(count(work))).sum()
+        };
+        let per_ms = |count| if ms > 0.0 { sum(count) as f64 / ms } else { 0.0 };
+        let worst = |count: fn(&Work) -> u32| work.iter().map(count).max().unwrap_or(0);
+        let (derivatives, jacobians) =
+            (per_ms(|work| work.derivatives), per_ms(|work| work.jacobians));
+        let entries = StateOf::<S>::ZERO.entries().len() as f64;
+        Self {
+            derivatives_per_ms: derivatives,
+            jacobians_per_ms: jacobians,
+            guards_per_ms: per_ms(|work| work.guards),
+            readouts_per_ms: per_ms(|work| work.readouts),
+            worst_derivatives: worst(|work| work.derivatives),
+            worst_jacobians: worst(|work| work.jacobians),
+            worst_guards: worst(|work| work.guards),
+            steps_certified: sum(|work| work.certified),
+            steps_likely: sum(|work| work.likely),
+            steps_unknown: sum(|work| work.unknown),
+            evaluations_per_ms: derivatives + entries * jacobians,
+        }
+    }
+}
+
+/// Nanoseconds.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
+pub struct Times {
+    /// Per simulated ms, over the whole run.
+    pub per_ms: f64,
+    /// Of the tick that takes longest.
+    pub worst_tick: f64,
+    /// Of a tick without an event, on average.
+    pub without_event: Option<f64>,
+    /// Of a tick with one event, on average.
+    pub with_one_event: Option<f64>,
+    /// Of the ticks with the most events, on average.
+    pub with_most_events: Option<f64>,
+    /// How many events those have.
+    pub most_events: u32,
+}

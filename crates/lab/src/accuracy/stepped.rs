@@ -1,0 +1,116 @@
+//! A model whose steps are those that are studied.
+//!
+//! A model's own longest step cuts ticks, so that a study of 5 ms would really be one of 1 ms.
+//! Everything else is the model's: each method of the traits is passed on, also those that have
+//! a default.
+
+use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets};
+use pode::{Settling, State};
+
+/// Who cuts a tick into steps.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Stepping {
+    /// Nobody but the method: a tick is one step, up to an event.
+    Ticks,
+    /// The model, as when it is played.
+    Models,
+}
+
+/// The same model under a `stepping` of the study's.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Stepped<M> {
+    pub(super) model: M,
+    pub(super) stepping: Stepping,
+}
+
+impl<M: Model> Model for Stepped<M> {
+    type Mode = M::Mode;
+    type State = M::State;
+    type Input = M::Input;
+    const COORDS: usize = M::COORDS;
+
+    #[inline]
+    fn derivative(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> M::State {
+        self.model.derivative(mode, x, input)
+    }
+
+    #[inline]
+    fn readout(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> f64 {
+        self.model.readout(mode, x, input)
+    }
+
+    #[inline]
+    fn jacobian(
+        &self,
+        mode: M::Mode,
+        x: &M::State,
+        input: &M::Input,
+    ) -> <M::State as State>::Matrix {
+        self.model.jacobian(mode, x, input)
+    }
+
+    #[inline]
+    fn nature(&self, mode: M::Mode) -> Nature {
+        self.model.nature(mode)
+    }
+
+    #[inline]
+    fn longest_step(&self, mode: M::Mode) -> f64 {
+        match self.stepping {
+            Stepping::Ticks => f64::INFINITY,
+            Stepping::Models => self.model.longest_step(mode),
+        }
+    }
+
+    #[inline]
+    fn constrain(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> M::State {
+        self.model.constrain(mode, x, input)
+    }
+}
+
+impl<M: Guarded> Guarded for Stepped<M> {
+    #[inline]
+    fn guards(&self, mode: M::Mode) -> &'static [GuardSpec] {
+        self.model.guards(mode)
+    }
+
+    #[inline]
+    fn curvature_bound(&self, mode: M::Mode, guard: GuardId) -> f64 {
+        self.model.curvature_bound(mode, guard)
+    }
+
+    #[inline]
+    fn guard(&self, mode: M::Mode, guard: GuardId, x: &M::State, input: &M::Input) -> GuardValue {
+        self.model.guard(mode, guard, x, input)
+    }
+}
+
+impl<M: Resets> Resets for Stepped<M> {
+    #[inline]
+    fn reset(&self, mode: M::Mode, guard: GuardId, x: &M::State, input: &M::Input) -> Reset<Self> {
+        let Reset { mode, state, impulse, settles, rests } =
+            self.model.reset(mode, guard, x, input);
+        let settles = settles.as_ref().map(settling);
+        Reset { mode, state, impulse, settles, rests }
+    }
+}
+
+/// The same accumulation point, of the same model under its other name.
+fn settling<M: Model>(it: &Settling<M>) -> Settling<Stepped<M>> {
+    let Settling { after, ratio, mode, state, impulse } = *it;
+    Settling { after, ratio, mode, state, impulse }
+}
+
+impl<M: Energetic> Energetic for Stepped<M> {
+    fn energy(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> f64 {
+        self.model.energy(mode, x, input)
+    }
+
+    fn supplied(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> f64 {
+        self.model.supplied(mode, x, input)
+    }
+
+    fn dissipated(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> f64 {
+        self.model.dissipated(mode, x, input)
+    }
+}

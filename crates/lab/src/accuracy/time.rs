@@ -1,0 +1,108 @@
+//! Nanoseconds of a run, as a whole and tick by tick.
+//!
+//! A run is the same every time, so what another program or a hypervisor takes is never part
+//! of the least time: the run's mean is the least of its repeats, and each tick's time is the
+//! least over the repeats of that very tick.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use pode::{Stepper, Work};
+
+use super::Effort;
+use super::job::Job;
+use super::row::Times;
+use crate::scenario::Scenario;
+
+/// Times the run whose ticks did `work`.
+pub(super) fn time<S: Scenario, T: Stepper>(
+    job: &Job<'_, S, T>,
+    work: &[Work],
+    effort: Effort,
+) -> Times {
+    let began = Instant::now();
+    let mut whole = Duration::MAX;
+    let mut ticks = vec![Duration::MAX; work.len()];
+    let mut repeats = 0;
+    while repeats < effort.repeats || began.elapsed() < effort.budget {
+        whole = whole.min(run(job, work.len()));
+        run_by_ticks(job, &mut ticks);
+        repeats += 1;
+    }
+    let reading = clock_reading();
+    let ticks: Vec<f64> = ticks.iter().map(|tick| ns(tick.saturating_sub(reading))).collect();
+    figures(ns(whole), &ticks, work, job.tick)
+}
+
+/// The whole run, with one look at the clock at each end.
+fn run<S: Scenario, T: Stepper>(job: &Job<'_, S, T>, ticks: usize) -> Duration {
+    let mut simulator = job.simulator();
+    let began = Instant::now();
+    for _ in 0..ticks {
+        black_box(job.advance_alone(&mut simulator));
+    }
+    began.elapsed()
+}
+
+/// The same with a look at the clock around every tick; keeps each one's least time.
+fn run_by_ticks<S: Scenario, T: Stepper>(job: &Job<'_, S, T>, least: &mut [Duration]) {
+    let mut simulator = job.simulator();
+    for least in least {
+        let began = Instant::now();
+        black_box(job.advance_alone(&mut simulator));
+        *least = began.elapsed().min(*least);
+    }
+}
+
+/// What two looks at the clock with nothing between them take.
+fn clock_reading() -> Duration {
+    let nothing = || {
+        let began = Instant::now();
+        black_box(began).elapsed()
+    };
+    (0..1000).map(|_| nothing()).min().unwrap_or_default()
+}
+
+fn ns(duration: Duration) -> f64 {
+    duration.as_secs_f64() * 1e9
+}
+
+/// Means and the worst of `ticks` of `tick` [s], by the events in each.
+fn figures(whole: f64, ticks: &[f64], work: &[Work], tick: f64) -> Times {
+    let most = work.iter().map(|work| work.events).max().unwrap_or(0);
+    let of = |events: u32| {
+        let times = ticks.iter().zip(work).filter(|(_, work)| work.events == events);
+        let (sum, n) = times.fold((0.0, 0_u32), |(sum, n), (time, _)| (sum + time, n + 1));
+        (n > 0).then(|| sum / f64::from(n))
+    };
+    Times {
+        per_ms: whole / (ticks.len() as f64 * tick * 1e3),
+        worst_tick: ticks.iter().copied().fold(0.0, f64::max),
+        without_event: of(0),
+        with_one_event: of(1),
+        with_most_events: of(most).filter(|_| most > 0),
+        most_events: most,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_told_apart_by_their_events() {
+        let work = [0, 1, 0, 3, 1].map(|events| Work { events, ..Work::default() });
+        let times = figures(1000.0, &[10.0, 50.0, 20.0, 400.0, 70.0], &work, 2e-3);
+        assert!((times.per_ms - 100.0).abs() < 1e-12);
+        assert!((times.worst_tick - 400.0).abs() < 1e-12);
+        assert_eq!(times.without_event, Some(15.0));
+        assert_eq!(times.with_one_event, Some(60.0));
+        assert_eq!((times.with_most_events, times.most_events), (Some(400.0), 3));
+    }
+
+    #[test]
+    fn a_run_without_events_has_no_time_for_them() {
+        let times = figures(10.0, &[10.0], &[Work::default()], 1e-3);
+        assert_eq!((times.with_one_event, times.with_most_events), (None, None));
+    }
+}

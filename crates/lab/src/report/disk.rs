@@ -1,0 +1,32 @@
+//! Files that are complete or not there.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A file or folder that could not be written.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot write {}: {cause}", path.display())]
+pub struct DiskError {
+    /// Which.
+    pub path: PathBuf,
+    /// What the system said.
+    pub cause: io::Error,
+}
+
+/// Creates `folder`, and looks whether a file can be created in it.
+pub(super) fn prepare(folder: &Path) -> Result<(), DiskError> {
+    let fail = |cause| DiskError { path: folder.to_owned(), cause };
+    fs::create_dir_all(folder).map_err(fail)?;
+    let probe = folder.join(".letoff-lab");
+    fs::write(&probe, "").and_then(|()| fs::remove_file(&probe)).map_err(fail)
+}
+
+/// Writes `text` to a file beside `path`, which then takes its place.
+pub(super) fn write(path: &Path, text: &str) -> Result<(), DiskError> {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(".part");
+    let part = path.with_file_name(name);
+    let written = fs::write(&part, text).and_then(|()| fs::rename(&part, path));
+    written.map_err(|cause| DiskError { path: path.to_owned(), cause })
+}

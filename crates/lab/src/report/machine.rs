@@ -1,0 +1,42 @@
+//! Where a study was measured.
+
+use std::fs;
+
+use serde::Serialize;
+
+/// What a reader must know of the machine and the program.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+pub struct Machine {
+    /// The processor's name.
+    pub processor: String,
+    /// How many of them.
+    pub processors: usize,
+    /// Operating system and architecture.
+    pub system: String,
+    /// The program's version, and whether it was optimised.
+    pub program: String,
+}
+
+impl Machine {
+    /// This one.
+    pub fn this() -> Self {
+        let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let build = if cfg!(debug_assertions) { "not optimised for release" } else { "release" };
+        Self {
+            processor: processor().unwrap_or_else(|| "a processor without a name".to_owned()),
+            processors: cores,
+            system: format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH),
+            program: format!("letoff {}, {build}", env!("CARGO_PKG_VERSION")),
+        }
+    }
+}
+
+/// The processor's name, where the system tells it.
+fn processor() -> Option<String> {
+    let info = fs::read_to_string("/proc/cpuinfo").ok()?;
+    let named = |key: &str| {
+        let line = info.lines().find(|line| line.starts_with(key))?;
+        Some(line.split_once(':')?.1.trim().to_owned())
+    };
+    named("model name").or_else(|| named("Model"))
+}

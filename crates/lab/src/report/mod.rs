@@ -1,0 +1,114 @@
+//! What was measured, as CSV, SVG and one HTML page.
+//!
+//! A report is written anew after each scenario: who stops a study halfway keeps what it has
+//! measured. Each file is written beside its place and then moved there, so that none is ever
+//! half of one.
+
+mod date;
+mod disk;
+mod machine;
+mod page;
+mod peers;
+mod plot;
+mod summary;
+mod table;
+mod text;
+
+use std::path::Path;
+use std::time::SystemTime;
+
+pub use disk::DiskError;
+pub use machine::Machine;
+pub use peers::{BadPeers, Peer, read as read_peers};
+pub use summary::Summary;
+
+use crate::accuracy::Measured;
+
+/// The page's file.
+pub const PAGE: &str = "index.html";
+/// The table's file.
+pub const TABLE: &str = "accuracy.csv";
+
+/// A study, as far as it has come.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Where it was measured.
+    pub machine: Machine,
+    /// When it was begun.
+    pub date: SystemTime,
+    /// The scenarios that are done.
+    pub measured: Vec<Measured>,
+    /// What other codes did on some of the same problems.
+    pub peers: Vec<Peer>,
+}
+
+/// A report that could not be made.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// A file could not be written.
+    #[error(transparent)]
+    Disk(#[from] DiskError),
+    /// A plot could not be drawn.
+    #[error("the plot of {scenario} cannot be drawn: {cause}")]
+    Plot {
+        /// Of which scenario.
+        scenario: &'static str,
+        /// What the drawing library said.
+        cause: String,
+    },
+    /// The table could not be put together.
+    #[error("the table cannot be put together: {0}")]
+    Table(#[from] csv::Error),
+}
+
+/// Creates `folder` and looks whether files can be created there.
+///
+/// # Errors
+/// When they cannot.
+pub fn prepare(folder: &Path) -> Result<(), DiskError> {
+    disk::prepare(folder)
+}
+
+impl Report {
+    /// Writes the table, a plot for each scenario, and the page into `folder`.
+    ///
+    /// # Errors
+    /// When a file cannot be written; those that could are complete.
+    pub fn write(&self, folder: &Path) -> Result<(), ReportError> {
+        disk::write(&folder.join(TABLE), &table::csv(&self.measured)?)?;
+        let mut pages = Vec::new();
+        for measured in &self.measured {
+            let plots = self.plots(measured).map_err(|cause| ReportError::Plot {
+                scenario: measured.entry.name,
+                cause: cause.to_string(),
+            })?;
+            for (name, svg) in &plots {
+                disk::write(&folder.join(name), svg)?;
+            }
+            pages.push(plots.into_iter().map(|(_, svg)| svg).collect());
+        }
+        Ok(disk::write(&folder.join(PAGE), &page::html(self, &pages))?)
+    }
+
+    /// The plots of a scenario with their files' names: ours, and other codes' if there are any.
+    fn plots(&self, measured: &Measured) -> Result<Vec<(String, String)>, plot::Failure> {
+        let name = measured.entry.name;
+        let mut plots = vec![(format!("{name}.svg"), plot::methods(measured)?)];
+        let peers = self.peers_on(name);
+        if !peers.is_empty() {
+            plots.push((format!("{name}-peers.svg"), plot::peers(measured, &peers)?));
+        }
+        Ok(plots)
+    }
+
+    /// The main figures, for a program to read.
+    pub fn summary(&self) -> Summary<'_> {
+        Summary::new(self)
+    }
+
+    /// The other codes' rows on `problem`.
+    fn peers_on(&self, problem: &str) -> Vec<&Peer> {
+        self.peers.iter().filter(|peer| peer.problem == problem).collect()
+    }
+}

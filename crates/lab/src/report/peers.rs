@@ -1,0 +1,145 @@
+//! What other codes did on some of the same problems, as `benches/peers` wrote it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::text;
+
+/// One run of one code.
+#[derive(Clone, PartialEq, Debug, Deserialize, Serialize)]
+pub struct Peer {
+    /// The scenario of the same name.
+    pub problem: String,
+    /// Whose code.
+    pub code: String,
+    /// Its version.
+    pub version: String,
+    /// Its method.
+    pub method: String,
+    /// How it was set: its default, or what its documentation advises.
+    pub setting: String,
+    /// Tolerance, or step [s].
+    pub tolerance_or_step: Option<f64>,
+    /// Events that it found.
+    pub events: Option<u64>,
+    /// Whether they were the right ones.
+    pub sequence_ok: bool,
+    /// Largest error of an event's time [s].
+    pub event_error_s: Option<f64>,
+    /// Largest error of the state away from events; each entry over its largest magnitude.
+    pub state_error: Option<f64>,
+    /// Evaluations of the right-hand side, in the whole run.
+    pub rhs: Option<f64>,
+    /// Least time per simulated ms [ns].
+    pub ns_per_ms_min: Option<f64>,
+    /// Median time per simulated ms [ns].
+    pub ns_per_ms_median: Option<f64>,
+    /// What a reader must know.
+    #[serde(default)]
+    pub note: Option<String>,
+    /// What went wrong, where the events were not the right ones.
+    #[serde(default)]
+    pub failure: Option<String>,
+}
+
+impl Peer {
+    /// Code, method and setting: what makes a curve.
+    pub(super) fn curve(&self) -> String {
+        format!("{} {} ({})", self.code, self.method, self.setting)
+    }
+
+    /// Whose code this is.
+    pub(super) fn author(&self) -> Author {
+        match self.code.as_str() {
+            "pode" => Author::Ours,
+            "handwritten" => Author::ByHand,
+            _ => Author::Others,
+        }
+    }
+
+    /// Tolerance or step, with the digits that matter.
+    pub(super) fn knob(&self) -> String {
+        self.tolerance_or_step.map(text::exponent).unwrap_or_default()
+    }
+}
+
+/// Whose code was run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Author {
+    /// `pode`, in the same run as the others.
+    Ours,
+    /// Written for this one problem.
+    ByHand,
+    /// Other people's libraries.
+    Others,
+}
+
+/// A file of other codes' results that cannot be used.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error("{}: {what}; give the results.json that benches/peers writes", path.display())]
+pub struct BadPeers {
+    /// The file.
+    pub path: PathBuf,
+    /// What is wrong with it.
+    pub what: String,
+}
+
+/// Reads the rows of a file: a list, or an object with a list called `rows`.
+///
+/// # Errors
+/// When the file cannot be read, or a row is not one of these.
+pub fn read(path: &Path) -> Result<Vec<Peer>, BadPeers> {
+    let bad = |what: String| BadPeers { path: path.to_owned(), what };
+    let text = fs::read_to_string(path).map_err(|cause| bad(cause.to_string()))?;
+    rows(&text).map_err(bad)
+}
+
+fn rows(text: &str) -> Result<Vec<Peer>, String> {
+    let value: Value = serde_json::from_str(text).map_err(|cause| format!("no JSON: {cause}"))?;
+    let listed = if let Value::Object(mut fields) = value {
+        fields.remove("rows").unwrap_or_default()
+    } else {
+        value
+    };
+    let Value::Array(rows) = listed else {
+        return Err("there is no list of rows".to_owned());
+    };
+    let row = |(index, row)| {
+        serde_json::from_value(row).map_err(|cause| format!("row {}: {cause}", index + 1))
+    };
+    rows.into_iter().enumerate().map(row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ROW: &str = r#"{"problem": "ball", "code": "diffsol", "version": "0.16", "method":
+        "tsit45", "setting": "default", "tolerance_or_step": 1e-6, "events": 10, "sequence_ok":
+        true, "event_error_s": 1e-9, "state_error": null, "rhs": 100, "ns_per_ms_min": 4.7,
+        "ns_per_ms_median": 5.0, "note": ""}"#;
+
+    #[test]
+    fn rows_stand_in_a_list_or_under_their_name() {
+        for text in [format!("[{ROW}]"), format!("{{\"machine\": 1, \"rows\": [{ROW}, {ROW}]}}")] {
+            let rows = rows(&text).unwrap();
+            assert_eq!((rows[0].code.as_str(), rows[0].state_error), ("diffsol", None));
+            assert_eq!(rows[0].rhs, Some(100.0));
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_is_said_with_its_row() {
+        let without_code = ROW.replace("\"code\"", "\"kode\"");
+        let said = |text: &str| rows(text).unwrap_err();
+        assert!(
+            said(&format!("[{ROW}, {without_code}]")).starts_with("row 2: missing field `code`")
+        );
+        assert_eq!(said("{\"row\": []}"), "there is no list of rows");
+        assert_eq!(said("7"), "there is no list of rows");
+        assert!(said("[").starts_with("no JSON: EOF"));
+    }
+}

@@ -1,0 +1,121 @@
+//! The main figures: who is cheapest at an error, and who fails.
+
+use serde::Serialize;
+
+use super::peers::Author;
+use super::{Machine, Report, date, text};
+use crate::accuracy::{Kind, Measured, Row, Sequence};
+
+/// Errors of event times [s] at which speed is compared.
+pub(super) const TARGETS: [f64; 3] = [1e-6, 1e-9, 1e-12];
+
+/// The main figures of a report.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary<'a> {
+    machine: &'a Machine,
+    date: String,
+    scenarios: Vec<Scenario>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Scenario {
+    name: &'static str,
+    runs: usize,
+    /// Runs whose sequence of events was wrong, or that did not end.
+    failures: usize,
+    /// The cheapest of ours in ticks, as at a deadline, for each target that one meets.
+    in_ticks: Vec<Cheapest>,
+    /// The same of those that choose their steps.
+    offline: Vec<Cheapest>,
+    /// The same of all that were run side by side: ours, other people's, written by hand.
+    side_by_side: [Vec<Cheapest>; 3],
+}
+
+/// The cheapest run with an event-time error below a target.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub(super) struct Cheapest {
+    /// Largest error allowed [s].
+    pub(super) target_s: f64,
+    /// Whose run.
+    pub(super) who: String,
+    /// With which step or tolerance.
+    pub(super) setting: String,
+    /// Its error [s].
+    pub(super) event_error_s: f64,
+    /// What it costs.
+    pub(super) ns_per_ms: f64,
+}
+
+impl<'a> Summary<'a> {
+    pub(super) fn new(report: &'a Report) -> Self {
+        let scenario = |measured: &Measured| Scenario {
+            name: measured.entry.name,
+            runs: measured.rows.len(),
+            failures: failures(measured),
+            in_ticks: TARGETS.into_iter().filter_map(|it| in_ticks(measured, it)).collect(),
+            offline: TARGETS.into_iter().filter_map(|it| offline(measured, it)).collect(),
+            side_by_side: [Author::Ours, Author::Others, Author::ByHand].map(|author| {
+                TARGETS.into_iter().filter_map(|it| peer(report, measured, author, it)).collect()
+            }),
+        };
+        Self {
+            machine: &report.machine,
+            date: date::utc(report.date),
+            scenarios: report.measured.iter().map(scenario).collect(),
+        }
+    }
+}
+
+/// Runs that have no error to speak of.
+pub(super) fn failures(measured: &Measured) -> usize {
+    let wrong = |row: &&Row| row.verdict.sequence != Sequence::Right;
+    measured.rows.iter().filter(wrong).count()
+}
+
+/// Our cheapest run in ticks with an event-time error of at most `target` [s].
+pub(super) fn in_ticks(measured: &Measured, target: f64) -> Option<Cheapest> {
+    ours(measured, target, |kind| kind != Kind::Controlled)
+}
+
+/// Our cheapest run with steps by a tolerance and an event-time error of at most `target` [s].
+pub(super) fn offline(measured: &Measured, target: f64) -> Option<Cheapest> {
+    ours(measured, target, |kind| kind == Kind::Controlled)
+}
+
+fn ours(measured: &Measured, target: f64, is_of: impl Fn(Kind) -> bool) -> Option<Cheapest> {
+    let run = |row: &Row| {
+        Some(Cheapest {
+            target_s: target,
+            who: row.method.name.to_owned(),
+            setting: text::setting(row),
+            event_error_s: row.verdict.event_error?,
+            ns_per_ms: row.times.per_ms,
+        })
+    };
+    cheapest(measured.rows.iter().filter(|row| is_of(row.method.kind)).filter_map(run))
+}
+
+/// The cheapest of what was run side by side, by whose code it is.
+pub(super) fn peer(
+    report: &Report,
+    measured: &Measured,
+    author: Author,
+    target: f64,
+) -> Option<Cheapest> {
+    let rows = report.peers_on(measured.entry.name);
+    let rows = rows.into_iter().filter(|peer| peer.sequence_ok && peer.author() == author);
+    cheapest(rows.filter_map(|peer| {
+        Some(Cheapest {
+            target_s: target,
+            who: peer.curve(),
+            setting: peer.knob(),
+            event_error_s: peer.event_error_s?,
+            ns_per_ms: peer.ns_per_ms_min?,
+        })
+    }))
+}
+
+fn cheapest(runs: impl Iterator<Item = Cheapest>) -> Option<Cheapest> {
+    let good = runs.filter(|run| run.event_error_s <= run.target_s);
+    good.min_by(|a, b| a.ns_per_ms.total_cmp(&b.ns_per_ms))
+}

@@ -1,0 +1,72 @@
+//! Numbers and times in sentences and tables.
+
+use crate::accuracy::{Kind, Row};
+
+/// A positive number with two digits, as short as can be; the unit comes from the column.
+pub(super) fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    match value.abs() {
+        0.01..0.1 => format!("{value:.3}"),
+        0.1..10.0 => format!("{value:.2}"),
+        10.0..100.0 => format!("{value:.1}"),
+        100.0..100_000.0 => format!("{value:.0}"),
+        _ => format!("{value:.1e}"),
+    }
+}
+
+/// An error: always with its power of ten, so that columns can be compared at a glance.
+pub(super) fn error(value: f64) -> String {
+    format!("{value:.1e}")
+}
+
+/// A number with its power of ten, as `1e-9`, with one decimal where it is no power itself.
+pub(super) fn exponent(value: f64) -> String {
+    let text = format!("{value:.1e}");
+    text.replacen(".0e", "e", 1)
+}
+
+/// A length of time [s] in the unit that suits it.
+pub(super) fn duration(seconds: f64) -> String {
+    let (value, unit) = match seconds {
+        ..1e-9 => (seconds * 1e12, "ps"),
+        1e-9..1e-6 => (seconds * 1e9, "ns"),
+        1e-6..1e-3 => (seconds * 1e6, "µs"),
+        1e-3..1.0 => (seconds * 1e3, "ms"),
+        _ => (seconds, "s"),
+    };
+    // What the multiplication rounded is no digit of the number.
+    let text = format!("{value:.3}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    format!("{text} {unit}")
+}
+
+/// What makes one run of a series another than the next: step, tolerance or budget.
+pub(super) fn setting(row: &Row) -> String {
+    let tolerance = row.setting.tolerance.unwrap_or(0.0);
+    match row.method.kind {
+        Kind::Fixed | Kind::Played => duration(row.setting.tick),
+        Kind::Controlled => format!("tolerance {tolerance:e}"),
+        Kind::Budgeted => format!("budget {tolerance:e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_as_short_as_can_be() {
+        let found = [0.0, 0.012_34, 1.234, 23.45, 456.7, 1.2e6, 3e-5].map(short);
+        assert_eq!(found, ["0", "0.012", "1.23", "23.4", "457", "1.2e6", "3.0e-5"]);
+        assert_eq!(error(3.21e-9), "3.2e-9");
+        assert_eq!([1e-9, 3.162_277_660_168e-12].map(exponent), ["1e-9", "3.2e-12"]);
+    }
+
+    #[test]
+    fn durations_have_their_unit() {
+        let found = [5e-3, 2.5e-4, 1e-6, 3.0, 1e-9, 1e-12].map(duration);
+        assert_eq!(found, ["5 ms", "250 µs", "1 µs", "3 s", "1 ns", "1 ps"]);
+    }
+}

@@ -1,0 +1,139 @@
+//! A ball dropped from 1 m, v⁺ = −e v⁻: a Zeno sequence in closed form.
+//!
+//! t1 = √(2/g), t_n = t1 (1 + 2e(1 − eⁿ⁻¹)/(1 − e)), all over at t1 (1 + e)/(1 − e).
+
+use models::bouncing_ball::{BouncingBall, Mode};
+use pode::Motion;
+
+use super::{Expected, Felt, MS, Plan, Reference, Scenario};
+use crate::accuracy::Study;
+
+const G: f64 = 9.81;
+const HEIGHT: f64 = 1.0;
+const MASS: f64 = 1.0;
+
+/// A drop with restitution `e`, run until `until` [s].
+#[derive(Clone, Copy, Debug)]
+struct Drop {
+    e: f64,
+    until: f64,
+}
+
+/// The drop with its answer.
+#[derive(Debug)]
+struct Bounces {
+    drop: Drop,
+    reference: Reference<BouncingBall>,
+}
+
+/// As long as the other codes are measured on it: ten impacts.
+pub(super) fn ten_impacts() -> Box<dyn Study> {
+    Drop { e: 0.8, until: 3.6 }.answered(10, None)
+}
+
+/// Rests from 4.06 s on; the first ten impacts are judged, and when it rests.
+pub(super) fn rest_08() -> Box<dyn Study> {
+    let drop = Drop { e: 0.8, until: 5.0 };
+    drop.answered(10, Some(drop.rests()))
+}
+
+/// Rests from 1.35 s on; after the eighth impact more than six are in one tick of 5 ms.
+pub(super) fn rest_05() -> Box<dyn Study> {
+    let drop = Drop { e: 0.5, until: 2.0 };
+    drop.answered(8, Some(drop.rests()))
+}
+
+impl Drop {
+    /// Time of impact `n`, from 1 [s].
+    fn impact(self, n: i32) -> f64 {
+        let e = self.e;
+        (2.0 * HEIGHT / G).sqrt() * (1.0 + 2.0 * e * (1.0 - e.powi(n - 1)) / (1.0 - e))
+    }
+
+    /// When all impacts are over [s].
+    fn rests(self) -> f64 {
+        (2.0 * HEIGHT / G).sqrt() * (1.0 + self.e) / (1.0 - self.e)
+    }
+
+    /// Height and speed at `t` [s], and the floor's impulse until then [N·s].
+    fn state(self, t: f64) -> ([f64; 2], f64) {
+        let n = (1..MOST).take_while(|n| self.impact(*n) <= t).count();
+        let n = i32::try_from(n).unwrap_or(MOST);
+        let state = if t >= self.rests() {
+            [0.0, 0.0]
+        } else if n == 0 {
+            [HEIGHT - 0.5 * G * t * t, -G * t]
+        } else {
+            let since = t - self.impact(n);
+            let speed = (2.0 * G * HEIGHT).sqrt() * self.e.powi(n);
+            [since * (speed - 0.5 * G * since), speed - G * since]
+        };
+        // All momentum that weight does not explain.
+        (state, MASS * (state[1] + G * t))
+    }
+
+    /// The scenario, judged on its first impacts, as many as `judged`, and on the time `rests`
+    /// [s], if it comes so far; otherwise there are no other impacts.
+    fn answered(self, judged: i32, rests: Option<f64>) -> Box<dyn Study> {
+        let event = |t| Expected { t, guard: "floor".to_owned(), to: Mode::Flight };
+        let events = (1..=judged).map(|n| event(self.impact(n))).collect();
+        let mut times: Vec<f64> = (1..MOST).map(|n| self.impact(n)).collect();
+        times.push(self.rests());
+        let span = (10.0 * MS, self.until);
+        let samples =
+            Reference::<BouncingBall>::samples(span, 5.0 * MS, &times, |t| Some(self.state(t)));
+        let rest = rests.map(|t| (t, Mode::Rest));
+        let reference = Reference { events, is_whole: rest.is_none(), rest, samples };
+        Box::new(Bounces { drop: self, reference })
+    }
+}
+
+/// Impacts that are told apart: e⁹⁹ is 2e-10.
+const MOST: i32 = 100;
+
+impl Scenario for Bounces {
+    type Model = BouncingBall;
+
+    fn plan(&self) -> Plan {
+        let (ticks, offline_tick) = (super::TICKS, 100.0 * MS);
+        Plan { until: self.drop.until, ticks, offline_tick, felt: Felt::Impulse }
+    }
+
+    fn start(&self) -> (BouncingBall, Mode, [f64; 2]) {
+        let e = self.drop.e;
+        let ball = BouncingBall { g: G, restitution: e, mass: MASS, y0: HEIGHT, scale: 1.0 };
+        (ball, Mode::Flight, [HEIGHT, 0.0])
+    }
+
+    fn input(&self, _t: f64) -> Motion {
+        Motion::default()
+    }
+
+    fn reference(&self) -> &Reference<BouncingBall> {
+        &self.reference
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn impacts_are_at_the_times_of_40_digit_arithmetic() {
+        let lively = Drop { e: 0.8, until: 5.0 };
+        let known = [(1, 0.451_523_640_985_730_9), (2, 1.173_961_466_562_900_4)];
+        for (n, t) in known.into_iter().chain([(10, 3.578_892_951_020_438)]) {
+            assert!((lively.impact(n) - t).abs() < 1e-15, "impact {n}");
+        }
+        assert!((lively.rests() - 4.063_712_768_871_578).abs() < 1e-15);
+        let dull = Drop { e: 0.5, until: 2.0 };
+        assert!((dull.rests() - 1.354_570_922_957_192_7).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_ball_at_rest_has_passed_on_its_whole_momentum() {
+        let (state, impulse) = Drop { e: 0.5, until: 2.0 }.state(1.5);
+        assert!(state.iter().all(|entry| entry.abs() < 1e-300), "{state:?}");
+        assert!((impulse - MASS * G * 1.5).abs() < 1e-15);
+    }
+}

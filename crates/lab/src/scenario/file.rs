@@ -1,0 +1,153 @@
+//! Reads the references that other programs have made: a JSON and a CSV file each.
+
+use models::Described;
+use serde::Deserialize;
+use serde_json::{Map, Value};
+
+use super::{Expected, Sample};
+
+/// Samples are at least this far from every event [s].
+const AWAY: f64 = 0.005;
+
+/// A reference, as text.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct File {
+    pub(super) name: &'static str,
+    pub(super) json: &'static str,
+    pub(super) csv: &'static str,
+}
+
+/// The reference `$name` in `$folder`, which is part of the program.
+macro_rules! file {
+    ($folder:literal, $name:literal) => {
+        $crate::scenario::file::File {
+            name: $name,
+            json: include_str!(concat!($folder, $name, ".json")),
+            csv: include_str!(concat!($folder, $name, ".csv")),
+        }
+    };
+}
+pub(super) use file;
+
+/// A reference that cannot be read.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error("the reference {name} cannot be read: {what}")]
+pub struct BadFile {
+    name: &'static str,
+    what: String,
+}
+
+impl File {
+    pub(super) fn wrong(&self, what: impl std::fmt::Display) -> BadFile {
+        BadFile { name: self.name, what: what.to_string() }
+    }
+}
+
+/// What the JSON says.
+#[derive(Debug, Deserialize)]
+pub(super) struct Case {
+    parameters: Map<String, Value>,
+    input: Input,
+    t_end: Value,
+    events: Vec<Event>,
+}
+
+#[derive(Debug, Deserialize)]
+struct Input {
+    #[serde(rename = "A_tc_w")]
+    terms: Vec<[Value; 3]>,
+}
+
+#[derive(Debug, Deserialize)]
+struct Event {
+    t: Value,
+    guard: String,
+    to: String,
+}
+
+/// Numbers stand as numbers, or as text where they have more digits.
+fn number(value: &Value) -> Option<f64> {
+    value.as_f64().or_else(|| value.as_str()?.parse().ok())
+}
+
+impl Case {
+    pub(super) fn read(file: &File) -> Result<Self, BadFile> {
+        serde_json::from_str(file.json).map_err(|error| file.wrong(error))
+    }
+
+    /// The model with the case's parameters, and its first preset's for the others.
+    pub(super) fn model<M: Described>(&self) -> M {
+        let value = |index: usize, name: &str| {
+            let given = self.parameters.get(name).and_then(number);
+            given.unwrap_or_else(|| (M::PRESETS[0].value)(index, 0))
+        };
+        let parameters = M::PARAMETERS.iter().enumerate();
+        let values: Vec<f64> =
+            parameters.map(|(index, parameter)| value(index, parameter.name)).collect();
+        M::with_values(&values)
+    }
+
+    /// Size, time and width of each term of the input.
+    pub(super) fn input_terms(&self, file: &File) -> Result<Vec<[f64; 3]>, BadFile> {
+        let term = |[a, tc, w]: &[Value; 3]| Some([number(a)?, number(tc)?, number(w)?]);
+        let terms: Option<_> = self.input.terms.iter().map(term).collect();
+        terms.ok_or_else(|| file.wrong("a term of the input is no number"))
+    }
+
+    /// End [s].
+    pub(super) fn until(&self, file: &File) -> Result<f64, BadFile> {
+        number(&self.t_end).ok_or_else(|| file.wrong("t_end is no number"))
+    }
+
+    pub(super) fn events<M: Described>(&self, file: &File) -> Result<Vec<Expected<M>>, BadFile> {
+        let event = |event: &Event| {
+            let t = number(&event.t).ok_or_else(|| file.wrong("an event without a time"))?;
+            Ok(Expected { t, guard: event.guard.clone(), to: mode::<M>(file, &event.to)? })
+        };
+        self.events.iter().map(event).collect()
+    }
+
+    /// The rows of the trajectory that are away from the events.
+    pub(super) fn samples<M: Described>(
+        &self,
+        file: &File,
+        readout: &str,
+    ) -> Result<Vec<Sample<M::State>>, BadFile> {
+        let events: Vec<f64> = self.events.iter().filter_map(|event| number(&event.t)).collect();
+        let rows = Rows::<M>::read(file, readout)?;
+        let is_away = |t: f64| t > 0.0 && events.iter().all(|event| (event - t).abs() > AWAY);
+        Ok(rows.0.into_iter().filter(|sample| is_away(sample.t)).collect())
+    }
+}
+
+fn mode<M: Described>(file: &File, name: &str) -> Result<M::Mode, BadFile> {
+    let known = M::MODES.iter().find(|(_, known)| *known == name);
+    known.map(|(mode, _)| *mode).ok_or_else(|| file.wrong(format_args!("no mode {name}")))
+}
+
+/// The trajectory.
+struct Rows<M: Described>(Vec<Sample<M::State>>);
+
+impl<M: Described> Rows<M> {
+    fn read(file: &File, readout: &str) -> Result<Self, BadFile> {
+        let mut lines = file.csv.lines();
+        let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
+        let column = |name: &str| {
+            let index = header.iter().position(|known| *known == name);
+            index.ok_or_else(|| file.wrong(format_args!("no column {name}")))
+        };
+        let states = M::STATES.iter().map(|name| column(name)).collect::<Result<Vec<_>, _>>()?;
+        let (t, force) = (column("t")?, column(readout)?);
+        let row = |line: &str| {
+            let fields: Vec<&str> = line.split(',').collect();
+            let number = |index: usize| fields.get(index)?.parse().ok();
+            let mut state = <M::State as pode::State>::ZERO;
+            for (entry, index) in state.as_mut().iter_mut().zip(&states) {
+                *entry = number(*index)?;
+            }
+            Some(Sample { t: number(t)?, state, force: number(force)? })
+        };
+        let rows: Option<Vec<_>> = lines.map(row).collect();
+        rows.map(Self).ok_or_else(|| file.wrong("a row is incomplete"))
+    }
+}

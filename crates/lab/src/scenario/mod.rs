@@ -1,0 +1,203 @@
+//! Problems with known answers: one file each.
+//!
+//! A scenario is a model, where it starts, its input as an exact function of time, and a
+//! [`Reference`]: the events and states that are right, in closed form or from independent
+//! programs that agree. Models that are no instruments live here, beside their answers.
+//!
+//! To add one, copy `pendulum.rs`, and name it in [`SCENARIOS`].
+
+mod ball;
+mod elliptic;
+mod felt;
+mod file;
+mod head;
+mod input;
+mod pendulum;
+mod reference;
+mod stroke;
+
+pub use file::BadFile;
+pub use reference::{Expected, Reference, Sample};
+
+use core::fmt::Debug;
+
+use pode::{Energetic, Model, Resets};
+
+use crate::accuracy::Study;
+
+/// Milliseconds [s].
+pub(crate) const MS: f64 = 1e-3;
+
+/// Steps [s] over which a stroke of a key is studied: all divide 5 ms.
+const TICKS: &[f64] = &[5.0 * MS, 2.5 * MS, 1.0 * MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS];
+
+/// A model that can be studied.
+pub trait Studied: Resets + Energetic + Copy + PartialEq + Debug {}
+
+impl<M: Resets + Energetic + Copy + PartialEq + Debug> Studied for M {}
+
+/// The input of a scenario's model.
+pub type InputOf<S> = <<S as Scenario>::Model as Model>::Input;
+/// A mode of a scenario's model.
+pub type ModeOf<S> = <<S as Scenario>::Model as Model>::Mode;
+/// A state of a scenario's model.
+pub type StateOf<S> = <<S as Scenario>::Model as Model>::State;
+
+/// A problem whose answer is known.
+pub trait Scenario {
+    /// What moves.
+    type Model: Studied;
+
+    /// What is studied, and how.
+    fn plan(&self) -> Plan;
+
+    /// The model, and mode and state at t = 0.
+    fn start(&self) -> (Self::Model, ModeOf<Self>, StateOf<Self>);
+
+    /// The input at `t` [s], exactly.
+    fn input(&self, t: f64) -> InputOf<Self>;
+
+    /// What is right.
+    fn reference(&self) -> &Reference<Self::Model>;
+}
+
+/// How long a scenario lasts, over which steps it is studied, and what is felt.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Plan {
+    /// End [s].
+    pub until: f64,
+    /// Ticks to run it with [s], the longest first; each divides the time between samples.
+    pub ticks: &'static [f64],
+    /// Tick [s] for methods that choose their steps themselves.
+    pub offline_tick: f64,
+    /// Which figure of the force is compared.
+    pub felt: Felt,
+}
+
+/// What a sample's force is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Felt {
+    /// The readout at that time.
+    Readout,
+    /// The readout's integral since the start, impulses included, for contacts that are
+    /// shorter than a tick.
+    Impulse,
+}
+
+/// A scenario by its name.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Its name on the command line, and of its plot.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub title: &'static str,
+    /// Where its reference comes from, in one sentence.
+    pub source: &'static str,
+    build: Build,
+}
+
+/// How a scenario is built.
+#[derive(Clone, Copy, Debug)]
+enum Build {
+    /// From a closed form.
+    Closed(fn() -> Box<dyn Study>),
+    /// From a reference that is part of the program.
+    Read(fn() -> Result<Box<dyn Study>, BadFile>),
+}
+
+impl Entry {
+    /// Builds the scenario.
+    ///
+    /// # Errors
+    /// When its reference cannot be read.
+    pub(crate) fn build(&self) -> Result<Box<dyn Study>, BadFile> {
+        match self.build {
+            Build::Closed(build) => Ok(build()),
+            Build::Read(build) => build(),
+        }
+    }
+}
+
+const fn closed(name: &'static str, title: &'static str, build: fn() -> Box<dyn Study>) -> Entry {
+    Entry { name, title, source: "Reference: closed form.", build: Build::Closed(build) }
+}
+
+const fn read(
+    name: &'static str,
+    title: &'static str,
+    source: &'static str,
+    build: fn() -> Result<Box<dyn Study>, BadFile>,
+) -> Entry {
+    Entry { name, title, source, build: Build::Read(build) }
+}
+
+/// What is known of the files that were given with the models.
+const GIVEN: &str = "Reference: three independent integrators, agreeing to 1e-19 s or better.";
+/// What is known of the files of this crate.
+const MADE: &str =
+    "Reference: Taylor series in 240 bits and extrapolation in 113 bits, agreeing to 1e-23 s.";
+
+/// Every scenario.
+pub const SCENARIOS: &[Entry] = &[
+    closed("ball", "a ball with restitution 0.8, ten impacts", ball::ten_impacts),
+    closed("ball-rest-0.8", "the same until it rests: a Zeno sequence", ball::rest_08),
+    closed("ball-rest-0.5", "a ball with restitution 0.5 until it rests", ball::rest_05),
+    closed(
+        "pendulum",
+        "a pendulum against a wall at its lowest point: no Zeno sequence",
+        pendulum::build,
+    ),
+    closed("head-1e3", "a hammer head on a lossless spring of 1e3 N/m", head::build::<3>),
+    closed("head-1e5", "a hammer head on a lossless spring of 1e5 N/m", head::build::<5>),
+    closed(
+        "head-1e7",
+        "a hammer head on a lossless spring of 1e7 N/m: contacts of 0.1 ms",
+        head::build::<7>,
+    ),
+    closed("felt-1e5", "Hunt–Crossley felt of 1e5 N/m^1.5: one contact of 5.3 ms", felt::soft),
+    closed("felt-1e7", "Hunt–Crossley felt of 1e7 N/m^1.5: one contact of 0.85 ms", felt::hard),
+    read(
+        "two-throws",
+        "the paper's model A: rigid contact, two throws and catches",
+        GIVEN,
+        stroke::two_throws,
+    ),
+    read("figure-6", "the paper's model B: the stroke of figure 6", GIVEN, stroke::figure_6),
+    read("stiff-10", "figure 6 with springs ten times stiffer", GIVEN, stroke::stiff_10),
+    read("stiff-100", "figure 6 with springs a hundred times stiffer", MADE, stroke::stiff_100),
+    read(
+        "stiff-1e4",
+        "figure 6 with springs 1e4 times stiffer: the first 11 events, before chaos",
+        MADE,
+        stroke::stiff_10000,
+    ),
+    read(
+        "forte",
+        "model C, a reduced grand action: a forte with let-off, check and repetition",
+        GIVEN,
+        stroke::forte,
+    ),
+];
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn names_are_different_and_fit_for_files() {
+        let names: BTreeSet<_> = SCENARIOS.iter().map(|entry| entry.name).collect();
+        assert_eq!(names.len(), SCENARIOS.len());
+        let fits = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || "-.".contains(c);
+        assert!(names.iter().all(|name| name.chars().all(fits)), "{names:?}");
+    }
+
+    #[test]
+    fn every_scenario_can_be_built_and_its_ticks_meet_its_samples() {
+        for entry in SCENARIOS {
+            let study = entry.build().expect(entry.name);
+            assert_eq!(study.misfits(), None, "{}", entry.name);
+        }
+    }
+}

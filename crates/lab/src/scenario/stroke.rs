@@ -1,0 +1,124 @@
+//! Instruments under a stroke, against trajectories of independent programs.
+
+use models::Described;
+use models::key_hammer_rigid::KeyHammerRigid;
+use models::key_hammer_springs::KeyHammerSprings;
+use models::reduced_grand::ReducedGrand;
+use pode::Motion;
+
+use super::file::{BadFile, Case, File, file};
+use super::input::{Bells, Input, Presses};
+use super::{Felt, MS, ModeOf, Plan, Reference, Scenario, StateOf, Studied};
+use crate::accuracy::Study;
+
+/// A model under a stroke.
+#[derive(Debug)]
+struct Stroke<M: Described, I> {
+    model: M,
+    input: I,
+    until: f64,
+    pace: Pace,
+    reference: Reference<M>,
+}
+
+/// Over which ticks a stroke is studied.
+#[derive(Clone, Copy, Debug)]
+struct Pace {
+    ticks: &'static [f64],
+    /// For methods that choose their steps [s].
+    offline_tick: f64,
+}
+
+impl Pace {
+    const USUAL: Self = Self { ticks: super::TICKS, offline_tick: 100.0 * MS };
+}
+
+impl<M: Described + Studied, I: Input + 'static> Stroke<M, I> {
+    /// Reads the case in `file`, whose trajectory has the readout in `column`.
+    fn read(file: &File, column: &str, pace: Pace) -> Result<Box<dyn Study>, BadFile> {
+        let case = Case::read(file)?;
+        let input = I::of(&case.input_terms(file)?);
+        let reference = Reference {
+            events: case.events::<M>(file)?,
+            is_whole: true,
+            rest: None,
+            samples: case.samples::<M>(file, column)?,
+        };
+        Ok(Box::new(Self {
+            model: case.model(),
+            input: input.ok_or_else(|| file.wrong("another number of terms"))?,
+            until: case.until(file)?,
+            pace,
+            reference,
+        }))
+    }
+}
+
+impl<M: Described + Studied, I: Input> Scenario for Stroke<M, I> {
+    type Model = M;
+
+    fn plan(&self) -> Plan {
+        let Self { until, pace: Pace { ticks, offline_tick }, .. } = *self;
+        Plan { until, ticks, offline_tick, felt: Felt::Readout }
+    }
+
+    /// At rest under s = 0; what a mode slaves to the input, the first tick puts in place.
+    fn start(&self) -> (M, ModeOf<Self>, StateOf<Self>) {
+        let (mode, state) = self.model.at_rest(&Motion::default());
+        (self.model, mode, state)
+    }
+
+    #[inline]
+    fn input(&self, t: f64) -> Motion {
+        self.input.at(t)
+    }
+
+    fn reference(&self) -> &Reference<M> {
+        &self.reference
+    }
+}
+
+/// The trajectories' column of the readout of models A and B.
+const TORQUE: &str = "T_KU";
+
+/// Model A.
+pub(super) fn two_throws() -> Result<Box<dyn Study>, BadFile> {
+    let file = file!("../../../models/tests/reference/", "model-a-two-throws");
+    Stroke::<KeyHammerRigid, Bells<2>>::read(&file, TORQUE, Pace::USUAL)
+}
+
+/// Model B, as the paper has it.
+pub(super) fn figure_6() -> Result<Box<dyn Study>, BadFile> {
+    springs(&file!("../../../models/tests/reference/", "model-b-figure6"), Pace::USUAL)
+}
+
+/// Model B, 10 times stiffer.
+pub(super) fn stiff_10() -> Result<Box<dyn Study>, BadFile> {
+    springs(&file!("../../../models/tests/reference/", "model-b-stiff-10"), Pace::USUAL)
+}
+
+/// Model B, 100 times stiffer.
+pub(super) fn stiff_100() -> Result<Box<dyn Study>, BadFile> {
+    springs(&file!("../../references/", "model-b-stiff-100"), Pace::USUAL)
+}
+
+/// Model B, 1e4 times stiffer: 2600 rad/s.
+pub(super) fn stiff_10000() -> Result<Box<dyn Study>, BadFile> {
+    const TICKS: &[f64] =
+        &[5.0 * MS, MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.02 * MS, 0.01 * MS];
+    let pace = Pace { ticks: TICKS, offline_tick: 120.0 * MS };
+    springs(&file!("../../references/", "model-b-stiff-10000"), pace)
+}
+
+/// Model C: a forte, held and released.
+pub(super) fn forte() -> Result<Box<dyn Study>, BadFile> {
+    const TICKS: &[f64] =
+        &[5.0 * MS, MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS];
+    let file = file!("../../../models/tests/reference/", "model-c-forte");
+    let pace = Pace { ticks: TICKS, offline_tick: 50.0 * MS };
+    Stroke::<ReducedGrand, Presses<2>>::read(&file, "F_KU", pace)
+}
+
+fn springs(file: &File, pace: Pace) -> Result<Box<dyn Study>, BadFile> {
+    Stroke::<KeyHammerSprings, Bells<3>>::read(file, TORQUE, pace)
+}

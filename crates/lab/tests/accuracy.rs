@@ -1,0 +1,225 @@
+//! A short study, from the choice to the files.
+
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, UNIX_EPOCH};
+
+use lab::accuracy::{Choice, Effort, METHODS, Measured, Row, Sequence, measure};
+use lab::report::{self, Machine, Report, read_peers};
+use models::BouncingBall;
+use models::bouncing_ball::Mode;
+use pode::stepper::Rk4;
+use pode::{Limits, Motion, Silent, Simulator, Work};
+
+/// Every step, and no time for timing.
+const COUNTED: Effort = Effort { repeats: 1, budget: Duration::ZERO, is_quick: false };
+
+fn names(names: &[&str]) -> Vec<String> {
+    names.iter().map(|name| (*name).to_owned()).collect()
+}
+
+/// Runs `methods` on `scenarios`.
+fn study(scenarios: &[&str], methods: &[&str], effort: Effort) -> Vec<Measured> {
+    let choice = Choice::new(&names(scenarios), &names(methods), effort).expect("known names");
+    let mut runs = 0;
+    let mut measured = Vec::new();
+    for entry in &choice.scenarios {
+        measured.push(measure(entry, &choice, &mut |_row| runs += 1).expect("a reference"));
+    }
+    assert_eq!(runs, choice.count(), "each run is told of once");
+    measured
+}
+
+/// The run of `method` with ticks of `tick` [s].
+#[track_caller]
+fn run<'a>(measured: &'a Measured, method: &str, tick: f64) -> &'a Row {
+    let is_it = |row: &&Row| row.method.name == method && (row.setting.tick - tick).abs() < 1e-12;
+    measured.rows.iter().find(is_it).expect("the run")
+}
+
+#[test]
+fn errors_fall_with_the_order_of_the_method() {
+    /// A quarter of the step: four to the power of the order. The next term of the error is
+    /// below a tenth of the first at 1 ms, where ωh is 0.03.
+    const METHODS: [(&str, f64); 4] =
+        [("semi-implicit-euler", 1.0), ("heun", 2.0), ("bogacki-shampine", 3.0), ("rk4", 4.0)];
+    let measured = study(&["figure-6"], &METHODS.map(|(name, _)| name), COUNTED);
+    for (method, order) in METHODS {
+        let [coarse, fine] = [1e-3, 2.5e-4].map(|tick| &run(&measured[0], method, tick).verdict);
+        let check = |what: &str, coarse: Option<f64>, fine: Option<f64>| {
+            let observed = (coarse.expect("an error") / fine.expect("an error")).log2() / 2.0;
+            assert!((observed - order).abs() < 0.15, "{what} of {method}: order {observed:.2}");
+        };
+        check("event times", coarse.event_error, fine.event_error);
+        check("states", coarse.state_error, fine.state_error);
+        check("force", coarse.force_error, fine.force_error);
+    }
+}
+
+#[test]
+fn counts_are_those_that_pode_reports() {
+    let measured = study(&["ball"], &["rk4"], COUNTED);
+    let row = run(&measured[0], "rk4", 5e-3);
+    let ball = BouncingBall { g: 9.81, restitution: 0.8, mass: 1.0, y0: 1.0, scale: 1.0 };
+    let mut simulator = Simulator::new(ball, Rk4, Limits::default(), Mode::Flight, [1.0, 0.0]);
+    let still = |_: f64| Motion::default();
+    let ticks: Vec<Work> =
+        (0..720).map(|_| simulator.advance(5e-3, &still, &mut Silent).work).collect();
+    let sum = ticks.iter().fold(Work::default(), |sum, work| sum.plus(*work));
+    let worst = |count: fn(&Work) -> u32| ticks.iter().map(count).max().expect("ticks");
+    let counts = row.counts;
+    let is_per_ms = |found: f64, sum: u32| (found * 3600.0 - f64::from(sum)).abs() < 1e-6;
+    assert!(is_per_ms(counts.derivatives_per_ms, sum.derivatives), "{counts:?}, {sum:?}");
+    assert!(is_per_ms(counts.evaluations_per_ms, sum.derivatives), "{counts:?}, {sum:?}");
+    assert!(is_per_ms(counts.guards_per_ms, sum.guards), "{counts:?}, {sum:?}");
+    assert!(is_per_ms(counts.readouts_per_ms, sum.readouts), "{counts:?}, {sum:?}");
+    assert_eq!(counts.worst_derivatives, worst(|work| work.derivatives));
+    assert_eq!(counts.worst_guards, worst(|work| work.guards));
+    let steps = [counts.steps_certified, counts.steps_likely, counts.steps_unknown];
+    assert_eq!(steps, [sum.certified, sum.likely, sum.unknown].map(u64::from));
+    assert_eq!(row.verdict.events, 10);
+}
+
+#[test]
+fn the_step_that_is_studied_is_the_step_that_is_taken() {
+    let measured = study(&["head-1e3"], &["rk4", "as-played"], COUNTED);
+    let derivatives = |method| run(&measured[0], method, 1e-3).counts.derivatives_per_ms;
+    // 1000 ticks of one step of 4 derivatives, and one step more for each of some 15 events.
+    assert!((4.0..4.1).contains(&derivatives("rk4")), "{}", derivatives("rk4"));
+    // The model cuts its contacts, five of 10 ms, into steps of 0.05 rad at 316 rad/s.
+    assert!(derivatives("as-played") > 5.0, "{}", derivatives("as-played"));
+}
+
+#[test]
+fn every_method_finds_the_events_of_the_pendulum_with_a_fine_step() {
+    let measured = study(&["pendulum"], &[], COUNTED);
+    for method in METHODS {
+        let last = measured[0].rows.iter().rfind(|row| row.method.name == method.name);
+        let verdict = &last.expect("a run").verdict;
+        assert_eq!(verdict.sequence, Sequence::Right, "{}", method.name);
+        // At 50 µs a method of order 1 errs by some 1e-4 of 10 s.
+        assert!(verdict.event_error.expect("an error") < 1e-2, "{}: {verdict:?}", method.name);
+    }
+}
+
+#[test]
+fn a_wrong_sequence_is_marked_and_has_no_error() {
+    // 32 radians of the contact in a step of 1 ms.
+    let report = written("wrong", study(&["head-1e7"], &["heun"], COUNTED), Vec::new());
+    let row = run(&report.1.measured[0], "heun", 1e-3);
+    assert_ne!(row.verdict.sequence, Sequence::Right);
+    assert_eq!(row.verdict.event_error, None);
+    assert!(row.times.per_ms > 0.0, "it has a cost all the same");
+    let table = read(&report.0, "accuracy.csv");
+    let line = table.lines().find(|line| line.contains("heun,2,tick,0.001,")).expect("its row");
+    assert!(line.contains(",wrong,") || line.contains(",failed,"), "{line}");
+    assert!(read(&report.0, "index.html").contains("<td class=\"wrong\""));
+}
+
+#[test]
+fn a_quick_study_of_two_scenarios_writes_a_table_plots_and_a_page() {
+    let measured = study(&["pendulum", "figure-6"], &["heun", "rk4", "as-played"], Effort::QUICK);
+    let runs: usize = measured.iter().map(|it| it.rows.len()).sum();
+    assert_eq!(runs, 2 * 3 * 4, "every second of seven steps");
+    let (folder, _) = written("quick", measured, Vec::new());
+    assert_eq!(read(&folder, "accuracy.csv").lines().count(), runs + 1);
+    let page = read(&folder, "index.html");
+    for name in ["pendulum", "figure-6"] {
+        let svg = read(&folder, &format!("{name}.svg"));
+        balanced(&svg);
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "every place is a number");
+        assert!(svg.contains("as-played") && svg.contains("error of event times [s]"));
+        assert!(page.contains(&svg), "the page has the plot of {name}");
+    }
+    for word in ["How to read this", "1970-01-02 00:00 UTC", "a test's machine", "All 12 runs"] {
+        assert!(page.contains(word), "no {word:?}");
+    }
+    assert!(!page.contains("src=") && !page.contains("href="), "it needs no other file");
+    let files = fs::read_dir(&folder).expect("the folder").count();
+    assert_eq!(files, 4, "nothing half written is left");
+}
+
+#[test]
+fn other_codes_are_drawn_into_the_plot_of_the_same_problem() {
+    const ROWS: &str = r#"[
+        {"problem": "ball", "code": "made-up <b>", "version": "1", "method": "m", "setting": "s",
+         "tolerance_or_step": 1e-6, "events": 10, "sequence_ok": true, "event_error_s": 1e-7,
+         "state_error": 1e-6, "rhs": 700, "ns_per_ms_min": 40.0, "ns_per_ms_median": 50.0,
+         "note": "slow"},
+        {"problem": "ball", "code": "made-up <b>", "version": "1", "method": "m", "setting": "s",
+         "tolerance_or_step": 1e-3, "events": 9, "sequence_ok": false, "event_error_s": null,
+         "state_error": null, "rhs": null, "ns_per_ms_min": null, "ns_per_ms_median": null}]"#;
+    let file = folder("peers").join("results.json");
+    fs::write(&file, ROWS).expect("a file");
+    let peers = read_peers(&file).expect("rows");
+    let measured = study(&["ball", "ball-rest-0.5"], &["rk4"], Effort::QUICK);
+    let (folder, report) = written("peers", measured, peers);
+    let name = "made-up &lt;b&gt; m (s)";
+    let svg = read(&folder, "ball-peers.svg");
+    balanced(&svg);
+    assert!(svg.contains(name) && svg.contains("side by side"));
+    assert!(!folder.join("ball-rest-0.5-peers.svg").exists());
+    let page = read(&folder, "index.html");
+    assert!(page.contains(&svg), "the page has it too");
+    assert!(page.contains("All 2 runs of other codes") && page.contains("wrong events"));
+    assert!(!page.contains("made-up <b>"), "names are text");
+    let summary = serde_json::to_value(report.summary()).expect("JSON");
+    let cheapest = &summary["scenarios"][0]["side_by_side"][1];
+    assert_eq!(cheapest.as_array().map(Vec::len), Some(1), "only within 1e-6 s: {cheapest}");
+    assert_eq!(cheapest[0]["ns_per_ms"], 40.0);
+}
+
+#[test]
+fn what_cannot_be_written_is_said_with_its_place() {
+    let file = folder("no-folder").join("file");
+    fs::write(&file, "").expect("a file");
+    let said = report::prepare(&file.join("report")).expect_err("no folder").to_string();
+    assert!(said.starts_with("cannot write ") && said.contains("report"), "{said}");
+}
+
+/// Writes a report of `measured`; gives its folder.
+fn written(test: &str, measured: Vec<Measured>, peers: Vec<report::Peer>) -> (PathBuf, Report) {
+    let folder = folder(test).join("report");
+    report::prepare(&folder).expect("a folder");
+    let machine = Machine {
+        processor: "a test's machine".to_owned(),
+        processors: 1,
+        system: String::new(),
+        program: String::new(),
+    };
+    let date = UNIX_EPOCH + Duration::from_hours(24);
+    let report = Report { machine, date, measured, peers };
+    report.write(&folder).expect("files");
+    (folder, report)
+}
+
+/// An empty folder of a test's own.
+fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("lab").join(test);
+    // One of an earlier run may lie there.
+    let _none = fs::remove_dir_all(folder.join("report"));
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+fn read(folder: &Path, file: &str) -> String {
+    fs::read_to_string(folder.join(file)).expect("a file")
+}
+
+/// Asserts that every tag is closed.
+#[track_caller]
+fn balanced(svg: &str) {
+    let mut open = Vec::new();
+    for tag in svg.split('<').skip(1) {
+        let (tag, _) = tag.split_once('>').expect("a closed tag");
+        let name = tag.split_whitespace().next().expect("a name");
+        match name.strip_prefix('/') {
+            Some(name) => assert_eq!(open.pop(), Some(name)),
+            None if tag.ends_with('/') => {}
+            None => open.push(name),
+        }
+    }
+    assert!(open.is_empty() && svg.starts_with("<svg "), "{open:?}");
+}

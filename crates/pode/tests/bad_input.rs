@@ -1,0 +1,202 @@
+//! What broke the solver once, one test for each; found by `fuzz/` and by its twin.
+
+use pode::stepper::{Controlled, Dop853, Heun, Rk4};
+use pode::{
+    Advance, Bracket, Cap, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Piece,
+    Reset, Resets, Signal, Silent, Simulator, Stepper, Watch, locate,
+};
+
+/// x' = rate, with what a careless modeller may say of it.
+#[derive(Clone, Copy, Debug)]
+struct Careless {
+    rate: f64,
+    longest_step: f64,
+    /// Where the state is put at every look, if it is.
+    pinned: Option<f64>,
+    guards: &'static [GuardSpec],
+    guard: fn(f64) -> GuardValue,
+}
+
+const ONE: [GuardSpec; 1] = [GuardSpec::new(0, "g")];
+
+const SOUND: Careless = Careless {
+    rate: 1.0,
+    longest_step: f64::INFINITY,
+    pinned: None,
+    guards: &ONE,
+    guard: |_| GuardValue::new(1.0, 0.0),
+};
+
+impl Model for Careless {
+    type Mode = ();
+    type State = [f64; 1];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), _: &[f64; 1], (): &()) -> [f64; 1] {
+        [self.rate]
+    }
+
+    fn readout(&self, (): (), x: &[f64; 1], (): &()) -> f64 {
+        x[0]
+    }
+
+    fn longest_step(&self, (): ()) -> f64 {
+        self.longest_step
+    }
+
+    fn constrain(&self, (): (), x: &[f64; 1], (): &()) -> [f64; 1] {
+        [self.pinned.unwrap_or(x[0])]
+    }
+}
+
+impl Guarded for Careless {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        self.guards
+    }
+
+    fn curvature_bound(&self, (): (), _: GuardId) -> f64 {
+        1.0
+    }
+
+    fn guard(&self, (): (), _: GuardId, x: &[f64; 1], (): &()) -> GuardValue {
+        (self.guard)(x[0])
+    }
+}
+
+impl Resets for Careless {
+    fn reset(&self, (): (), _: GuardId, x: &[f64; 1], (): &()) -> Reset<Self> {
+        Reset::to((), *x)
+    }
+}
+
+fn start<T: Stepper>(model: Careless, stepper: T) -> Simulator<Careless, T> {
+    Simulator::new(model, stepper, Limits::default(), (), [0.0])
+}
+
+/// How a tick of 1 s ends.
+fn end<T: Stepper>(model: Careless, stepper: T) -> Advance {
+    start(model, stepper).advance(1.0, &|_| (), &mut Silent).advance
+}
+
+#[test]
+fn a_longest_step_that_is_no_length_takes_more_pieces_than_there_are() {
+    for longest_step in [0.0, -0.0, -1.0, f64::NEG_INFINITY] {
+        // A state that is put in place cannot show that a step was not a number.
+        for pinned in [None, Some(0.5)] {
+            let model = Careless { longest_step, pinned, ..SOUND };
+            assert_eq!(end(model, Rk4), Advance::Capped(Cap::Pieces), "{longest_step}");
+            let controlled = Controlled::<Dop853>::default();
+            assert_eq!(end(model, controlled), Advance::Capped(Cap::Pieces), "{longest_step}");
+        }
+    }
+}
+
+#[test]
+fn a_longest_step_that_nobody_gives_as_a_number_takes_more_pieces_than_there_are() {
+    let limits = Limits { longest_step: f64::NAN, ..Limits::default() };
+    for pinned in [None, Some(0.5)] {
+        let model = Careless { longest_step: f64::NAN, pinned, ..SOUND };
+        let mut simulator = Simulator::new(model, Rk4, limits, (), [0.0]);
+        let tick = simulator.advance(1.0, &|_| (), &mut Silent);
+        assert_eq!(tick.advance, Advance::Capped(Cap::Pieces));
+    }
+}
+
+#[test]
+fn a_longest_step_that_one_side_gives_as_a_number_holds() {
+    let tick = start(Careless { longest_step: f64::NAN, ..SOUND }, Rk4);
+    let limits = Limits { longest_step: 0.25, ..Limits::default() };
+    let mut simulator = Simulator::new(*tick.model(), Rk4, limits, (), [0.0]);
+    assert_eq!(simulator.advance(1.0, &|_| (), &mut Silent).work.pieces, 4);
+}
+
+#[test]
+fn steps_that_were_refused_down_to_nothing_grow_again() {
+    // So fast that even 1e-16 of the tick is refused, in ticks so short that the steps vanish.
+    for h in [1.0, 1e-3, 1e-300, 5e-324] {
+        let mut simulator =
+            start(Careless { rate: f64::MAX, ..SOUND }, Controlled::<Dop853>::default());
+        for _ in 0..4 {
+            let _ = simulator.advance(h, &|_| (), &mut Silent);
+        }
+        simulator.set_model(SOUND);
+        simulator.place((), [0.0]);
+        let tick = simulator.advance(1e-3, &|_| (), &mut Silent);
+        assert_eq!(tick.advance, Advance::Completed, "after ticks of {h:e}: {:?}", tick.work);
+        assert!((simulator.state()[0] - 1e-3).abs() < 1e-15, "after ticks of {h:e}");
+    }
+}
+
+#[test]
+fn a_mode_with_too_many_guards_is_a_fault() {
+    static NINE: [GuardSpec; 9] = [ONE[0]; 9];
+    let nine = Careless { guards: &NINE, ..SOUND };
+    assert_eq!(end(nine, Rk4), Advance::Faulty(Fault::Guard));
+    let eight = Careless { guards: &NINE[..8], ..SOUND };
+    assert_eq!(end(eight, Rk4), Advance::Completed);
+}
+
+#[test]
+fn a_guard_that_is_not_a_number_where_only_a_look_finds_it_is_a_fault() {
+    // Positive at both ends of the step; lowest, and not a number, between them.
+    let dips = |x: f64| {
+        let value = if (x - 0.5).abs() < 1e-3 { f64::NAN } else { 0.01 + (x - 0.5).powi(2) };
+        GuardValue::new(value, 2.0 * (x - 0.5))
+    };
+    let model = Careless { guard: dips, ..SOUND };
+    assert_eq!(end(model, Rk4), Advance::Faulty(Fault::Guard));
+}
+
+#[test]
+fn the_last_of_all_ticks_is_followed_by_the_first() {
+    let mut simulator = start(SOUND, Rk4).with_tick(u64::MAX);
+    assert_eq!(simulator.advance(1.0, &|_| (), &mut Silent).advance, Advance::Completed);
+    assert_eq!(simulator.tick(), 0);
+}
+
+/// Asserts that each piece begins where the one before has ended, to the bit.
+#[derive(Default)]
+struct Seamless(f64);
+
+impl Watch<Careless> for Seamless {
+    fn piece<S: Signal<()>>(&mut self, _: &Careless, piece: &Piece<'_, Careless, S>) {
+        assert_eq!(piece.theta.0.to_bits(), self.0.to_bits());
+        self.0 = piece.theta_end();
+        assert!(self.0 <= 1.0);
+    }
+}
+
+#[test]
+fn pieces_leave_no_gap_where_their_ends_are_rounded() {
+    static ONCE: [GuardSpec; 1] = [ONE[0].on_crossing()];
+    let falls = |x: f64| GuardValue::new(0.13 - x, -1.0);
+    for n in 1..200 {
+        // An event in the first of three steps; what is left of that ends where the step would.
+        let rate = 1.0 + f64::from(n) / 200.0;
+        let model = Careless { guards: &ONCE, guard: falls, rate, ..SOUND };
+        let model = Careless { longest_step: 1.0 / 3.0, ..model };
+        let mut seamless = Seamless::default();
+        let _ = start(model, Heun).advance(1.0, &|_| (), &mut seamless);
+        assert_eq!(seamless.0.to_bits(), 1.0_f64.to_bits(), "speed {n}");
+    }
+}
+
+/// Numbers that are no places and no tolerances, and some that are.
+const ODD: [f64; 8] = [0.0, -0.0, 1.0, 0.5, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+/// All pairs of odd numbers.
+fn pairs() -> impl Iterator<Item = [f64; 2]> {
+    ODD.into_iter().flat_map(|first| ODD.map(|second| [first, second]))
+}
+
+#[test]
+fn a_bracket_that_is_none_is_given_back_after_a_few_looks() {
+    for ([lo, hi], [at_lo, at_hi]) in pairs().flat_map(|ends| pairs().map(move |at| (ends, at))) {
+        let bracket = Bracket { lo, at_lo, hi, at_hi };
+        for tolerance in ODD {
+            let located = locate(|tau| 0.3 - tau, bracket, Some((0.5, -1.0)), tolerance);
+            assert!(located.evaluations <= 64, "{bracket:?} to {tolerance}: {located:?}");
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! Case C1's family: any restitution and height, and a ball between two walls.
+//!
+//! Flights are parabolas or lines, which RK4 and its dense output follow exactly: what is
+//! left is rounding, of each step's sum and of the time at the speed of the impact.
+
+#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
+
+mod common;
+
+use common::{Ball, BallMode, G, STEPS, all_completed, close, each_step_and_phase, run};
+use pode::stepper::Rk4;
+use pode::{
+    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Piece, Reset, Resets, Signal, Silent,
+    Simulator, Watch,
+};
+use proptest::prelude::*;
+
+/// The lowest place that a ball was seen at, between events too.
+#[derive(Debug)]
+struct Lowest(f64);
+
+impl Watch<Ball> for Lowest {
+    fn piece<S: Signal<()>>(&mut self, _: &Ball, piece: &Piece<'_, Ball, S>) {
+        for part in 0..=16_u8 {
+            self.0 = self.0.min(piece.at(f64::from(part) / 16.0).0[0]);
+        }
+    }
+}
+
+#[test]
+fn c1_the_ball_is_never_below_its_floor_not_even_between_ticks() {
+    for e in [0.5, 0.8, 0.9] {
+        for h in STEPS {
+            let mut ball = Ball::dropped(e, 1.0, Limits::default());
+            let mut lowest = Lowest(1.0);
+            while ball.mode() == BallMode::Flight {
+                let _ = ball.advance(h, &|_| (), &mut lowest);
+            }
+            // An impact is located to rounding of 1 m.
+            assert!(lowest.0 > -2e-15, "e {e}, h {h}: {:e}", lowest.0);
+        }
+    }
+}
+
+#[test]
+fn c1_an_elastic_ball_keeps_its_energy_at_every_step() {
+    // 1e5 bounces at 7 ms are in `bouncing_ball`; as many steps here.
+    for (h, most) in [(1e-3, 10_000), (1e-4, 1000)] {
+        let mut ball = Ball::dropped(1.0, 1.0, Limits::default());
+        let mut bounces = 0;
+        while bounces < most {
+            bounces += ball.advance(h, &|_| (), &mut Silent).work.events;
+        }
+        let [y, v] = *ball.state();
+        let drift = (y * G + 0.5 * v * v) / G - 1.0;
+        // The limit of 1e-10 is for 1e5 bounces.
+        let limit = 1e-10 * f64::from(most) / 1e5;
+        assert!(drift.abs() < limit, "h {h}: relative drift {drift:e}, over {limit:e}");
+    }
+}
+
+#[test]
+fn a_ball_that_does_not_bounce_at_all_rests_at_once() {
+    each_step_and_phase(|h, phase| {
+        let mut ball = Ball::dropped(0.0, 1.0, Limits::default());
+        let (recorder, ticks) = run(&mut ball, h, phase, 0.6);
+        all_completed(&ticks);
+        assert_eq!(ball.mode(), BallMode::Rest, "h {h}, phase {phase}");
+        let fall = (2.0 / G).sqrt();
+        close("rest", recorder.seen[recorder.seen.len() - 1].t, fall, 1e-12);
+        let impulse: f64 = ticks.iter().map(|tick| tick.impulse).sum();
+        close("impulse", impulse, (2.0 * G).sqrt(), 1e-12);
+    });
+}
+
+/// A ball without weight between walls at 0 and `width`, each with its own restitution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Corridor {
+    width: f64,
+    restitution: [f64; 2],
+}
+
+impl Model for Corridor {
+    type Mode = ();
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], 0.0]
+    }
+
+    fn readout(&self, (): (), _: &[f64; 2], (): &()) -> f64 {
+        0.0
+    }
+}
+
+impl Guarded for Corridor {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        const WALLS: [GuardSpec; 2] = [GuardSpec::new(0, "left"), GuardSpec::new(1, "right")];
+        &WALLS
+    }
+
+    fn guard(&self, (): (), id: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
+        match id.0 {
+            0 => GuardValue::new(x[0], x[1]),
+            _ => GuardValue::new(self.width - x[0], -x[1]),
+        }
+    }
+}
+
+impl Resets for Corridor {
+    fn reset(&self, (): (), id: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
+        let wall = if id.0 == 0 { 0.0 } else { self.width };
+        Reset::to((), [wall, -self.restitution[usize::from(id.0)] * x[1]])
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_ball_bounces_and_rests_at_the_times_of_its_closed_form(
+        e in 0.05..0.95_f64,
+        height in 0.05..2.0_f64,
+        h in prop_oneof![Just(1e-4), Just(1e-3), Just(7e-3), 1e-4..7e-3],
+        phase in prop_oneof![Just(0.0), Just(1.0 / 3.0), Just(0.999)],
+    ) {
+        let first = (2.0 * height / G).sqrt();
+        let rest = first * (1.0 + e) / (1.0 - e);
+        let mut ball = Ball::dropped(e, height, Limits::default());
+        let (recorder, ticks) = run(&mut ball, h, phase, rest + 0.05);
+        all_completed(&ticks);
+        for (n, seen) in (1..).zip(&recorder.seen).take(10) {
+            // Where a tick holds many of them, they are taken in one move.
+            if seen.guard != "floor" {
+                break;
+            }
+            let expected = first * (1.0 + 2.0 * e * (1.0 - e.powi(n - 1)) / (1.0 - e));
+            // The sums round the height by some 1e-15, which the speed makes a time; a speed
+            // that was lost is lost for all that follows.
+            let speed = G * first * e.powi(n - 1);
+            close(format_args!("bounce {n} of {}", recorder.seen.len()), seen.t, expected, 1e-12 + 1e-14 / speed);
+        }
+        let last = &recorder.seen[recorder.seen.len() - 1];
+        prop_assert_eq!((last.guard, ball.mode()), ("settled", BallMode::Rest));
+        close("rest", last.t, rest, 1e-9);
+        let impulse: f64 = ticks.iter().map(|tick| tick.impulse).sum();
+        let expected = G * first * (1.0 + e) / (1.0 - e);
+        close("impulse", impulse, expected, 1e-9 * expected);
+    }
+
+    #[test]
+    fn walls_on_both_sides_are_met_in_turn(
+        width in 0.01..3.0,
+        place in 0.01..0.99,
+        speed in prop_oneof![-20.0..-0.1, 0.1..20.0],
+        restitution in prop::array::uniform2(0.3..1.0),
+        h in 1e-4..7e-3,
+        phase in prop_oneof![Just(0.0), Just(1.0 / 3.0), Just(0.999)],
+    ) {
+        let corridor = Corridor { width, restitution };
+        let start = [place * width, speed];
+        let mut it = Simulator::new(corridor, Rk4, Limits { events: 1000, ..Limits::default() }, (), start);
+        let (recorder, ticks) = run(&mut it, h, phase, 0.5);
+        all_completed(&ticks);
+        let (mut t, mut x, mut v) = (0.0, place * width, speed);
+        for seen in &recorder.seen {
+            let side = usize::from(v > 0.0);
+            let wall = [0.0, width][side];
+            t += (wall - x) / v;
+            (x, v) = (wall, -restitution[side] * v);
+            prop_assert_eq!(seen.guard, ["left", "right"][side]);
+            close("meeting", seen.t, t, 1e-12 + 1e-13 / v.abs());
+        }
+        prop_assert!(t + width / v.abs() > 0.5 - 1e-9 - h, "some walls were not met: {} {}", t, v);
+    }
+}

@@ -1,0 +1,83 @@
+//! The exact flow through places where an entry of the state vanishes.
+//!
+//! What counts in a Taylor series is counted against the series, not against its sum: an
+//! entry that comes to zero within rounding would have terms that count for ever.
+
+mod common;
+
+use common::close;
+use common::head::{CONTACTS, Head};
+use pode::stepper::{Exact, Rk4};
+use pode::{
+    Advance, GuardId, GuardSpec, GuardValue, Guarded, Kind, Limits, Model, Nature, Reset, Resets,
+    Silent, Simulator,
+};
+
+/// x'' = −x.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Swing;
+
+impl Model for Swing {
+    type Mode = ();
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], -x[0]]
+    }
+
+    fn readout(&self, (): (), _: &[f64; 2], (): &()) -> f64 {
+        0.0
+    }
+
+    fn nature(&self, (): ()) -> Nature {
+        Nature::new(Kind::Affine, 1.0)
+    }
+}
+
+impl Guarded for Swing {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        &[]
+    }
+
+    fn guard(&self, (): (), _: GuardId, _: &[f64; 2], (): &()) -> GuardValue {
+        GuardValue::new(1.0, 0.0)
+    }
+}
+
+impl Resets for Swing {
+    fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
+        Reset::to((), *x)
+    }
+}
+
+#[test]
+fn a_step_that_ends_at_zero_ends() {
+    for n in 1..=1000 {
+        let h = f64::from(n) * 1e-3;
+        // Place, or speed, at zero after h; and within a few roundings of it.
+        for (x, v) in [(-h.sin(), h.cos()), (h.cos(), h.sin())] {
+            for x in [x, x.next_up(), x.next_down()] {
+                let exact = Exact::<Rk4>::default();
+                let mut it = Simulator::new(Swing, exact, Limits::default(), (), [x, v]);
+                let tick = it.advance(h, &|_| (), &mut Silent);
+                assert_eq!(tick.advance, Advance::Completed, "h {h}, from {x}, {v}");
+                let [x1, v1] = *it.state();
+                close("x", x1, x * h.cos() + v * h.sin(), 1e-15);
+                close("v", v1, v * h.cos() - x * h.sin(), 1e-15);
+            }
+        }
+    }
+}
+
+#[test]
+fn millions_of_steps_end_at_any_stiffness() {
+    for [k, ..] in CONTACTS {
+        let mut head = Head { k }.dropped(Exact::<Rk4>::default());
+        for n in 0..1_500_000_u32 {
+            let advance = head.advance(7e-3, &|_| (), &mut Silent).advance;
+            assert_eq!(advance, Advance::Completed, "k {k}, tick {n}");
+        }
+    }
+}

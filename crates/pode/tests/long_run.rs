@@ -1,0 +1,201 @@
+//! Case C9 and its family: what is left after hours.
+//!
+//! Error model of RK4, with r = ω h the part of a radian per step in contact: an amplitude
+//! loses r⁶/144 per step and r⁴/69 at each of a contact's two events, the dense output's
+//! own. The exact flow has neither: each step rounds by ε/2 of its largest term, which adds
+//! up like a random walk, or at worst in one direction.
+
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "counts are small")]
+
+mod common;
+
+use common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
+use common::{G, STEPS, close};
+use pode::filippov::{self, Branch, Filippov, Sided, Surface};
+use pode::stepper::{Exact, Rk4};
+use pode::{
+    Advance, Event, Kind, Limits, Model, Nature, Resets, Silent, Simulator, Stepper, Watch,
+};
+
+/// How often each guard fired, and when last [s].
+#[derive(Debug)]
+struct Count {
+    guard: &'static str,
+    h: f64,
+    number: u32,
+    last: f64,
+}
+
+impl Count {
+    fn of(guard: &'static str, h: f64) -> Self {
+        Self { guard, h, number: 0, last: 0.0 }
+    }
+}
+
+impl<M: Model> Watch<M> for Count {
+    fn event(&mut self, _: &M, event: &Event<'_, M>) {
+        if event.cause.name() == self.guard {
+            self.number += 1;
+            self.last = (event.tick as f64 + event.theta) * self.h;
+        }
+    }
+}
+
+/// Runs `seconds` and then on until `ready`; every tick must complete.
+#[track_caller]
+fn run_for<M: Resets<Input = ()>, T: Stepper>(
+    it: &mut Simulator<M, T>,
+    count: &mut Count,
+    seconds: f64,
+    ready: impl Fn(M::Mode) -> bool,
+) {
+    let ticks = (seconds / count.h).ceil() as u64;
+    while it.tick() < ticks || !ready(it.mode()) {
+        assert_eq!(it.advance(count.h, &|_| (), count).advance, Advance::Completed);
+    }
+}
+
+/// Energy of a head in the air, as a part of what it had at the start, less 1.
+fn drift([x, v]: [f64; 2]) -> f64 {
+    v * v + 2.0 * G * x - 1.0
+}
+
+#[test]
+fn c9_ten_thousand_seconds_on_the_exact_flow_keep_energy_and_time() {
+    let ([k, _, _, period], h) = (CONTACTS[1], 7e-3);
+    let mut head = Head { k }.dropped(Exact::<Rk4>::default());
+    let mut count = Count::of("touch", h);
+    run_for(&mut head, &mut count, 1e4, |mode| mode == Mode::Flight);
+    close("energy", drift(*head.state()), 0.0, 1e-9);
+    // The first contact begins at 0; each one after a period.
+    let expected = (head.tick() as f64 * h / period).floor() as u32 + 1;
+    assert_eq!(count.number, expected, "contacts");
+    // A speed that is off by δ moves each landing by 2δ/g.
+    let n = f64::from(count.number - 1);
+    close("time", count.last, n * period, 1e-9 * n * period);
+}
+
+#[test]
+fn c9_at_every_step_for_a_thousand_seconds() {
+    let [k, _, _, period] = CONTACTS[1];
+    for h in STEPS {
+        let mut head = Head { k }.dropped(Exact::<Rk4>::default());
+        let mut count = Count::of("touch", h);
+        run_for(&mut head, &mut count, 1e3, |mode| mode == Mode::Flight);
+        // A step adds g h to the speed: half an ulp of 0.5 m/s at worst, in one direction.
+        let most = 1e-10_f64.max(2.0 * 0.25 * f64::EPSILON * 1e3 / h);
+        close(format_args!("h {h}: energy"), drift(*head.state()), 0.0, most);
+        let n = f64::from(count.number - 1);
+        close(format_args!("h {h}: time"), count.last, n * period, most * n * period);
+    }
+}
+
+#[test]
+fn rk4_loses_in_a_hundred_seconds_what_its_order_says() {
+    for [k, _, _, period] in CONTACTS {
+        for h in STEPS {
+            let mut head = Head { k }.dropped(Rk4);
+            run_for(&mut head, &mut Count::of("touch", h), 100.0, |mode| mode == Mode::Flight);
+            let steps = std::f64::consts::PI / RADIANS;
+            let once = 2.0 * RADIANS.powi(4) / 69.0 + steps * RADIANS.powi(6) / 144.0;
+            // Energy goes with the square of the amplitude.
+            let most = 2.0 * once * 100.0 / period;
+            close(format_args!("k {k}, h {h}: energy"), drift(*head.state()), 0.0, most);
+        }
+    }
+}
+
+/// A mass on a spring on a belt at 0.1 m/s, with more friction while it sticks: 1 kg,
+/// 100 N/m, 1 N and 1.5 N. Place and speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct StickSlip;
+
+impl Sided for StickSlip {
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+    const SIZE: f64 = 0.1;
+    const RATE: f64 = 1.0;
+
+    fn derivative(&self, branch: Branch, x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], self.readout(branch, x, &()) - 100.0 * x[0]]
+    }
+
+    fn readout(&self, branch: Branch, _: &[f64; 2], (): &()) -> f64 {
+        -branch.side.sign() * if branch.holds { 1.5 } else { 1.0 }
+    }
+
+    fn surface(&self, x: &[f64; 2], (): &()) -> Surface<[f64; 2]> {
+        Surface { value: x[1] - 0.1, gradient: [0.0, 1.0], drift: 0.0 }
+    }
+
+    fn nature(&self, _: filippov::Side) -> Nature {
+        Nature::new(Kind::Affine, 10.0)
+    }
+}
+
+#[test]
+fn an_hour_of_stick_and_slip_keeps_its_period() {
+    // Slip about 0.01 from 0.015 m, then carried twice 0.005 m at 0.1 m/s.
+    let slip = (std::f64::consts::TAU - 2.0 * 0.5_f64.atan()) / 10.0;
+    let period = slip + 0.1;
+    for h in [1e-3, 7e-3] {
+        let model = Filippov(StickSlip);
+        let (mode, state) = model.start(&[0.0, 0.1], &());
+        let exact = Exact::<Rk4>::default();
+        let mut it = Simulator::new(model, exact, Limits::default(), mode, state);
+        let mut count = Count::of("leaves downwards", h);
+        run_for(&mut it, &mut count, 3600.0, |mode| mode == filippov::Mode::Sliding);
+        let n = f64::from(count.number - 1);
+        // Each release sets the cycle anew: what adds up are roundings of its times.
+        close(format_args!("h {h}: last release"), count.last, 0.15 + n * period, 1e-12 * n);
+        assert_eq!(count.number, ((count.last - 0.15) / period).round() as u32 + 1);
+    }
+}
+
+#[test]
+fn a_slide_of_an_hour_stays_on_its_surface() {
+    let model = Filippov(Circle);
+    let (mode, state) = model.start(&[1.0, 0.0], &());
+    let limits = Limits { longest_step: 0.02, ..Limits::default() };
+    let mut it = Simulator::new(model, Rk4, limits, mode, state);
+    for _ in 0..180_000 {
+        assert_eq!(it.advance(0.02, &|_| (), &mut Silent).advance, Advance::Completed);
+        let [x, y] = *it.state();
+        assert!((x * x + y * y - 1.0).abs() < 1e-15, "it has left the circle: {x}, {y}");
+    }
+    // RK4's phase error: (ω h)⁴/120 of 3600 rad, on the circle where x and y are exact.
+    let [x, y] = *it.state();
+    let angle = (y * 3600.0_f64.cos() - x * 3600.0_f64.sin()).asin();
+    close("angle", angle, 0.0, 3600.0 * 0.02_f64.powi(4) / 100.0);
+    assert_eq!(it.mode(), filippov::Mode::Sliding);
+}
+
+/// Turns about the origin at 1 rad/s, drawn onto the circle of radius 1 from both sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Circle;
+
+impl Sided for Circle {
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 2;
+    const SIZE: f64 = 1.0;
+    const RATE: f64 = 2.0;
+
+    fn derivative(&self, branch: Branch, x: &[f64; 2], (): &()) -> [f64; 2] {
+        let s = branch.side.sign();
+        [-x[1] - s * x[0], x[0] - s * x[1]]
+    }
+
+    fn readout(&self, _: Branch, _: &[f64; 2], (): &()) -> f64 {
+        MASS
+    }
+
+    fn surface(&self, x: &[f64; 2], (): &()) -> Surface<[f64; 2]> {
+        Surface {
+            value: x[0] * x[0] + x[1] * x[1] - 1.0,
+            gradient: [2.0 * x[0], 2.0 * x[1]],
+            drift: 0.0,
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Impacts that accumulate where no mode is there to rest in: the floor holds all the same,
+//! in bounded work, and the ticks say that they gave up.
+
+mod common;
+
+use common::{G, STEPS};
+use pode::stepper::Rk4;
+use pode::{
+    Advance, Cap, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Silent,
+    Simulator,
+};
+
+/// A ball over a floor, which never says where it rests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Ball {
+    restitution: f64,
+    /// Whether an impact puts it on the floor, or leaves it where it was found.
+    puts: bool,
+}
+
+impl Model for Ball {
+    type Mode = ();
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], -G]
+    }
+
+    fn readout(&self, (): (), _: &[f64; 2], (): &()) -> f64 {
+        0.0
+    }
+}
+
+impl Guarded for Ball {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        const FLOOR: [GuardSpec; 1] = [GuardSpec::new(0, "floor")];
+        &FLOOR
+    }
+
+    fn guard(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
+        GuardValue::new(x[0], x[1])
+    }
+}
+
+impl Resets for Ball {
+    fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
+        let place = if self.puts { 0.0 } else { x[0] };
+        Reset::to((), [place, -self.restitution * x[1]])
+    }
+}
+
+/// Follows a ball from `height` for 200 ticks after its last impact.
+#[track_caller]
+fn check(ball: Ball, height: f64, h: f64) {
+    let mut it = Simulator::new(ball, Rk4, Limits::default(), (), [height, 0.0]);
+    let fall = (2.0 * height / G).sqrt();
+    let rest = fall * (1.0 + ball.restitution) / (1.0 - ball.restitution);
+    let ticks = (rest / h).ceil() as u32 + 200;
+    let mut last = Advance::Completed;
+    for _ in 0..ticks {
+        let tick = it.advance(h, &|_| (), &mut Silent);
+        last = tick.advance;
+        let is_known =
+            matches!(last, Advance::Completed | Advance::Capped(Cap::Events | Cap::Cascade));
+        assert!(is_known, "{ball:?} from {height}, h {h}: {tick:?}");
+        // Each impact may find it 16 ε below; where none lifts it, that adds up.
+        let y = it.state()[0];
+        assert!(y > -1e-12, "{ball:?} from {height}, h {h}: it has sunk to {y:e}");
+    }
+    assert!(matches!(last, Advance::Capped(_)), "{ball:?} from {height}, h {h}: nobody was told");
+}
+
+#[test]
+fn a_ball_without_a_mode_to_rest_in_never_sinks() {
+    for restitution in [0.0, 0.1, 0.5, 0.8, 0.95] {
+        for height in [1.0, 1e-3, 1e-9] {
+            for puts in [true, false] {
+                STEPS.into_iter().for_each(|h| check(Ball { restitution, puts }, height, h));
+            }
+        }
+    }
+}
