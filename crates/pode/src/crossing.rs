@@ -51,10 +51,10 @@ impl Span<'_> {
     #[inline]
     pub(crate) fn may_cross(&self) -> bool {
         match self.stand {
-            Stand::Leaving | Stand::Departing => true,
+            Stand::Leaving | Stand::Departing | Stand::Sinking => true,
             Stand::Resting => self.end.value < -self.spec.band(),
-            Stand::Disarmed if self.ends_below() => self.may_turn(-1.0),
-            Stand::Disarmed => self.may_dip(),
+            Stand::Disarmed | Stand::Spent if self.ends_below() => self.may_turn(-1.0),
+            Stand::Disarmed | Stand::Spent => self.may_dip(),
             Stand::Armed => self.ends_below() || self.may_turn(1.0),
         }
     }
@@ -64,7 +64,8 @@ impl Span<'_> {
         match self.stand {
             Stand::Leaving => Crossing::AtStart,
             Stand::Resting => self.falls_from_rest(guard),
-            Stand::Disarmed => self.rises_and_falls(guard),
+            Stand::Sinking => self.leaves_zero(),
+            Stand::Disarmed | Stand::Spent => self.rises_and_falls(guard),
             Stand::Armed | Stand::Departing => self.falls(guard),
         }
     }
@@ -177,7 +178,12 @@ impl Span<'_> {
                 return Crossing::AtStart;
             }
         }
-        // No derivative says when it turns negative: take where it leaves the band.
+        // No derivative says when it turns negative.
+        self.leaves_zero()
+    }
+
+    /// Where a guard that starts at zero, as far as can be told, is negative for certain.
+    fn leaves_zero(&self) -> Crossing {
         let level = -self.spec.band();
         let at_lo = (self.start.value - level).max(f64::MIN_POSITIVE);
         let bracket = Bracket { lo: 0.0, at_lo, hi: 1.0, at_hi: self.end.value - level };

@@ -16,6 +16,10 @@
 //! Zero means: within rounding at the guard's size, or, right after an event, within
 //! what the guard's rate covers in the width to which that event was located.
 //!
+//! A guard that its own reset map leaves at zero, or below, has done its work: it is `Spent`,
+//! and silent like a disarmed one. If it then sinks, and the reset map would turn it there, as
+//! an impact turns what has come to rest on a floor, it fires again where it leaves zero.
+//!
 //! A guard that fires on crossings only is also `Leaving` where it is due: it has crossed
 //! at the same instant as another one that went first, or in a jump of the input.
 
@@ -32,6 +36,10 @@ pub(crate) enum Stand {
     Resting,
     /// Negative without effect until it has been positive.
     Disarmed,
+    /// The same where its own reset map has left it, as long as that map would not turn it.
+    Spent,
+    /// Spent, but its reset map would turn it back: it fires where it leaves zero.
+    Sinking,
     /// To fire now.
     Leaving,
 }
@@ -68,7 +76,8 @@ impl Stand {
     /// stays so until it has been positive.
     #[inline]
     pub(crate) fn again(self, before: Self) -> Self {
-        if before == Self::Disarmed && self != Self::Armed { before } else { self }
+        let is_off = matches!(before, Self::Disarmed | Self::Spent);
+        if is_off && self != Self::Armed { before } else { self }
     }
 
     /// The same for a guard that has crossed at this very instant and has not fired yet,
@@ -87,9 +96,9 @@ pub(crate) fn stand_after(before: Stand, spec: &GuardSpec, end: GuardValue, h: f
     }
     match before {
         Stand::Armed | Stand::Departing if end.value > 0.0 => Stand::Armed,
-        Stand::Disarmed => Stand::Disarmed,
+        Stand::Disarmed | Stand::Spent => before,
         Stand::Departing if end.rate > 0.0 => Stand::Departing,
-        Stand::Armed | Stand::Departing | Stand::Resting | Stand::Leaving => {
+        Stand::Armed | Stand::Departing | Stand::Resting | Stand::Leaving | Stand::Sinking => {
             if end.rate * h > spec.band() { Stand::Departing } else { Stand::Resting }
         }
     }

@@ -6,8 +6,9 @@ use super::field::ModeField;
 use super::{Simulator, Taken};
 use crate::crossing::{Crossing, Span};
 use crate::dense::Dense as _;
+use crate::epoch::Stand;
 use crate::forecast::{Slot, due, is_certain};
-use crate::guard::{GuardSet, GuardSpec, MAX_GUARDS};
+use crate::guard::{GuardSet, GuardSpec, GuardValue, MAX_GUARDS};
 use crate::input::Signal;
 use crate::locate::{locate, most_evaluations};
 use crate::model::Resets;
@@ -98,7 +99,26 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             next.due = due(end, (end.rate - start.rate) / taken.h);
         }
         self.guards[index] = next;
-        Ok(Some(Span { spec, stand: slot.stand, start, end, h: taken.h, bound, is_quiet }))
+        let sinks = slot.stand == Stand::Spent && self.would_turn(run, taken, spec, end);
+        let stand = if sinks { Stand::Sinking } else { slot.stand };
+        Ok(Some(Span { spec, stand, start, end, h: taken.h, bound, is_quiet }))
+    }
+
+    /// Whether the reset map of a guard that has sunk to `end` would bring it back up.
+    #[cold]
+    fn would_turn<S, W>(
+        &self,
+        run: &mut Run<'_, S, W>,
+        taken: &Taken<M, T>,
+        spec: &GuardSpec,
+        end: GuardValue,
+    ) -> bool {
+        if end.value >= -spec.band() || end.rate >= 0.0 || !run.spend_guards(1) {
+            return false;
+        }
+        let reset = self.model.reset(self.mode, spec.id, &taken.end, &taken.input);
+        let after = self.model.guard(self.mode, spec.id, &reset.state, &taken.input);
+        reset.mode != self.mode || after.rate >= 0.0
     }
 
     /// Whether the step can hide a pair of this guard's roots.

@@ -52,6 +52,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.has_aimed = false;
         let fired = spec.id;
         run.due.remove(fired);
+        // What it stood like before is over.
+        self.guards[index].stand = Stand::Leaving;
         let input = run.input();
         let reset = self.model.reset(self.mode, spec.id, &self.state, &input);
         let from = self.mode;
@@ -167,7 +169,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
         for (slot, spec) in self.guards.iter_mut().zip(self.model.guards(self.mode)) {
             if spec.id == fired && matches!(slot.stand, Stand::Leaving | Stand::Resting) {
-                slot.stand = Stand::Disarmed;
+                slot.stand = Stand::Spent;
             }
         }
     }

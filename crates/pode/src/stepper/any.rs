@@ -156,6 +156,8 @@ macro_rules! any {
             /// That of the smoothest dense output, by which the work of a tick is bounded.
             const DENSE: u32 = 23;
             const EVALUATIONS: u32 = Dop853::EVALUATIONS;
+            const REFINEMENT: u32 = Dop853::REFINEMENT;
+            const JACOBIANS: u32 = 1;
             const NAME: &'static str = "any";
 
             type Memory<S: State> = AnyMemory<S>;

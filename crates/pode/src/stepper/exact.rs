@@ -112,28 +112,51 @@ fn cubic<S: State>([r0, r1, r2, r3]: [S; 4]) -> [S; 4] {
 /// The Taylor series of x' = A x + Σ rₖ τᵏ from `x0` over `h` [s].
 ///
 /// Term k + 1 is h (A termₖ + rₖ) / (k + 1); the series ends where two terms in a row no
-/// longer count in any entry. One that does not end within its terms ends in NaN: the rate
-/// that the model states is too low by far.
+/// longer count against the largest in any entry: an entry may well end at zero. One that
+/// does not end within its terms ends in NaN: the rate that the model states is too low by far.
 #[inline]
 fn series<S: State>(a: &S::Matrix, forcing: &[S], x0: &S, h: f64) -> Flow<S> {
     let mut terms = [S::ZERO; TERMS];
     terms[0] = *x0;
+    let mut peak = raised(&S::ZERO, x0);
     let (mut sum, mut used, mut small) = (*x0, 1, 0);
     while used < TERMS {
         let mut slope = a.apply(&terms[used - 1]);
         if let Some(force) = forcing.get(used - 1) {
             slope = slope.plus(1.0, force);
         }
-        terms[used] = slope.times(h / used as f64);
-        let next = sum.plus(1.0, &terms[used]);
+        let term = slope.times(h / used as f64);
+        terms[used] = term;
+        sum = sum.plus(1.0, &term);
         // Two in a row: in an oscillation every other term of an entry may vanish.
-        small = if next == sum { small + 1 } else { 0 };
-        (sum, used) = (next, used + 1);
+        small = if counts(&term, &peak) { 0 } else { small + 1 };
+        peak = raised(&peak, &term);
+        used += 1;
         if small >= 2 && used > forcing.len() + 1 {
             return Flow::new(terms, sum).truncated(used);
         }
     }
     Flow::new(terms, sum.times(f64::NAN))
+}
+
+/// The largest of each entry so far.
+#[inline]
+fn raised<S: State>(peak: &S, term: &S) -> S {
+    let mut raised = *peak;
+    for (index, (entry, most)) in term.entries().iter().zip(peak.entries()).enumerate() {
+        if entry.abs() > *most {
+            raised = raised.with_entry(index, entry.abs());
+        }
+    }
+    raised
+}
+
+/// Whether a term is more than rounding of the largest one, in any entry. NaN counts.
+#[inline]
+fn counts<S: State>(term: &S, peak: &S) -> bool {
+    const ROUNDING: f64 = 0.25 * f64::EPSILON;
+    let mut pairs = term.entries().iter().zip(peak.entries());
+    !pairs.all(|(entry, most)| entry.abs() <= ROUNDING * most)
 }
 
 /// One of two dense outputs.

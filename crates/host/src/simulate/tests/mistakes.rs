@@ -42,12 +42,12 @@ fn all_mistakes_come_at_once() {
         &words,
         &[
             "--event-tolerance = 0 is out of range: 1e-16 to 0.5 of a tick",
-            "--input, column 4: expected an operator, not `t`",
-            "--reconstruct is for an --input from a CSV file",
             "there is no method `rk5` (did you mean `rk4`?); there are by-need, explicit-euler, \
              semi-implicit-euler, heun, velocity-verlet, adams-bashforth2, adams-bashforth3, \
              bogacki-shampine, rk4, tsitouras5, dop853, linear-implicit-midpoint, ros2, rodas3, \
              rodas4, exponential-rosenbrock, exprb32, exact",
+            "--input, column 4: expected an operator, not `t`",
+            "--reconstruct is for an --input from a CSV file",
             "--key = 88 is out of range: 0 to 87 (A0 to C8)",
             "there is no preset `defualt` (did you mean `default`?); there are default, key",
             "there is no parameter `mas` (did you mean `mass`?); there are g, restitution, mass, \

@@ -28,6 +28,10 @@ macro_rules! every_stepper {
             controlled_tsitouras5: Controlled<Tsitouras5> = Controlled::default(),
             controlled_dop853: Controlled<Dop853> = Controlled::default(),
             controlled_rodas4: Controlled<Rodas4> = Controlled::default(),
+            any_rodas4: Any = Any::Rodas4(Rodas4),
+            any_exact: Any = Any::Exact(Exact::default()),
+            any_dop853: Any = Any::Dop853(Dop853),
+            any_controlled_dop853: Any = Any::ControlledDop853(Controlled::default()),
             controlled_exact: Controlled<Exact<Dop853>> = Controlled::default(),
         }
     };
