@@ -1,5 +1,7 @@
 //! The choice by need meets its budget, and nothing on its menu would be cheaper.
 
+#![expect(clippy::disallowed_macros, reason = "a test names its case")]
+
 mod common;
 
 use common::head::{CONTACTS, Head};

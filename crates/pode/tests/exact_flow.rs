@@ -4,6 +4,8 @@
 //! (a fall adds the same g h again and again). The time of an event inherits the rounding of
 //! the height over the speed there, which is of the same size.
 
+#![expect(clippy::disallowed_macros, reason = "a test names its case")]
+
 mod common;
 
 use common::head::{CONTACTS, Head, MASS, Mode};

@@ -1,6 +1,13 @@
 //! What is known of a guard's future, carried from tick to tick ([GC93] 5.1): fewer
 //! evaluations in every tick, the worst one included, and events where the method is at its best.
 
+#![allow(
+    clippy::fn_params_excessive_bools,
+    clippy::expect_used,
+    clippy::cast_possible_truncation,
+    reason = "a test asks both ways, and fails aloud"
+)]
+
 mod common;
 
 use common::head::{CONTACTS, Head};

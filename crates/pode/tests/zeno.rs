@@ -3,6 +3,8 @@
 //!
 //! References are the same impacts followed one by one in closed form, to rounding.
 
+#![expect(clippy::disallowed_macros, reason = "a test names its case")]
+
 mod common;
 
 use common::{G, all_completed, close, each_step_and_phase, run};

@@ -121,7 +121,7 @@ fn malice(t: f64, bracket: &Cell<[f64; 2]>) -> (f64, f64) {
     } else if t > hi {
         bracket.set([hi, t]);
         AFTER
-    } else if t == hi {
+    } else if t >= hi {
         // The root was found: another one comes.
         bracket.set([t, t]);
         AFTER
