@@ -2,7 +2,7 @@
 
 use crate::describe::Parameter;
 
-/// Parameter values, in the order of [`PARAMETERS`].
+/// Parameter values, in the order of `PARAMETERS`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Values {
     /// R, hammer-head travel over key-front travel.
@@ -82,10 +82,10 @@ pub struct Values {
 }
 
 /// How many parameters there are.
-pub(super) const N: usize = 37;
+pub(super) const COUNT: usize = 37;
 
 /// The parameters with unit, range and meaning.
-pub(super) const PARAMETERS: [Parameter; N] = [
+pub(super) const PARAMETERS: [Parameter; COUNT] = [
     Parameter::positive("R", "1", "hammer-head travel over key-front travel"),
     Parameter::positive("mk", "kg", "mass of the key, felt at its front"),
     Parameter::positive("mh", "kg", "mass of the hammer, felt at its head"),
@@ -132,8 +132,8 @@ pub(super) const PARAMETERS: [Parameter; N] = [
 ];
 
 impl Values {
-    /// Values in the order of [`PARAMETERS`].
-    pub(super) const fn from_array(v: &[f64; N]) -> Self {
+    /// Values in the order of `PARAMETERS`.
+    pub(super) const fn from_array(v: &[f64; COUNT]) -> Self {
         Self {
             ratio: v[0],
             key_mass: v[1],

@@ -1,6 +1,6 @@
 //! Named parameter sets of the reduced grand.
 
-use super::parameters::N;
+use super::parameters::COUNT;
 use crate::describe::Preset;
 use crate::key_hammer::{BALANCE, hammer_mass};
 
@@ -19,7 +19,7 @@ pub(super) const PRESETS: [Preset; 2] = [
 ];
 
 /// All estimates (E): they give the feel that README.md lists.
-const DEFAULT: [f64; N] = [
+const DEFAULT: [f64; COUNT] = [
     5.0,    // R
     0.15,   // mk
     0.0112, // mh

@@ -4,7 +4,7 @@ use crate::dense::Cubic;
 use crate::math::{ceil, powf};
 use crate::nature::{Kind, Nature};
 use crate::state::State;
-use crate::stepper::exact::{Either, Exact, Flow};
+use crate::stepper::exact::{Carried, Either, Exact, Flow};
 use crate::stepper::{Field, Heun, Rk4, Rodas3, Step, Stepper, VelocityVerlet};
 
 /// Chooses for each mode, by what the model says of it, the method and the step that meet an
@@ -173,7 +173,7 @@ impl Stepper for ByNeed {
     const JACOBIANS: u32 = Rodas3::JACOBIANS;
     const NAME: &'static str = "by-need";
 
-    type Memory<S: State> = ();
+    type Memory<S: State> = Carried<S, ()>;
     type Dense<S: State> = Either<Flow<S>, Cubic<S>>;
 
     #[inline]
@@ -181,15 +181,16 @@ impl Stepper for ByNeed {
         &self,
         field: &mut impl Field<S>,
         x0: &S,
-        memory: &mut (),
+        memory: &mut Self::Memory<S>,
         h: f64,
     ) -> Step<S, Self::Dense<S>> {
+        let none = &mut ();
         match self.choice(&field.nature(), h).method {
             Method::Exact => Exact::<Rk4>::default().step(field, x0, memory, h),
-            Method::Heun => Heun.step(field, x0, memory, h).map(Either::Right),
-            Method::VelocityVerlet => VelocityVerlet.step(field, x0, memory, h).map(Either::Right),
-            Method::Rk4 => Rk4.step(field, x0, memory, h).map(Either::Right),
-            Method::Rodas3 => Rodas3.step(field, x0, memory, h).map(Either::Right),
+            Method::Heun => Heun.step(field, x0, none, h).map(Either::Right),
+            Method::VelocityVerlet => VelocityVerlet.step(field, x0, none, h).map(Either::Right),
+            Method::Rk4 => Rk4.step(field, x0, none, h).map(Either::Right),
+            Method::Rodas3 => Rodas3.step(field, x0, none, h).map(Either::Right),
         }
     }
 

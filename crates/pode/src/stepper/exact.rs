@@ -4,7 +4,7 @@ use crate::dense::{Dense, Polynomial};
 use crate::matrix::Matrix as _;
 use crate::nature::{Kind, Nature};
 use crate::state::State;
-use crate::stepper::{Field, Rk4, Step, Stepper};
+use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 
 /// The exact flow where a mode is linear, the method `T` where it is not.
 ///
@@ -45,7 +45,7 @@ impl<T: Stepper> Stepper for Exact<T> {
     const JACOBIANS: u32 = if T::JACOBIANS > 1 { T::JACOBIANS } else { 1 };
     const NAME: &'static str = "exact";
 
-    type Memory<S: State> = T::Memory<S>;
+    type Memory<S: State> = Carried<S, T::Memory<S>>;
     type Dense<S: State> = Either<Flow<S>, T::Dense<S>>;
 
     #[inline]
@@ -53,21 +53,21 @@ impl<T: Stepper> Stepper for Exact<T> {
         &self,
         field: &mut impl Field<S>,
         x0: &S,
-        memory: &mut T::Memory<S>,
+        memory: &mut Self::Memory<S>,
         h: f64,
     ) -> Step<S, Self::Dense<S>> {
         let nature = field.nature();
         if nature.is_linear() {
             let a = field.jacobian(0.0, x0);
             let flow = if nature.kind == Kind::Affine {
-                series(&a, &[field.derivative(0.0, &S::ZERO)], x0, h)
+                series(&a, &[field.derivative(0.0, &S::ZERO)], x0, h, &mut memory.rounded)
             } else {
                 let forcing = PLACES.map(|tau| field.derivative(tau, &S::ZERO));
-                series(&a, &cubic(forcing), x0, h)
+                series(&a, &cubic(forcing), x0, h, &mut memory.rounded)
             };
             return Step::new(Either::Left(flow));
         }
-        self.other.step(field, x0, memory, h).map(Either::Right)
+        self.other.step(field, x0, &mut memory.other, h).map(Either::Right)
     }
 
     fn refine<S: State>(
@@ -78,7 +78,7 @@ impl<T: Stepper> Stepper for Exact<T> {
         h: f64,
     ) {
         if let Either::Right(dense) = dense {
-            self.other.refine(field, memory, dense, h);
+            self.other.refine(field, &memory.other, dense, h);
         }
     }
 
@@ -114,12 +114,13 @@ fn cubic<S: State>([r0, r1, r2, r3]: [S; 4]) -> [S; 4] {
 /// Term k + 1 is h (A termₖ + rₖ) / (k + 1); the series ends where two terms in a row no
 /// longer count against the largest in any entry: an entry may well end at zero. One that
 /// does not end within its terms ends in NaN: the rate that the model states is too low by far.
+/// What the end loses in rounding is left in `rounded`, and what the step before lost goes in.
 #[inline]
-fn series<S: State>(a: &S::Matrix, forcing: &[S], x0: &S, h: f64) -> Flow<S> {
+fn series<S: State>(a: &S::Matrix, forcing: &[S], x0: &S, h: f64, rounded: &mut S) -> Flow<S> {
     let mut terms = [S::ZERO; TERMS];
     terms[0] = *x0;
     let mut peak = raised(&S::ZERO, x0);
-    let (mut sum, mut used, mut small) = (*x0, 1, 0);
+    let (mut sum, mut used, mut small) = (*rounded, 1, 0);
     while used < TERMS {
         let mut slope = a.apply(&terms[used - 1]);
         if let Some(force) = forcing.get(used - 1) {
@@ -133,7 +134,9 @@ fn series<S: State>(a: &S::Matrix, forcing: &[S], x0: &S, h: f64) -> Flow<S> {
         peak = raised(&peak, &term);
         used += 1;
         if small >= 2 && used > forcing.len() + 1 {
-            return Flow::new(terms, sum).truncated(used);
+            let end = x0.plus(1.0, &sum);
+            *rounded = sum.plus(-1.0, &end.plus(-1.0, x0));
+            return Flow::new(terms, end).truncated(used);
         }
     }
     Flow::new(terms, sum.times(f64::NAN))
@@ -157,6 +160,38 @@ fn counts<S: State>(term: &S, peak: &S) -> bool {
     const ROUNDING: f64 = 0.25 * f64::EPSILON;
     let mut pairs = term.entries().iter().zip(peak.entries());
     !pairs.all(|(entry, most)| entry.abs() <= ROUNDING * most)
+}
+
+/// What the exact flow carries: what the last step lost in rounding, entry by entry, so that
+/// roundings do not add up; and the other method's own.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Carried<S, M> {
+    rounded: S,
+    other: M,
+}
+
+impl<S: State, M: Memory> Default for Carried<S, M> {
+    fn default() -> Self {
+        Self { rounded: S::ZERO, other: M::default() }
+    }
+}
+
+impl<S: State, M: Memory> Memory for Carried<S, M> {
+    #[inline]
+    fn restart(&mut self) {
+        self.rounded = S::ZERO;
+        self.other.restart();
+    }
+
+    #[inline]
+    fn begin_tick(&mut self) {
+        self.other.begin_tick();
+    }
+
+    #[inline]
+    fn reach(&self) -> f64 {
+        self.other.reach()
+    }
 }
 
 /// One of two dense outputs.

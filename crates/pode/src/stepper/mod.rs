@@ -36,7 +36,7 @@ pub use bogacki_shampine::BogackiShampine;
 pub use by_need::{ByNeed, Choice, MENU, Method, Offer};
 pub use controlled::{Control, Controlled, Tolerance};
 pub use dop853::{Dense8, Dop853};
-pub use exact::{Either, Exact, Flow};
+pub use exact::{Carried, Either, Exact, Flow};
 pub use explicit_euler::ExplicitEuler;
 pub use exponential_rosenbrock::ExponentialRosenbrock;
 pub use exprb32::Exprb32;
