@@ -12,7 +12,6 @@ use crate::guard::{GuardSet, GuardSpec, GuardValue, MAX_GUARDS};
 use crate::input::Signal;
 use crate::locate::{locate, most_evaluations};
 use crate::model::Resets;
-use crate::nature::{Kind, Nature};
 use crate::outcome::{Cap, Fault, Verdict};
 use crate::run::Run;
 use crate::stepper::Stepper;
@@ -127,13 +126,13 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         if span.is_quiet || is_certain(span.spec.band(), span.start, span.end, span.bound, span.h) {
             return Verdict::Certified;
         }
-        let Nature { kind, rate } = self.model.nature(self.mode);
-        let own = self.model.longest_step(self.mode);
-        let is_resolved = match kind {
-            // Without a rate such a mode is a polynomial in the time.
-            Kind::Affine | Kind::Linear => rate * span.h <= 1.0,
-            Kind::Smooth | Kind::Conservative | Kind::Stiff if rate > 0.0 => rate * span.h <= 1.0,
-            Kind::Smooth | Kind::Conservative | Kind::Stiff => span.h <= own && own < f64::INFINITY,
+        let nature = self.model.nature(self.mode);
+        // Without a rate a linear mode is a polynomial in the time; others then go by their step.
+        let is_resolved = if nature.is_linear() || nature.rate > 0.0 {
+            nature.rate * span.h <= 1.0
+        } else {
+            let own = self.model.longest_step(self.mode);
+            span.h <= own && own < f64::INFINITY
         };
         if is_resolved { Verdict::Likely } else { Verdict::Unknown }
     }

@@ -12,12 +12,10 @@ use crate::stepper::{Field, Heun, Rk4, Rodas3, Step, Stepper, VelocityVerlet};
 ///
 /// Linear modes get their exact flow, stiff ones RODAS3 at the model's own step, the others
 /// the cheapest of the [`MENU`] by evaluations per tick. Order, evaluations and dense output
-/// are those of the method; no memory, nothing discarded after a reset.
+/// are those of the method; what is carried is the exact flow's, and void after a reset.
 /// [`ByNeed::choice`] says what is taken and why.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ByNeed {
-    /// Relative error of the state that may be made per radian of a mode's fastest motion.
-    budget: f64,
     /// Length of the tick [s].
     tick: f64,
     /// Longest step that meets the budget [rad], for each line of the menu.
@@ -122,7 +120,7 @@ impl ByNeed {
         /// Guards are seen, and all of the menu is stable, up to this [rad].
         const MOST: f64 = 1.0;
         let reach = |it: Offer| powf(budget / it.constant, 1.0 / it.order).min(MOST);
-        Self { budget, tick, reaches: MENU.map(reach) }
+        Self { tick, reaches: MENU.map(reach) }
     }
 
     /// What is taken in a mode of this `nature`, where the model asks for steps of `own` [s].

@@ -14,7 +14,8 @@ use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 /// r is taken as a cubic through four places of the step: exact for a constant (gravity) and
 /// for every [`Reconstruction`](crate::input::Reconstruction); for other inputs of order 4.
 /// At most 1 rad of the mode's fastest motion per step, so that guards are seen; a stiff
-/// contact within one tick is three or four steps. Nothing is carried, nothing discarded.
+/// contact within one tick is three or four steps. What a step lost in rounding is carried to
+/// the next one, and void after a reset.
 /// Evaluations: the Jacobian, and 4 derivatives; 1 where the input plays no part.
 ///
 /// # References
