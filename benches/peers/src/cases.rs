@@ -57,7 +57,7 @@ fn ball() -> Case {
         scale: 1.0,
     };
     let input = |_: f64| Motion::default();
-    let ours = Ours { model, input, names: &[("floor", "impact")] };
+    let ours = Ours::new(model, input, &[("floor", "impact")]);
     let mut entries = peers::entries::<2, 1, 3, _>(problem, T_END);
     entries.extend(peers::ours::<2, _, _>(ours, T_END));
     let Ball { g, e, height } = problem;
@@ -84,7 +84,7 @@ fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case
         });
         Motion { position, ..Motion::default() }
     };
-    let ours = Ours { model: model(file)?, input, names: &[] };
+    let ours = Ours::new(model(file)?, input, &[]);
     let mut entries = peers::entries::<4, 2, 5, _>(problem, t_end);
     entries.extend(peers::ours::<4, _, _>(ours, t_end));
     Ok(Case { name, summary, t_end, reference, entries, parameters: problem.lines(t_end) })

@@ -23,8 +23,25 @@ pub(crate) struct Ours<M, I> {
     pub(crate) model: M,
     /// The input at t [s].
     pub(crate) input: I,
-    /// Names of our guards and of the reference's.
-    pub(crate) names: &'static [(&'static str, &'static str)],
+    /// What the reference calls our guards, by their ids.
+    pub(crate) names: [&'static str; NAMES],
+}
+
+/// More guards than a model here has.
+pub(crate) const NAMES: usize = 8;
+
+impl<const N: usize, M: Described<State = [f64; N]>, I> Ours<M, I> {
+    /// A model under an input; `renamed` has our names for guards with the reference's.
+    pub(crate) fn new(model: M, input: I, renamed: &[(&'static str, &'static str)]) -> Self {
+        let mut names = [""; NAMES];
+        for (mode, _) in M::MODES {
+            for spec in model.guards(*mode) {
+                let theirs = renamed.iter().find(|(ours, _)| *ours == spec.name);
+                names[usize::from(spec.id.0)] = theirs.map_or(spec.name, |it| it.1);
+            }
+        }
+        Self { model, input, names }
+    }
 }
 
 /// All rows.
@@ -89,8 +106,13 @@ where
     M: Described<State = [f64; N]> + 'static,
     I: Fn(f64) -> Motion + Copy + 'static,
 {
-    let entry = |method, note, run| {
-        Entry { code: CODE, method, setting: Setting::Best("one tick"), knob: t_end, note, run }
+    let entry = |method, note, run| Entry {
+        code: CODE,
+        method,
+        setting: Setting::Best("one tick"),
+        knob: t_end,
+        note,
+        run,
     };
     let exact = run(ours, Exact::<Rk4>::default(), offline(), t_end, t_end);
     let rk4 = run(ours, Rk4, offline(), t_end, t_end);

@@ -2,16 +2,16 @@
 
 use models::Described;
 use pode::stepper::Stepper;
-use pode::{Advance, Event, Limits, Motion, Piece, Signal, Simulator, Watch};
+use pode::{Advance, Cause, Event, Limits, Motion, Piece, Signal, Simulator, Watch};
 
-use super::Ours;
+use super::{NAMES, Ours};
 use crate::log::Log;
 
 /// Writes events into the log, and wanted states if it looks `INSIDE` the steps.
 struct Scribe<'a, const INSIDE: bool> {
     log: &'a mut Log,
     h: f64,
-    names: &'static [(&'static str, &'static str)],
+    names: [&'static str; NAMES],
     failed: Result<(), String>,
 }
 
@@ -28,11 +28,14 @@ where
         self.log.sample(at(piece.theta_end()), |t| piece.dense.at((t - start) / whole));
     }
 
+    #[inline]
     fn event(&mut self, _model: &M, event: &Event<'_, M>) {
-        let name = event.cause.name();
-        let theirs = self.names.iter().find(|(ours, _)| *ours == name).map_or(name, |it| it.1);
+        let name = match event.cause {
+            Cause::Guard(spec) => self.names[usize::from(spec.id.0) % NAMES],
+            cause => cause.name(),
+        };
         let t = (event.tick as f64 + event.theta) * self.h;
-        let written = self.log.event(t, theirs);
+        let written = self.log.event(t, name);
         if self.failed.is_ok() {
             self.failed = written;
         }
