@@ -48,7 +48,8 @@ impl Span<'_> {
     /// Whether the values at both ends leave room for a crossing.
     ///
     /// Far guards cost this and nothing else.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "two comparisons for most guards of most ticks")]
+    #[inline(always)]
     pub(crate) fn may_cross(&self) -> bool {
         match self.stand {
             Stand::Leaving | Stand::Departing | Stand::Sinking => true,
@@ -60,6 +61,7 @@ impl Span<'_> {
     }
 
     /// Looks for the first crossing; `guard` evaluates the true guard inside the step.
+    #[inline]
     pub(crate) fn crossing(&self, guard: impl FnMut(f64) -> f64) -> Crossing {
         match self.stand {
             Stand::Leaving => Crossing::AtStart,
@@ -102,6 +104,7 @@ impl Span<'_> {
     }
 
     /// The first fall of a guard that starts positive, or at zero on its way up.
+    #[inline]
     fn falls(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
         let cubic = self.cubic();
         if self.ends_below() && cubic.is_concave() {
@@ -123,6 +126,7 @@ impl Span<'_> {
     }
 
     /// The fall of a guard that bends down all the way: there is one, wherever it turns.
+    #[inline]
     fn falls_once(&self, cubic: &Cubic, guard: impl FnMut(f64) -> f64) -> Crossing {
         let root = cubic.root_between(0.0, 1.0);
         let high = if self.stand == Stand::Armed {

@@ -16,6 +16,7 @@ pub(crate) struct Cubic {
 
 impl Cubic {
     /// The cubic with values `g0`, `g1` and slopes `d0`, `d1` (per step) at the ends.
+    #[inline]
     pub(crate) fn hermite(g0: f64, d0: f64, g1: f64, d1: f64) -> Self {
         let rise = g1 - g0;
         Self { a: g0, b: d0, c: 3.0 * rise - 2.0 * d0 - d1, d: d0 + d1 - 2.0 * rise }
@@ -78,24 +79,34 @@ impl Cubic {
         None
     }
 
-    /// Where the parabola through both ends with the slope at the start falls through zero;
-    /// NaN or elsewhere if it does not.
-    fn parabola_root(&self) -> f64 {
+    /// Where the parabola through both ends with the slope at the start falls through zero,
+    /// and how steeply; NaN or elsewhere if it does not.
+    #[inline]
+    fn parabola_root(&self) -> (f64, f64) {
         let c = self.c + self.d;
-        let root = sqrt(self.b * self.b - 4.0 * self.a * c);
-        // a + b τ + c τ² = 0 with the slope −root, by the form that loses no digits.
-        if self.b > 0.0 { -0.5 * (self.b + root) / c } else { 2.0 * self.a / (root - self.b) }
+        let fall = sqrt(self.b * self.b - 4.0 * self.a * c);
+        // a + b τ + c τ² = 0 with the slope −fall, by the form that loses no digits.
+        let tau =
+            if self.b > 0.0 { -0.5 * (self.b + fall) / c } else { 2.0 * self.a / (fall - self.b) };
+        (tau, fall)
     }
 
     /// The root of a monotone stretch, by Newton kept inside its bracket.
+    #[inline]
     pub(crate) fn root_between(&self, mut lo: f64, mut hi: f64) -> f64 {
         /// Newton on a monotone cubic doubles its digits; 12 rounds reach the last one
         /// from any start, and bisection covers the flat ends.
         const ROUNDS: usize = 12;
         /// A Newton step this short leaves an error of its square.
         const LAST: f64 = 1e-9;
-        let start = self.parabola_root();
-        let mut tau = if start > lo && start < hi { start } else { 0.5 * (lo + hi) };
+        /// A parabola, as far as can be told: its root is the cubic's.
+        const STRAIGHT: f64 = 1e-14;
+        let (start, fall) = self.parabola_root();
+        let is_inside = start > lo && start < hi;
+        if is_inside && self.d.abs() <= STRAIGHT * fall {
+            return start;
+        }
+        let mut tau = if is_inside { start } else { 0.5 * (lo + hi) };
         for _ in 0..ROUNDS {
             let value = self.at(tau);
             if value > 0.0 {

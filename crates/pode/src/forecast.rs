@@ -3,9 +3,9 @@
 //! [GC93] 5.1: the burden of the root finder can be shared by prior steps if a root is
 //! predicted in advance. Two numbers per guard do that. `quiet` is how long the guard stays
 //! positive for certain, where the model bounds its curvature: until then the guard is not
-//! even evaluated. `due` is when it is expected to vanish: a step that would go past it ends
-//! just behind it instead, so that the crossing lies at a step's end, where the method is at
-//! its best, and not on its dense output.
+//! even evaluated. And its curvature over the last step tells when it is due to vanish: a step
+//! that would go past that ends just behind it instead, so that the crossing lies at a step's
+//! end, where the method is at its best, and not on its dense output.
 
 use crate::epoch::Stand;
 use crate::guard::{GuardSpec, GuardValue};
@@ -21,8 +21,8 @@ pub(crate) struct Slot {
     pub(crate) is_fresh: bool,
     /// How long the guard stays positive for certain [s].
     pub(crate) quiet: f64,
-    /// When it is expected to vanish [s]; infinite if it is not.
-    pub(crate) due: f64,
+    /// Its second derivative [1/s²] over the last step; infinite where there was none.
+    pub(crate) curvature: f64,
 }
 
 impl Slot {
@@ -31,14 +31,14 @@ impl Slot {
         value: GuardValue { value: 0.0, rate: 0.0 },
         is_fresh: false,
         quiet: 0.0,
-        due: f64::INFINITY,
+        curvature: f64::INFINITY,
     };
 
     /// A guard that stands so at the present instant; its curvature is at most `bound` [1/s²].
     #[inline]
     pub(crate) fn new(stand: Stand, spec: &GuardSpec, value: GuardValue, bound: f64) -> Self {
         let quiet = if stand == Stand::Armed { quiet(spec, value, bound) } else { 0.0 };
-        Self { stand, value, is_fresh: true, quiet, due: f64::INFINITY }
+        Self { stand, value, is_fresh: true, quiet, curvature: f64::INFINITY }
     }
 
     /// Whether the guard is positive for certain over the `h` [s] ahead.
@@ -53,11 +53,19 @@ impl Slot {
         self.quiet > 2.0 * h
     }
 
+    /// When [s] it is expected to vanish, if that is within `h` [s]; infinite otherwise.
+    #[inline]
+    pub(crate) fn due_within(&self, h: f64) -> f64 {
+        // A sleeping guard is not due, and most others are too far to fall that low.
+        let fall = h * (self.value.rate.abs() + 0.5 * self.curvature.abs() * h);
+        let is_far = !self.is_fresh || fall < self.value.value;
+        if is_far { f64::INFINITY } else { due(self.value, self.curvature) }
+    }
+
     /// The same `dt` [s] later, with nothing new known.
     #[inline]
     pub(crate) fn later(&mut self, dt: f64) {
         self.quiet -= dt;
-        self.due -= dt;
         self.is_fresh = false;
     }
 }
@@ -81,8 +89,7 @@ fn is_bounded(bound: f64) -> bool {
 }
 
 /// When [s] a guard with this curvature vanishes, from above; infinite if it does not.
-#[inline]
-pub(crate) fn due(guard: GuardValue, curvature: f64) -> f64 {
+fn due(guard: GuardValue, curvature: f64) -> f64 {
     let discriminant = guard.rate * guard.rate - 2.0 * curvature * guard.value;
     if discriminant < 0.0 || discriminant.is_nan() || guard.value <= 0.0 {
         return f64::INFINITY;

@@ -1,5 +1,7 @@
 //! What a guard is, and when it fires.
 
+use core::ops::Neg;
+
 /// Guards that one mode can have.
 pub const MAX_GUARDS: usize = 8;
 
@@ -103,6 +105,16 @@ impl GuardValue {
     #[inline]
     pub const fn new(value: f64, rate: f64) -> Self {
         Self { value, rate }
+    }
+}
+
+impl Neg for GuardValue {
+    type Output = Self;
+
+    /// The guard with the opposite sign.
+    #[inline]
+    fn neg(self) -> Self {
+        Self { value: -self.value, rate: -self.rate }
     }
 }
 

@@ -3,8 +3,6 @@
 //! A deadline is about the maximum: ITP never needs more than bisection plus one,
 //! where Brent, Chandrupatla and Illinois reach 2–5 times bisection on 3/2-power guards.
 
-use crate::math::sqrt;
-
 /// A crossing shut in: positive at `lo`, not positive at `hi`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Bracket {
@@ -36,9 +34,10 @@ impl Bracket {
     ///
     /// `whole` is the bracket that the search began with.
     fn holds_jump(&self, whole: &Self) -> bool {
-        let [width, drop] = [self.width() / whole.width(), self.at_lo - self.at_hi];
+        let [drop, most] = [self, whole].map(|it| it.at_lo - it.at_hi);
         // A square root's drop shrinks like the root of the width, a jump's not at all.
-        drop > (whole.at_lo - whole.at_hi) * sqrt(width)
+        let left = drop / most;
+        left * left * whole.width() > self.width()
     }
 }
 
@@ -123,8 +122,10 @@ impl<G: FnMut(f64) -> f64> Search<G> {
         if !self.is_inside(seed) {
             return;
         }
+        // Not divided by the slope after the look: that would have to be waited for.
+        let per_value = 2.0 / slope.abs();
         let value = self.look(seed);
-        let reach = 2.0 * value / slope.abs();
+        let reach = value * per_value;
         // A little less than the tolerance: the sum rounds.
         let least = (0.99 * self.tolerance).copysign(value);
         let beyond = seed + if reach.abs() > self.tolerance { reach } else { least };

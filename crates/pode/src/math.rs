@@ -2,6 +2,10 @@
 //!
 //! `--no-default-features` gives the same bits on every machine.
 
+use core::ops::{Add, Mul, Sub};
+
+use wide::f64x2;
+
 macro_rules! door {
     ($($(#[$doc:meta])* $name:ident($($arg:ident),+) = $libm:ident;)+) => {$(
         $(#[$doc])*
@@ -51,7 +55,7 @@ door! {
 /// (fdlibm's kernels, below 1 ulp): the same bits on every machine, in half the time.
 #[inline]
 pub fn sin_cos(x: f64) -> (f64, f64) {
-    if x.abs() <= core::f64::consts::FRAC_PI_4 {
+    if is_small(x) {
         let z = x * x;
         (small_sine(x, z), small_cosine(z))
     } else {
@@ -59,39 +63,71 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     }
 }
 
-/// Sine of `x`, |x| ≤ π/4, with `z` = x². fdlibm `k_sin.c`.
+/// Sines and cosines of two angles [rad], the same bits as [`sin_cos`]'s: in the time of one
+/// where they lie side by side already, as a state's entries do.
 #[inline]
-fn small_sine(x: f64, z: f64) -> f64 {
-    const S: [f64; 6] = [
-        -1.666_666_666_666_663_2e-1,
-        8.333_333_333_322_49e-3,
-        -1.984_126_982_985_795e-4,
-        2.755_731_370_707_006_8e-6,
-        -2.505_076_025_340_686_3e-8,
-        1.589_690_995_211_55e-10,
-    ];
+pub fn sin_cos_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+    if x.iter().all(|x| is_small(*x)) {
+        let x = f64x2::new(x);
+        let z = x * x;
+        (small_sine(x, z).to_array(), small_cosine(z).to_array())
+    } else {
+        let [first, second] = x.map(sin_cos);
+        ([first.0, second.0], [first.1, second.1])
+    }
+}
+
+/// Whether the polynomials hold; NaN is not.
+#[inline]
+fn is_small(x: f64) -> bool {
+    x.abs() <= core::f64::consts::FRAC_PI_4
+}
+
+/// One number, or one in each lane.
+trait Lanes: Copy + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
+
+impl Lanes for f64 {}
+
+impl Lanes for f64x2 {}
+
+/// fdlibm `k_sin.c`.
+const S: [f64; 6] = [
+    -1.666_666_666_666_663_2e-1,
+    8.333_333_333_322_49e-3,
+    -1.984_126_982_985_795e-4,
+    2.755_731_370_707_006_8e-6,
+    -2.505_076_025_340_686_3e-8,
+    1.589_690_995_211_55e-10,
+];
+
+/// fdlibm `k_cos.c`.
+const C: [f64; 6] = [
+    4.166_666_666_666_66e-2,
+    -1.388_888_888_887_411e-3,
+    2.480_158_728_947_673e-5,
+    -2.755_731_435_139_066_3e-7,
+    2.087_572_321_298_175e-9,
+    -1.135_964_755_778_819_5e-11,
+];
+
+/// Sine of `x`, |x| ≤ π/4, with `z` = x².
+#[inline]
+fn small_sine<T: Lanes>(x: T, z: T) -> T {
+    let s = |i: usize| T::from(S[i]);
     // Two halves side by side: half the depth of Horner's rule, and the depth is the time.
     let w = z * z;
-    let tail = (S[1] + z * S[2]) + w * ((S[3] + z * S[4]) + w * S[5]);
-    x + z * x * (S[0] + z * tail)
+    let tail = (s(1) + z * s(2)) + w * ((s(3) + z * s(4)) + w * s(5));
+    x + z * x * (s(0) + z * tail)
 }
 
-/// Cosine for |x| ≤ π/4 with `z` = x². fdlibm `k_cos.c`.
+/// Cosine for |x| ≤ π/4 with `z` = x².
 #[inline]
-fn small_cosine(z: f64) -> f64 {
-    const C: [f64; 6] = [
-        4.166_666_666_666_66e-2,
-        -1.388_888_888_887_411e-3,
-        2.480_158_728_947_673e-5,
-        -2.755_731_435_139_066_3e-7,
-        2.087_572_321_298_175e-9,
-        -1.135_964_755_778_819_5e-11,
-    ];
+fn small_cosine<T: Lanes>(z: T) -> T {
+    let c = |i: usize| T::from(C[i]);
     let w = z * z;
-    let tail = (C[0] + z * C[1]) + w * ((C[2] + z * C[3]) + w * (C[4] + z * C[5]));
-    (1.0 - 0.5 * z) + w * tail
+    let tail = (c(0) + z * c(1)) + w * ((c(2) + z * c(3)) + w * (c(4) + z * c(5)));
+    (T::from(1.0) - T::from(0.5) * z) + w * tail
 }
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -105,6 +141,20 @@ mod tests {
             assert!((s - x.sin()).abs() <= ulp(s), "sin {x}: {s:e}");
             assert!((c - x.cos()).abs() <= ulp(c), "cos {x}: {c:e}");
         }
+    }
+
+    #[test]
+    fn two_angles_at_once_are_the_same_bits() {
+        for n in -1000..=1000_i32 {
+            let [a, b] = [f64::from(n) * 7.9e-4, f64::from(n) * 1.1e-3 - 0.2];
+            let (sines, cosines) = sin_cos_of_two([a, b]);
+            for (i, x) in [a, b].into_iter().enumerate() {
+                assert_eq!((sines[i], cosines[i]), sin_cos(x), "{a} and {b}");
+            }
+        }
+        let (sines, cosines) = sin_cos_of_two([f64::NAN, 2.0]);
+        assert!(sines[0].is_nan() && cosines[0].is_nan());
+        assert_eq!((sines[1], cosines[1]), sin_cos(2.0));
     }
 
     #[test]

@@ -20,7 +20,7 @@ impl<S: State, const N: usize> Polynomial<S, N> {
         Self { terms, used: N, end }
     }
 
-    /// The same with only the first `used` terms.
+    /// The same where only the first `used` terms are not zero.
     #[inline]
     #[must_use]
     pub fn truncated(self, used: usize) -> Self {
@@ -31,10 +31,13 @@ impl<S: State, const N: usize> Polynomial<S, N> {
 impl<S: State, const N: usize> Dense<S> for Polynomial<S, N> {
     #[inline]
     fn at(&self, tau: f64) -> S {
+        /// As short as this it is summed up whole: a branch takes longer than a term.
+        const SHORT: usize = 5;
         if tau >= 1.0 {
             return self.end;
         }
-        let (mut lower, mut sum) = (self.used.min(N), S::ZERO);
+        let used = if N <= SHORT { N } else { self.used.min(N) };
+        let (mut lower, mut sum) = (used, S::ZERO);
         while lower > 0 {
             lower -= 1;
             sum = self.terms[lower].plus(tau, &sum);

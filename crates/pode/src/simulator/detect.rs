@@ -7,7 +7,7 @@ use super::{Simulator, Taken};
 use crate::crossing::{Crossing, Span};
 use crate::dense::Dense as _;
 use crate::epoch::Stand;
-use crate::forecast::{Slot, due, is_certain};
+use crate::forecast::{Slot, is_certain};
 use crate::guard::{GuardSet, GuardSpec, GuardValue, MAX_GUARDS};
 use crate::input::Signal;
 use crate::locate::{locate, most_evaluations};
@@ -95,7 +95,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let bound = self.model.curvature_bound(self.mode, spec.id);
         let mut next = Slot::new(slot.stand, spec, end, bound);
         if self.stepper.aims() {
-            next.due = due(end, (end.rate - start.rate) / taken.h);
+            next.curvature = (end.rate - start.rate) / taken.h;
         }
         self.guards[index] = next;
         let sinks = slot.stand == Stand::Spent && self.would_turn(run, taken, spec, end);
@@ -155,7 +155,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     /// Where in the step one guard crosses, if it does.
-    #[inline(never)]
+    #[inline]
     fn crossing_place<S: Signal<M::Input>, W>(
         &self,
         run: &mut Run<'_, S, W>,
@@ -171,19 +171,24 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
         let (model, mode, signal, start) = (&self.model, self.mode, run.signal, run.theta);
         let (looks, is_finite) = (Cell::new(0), Cell::new(true));
-        let mut guard = |tau: f64| {
-            looks.set(looks.get() + 1);
+        let guard = |tau: f64| {
             let input = signal.at(start + tau * (theta_end - start));
             let x = model.constrain(mode, &dense.at(tau), &input);
-            let value = model.guard(mode, span.spec.id, &x, &input).value;
+            model.guard(mode, span.spec.id, &x, &input).value
+        };
+        let counted = |tau: f64| {
+            let value = guard(tau);
+            looks.set(looks.get() + 1);
             is_finite.set(is_finite.get() && value.is_finite());
             value
         };
-        let place = match span.crossing(&mut guard) {
+        let place = match span.crossing(counted) {
             Crossing::None => Place::NOWHERE,
             Crossing::AtStart => Place { tau: 0.0, radius: 0.5 * tolerance },
             Crossing::Within { bracket, level, seed } => {
                 let located = locate(|tau| guard(tau) - level, bracket, seed, tolerance);
+                looks.set(looks.get() + located.evaluations);
+                is_finite.set(is_finite.get() && !located.not_finite);
                 let slope = seed.map_or(bracket.at_hi - bracket.at_lo, |(_, slope)| slope);
                 let radius = 0.5 * tolerance + slack(span.spec, slope);
                 Place { tau: located.tau, radius }

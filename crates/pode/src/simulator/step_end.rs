@@ -26,8 +26,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         /// Part of the step before which it is not worth while.
         const WORTH: f64 = 0.02;
         let h = (end - run.theta) * run.h;
-        let armed = self.guards.iter().filter(|slot| slot.stand == Stand::Armed);
-        let due = armed.map(|slot| slot.due).fold(f64::INFINITY, f64::min) * (1.0 + MARGIN);
+        let present = self.guards.iter().zip(self.model.guards(self.mode));
+        let armed = present.filter(|(slot, _)| slot.stand == Stand::Armed);
+        let first = armed.map(|(slot, _)| slot.due_within(h)).fold(f64::INFINITY, f64::min);
+        let due = first * (1.0 + MARGIN);
         if due < WORTH * h || due >= h {
             return end;
         }

@@ -3,7 +3,7 @@
 use super::Simulator;
 use crate::epoch::{Stand, stand};
 use crate::forecast::Slot;
-use crate::guard::{GuardId, MAX_GUARDS};
+use crate::guard::MAX_GUARDS;
 use crate::input::Signal;
 use crate::model::{Reset, Resets};
 use crate::outcome::{Cap, Fault};
@@ -65,7 +65,9 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
         match self.accumulates(run, &reset, fired) {
             None => {
-                self.disarm_if_spent(from, fired);
+                if from == self.mode {
+                    self.disarm_if_spent(index);
+                }
                 true
             }
             Some(goes_on) => goes_on && self.take_guards(run, None),
@@ -92,13 +94,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             run.fail(Fault::State);
             return false;
         };
-        let (before, after) = ((self.mode, self.state), (reset.mode, state));
         let event = Event {
             tick: self.tick,
             theta: run.theta,
             cause,
-            before,
-            after,
+            before: (self.mode, self.state),
+            after: (reset.mode, state),
             input: *input,
             impulse: reset.impulse,
         };
@@ -106,7 +107,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.work.events += 1;
         run.impulse += reset.impulse;
         run.readout = None;
-        (self.mode, self.state) = after;
+        (self.mode, self.state) = (reset.mode, state);
         self.memory.restart();
         true
     }
@@ -163,14 +164,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     /// A guard that its own reset map left where it was has done its work.
-    fn disarm_if_spent(&mut self, from: M::Mode, fired: GuardId) {
-        if from != self.mode {
-            return;
-        }
-        for (slot, spec) in self.guards.iter_mut().zip(self.model.guards(self.mode)) {
-            if spec.id == fired && matches!(slot.stand, Stand::Leaving | Stand::Resting) {
-                slot.stand = Stand::Spent;
-            }
+    fn disarm_if_spent(&mut self, index: usize) {
+        let slot = &mut self.guards[index];
+        if matches!(slot.stand, Stand::Leaving | Stand::Resting) {
+            slot.stand = Stand::Spent;
         }
     }
 }

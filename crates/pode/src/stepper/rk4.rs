@@ -24,7 +24,8 @@ impl Stepper for Rk4 {
     type Memory<S: State> = ();
     type Dense<S: State> = Cubic<S>;
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the stages through memory")]
+    #[inline(always)]
     fn step<S: State>(
         &self,
         field: &mut impl Field<S>,
