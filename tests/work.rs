@@ -72,7 +72,7 @@ fn no_tick_of_one_key_exceeds_what_its_limits_declare() {
 
 #[test]
 fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
-    check_most("grand-springs", Work { derivatives: 20, guards: 50, events: 3 });
+    check_most("grand-springs", Work { derivatives: 20, guards: 55, events: 3 });
     check_most("grand-rigid", Work { derivatives: 32, guards: 63, events: 14 });
     check_most("grand-reduced", Work { derivatives: 104, guards: 65, events: 2 });
     check_most("bouncing-ball", Work { derivatives: 8, guards: 6, events: 1 });
@@ -86,7 +86,7 @@ fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
 /// put in what the failing test prints, and say in the commit why it grew. They are the same
 /// on every machine whose libm gives the same sines; another libm may move an event by a
 /// rounding, and a count with it.
-const GOLDEN: (u64, u64, u64) = (833_404, 418_396, 150);
+const GOLDEN: (u64, u64, u64) = (833_404, 418_344, 150);
 
 #[test]
 fn the_default_scenes_first_seconds_take_the_committed_work() {

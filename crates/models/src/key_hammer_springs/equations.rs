@@ -1,6 +1,6 @@
 //! Model B's equations, by hand, in the form that generated ones will take.
 
-use pode::math::{sin, sin_cos, sqrt};
+use pode::math::{sin, sin_cos_of_two, sqrt};
 use pode::{
     Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
     Sloped, Slopes,
@@ -29,8 +29,10 @@ pub(super) struct Contact {
     pub(super) q4_rate: f64,
     /// Position of the slider along H [m].
     pub(super) q3: f64,
-    /// `F_KH` [N]: never pulls.
-    pub(super) force: f64,
+    /// k2 q4 [N].
+    spring: f64,
+    /// The felt's factor on it, 1 + c2 q4': never below 0, so that it never pulls.
+    felt: f64,
     /// cos δ, δ = θk − θh.
     pub(super) cos_delta: f64,
     /// ∂q4/∂θh = −q3 / cos δ [m/rad].
@@ -42,24 +44,31 @@ pub(super) struct Contact {
     cos_k: f64,
 }
 
+impl Contact {
+    /// `F_KH` [N].
+    pub(super) fn force(&self) -> f64 {
+        self.spring * self.felt
+    }
+}
+
 impl KeyHammerSprings {
     /// q4 = (L1 sin δ − L4 cos θh + L3 sin θh)/cos δ, q3 = (L1 − L3 cos θk − L4 sin θk)/cos δ.
     #[expect(clippy::inline_always, reason = "a call hands over nine numbers through memory")]
     #[inline(always)]
     pub(super) fn contact(&self, x: &[f64; 4]) -> Contact {
         let p = &self.values;
-        let (sin_h, cos_h) = sin_cos(x[0]);
-        let (sin_k, cos_k) = sin_cos(x[1]);
+        let ([sin_h, sin_k], [cos_h, cos_k]) = sin_cos_of_two([x[0], x[1]]);
         let sin_d = sin_k * cos_h - cos_k * sin_h;
         let cos_delta = cos_k * cos_h + sin_k * sin_h;
         let secant = 1.0 / cos_delta;
         let q4 = (p.l1 * sin_d - p.l4 * cos_h + p.l3 * sin_h) * secant;
         let q3 = (p.l1 - p.l3 * cos_k - p.l4 * sin_k) * secant;
         let per_hammer = -q3 * secant;
-        let per_key = p.l1 + q4 * sin_d * secant;
+        let per_key = p.l1 + q4 * (sin_d * secant);
         let q4_rate = per_hammer * x[2] + per_key * x[3];
-        let force = p.k2 * q4 * (1.0 + p.c2 * q4_rate).max(0.0);
-        Contact { q4, q4_rate, q3, force, cos_delta, per_hammer, per_key, cos_h, cos_k }
+        let (spring, stiffer) = (p.k2 * q4, 1.0 + p.c2 * q4_rate);
+        let felt = if stiffer > 0.0 { stiffer } else { 0.0 };
+        Contact { q4, q4_rate, q3, spring, felt, cos_delta, per_hammer, per_key, cos_h, cos_k }
     }
 
     /// F_KU as a torque: k1 (s − θk) + b1 (s' − θk') [N·m].
@@ -68,21 +77,22 @@ impl KeyHammerSprings {
         self.values.k1 * (s.position - x[1]) + self.values.b1 * (s.rate - x[3])
     }
 
-    /// θh'' and θk'' under the contact force [rad/s²].
+    /// θh'' and θk'' without the contact's force [rad/s²].
     #[inline]
-    fn accelerations(
-        &self,
-        x: &[f64; 4],
-        s: &Motion,
-        cosines: (f64, f64),
-        torques: (f64, f64),
-    ) -> [f64; 2] {
-        let p = &self.values;
+    fn free(&self, x: &[f64; 4], s: &Motion, (cos_h, cos_k): (f64, f64)) -> [f64; 2] {
+        let [hammer, key] = self.weights;
+        [-hammer * cos_h, self.coupling(x, s) * self.per_inertia[1] - key * cos_k]
+    }
+
+    /// What the contact's force adds to them.
+    #[inline]
+    fn pushed(&self, contact: &Contact) -> [f64; 2] {
+        // The felt's factor is known last: the depth of the formula is the time that it takes.
+        let by = |per_angle: f64, per_inertia: f64| {
+            -(contact.spring * per_angle * per_inertia) * contact.felt
+        };
         let [hammer, key] = self.per_inertia;
-        [
-            (torques.0 - p.m2 * p.g * p.l2 * cosines.0) * hammer,
-            (self.coupling(x, s) - p.m1 * p.g * p.ck * cosines.1 + torques.1) * key,
-        ]
+        [by(contact.per_hammer, hammer), by(contact.per_key, key)]
     }
 
     /// At rest in B1 with the manipulandum at `s`: Newton on both balances.
@@ -130,16 +140,18 @@ impl Model for KeyHammerSprings {
 
     #[inline]
     fn derivative(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> [f64; 4] {
-        let (cosines, torques) = match mode {
+        let [hammer, key] = match mode {
             Mode::B1 => {
                 let contact = self.contact(x);
-                let torques =
-                    (-contact.force * contact.per_hammer, -contact.force * contact.per_key);
-                ((contact.cos_h, contact.cos_k), torques)
+                let free = self.free(x, s, (contact.cos_h, contact.cos_k));
+                let pushed = self.pushed(&contact);
+                [free[0] + pushed[0], free[1] + pushed[1]]
             }
-            Mode::B2 => ((sin_cos(x[0]).1, sin_cos(x[1]).1), (0.0, 0.0)),
+            Mode::B2 => {
+                let (_, [cos_h, cos_k]) = sin_cos_of_two([x[0], x[1]]);
+                self.free(x, s, (cos_h, cos_k))
+            }
         };
-        let [hammer, key] = self.accelerations(x, s, cosines, torques);
         [x[2], x[3], hammer, key]
     }
 
@@ -191,12 +203,11 @@ impl Guarded for KeyHammerSprings {
 
     #[inline]
     fn guard(&self, _mode: Mode, guard: GuardId, x: &[f64; 4], _s: &Motion) -> GuardValue {
+        let gap = || gap(&self.values, (x[0], x[2]), (x[1], x[3]));
         match guard {
-            RELEASE => {
-                let contact = self.contact(x);
-                GuardValue::new(contact.q4, contact.q4_rate)
-            }
-            LAND => gap(&self.values, (x[0], x[2]), (x[1], x[3])),
+            // q4 cos δ: zero where q4 is, without a division, and just what lands.
+            RELEASE => -gap(),
+            LAND => gap(),
             _ => below_string(&self.values, (x[0], x[2])),
         }
     }
@@ -238,7 +249,7 @@ impl Energetic for KeyHammerSprings {
         let felt = match mode {
             Mode::B1 => {
                 let contact = self.contact(x);
-                (contact.force - self.values.k2 * contact.q4) * contact.q4_rate
+                (contact.force() - contact.spring) * contact.q4_rate
             }
             Mode::B2 => 0.0,
         };

@@ -19,6 +19,8 @@ pub struct KeyHammerSprings {
     rates: [f64; 2],
     /// 1/JH and 1/JK [1/(kg·m²)]: a product takes a third of a division's time.
     per_inertia: [f64; 2],
+    /// Angular accelerations by the weight of hammer and key, lying level [rad/s²].
+    weights: [f64; 2],
 }
 
 impl KeyHammerSprings {
@@ -50,8 +52,10 @@ impl Described for KeyHammerSprings {
     fn with_values(values: &[f64]) -> Self {
         let values = Values::from_array(&filled::<_, Self>(values));
         let per_inertia = [1.0 / values.jh, 1.0 / values.jk];
+        let weights = [values.m2 * values.l2, values.m1 * values.ck];
+        let weights = [0, 1].map(|i| weights[i] * values.g * per_inertia[i]);
         let longest_steps = equations::longest_steps(&values);
-        Self { values, longest_steps, rates: equations::rates(&values), per_inertia }
+        Self { values, longest_steps, rates: equations::rates(&values), per_inertia, weights }
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {
@@ -59,7 +63,7 @@ impl Described for KeyHammerSprings {
         let gap = -contact.q4 * contact.cos_delta;
         // Apart, the spring is slack and the slider is nowhere on the hammer.
         let (force, q4, q3) = match mode {
-            Mode::B1 => (contact.force, contact.q4, contact.q3),
+            Mode::B1 => (contact.force(), contact.q4, contact.q3),
             Mode::B2 => (0.0, 0.0, 0.0),
         };
         write(out, [force, self.coupling(x, s), gap, q4, q3]);
