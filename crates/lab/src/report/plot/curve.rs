@@ -111,3 +111,35 @@ fn of_peer(peer: &Peer, peers: &[&Peer]) -> Style {
         is_peer: code.is_some(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::report::peers::read;
+
+    fn looks(style: &Style) -> (RGBColor, Shape, bool) {
+        (style.color, style.shape, style.is_peer)
+    }
+
+    #[test]
+    fn no_two_curves_of_a_plot_look_the_same() {
+        let results =
+            concat!(env!("CARGO_MANIFEST_DIR"), "/../../benches/peers/results/results.json");
+        let all = read(Path::new(results)).expect("the committed results");
+        for problem in ["figure-6", "ball", "stiff-10"] {
+            let rows: Vec<_> = all.iter().filter(|peer| peer.problem == problem).collect();
+            let curves = peers(&rows, 1.0);
+            assert!(curves.len() > 20, "{problem}: {}", curves.len());
+            for (i, curve) in curves.iter().enumerate() {
+                let twin = curves[..i].iter().find(|it| looks(&it.style) == looks(&curve.style));
+                assert!(twin.is_none(), "{problem}: {} and {twin:?}", curve.name);
+            }
+        }
+        let own: Vec<_> = (0..30).map(|index| looks(&ours(index, Kind::Fixed))).collect();
+        for (i, look) in own.iter().enumerate() {
+            assert!(!own[..i].contains(look), "method {i}");
+        }
+    }
+}

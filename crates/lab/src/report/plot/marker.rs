@@ -13,11 +13,23 @@ pub(super) enum Shape {
     Up,
     Diamond,
     Down,
+    Left,
+    Right,
+    Tall,
 }
 
 impl Shape {
-    pub(super) const ALL: [Self; 5] =
-        [Self::Circle, Self::Square, Self::Up, Self::Diamond, Self::Down];
+    /// Eight, beside seven colours: that makes 56 pairs.
+    pub(super) const ALL: [Self; 8] = [
+        Self::Circle,
+        Self::Square,
+        Self::Up,
+        Self::Diamond,
+        Self::Down,
+        Self::Left,
+        Self::Right,
+        Self::Tall,
+    ];
 
     /// Its corners around the origin, in half widths; none for a circle.
     const fn corners(self) -> &'static [Place] {
@@ -27,6 +39,9 @@ impl Shape {
             Self::Up => &[(0.0, -1.2), (1.1, 0.8), (-1.1, 0.8)],
             Self::Diamond => &[(0.0, -1.25), (1.25, 0.0), (0.0, 1.25), (-1.25, 0.0)],
             Self::Down => &[(0.0, 1.2), (1.1, -0.8), (-1.1, -0.8)],
+            Self::Left => &[(-1.2, 0.0), (0.8, 1.1), (0.8, -1.1)],
+            Self::Right => &[(1.2, 0.0), (-0.8, 1.1), (-0.8, -1.1)],
+            Self::Tall => &[(-0.45, -1.3), (0.45, -1.3), (0.45, 1.3), (-0.45, 1.3)],
         }
     }
 }
