@@ -4,6 +4,7 @@
 //! So the program is built here, once, by the Cargo that runs the tests, into the folder and
 //! profile that this test was built in: it is there already, or up to date in seconds, and
 //! never an old one.
+#![allow(dead_code, reason = "each test program uses its own part")]
 
 use std::fmt::Debug;
 use std::fs;
@@ -37,7 +38,7 @@ fn build() -> PathBuf {
 
 /// A folder of its own for the files of one test; those of an earlier run may lie there.
 pub(crate) fn folder(test: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bad_input").join(test);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("letoff").join(test);
     fs::create_dir_all(&folder).expect("a folder");
     folder
 }
