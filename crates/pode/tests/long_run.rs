@@ -10,6 +10,7 @@
 mod common;
 
 use common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
+use common::stick_slip::StickSlip;
 use common::{G, STEPS, close};
 use pode::filippov::{self, Branch, Filippov, Sided, Surface};
 use pode::stepper::{Exact, Rk4};
@@ -105,42 +106,13 @@ fn rk4_loses_in_a_hundred_seconds_what_its_order_says() {
     }
 }
 
-/// A mass on a spring on a belt at 0.1 m/s, with more friction while it sticks: 1 kg,
-/// 100 N/m, 1 N and 1.5 N. Place and speed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct StickSlip;
-
-impl Sided for StickSlip {
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-    const SIZE: f64 = 0.1;
-    const RATE: f64 = 1.0;
-
-    fn derivative(&self, branch: Branch, x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], self.readout(branch, x, &()) - 100.0 * x[0]]
-    }
-
-    fn readout(&self, branch: Branch, _: &[f64; 2], (): &()) -> f64 {
-        -branch.side.sign() * if branch.holds { 1.5 } else { 1.0 }
-    }
-
-    fn surface(&self, x: &[f64; 2], (): &()) -> Surface<[f64; 2]> {
-        Surface { value: x[1] - 0.1, gradient: [0.0, 1.0], drift: 0.0 }
-    }
-
-    fn nature(&self, _: filippov::Side) -> Nature {
-        Nature::new(Kind::Affine, 10.0)
-    }
-}
-
 #[test]
 fn an_hour_of_stick_and_slip_keeps_its_period() {
     // Slip about 0.01 from 0.015 m, then carried twice 0.005 m at 0.1 m/s.
     let slip = (std::f64::consts::TAU - 2.0 * 0.5_f64.atan()) / 10.0;
     let period = slip + 0.1;
     for h in [1e-3, 7e-3] {
-        let model = Filippov(StickSlip);
+        let model = Filippov(StickSlip { nature: Nature::new(Kind::Affine, 10.0) });
         let (mode, state) = model.start(&[0.0, 0.1], &());
         let exact = Exact::<Rk4>::default();
         let mut it = Simulator::new(model, exact, Limits::default(), mode, state);

@@ -5,46 +5,22 @@
 
 mod common;
 
+use common::stick_slip::StickSlip;
 use common::{all_completed, close, run};
-use pode::filippov::{Branch, Filippov, Mode, Sided, Surface};
+use pode::filippov::{Filippov, Mode};
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, BogackiShampine, ByNeed, Controlled, Dop853, Exact,
     ExplicitEuler, ExponentialRosenbrock, Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3,
     Rodas4, Ros2, SemiImplicitEuler, Tsitouras5, VelocityVerlet,
 };
-use pode::{Limits, Simulator, Stepper};
-
-/// A mass on a spring on a belt at 0.1 m/s: 1 kg, 100 N/m, 1 N while it slips and 1.5 N while
-/// it sticks. Place and speed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct StickSlip;
-
-impl Sided for StickSlip {
-    type State = [f64; 2];
-    type Input = ();
-    const COORDS: usize = 1;
-    const SIZE: f64 = 0.1;
-    const RATE: f64 = 1.0;
-
-    fn derivative(&self, branch: Branch, x: &[f64; 2], (): &()) -> [f64; 2] {
-        [x[1], self.readout(branch, x, &()) - 100.0 * x[0]]
-    }
-
-    fn readout(&self, branch: Branch, _: &[f64; 2], (): &()) -> f64 {
-        -branch.side.sign() * if branch.holds { 1.5 } else { 1.0 }
-    }
-
-    fn surface(&self, x: &[f64; 2], (): &()) -> Surface<[f64; 2]> {
-        Surface { value: x[1] - 0.1, gradient: [0.0, 1.0], drift: 0.0 }
-    }
-}
+use pode::{Limits, Nature, Simulator, Stepper};
 
 /// Asserts four cycles with the method `T`.
 #[track_caller]
 fn check<T: Stepper>() {
     let slip = (std::f64::consts::TAU - 2.0 * 0.5_f64.atan()) / 10.0;
     for h in [1e-4, 1e-3] {
-        let model = Filippov(StickSlip);
+        let model = Filippov(StickSlip { nature: Nature::default() });
         let (mode, state) = model.start(&[0.0, 0.1], &());
         let mut it = Simulator::new(model, T::default(), Limits::default(), mode, state);
         let (recorder, ticks) = run(&mut it, h, 0.0, 2.5);

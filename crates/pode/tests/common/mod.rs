@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "a test may use the heap")]
 
 pub mod head;
+pub mod stick_slip;
 
 use pode::stepper::Rk4;
 use pode::{
