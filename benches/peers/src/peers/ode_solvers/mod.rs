@@ -17,7 +17,9 @@ mod flight;
 
 use std::hint::black_box;
 
-use crate::entry::{Entry, Setting, tolerances};
+use events::Solver;
+
+use crate::entry::{Entry, Run, Setting, tolerances};
 use crate::problem::Problem;
 
 const CODE: &str = "ode_solvers";
@@ -41,43 +43,39 @@ pub(crate) fn entries<const N: usize, const G: usize, const M: usize, P: Problem
             "Dopri5",
             "sweep",
             "hand-made root search on its continuous output",
-            Box::new(move |log| {
-                events::run::<N, G, N, P, dopri5::LastStep>(
-                    &black_box(problem),
-                    black_box(t_end),
-                    tolerance,
-                    log,
-                )
-            }),
+            searched::<N, G, N, P, dopri5::LastStep>(problem, t_end, tolerance),
         ));
         all.push(entry(
             "Dop853",
             "sweep",
             "hand-made root search by steps of its own",
-            Box::new(move |log| {
-                events::run::<N, G, N, P, dop853::LastStep>(
-                    &black_box(problem),
-                    black_box(t_end),
-                    tolerance,
-                    log,
-                )
-            }),
+            searched::<N, G, N, P, dop853::LastStep>(problem, t_end, tolerance),
         ));
         all.push(entry(
             "Dop853",
             "time as a state",
             "avoids its wrong node",
-            Box::new(move |log| {
-                events::run::<N, G, M, P, dop853::LastStep>(
-                    &black_box(problem),
-                    black_box(t_end),
-                    tolerance,
-                    log,
-                )
-            }),
+            searched::<N, G, M, P, dop853::LastStep>(problem, t_end, tolerance),
         ));
     }
     all
+}
+
+/// A run that does the step with an event again, with the method `S`.
+fn searched<
+    const N: usize,
+    const G: usize,
+    const M: usize,
+    P: Problem<N, G>,
+    S: Solver + 'static,
+>(
+    problem: P,
+    t_end: f64,
+    tolerance: f64,
+) -> Run {
+    Box::new(move |log| {
+        events::run::<N, G, M, P, S>(&black_box(problem), black_box(t_end), tolerance, log)
+    })
 }
 
 fn default<const N: usize, const G: usize, P: Problem<N, G>>(problem: P, t_end: f64) -> Entry {

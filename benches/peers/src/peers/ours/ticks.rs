@@ -31,7 +31,7 @@ where
     #[inline]
     fn event(&mut self, _model: &M, event: &Event<'_, M>) {
         let name = match event.cause {
-            Cause::Guard(spec) => self.names[usize::from(spec.id.0) % NAMES],
+            Cause::Guard(spec) => self.names[usize::from(spec.id.0)],
             cause => cause.name(),
         };
         let t = (event.tick as f64 + event.theta) * self.h;
