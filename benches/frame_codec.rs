@@ -9,13 +9,17 @@ mod setting;
 
 use std::hint::black_box;
 
+use firmware_protocol::frame::DecodeError;
 use firmware_protocol::frame::Header;
-use firmware_protocol::frame::key_forces::{self, KeyForces};
-use firmware_protocol::frame::key_samples::{self, KeySamples};
+use firmware_protocol::frame::key_forces::{self, ForceLayout, ForcePacking, KeyForces};
+use firmware_protocol::frame::key_samples::{self, KeySamples, SampleLayout, SamplePacking};
 use firmware_protocol::key::{BOARDS, BoardId, PerKey};
 use firmware_protocol::quantity::{Counts, Millinewtons};
 use firmware_protocol::sequence::Sequence;
 use firmware_protocol::serial::{self, Deframer, MAX_WIRE};
+
+/// How samples are packed unless a scene says otherwise.
+const PACKING: SamplePacking = SamplePacking::Position24;
 
 /// A frame as it travels, and its length.
 type Wire = ([u8; MAX_WIRE], usize);
@@ -26,13 +30,13 @@ fn main() {
     let sent_samples = samples.each_ref().map(encoded_samples);
     let sent_forces = forces.each_ref().map(encoded_forces);
     let mut deframer = Deframer::default();
-    assert_eq!(decoded(&mut deframer, &sent_samples[3], KeySamples::decode), samples[3]);
-    assert_eq!(decoded(&mut deframer, &sent_forces[3], KeyForces::decode), forces[3]);
+    assert_eq!(decoded(&mut deframer, &sent_samples[3], read_samples), samples[3]);
+    assert_eq!(decoded(&mut deframer, &sent_forces[3], read_forces), forces[3]);
 
     criterion.bench_function("frame_codec/host", |bencher| {
         bencher.iter(|| {
             for wire in black_box(&sent_samples) {
-                black_box(decoded(&mut deframer, wire, KeySamples::decode));
+                black_box(decoded(&mut deframer, wire, read_samples));
             }
             black_box(black_box(&forces).each_ref().map(encoded_forces))
         });
@@ -40,7 +44,7 @@ fn main() {
     criterion.bench_function("frame_codec/boards", |bencher| {
         bencher.iter(|| {
             for wire in black_box(&sent_forces) {
-                black_box(decoded(&mut deframer, wire, KeyForces::decode));
+                black_box(decoded(&mut deframer, wire, read_forces));
             }
             black_box(black_box(&samples).each_ref().map(encoded_samples))
         });
@@ -54,22 +58,34 @@ fn all<T>(frame: impl Fn(BoardId) -> T) -> [T; BOARDS] {
 }
 
 fn header(board: BoardId) -> Header {
-    Header { board, sequence: Sequence(9), stamp_us: 12_345, fault: false }
+    Header { board, sequence: Sequence(9), stamp_us: 12_345, flag: false }
 }
 
 fn samples(board: BoardId) -> KeySamples {
     let counts = (0..11).map(|slot| Counts::saturating(900 * slot));
-    KeySamples { header: header(board), positions: PerKey::collect(counts) }
+    let positions = PerKey::collect(counts);
+    KeySamples { header: header(board), positions, velocities: PerKey::default() }
 }
 
 fn forces(board: BoardId) -> KeyForces {
     let forces = (0..11).map(|slot| Millinewtons::saturating(300 * slot));
-    KeyForces { header: header(board), forces: PerKey::collect(forces) }
+    let forces = PerKey::collect(forces);
+    KeyForces { header: header(board), forces, slopes: PerKey::default() }
+}
+
+fn read_samples(bytes: &[u8]) -> Result<KeySamples, DecodeError> {
+    const LAYOUT: SampleLayout = SampleLayout { packing: PACKING, n_keys: 11 };
+    KeySamples::decode(bytes, LAYOUT)
+}
+
+fn read_forces(bytes: &[u8]) -> Result<KeyForces, DecodeError> {
+    const LAYOUT: ForceLayout = ForceLayout { packing: ForcePacking::Force16, n_keys: 11 };
+    KeyForces::decode(bytes, LAYOUT)
 }
 
 fn encoded_samples(frame: &KeySamples) -> Wire {
     let mut bytes = [0; key_samples::MAX_LEN];
-    let len = frame.encode(&mut bytes);
+    let len = frame.encode(PACKING, &mut bytes);
     framed(&bytes[..len])
 }
 

@@ -194,7 +194,7 @@ fn just_before_a_strike() -> (Slot<Copied>, u64, f64) {
     for tick in 0..1000 {
         let (sample, before) = (key.receive(tick), slot.clone());
         slot.tick(tick, &sample, &mut turn);
-        key.send(turn.force);
+        key.send(turn.force, &turn.slope);
         let is_strike = |(_, event): &(_, KeyEvent)| matches!(event, KeyEvent::Strike { .. });
         if turn.events.as_slice().iter().any(is_strike) {
             return (before, tick, sample.position);

@@ -184,9 +184,8 @@ fn a_board_that_was_silent_fades_and_comes_back_when_it_is_armed() {
     check_neighbours(&healthy(), &felt, &board().keys());
     // The first lost sample is bridged, so the second tick holds.
     check_fade(&felt, WRONG.start, WRONG.end);
-    let statistics = stage.bus.statistics(board());
-    assert_eq!(statistics.receive_errors, WRONG.end - WRONG.start);
-    assert_eq!(stage.bus.board_faults(board()).trips, 1);
+    assert_eq!(stage.bus.wire(board()).down, WRONG.end - WRONG.start);
+    assert_eq!(stage.bus.board_counts(board()).trips, 1);
 }
 
 #[test]
@@ -197,8 +196,9 @@ fn corrupt_frames_are_counted_and_never_acted_on() {
     check_neighbours(&healthy, &felt, &board().keys());
     let flipped = stage.bus.fault_counts(board()).flipped;
     let statistics = stage.bus.statistics(board());
-    let at_board = stage.bus.board_faults(board());
-    let refused = statistics.corrupt + statistics.refused + at_board.corrupt + at_board.refused;
+    let at_board = stage.bus.board_counts(board());
+    let wire = stage.bus.wire(board());
+    let refused = wire.corrupt + statistics.refused + at_board.corrupt + at_board.refused;
     assert!(100 < flipped, "{flipped} bits were flipped");
     // A flipped bit may make a zero, which cuts a frame in two, or unmake the closing one.
     assert!(refused.abs_diff(flipped) <= flipped / 10, "{refused} of {flipped}");

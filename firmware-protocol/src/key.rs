@@ -1,16 +1,19 @@
-//! Keys, boards, and which key sits where.
+//! Keys, boards, and the standard compass.
 //!
-//! Board `b` carries the keys `11 b ..= 11 b + 10`, in the order of its slots.
+//! A board says itself which keys it carries, at most twelve in a row. In the standard
+//! compass, which the simulated keybed has, board `b` carries the keys `11 b ..= 11 b + 10`.
 
 /// Keys of a full compass.
-pub const KEYS: usize = BOARDS * KEYS_PER_BOARD;
-/// Keys that one board carries at most.
-pub const KEYS_PER_BOARD: usize = SLOTS as usize;
-/// Boards of a full compass.
-pub const BOARDS: usize = LAST_BOARD as usize + 1;
+pub const KEYS: usize = 88;
+/// Keys that one board carries at most: an octave.
+pub const MOST_KEYS: usize = 12;
+/// Boards of the standard compass.
+pub const BOARDS: usize = 8;
+/// Keys of each board of the standard compass.
+pub const KEYS_PER_BOARD: usize = 11;
 
-const SLOTS: u8 = 11;
-const LAST_BOARD: u8 = 7;
+const STANDARD_SLOTS: u8 = 11;
+const STANDARD_BOARDS: u8 = 8;
 
 /// A key of the compass, `0 ..= 87`: 0 is A0, 87 is C8.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -27,30 +30,38 @@ impl KeyIndex {
         self.0 as usize
     }
 
-    /// The board that carries this key.
-    pub const fn board(self) -> BoardId {
-        BoardId(self.0 / SLOTS)
+    /// The number as it stands on the wire.
+    pub const fn number(self) -> u8 {
+        self.0
     }
 
-    /// The key's place on its board, `0 ..= 10`.
+    /// The board of the standard compass that carries this key.
+    pub const fn board(self) -> BoardId {
+        BoardId(self.0 / STANDARD_SLOTS)
+    }
+
+    /// The key's place on its board of the standard compass, `0 ..= 10`.
     pub const fn slot(self) -> usize {
         self.index() % KEYS_PER_BOARD
     }
 }
 
-/// A board, `0 ..= 7`.
+/// A board's number on its link, `0 ..= 14`; 15 on the wire means all boards.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct BoardId(u8);
 
 impl BoardId {
-    /// The board with this number; none above 7.
+    /// The largest number that a board can have.
+    pub const MAX: Self = Self(14);
+
+    /// The board with this number; none above 14.
     pub const fn new(number: u8) -> Option<Self> {
-        if (number as usize) < BOARDS { Some(Self(number)) } else { None }
+        if number <= Self::MAX.0 { Some(Self(number)) } else { None }
     }
 
-    /// All boards, from the bass to the treble.
+    /// The boards of the standard compass, from the bass to the treble.
     pub fn all() -> impl Iterator<Item = Self> {
-        (0..=LAST_BOARD).map(Self)
+        (0..STANDARD_BOARDS).map(Self)
     }
 
     /// The number as it stands on the wire.
@@ -63,7 +74,7 @@ impl BoardId {
         self.0 as usize
     }
 
-    /// The places of this board's keys in an array over the compass.
+    /// The places of this board's keys in the standard compass.
     pub const fn keys(self) -> core::ops::Range<usize> {
         let first = self.index() * KEYS_PER_BOARD;
         first..first + KEYS_PER_BOARD
@@ -73,14 +84,14 @@ impl BoardId {
 /// One value for each key of a board, in the order of its slots.
 #[derive(Clone, Copy, Debug)]
 pub struct PerKey<T> {
-    values: [T; KEYS_PER_BOARD],
+    values: [T; MOST_KEYS],
     n: usize,
 }
 
 impl<T: Copy + Default> PerKey<T> {
-    /// Keeps the first 11 of `values`.
+    /// Keeps the first 12 of `values`.
     pub fn collect(values: impl IntoIterator<Item = T>) -> Self {
-        let mut kept = Self { values: [T::default(); KEYS_PER_BOARD], n: 0 };
+        let mut kept = Self::default();
         for (place, value) in kept.values.iter_mut().zip(values) {
             *place = value;
             kept.n += 1;
@@ -91,6 +102,22 @@ impl<T: Copy + Default> PerKey<T> {
     /// The values that are there.
     pub fn as_slice(&self) -> &[T] {
         &self.values[..self.n]
+    }
+
+    /// Whether there is none.
+    pub const fn is_empty(&self) -> bool {
+        self.n == 0
+    }
+
+    /// The same, to be changed.
+    pub fn as_mut_slice(&mut self) -> &mut [T] {
+        &mut self.values[..self.n]
+    }
+}
+
+impl<T: Copy + Default> Default for PerKey<T> {
+    fn default() -> Self {
+        Self { values: [T::default(); MOST_KEYS], n: 0 }
     }
 }
 
@@ -105,15 +132,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_compass_ends_at_key_87_and_board_7() {
+    fn the_compass_ends_at_key_87_and_boards_at_14() {
         assert!(KeyIndex::new(87).is_some());
         assert_eq!(KeyIndex::new(88), None);
-        assert!(BoardId::new(7).is_some());
-        assert_eq!(BoardId::new(8), None);
+        assert!(BoardId::new(14).is_some());
+        assert_eq!(BoardId::new(15), None);
     }
 
     #[test]
-    fn every_key_has_one_place() {
+    fn every_key_of_the_standard_compass_has_one_place() {
         let mut expected = 0;
         for board in BoardId::all() {
             for (slot, number) in board.keys().enumerate() {
@@ -126,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn a_board_keeps_no_more_than_eleven_values() {
-        assert_eq!(PerKey::collect(0..20).as_slice(), [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+    fn a_board_keeps_no_more_than_twelve_values() {
+        assert_eq!(PerKey::collect(0..20).as_slice(), [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
     }
 }

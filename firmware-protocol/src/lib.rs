@@ -1,41 +1,70 @@
 //! The wire format between the host and the boards, as both sides compile it.
 //!
-//! Boards speak first: once a tick a board sends [`KeySamples`](frame::key_samples::KeySamples),
-//! and the host answers with [`KeyForces`](frame::key_forces::KeyForces). Neither is ever
-//! sent twice: what was lost is replaced by the next one, never repaired.
-//! On CAN a frame travels as it is, padded to a length that CAN FD has; on a byte stream
-//! it travels inside [`serial`] framing with its own checksum.
+//! There are two classes of traffic. **Cyclic** frames carry positions up and forces down, in
+//! a fixed layout; none is ever sent twice, what was lost is replaced by the next one.
+//! **Acyclic** requests are answered, and asked again until they are ([`acyclic`]).
+//!
+//! | frame | from | what it says |
+//! |---|---|---|
+//! | [`frame::hello`] | board | who it is, what it speaks, carries and can |
+//! | [`frame::key_samples`] | board | where the keys are |
+//! | [`frame::key_forces`] | host | the forces of one board, an answer to one frame of samples |
+//! | [`frame::multicast_forces`] | host | the forces of 30 keys, on whichever boards |
+//! | [`frame::broadcast`] | host | emergency stop, bus time, "who is there?" |
+//! | [`acyclic`] | both | requests and replies |
+//!
+//! On a byte stream a frame travels inside [`serial`] framing with its own checksum; on CAN FD
+//! padded to a length that the bus has, on classic CAN in pieces ([`can`]).
 //!
 //! ```
-//! use firmware_protocol::frame::{Header, key_forces::{self, KeyForces}};
+//! use firmware_protocol::frame::{Header, Kind, key_forces::{self, ForceLayout, ForcePacking, KeyForces}};
 //! use firmware_protocol::key::{BoardId, PerKey};
 //! use firmware_protocol::quantity::Millinewtons;
 //! use firmware_protocol::sequence::Sequence;
 //! use firmware_protocol::serial::{self, Deframer};
 //!
 //! let board = BoardId::new(3).unwrap();
-//! let header = Header { board, sequence: Sequence(0), stamp_us: 1_000, fault: false };
-//! let sent = KeyForces { header, forces: PerKey::collect([Millinewtons::saturating(500)]) };
+//! let header = Header { board, sequence: Sequence(0), stamp_us: 1_000, flag: false };
+//! let sent = KeyForces {
+//!     header,
+//!     forces: PerKey::collect([Millinewtons::saturating(500)]),
+//!     slopes: PerKey::default(),
+//! };
 //!
 //! let (mut frame, mut wire) = ([0; key_forces::MAX_LEN], [0; serial::MAX_WIRE]);
 //! let len = sent.encode(&mut frame);
 //! let len = serial::encode(&frame[..len], &mut wire).unwrap();
 //!
+//! let layout = ForceLayout { packing: ForcePacking::Force16, n_keys: 1 };
 //! let mut deframer = Deframer::default();
 //! for byte in &wire[..len] {
 //!     if let Some(frame) = deframer.push(*byte) {
-//!         assert_eq!(KeyForces::decode(frame.unwrap()), Ok(sent));
+//!         let frame = frame.unwrap();
+//!         assert_eq!(Kind::of(frame), Some(Kind::KeyForces));
+//!         assert_eq!(KeyForces::decode(frame, layout), Ok(sent));
 //!     }
 //! }
 //! ```
 //!
 //! Here are integers only. Metres and newtons appear in `hardware::calibration`.
+//! `c/` has the same for firmware in C, `vectors/` golden bytes for any language.
 #![no_std]
 #![forbid(unsafe_code)]
 
+#[macro_use]
+mod record;
+
+pub mod acyclic;
+pub mod can;
 pub mod frame;
 pub mod key;
 pub mod quantity;
+pub mod schema;
 pub mod sequence;
 pub mod serial;
 pub mod version;
+
+pub use record::{Field, Nothing, Record};
+
+/// The longest frame that any link carries: CAN FD's [bytes].
+pub const MAX_FRAME: usize = 64;

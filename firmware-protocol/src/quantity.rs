@@ -30,6 +30,11 @@ impl Counts {
         self.0
     }
 
+    /// The nearest 16 bits to the reading.
+    pub fn saturated(self) -> i16 {
+        saturated(self.0)
+    }
+
     /// Little-endian two's complement in three bytes.
     pub const fn to_le_bytes(self) -> [u8; Self::LEN] {
         let [low, middle, high, _sign] = self.0.to_le_bytes();
@@ -58,8 +63,7 @@ impl Millinewtons {
 
     /// The nearest force to `millinewtons` that 16 bits hold.
     pub fn saturating(millinewtons: i32) -> Self {
-        let outside = if millinewtons < 0 { i16::MIN } else { i16::MAX };
-        Self(i16::try_from(millinewtons).unwrap_or(outside))
+        Self(saturated(millinewtons))
     }
 
     /// The force [mN].
@@ -76,6 +80,99 @@ impl Millinewtons {
     pub const fn from_le_bytes(bytes: [u8; Self::LEN]) -> Self {
         Self(i16::from_le_bytes(bytes))
     }
+}
+
+/// A key's speed [0.2 mm/s], 16 bits, down positive: up to 6.5 m/s.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
+pub struct Speed(i16);
+
+impl Speed {
+    /// What one unit means [um/s].
+    pub const MICROMETRES_PER_SECOND: i32 = 200;
+    /// Bytes on the wire.
+    pub const LEN: usize = 2;
+
+    /// The nearest speed to `units` [0.2 mm/s] that 16 bits hold.
+    pub fn saturating(units: i32) -> Self {
+        Self(saturated(units))
+    }
+
+    /// The speed [0.2 mm/s].
+    pub const fn get(self) -> i16 {
+        self.0
+    }
+
+    /// Little-endian two's complement.
+    pub const fn to_le_bytes(self) -> [u8; Self::LEN] {
+        self.0.to_le_bytes()
+    }
+
+    /// Reads what [`Self::to_le_bytes`] wrote.
+    pub const fn from_le_bytes(bytes: [u8; Self::LEN]) -> Self {
+        Self(i16::from_le_bytes(bytes))
+    }
+}
+
+/// A slope of the force by position or speed, in one byte: a small floating-point number.
+///
+/// ```text
+/// bit 7       sign
+/// bits 6..3   exponent e
+/// bits 2..0   mantissa m
+/// magnitude   m if e = 0, else (8 + m) 2^(e − 1)
+/// ```
+///
+/// Exact up to 15, then to one part in nine towards zero, up to 245 760. Stiffness counts in 0.25 N/m
+/// (61 kN/m at most), damping in 0.001 N s/m (245 N s/m at most). That is as fine as needed:
+/// the force itself is exact where the samples were taken, and only goes on from there.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Slope(u8);
+
+impl Slope {
+    /// What one unit of stiffness means [mN/m].
+    pub const STIFFNESS_UNIT: i32 = 250;
+    /// What one unit of damping means [mN s/m].
+    pub const DAMPING_UNIT: i32 = 1;
+    /// The largest magnitude.
+    pub const MAX: i32 = 15 << 14;
+
+    /// The slope next to `units` on the side of zero.
+    pub const fn toward_zero(units: i32) -> Self {
+        let magnitude = if units.unsigned_abs() < Self::MAX.unsigned_abs() {
+            units.unsigned_abs()
+        } else {
+            Self::MAX.unsigned_abs()
+        };
+        // A magnitude from 8 on has its leading one at bit 3 + (e − 1).
+        let shift = if magnitude < 8 { 0 } else { 28 - magnitude.leading_zeros() };
+        let mantissa = magnitude >> shift;
+        let code = if magnitude < 8 { mantissa } else { (shift + 1) << 3 | mantissa & 7 };
+        let [code, ..] = code.to_le_bytes();
+        Self(if units < 0 && code != 0 { code | 0x80 } else { code })
+    }
+
+    /// The slope [units].
+    pub const fn get(self) -> i32 {
+        let (exponent, mantissa) = (self.0 >> 3 & 0xF, (self.0 & 7) as i32);
+        let magnitude = if exponent == 0 { mantissa } else { (8 + mantissa) << (exponent - 1) };
+        if self.0 & 0x80 == 0 { magnitude } else { -magnitude }
+    }
+
+    /// The byte on the wire.
+    pub const fn code(self) -> u8 {
+        self.0
+    }
+
+    /// Reads a byte from the wire; every byte means something.
+    pub const fn from_code(code: u8) -> Self {
+        Self(code)
+    }
+}
+
+/// The nearest 16 bits to `value`.
+fn saturated(value: i32) -> i16 {
+    let outside = if value < 0 { i16::MIN } else { i16::MAX };
+    i16::try_from(value).unwrap_or(outside)
 }
 
 #[cfg(test)]
@@ -102,5 +199,29 @@ mod tests {
         assert_eq!(Millinewtons::saturating(40_000), Millinewtons::MAX);
         assert_eq!(Millinewtons::saturating(-40_000), Millinewtons::MIN);
         assert_eq!(Millinewtons::saturating(-500).get(), -500);
+    }
+
+    #[test]
+    fn a_slope_is_exact_up_to_15_and_then_to_a_ninth_towards_zero() {
+        for units in 0..=Slope::MAX {
+            let (up, down) = (Slope::toward_zero(units), Slope::toward_zero(-units));
+            assert_eq!(up.get(), -down.get());
+            let lost = units - up.get();
+            assert!(
+                0 <= lost && 9 * lost <= units && (15 < units || lost == 0),
+                "{units} became {}",
+                up.get()
+            );
+        }
+        assert_eq!(Slope::toward_zero(i32::MAX).get(), Slope::MAX);
+        assert_eq!(Slope::toward_zero(i32::MIN).get(), -Slope::MAX);
+    }
+
+    #[test]
+    fn every_byte_is_a_slope_that_keeps_its_value() {
+        for code in 0..=u8::MAX {
+            let slope = Slope::from_code(code);
+            assert_eq!(Slope::toward_zero(slope.get()).get(), slope.get());
+        }
     }
 }

@@ -1,19 +1,21 @@
-//! The version of the wire format, and who may talk to whom.
+//! The version of the protocol, and who may talk to whom.
 //!
-//! The major number stands in every frame, so that a board of another generation is
-//! refused at its first byte rather than misread.
+//! A **minor** number counts additions: new requests, new broadcasts, new bits that were zero,
+//! new fields behind a record's last. Who does not know them ignores or refuses them, and all
+//! else goes on. A **major** number counts changes after which old frames would be misread;
+//! boards of another one are refused at their hello and never armed. The cyclic layouts have a
+//! hash of their own, [`crate::schema::HASH`], so that not even a forgotten number lets a
+//! force be misread.
 
 /// What this crate speaks.
-pub const PROTOCOL_VERSION: Version = Version { major: 1, minor: 0 };
+pub const PROTOCOL_VERSION: Version = Version { major: 2, minor: 0 };
 
-const _: () = assert!(PROTOCOL_VERSION.major <= 0xF, "the major number has four bits");
-
-/// A version of the wire format.
+/// A version of the protocol.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Version {
-    /// Counts changes after which old frames would be misread, `0 ..= 15`.
+    /// Counts changes after which old frames would be misread.
     pub major: u8,
-    /// Counts additions that old boards may ignore.
+    /// Counts additions that the other side may ignore.
     pub minor: u8,
 }
 
@@ -30,8 +32,8 @@ mod tests {
 
     #[test]
     fn an_addition_is_understood_and_a_new_generation_is_not() {
-        let newer = Version { major: 1, minor: 9 };
-        let foreign = Version { major: 2, minor: 0 };
+        let newer = Version { major: 2, minor: 9 };
+        let foreign = Version { major: 3, minor: 0 };
         assert!(PROTOCOL_VERSION.understands(newer));
         assert!(!PROTOCOL_VERSION.understands(foreign));
     }

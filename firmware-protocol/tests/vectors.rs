@@ -1,92 +1,301 @@
 //! The golden bytes that firmware in any language must meet; made by another program.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+#![expect(clippy::expect_used, clippy::panic, reason = "helpers of tests, outside #[test]")]
+#![expect(clippy::disallowed_macros, reason = "tests run on the host")]
 
-use firmware_protocol::frame::Header;
-use firmware_protocol::frame::key_forces::{self, KeyForces};
-use firmware_protocol::frame::key_samples::{self, KeySamples};
+#[expect(dead_code, reason = "other tests use the rest")]
+#[path = "support/tools.rs"]
+mod tools;
+#[path = "support/vector.rs"]
+mod vector;
+
+use core::fmt::Debug;
+
+use firmware_protocol::acyclic::arm::{Arm, Disarmed};
+use firmware_protocol::acyclic::calibration::{KeyCalibration, ReadCalibration};
+use firmware_protocol::acyclic::config::{Config, ReadConfig, WriteConfig};
+use firmware_protocol::acyclic::counters::Counters;
+use firmware_protocol::acyclic::finger::Finger;
+use firmware_protocol::acyclic::light::Light;
+use firmware_protocol::acyclic::log::{LogLine, ReadLog};
+use firmware_protocol::acyclic::ping::Pong;
+use firmware_protocol::acyclic::stream::Stream;
+use firmware_protocol::acyclic::{Operation, Reply, Request, Status, encode_reply, encode_request};
+use firmware_protocol::can::{self, pieces};
+use firmware_protocol::frame::broadcast::{self, Broadcast};
+use firmware_protocol::frame::hello::{Hello, Introduction};
+use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces, KeySlopes};
+use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
+use firmware_protocol::frame::multicast_forces::MulticastForces;
+use firmware_protocol::frame::{Header, Kind};
 use firmware_protocol::key::{BoardId, PerKey};
-use firmware_protocol::quantity::{Counts, Millinewtons};
+use firmware_protocol::quantity::{Counts, Millinewtons, Slope, Speed};
 use firmware_protocol::sequence::Sequence;
 use firmware_protocol::serial::{self, Deframer};
+use firmware_protocol::version::Version;
+use firmware_protocol::{MAX_FRAME, Nothing, Record};
+use vector::Vector;
 
 #[test]
-fn key_samples() {
-    let header = Header { board: board(3), sequence: Sequence(254), stamp_us: 0x1234, fault: true };
-    let counts = [0, 1, -1, 2_500, -2_500, 8_388_607, -8_388_608, 256, 65_536, -65_536, 12_345];
-    check_samples(include_str!("../vectors/key_samples.hex"), header, &counts);
-}
-
-#[test]
-fn key_samples_one_key() {
-    check_samples(
-        include_str!("../vectors/key_samples_one_key.hex"),
-        Header { board: board(0), sequence: Sequence(0), stamp_us: 0, fault: false },
-        &[-2],
-    );
-}
-
-#[test]
-fn key_forces() {
-    let header = Header { board: board(7), sequence: Sequence(42), stamp_us: 65_535, fault: false };
-    let forces = [0, 1, -1, 500, -500, 32_767, -32_768, 256, -256, 1_234, -4_321];
-    check_forces(include_str!("../vectors/key_forces.hex"), header, &forces);
+fn every_vector_reads_as_its_fields_and_its_fields_write_it() {
+    for vector in vector::all() {
+        match vector.text("kind") {
+            "hello" => check_hello(&vector),
+            "key_samples" => check_samples(&vector),
+            "key_forces" => check_forces(&vector),
+            "multicast_forces" => check_multicast(&vector),
+            "broadcast" => check_broadcast(&vector),
+            "request" => check_request(&vector),
+            "reply" => check_reply(&vector),
+            kind => panic!("{}: nobody reads {kind}", vector.name),
+        }
+    }
 }
 
 #[test]
-fn key_forces_one_key() {
-    let vector = include_str!("../vectors/key_forces_one_key.hex");
-    check_forces(
-        vector,
-        Header { board: board(0), sequence: Sequence(1), stamp_us: 1_000, fault: true },
-        &[-1],
-    );
+fn every_vector_travels_on_the_stream_and_on_both_kinds_of_can() {
+    for vector in vector::all() {
+        check_wire(&vector);
+        check_can(&vector);
+        check_pieces(&vector);
+    }
 }
 
-fn board(number: u8) -> BoardId {
-    BoardId::new(number).expect("a board of the compass")
+#[test]
+fn the_vectors_are_what_their_program_makes() {
+    if !tools::are_there(&["python3"]) {
+        return;
+    }
+    let program = tools::crate_root().join("vectors/make.py");
+    // Only a check, which leaves nothing behind.
+    tools::run(std::process::Command::new("python3").arg("-B").arg(program).arg("--check"));
 }
 
-/// Asserts that these samples are the vector's frame, both ways.
+#[test]
+fn there_is_a_vector_of_every_kind_packing_and_operation() {
+    let vectors = vector::all();
+    let has = |kind: &str, name: &str, number: u8| {
+        let of_kind = vectors.iter().filter(|vector| vector.text("kind") == kind);
+        let found = of_kind.into_iter().any(|vector| vector.number::<u8>(name) == number);
+        assert!(found, "no {kind} with {name} {number}");
+    };
+    for packing in SamplePacking::ALL {
+        has("key_samples", "packing", packing as u8);
+    }
+    for (kind, name, numbers) in [("key_forces", "packing", 0..=1), ("broadcast", "what", 1..=3)] {
+        numbers.for_each(|number| has(kind, name, number));
+    }
+    for operation in Operation::ALL {
+        has("request", "operation", operation as u8);
+        has("reply", "operation", operation as u8);
+    }
+}
+
+fn board(vector: &Vector) -> BoardId {
+    BoardId::new(vector.number("board")).expect("a board")
+}
+
+fn header(vector: &Vector) -> Header {
+    Header {
+        board: board(vector),
+        sequence: Sequence(vector.number("sequence")),
+        stamp_us: vector.number("stamp_us"),
+        flag: vector.number::<u8>("flag") == 1,
+    }
+}
+
 #[track_caller]
-fn check_samples(vector: &str, header: Header, counts: &[i32]) {
-    let positions = PerKey::collect(counts.iter().copied().map(Counts::saturating));
-    let samples = KeySamples { header, positions };
-    let golden = line(vector, "frame ");
-    let mut bytes = [0; key_samples::MAX_LEN];
-    let n = samples.encode(&mut bytes);
-    assert_eq!(&bytes[..n], golden);
-    assert_eq!(KeySamples::decode(&golden), Ok(samples));
-    check_wire(vector);
+fn check_samples(vector: &Vector) {
+    let packing = SamplePacking::new(vector.number("packing")).expect("a packing");
+    let positions = vector.numbers("positions").into_iter().map(Counts::saturating);
+    let velocities = vector.numbers("velocities").into_iter().map(Speed::saturating);
+    let (positions, velocities) = (PerKey::collect(positions), PerKey::collect(velocities));
+    let samples = KeySamples { header: header(vector), positions, velocities };
+    let layout = SampleLayout { packing, n_keys: positions.as_slice().len() };
+    let mut bytes = [0xAA; MAX_FRAME];
+    let len = samples.encode(packing, &mut bytes);
+    check(vector, &bytes[..len], KeySamples::decode(&vector.frame(), layout), Ok(samples));
 }
 
-/// Asserts that these forces are the vector's frame, both ways.
 #[track_caller]
-fn check_forces(vector: &str, header: Header, millinewtons: &[i32]) {
-    let forces = PerKey::collect(millinewtons.iter().copied().map(Millinewtons::saturating));
-    let forces = KeyForces { header, forces };
-    let golden = line(vector, "frame ");
-    let mut bytes = [0; key_forces::MAX_LEN];
-    let n = forces.encode(&mut bytes);
-    assert_eq!(&bytes[..n], golden);
-    assert_eq!(KeyForces::decode(&golden), Ok(forces));
-    check_wire(vector);
+fn check_forces(vector: &Vector) {
+    let packing = ForcePacking::new(vector.number("packing")).expect("a packing");
+    let forces = vector.numbers("forces").into_iter().map(Millinewtons::saturating);
+    let stiffness = vector.numbers("stiffness").into_iter().map(Slope::toward_zero);
+    let damping = vector.numbers("damping").into_iter().map(Slope::toward_zero);
+    let slopes = stiffness.zip(damping).map(|(k, b)| KeySlopes { stiffness: k, damping: b });
+    let slopes = PerKey::collect(slopes);
+    let forces = KeyForces { header: header(vector), forces: PerKey::collect(forces), slopes };
+    let layout = ForceLayout { packing, n_keys: forces.forces.as_slice().len() };
+    let mut bytes = [0xAA; MAX_FRAME];
+    let len = forces.encode(&mut bytes);
+    check(vector, &bytes[..len], KeyForces::decode(&vector.frame(), layout), Ok(forces));
 }
 
-/// Asserts that the vector's frame travels as its wire bytes, both ways.
 #[track_caller]
-fn check_wire(vector: &str) {
-    let (frame, golden) = (line(vector, "frame "), line(vector, "wire "));
+fn check_multicast(vector: &Vector) {
+    let forces: Vec<_> =
+        vector.numbers("forces").into_iter().map(Millinewtons::saturating).collect();
+    let multicast = MulticastForces {
+        group: vector.number("group"),
+        sequence: Sequence(vector.number("sequence")),
+        stamp_us: vector.number("stamp_us"),
+        flag: vector.number::<u8>("flag") == 1,
+        forces: forces.try_into().expect("thirty forces"),
+    };
+    let decoded = MulticastForces::decode(&vector.frame());
+    check(vector, &multicast.encode(), decoded, Ok(multicast));
+}
+
+#[track_caller]
+fn check_broadcast(vector: &Vector) {
+    let broadcast = match vector.number("what") {
+        1 => Broadcast::EmergencyStop { reason: vector.number("reason") },
+        2 => Broadcast::BusTime { host_us: vector.number("host_us") },
+        3 => {
+            let (major, minor) = (vector.number("major"), vector.number("minor"));
+            Broadcast::WhoIsThere { version: Version { major, minor } }
+        }
+        other => panic!("{}: nobody reads broadcast {other}", vector.name),
+    };
+    let mut bytes = [0xAA; broadcast::MAX_LEN];
+    let len = broadcast.encode(&mut bytes);
+    check(vector, &bytes[..len], Broadcast::decode(&vector.frame()), Ok(broadcast));
+}
+
+#[track_caller]
+fn check_hello(vector: &Vector) {
+    let introduction = Introduction::decode(&vector.frame()).expect("a hello");
+    check_fields(vector, "flag", &introduction.hello);
+    let expected = (board(vector), vector.number::<u8>("flag") == 1);
+    let mut bytes = [0xAA; MAX_FRAME];
+    let len = introduction.encode(&mut bytes);
+    check(vector, &bytes[..len], (introduction.board, introduction.fault), expected);
+}
+
+#[track_caller]
+fn check_request(vector: &Vector) {
+    let operation = Operation::new(vector.number("operation")).expect("an operation");
+    match operation {
+        Operation::Stream => request_with::<Stream>(vector),
+        Operation::Arm => request_with::<Arm>(vector),
+        Operation::ReadConfig => request_with::<ReadConfig>(vector),
+        Operation::WriteConfig => request_with::<WriteConfig>(vector),
+        Operation::ReadCalibration => request_with::<ReadCalibration>(vector),
+        Operation::WriteCalibration => request_with::<KeyCalibration>(vector),
+        Operation::ReadLog => request_with::<ReadLog>(vector),
+        Operation::Light => request_with::<Light>(vector),
+        Operation::Finger => request_with::<Finger>(vector),
+        Operation::Hello | Operation::Disarm | Operation::Ping | Operation::Counters => {
+            request_with::<Nothing>(vector);
+        }
+    }
+}
+
+#[track_caller]
+fn request_with<R: Record + Debug>(vector: &Vector) {
+    let frame = vector.frame();
+    let request = Request::decode(&frame).expect("a request");
+    let record = R::take(request.record).expect("its record");
+    check_fields(vector, "operation", &record);
+    let operation = request.operation.expect("a known operation");
+    let got = (request.board, request.id, operation as u8);
+    let mut bytes = [0xAA; MAX_FRAME];
+    let len = encode_request(request.board, request.id, operation, &record, &mut bytes);
+    let expected = (board(vector), vector.number("id"), vector.number("operation"));
+    check(vector, &bytes[..len], got, expected);
+}
+
+#[track_caller]
+fn check_reply(vector: &Vector) {
+    if vector.number::<u8>("status") != 0 {
+        return reply_with::<Nothing>(vector);
+    }
+    match Operation::new(vector.number("operation")).expect("an operation") {
+        Operation::Hello => reply_with::<Hello>(vector),
+        Operation::Disarm => reply_with::<Disarmed>(vector),
+        Operation::Ping => reply_with::<Pong>(vector),
+        Operation::ReadConfig | Operation::WriteConfig => reply_with::<Config>(vector),
+        Operation::ReadCalibration | Operation::WriteCalibration => {
+            reply_with::<KeyCalibration>(vector);
+        }
+        Operation::ReadLog => reply_with::<LogLine>(vector),
+        Operation::Counters => reply_with::<Counters>(vector),
+        Operation::Stream | Operation::Arm | Operation::Light | Operation::Finger => {
+            reply_with::<Nothing>(vector);
+        }
+    }
+}
+
+#[track_caller]
+fn reply_with<R: Record + Debug>(vector: &Vector) {
+    let frame = vector.frame();
+    let reply = Reply::decode(&frame).expect("a reply");
+    let record = R::take(reply.record).expect("its record");
+    check_fields(vector, "status", &record);
+    let outcome = if reply.status == Status::Done { Ok(record) } else { Err(reply.status) };
+    let operation = reply.operation.map_or_else(|number| number, |known| known as u8);
+    let got = (reply.board, reply.id, operation, reply.status as u8);
+    let mut bytes = [0xAA; MAX_FRAME];
+    let len = encode_reply(reply.board, reply.id, operation, outcome, &mut bytes);
+    let ids = (vector.number("id"), vector.number("operation"), vector.number("status"));
+    check(vector, &bytes[..len], got, (board(vector), ids.0, ids.1, ids.2));
+}
+
+/// Asserts what a frame was read as, and that it was written as the vector has it.
+#[track_caller]
+fn check<T: Copy + Debug + PartialEq>(vector: &Vector, bytes: &[u8], got: T, expected: T) {
+    assert_eq!(got, expected, "{}", vector.name);
+    assert_eq!(bytes, vector.frame(), "{}", vector.name);
+}
+
+/// Asserts that `record` has the fields of the vector behind `last`, by name and in order.
+#[track_caller]
+fn check_fields<R: Debug>(vector: &Vector, last: &str, record: &R) {
+    let fields = vector.fields_after(last).map(|(name, value)| {
+        let bytes = value.split_whitespace().collect::<Vec<_>>().join(", ");
+        // Bytes are shown as an array; there is no array of one.
+        let value = if value.contains(' ') { format!("[{bytes}]") } else { bytes };
+        format!("{name}: {value}")
+    });
+    let fields = fields.collect::<Vec<_>>().join(", ");
+    let shown = format!("{record:?}");
+    let (_name, shown) = shown.trim_end_matches(" }").split_once(" { ").unwrap_or_default();
+    assert_eq!(shown, fields, "{}", vector.name);
+}
+
+#[track_caller]
+fn check_wire(vector: &Vector) {
+    let (frame, golden) = (vector.frame(), vector.bytes("wire").concat());
     let mut wire = [0; serial::MAX_WIRE];
-    let n = serial::encode(&frame, &mut wire).expect("a frame that links carry");
-    assert_eq!(&wire[..n], golden);
+    let len = serial::encode(&frame, &mut wire).expect("a frame that links carry");
+    assert_eq!(&wire[..len], golden, "{}", vector.name);
     let mut deframer = Deframer::default();
-    let last =
-        golden.iter().fold(None, |_, byte| deframer.push(*byte).map(|got| got.map(<[u8]>::to_vec)));
-    assert_eq!(last, Some(Ok(frame)));
+    let mut last = None;
+    for byte in golden {
+        last = deframer.push(byte).map(|got| got.map(<[u8]>::to_vec));
+    }
+    assert_eq!(last, Some(Ok(frame)), "{}", vector.name);
 }
 
-/// The bytes of the vector's line that starts with `name`.
-fn line(vector: &str, name: &str) -> Vec<u8> {
-    let hex = vector.lines().find_map(|line| line.strip_prefix(name)).expect("the line");
-    hex.split(' ').map(|byte| u8::from_str_radix(byte, 16).expect("a hex byte")).collect()
+#[track_caller]
+fn check_can(vector: &Vector) {
+    let frame = vector.frame();
+    assert_eq!(can::identifier(&frame), Some(vector.number("can_id")), "{}", vector.name);
+    assert_eq!(can::padded(frame.len()), vector.number::<usize>("padded"), "{}", vector.name);
+    let kind = Kind::of(&frame).map(|kind| kind as u8);
+    assert_eq!(kind, Some(frame[0] >> 5), "{}", vector.name);
+}
+
+#[track_caller]
+fn check_pieces(vector: &Vector) {
+    let (frame, golden) = (vector.frame(), vector.bytes("pieces"));
+    let cut = pieces::cut(&frame, vector.number("roll"));
+    let cut: Vec<_> = cut.map(|(piece, len)| piece[..len].to_vec()).collect();
+    assert_eq!(cut, golden, "{}", vector.name);
+    let mut assembler = pieces::Assembler::default();
+    let mut whole = None;
+    for piece in &golden {
+        whole = assembler.push(piece).expect("the next piece").map(<[u8]>::to_vec);
+    }
+    assert_eq!(whole, Some(frame), "{}", vector.name);
 }

@@ -3,6 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
+use crate::link::trouble::{CanTrouble, PortTrouble};
+
 /// Why something could not be set up.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
@@ -11,6 +13,47 @@ pub enum Error {
     Period {
         /// What was asked for [s].
         period: f64,
+    },
+    /// A serial port could not be opened.
+    #[error("the serial port {path} cannot be opened: {why}")]
+    Port {
+        /// Which one.
+        path: PathBuf,
+        /// What is wrong, and what to do.
+        why: PortTrouble,
+    },
+    /// The system gave no thread.
+    #[error("the system gives no thread: {0}")]
+    Thread(io::Error),
+    /// The system gave no pseudo-terminal.
+    #[error("the system gives no pseudo-terminal: {0}")]
+    Pty(io::Error),
+    /// A CAN interface could not be opened.
+    #[error("the CAN interface {interface} cannot be opened: {why}")]
+    Can {
+        /// Which one.
+        interface: String,
+        /// What is wrong, and what to do.
+        why: CanTrouble,
+    },
+    /// A board cannot carry these keys.
+    #[error(
+        "a board of {n_keys} keys from key {first} on is not possible; \
+         give 1 to 12 keys, all within the 88"
+    )]
+    BoardKeys {
+        /// The first, `0 ..= 87`.
+        first: u8,
+        /// How many.
+        n_keys: usize,
+    },
+    /// A file could not be written.
+    #[error("{path} cannot be written: {source}; see to the folder and its rights")]
+    Unwritable {
+        /// Which one.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
     },
     /// The system refused to list its serial ports.
     #[error("the system does not list its serial ports: {0}")]

@@ -9,7 +9,7 @@ use hardware::link::faulty::{Chance, Direction, Fault, FaultPlan, Scripted};
 use hardware::sim::key::SimulatedKey;
 use hardware::sim::keybed::SimulatedKeybed;
 use proptest::prelude::*;
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
 const PERIOD: f64 = 1e-3;
@@ -125,7 +125,7 @@ fn check_rehearsal(ticks: impl Iterator<Item = (u64, bool)>) {
         assert_eq!(sample.age, played.age, "tick {tick}");
         assert_eq!(rehearsed.is_safe(), bed.is_safe(), "tick {tick}");
         if sends {
-            rehearsed.send(law(sample.position));
+            rehearsed.send(law(sample.position), &KeySlope::HELD);
         }
         deepest = deepest.max(sample.position);
     }
@@ -199,7 +199,7 @@ fn a_flipped_bit_is_counted_and_never_moves_a_key() {
         );
     }
     let board = key(PLAYED).board();
-    let found = bed.keybed.statistics(board).corrupt + bed.keybed.board_faults(board).corrupt;
+    let found = bed.keybed.wire(board).corrupt + bed.keybed.board_counts(board).corrupt;
     let made = bed.keybed.fault_counts(board).flipped;
     // A flip of a closing zero joins two frames, which is one refusal for what may be two.
     assert!(0 < made && made / 2 <= found && found <= made * 2, "{found} of {made}");
@@ -224,7 +224,7 @@ fn a_silent_host_loses_the_motors_within_30_ms_for_good() {
     bed.keybed.rearm();
     bed.exchanges(140..145);
     assert!(!bed.is_safe() && 1.5 < bed.motor_force());
-    assert_eq!(bed.keybed.board_faults(board).trips, 1);
+    assert_eq!(bed.keybed.board_counts(board).trips, 1);
 }
 
 #[test]
@@ -238,7 +238,7 @@ fn forces_that_come_too_late_are_not_acted_on() {
     let mut bed = Bed::disturbed(FaultPlan { script: vec![down_only(50)], ..FaultPlan::default() });
     bed.exchanges(0..145);
     assert!(bed.is_safe() && bed.motor_force().abs() < 1e-9);
-    assert!(0 < bed.keybed.board_faults(key(PLAYED).board()).stale);
+    assert!(0 < bed.keybed.board_counts(key(PLAYED).board()).stale);
 }
 
 #[test]

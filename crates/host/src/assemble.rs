@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use firmware_protocol::frame::key_forces::ForcePacking;
 use haptics::{BackwardDifference, ForceGate, Kalman, RigParameters};
 use hardware::sim::key::SimulatedKey;
 use models::Playable;
@@ -11,8 +12,8 @@ use scheduler::time::Period;
 
 use crate::adapters::audit::AuditCell;
 use crate::adapters::input::{AnyEstimator, InputPath};
-use crate::adapters::voice::{Fittings, RehearsableVoice, RenderedKey};
-use crate::config::{self, EstimatorName, KeyVoice, Render, Scene, StepperName};
+use crate::adapters::voice::{Fittings, RehearsableVoice, RenderedKey, Slopes};
+use crate::config::{self, EstimatorName, KeyVoice, Links, Render, Scene, StepperName};
 use crate::rehearsal::RehearsedKey;
 
 /// A voice of any model.
@@ -81,6 +82,7 @@ impl<'a> Assembler<'a> {
             h,
             quantum: self.rig.quantum,
             cell,
+            slopes: slopes(&self.scene.links),
         };
         catalogue::visit(name, builder).ok_or(AssembleError::NoSuchModel(name))?
     }
@@ -96,6 +98,14 @@ impl<'a> Assembler<'a> {
     }
 }
 
+/// Whether the boards of `links` render slopes.
+fn slopes(links: &Links) -> Slopes {
+    match links {
+        Links::Boards(boards) if boards.forces == ForcePacking::Force16Slope => Slopes::Rendered,
+        Links::Boards(_) | Links::Simulated => Slopes::Unused,
+    }
+}
+
 /// Makes a voice of whichever model the catalogue finds.
 struct Builder<'a> {
     render: &'a Render,
@@ -104,6 +114,7 @@ struct Builder<'a> {
     /// Encoder step [m].
     quantum: f64,
     cell: Arc<AuditCell>,
+    slopes: Slopes,
 }
 
 impl Visitor for Builder<'_> {
@@ -128,7 +139,7 @@ impl Visitor for Builder<'_> {
 
 impl Builder<'_> {
     fn fittings(self, scale: f64) -> Result<Fittings, AssembleError> {
-        let Self { render, h, quantum, cell, .. } = self;
+        let Self { render, h, quantum, cell, slopes, .. } = self;
         let estimator = match render.estimator {
             EstimatorName::Kalman => {
                 AnyEstimator::Kalman(Kalman::new(h, quantum, render.jerk_density))
@@ -148,6 +159,6 @@ impl Builder<'_> {
         };
         let input = InputPath::new(estimator, reconstruction, scale, h);
         let gate = ForceGate::new(render.force_limit, render.slew_limit)?;
-        Ok(Fittings { input, gate, limits, cell, h })
+        Ok(Fittings { input, gate, limits, cell, h, slopes })
     }
 }

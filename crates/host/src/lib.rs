@@ -9,6 +9,7 @@
 pub mod adapters;
 pub mod assemble;
 pub mod bell;
+mod boards;
 pub mod command;
 pub mod config;
 pub mod control;
@@ -19,3 +20,4 @@ pub mod rehearsal;
 pub mod report;
 pub mod session;
 pub mod simulate;
+pub mod simulated;

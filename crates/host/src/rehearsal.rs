@@ -99,7 +99,8 @@ impl Rehearsal for RehearsedKey {
         while (self.tick as f64) * self.period < until {
             let sample = self.key.receive(self.tick);
             self.slot.tick(self.tick, &sample, &mut turn);
-            self.key.send(self.gate.apply(&turn, &sample));
+            let force = self.gate.apply(&turn, &sample);
+            self.key.send(force, &self.gate.slope(&turn));
             turn.events.as_slice().iter().for_each(|it| self.note(it, &mut outcome));
             self.tick += 1;
         }

@@ -52,7 +52,7 @@ fn ask(path: &Path, request: &Request) -> Reply {
     loop {
         match send(path, request).expect("a reply") {
             Reply::Refused(why) if why.contains("not running yet") => std::thread::yield_now(),
-            reply @ (Reply::Switched(_) | Reply::Refused(_)) => return reply,
+            reply @ (Reply::Switched(_) | Reply::Refused(_) | Reply::Stopped) => return reply,
         }
     }
 }
@@ -82,7 +82,7 @@ fn nonsense_is_refused_with_the_reason_and_disturbs_nobody() {
     let report = beside_a_host("nonsense", |path| {
         let refused = |request: &Request| match ask(path, request) {
             Reply::Refused(why) => why,
-            Reply::Switched(n) => panic!("{n} keys were switched"),
+            done @ (Reply::Switched(_) | Reply::Stopped) => panic!("{done:?}"),
         };
         assert!(refused(&request("organ", None)).contains("no instrument \"organ\""));
         assert!(refused(&request("spring-wall", Some("B4..C4"))).contains("backwards"));

@@ -33,6 +33,38 @@ pub struct KeySample {
     pub age: u32,
 }
 
+/// How the force on a key goes on around the point for which it was worked out.
+///
+/// F + stiffness (position − s) + damping (velocity − s'), until the next force comes.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct KeySlope {
+    /// −∂F/∂s [N/m].
+    pub stiffness: f64,
+    /// −∂F/∂s' [N s/m].
+    pub damping: f64,
+    /// Displacement for which the force holds, down positive [m].
+    pub position: f64,
+    /// Speed for which the force holds, down positive [m/s].
+    pub velocity: f64,
+    /// How long after the sample that is the key expected to be there [s].
+    pub ahead: f64,
+}
+
+impl KeySlope {
+    /// A force that is held.
+    pub const HELD: Self =
+        Self { stiffness: 0.0, damping: 0.0, position: 0.0, velocity: 0.0, ahead: 0.0 };
+
+    /// Whether all of it are numbers.
+    pub const fn is_finite(&self) -> bool {
+        self.stiffness.is_finite()
+            && self.damping.is_finite()
+            && self.position.is_finite()
+            && self.velocity.is_finite()
+            && self.ahead.is_finite()
+    }
+}
+
 /// What happened to a key's note within a tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum KeyEvent {

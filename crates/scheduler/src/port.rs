@@ -1,6 +1,6 @@
 //! What the outside must supply: a bus to the keys, lanes to run on, an observer.
 
-use crate::motion::{KEYS, KeySample};
+use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::voice::Turn;
 
 /// The motors and sensors of all keys.
@@ -12,6 +12,13 @@ pub trait KeyBus {
 
     /// Hands over the forces [N, up positive] to be held during `tick`.
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]);
+
+    /// The same with how each force goes on, for motors that work between two ticks.
+    ///
+    /// A bus whose motors hold what they are sent need not say anything.
+    fn send_sloped(&mut self, tick: u64, forces: &[f64; KEYS], _slopes: &[KeySlope; KEYS]) {
+        self.send(tick, forces);
+    }
 }
 
 /// Where the voices run.

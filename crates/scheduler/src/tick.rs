@@ -1,7 +1,7 @@
 //! The tick, top to bottom.
 
 use crate::lane::LaneReport;
-use crate::motion::{KEYS, KeySample};
+use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::port::{KeyBus, Lanes, TickObserver};
 use crate::safety::{SAFE_FORCE, Safety, SafetyReport};
 use crate::time::{Nanos, Timetable};
@@ -33,6 +33,7 @@ pub struct Scheduler {
     samples: [KeySample; KEYS],
     turns: [Turn; KEYS],
     forces: [f64; KEYS],
+    slopes: [KeySlope; KEYS],
     safety: Safety,
 }
 
@@ -50,6 +51,7 @@ impl Scheduler {
             samples: [KeySample::default(); KEYS],
             turns: [Turn::default(); KEYS],
             forces: [SAFE_FORCE; KEYS],
+            slopes: [KeySlope::HELD; KEYS],
             safety: Safety::new(timetable.period()),
         }
     }
@@ -74,7 +76,8 @@ impl Scheduler {
         bus.receive(tick, &mut self.samples);
         lanes.run(tick, &self.samples, &mut self.turns);
         let safety = self.safety.apply(skipped, &self.samples, &self.turns, &mut self.forces);
-        bus.send(tick, &self.forces);
+        self.safety.slopes(&self.turns, &mut self.slopes);
+        bus.send_sloped(tick, &self.forces, &self.slopes);
         observer.observe(tick, &self.turns, &self.forces);
 
         Some(TickReport {

@@ -1,6 +1,6 @@
 //! One key's running simulation, as the scheduler sees it.
 
-use crate::motion::{KeyEvent, KeySample, Moment};
+use crate::motion::{KeyEvent, KeySample, KeySlope, Moment};
 
 /// Key events that one voice can report in one tick; more are counted, not kept.
 pub const MAX_EVENTS_PER_TURN: usize = 8;
@@ -33,6 +33,8 @@ pub trait Voice {
 pub struct Turn {
     /// Force on the finger, up positive [N].
     pub force: f64,
+    /// How the force goes on until the next tick; of itself it is held.
+    pub slope: KeySlope,
     /// What happened to the note.
     pub events: Events,
     /// Counted work.
@@ -57,7 +59,7 @@ impl Turn {
     ///
     /// Touches a few words only: most keys are idle most of the time.
     pub const fn rest_at(&mut self, force: f64) {
-        self.force = force;
+        (self.force, self.slope) = (force, KeySlope::HELD);
         self.events.clear();
         self.work = Work { derivatives: 0, guards: 0, events: 0 };
         self.fault = None;

@@ -1,31 +1,100 @@
-//! What a board's motors shall do: host → board, once a tick.
+//! What a board's motors shall do: host → board, an answer to one frame of samples.
 //!
 //! ```text
-//! byte 0..6   header, class 1; board time is that of the newest samples the host knew
-//! byte 6 + 2 k .. 8 + 2 k   key k: force on the finger [mN], up positive, little-endian
+//! byte 0..3   header, kind 1; sequence and board time are those of the samples answered;
+//!             flag: render no force
+//! byte 4..    for each key, by packing:
+//!             force16        2 bytes  F0 [mN]
+//!             force16-slope  4 bytes  F0, stiffness K, damping B ([`Slope`], 0.25 N/m and
+//!                                     0.001 N s/m)
 //! ```
 //!
-//! 28 bytes with eleven keys; 32 on CAN FD.
+//! With eleven keys these are 26 and 48 bytes; on CAN FD 32 and 48 (filled exactly).
+//!
+//! Between two frames the board renders F0 + K (s0 − s) + B (s0' − s'). The point s0, s0'
+//! moves as the key was expected to: it starts at the position and velocity in the samples
+//! that the frame answers, which the board knows exactly, so they need no bytes, and goes on at
+//! that velocity for at most [`crate::acyclic::arm::PATH_US`] after they were taken. So only
+//! what was not expected changes the force, however long the frame was on its way. Force up and position down are positive: a spring and a
+//! damper that push back grow upwards with s and s', so their K = −∂F/∂s and B = −∂F/∂s' are
+//! **negative**.
+//!
+//! The forces are **valid until** the time of the samples answered plus the time that was
+//! agreed when the board was armed. A board takes a frame only if both sequence and time are
+//! those of one of its last 64 frames of samples, which is not older than that and not older
+//! than the one answered before: so nothing stale is ever rendered, whatever a link does.
 
-use super::{Class, DecodeError, Header};
+use super::{DecodeError, HEADER_LEN, Header, Kind};
+use crate::MAX_FRAME;
 use crate::key::PerKey;
-use crate::quantity::Millinewtons;
+use crate::quantity::{Millinewtons, Slope};
 
-mod field {
-    /// Bytes on CAN FD: the next length that it has.
-    pub(super) const PADDED: usize = 32;
+/// The longest encoding.
+pub const MAX_LEN: usize = MAX_FRAME;
+
+/// How each key is packed.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
+#[repr(u8)]
+pub enum ForcePacking {
+    /// The force, held.
+    #[default]
+    Force16 = 0,
+    /// The force and how it goes on.
+    Force16Slope = 1,
+    /// The force, held, in frames for all boards: [`super::multicast_forces`].
+    Multicast16 = 2,
 }
 
-/// The longest encoding, padding included.
-pub const MAX_LEN: usize = field::PADDED;
+impl ForcePacking {
+    /// All packings.
+    pub const ALL: [Self; 3] = [Self::Force16, Self::Force16Slope, Self::Multicast16];
 
-/// The forces of one board's keys, held until the next ones come.
+    /// The packing with this number.
+    pub fn new(number: u8) -> Option<Self> {
+        Self::ALL.get(usize::from(number)).copied()
+    }
+
+    /// Bytes for one key.
+    pub const fn key_len(self) -> usize {
+        match self {
+            Self::Force16 | Self::Multicast16 => 2,
+            Self::Force16Slope => 4,
+        }
+    }
+
+    /// Bytes of a frame with `n_keys` keys, without padding.
+    pub const fn frame_len(self, n_keys: usize) -> usize {
+        HEADER_LEN + n_keys * self.key_len()
+    }
+}
+
+/// What was agreed of a board's forces.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ForceLayout {
+    /// How each key is packed.
+    pub packing: ForcePacking,
+    /// How many keys there are.
+    pub n_keys: usize,
+}
+
+/// How a key's force goes on between two frames.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct KeySlopes {
+    /// K = −∂F/∂s [0.25 N/m].
+    pub stiffness: Slope,
+    /// B = −∂F/∂s' [0.001 N s/m].
+    pub damping: Slope,
+}
+
+/// The forces of one board's keys.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeyForces {
     /// Who is meant, and which samples are answered.
     pub header: Header,
-    /// Force of each key, in the order of slots.
+    /// Force of each key where the samples have it, in the order of slots.
     pub forces: PerKey<Millinewtons>,
+    /// How each force goes on; as many as forces, or none.
+    pub slopes: PerKey<KeySlopes>,
 }
 
 impl KeyForces {
@@ -33,19 +102,49 @@ impl KeyForces {
     ///
     /// # Errors
     /// Says what in `bytes` is not of this frame.
-    pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
-        if MAX_LEN < bytes.len() {
-            return Err(DecodeError::Length { got: bytes.len() });
-        }
-        let (header, values) = super::decode(bytes, Class::KeyForces)?;
-        let forces = PerKey::collect(values.iter().copied().map(Millinewtons::from_le_bytes));
-        Ok(Self { header, forces })
+    pub fn decode(bytes: &[u8], layout: ForceLayout) -> Result<Self, DecodeError> {
+        let ForceLayout { packing, n_keys } = layout;
+        let len = n_keys * packing.key_len();
+        let (header, values) = Header::decode(bytes, Kind::KeyForces, len)?;
+        let keys = values.chunks_exact(packing.key_len());
+        let force = |key: &[u8]| key.first_chunk().copied().map(Millinewtons::from_le_bytes);
+        let slopes = |key: &[u8]| match *key {
+            [_, _, stiffness, damping] => Some(KeySlopes {
+                stiffness: Slope::from_code(stiffness),
+                damping: Slope::from_code(damping),
+            }),
+            _ => None,
+        };
+        Ok(Self {
+            header,
+            forces: PerKey::collect(keys.clone().filter_map(force)),
+            slopes: PerKey::collect(keys.filter_map(slopes)),
+        })
     }
 
-    /// Writes the frame and zeros behind it; returns its length without them.
+    /// Writes the frame with zeros behind it; returns its length without them.
+    ///
+    /// It has slopes if there are any.
     pub fn encode(&self, bytes: &mut [u8; MAX_LEN]) -> usize {
-        let values = self.forces.as_slice().iter().map(|force| force.to_le_bytes());
-        super::encode(bytes, Class::KeyForces, self.header, values)
+        let packing = self.packing();
+        let (start, rest) = bytes.split_at_mut(HEADER_LEN);
+        rest.fill(0);
+        if let Some(head) = start.first_chunk_mut() {
+            self.header.encode(Kind::KeyForces, head);
+        }
+        let places = rest.chunks_exact_mut(packing.key_len());
+        for (slot, (place, force)) in places.zip(self.forces.as_slice()).enumerate() {
+            place[..Millinewtons::LEN].copy_from_slice(&force.to_le_bytes());
+            if let Some(KeySlopes { stiffness, damping }) = self.slopes.as_slice().get(slot) {
+                place[Millinewtons::LEN..].copy_from_slice(&[stiffness.code(), damping.code()]);
+            }
+        }
+        packing.frame_len(self.forces.as_slice().len()).min(MAX_LEN)
+    }
+
+    /// How this frame is packed.
+    pub const fn packing(&self) -> ForcePacking {
+        if self.slopes.is_empty() { ForcePacking::Force16 } else { ForcePacking::Force16Slope }
     }
 }
 
@@ -55,37 +154,46 @@ mod tests {
     use crate::key::BoardId;
     use crate::sequence::Sequence;
 
-    fn frame() -> KeyForces {
+    fn frame(packing: ForcePacking) -> KeyForces {
         let board = BoardId::new(7).unwrap();
-        let header = Header { board, sequence: Sequence(255), stamp_us: 65_535, fault: false };
+        let header = Header { board, sequence: Sequence(255), stamp_us: 65_535, flag: false };
         let forces = (0..11).map(|key| Millinewtons::saturating(1_000 * key - 5_000));
-        KeyForces { header, forces: PerKey::collect(forces) }
+        let slopes = |key| KeySlopes {
+            stiffness: Slope::toward_zero(300 * key),
+            damping: Slope::toward_zero(-7 * key),
+        };
+        let n = if packing == ForcePacking::Force16Slope { 11 } else { 0 };
+        let slopes = PerKey::collect((0..n).map(slopes));
+        KeyForces { header, forces: PerKey::collect(forces), slopes }
     }
 
     #[test]
-    fn eleven_keys_fill_28_bytes_and_read_back_with_and_without_padding() {
-        let mut bytes = [0xAA; MAX_LEN];
-        let n = frame().encode(&mut bytes);
-        assert_eq!(n, 28);
-        assert_eq!(KeyForces::decode(&bytes[..n]), Ok(frame()));
-        assert_eq!(KeyForces::decode(&bytes), Ok(frame()));
+    fn both_packings_have_the_length_of_the_plan_and_read_back_with_and_without_padding() {
+        for (packing, len) in [(ForcePacking::Force16, 26), (ForcePacking::Force16Slope, 48)] {
+            let mut bytes = [0xAA; MAX_LEN];
+            assert_eq!(frame(packing).encode(&mut bytes), len);
+            let layout = ForceLayout { packing, n_keys: 11 };
+            for len in [len, crate::can::padded(len)] {
+                assert_eq!(KeyForces::decode(&bytes[..len], layout), Ok(frame(packing)));
+            }
+        }
     }
 
     #[test]
     fn samples_are_not_forces() {
         let mut bytes = [0; MAX_LEN];
-        frame().encode(&mut bytes);
-        bytes[0] = bytes[0] & 0xF0 | Class::KeySamples as u8;
-        assert_eq!(KeyForces::decode(&bytes), Err(DecodeError::Class(2)));
+        frame(ForcePacking::Force16).encode(&mut bytes);
+        bytes[0] = 0x67;
+        let layout = ForceLayout { packing: ForcePacking::Force16, n_keys: 11 };
+        assert_eq!(KeyForces::decode(&bytes[..26], layout), Err(DecodeError::Kind(3)));
     }
 
     #[test]
-    fn a_frame_that_was_cut_is_refused() {
+    fn a_frame_of_another_packing_is_refused() {
         let mut bytes = [0; MAX_LEN];
-        let n = frame().encode(&mut bytes);
-        for got in 0..n {
-            assert_eq!(KeyForces::decode(&bytes[..got]), Err(DecodeError::Length { got }));
-        }
-        assert_eq!(KeyForces::decode(&[0; 33]), Err(DecodeError::Length { got: 33 }));
+        let len = frame(ForcePacking::Force16Slope).encode(&mut bytes);
+        let layout = ForceLayout { packing: ForcePacking::Force16, n_keys: 11 };
+        let refused = Err(DecodeError::Length { got: len });
+        assert_eq!(KeyForces::decode(&bytes[..len], layout), refused);
     }
 }

@@ -1,31 +1,95 @@
-//! Where a board's keys are: board → host, once a tick.
+//! Where a board's keys are: board → host, at the rate that was agreed.
 //!
 //! ```text
-//! byte 0..6   header, class 2; board time is when the encoders were read
-//! byte 6 + 3 k .. 9 + 3 k   key k: position [counts], 24 bits, little-endian
+//! byte 0..3   header, kind 3; board time is when the encoders were read; flag: a fault is
+//!             latched on the board or on any of its keys
+//! byte 4..    for each key, by packing:
+//!             position16           2 bytes  position [counts], saturated
+//!             position24           3 bytes  position [counts]
+//!             position16-velocity  4 bytes  position, velocity [0.2 mm/s]
+//!             position24-velocity  5 bytes  position, velocity
 //! ```
 //!
-//! 39 bytes with eleven keys; 48 on CAN FD.
+//! With eleven keys these are 26, 37, 48 and 59 bytes; on CAN FD 32, 48, 48 (filled exactly)
+//! and 64. Down is positive.
 
-use super::{Class, DecodeError, Header};
+use super::{DecodeError, HEADER_LEN, Header, Kind};
+use crate::MAX_FRAME;
 use crate::key::PerKey;
-use crate::quantity::Counts;
+use crate::quantity::{Counts, Speed};
 
-mod field {
-    /// Bytes on CAN FD: the next length that it has.
-    pub(super) const PADDED: usize = 48;
+/// The longest encoding.
+pub const MAX_LEN: usize = MAX_FRAME;
+
+/// How each key is packed.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
+#[repr(u8)]
+pub enum SamplePacking {
+    /// Position, 16 bits.
+    Position16 = 0,
+    /// Position, 24 bits.
+    #[default]
+    Position24 = 1,
+    /// Position, 16 bits, and velocity.
+    Position16Velocity = 2,
+    /// Position, 24 bits, and velocity.
+    Position24Velocity = 3,
 }
 
-/// The longest encoding, padding included.
-pub const MAX_LEN: usize = field::PADDED;
+impl SamplePacking {
+    /// All packings, the poorest first.
+    pub const ALL: [Self; 4] =
+        [Self::Position16, Self::Position24, Self::Position16Velocity, Self::Position24Velocity];
 
-/// The positions of one board's keys.
+    /// The packing with this number.
+    pub fn new(number: u8) -> Option<Self> {
+        Self::ALL.get(usize::from(number)).copied()
+    }
+
+    /// Bytes for one key.
+    pub const fn key_len(self) -> usize {
+        match self {
+            Self::Position16 => 2,
+            Self::Position24 => 3,
+            Self::Position16Velocity => 4,
+            Self::Position24Velocity => 5,
+        }
+    }
+
+    /// Bytes of a frame with `n_keys` keys, without padding.
+    pub const fn frame_len(self, n_keys: usize) -> usize {
+        HEADER_LEN + n_keys * self.key_len()
+    }
+
+    /// Whether positions have 16 bits only.
+    const fn is_short(self) -> bool {
+        matches!(self, Self::Position16 | Self::Position16Velocity)
+    }
+
+    /// Whether there is a velocity.
+    pub const fn has_velocity(self) -> bool {
+        matches!(self, Self::Position16Velocity | Self::Position24Velocity)
+    }
+}
+
+/// What was agreed of a board's samples.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SampleLayout {
+    /// How each key is packed.
+    pub packing: SamplePacking,
+    /// How many keys there are.
+    pub n_keys: usize,
+}
+
+/// The positions of one board's keys at one time, with velocities if the packing has them.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeySamples {
-    /// Who says so, and as of when.
+    /// Who sends, and when the encoders were read.
     pub header: Header,
     /// Position of each key, in the order of slots.
     pub positions: PerKey<Counts>,
+    /// Velocity of each key; as many as positions, or none.
+    pub velocities: PerKey<Speed>,
 }
 
 impl KeySamples {
@@ -33,19 +97,63 @@ impl KeySamples {
     ///
     /// # Errors
     /// Says what in `bytes` is not of this frame.
-    pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
-        if MAX_LEN < bytes.len() {
-            return Err(DecodeError::Length { got: bytes.len() });
-        }
-        let (header, values) = super::decode(bytes, Class::KeySamples)?;
-        let positions = PerKey::collect(values.iter().copied().map(Counts::from_le_bytes));
-        Ok(Self { header, positions })
+    pub fn decode(bytes: &[u8], layout: SampleLayout) -> Result<Self, DecodeError> {
+        let SampleLayout { packing, n_keys } = layout;
+        let len = n_keys * packing.key_len();
+        let (header, values) = Header::decode(bytes, Kind::KeySamples, len)?;
+        let keys = values.chunks_exact(packing.key_len());
+        let positions = PerKey::collect(keys.clone().map(|key| position(packing, key)));
+        let velocities = if packing.has_velocity() {
+            PerKey::collect(keys.filter_map(<[u8]>::last_chunk).copied().map(Speed::from_le_bytes))
+        } else {
+            PerKey::default()
+        };
+        Ok(Self { header, positions, velocities })
     }
 
-    /// Writes the frame and zeros behind it; returns its length without them.
-    pub fn encode(&self, bytes: &mut [u8; MAX_LEN]) -> usize {
-        let values = self.positions.as_slice().iter().map(|counts| counts.to_le_bytes());
-        super::encode(bytes, Class::KeySamples, self.header, values)
+    /// Writes the frame with zeros behind it; returns its length without them.
+    ///
+    /// A key without a velocity, in a packing that has one, stands still.
+    pub fn encode(&self, packing: SamplePacking, bytes: &mut [u8; MAX_LEN]) -> usize {
+        let (start, rest) = bytes.split_at_mut(HEADER_LEN);
+        rest.fill(0);
+        if let Some(head) = start.first_chunk_mut() {
+            self.header.encode(Kind::KeySamples, head);
+        }
+        let velocities = self.velocities.as_slice().iter().copied();
+        let velocities = velocities.chain(core::iter::repeat(Speed::default()));
+        let keys = self.positions.as_slice().iter().zip(velocities);
+        for (place, (counts, velocity)) in rest.chunks_exact_mut(packing.key_len()).zip(keys) {
+            put(packing, place, *counts, velocity);
+        }
+        packing.frame_len(self.positions.as_slice().len()).min(MAX_LEN)
+    }
+}
+
+/// The position in one key's bytes.
+fn position(packing: SamplePacking, key: &[u8]) -> Counts {
+    match *key {
+        [low, high, ..] if packing.is_short() => {
+            Counts::saturating(i16::from_le_bytes([low, high]).into())
+        }
+        [low, middle, high, ..] => Counts::from_le_bytes([low, middle, high]),
+        _ => Counts::default(),
+    }
+}
+
+/// Writes one key's bytes.
+fn put(packing: SamplePacking, place: &mut [u8], counts: Counts, velocity: Speed) {
+    let positions = if packing.is_short() { 2 } else { 3 };
+    let bytes = if packing.is_short() {
+        let [low, high] = counts.saturated().to_le_bytes();
+        [low, high, 0]
+    } else {
+        counts.to_le_bytes()
+    };
+    for (place, byte) in
+        place.iter_mut().zip(bytes[..positions].iter().copied().chain(velocity.to_le_bytes()))
+    {
+        *place = byte;
     }
 }
 
@@ -55,48 +163,67 @@ mod tests {
     use crate::key::BoardId;
     use crate::sequence::Sequence;
 
-    fn frame() -> KeySamples {
-        let board = BoardId::new(3).unwrap();
-        let header = Header { board, sequence: Sequence(9), stamp_us: 500, fault: true };
-        KeySamples { header, positions: PerKey::collect((-5..6).map(Counts::saturating)) }
+    fn frame(packing: SamplePacking) -> KeySamples {
+        let header = Header {
+            board: BoardId::new(3).unwrap(),
+            sequence: Sequence(7),
+            stamp_us: 40_000,
+            flag: true,
+        };
+        let positions = PerKey::collect((0..11).map(|key| Counts::saturating(900 * key - 4_000)));
+        let moves = |key| Speed::saturating(2_500 * key - 12_000);
+        let n = if packing.has_velocity() { 11 } else { 0 };
+        KeySamples { header, positions, velocities: PerKey::collect((0..n).map(moves)) }
     }
 
     #[test]
-    fn eleven_keys_fill_39_bytes_and_read_back_with_and_without_padding() {
-        let mut bytes = [0xAA; MAX_LEN];
-        let n = frame().encode(&mut bytes);
-        assert_eq!(n, 39);
-        assert_eq!(KeySamples::decode(&bytes[..n]), Ok(frame()));
-        assert_eq!(KeySamples::decode(&bytes), Ok(frame()));
+    fn every_packing_has_the_length_of_the_plan_and_reads_back_with_and_without_padding() {
+        for (packing, len) in SamplePacking::ALL.into_iter().zip([26, 37, 48, 59]) {
+            let mut bytes = [0xAA; MAX_LEN];
+            assert_eq!(frame(packing).encode(packing, &mut bytes), len);
+            let layout = SampleLayout { packing, n_keys: 11 };
+            for len in [len, crate::can::padded(len)] {
+                assert_eq!(KeySamples::decode(&bytes[..len], layout), Ok(frame(packing)));
+            }
+        }
     }
 
     #[test]
-    fn each_foreign_byte_is_refused_with_its_reason() {
-        check(0, 0x22, DecodeError::Version(2));
-        check(0, 0x11, DecodeError::Class(1));
-        check(1, 0x08, DecodeError::NoSuchBoard(8));
-        check(1, 0x13, DecodeError::Reserved(0x10));
-        check(5, 0, DecodeError::KeyCount(0));
-        check(5, 12, DecodeError::KeyCount(12));
-        check(40, 1, DecodeError::Padding);
+    fn a_position_beyond_16_bits_stops_at_the_edge() {
+        let mut samples = frame(SamplePacking::Position16);
+        samples.positions.as_mut_slice()[0] = Counts::saturating(40_000);
+        let mut bytes = [0; MAX_LEN];
+        let len = samples.encode(SamplePacking::Position16, &mut bytes);
+        let layout = SampleLayout { packing: SamplePacking::Position16, n_keys: 11 };
+        let read = KeySamples::decode(&bytes[..len], layout).unwrap();
+        assert_eq!(read.positions.as_slice()[0].get(), 32_767);
     }
 
-    /// Asserts that a frame with `byte` at `place` is refused as `expected`.
+    #[test]
+    fn what_is_not_this_frame_is_refused_with_the_reason() {
+        check(0, 0x23, DecodeError::Kind(1));
+        check(0, 0x6F, DecodeError::NoSuchBoard(15));
+        check(47, 1, DecodeError::Padding);
+    }
+
+    /// Asserts that a padded frame with `byte` at `place` is refused as `expected`.
     #[track_caller]
     fn check(place: usize, byte: u8, expected: DecodeError) {
+        let layout = SampleLayout { packing: SamplePacking::Position24, n_keys: 11 };
         let mut bytes = [0; MAX_LEN];
-        frame().encode(&mut bytes);
+        frame(layout.packing).encode(layout.packing, &mut bytes);
         bytes[place] = byte;
-        assert_eq!(KeySamples::decode(&bytes), Err(expected));
+        assert_eq!(KeySamples::decode(&bytes[..48], layout), Err(expected));
     }
 
     #[test]
-    fn a_frame_that_was_cut_is_refused() {
+    fn a_frame_that_was_cut_or_is_of_another_layout_is_refused() {
+        let layout = SampleLayout { packing: SamplePacking::Position24, n_keys: 11 };
         let mut bytes = [0; MAX_LEN];
-        let n = frame().encode(&mut bytes);
-        for got in 0..n {
-            assert_eq!(KeySamples::decode(&bytes[..got]), Err(DecodeError::Length { got }));
+        let n = frame(layout.packing).encode(layout.packing, &mut bytes);
+        for got in (0..n).chain([49, 64]) {
+            let refused = Err(DecodeError::Length { got });
+            assert_eq!(KeySamples::decode(&bytes[..got], layout), refused);
         }
-        assert_eq!(KeySamples::decode(&[0; 49]), Err(DecodeError::Length { got: 49 }));
     }
 }

@@ -1,142 +1,175 @@
 //! The frames, one per file: field map, meaning, decode, encode, tests.
 //!
 //! ```text
-//! byte 0      bits 7..4 protocol major, bits 3..0 class (1 forces, 2 samples)
-//! byte 1      bit 7 fault, bits 6..4 zero, bits 3..0 board
-//! byte 2      sequence
-//! byte 3..5   board time [us], little-endian, wraps every 65.536 ms
-//! byte 5      keys in this frame, 1 ..= 11
-//! byte 6..    one value for each key
+//! byte 0      bits 7..5 kind, bit 4 flag, bits 3..0 board; 15 is all boards
 //! ```
 //!
-//! After the last value come zeros or nothing: CAN FD has only certain lengths.
+//! Cyclic frames go on:
+//!
+//! ```text
+//! byte 1      sequence
+//! byte 2..3   board time [us], little-endian, wraps every 65.536 ms
+//! byte 4..    values for each key
+//! ```
+//!
+//! After the last value come zeros or nothing: CAN FD has only certain lengths. How many keys
+//! there are and how they are packed was agreed before, see [`crate::acyclic::stream`] and
+//! [`crate::acyclic::arm`].
 
+pub mod broadcast;
+pub mod hello;
 pub mod key_forces;
 pub mod key_samples;
+pub mod multicast_forces;
 
-use crate::key::{BoardId, KEYS_PER_BOARD};
+use crate::key::BoardId;
 use crate::sequence::Sequence;
-use crate::version::{PROTOCOL_VERSION, Version};
 
 mod field {
-    pub(super) const FAULT: u8 = 0b1000_0000;
-    pub(super) const RESERVED: u8 = 0b0111_0000;
-    pub(super) const LEN: usize = 6;
+    pub(super) const KIND_SHIFT: u8 = 5;
+    pub(super) const FLAG_SHIFT: u8 = 4;
+    pub(super) const BOARD: u8 = 0b0000_1111;
+    pub(super) const HEADER_LEN: usize = 4;
 }
 
-/// What a frame is; the smaller number wins the bus.
+/// The header of cyclic frames [bytes].
+pub const HEADER_LEN: usize = field::HEADER_LEN;
+
+/// What a board field holds that means all boards.
+pub const ALL_BOARDS: u8 = field::BOARD;
+
+/// What a frame is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Class {
-    /// Host to board: forces.
+#[repr(u8)]
+pub enum Kind {
+    /// Host to all boards, one of a few.
+    Broadcast = 0,
+    /// Host to one board: forces.
     KeyForces = 1,
+    /// Host to all boards: forces of 30 keys.
+    MulticastForces = 2,
     /// Board to host: positions.
-    KeySamples = 2,
+    KeySamples = 3,
+    /// Host to one board: a request.
+    Request = 4,
+    /// Board to host: its answer.
+    Reply = 5,
+    /// Board to host: who it is.
+    Hello = 6,
 }
 
-/// What stands at the head of every frame.
+impl Kind {
+    /// All kinds, in the order of their numbers.
+    pub const ALL: [Self; 7] = [
+        Self::Broadcast,
+        Self::KeyForces,
+        Self::MulticastForces,
+        Self::KeySamples,
+        Self::Request,
+        Self::Reply,
+        Self::Hello,
+    ];
+
+    /// The kind that a frame says it is; none if it is empty or of no known kind.
+    pub fn of(frame: &[u8]) -> Option<Self> {
+        Self::ALL.get(usize::from(frame.first()? >> field::KIND_SHIFT)).copied()
+    }
+}
+
+/// The board that a frame is from or for; none if it is for all, or empty.
+pub fn board_of(frame: &[u8]) -> Option<BoardId> {
+    BoardId::new(frame.first()? & field::BOARD)
+}
+
+/// What stands at the head of every cyclic frame.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Header {
     /// The board that sends, or that is meant.
     pub board: BoardId,
-    /// The number of this frame among those of its class and board.
+    /// Of samples, their number; of forces, the number of the samples that they answer.
     pub sequence: Sequence,
-    /// Board time [us]: when the samples were taken, or which samples are answered.
+    /// Board time of the samples [us].
     pub stamp_us: u16,
-    /// From a board: a fault is latched. From the host: render no force.
-    pub fault: bool,
+    /// From a board: a fault is latched on it or on any of its keys. From the host: render no
+    /// force.
+    pub flag: bool,
 }
 
 /// Why bytes are not the frame that was asked for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DecodeError {
-    /// Too short for what it announces, or longer than this frame can be.
+    /// Too short, or longer than this frame can be.
     Length {
         /// Bytes that came.
         got: usize,
     },
-    /// Spoken by another generation of the protocol, with this major number.
-    Version(u8),
-    /// Another class of frame, or none.
-    Class(u8),
+    /// Another kind of frame, or none; the number that stands there.
+    Kind(u8),
     /// No board has this number.
     NoSuchBoard(u8),
-    /// Bits that must be zero are not.
-    Reserved(u8),
-    /// No board has this many keys.
-    KeyCount(u8),
-    /// Something follows the last key's value.
+    /// Spoken by another generation of the protocol, with this major number.
+    Version(u8),
+    /// It does not begin as a hello does.
+    Magic,
+    /// Something follows the last value.
     Padding,
+    /// A value that has no meaning: which byte.
+    Value {
+        /// Its place.
+        at: usize,
+    },
 }
 
-/// Reads the header of a frame of `class`; returns it with what follows, key by key.
-///
-/// `BYTES` is the size of one key's value.
-fn decode<const BYTES: usize>(
-    bytes: &[u8],
-    class: Class,
-) -> Result<(Header, &[[u8; BYTES]]), DecodeError> {
-    let length = DecodeError::Length { got: bytes.len() };
-    let (head, rest) = bytes.split_first_chunk::<{ field::LEN }>().ok_or(length)?;
-    let [kind, address, sequence, stamp_low, stamp_high, n] = *head;
-    check_kind(kind, class)?;
-    if address & field::RESERVED != 0 {
-        return Err(DecodeError::Reserved(address & field::RESERVED));
-    }
-    let board = address & !field::FAULT;
-    let board = BoardId::new(board).ok_or(DecodeError::NoSuchBoard(board))?;
-    if n == 0 || KEYS_PER_BOARD < usize::from(n) {
-        return Err(DecodeError::KeyCount(n));
-    }
-    let (values, padding) = rest.split_at_checked(usize::from(n) * BYTES).ok_or(length)?;
-    if padding.iter().any(|byte| *byte != 0) {
-        return Err(DecodeError::Padding);
-    }
-    let header = Header {
-        board,
-        sequence: Sequence(sequence),
-        stamp_us: u16::from_le_bytes([stamp_low, stamp_high]),
-        fault: address & field::FAULT != 0,
-    };
-    Ok((header, values.as_chunks().0))
+/// The first byte of a frame.
+pub(crate) const fn head(kind: Kind, board: u8) -> u8 {
+    (kind as u8) << field::KIND_SHIFT | board & field::BOARD
 }
 
-/// Checks the first byte: our generation, and the class that was asked for.
-const fn check_kind(kind: u8, class: Class) -> Result<(), DecodeError> {
-    let (major, found) = (kind >> 4, kind & 0xF);
-    if !PROTOCOL_VERSION.understands(Version { major, minor: 0 }) {
-        Err(DecodeError::Version(major))
-    } else if found != class as u8 {
-        Err(DecodeError::Class(found))
-    } else {
-        Ok(())
-    }
+/// Checks that `first` starts a frame of `kind`.
+pub(crate) const fn check_kind(first: u8, kind: Kind) -> Result<(), DecodeError> {
+    let found = first >> field::KIND_SHIFT;
+    if found == kind as u8 { Ok(()) } else { Err(DecodeError::Kind(found)) }
 }
 
-/// Writes a frame of `class` into `bytes`, zeros behind it; returns its unpadded length.
-///
-/// `values` are at most 11, and `bytes` hold the header and eleven of them.
-fn encode<const BYTES: usize>(
-    bytes: &mut [u8],
-    class: Class,
-    header: Header,
-    values: impl ExactSizeIterator<Item = [u8; BYTES]>,
-) -> usize {
-    debug_assert!(values.len() <= KEYS_PER_BOARD, "PerKey keeps eleven");
-    bytes.fill(0);
-    let [stamp_low, stamp_high] = header.stamp_us.to_le_bytes();
-    let n = values.len();
-    let head = [
-        PROTOCOL_VERSION.major << 4 | class as u8,
-        header.board.number() | if header.fault { field::FAULT } else { 0 },
-        header.sequence.0,
-        stamp_low,
-        stamp_high,
-        u8::try_from(n).unwrap_or_default(),
-    ];
-    let (start, rest) = bytes.split_at_mut(field::LEN);
-    start.copy_from_slice(&head);
-    for (place, value) in rest.as_chunks_mut::<BYTES>().0.iter_mut().zip(values) {
-        *place = value;
+/// Checks the kind of a frame for or from one board, and reads which.
+pub(crate) fn check_board(first: u8, kind: Kind) -> Result<BoardId, DecodeError> {
+    check_kind(first, kind)?;
+    let board = first & field::BOARD;
+    BoardId::new(board).ok_or(DecodeError::NoSuchBoard(board))
+}
+
+/// Whether the flag is set in the first byte.
+pub(crate) const fn flag(first: u8) -> bool {
+    first >> field::FLAG_SHIFT & 1 != 0
+}
+
+/// Checks that nothing but zeros fill `bytes`.
+pub(crate) fn check_padding(bytes: &[u8]) -> Result<(), DecodeError> {
+    if bytes.iter().any(|byte| *byte != 0) { Err(DecodeError::Padding) } else { Ok(()) }
+}
+
+impl Header {
+    /// Reads the header of a cyclic frame of `kind`; returns it with exactly `len` bytes of
+    /// values, after a check that only padding follows.
+    fn decode(bytes: &[u8], kind: Kind, len: usize) -> Result<(Self, &[u8]), DecodeError> {
+        let length = DecodeError::Length { got: bytes.len() };
+        let (head, rest) = bytes.split_first_chunk::<{ field::HEADER_LEN }>().ok_or(length)?;
+        let [first, sequence, low, high] = *head;
+        let board = check_board(first, kind)?;
+        let (values, padding) = rest.split_at_checked(len).ok_or(length)?;
+        if crate::can::padded(field::HEADER_LEN + len) < bytes.len() {
+            return Err(length);
+        }
+        check_padding(padding)?;
+        let stamp_us = u16::from_le_bytes([low, high]);
+        let header = Self { board, sequence: Sequence(sequence), stamp_us, flag: flag(first) };
+        Ok((header, values))
     }
-    field::LEN + n * BYTES
+
+    /// Writes the header of a frame of `kind`.
+    fn encode(self, kind: Kind, bytes: &mut [u8; field::HEADER_LEN]) {
+        let [low, high] = self.stamp_us.to_le_bytes();
+        let flag = u8::from(self.flag) << field::FLAG_SHIFT;
+        *bytes = [head(kind, self.board.number()) | flag, self.sequence.0, low, high];
+    }
 }

@@ -10,8 +10,7 @@
 mod cobs;
 mod crc;
 
-/// The longest frame that any link carries: CAN FD's.
-pub const MAX_FRAME: usize = 64;
+pub use crate::MAX_FRAME;
 /// The longest frame on the stream: checksum, one byte of stuffing, the closing zero.
 pub const MAX_WIRE: usize = MAX_FRAME + crc::LEN + cobs::OVERHEAD + 1;
 

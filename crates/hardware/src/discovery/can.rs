@@ -1,8 +1,11 @@
-//! CAN interfaces, from the kernel's files on network interfaces.
+//! CAN interfaces, from the kernel's files on network interfaces and from `ip`.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+use super::doctor;
+use super::doctor::can_link::{self, CanLink};
 use super::{Listing, Obstacle};
 use crate::Error;
 
@@ -30,10 +33,18 @@ pub struct CanInterface {
     pub is_up: bool,
     /// What the kernel says of its operation: `up`, `down`, `unknown` and others.
     pub state: String,
+    /// Longest frame with its head, as the kernel keeps it [bytes].
+    pub mtu: Option<u32>,
     /// Frames that wait for the bus at most, if the kernel says.
     pub queue_length: Option<u32>,
+    /// The kernel's driver of its adapter.
+    pub driver: Option<String>,
+    /// What `ip` tells of its controller.
+    pub link: Option<CanLink>,
     /// Why it cannot be used, if that is known.
     pub obstacle: Option<Obstacle>,
+    /// What to change, each in a sentence.
+    pub advice: Vec<String>,
 }
 
 /// Lists the CAN interfaces of this machine.
@@ -42,10 +53,25 @@ pub struct CanInterface {
 /// The kernel's list of network interfaces cannot be read.
 pub fn can_interfaces() -> Result<Listing<CanInterface>, Error> {
     if cfg!(target_os = "linux") {
-        interfaces_in(Path::new("/sys/class/net"))
+        let mut listing = interfaces_in(Path::new("/sys/class/net"))?;
+        let kernel = doctor::kernel::Version::read(Path::new("/"));
+        examine(&mut listing.found, &can_link::ask_ip(), kernel);
+        Ok(listing)
     } else {
         let why = "CAN interfaces are known on Linux only, as SocketCAN; elsewhere use serial";
         Ok(Listing::new(Vec::new(), why))
+    }
+}
+
+/// Adds what `ip` tells, and what to change on a kernel of this version.
+fn examine(
+    found: &mut [CanInterface],
+    links: &BTreeMap<String, CanLink>,
+    kernel: Option<doctor::kernel::Version>,
+) {
+    for can in found {
+        can.link = links.get(&can.name).cloned();
+        can.advice = doctor::can::advice(can, kernel);
     }
 }
 
@@ -71,17 +97,27 @@ fn interface(folder: &Path) -> Option<CanInterface> {
     let name = folder.file_name()?.to_string_lossy().into_owned();
     let flags = text("flags")?;
     let flags = u32::from_str_radix(flags.trim_start_matches("0x"), 16).ok()?;
+    let mtu = number("mtu");
     let mut can = CanInterface {
         is_virtual: !folder.join("device").exists(),
-        carries_fd: number("mtu") == Some(FD_MTU),
+        carries_fd: mtu == Some(FD_MTU),
+        mtu,
         is_up: flags & UP != 0,
         state: text("operstate").unwrap_or_else(|| "unknown".to_owned()),
         queue_length: number("tx_queue_len"),
+        driver: text("device/uevent").and_then(|it| driver(&it)),
+        link: None,
         obstacle: None,
+        advice: Vec::new(),
         name,
     };
     can.obstacle = can.find_obstacle();
     Some(can)
+}
+
+/// The driver that a device's `uevent` names.
+fn driver(uevent: &str) -> Option<String> {
+    uevent.lines().find_map(|line| line.strip_prefix("DRIVER=")).map(str::to_owned)
 }
 
 impl CanInterface {
@@ -92,8 +128,11 @@ impl CanInterface {
             return (self.state == "down").then(|| Obstacle::NotRunning { name: name.clone() });
         }
         // A real interface has no bit rate until it is told one.
-        let rates =
-            if self.is_virtual { "" } else { " type can bitrate 1000000 dbitrate 5000000 fd on" };
+        let rates = if self.is_virtual {
+            ""
+        } else {
+            " type can bitrate 1000000 dbitrate 5000000 fd on restart-ms 100"
+        };
         Some(Obstacle::Down { command: format!("sudo ip link set {name} up{rates}") })
     }
 }
@@ -101,41 +140,14 @@ impl CanInterface {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::path::PathBuf;
-
-    /// A folder like `/sys/class/net`, removed at the end.
-    struct Net(PathBuf);
-
-    impl Net {
-        fn new(test: &str) -> Self {
-            let root = std::env::temp_dir().join(format!("letoff-{test}-{}", std::process::id()));
-            fs::create_dir_all(&root).unwrap();
-            Self(root)
-        }
-
-        /// Adds an interface with these files.
-        fn with(self, name: &str, files: &[(&str, &str)]) -> Self {
-            let folder = self.0.join(name);
-            fs::create_dir_all(&folder).unwrap();
-            for (file, text) in files {
-                fs::write(folder.join(file), format!("{text}\n")).unwrap();
-            }
-            self
-        }
-    }
-
-    impl Drop for Net {
-        fn drop(&mut self) {
-            fs::remove_dir_all(&self.0).unwrap();
-        }
-    }
+    use crate::discovery::testing::Root;
 
     const ETHERNET: (&str, &[(&str, &str)]) = ("eth0", &[("type", "1"), ("flags", "0x1003")]);
 
     #[test]
     fn ethernet_is_no_can_and_the_empty_list_says_what_to_do() {
-        let net = Net::new("empty").with(ETHERNET.0, ETHERNET.1);
-        let listing = interfaces_in(&net.0).unwrap();
+        let net = Root::new("empty").with_all(ETHERNET.0, ETHERNET.1);
+        let listing = interfaces_in(net.path()).unwrap();
         assert_eq!(listing.found, []);
         assert!(listing.why_empty.unwrap().contains("there is no CAN interface"));
     }
@@ -143,8 +155,8 @@ mod tests {
     #[test]
     fn an_interface_that_is_down_says_how_to_bring_it_up() {
         let files = [("type", "280"), ("flags", "0x80"), ("mtu", "16"), ("device", "")];
-        let net = Net::new("down").with("can0", &files);
-        let [can] = interfaces_in(&net.0).unwrap().found.try_into().unwrap();
+        let net = Root::new("down").with_all("can0", &files);
+        let [can] = interfaces_in(net.path()).unwrap().found.try_into().unwrap();
         assert!(!can.is_up && !can.is_virtual && !can.carries_fd);
         let sentence = can.obstacle.unwrap().to_string();
         let command = "sudo ip link set can0 up type can bitrate 1000000";
@@ -160,13 +172,35 @@ mod tests {
             ("operstate", "unknown"),
             ("tx_queue_len", "1000"),
         ];
-        let net = Net::new("up").with("vcan1", &files).with("vcan0", &files);
-        let listing = interfaces_in(&net.0).unwrap();
+        let net = Root::new("up").with_all("vcan1", &files).with_all("vcan0", &files);
+        let listing = interfaces_in(net.path()).unwrap();
         let names: Vec<_> = listing.found.iter().map(|can| can.name.as_str()).collect();
         assert_eq!(names, ["vcan0", "vcan1"]);
         let can = &listing.found[0];
         assert!(can.is_up && can.is_virtual && can.carries_fd && can.obstacle.is_none());
         assert_eq!((can.queue_length, &listing.why_empty), (Some(1_000), &None));
+    }
+
+    #[test]
+    fn a_controller_is_examined_with_what_ip_tells_of_it() {
+        let files = [
+            ("type", "280"),
+            ("flags", "0x400c1"),
+            ("mtu", "72"),
+            ("operstate", "up"),
+            ("tx_queue_len", "10"),
+            ("device/uevent", "DRIVER=gs_usb\nDEVTYPE=usb_interface"),
+        ];
+        let net = Root::new("examined").with_all("can0", &files);
+        let mut found = interfaces_in(net.path()).unwrap().found;
+        let ip = r#"[{"ifname":"can0","link_type":"can",
+            "linkinfo":{"info_kind":"can","info_data":{"restart_ms":0}}}]"#;
+        examine(&mut found, &can_link::parse(ip), None);
+        let [can] = found.try_into().unwrap();
+        assert_eq!((can.mtu, can.driver.as_deref()), (Some(72), Some("gs_usb")));
+        assert_eq!(can.link.unwrap().restart_ms, Some(0));
+        let [restart, queue] = can.advice.try_into().unwrap();
+        assert!(restart.contains("restart-ms 100") && queue.contains("txqueuelen"));
     }
 
     #[test]

@@ -1,17 +1,30 @@
-//! What this machine has to reach boards with, and why it cannot be used.
+//! What this machine has to reach boards with, why it cannot be used, and what to change.
 //!
-//! Reads files of the system and opens no port: opening one resets many boards.
+//! Reads files of the system and asks `ip`; opens no port: opening one resets many boards.
+//! An [`Obstacle`] keeps a device from being used; advice is for one that can be.
 //! Not for the tick.
 
 mod access;
 mod can;
+mod doctor;
 mod serial;
+#[cfg(test)]
+mod testing;
 
 use std::fmt;
 use std::path::PathBuf;
 
 pub use can::{CanInterface, can_interfaces};
+pub use doctor::can_link::{BitTiming, CanLink};
+pub use doctor::machine::{Fact, this_machine};
+pub use doctor::usb::{UsbPlace, UsbSpeed};
 pub use serial::{SerialPort, UsbIdentity, serial_ports};
+
+/// Why the user of this process cannot use the device at `path`, if that can be told.
+#[cfg(unix)]
+pub(crate) fn obstacle(path: &std::path::Path) -> Option<Obstacle> {
+    access::User::current().obstacle(path)
+}
 
 /// What was found, or why there is nothing.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -5,11 +5,15 @@ use std::path::{Path, PathBuf};
 use serialport::SerialPortType;
 
 use super::access::User;
+use super::doctor;
+use super::doctor::usb::UsbPlace;
 use super::{Listing, Obstacle};
 use crate::Error;
 
 /// Where Linux lists its ports; without it the list cannot be made.
 const TTYS: &str = "/sys/class/tty";
+/// The kernel's files on devices.
+const SYS: &str = "/sys";
 
 const NONE: &str = "there is no serial port: plug in a board, or give a port by its path, \
                     which is the only way to a pseudo-terminal";
@@ -21,8 +25,14 @@ pub struct SerialPort {
     pub path: PathBuf,
     /// Who is behind it, if it is a USB device; boards are told apart by its serial number.
     pub usb: Option<UsbIdentity>,
+    /// Where it hangs, if it is a USB device.
+    pub place: Option<UsbPlace>,
+    /// How long its adapter holds bytes back, if it is one that does [ms].
+    pub latency: Option<u32>,
     /// Why it cannot be used, if that is known.
     pub obstacle: Option<Obstacle>,
+    /// What to change, each in a sentence.
+    pub advice: Vec<String>,
 }
 
 /// What a USB device says of itself.
@@ -50,6 +60,7 @@ pub fn serial_ports() -> Result<Listing<SerialPort>, Error> {
     let ports = serialport::available_ports()?;
     let mut found: Vec<_> = ports.into_iter().map(|port| describe(port, &user)).collect();
     found.sort_by(|one, other| one.path.cmp(&other.path));
+    examine(&mut found, Path::new(SYS));
     Ok(Listing::new(found, NONE))
 }
 
@@ -68,7 +79,27 @@ fn describe(port: serialport::SerialPortInfo, user: &User) -> SerialPort {
         }),
         SerialPortType::PciPort | SerialPortType::BluetoothPort | SerialPortType::Unknown => None,
     };
-    SerialPort { obstacle: user.obstacle(&path), path, usb }
+    let obstacle = user.obstacle(&path);
+    SerialPort { path, usb, place: None, latency: None, obstacle, advice: Vec::new() }
+}
+
+/// Adds what the files under `sys` tell, and what to change.
+fn examine(ports: &mut [SerialPort], sys: &Path) {
+    for port in &mut *ports {
+        let tty = tty(&port.path);
+        port.place = doctor::usb::place(sys, &tty);
+        port.latency = doctor::serial::latency_timer(sys, &tty);
+    }
+    let places: Vec<_> = ports.iter().filter_map(|port| port.place.clone()).collect();
+    for port in ports {
+        let tty = tty(&port.path);
+        port.advice = doctor::serial::advice(&tty, port.latency, port.place.as_ref(), &places);
+    }
+}
+
+/// The kernel's name of a port.
+fn tty(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 #[cfg(test)]
@@ -98,5 +129,18 @@ mod tests {
         let usb = describe(info, &User::current()).usb.unwrap();
         assert_eq!(usb.serial.as_deref(), Some("BASS-01"));
         assert_eq!(usb.name, "Letoff key board");
+    }
+
+    #[test]
+    fn a_port_is_examined_with_what_the_kernel_tells_of_it() {
+        let latency = "bus/usb-serial/devices/ttyUSB0/latency_timer";
+        let root = crate::discovery::testing::Root::new("examined-port").with(latency, "16");
+        let info = SerialPortInfo {
+            port_name: "/dev/ttyUSB0".to_owned(),
+            port_type: SerialPortType::Unknown,
+        };
+        let mut ports = [describe(info, &User::current())];
+        examine(&mut ports, root.path());
+        assert_eq!((ports[0].latency, ports[0].advice.len()), (Some(16), 1));
     }
 }

@@ -4,6 +4,7 @@
 
 use std::ops::Range;
 
+use super::random::Random;
 use super::{Link, Parcel, RecvError, SendError};
 
 /// Frames that can be on their way at once, in each direction; more are dropped.
@@ -157,7 +158,7 @@ impl Faults {
             }
             Some(Fault::FlipBit) => {
                 self.counts.flipped += 1;
-                self.random.flip(parcel);
+                flip(&mut self.random, parcel);
                 Passage::Now
             }
             Some(Fault::Delay(exchanges)) => {
@@ -283,30 +284,10 @@ impl Held {
     }
 }
 
-/// `SplitMix64`: chance that is the same on every machine.
-///
-/// G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", 2014.
-#[derive(Clone, Copy, Debug)]
-struct Random(u64);
-
-impl Random {
-    const fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let z = (self.0 ^ self.0 >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ z >> 31
-    }
-
-    /// A number in `0 .. 1`.
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Inverts one bit of a frame.
-    fn flip(&mut self, parcel: &mut Parcel) {
-        let draw = self.next();
-        let bits = parcel.len as u64 * 8;
-        let bit = usize::try_from(draw.checked_rem(bits).unwrap_or_default()).unwrap_or_default();
-        parcel.bytes[bit / 8] ^= 1 << (bit % 8);
-    }
+/// Inverts one bit of a frame.
+fn flip(random: &mut Random, parcel: &mut Parcel) {
+    let draw = random.next();
+    let bits = parcel.len as u64 * 8;
+    let bit = usize::try_from(draw.checked_rem(bits).unwrap_or_default()).unwrap_or_default();
+    parcel.bytes[bit / 8] ^= 1 << (bit % 8);
 }

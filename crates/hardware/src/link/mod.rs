@@ -1,10 +1,22 @@
-//! Links: what carries bytes between the host and a board, without waiting.
+//! Links: what carries frames between the host and boards, without waiting.
 //!
-//! One `try_send` puts one frame on the wire, whole or not at all. What comes out of
-//! `try_recv` may be a frame or a piece of a stream: the bus puts it together.
+//! One `try_send` puts one frame of the protocol on the wire, whole or not at all; one
+//! `try_recv` brings one. What carries bytes only becomes a link by [`framed`].
 
+pub mod address;
+pub mod can;
 pub mod faulty;
+pub mod framed;
+pub mod lasting;
 pub mod loopback;
+mod random;
+pub mod recorder;
+pub mod replay;
+#[cfg(unix)]
+pub mod serial;
+pub mod trouble;
+#[cfg(unix)]
+pub mod wire;
 
 /// A transport that was opened before and never blocks.
 pub trait Link {
@@ -14,11 +26,44 @@ pub trait Link {
     /// The frame was not taken, nor will be; the caller drops it and goes on.
     fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError>;
 
-    /// Writes what has come into `buffer`; returns how much, or nothing if there is none.
+    /// Writes the next frame into `buffer`; returns its length, or nothing if there is none.
     ///
     /// # Errors
-    /// What had come is lost; the caller tries again in the next tick.
+    /// What had come is lost; the caller goes on.
     fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError>;
+
+    /// What the wire itself has said of its condition; nothing if it never says anything.
+    fn health(&self) -> Health {
+        Health::default()
+    }
+}
+
+impl<L: Link + ?Sized> Link for &mut L {
+    fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        (**self).try_send(frame)
+    }
+
+    fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
+        (**self).try_recv(buffer)
+    }
+
+    fn health(&self) -> Health {
+        (**self).health()
+    }
+}
+
+impl<L: Link + ?Sized> Link for Box<L> {
+    fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        (**self).try_send(frame)
+    }
+
+    fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
+        (**self).try_recv(buffer)
+    }
+
+    fn health(&self) -> Health {
+        (**self).health()
+    }
 }
 
 /// Why a frame was not taken.
@@ -29,6 +74,8 @@ pub enum SendError {
         /// Its length [bytes].
         len: usize,
     },
+    /// There is no room: what was sent before is still on its way.
+    Full,
     /// The other end is not there.
     Down,
 }
@@ -41,8 +88,40 @@ pub enum RecvError {
         /// Its length [bytes].
         len: usize,
     },
+    /// Something came that was no frame: checksum, stuffing, length, a lost piece, or an
+    /// identifier that does not agree.
+    Corrupt,
     /// The other end is not there.
     Down,
+}
+
+/// The condition of a wire, as its controller and driver tell it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Health {
+    /// Whether its controller takes part in the traffic.
+    pub state: WireState,
+    /// Transmission errors, as the controller counts them up and down.
+    pub transmit_errors: u8,
+    /// Reception errors, likewise.
+    pub receive_errors: u8,
+    /// Reports of errors that came.
+    pub reports: u64,
+    /// Times that the controller was started again after it had left the bus.
+    pub restarts: u64,
+}
+
+/// What a controller does.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
+pub enum WireState {
+    /// It takes part.
+    #[default]
+    Active,
+    /// It has counted many errors.
+    Warning,
+    /// It may not complain any more.
+    Passive,
+    /// It has left the bus.
+    Off,
 }
 
 /// A frame as it stands in a queue.
@@ -52,7 +131,7 @@ struct Parcel {
     len: usize,
 }
 
-/// The longest frame that the links in memory carry [bytes].
+/// The longest parcel of the wires in memory: a frame with its framing [bytes].
 pub const MAX_LEN: usize = firmware_protocol::serial::MAX_WIRE;
 
 impl Parcel {

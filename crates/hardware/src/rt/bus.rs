@@ -2,80 +2,153 @@
 //!
 //! ```text
 //! begin(tick)                       every sample grows older
-//! for each board  receive(link)     bytes → frames → what is newer → metres
+//! for each line   receive(link)     frames → what is newer → metres
 //! samples()                         to the voices
-//! for each board  send(link)        newtons → a frame → bytes
+//! for each line   send(link)        newtons → a frame for each board
 //! ```
 //!
-//! Ages count from arrival: what a constant delay adds, only a model of the boards' clocks
-//! could tell.
+//! Latest wins: what has come since the last tick is read, the newest counts, and nothing
+//! waits for a better time.
 
-use firmware_protocol::frame::Header;
-use firmware_protocol::frame::key_forces::{self, KeyForces};
-use firmware_protocol::frame::key_samples::KeySamples;
-use firmware_protocol::key::{BOARDS, BoardId, PerKey};
-use firmware_protocol::sequence::Sequence;
-use firmware_protocol::serial::{self, Deframer, MAX_WIRE};
-use scheduler::motion::{KEYS, KeySample};
+use firmware_protocol::MAX_FRAME;
+use firmware_protocol::frame::{Kind, board_of};
+use firmware_protocol::key::BoardId;
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 
-use super::loss::{Loss, LossCounts};
-use crate::calibration::{self, KeyCalibration};
-use crate::link::Link;
+use super::board::{BoardEnd, BoardStatistics, BoardTerms};
+use super::multicast::Multicast;
+use crate::link::{Health, Link, RecvError};
+use crate::plan::{LinkMeter, Medium, Seen};
 
-/// Pieces taken from one link in one tick; the rest waits for the next.
-const MAX_PIECES: usize = 64;
+/// Frames taken from one line in one tick; the rest waits for the next.
+const MAX_FRAMES: usize = 128;
 
 /// Age of a sample that was never taken.
 pub const NEVER: u32 = u32::MAX;
 
-/// What one board's link has carried, and what it has lost.
+/// Boards that one line can have.
+const NUMBERS: usize = BoardId::MAX.index() + 1;
+
+/// What a line has carried beside the boards' own counts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct BoardStatistics {
-    /// Counts over the sequence numbers of its samples.
-    pub samples: LossCounts,
-    /// Pieces of the stream that were no frames: checksum, stuffing or length.
+pub struct LineStatistics {
+    /// What came and was no frame.
     pub corrupt: u64,
-    /// Whole frames that were refused: version, class, board or content.
-    pub refused: u64,
-    /// Receptions that the link refused.
-    pub receive_errors: u64,
-    /// Force frames that the link took.
-    pub sent: u64,
-    /// Force frames that it did not take, or that had no samples to answer.
-    pub unsent: u64,
-    /// The board's newest frame said that it has a fault latched.
-    pub fault: bool,
+    /// Frames of no board that is known here, or of a kind that boards do not send.
+    pub foreign: u64,
+    /// Receptions that failed because the line was down.
+    pub down: u64,
+    /// Bytes of frames in both directions.
+    pub bytes: u64,
+    /// What the wire itself says.
+    pub health: Health,
 }
 
 /// The host's end of the boards, with the newest sample of every key.
 #[derive(Clone, Debug)]
 pub struct Bus {
     tick: Option<u64>,
-    calibration: [KeyCalibration; KEYS],
     samples: [KeySample; KEYS],
-    boards: [BoardEnd; BOARDS],
+    boards: Vec<BoardEnd>,
+    lines: Vec<LineEnd>,
 }
 
-/// What the host remembers of one board.
+/// What the host remembers of one line.
 #[derive(Clone, Debug, Default)]
-struct BoardEnd {
-    deframer: Deframer,
-    loss: Loss,
-    statistics: BoardStatistics,
-    sequence: Sequence,
-    /// Board time of the newest samples [us]: what the next forces answer.
-    stamp_us: Option<u16>,
+struct LineEnd {
+    /// Which of all boards has which number on this line.
+    boards: [Option<usize>; NUMBERS],
+    statistics: LineStatistics,
+    multicast: Multicast,
+    /// How full it is, if its medium is known.
+    meter: Option<LinkMeter>,
+}
+
+impl LineEnd {
+    /// Counts a frame of `len` bytes that the link took.
+    fn saw_down(&mut self, len: usize) {
+        self.statistics.bytes += len as u64;
+        if let Some(meter) = &mut self.meter {
+            meter.saw_down(len);
+        }
+    }
+
+    /// Sends the forces of all keys on `boards` in frames for all; says whether the link took
+    /// everything.
+    fn send_to_all(
+        &mut self,
+        now_us: u64,
+        boards: &mut dyn Iterator<Item = &BoardTerms>,
+        forces: &[f64; KEYS],
+        link: &mut (impl Link + ?Sized),
+    ) -> bool {
+        let mut is_whole = true;
+        for (frame, len) in self.multicast.frames(now_us, boards, forces).into_iter().flatten() {
+            if link.try_send(&frame[..len]).is_ok() {
+                self.saw_down(len);
+            } else {
+                is_whole = false;
+            }
+        }
+        is_whole
+    }
+
+    /// Counts a frame of `len` bytes that came.
+    fn saw_up(&mut self, len: usize) {
+        self.statistics.bytes += len as u64;
+        if let Some(meter) = &mut self.meter {
+            meter.saw_up(len);
+        }
+    }
+}
+
+/// Whoever reads what is not cyclic: replies and hellos.
+pub trait Acyclic {
+    /// Reads a frame that came over `line`.
+    fn hear(&mut self, line: usize, frame: &[u8]);
+}
+
+/// Nobody reads it.
+#[derive(Clone, Copy, Debug)]
+pub struct Unread;
+
+impl Acyclic for Unread {
+    fn hear(&mut self, _line: usize, _frame: &[u8]) {}
 }
 
 impl Bus {
-    /// A bus that has not heard of any board: all keys up, samples never taken.
-    pub fn new(calibration: [KeyCalibration; KEYS]) -> Self {
+    /// A bus that has not heard of any of `boards`: all keys up, samples never taken.
+    ///
+    /// No two boards on one line may have the same number.
+    pub fn new(boards: &[BoardTerms]) -> Self {
+        let n_lines = boards.iter().map(|it| it.place.line + 1).max().unwrap_or(0);
+        let mut lines = vec![LineEnd::default(); n_lines];
+        for (index, terms) in boards.iter().enumerate() {
+            lines[terms.place.line].boards[terms.place.board.index()] = Some(index);
+        }
         Self {
             tick: None,
-            calibration,
             samples: [KeySample { position: 0.0, age: NEVER }; KEYS],
-            boards: std::array::from_fn(|_| BoardEnd::default()),
+            boards: boards.iter().copied().map(BoardEnd::new).collect(),
+            lines,
         }
+    }
+
+    /// Meters `line` from now on, which is made of `medium`.
+    pub fn meter(&mut self, line: usize, medium: Medium) {
+        if let Some(line) = self.lines.get_mut(line) {
+            line.meter = Some(LinkMeter::new(medium));
+        }
+    }
+
+    /// How many lines there are.
+    pub const fn n_lines(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// All boards, in the order in which they were given.
+    pub fn boards(&self) -> &[BoardEnd] {
+        &self.boards
     }
 
     /// Starts `tick`: every sample is older by the ticks that have passed.
@@ -91,22 +164,32 @@ impl Bus {
         }
     }
 
-    /// Takes what has come from `board`.
+    /// Takes what has come over `line`, and hands on what is not cyclic.
     ///
     /// # Real-time
-    /// At most 64 receptions of 68 bytes; no heap.
-    pub fn receive(&mut self, board: BoardId, link: &mut (impl Link + ?Sized)) {
-        for _ in 0..MAX_PIECES {
-            let mut piece = [0; MAX_WIRE];
-            match link.try_recv(&mut piece) {
-                Ok(Some(len)) => self.read(board, piece.get(..len).unwrap_or_default()),
-                Ok(None) => return,
-                Err(_lost) => {
-                    self.boards[board.index()].statistics.receive_errors += 1;
-                    return;
+    /// At most 128 receptions of 64 bytes for each board; no heap.
+    pub fn receive(
+        &mut self,
+        line: usize,
+        link: &mut (impl Link + ?Sized),
+        acyclic: &mut impl Acyclic,
+    ) {
+        let n_boards = self.lines[line].boards.iter().flatten().count().max(1);
+        for _ in 0..MAX_FRAMES * n_boards {
+            let mut frame = [0; MAX_FRAME];
+            match link.try_recv(&mut frame) {
+                Ok(Some(len)) => self.read(line, &frame[..len.min(MAX_FRAME)], acyclic),
+                Ok(None) => break,
+                Err(RecvError::Corrupt | RecvError::BufferTooShort { .. }) => {
+                    self.lines[line].statistics.corrupt += 1;
+                }
+                Err(RecvError::Down) => {
+                    self.lines[line].statistics.down += 1;
+                    break;
                 }
             }
         }
+        self.lines[line].statistics.health = link.health();
     }
 
     /// The newest sample of every key.
@@ -114,71 +197,93 @@ impl Bus {
         &self.samples
     }
 
-    /// Sends `board` its share of the forces [N, up positive].
+    /// Sends the boards on `line` their shares of the forces [N, up positive] at `now_us`.
     ///
     /// A board that was never heard is sent nothing: there is nothing to answer.
     ///
     /// # Real-time
-    /// One frame; no heap.
-    pub fn send(&mut self, board: BoardId, forces: &[f64; KEYS], link: &mut (impl Link + ?Sized)) {
-        let end = &mut self.boards[board.index()];
-        let sent = end.frame(board, &forces[board.keys()]).is_some_and(|(wire, len)| {
-            // A link that is down has lost this frame; the next one makes it worthless.
-            link.try_send(&wire[..len]).is_ok()
-        });
-        end.statistics.sent += u64::from(sent);
-        end.statistics.unsent += u64::from(!sent);
-    }
-
-    /// What the link of `board` has carried and lost.
-    pub const fn statistics(&self, board: BoardId) -> BoardStatistics {
-        let end = &self.boards[board.index()];
-        BoardStatistics { samples: end.loss.counts(), ..end.statistics }
-    }
-
-    /// Finds frames in what came from `board`, and takes over the newest.
-    fn read(&mut self, board: BoardId, piece: &[u8]) {
-        let tick = self.tick.unwrap_or_default();
-        let end = &mut self.boards[board.index()];
-        let news = piece.iter().filter_map(|byte| end.hear(*byte, board, tick)).last();
-        let Some(frame) = news else { return };
-        let keys = board.keys();
-        let places = self.samples[keys.clone()].iter_mut().zip(&self.calibration[keys]);
-        for ((sample, calibration), counts) in places.zip(frame.positions.as_slice()) {
-            *sample = KeySample { position: calibration.position(*counts), age: 0 };
+    /// One frame for each board, or four for a line with multicast; no heap.
+    pub fn send(
+        &mut self,
+        line: usize,
+        now_us: u64,
+        forces: &[f64; KEYS],
+        slopes: &[KeySlope; KEYS],
+        link: &mut (impl Link + ?Sized),
+    ) {
+        let end = &mut self.lines[line];
+        let numbers = end.boards;
+        let of_line = || numbers.iter().flatten().copied();
+        if of_line().any(|index| self.boards[index].takes_multicast()) {
+            let mut terms = of_line().map(|index| self.boards[index].terms());
+            let is_whole = end.send_to_all(now_us, &mut terms, forces, link);
+            for index in of_line() {
+                self.boards[index].count_sent(is_whole);
+            }
+            return;
+        }
+        for index in of_line() {
+            let board = &mut self.boards[index];
+            // A link that does not take it has lost this frame; the next makes it worthless.
+            let sent = board.answer(forces, slopes);
+            let sent = sent.filter(|(frame, len)| link.try_send(&frame[..*len]).is_ok());
+            board.count_sent(sent.is_some());
+            if let Some((_, len)) = sent {
+                end.saw_down(len);
+            }
         }
     }
-}
 
-impl BoardEnd {
-    /// Takes the next byte of `board`'s stream; returns samples that are news.
-    fn hear(&mut self, byte: u8, board: BoardId, tick: u64) -> Option<KeySamples> {
-        match self.deframer.push(byte)?.map(KeySamples::decode) {
-            Err(_framing) => self.statistics.corrupt += 1,
-            Ok(Ok(frame)) if frame.header.board == board => return self.take(frame, tick),
-            Ok(_foreign) => self.statistics.refused += 1,
+    /// Counts a frame of `len` bytes that somebody else has sent over `line`.
+    ///
+    /// # Real-time
+    /// As [`LinkMeter::saw_down`].
+    pub fn saw_sent(&mut self, line: usize, len: usize) {
+        if let Some(line) = self.lines.get_mut(line) {
+            line.saw_down(len);
         }
-        None
     }
 
-    /// Returns `frame` if it is newer than all before.
-    fn take(&mut self, frame: KeySamples, tick: u64) -> Option<KeySamples> {
-        self.loss.accept(frame.header.sequence, tick).then(|| {
-            self.stamp_us = Some(frame.header.stamp_us);
-            self.statistics.fault = frame.header.fault;
-            frame
-        })
+    /// How full `line` was in the `seconds` since it is metered; none if its medium is not
+    /// known.
+    pub fn load(&self, line: usize, seconds: f64) -> Option<Seen> {
+        Some(self.lines.get(line)?.meter.as_ref()?.seen(seconds))
     }
 
-    /// The next force frame as it goes on the wire, and its length.
-    fn frame(&mut self, board: BoardId, forces: &[f64]) -> Option<([u8; MAX_WIRE], usize)> {
-        let stamp_us = self.stamp_us?;
-        let header = Header { board, sequence: self.sequence, stamp_us, fault: false };
-        self.sequence = self.sequence.next();
-        let forces = PerKey::collect(forces.iter().copied().map(calibration::millinewtons));
-        let (mut bytes, mut wire) = ([0; key_forces::MAX_LEN], [0; MAX_WIRE]);
-        let len = KeyForces { header, forces }.encode(&mut bytes);
-        let len = serial::encode(&bytes[..len], &mut wire).ok()?;
-        Some((wire, len))
+    /// Forgets what came from the board with this index, which starts anew.
+    pub fn forget(&mut self, board: usize) {
+        if let Some(board) = self.boards.get_mut(board) {
+            board.forget();
+        }
+    }
+
+    /// What the board with this index has sent and was sent.
+    pub fn statistics(&self, board: usize) -> BoardStatistics {
+        self.boards.get(board).map_or_else(BoardStatistics::default, BoardEnd::statistics)
+    }
+
+    /// What `line` has carried beside.
+    pub fn line(&self, line: usize) -> LineStatistics {
+        self.lines.get(line).map_or_else(LineStatistics::default, |it| it.statistics)
+    }
+
+    /// Whose frame this is, among all boards.
+    pub fn board_on(&self, line: usize, frame: &[u8]) -> Option<usize> {
+        self.lines.get(line)?.boards.get(board_of(frame)?.index()).copied().flatten()
+    }
+
+    /// Reads one frame.
+    fn read(&mut self, line: usize, frame: &[u8], acyclic: &mut impl Acyclic) {
+        self.lines[line].saw_up(frame.len());
+        match (Kind::of(frame), self.board_on(line, frame)) {
+            (Some(Kind::KeySamples), Some(index)) => {
+                let board = &mut self.boards[index];
+                if board.hear(frame, self.tick.unwrap_or_default()) {
+                    board.publish(0, &mut self.samples);
+                }
+            }
+            (Some(Kind::Reply | Kind::Hello), Some(_)) => acyclic.hear(line, frame),
+            _ => self.lines[line].statistics.foreign += 1,
+        }
     }
 }

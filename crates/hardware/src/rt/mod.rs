@@ -2,5 +2,9 @@
 //!
 //! No heap, no lock, no clock; the only system calls are those of the links.
 
+pub mod board;
 pub mod bus;
 pub mod loss;
+mod multicast;
+pub mod steward;
+mod trips;

@@ -1,73 +1,176 @@
-//! A simulated board: eleven keys behind one link, with a watchdog of its own.
+//! A simulated board: its keys behind one link, complete as a real one.
+//!
+//! It lives in ticks of its own, at each of which its motors' forces are worked out; every so
+//! many it sends samples. It answers requests (`requests.rs`), takes forces only when it
+//! is armed (`guard.rs`) and only as answers to what it has just sent
+//! (`history.rs`).
 
-use firmware_protocol::frame::Header;
-use firmware_protocol::frame::key_forces::KeyForces;
-use firmware_protocol::frame::key_samples::{self, KeySamples};
-use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, PerKey};
-use firmware_protocol::quantity::Millinewtons;
-use firmware_protocol::sequence::Sequence;
-use firmware_protocol::serial::{self, Deframer, MAX_WIRE};
+use firmware_protocol::MAX_FRAME;
+use firmware_protocol::acyclic::arm::VALID_MS;
+use firmware_protocol::frame::broadcast::Broadcast;
+use firmware_protocol::frame::hello::{Hello, Introduction, MAGIC, feature, safe_reason};
+use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces, KeySlopes};
+use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
+use firmware_protocol::frame::multicast_forces::{GROUP, MulticastForces};
+use firmware_protocol::frame::{Header, Kind, board_of};
+use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
+use firmware_protocol::version::PROTOCOL_VERSION;
+use firmware_protocol::{key, schema};
 use haptics::plant::{Gesture, KeyRig, RigParameters};
 
+use super::bus_time::BusTime;
+use super::guard::{Fed, Guard};
+use super::history::History;
 use super::key::{Plant, Progress};
-use super::watchdog::{SILENCE, Watchdog};
+use super::law::Law;
+use super::requests::Desk;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
-use crate::link::Link;
-use crate::rt::loss::Loss;
+use crate::clock::low;
+use crate::link::{Link, RecvError};
 
-/// Frames taken from the link in one tick; the rest waits for the next.
-const MAX_FRAMES: usize = 16;
+/// What a simulated board can.
+const FEATURES: u16 =
+    feature::SLOPES | feature::MULTICAST | feature::VELOCITY | feature::FINGERS | feature::LOG;
 
-/// What a board refused or could not do.
+/// Frames taken from the link in one call; the rest waits for the next.
+const MAX_FRAMES: usize = 64;
+
+/// What a board has counted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct BoardFaults {
-    /// Pieces of the stream that were no frames.
+pub struct BoardCounts {
+    /// Frames of samples that the link took.
+    pub samples: u64,
+    /// Sample frames that the link did not take.
+    pub unsent: u64,
+    /// Frames of forces that were rendered.
+    pub forces: u64,
+    /// What came and was no frame.
     pub corrupt: u64,
     /// Whole frames that were not for this board, or not to be understood.
     pub refused: u64,
-    /// Forces that answered samples older than 20 ms.
+    /// Forces that answered nothing recent.
     pub stale: u64,
-    /// Times that the watchdog tripped.
+    /// Forces that came while it was not armed.
+    pub unarmed: u64,
+    /// Samples that were passed over by the forces that came.
+    pub unanswered: u64,
+    /// Times that forces expired.
     pub trips: u64,
-    /// Sample frames that the link did not take.
-    pub unsent: u64,
+    /// Times that it was armed.
+    pub armings: u64,
+    /// Oldest samples that forces which were rendered answered [us].
+    pub oldest_us: u64,
+}
+
+/// What a simulated board is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct BoardMake {
+    /// Its number on its link.
+    pub id: BoardId,
+    /// Its first key.
+    pub first_key: u8,
+    /// Its keys, `1 ..= 12`.
+    pub n_keys: usize,
+    /// Its tick [s]: how often it works out its motors' forces.
+    pub period: f64,
+    /// What its keys are made of.
+    pub rig: RigParameters,
+    /// What its encoders read when keys are at rest [counts].
+    pub offset: i32,
+    /// Force of its motors for a newton that is asked for [1].
+    pub strength: f64,
+    /// What it says of itself that is not true.
+    pub guise: Guise,
+}
+
+/// What a board says of itself that is not true; by default nothing.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Guise {
+    /// Another major version of the protocol.
+    pub major: Option<u8>,
+    /// Another hash of the cyclic layouts.
+    pub schema: Option<u64>,
+    /// Other keys: the first, and how many.
+    pub keys: Option<(u8, u8)>,
+    /// Somebody else's id.
+    pub uid: Option<[u8; 6]>,
+}
+
+impl BoardMake {
+    /// A board of the standard compass, in ticks of `period` [s].
+    pub fn standard(id: BoardId, period: f64, rig: RigParameters) -> Self {
+        let first_key = u8::try_from(id.keys().start).unwrap_or_default();
+        let (n_keys, offset, strength) = (KEYS_PER_BOARD, 0, 1.0);
+        let guise = Guise::default();
+        Self { id, first_key, n_keys, period, rig, offset, strength, guise }
+    }
+
+    /// Who the board is: the same for the same number and keys.
+    pub const fn uid(&self) -> [u8; 6] {
+        [b'S', b'I', b'M', self.id.number(), self.first_key, 0]
+    }
 }
 
 /// A board with its keys, motors, encoders and clock.
 #[derive(Clone, Debug)]
 pub struct SimulatedBoard {
-    id: BoardId,
-    progress: Progress,
-    keys: Vec<Plant>,
-    forces: PerKey<Millinewtons>,
-    watchdog: Watchdog,
-    deframer: Deframer,
-    loss: Loss,
-    sequence: Sequence,
+    pub(super) make: BoardMake,
+    pub(super) progress: Progress,
+    pub(super) keys: Vec<Plant>,
+    pub(super) guard: Guard,
+    pub(super) desk: Desk,
+    pub(super) samples: SampleLayout,
+    pub(super) forces: ForceLayout,
+    /// Ticks between two frames of samples, and how many are left; none for no samples.
+    pub(super) every: Option<(u32, u32)>,
+    pub(super) counts: BoardCounts,
+    laws: PerKey<Law>,
+    bus_time: BusTime,
+    history: History,
+    /// How much its clock was set back [us].
+    late_us: u64,
+    /// Which frame of samples was answered last.
+    answered: Option<u64>,
     /// The tick at whose start the newest samples were sent.
     reported: Option<u64>,
-    faults: BoardFaults,
 }
 
 impl SimulatedBoard {
-    /// A board of keys at rest, in ticks of `period` [s].
+    /// A board that was just switched on: it sends nothing and renders nothing.
     ///
     /// # Errors
-    /// Refuses a period that is not above 0 and up to 1 s.
-    pub fn new(id: BoardId, period: f64, rig: RigParameters) -> Result<Self, Error> {
+    /// Refuses a period that is not above 0 and up to 1 s, and more keys than a board has.
+    pub fn new(make: BoardMake) -> Result<Self, Error> {
+        let keys = usize::from(make.first_key)..usize::from(make.first_key) + make.n_keys;
+        if make.n_keys == 0 || MOST_KEYS < make.n_keys || key::KEYS < keys.end {
+            return Err(Error::BoardKeys { first: make.first_key, n_keys: make.n_keys });
+        }
         Ok(Self {
-            id,
-            progress: Progress::new(period)?,
-            keys: (0..KEYS_PER_BOARD).map(|_| Plant::new(rig)).collect(),
-            forces: PerKey::collect([Millinewtons::default(); KEYS_PER_BOARD]),
-            watchdog: Watchdog::new(period),
-            deframer: Deframer::default(),
-            loss: Loss::default(),
-            sequence: Sequence::default(),
+            make,
+            progress: Progress::new(make.period)?,
+            keys: (0..make.n_keys).map(|_| Plant::new(make.rig, make.offset)).collect(),
+            guard: Guard::new(u32::from(make.id.number()) + 1),
+            desk: Desk::new(make),
+            samples: SampleLayout { packing: SamplePacking::Position24, n_keys: make.n_keys },
+            forces: ForceLayout { packing: ForcePacking::Force16, n_keys: make.n_keys },
+            every: None,
+            counts: BoardCounts::default(),
+            laws: PerKey::collect(std::iter::repeat_n(Law::default(), make.n_keys)),
+            bus_time: BusTime::default(),
+            history: History::new(),
+            late_us: 0,
+            answered: None,
             reported: None,
-            faults: BoardFaults::default(),
         })
+    }
+
+    /// The same as if a host had asked for samples in every tick and armed it.
+    #[must_use]
+    pub const fn armed(mut self) -> Self {
+        self.every = Some((1, 1));
+        self.guard.force_armed(VALID_MS as u64 * 1_000);
+        self
     }
 
     /// Plays `gestures` on the key in `slot` from now on instead of those before.
@@ -77,40 +180,59 @@ impl SimulatedBoard {
         }
     }
 
-    /// Lives through the ticks up to the start of `tick`, then says where its keys are.
+    /// Takes what has come, and lives through the ticks up to the start of `tick`; says where
+    /// its keys are whenever that is due.
     ///
-    /// At the start of each tick it takes the newest forces, at the end of each it sends its
-    /// samples. The first call only sends.
+    /// The first call takes nothing.
     ///
     /// # Real-time
-    /// At most 256 ticks of 11 plants and 16 frames; no heap.
+    /// At most 256 ticks and 64 frames; no heap, unless a gesture comes.
     pub fn advance(&mut self, tick: u64, link: &mut impl Link) {
-        for step in self.progress.go_on(tick) {
-            self.listen(step, link);
+        let steps = self.progress.go_on(tick);
+        if !steps.is_empty() {
+            self.listen(steps.start, link);
+        }
+        for step in steps {
             self.step(step);
-            self.report(step + 1, link);
+            self.report_if_due(step + 1, link);
         }
         // At the first call, and after ticks that were not made up.
-        if self.reported < Some(tick) {
+        if self.reported < Some(tick) && self.every.is_some_and(|(every, _)| every == 1) {
             self.report(tick, link);
         }
     }
 
-    /// Whether the watchdog has tripped and the board was not armed since.
+    /// Whether it renders no forces, for whatever reason.
     pub const fn is_safe(&self) -> bool {
-        self.watchdog.is_safe()
+        !self.guard.is_armed()
+    }
+
+    /// Why it renders no forces, as in [`safe_reason`].
+    pub const fn safe_reason(&self) -> u8 {
+        self.guard.reason()
     }
 
     /// Leaves the safe state without force; the next valid forces are taken again.
     pub fn rearm(&mut self) {
-        self.watchdog.rearm();
-        self.loss.forget();
-        self.forces = PerKey::collect([Millinewtons::default(); KEYS_PER_BOARD]);
+        self.guard.force_armed(u64::from(VALID_MS) * 1_000);
+        self.forget_forces();
     }
 
-    /// What was refused or went wrong.
-    pub const fn faults(&self) -> BoardFaults {
-        self.faults
+    /// Lets go of all forces.
+    pub(super) fn forget_forces(&mut self) {
+        self.laws.as_mut_slice().fill(Law::default());
+        self.answered = None;
+    }
+
+    /// What was counted.
+    pub fn counts(&self) -> BoardCounts {
+        let (trips, armings) = self.guard.counts();
+        BoardCounts { trips: trips.into(), armings: armings.into(), ..self.counts }
+    }
+
+    /// What it is.
+    pub const fn make(&self) -> &BoardMake {
+        &self.make
     }
 
     /// The plant in `slot`, with what no sensor tells.
@@ -123,84 +245,241 @@ impl SimulatedBoard {
         self.keys.iter().map(Plant::calibration)
     }
 
-    /// Takes the forces that have come until the start of `tick`.
+    /// Who it is.
+    pub fn introduction(&self) -> Introduction {
+        let Guise { major, schema, keys, uid } = self.make.guise;
+        let n_keys = u8::try_from(self.make.n_keys).unwrap_or(u8::MAX);
+        let (first_key, n_keys) = keys.unwrap_or((self.make.first_key, n_keys));
+        let hello = Hello {
+            magic: MAGIC,
+            major: major.unwrap_or(PROTOCOL_VERSION.major),
+            minor: PROTOCOL_VERSION.minor,
+            schema: schema.unwrap_or(schema::HASH),
+            uid: uid.unwrap_or_else(|| self.make.uid()),
+            first_key,
+            n_keys,
+            features: FEATURES,
+            max_sample_hz: rate(self.make.period),
+            max_force_hz: rate(self.make.period),
+            law_hz: rate(self.make.period),
+            quantum_nm: nanometres(self.make.rig.quantum),
+            max_force_mn: millinewtons(self.make.rig.motor.limit),
+            config_crc: self.desk.config_crc(),
+            board_us: self.clock_us(),
+            firmware_major: 1,
+            firmware_minor: 0,
+            reset_reason: 1,
+            safe_reason: self.guard.reason(),
+        };
+        Introduction { board: self.make.id, fault: self.is_safe(), hello }
+    }
+
+    /// Sets the clock that it tells others back by so much [us]; it goes on living by its own.
+    pub const fn set_clock_back(&mut self, by_us: u64) {
+        self.late_us = self.late_us.saturating_add(by_us);
+    }
+
+    /// One of its keys fails: it renders no force, for this reason.
+    pub fn fail(&mut self, reason: u8) {
+        self.guard.trip(reason, self.now_us());
+    }
+
+    /// Its clock now [us], as requests see it.
+    pub(super) fn clock_us(&self) -> u32 {
+        low(self.told_us(self.now_us()))
+    }
+
+    /// Its clock now [us].
+    pub(super) fn now_us(&self) -> u64 {
+        self.progress.now_us()
+    }
+
+    /// What it tells others when its own clock shows `us`.
+    const fn told_us(&self, us: u64) -> u64 {
+        us.wrapping_sub(self.late_us)
+    }
+
+    /// Takes what has come until the start of `tick`.
     fn listen(&mut self, tick: u64, link: &mut impl Link) {
         for _ in 0..MAX_FRAMES {
-            let mut piece = [0; MAX_WIRE];
-            let Ok(Some(len)) = link.try_recv(&mut piece) else { return };
-            for byte in piece.get(..len).unwrap_or_default() {
-                self.hear(tick, *byte);
+            let mut frame = [0; MAX_FRAME];
+            match link.try_recv(&mut frame) {
+                Ok(Some(len)) => self.hear(tick, &frame[..len.min(MAX_FRAME)], link),
+                Err(RecvError::Corrupt | RecvError::BufferTooShort { .. }) => {
+                    self.counts.corrupt += 1;
+                }
+                Ok(None) | Err(RecvError::Down) => return,
             }
         }
     }
 
-    /// Takes the next byte of the stream, and the frame that it completes.
-    fn hear(&mut self, tick: u64, byte: u8) {
-        let frame = self.deframer.push(byte).map(|frame| frame.map(KeyForces::decode));
-        match frame {
-            None => {}
-            Some(Err(_framing)) => self.faults.corrupt += 1,
-            Some(Ok(Ok(frame))) if self.is_whole(&frame) => self.take(tick, &frame),
-            Some(Ok(_foreign)) => self.faults.refused += 1,
+    /// Takes one frame.
+    fn hear(&mut self, tick: u64, frame: &[u8], link: &mut impl Link) {
+        let is_mine = board_of(frame) == Some(self.make.id);
+        match Kind::of(frame) {
+            Some(Kind::KeyForces) if is_mine => match KeyForces::decode(frame, self.forces) {
+                Ok(forces) => self.take(self.progress.us(tick), &forces),
+                Err(_why) => self.counts.refused += 1,
+            },
+            Some(Kind::MulticastForces) => self.take_multicast(frame),
+            Some(Kind::Request) if is_mine => self.serve(frame, link),
+            Some(Kind::Broadcast) => self.obey(frame, link),
+            Some(Kind::KeyForces | Kind::Request) => {}
+            _ => self.counts.refused += 1,
         }
     }
 
-    /// Whether a frame is for this board, and for all of its keys.
-    fn is_whole(&self, frame: &KeyForces) -> bool {
-        frame.header.board == self.id && frame.forces.as_slice().len() == KEYS_PER_BOARD
+    /// Does what was said to all boards.
+    fn obey(&mut self, frame: &[u8], link: &mut impl Link) {
+        match Broadcast::decode(frame) {
+            Ok(Broadcast::EmergencyStop { .. }) => {
+                self.guard.trip(safe_reason::EMERGENCY_STOP, self.now_us());
+            }
+            Ok(Broadcast::WhoIsThere { .. }) => {
+                let mut bytes = [0; MAX_FRAME];
+                let len = self.introduction().encode(&mut bytes);
+                self.send(&bytes[..len], link);
+            }
+            Ok(Broadcast::BusTime { host_us }) => self.bus_time.hear(self.now_us(), host_us),
+            Err(_why) => self.counts.refused += 1,
+        }
     }
 
-    /// Takes forces that are newer than those before and answer something recent.
-    fn take(&mut self, tick: u64, frame: &KeyForces) {
-        if !self.loss.accept(frame.header.sequence, tick) {
+    /// Takes forces that are for all boards, if that was agreed and they are recent.
+    fn take_multicast(&mut self, frame: &[u8]) {
+        let Ok(frame) = MulticastForces::decode(frame) else {
+            self.counts.refused += 1;
+            return;
+        };
+        let first = usize::from(frame.group) * GROUP;
+        let mine =
+            usize::from(self.make.first_key)..usize::from(self.make.first_key) + self.make.n_keys;
+        let shared = first.max(mine.start)..(first + GROUP).min(mine.end);
+        if self.forces.packing != ForcePacking::Multicast16 || shared.is_empty() {
             return;
         }
-        let age_us = self.stamp_us(tick).wrapping_sub(frame.header.stamp_us);
-        if SILENCE * 1e6 < f64::from(age_us) {
-            self.faults.stale += 1;
-        } else if self.watchdog.feed() {
-            let silent = PerKey::collect([Millinewtons::default(); KEYS_PER_BOARD]);
-            self.forces = if frame.header.fault { silent } else { frame.forces };
+        let now_us = self.now_us();
+        let is_newer = self.bus_time.accept(frame.group, frame.sequence, now_us);
+        let Some(age_us) = self.bus_time.age_us(now_us, frame.stamp_us).filter(|_| is_newer) else {
+            self.counts.stale += 1;
+            return;
+        };
+        match self.guard.feed(now_us.saturating_sub(age_us), now_us) {
+            Fed::Stale => self.counts.stale += 1,
+            Fed::Unarmed => self.counts.unarmed += 1,
+            Fed::Rendered => {
+                self.counts.forces += 1;
+                self.counts.oldest_us = self.counts.oldest_us.max(age_us);
+                if frame.flag {
+                    return self.laws.as_mut_slice().fill(Law::default());
+                }
+                for key in shared {
+                    let force = frame.forces[key - first];
+                    let law = &mut self.laws.as_mut_slice()[key - mine.start];
+                    *law = Law::here(force, KeySlopes::default(), (0.0, 0.0), now_us);
+                }
+            }
+        }
+    }
+
+    /// Takes forces that answer something recent, and nothing older than those before.
+    fn take(&mut self, now_us: u64, frame: &KeyForces) {
+        let Some(sent) = self.history.find(frame.header) else {
+            self.counts.stale += 1;
+            return;
+        };
+        if self.answered.is_some_and(|answered| sent.number < answered) {
+            self.counts.stale += 1;
+            return;
+        }
+        match self.guard.feed(sent.taken_us, now_us) {
+            Fed::Stale => self.counts.stale += 1,
+            Fed::Unarmed => self.counts.unarmed += 1,
+            Fed::Rendered => {
+                let passed = self.answered.map_or(0, |it| sent.number.saturating_sub(it + 1));
+                self.counts.unanswered += passed;
+                self.counts.forces += 1;
+                self.counts.oldest_us =
+                    self.counts.oldest_us.max(now_us.saturating_sub(sent.taken_us));
+                self.answered = Some(sent.number);
+                for (slot, law) in self.laws.as_mut_slice().iter_mut().enumerate() {
+                    let rig = &self.make.rig;
+                    *law = Law::answering(frame, &sent.samples, slot, rig.quantum, sent.taken_us);
+                }
+            }
         }
     }
 
     /// Advances the keys over `tick`.
     fn step(&mut self, tick: u64) {
-        let was_safe = self.is_safe();
-        let share = self.watchdog.tick();
-        self.faults.trips += u64::from(self.is_safe() && !was_safe);
+        let now_us = self.progress.us(tick);
+        let share = self.guard.share(now_us) * self.make.strength;
         let (t, h) = (self.progress.seconds(tick), self.progress.period());
-        for (key, force) in self.keys.iter_mut().zip(self.forces.as_slice()) {
-            key.advance(t, h, share * calibration::newtons(*force));
+        for (key, law) in self.keys.iter_mut().zip(self.laws.as_slice()) {
+            key.advance(t, h, share * law.force(now_us, key.measured()));
+        }
+    }
+
+    /// Sends samples if their time has come.
+    fn report_if_due(&mut self, tick: u64, link: &mut impl Link) {
+        let Some((every, left)) = &mut self.every else { return };
+        *left = left.saturating_sub(1);
+        if *left == 0 {
+            *left = *every;
+            self.report(tick, link);
         }
     }
 
     /// Sends where the keys are at the start of `tick`.
     fn report(&mut self, tick: u64, link: &mut impl Link) {
         self.reported = Some(tick);
+        let taken_us = self.progress.us(tick);
+        let [low, high, ..] = self.told_us(taken_us).to_le_bytes();
         let header = Header {
-            board: self.id,
-            sequence: self.sequence,
-            stamp_us: self.stamp_us(tick),
-            fault: self.is_safe(),
+            board: self.make.id,
+            sequence: self.history.next_sequence(),
+            stamp_us: u16::from_le_bytes([low, high]),
+            flag: self.is_safe(),
         };
-        self.sequence = self.sequence.next();
-        let positions = PerKey::collect(self.keys.iter().map(Plant::counts));
-        let (mut bytes, mut wire) = ([0; key_samples::MAX_LEN], [0; MAX_WIRE]);
-        let len = KeySamples { header, positions }.encode(&mut bytes);
-        let sent = serial::encode(&bytes[..len], &mut wire)
-            .is_ok_and(|len| link.try_send(&wire[..len]).is_ok());
-        self.faults.unsent += u64::from(!sent);
+        let mut samples = KeySamples {
+            header,
+            positions: PerKey::collect(self.keys.iter().map(Plant::counts)),
+            velocities: PerKey::default(),
+        };
+        if self.samples.packing.has_velocity() {
+            let speeds = self.keys.iter().map(|key| calibration::speed(key.rig().velocity()));
+            samples.velocities = PerKey::collect(speeds);
+        }
+        self.history.push(samples, taken_us);
+        let mut bytes = [0; MAX_FRAME];
+        let len = samples.encode(self.samples.packing, &mut bytes);
+        if link.try_send(&bytes[..len]).is_ok() {
+            self.counts.samples += 1;
+        } else {
+            self.counts.unsent += 1;
+        }
     }
 
-    /// The board's clock at the start of `tick` [us].
-    fn stamp_us(&self, tick: u64) -> u16 {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "time is positive, and the clock wraps"
-        )]
-        let stamp = (self.progress.seconds(tick) * 1e6).round() as u64 as u16;
-        stamp
+    /// Sends a frame that is not cyclic.
+    pub(super) fn send(&mut self, frame: &[u8], link: &mut impl Link) {
+        self.counts.unsent += u64::from(link.try_send(frame).is_err());
     }
+}
+
+/// The rate of a period [s], as a hello says it [1/s].
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+fn rate(period: f64) -> u16 {
+    (1.0 / period).round() as u16
+}
+
+/// A quantum [m], as a hello says it [nm].
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+fn nanometres(quantum: f64) -> u32 {
+    (quantum * 1e9).round() as u32
+}
+
+/// A force [N], as a hello says it [mN].
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+fn millinewtons(force: f64) -> u16 {
+    (force * 1e3).round() as u16
 }

@@ -3,11 +3,13 @@
 //! [`SimulatedKey`] and the same key of the keybed give the same bits, so one can rehearse
 //! what the other will do.
 
-use firmware_protocol::quantity::{Counts, Millinewtons};
+use firmware_protocol::acyclic::arm::VALID_MS;
+use firmware_protocol::quantity::Counts;
 use haptics::plant::{Gesture, KeyRig, RigParameters};
-use scheduler::motion::{KeySample, Moment};
+use scheduler::motion::{KeySample, KeySlope, Moment};
 
-use super::watchdog::Watchdog;
+use super::guard::{Fed, Guard};
+use super::law::Law;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
 
@@ -22,6 +24,8 @@ const MAX_PERIOD: f64 = 1.0;
 #[derive(Clone, Debug)]
 pub(super) struct Plant {
     rig: KeyRig,
+    /// What the encoder reads beside the position [counts].
+    offset: i32,
     gestures: Vec<Gesture>,
     /// The first gesture that is not over yet.
     current: usize,
@@ -30,8 +34,9 @@ pub(super) struct Plant {
 }
 
 impl Plant {
-    pub(super) fn new(rig: RigParameters) -> Self {
-        Self { rig: KeyRig::new(rig), gestures: Vec::new(), current: 0, force: 0.0 }
+    /// A key at rest whose encoder reads `offset` [counts] there.
+    pub(super) fn new(rig: RigParameters, offset: i32) -> Self {
+        Self { rig: KeyRig::new(rig), offset, gestures: Vec::new(), current: 0, force: 0.0 }
     }
 
     /// Plays `gestures` from now on instead of those before, in the order of their starts.
@@ -39,6 +44,19 @@ impl Plant {
         gestures.sort_by(|one, other| one.start.total_cmp(&other.start));
         self.gestures = gestures;
         self.current = 0;
+    }
+
+    /// Adds a gesture to those that wait, and forgets those that are over.
+    pub(super) fn add(&mut self, gesture: Gesture) {
+        self.gestures.drain(..self.current);
+        self.current = 0;
+        let place = self.gestures.partition_point(|other| other.start <= gesture.start);
+        self.gestures.insert(place, gesture);
+    }
+
+    /// Position [m] as the encoder reads it, and velocity [m/s].
+    pub(super) fn measured(&self) -> (f64, f64) {
+        (f64::from(self.counts().get()) * self.rig.quantum(), self.rig.velocity())
     }
 
     /// Advances from `t` to `t + h` [s] with `force` [N] held; a key at rest is left alone.
@@ -54,7 +72,7 @@ impl Plant {
 
     /// What the encoder reads.
     pub(super) fn counts(&self) -> Counts {
-        Counts::saturating(self.rig.counts())
+        Counts::saturating(self.rig.counts().saturating_add(self.offset))
     }
 
     pub(super) const fn rig(&self) -> &KeyRig {
@@ -63,7 +81,10 @@ impl Plant {
 
     /// How this key's encoder reads.
     pub(super) fn calibration(&self) -> KeyCalibration {
-        KeyCalibration { rest: Counts::default(), quantum: self.rig.quantum() }
+        let nominal = KeyCalibration::nominal(self.rig.quantum());
+        let shifted = |it: Counts| Counts::saturating(it.get().saturating_add(self.offset));
+        let (rest, bottom) = (shifted(nominal.rest), shifted(nominal.bottom));
+        KeyCalibration { rest, bottom, ..nominal }
     }
 
     /// The gesture of the tick from `t` to `t + h` [s].
@@ -115,6 +136,22 @@ impl Progress {
         self.tick.is_none()
     }
 
+    /// Start of `tick` [us].
+    pub(super) fn us(&self, tick: u64) -> u64 {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "time is positive, and 64 bits of microseconds are enough"
+        )]
+        let us = (self.seconds(tick) * 1e6).round() as u64;
+        us
+    }
+
+    /// Start of the tick that has come [us]; 0 before the first.
+    pub(super) fn now_us(&self) -> u64 {
+        self.us(self.tick.unwrap_or_default())
+    }
+
     /// Start of `tick` [s].
     pub(super) fn seconds(&self, tick: u64) -> f64 {
         Moment { tick, theta: 0.0 }.seconds(self.period)
@@ -134,11 +171,11 @@ impl Progress {
 pub struct SimulatedKey {
     plant: Plant,
     calibration: KeyCalibration,
-    watchdog: Watchdog,
+    guard: Guard,
     progress: Progress,
-    command: Millinewtons,
-    /// A command has come since the last sample.
-    fed: bool,
+    law: Law,
+    /// A law that has come since the sample that it answers, taken then [us].
+    answer: Option<(u64, Law)>,
 }
 
 impl SimulatedKey {
@@ -147,14 +184,16 @@ impl SimulatedKey {
     /// # Errors
     /// Refuses a period that is not above 0 and up to 1 s.
     pub fn new(period: f64, rig: RigParameters) -> Result<Self, Error> {
-        let plant = Plant::new(rig);
+        let plant = Plant::new(rig, 0);
+        let mut guard = Guard::new(0);
+        guard.force_armed(u64::from(VALID_MS) * 1_000);
         Ok(Self {
             calibration: plant.calibration(),
             plant,
-            watchdog: Watchdog::new(period),
+            guard,
             progress: Progress::new(period)?,
-            command: Millinewtons::default(),
-            fed: false,
+            law: Law::default(),
+            answer: None,
         })
     }
 
@@ -171,31 +210,57 @@ impl SimulatedKey {
     /// One tick of the plant for each tick since the last call, at most 256; no heap.
     pub fn receive(&mut self, tick: u64) -> KeySample {
         for step in self.progress.go_on(tick) {
-            if std::mem::take(&mut self.fed) {
-                self.watchdog.feed();
+            let now_us = self.progress.us(step);
+            if let Some((answered_us, law)) = self.answer.take()
+                && self.guard.feed(answered_us, now_us) == Fed::Rendered
+            {
+                self.law = law;
             }
-            let force = self.watchdog.tick() * calibration::newtons(self.command);
-            self.plant.advance(self.progress.seconds(step), self.progress.period(), force);
+            let share = self.guard.share(now_us);
+            self.render(self.progress.seconds(step), share);
         }
         KeySample { position: self.calibration.position(self.plant.counts()), age: 0 }
     }
 
-    /// Takes the force [N, up positive] to be held until the next one.
+    /// Takes the force [N, up positive] that holds until the next one, as `slope` says.
     ///
     /// A safe key takes none, see [`Self::is_safe`]; nor does one that gave no sample yet.
     ///
     /// # Real-time
     /// One conversion.
-    pub fn send(&mut self, force: f64) {
-        if !self.watchdog.is_safe() && !self.progress.is_new() {
-            self.command = calibration::millinewtons(force);
-            self.fed = true;
+    pub fn send(&mut self, force: f64, slope: &KeySlope) {
+        if !self.is_safe() && !self.progress.is_new() {
+            let (position, velocity) = self.plant.measured();
+            let velocity = calibration::metres_per_second(calibration::speed(velocity));
+            let here = calibration::Measured { position, velocity };
+            let (force, slopes) = self.calibration.sloped(force, slope, here);
+            let law = Law::here(force, slopes, (position, velocity), self.progress.now_us());
+            self.answer = Some((self.progress.now_us(), law));
+        }
+    }
+
+    /// Advances the plant over a tick that starts at `t` [s]; a force that goes on is worked
+    /// out as often as a board does it.
+    fn render(&mut self, t: f64, share: f64) {
+        /// How often a board works out a force that goes on [s].
+        const LAW_PERIOD: f64 = 100e-6;
+        let h = self.progress.period();
+        if self.law.is_held() {
+            return self.plant.advance(t, h, share * self.law.force(0, (0.0, 0.0)));
+        }
+        let n = (h / LAW_PERIOD).round().clamp(1.0, 100.0);
+        let part = h / n;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 100")]
+        for i in 0..n as u32 {
+            let at = t + f64::from(i) * part;
+            let force = share * self.law.force((at * 1e6).round() as u64, self.plant.measured());
+            self.plant.advance(at, part, force);
         }
     }
 
     /// Whether no force came for 20 ms, after which the key takes none.
     pub const fn is_safe(&self) -> bool {
-        self.watchdog.is_safe()
+        !self.guard.is_armed()
     }
 
     /// The plant itself, with what no sensor tells.

@@ -3,16 +3,19 @@
 //! Order in time: `receive(n)` gives the positions at the start of tick n; `send(n)` gives
 //! the forces held over tick n; the plants move when the next `receive` comes.
 
-use firmware_protocol::key::{BoardId, KeyIndex};
+use firmware_protocol::key::{BoardId, KeyIndex, PerKey};
 use haptics::plant::{Gesture, KeyRig, RigParameters};
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 
-use super::board::{BoardFaults, SimulatedBoard};
+use super::board::{BoardCounts, BoardMake, SimulatedBoard};
 use crate::Error;
 use crate::link::faulty::{FaultCounts, FaultPlan, Faults};
+use crate::link::framed::Framing;
 use crate::link::loopback::Loopback;
-use crate::rt::bus::{BoardStatistics, Bus};
+use crate::rt::board::{BoardStatistics, BoardTerms};
+use crate::rt::bus::{Bus, LineStatistics, Unread};
+use crate::topology;
 
 /// Frames that a wire holds: those of one tick, and what faults repeat or delay into it.
 const WIRE_CAPACITY: usize = 8;
@@ -28,10 +31,11 @@ pub struct SimulatedKeybed {
 /// A board, its wire, and what goes wrong on it.
 #[derive(Clone, Debug)]
 struct Line {
-    id: BoardId,
     board: SimulatedBoard,
     wire: Loopback,
     faults: Faults,
+    /// What host and board remember of the stream between them.
+    framing: [Framing; 2],
 }
 
 impl SimulatedKeybed {
@@ -42,9 +46,18 @@ impl SimulatedKeybed {
     pub fn new(period: f64, rig: RigParameters) -> Result<Self, Error> {
         let lines: Vec<Line> =
             BoardId::all().map(|id| Line::new(id, period, rig)).collect::<Result<_, _>>()?;
-        let calibration: Vec<_> = lines.iter().flat_map(|line| line.board.calibration()).collect();
-        let bus = Box::new(Bus::new(std::array::from_fn(|key| calibration[key])));
-        Ok(Self { bus, lines })
+        let places = topology::standard();
+        let terms: Vec<_> = places
+            .iter()
+            .zip(&lines)
+            .map(|(place, line)| BoardTerms {
+                place: *place,
+                samples: line.board.samples,
+                forces: line.board.forces,
+                calibration: PerKey::collect(line.board.calibration()),
+            })
+            .collect();
+        Ok(Self { bus: Box::new(Bus::new(&terms)), lines })
     }
 
     /// Plays `gestures` on `key` from now on instead of those before.
@@ -71,12 +84,17 @@ impl SimulatedKeybed {
 
     /// What the host has counted on the wire of `board`.
     pub fn statistics(&self, board: BoardId) -> BoardStatistics {
-        self.bus.statistics(board)
+        self.bus.statistics(board.index())
+    }
+
+    /// What the wire of `board` has carried beside.
+    pub fn wire(&self, board: BoardId) -> LineStatistics {
+        self.bus.line(board.index())
     }
 
     /// What `board` itself has counted.
-    pub fn board_faults(&self, board: BoardId) -> BoardFaults {
-        self.lines[board.index()].board.faults()
+    pub fn board_counts(&self, board: BoardId) -> BoardCounts {
+        self.lines[board.index()].board.counts()
     }
 
     /// How often the wire of `board` was disturbed since the last plan.
@@ -97,20 +115,29 @@ impl KeyBus for SimulatedKeybed {
     /// One tick of 88 plants for each tick since the last call, at most 256; no heap.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
         self.bus.begin(tick);
-        for Line { id, board, wire, faults } in &mut self.lines {
-            board.advance(tick, &mut wire.board_end());
-            self.bus.receive(*id, &mut faults.around(wire.host_end()));
+        for (index, Line { board, wire, faults, framing, .. }) in self.lines.iter_mut().enumerate()
+        {
+            let [host, away] = framing;
+            board.advance(tick, &mut away.around(wire.board_end()));
+            let mut link = host.around(faults.around(wire.host_end()));
+            self.bus.receive(index, &mut link, &mut Unread);
         }
         samples.copy_from_slice(self.bus.samples());
+    }
+
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
+        self.send_sloped(tick, forces, &[KeySlope::HELD; KEYS]);
     }
 
     /// Puts one frame of forces on each wire, which ends the exchange.
     ///
     /// # Real-time
     /// Eight frames; no heap.
-    fn send(&mut self, _tick: u64, forces: &[f64; KEYS]) {
-        for Line { id, wire, faults, .. } in &mut self.lines {
-            self.bus.send(*id, forces, &mut faults.around(wire.host_end()));
+    fn send_sloped(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
+        for (index, Line { wire, faults, framing, .. }) in self.lines.iter_mut().enumerate() {
+            let [host, _away] = framing;
+            let mut link = host.around(faults.around(wire.host_end()));
+            self.bus.send(index, 0, forces, slopes, &mut link);
             faults.next_exchange();
         }
     }
@@ -119,10 +146,10 @@ impl KeyBus for SimulatedKeybed {
 impl Line {
     fn new(id: BoardId, period: f64, rig: RigParameters) -> Result<Self, Error> {
         Ok(Self {
-            id,
-            board: SimulatedBoard::new(id, period, rig)?,
+            board: SimulatedBoard::new(BoardMake::standard(id, period, rig))?.armed(),
             wire: Loopback::new(WIRE_CAPACITY),
             faults: Faults::new(FaultPlan::default()),
+            framing: Default::default(),
         })
     }
 }

@@ -3,6 +3,10 @@
 //! They speak the wire format on links in memory, through the same bus as real boards.
 
 pub mod board;
+mod bus_time;
+mod guard;
+mod history;
 pub mod key;
 pub mod keybed;
-mod watchdog;
+mod law;
+mod requests;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use haptics::ForceGate;
 use models::Playable;
 use pode::{Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch};
-use scheduler::motion::{KeyEvent, KeySample, Moment};
+use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
 use scheduler::voice::{Events, Turn, Voice, VoiceFault, Work};
 
 use super::audit::AuditCell;
@@ -30,6 +30,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     cell: Arc<AuditCell>,
     /// Tick [s].
     h: f64,
+    slopes: Slopes,
 }
 
 /// Hammer speed below which a string is touched but does not sound [m/s].
@@ -51,12 +52,24 @@ pub struct Fittings {
     pub cell: Arc<AuditCell>,
     /// Tick [s].
     pub h: f64,
+    /// Whether the boards render slopes.
+    pub slopes: Slopes,
+}
+
+/// Whether a voice works out how its force goes on between two ticks.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Slopes {
+    /// Nobody would use it.
+    #[default]
+    Unused,
+    /// The boards render it.
+    Rendered,
 }
 
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// A voice at rest with its key up.
     pub fn new(model: M, stepper: T, fittings: Fittings) -> Self {
-        let Fittings { input, gate, limits, cell, h } = fittings;
+        let Fittings { input, gate, limits, cell, h, slopes } = fittings;
         let (mode, state) = model.at_rest(&Motion::default());
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
@@ -67,6 +80,24 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             audit: EnergyAudit::default(),
             cell,
             h,
+            slopes,
+        }
+    }
+
+    /// How the mean force of a tick without events goes on around the middle of that tick.
+    ///
+    /// # Real-time
+    /// At most four readouts.
+    fn slope(&self, middle: &Motion) -> KeySlope {
+        let model = self.simulator.model();
+        let slopes = model.slopes(self.simulator.mode(), self.simulator.state(), middle);
+        let scale = model.input_per_metre();
+        KeySlope {
+            stiffness: -slopes.per_position * scale * scale,
+            damping: -slopes.per_rate * scale * scale,
+            position: middle.position / scale,
+            velocity: middle.rate / scale,
+            ahead: 0.5 * self.h,
         }
     }
 
@@ -89,7 +120,12 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let mut watch = (&mut audit, &mut strikes);
         let done = self.simulator.advance(self.h, &signal, &mut watch);
         let per_metre = self.simulator.model().input_per_metre();
-        turn.force = self.gate.apply(done.mean_readout * per_metre, self.h).force;
+        let gated = self.gate.apply(done.mean_readout * per_metre, self.h);
+        turn.force = gated.force;
+        let is_free = gated.finite && !gated.limited && !gated.slewed && done.work.events == 0;
+        if self.slopes == Slopes::Rendered && is_free {
+            turn.slope = self.slope(&signal.at(0.5));
+        }
         turn.work = Work {
             derivatives: done.work.derivatives,
             guards: done.work.guards,

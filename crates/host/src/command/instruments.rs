@@ -128,6 +128,7 @@ fn switch(mut request: Request, out: &mut dyn Write) -> Result<(), Failure> {
     match send(&socket_path(), &request) {
         Ok(Reply::Switched(n)) => Ok(writeln!(out, "{n} keys are now {}", request.instrument)?),
         Ok(Reply::Refused(why)) => Err(Failure::Usage(why)),
+        Ok(Reply::Stopped) => Err(Failure::Running("the host did something else".into())),
         Err(error) => Err(Failure::Running(error.to_string())),
     }
 }

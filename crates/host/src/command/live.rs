@@ -1,4 +1,5 @@
-//! What is seen while it takes long: the rehearsal's progress, the live line.
+//! What is seen while it takes long: the rehearsal's progress, the live line, keys
+//! that are measured.
 //!
 //! Drawn on stderr, and only when a person sees it: a pipe gets the report alone.
 
@@ -65,6 +66,11 @@ impl Line {
     pub(super) fn finish(&self) {
         self.bar.finish_and_clear();
     }
+}
+
+/// Keys that are measured one after the other.
+pub(super) fn keys(n: usize) -> ProgressBar {
+    ProgressBar::new(n as u64).with_style(style("{msg:34} {wide_bar} {pos}/{len} keys {eta}"))
 }
 
 /// A template of ours cannot be wrong; if it were, the plain bar will do.

@@ -1,13 +1,20 @@
-//! What people type: `letoff run`, `simulate`, `check`, `devices`, `instruments`, `lab`.
+//! What people type: `letoff run`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
+//! `instruments`, `lab`.
 //!
 //! Exit codes: 0 done, 1 something failed while running, 2 wrong usage or file.
 
+mod board;
+mod calibrate;
 mod check;
 mod devices;
 mod instruments;
 mod lab;
 mod live;
+mod plan;
 mod run;
+mod signals;
+mod stop;
+mod target;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -32,12 +39,20 @@ pub enum Command {
     Run(run::RunArgs),
     /// Simulates one key offline and writes its trajectory and events.
     Simulate(Box<SimulateArgs>),
+    /// Simulated boards on pseudo-terminals or CAN, for developing without hardware.
+    Board(board::BoardArgs),
     /// Checks a scene or an instrument: all mistakes at once, with line and column.
     Check(check::CheckArgs),
+    /// Computes whether the links of a scene can carry what it asks of them.
+    Plan(plan::PlanArgs),
+    /// Measures how the keys of boards read and push, and writes it into files.
+    Calibrate(calibrate::CalibrateArgs),
     /// Lists serial ports, CAN interfaces and MIDI ports, and why one is missing.
     Devices(devices::DevicesArgs),
     /// Lists the instruments, models and their parameters.
     Instruments(instruments::InstrumentsArgs),
+    /// Takes all forces away at once, and ends the running host.
+    Stop,
     /// Offline studies with reports.
     Lab(lab::LabArgs),
 }
@@ -80,9 +95,13 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
         Command::Run(args) => run::run(args, out),
         Command::Simulate(args) => simulate(args, out),
+        Command::Board(args) => board::run(args, out),
         Command::Check(args) => check::run(args, out),
-        Command::Devices(args) => devices::run(*args, out),
+        Command::Plan(args) => plan::run(args, out),
+        Command::Calibrate(args) => calibrate::run(args, out),
+        Command::Devices(args) => devices::run(args, out),
         Command::Instruments(args) => instruments::run(args, out),
+        Command::Stop => stop::run(out),
         Command::Lab(args) => lab::run(args, out),
     }
 }

@@ -6,8 +6,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 
+use super::signals::Signals;
 use super::{Failure, live, print_json};
-use crate::config::Scene;
+use hardware::link::address::Address;
+
+use crate::config::{Scene, link_overrides};
 use crate::control::{Server, Switchboard, serve, socket_path};
 use crate::report::Report;
 use crate::session::{Options, Session, SessionError};
@@ -18,7 +21,8 @@ use crate::session::{Options, Session, SessionError};
   letoff run                                  the default scene, until its piece is over
   letoff run --duration 30 --json             half a minute, with a report for a program
   letoff run bach --virtual-time --midi bach-played.mid
-  letoff run --set tick_hz=4000 --set keys.0.instrument=grand-rigid")]
+  letoff run --set tick_hz=4000 --set keys.0.instrument=grand-rigid
+  letoff run --link serial:/dev/ttyACM0 --link can:can0 --performance none")]
 pub struct RunArgs {
     /// A scene's name or file.
     #[arg(default_value = "default")]
@@ -35,6 +39,10 @@ pub struct RunArgs {
     /// Where strikes go: a port's name, `virtual`, a file, or `none`.
     #[arg(long, value_name = "PORT|virtual|FILE.mid|none")]
     pub midi: Option<String>,
+    /// Boards instead of those of the scene: serial:PORT[@BAUD], can:INTERFACE or
+    /// classic-can:INTERFACE; once for each link.
+    #[arg(long = "link", value_name = "LINK", value_parser = Address::parse)]
+    pub links: Vec<Address>,
     /// As fast as it goes, with the same bits every time.
     #[arg(long)]
     pub virtual_time: bool,
@@ -46,7 +54,7 @@ pub struct RunArgs {
     pub json: bool,
 }
 
-fn positive(text: &str) -> Result<f64, String> {
+pub(super) fn positive(text: &str) -> Result<f64, String> {
     let seconds: f64 = text.parse().map_err(|_not_a_number| format!("`{text}` is not a number"))?;
     if seconds > 0.0 && seconds.is_finite() {
         Ok(seconds)
@@ -72,7 +80,11 @@ impl RunArgs {
         let named = named
             .into_iter()
             .filter_map(|(name, value)| Some((name.to_owned(), value.as_ref()?.clone())));
-        self.set.iter().cloned().chain(named).collect()
+        link_overrides(&self.links)
+            .into_iter()
+            .chain(self.set.iter().cloned())
+            .chain(named)
+            .collect()
     }
 }
 
@@ -145,36 +157,16 @@ impl Drop for StopOnDrop {
     }
 }
 
-/// The signals that end a run well: all notes off, forces down, then the report.
-struct Signals {
-    interrupt: tokio::signal::unix::Signal,
-    terminate: tokio::signal::unix::Signal,
-    hang_up: tokio::signal::unix::Signal,
-}
-
-impl Signals {
-    fn new() -> std::io::Result<Self> {
-        use tokio::signal::unix::{SignalKind, signal};
-        Ok(Self {
-            interrupt: signal(SignalKind::interrupt())?,
-            terminate: signal(SignalKind::terminate())?,
-            hang_up: signal(SignalKind::hangup())?,
-        })
-    }
-
-    async fn next(&mut self) {
-        tokio::select! {
-            _ = self.interrupt.recv() => {}
-            _ = self.terminate.recv() => {}
-            _ = self.hang_up.recv() => {}
-        }
-    }
-}
-
 fn failure(error: &SessionError) -> Failure {
     match error {
         SessionError::System(_) | SessionError::Panicked(_) => Failure::Running(error.to_string()),
         SessionError::Assemble(_)
+        | SessionError::Link(_)
+        | SessionError::Boards(_)
+        | SessionError::BoardRate { .. }
+        | SessionError::Overload(_)
+        | SessionError::RealBoards
+        | SessionError::NoFingers
         | SessionError::Performance { .. }
         | SessionError::NoFolder { .. }
         | SessionError::Midi(_)

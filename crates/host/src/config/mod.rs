@@ -8,7 +8,7 @@
 //!
 //! | module | what stands there |
 //! |---|---|
-//! | `scene`, `render`, `keys`, `range` | the scene, a file per table |
+//! | `scene`, `render`, `keys`, `links`, `range` | the scene, a file per table |
 //! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
 //! | `kind` | which of the two a file is |
 //! | `embedded`, `source` | what is part of the program; what lies on the disk |
@@ -27,6 +27,7 @@ mod embedded;
 mod instrument;
 mod keys;
 mod kind;
+mod links;
 mod overrides;
 mod quantity;
 mod range;
@@ -45,6 +46,7 @@ pub use embedded::{performances, scenes};
 pub use instrument::{Instrument, InstrumentInfo, instruments};
 pub use keys::KeyVoice;
 pub use kind::{Kind, check_file};
+pub use links::{BoardBus, Boards, FORCES, Links, SAMPLES, overrides as link_overrides};
 pub use range::keys_named;
 pub use render::{EstimatorName, Reconstruction, Render, StepperName};
-pub use scene::{Lanes, Links, Midi, MidiOutput, PerformanceSource, Scene};
+pub use scene::{Lanes, Midi, MidiOutput, PerformanceSource, Scene};

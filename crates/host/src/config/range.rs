@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use firmware_protocol::key::KeyIndex;
+use hardware::refusal::KeyName;
 use midi::Note;
 
 /// Keys from `first` to `last`, both included.
@@ -65,10 +67,7 @@ impl fmt::Display for KeyRange {
 }
 
 fn write_note(f: &mut fmt::Formatter<'_>, key: u8) -> fmt::Result {
-    const NAMES: [&str; 12] = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
-    // Key 0 is the tenth semitone of octave 0.
-    let semitone = usize::from(key) + 9;
-    write!(f, "{}{}", NAMES[semitone % 12], semitone / 12)
+    KeyIndex::new(key).map_or(Ok(()), |key| write!(f, "{}", KeyName(key)))
 }
 
 /// The key of a note's name or MIDI number.

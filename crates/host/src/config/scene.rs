@@ -8,6 +8,7 @@ use super::diagnostic::Diagnostics;
 use super::document::{self, Value};
 use super::embedded::{PERFORMANCES, SCENES};
 use super::keys::{self, KeyVoice};
+use super::links::{self, Links};
 use super::overrides;
 use super::quantity::Quantity;
 use super::read::{self, Reader};
@@ -53,13 +54,6 @@ pub enum Lanes {
     Auto,
     /// So many, 1 ..= 16.
     Count(usize),
-}
-
-/// Where the keys are.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Links {
-    /// In a simulated keybed.
-    Simulated,
 }
 
 /// Where strikes go.
@@ -148,7 +142,7 @@ impl Scene {
         let lanes = read_lanes(report, reader).unwrap_or(Lanes::Auto);
         let render = render::read(report, reader, tick_hz);
         let keys = keys::read(report, reader);
-        let links = read_links(report, reader);
+        let links = links::read(report, reader);
         let midi = read_midi(report, reader);
         let performance = read_pianist(report, reader);
         Self { name, title, tick_hz, lanes, render, keys, links, midi, performance }
@@ -191,14 +185,6 @@ fn whole(report: &mut Report<'_>, name: &str, place: Place, value: f64) -> Optio
     )]
     let whole = value as u32;
     Some(whole)
-}
-
-fn read_links(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Links {
-    let Some(mut reader) = scene.table(report, "links") else { return Links::Simulated };
-    let kinds = [("simulated", Links::Simulated)];
-    let kind = reader.choice(report, "kind", "there is no kind of link", &kinds);
-    reader.finish(report);
-    kind.unwrap_or(Links::Simulated)
 }
 
 fn read_midi(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Midi {

@@ -5,7 +5,9 @@ use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::{Reply, Request};
+use serde::Serialize;
+
+use super::Reply;
 
 /// Longest time that a host is waited for.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -31,7 +33,7 @@ pub enum ControlError {
 ///
 /// # Errors
 /// If there is no host, or it does not answer within seconds.
-pub fn send(path: &Path, request: &Request) -> Result<Reply, ControlError> {
+pub fn send(path: &Path, request: &impl Serialize) -> Result<Reply, ControlError> {
     let mut stream = UnixStream::connect(path)
         .map_err(|_nobody| ControlError::NoHost { path: path.to_owned() })?;
     stream.set_read_timeout(Some(PATIENCE))?;

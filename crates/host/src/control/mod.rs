@@ -4,6 +4,8 @@
 //! letoff instruments use NAME ──socket──▶ server ── Switchboard ──ring──▶ lanes, between ticks
 //! ```
 //!
+//! `letoff stop` comes the same way: the run ends with the next tick, and boards are stopped.
+//!
 //! A request is checked and its voices are built here, off the tick; the tick only swaps
 //! finished voices, and safety blends their forces in.
 
@@ -31,12 +33,51 @@ pub struct Request {
     pub keys: Option<String>,
 }
 
+/// All that a client may ask for.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Wish {
+    /// Another instrument.
+    Switch(Request),
+    /// An end, at once.
+    Stop(Stop),
+}
+
+impl Wish {
+    /// Reads one line.
+    fn parse(line: &str) -> serde_json::Result<Self> {
+        let value: serde_json::Value = serde_json::from_str(line)?;
+        if value.get("stop").is_some() {
+            serde_json::from_value(value).map(Self::Stop)
+        } else {
+            serde_json::from_value(value).map(Self::Switch)
+        }
+    }
+}
+
+/// An end, at once: boards are told to render no force until they are seen to.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stop {
+    /// What kind of end.
+    pub stop: StopKind,
+}
+
+/// What kind of end.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StopKind {
+    /// No force on any key from the next tick on.
+    Emergency,
+}
+
 /// What the host answers.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Reply {
     /// Voices are on their way to so many keys.
     Switched(usize),
+    /// All forces are taken away with the next tick, and the run ends.
+    Stopped,
     /// Nothing was changed; why, in a sentence.
     Refused(String),
 }

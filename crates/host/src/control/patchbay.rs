@@ -1,5 +1,6 @@
 //! What a run shares with those who switch its voices: the way in, and the audits.
 
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use pode::EnergyAudit;
@@ -14,6 +15,8 @@ pub struct Patchbay {
     swaps: Mutex<Option<VoiceSwaps>>,
     /// The audits of all voices that ever played.
     cells: Mutex<Vec<Arc<AuditCell>>>,
+    /// Everything shall stop.
+    alarm: AtomicBool,
 }
 
 impl Patchbay {
@@ -39,6 +42,19 @@ impl Patchbay {
             swaps.replace(key, voice).map_err(|refused| format!("key {key}: {refused}"))?;
         }
         Ok(n)
+    }
+
+    /// Ends the run with the next tick, without a ramp.
+    pub fn sound_alarm(&self) {
+        self.alarm.store(true, Ordering::Release);
+    }
+
+    /// Whether everything shall stop.
+    ///
+    /// # Real-time
+    /// One load.
+    pub fn is_alarmed(&self) -> bool {
+        self.alarm.load(Ordering::Acquire)
     }
 
     /// A place for one more voice's energy audit.

@@ -10,7 +10,7 @@ use std::time::Duration;
 use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
 use tokio::net::{UnixListener, UnixStream};
 
-use super::{Reply, Switchboard};
+use super::{Reply, Switchboard, Wish};
 
 /// Longest request in bytes; a sentence would do.
 const MAX_REQUEST: u64 = 4096;
@@ -68,11 +68,11 @@ async fn converse(client: UnixStream, switchboard: &Arc<Switchboard>) -> io::Res
     let (reader, mut writer) = client.into_split();
     let mut line = String::new();
     BufReader::new(reader.take(MAX_REQUEST)).read_line(&mut line).await?;
-    let reply = match serde_json::from_str(&line) {
+    let reply = match Wish::parse(&line) {
         // Building a keyboard of voices may take a while: not on the thread that hears signals.
-        Ok(request) => {
+        Ok(wish) => {
             let switchboard = Arc::clone(switchboard);
-            let answered = tokio::task::spawn_blocking(move || switchboard.answer(&request)).await;
+            let answered = tokio::task::spawn_blocking(move || switchboard.answer(&wish)).await;
             answered.unwrap_or_else(|panic| Reply::Refused(panic.to_string()))
         }
         Err(error) => Reply::Refused(format!("this is no request of letoff's: {error}")),

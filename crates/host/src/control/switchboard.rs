@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Patchbay, Reply, Request};
+use super::{Patchbay, Reply, Request, Stop, StopKind, Wish};
 use crate::assemble::Assembler;
 use crate::config::{Instrument, KeyVoice, Scene, keys_named};
 use crate::realtime::pool::BoxedVoice;
@@ -20,10 +20,18 @@ impl Switchboard {
         Self { scene, patchbay }
     }
 
-    /// Does what `request` asks for. It is checked and built as a whole before a voice is
+    /// Does what `wish` asks for. It is checked and built as a whole before a voice is
     /// sent; only a host that is flooded with requests may take a part of one.
-    pub fn answer(&self, request: &Request) -> Reply {
-        self.switch(request).map_or_else(Reply::Refused, Reply::Switched)
+    pub fn answer(&self, wish: &Wish) -> Reply {
+        match wish {
+            Wish::Switch(request) => {
+                self.switch(request).map_or_else(Reply::Refused, Reply::Switched)
+            }
+            Wish::Stop(Stop { stop: StopKind::Emergency }) => {
+                self.patchbay.sound_alarm();
+                Reply::Stopped
+            }
+        }
     }
 
     fn switch(&self, request: &Request) -> Result<usize, String> {

@@ -11,19 +11,19 @@ use scheduler::port::KeyBus;
 /// told otherwise. By then safety has faded the host's own forces out too, and blends them
 /// in again, so nothing is felt but the pause.
 #[derive(Debug)]
-pub(super) struct Keys<'a> {
-    keybed: &'a mut SimulatedKeybed,
+pub(super) struct Keys {
+    pub(super) keybed: SimulatedKeybed,
     /// Times that boards were armed again.
     pub(super) rearmed: u64,
 }
 
-impl<'a> Keys<'a> {
-    pub(super) const fn new(keybed: &'a mut SimulatedKeybed) -> Self {
+impl Keys {
+    pub(super) const fn new(keybed: SimulatedKeybed) -> Self {
         Self { keybed, rearmed: 0 }
     }
 }
 
-impl KeyBus for Keys<'_> {
+impl KeyBus for Keys {
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
         self.keybed.receive(tick, samples);
         if BoardId::all().any(|board| self.keybed.is_safe(board)) {
@@ -45,14 +45,14 @@ mod tests {
 
     #[test]
     fn boards_that_a_stall_of_the_host_made_safe_are_armed_again() {
-        let mut keybed = SimulatedKeybed::new(1e-3, RigParameters::default()).expect("a keybed");
-        let mut keys = Keys::new(&mut keybed);
+        let keybed = SimulatedKeybed::new(1e-3, RigParameters::default()).expect("a keybed");
+        let mut keys = Keys::new(keybed);
         let mut samples = [KeySample::default(); KEYS];
         for tick in (0..10).chain(100..110) {
             keys.receive(tick, &mut samples);
             keys.send(tick, &[0.5; KEYS]);
         }
         assert_eq!(keys.rearmed, 1, "90 ms of silence trip every watchdog once");
-        assert!(BoardId::all().all(|board| !keybed.is_safe(board)));
+        assert!(BoardId::all().all(|board| !keys.keybed.is_safe(board)));
     }
 }

@@ -12,7 +12,6 @@ pub(super) struct Measured {
     pub(super) realtime: Realtime,
     pub(super) deadline: Deadline,
     pub(super) skipped: u64,
-    pub(super) rearmed: u64,
 }
 
 impl Measured {
@@ -22,7 +21,6 @@ impl Measured {
         standing: Standing,
         locked: Locked,
         baseline: Option<&baseline::Measured>,
-        rearmed: u64,
     ) -> Self {
         let counters = timings.counters();
         let advice = standing.note.into_iter().chain(locked.note).collect();
@@ -38,6 +36,6 @@ impl Measured {
                 .map_or_else(Quantiles::default, |it| Quantiles::of(&it.lateness)),
         };
         let realtime = Realtime { policy: standing.policy, memory_locked: locked.current, advice };
-        Self { realtime, deadline, skipped: counters.skipped, rearmed }
+        Self { realtime, deadline, skipped: counters.skipped }
     }
 }

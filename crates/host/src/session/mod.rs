@@ -1,5 +1,6 @@
 //! One run of the host: prepared from a scene, run in real or virtual time, reported.
 
+mod bed;
 mod keys;
 mod measured;
 mod midi_out;
@@ -11,7 +12,7 @@ use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use firmware_protocol::key::{BoardId, KeyIndex};
+use firmware_protocol::key::KeyIndex;
 use hardware::sim::keybed::SimulatedKeybed;
 use performance::{Performance, Struck, assess};
 use scheduler::time::{Nanos, Timetable};
@@ -19,12 +20,13 @@ use scheduler::time::{Nanos, Timetable};
 use crate::adapters::observer::{LiveCounters, Publisher};
 use crate::assemble::{AssembleError, Assembler};
 use crate::bell::Bell;
-use crate::config::{Lanes, Scene};
+use crate::config::{Lanes, Links as SceneLinks, Scene};
 use crate::control::Patchbay;
 use crate::desk::{Desk, Played};
 use crate::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use crate::realtime::thread::DEFAULT_PRIORITY;
-use crate::report::{Deadline, Evaluations, Links, MidiReport, Notes, Realtime, Report};
+use crate::report::{Deadline, Evaluations, MidiReport, Notes, Realtime, Report};
+use bed::{Bed, Bus};
 use measured::Measured;
 
 pub use pianist::PianistProgress;
@@ -54,6 +56,33 @@ pub enum SessionError {
     /// The MIDI output is not there.
     #[error("the MIDI output cannot be opened: {0}")]
     Midi(#[from] midi::Unavailable),
+    /// A port or interface cannot be opened.
+    #[error(transparent)]
+    Link(#[from] hardware::Error),
+    /// Boards are missing, or may not be used.
+    #[error(transparent)]
+    Boards(#[from] hardware::refusal::Refusals),
+    /// Boards cannot exchange at this rate.
+    #[error(
+        "boards exchange in whole steps of 100 us, which {tick_hz} Hz is not; \
+         give tick_hz = 1000, 500, 2000 or another that divides 10000"
+    )]
+    BoardRate {
+        /// What the scene asks for.
+        tick_hz: u32,
+    },
+    /// A link cannot carry what the scene asks of it.
+    #[error("{0}")]
+    Overload(String),
+    /// Boards go by their own time.
+    #[error("boards go by their own time; leave --virtual-time out, or the links")]
+    RealBoards,
+    /// Nobody can play.
+    #[error(
+        "the boards have no simulated fingers, so the pianist cannot play; \
+         give --performance none, and play yourself"
+    )]
+    NoFingers,
     /// The system gave no thread, descriptor or memory.
     #[error("the system refused what a run needs: {0}")]
     System(#[from] std::io::Error),
@@ -98,7 +127,7 @@ struct Stage {
     ticks: Option<u64>,
     virtual_time: bool,
     voices: Vec<(usize, BoxedVoice)>,
-    keybed: SimulatedKeybed,
+    bed: Option<Bed>,
     performance: Option<Performance>,
     publisher: Publisher,
     midi: MidiReport,
@@ -125,14 +154,16 @@ impl Session {
     ) -> Result<Self, SessionError> {
         let assembler = Assembler::new(scene)?;
         let period = assembler.period().as_secs_f64();
-        let performance = pianist::rehearse(scene, &assembler, options.duration, progress)?;
+        // What is missing is said before anybody rehearses.
+        let mut bed = lay(scene, &assembler, options)?;
+        let performance = pianist::rehearse(scene, &assembler, &bed, options.duration, progress)?;
         let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
         if options.virtual_time && seconds.is_none() {
             return Err(SessionError::Endless);
         }
-        let mut keybed =
-            SimulatedKeybed::new(period, assembler.rig()).map_err(AssembleError::from)?;
-        pianist::seat(&mut keybed, performance.as_ref());
+        if let Some(performance) = &performance {
+            bed.seat(performance);
+        }
         let patchbay = Arc::new(Patchbay::default());
         let mut voices = Vec::new();
         for (key, voice) in assembler.keys() {
@@ -158,7 +189,7 @@ impl Session {
             ticks: seconds.map(|seconds| whole(seconds / period)),
             virtual_time: options.virtual_time,
             voices,
-            keybed,
+            bed: Some(bed),
             performance,
             publisher,
             midi,
@@ -198,7 +229,7 @@ impl Session {
         if stage.virtual_time {
             virtual_run::run(*stage, desk, stop)
         } else {
-            real::run(*stage, desk, stop)
+            real::run(stage, desk, stop)
         }
     }
 }
@@ -217,7 +248,7 @@ impl Stage {
     }
 
     /// Puts the report together when all is over.
-    fn report(&self, ticks: u64, played: Played, measured: Measured) -> Report {
+    fn report(&self, ticks: u64, played: Played, measured: Measured, bus: &Bus) -> Report {
         use std::sync::atomic::Ordering::Relaxed;
         let duration = ticks as f64 / f64::from(self.tick_hz);
         let counters = &self.counters;
@@ -241,7 +272,9 @@ impl Stage {
                 derivatives: load(&counters.derivatives),
                 guards: load(&counters.guards),
             },
-            links: Links { rearmed: measured.rearmed, ..links(&self.keybed) },
+            links: bus.links(),
+            boards: bus.boards(duration),
+            lines: bus.lines(duration),
             energy_audit: self.patchbay.energy().into(),
             midi: MidiReport {
                 handover_us: played.handover.as_ref().map(crate::report::Quantiles::of),
@@ -280,15 +313,18 @@ fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> Notes {
     Notes::from(&assess(&expected, &struck))
 }
 
-fn links(keybed: &SimulatedKeybed) -> Links {
-    let mut sum = Links::default();
-    for board in BoardId::all() {
-        let it = keybed.statistics(board);
-        sum.frames += it.samples.frames;
-        sum.gaps += it.samples.gaps;
-        sum.refused += it.corrupt + it.refused + it.receive_errors;
+/// The keys of a scene: simulated, or on boards that were found.
+fn lay(scene: &Scene, assembler: &Assembler<'_>, options: Options) -> Result<Bed, SessionError> {
+    match &scene.links {
+        SceneLinks::Simulated => {
+            let period = assembler.period().as_secs_f64();
+            let keybed =
+                SimulatedKeybed::new(period, assembler.rig()).map_err(AssembleError::from)?;
+            Ok(Bed::Simulated(Box::new(keybed)))
+        }
+        SceneLinks::Boards(_) if options.virtual_time => Err(SessionError::RealBoards),
+        SceneLinks::Boards(boards) => bed::find(boards, scene.tick_hz),
     }
-    sum
 }
 
 /// Every key's index; there are as many as the protocol has.

@@ -2,10 +2,10 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use hardware::sim::keybed::SimulatedKeybed;
 use performance::{Performance, Pianist, Score, Technique, read};
 
-use super::{SessionError, all_keys};
+use super::SessionError;
+use super::bed::Bed;
 use crate::assemble::Assembler;
 use crate::config::{PerformanceSource, Scene};
 use crate::rehearsal::RehearsedKey;
@@ -16,13 +16,14 @@ pub use performance::Progress as PianistProgress;
 pub(super) fn rehearse(
     scene: &Scene,
     assembler: &Assembler<'_>,
+    bed: &Bed,
     duration: Option<f64>,
     progress: &(dyn Fn(PianistProgress) + Sync),
 ) -> Result<Option<Performance>, SessionError> {
     let Some(source) = &scene.performance else { return Ok(None) };
     let technique = Technique::default();
     let score = load(source)?;
-    let keys = keys_of(assembler)?;
+    let keys = keys_of(assembler, bed)?;
     let score = within(score, duration, technique.lead_in, &keys);
     let keys = Mutex::new(keys);
     let instrument = |key: u8| {
@@ -32,14 +33,6 @@ pub(super) fn rehearse(
     };
     let pianist = Pianist { curve: scene.midi.curve, technique, ..Pianist::default() };
     Ok(Some(pianist.prepare(&score, instrument, progress)))
-}
-
-/// Gives the performance's gestures to the simulated fingers.
-pub(super) fn seat(keybed: &mut SimulatedKeybed, performance: Option<&Performance>) {
-    let Some(performance) = performance else { return };
-    for (key, gestures) in all_keys().zip(&performance.gestures) {
-        keybed.play(key, gestures.clone());
-    }
 }
 
 fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
@@ -56,10 +49,13 @@ fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
     score.map_err(|error| failed(&name, error.to_string()))
 }
 
-/// One key of every voice, at rest.
-fn keys_of(assembler: &Assembler<'_>) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
+/// One key of every voice that has a motor, at rest.
+fn keys_of(
+    assembler: &Assembler<'_>,
+    bed: &Bed,
+) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
     let mut keys = vec![None; scheduler::motion::KEYS];
-    for (key, voice) in assembler.keys() {
+    for (key, voice) in assembler.keys().filter(|(key, _)| bed.carries(*key)) {
         keys[key] = Some(assembler.rehearsed(key, voice)?);
     }
     Ok(keys)

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::keys::Keys;
+use super::bed::Bus;
 use super::measured::Measured;
 use super::{SessionError, Stage};
 use crate::adapters::observer::LiveCounters;
@@ -11,7 +11,7 @@ use crate::desk::{Attended, Desk};
 use crate::realtime::baseline::Baseline;
 use crate::realtime::run::{Assembly, Pulse, Timings, Until, histogram, ramp_down, scheduler};
 use crate::realtime::thread::{DEFAULT_PRIORITY, Standing, ask_for_fifo};
-use crate::realtime::{clock, memory, run as ticks};
+use crate::realtime::{memory, run as ticks};
 use crate::report::Report;
 use ::scheduler::time::Nanos;
 
@@ -19,9 +19,15 @@ use ::scheduler::time::Nanos;
 const LEAD: Nanos = Nanos::from_millis(50);
 
 /// Runs until its end or `stop`; ramps all forces down; then reports.
-pub(super) fn run(mut stage: Stage, desk: Desk, stop: &AtomicBool) -> Result<Report, SessionError> {
+#[expect(clippy::large_stack_frames, reason = "once, on a thread that does nothing else")]
+pub(super) fn run(
+    mut stage: Box<Stage>,
+    desk: Desk,
+    stop: &AtomicBool,
+) -> Result<Report, SessionError> {
     let locked = memory::lock();
-    let start = clock::monotonic().after(LEAD);
+    let bed = stage.bed.take().ok_or(SessionError::Endless)?;
+    let (mut bus, start) = bed.arm(stage.performance.as_ref(), LEAD)?;
     let handover = histogram().map_err(std::io::Error::other)?;
     let attended = Attended::start(desk, Arc::clone(&stage.bell), start, handover)?;
     let timetable = stage.timetable()?.moved(0, start);
@@ -29,23 +35,26 @@ pub(super) fn run(mut stage: Stage, desk: Desk, stop: &AtomicBool) -> Result<Rep
     // The scope joins the tick's thread whatever happens, so a panic there ends here.
     let ticked = std::thread::scope(|scope| {
         let named = std::thread::Builder::new().name("letoff-tick".into());
-        let tick = named.spawn_scoped(scope, || tick(&mut stage, start, stop));
+        let tick = named.spawn_scoped(scope, || tick(&mut stage, &mut bus, start, stop));
         tick.map(std::thread::ScopedJoinHandle::join)
     });
     let baseline = baseline.stop();
     let played = attended.finish().map_err(|_panic| SessionError::Panicked("MIDI"))?;
-    let (timings, standing, rearmed) =
-        ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
-    let measured = Measured::new(&timings, standing, locked, baseline.as_ref(), rearmed);
-    Ok(stage.report(timings.counters().ticks, played, measured))
+    if !stage.patchbay.is_alarmed() {
+        bus.disarm();
+    }
+    let (timings, standing) = ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
+    let measured = Measured::new(&timings, standing, locked, baseline.as_ref());
+    Ok(stage.report(timings.counters().ticks, played, measured, &bus))
 }
 
 /// The tick's thread, from its priority to the ramp at the end.
 fn tick(
     stage: &mut Stage,
+    bus: &mut Bus,
     start: Nanos,
     stop: &AtomicBool,
-) -> Result<(Timings, Standing, u64), SessionError> {
+) -> Result<(Timings, Standing), SessionError> {
     let standing = ask_for_fifo(Some(DEFAULT_PRIORITY));
     memory::prefault_stack();
     let (mut lanes, swaps) = stage.start_lanes()?;
@@ -54,18 +63,27 @@ fn tick(
     let mut timings = Timings::new().map_err(std::io::Error::other)?;
     let until = Until { stop, ticks: stage.ticks };
     let counters = Arc::clone(&stage.counters);
-    let mut keys = Keys::new(&mut stage.keybed);
+    bus.attend_until(start);
     let mut assembly = Assembly {
         scheduler: &mut scheduler,
-        bus: &mut keys,
+        bus,
         lanes: &mut lanes,
         observer: &mut stage.publisher,
     };
-    ticks::run(&mut assembly, start, until, &mut timings, |pulse| count(&counters, pulse));
-    ramp_down(&mut assembly);
+    let patchbay = Arc::clone(&stage.patchbay);
+    ticks::run(&mut assembly, start, until, &mut timings, |pulse| {
+        count(&counters, pulse);
+        if patchbay.is_alarmed() {
+            stop.store(true, Ordering::Release);
+        }
+    });
+    if patchbay.is_alarmed() {
+        assembly.bus.stop();
+    } else {
+        ramp_down(&mut assembly);
+    }
     stage.patchbay.close();
-    let rearmed = keys.rearmed;
-    Ok((timings, standing, rearmed))
+    Ok((timings, standing))
 }
 
 /// Smooths the tick's work and counts misses, for the live line.

@@ -2,13 +2,13 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::keys::Keys;
 use super::measured::Measured;
 use super::{SessionError, Stage, no_clock};
 use crate::desk::Desk;
 use crate::realtime::run::{Assembly, Until, scheduler};
 use crate::realtime::virtual_time;
 use crate::report::Report;
+use ::scheduler::time::Nanos;
 
 /// Runs all ticks; the MIDI side follows after each tick, on this thread.
 pub(super) fn run(
@@ -20,10 +20,11 @@ pub(super) fn run(
     let mut scheduler = scheduler(stage.timetable()?);
     let until = Until { stop, ticks: stage.ticks };
     let (mut ticks, mut skipped) = (0, 0);
-    let mut keys = Keys::new(&mut stage.keybed);
+    let bed = stage.bed.take().ok_or(SessionError::Endless)?;
+    let (mut bus, _start) = bed.arm(None, Nanos::ZERO)?;
     let mut assembly = Assembly {
         scheduler: &mut scheduler,
-        bus: &mut keys,
+        bus: &mut bus,
         lanes: &mut lanes,
         observer: &mut stage.publisher,
     };
@@ -32,9 +33,8 @@ pub(super) fn run(
         ticks += 1;
         skipped += report.skipped;
     });
-    let rearmed = keys.rearmed;
     drop(lanes);
     let (realtime, deadline) = no_clock();
     let played = desk.close(None);
-    Ok(stage.report(ticks, played, Measured { realtime, deadline, skipped, rearmed }))
+    Ok(stage.report(ticks, played, Measured { realtime, deadline, skipped }, &bus))
 }

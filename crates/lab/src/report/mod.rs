@@ -17,6 +17,7 @@ mod text;
 use std::path::Path;
 use std::time::SystemTime;
 
+pub use date::utc;
 pub use disk::DiskError;
 pub use machine::Machine;
 pub use peers::{BadPeers, Peer, read as read_peers};

@@ -17,7 +17,7 @@
 //! How large a force may be is not decided here: the voice has passed its own force gate.
 //! NaN never passes.
 
-use crate::motion::{KEYS, KeySample};
+use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::time::{Nanos, Period};
 use crate::voice::Turn;
 
@@ -156,6 +156,12 @@ impl KeySafety {
         }
     }
 
+    /// How the force just sent goes on: as its voice says, if that is followed.
+    fn slope(&self, turn: &Turn) -> KeySlope {
+        let is_followed = self.state == State::Following && turn.slope.is_finite();
+        if is_followed { turn.slope } else { KeySlope::HELD }
+    }
+
     const fn fault(&self) -> State {
         match self.state {
             State::Following | State::Returning { .. } => {
@@ -198,6 +204,11 @@ impl KeyGate {
     /// What is sent to the key [N], after a tick without a gap.
     pub fn apply(&mut self, turn: &Turn, sample: &KeySample) -> f64 {
         self.safety.step(Trust::of(turn, sample), turn.force, self.fade_ticks)
+    }
+
+    /// How what was sent last goes on.
+    pub fn slope(&self, turn: &Turn) -> KeySlope {
+        self.safety.slope(turn)
     }
 }
 
@@ -273,6 +284,13 @@ impl Safety {
             report.count(safety.state);
         }
         report
+    }
+
+    /// Writes how the forces just sent go on: as their voices say, where voices are followed.
+    pub fn slopes(&self, turns: &[Turn; KEYS], slopes: &mut [KeySlope; KEYS]) {
+        for ((slope, turn), key) in slopes.iter_mut().zip(turns).zip(&self.keys) {
+            *slope = key.slope(turn);
+        }
     }
 }
 

@@ -1,0 +1,214 @@
+//! Measurements on the keys of armed boards.
+
+use std::time::Duration;
+
+use firmware_protocol::key::KeyIndex;
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::port::KeyBus as _;
+
+use super::{Balance, Fault, Next, Rest, Rested, Travelled, Trip};
+use crate::keybed::{Armed, Keybed};
+use crate::pause::pause;
+
+/// A key of which nothing was heard for so long is given up [us].
+const SILENT_US: u64 = 500_000;
+/// A sample that is so old is not used [us].
+const STALE_US: u64 = 20_000;
+/// A push is taken back at this rate when a key is left [N/s].
+const RELEASE: f64 = 5.0;
+
+/// One of several keys of which it is measured where they rest.
+#[derive(Clone, Copy, Debug)]
+enum Resting {
+    /// It is looked at.
+    At(Rest),
+    /// It was looked at.
+    Done(Result<Rested, Fault>),
+}
+
+impl Resting {
+    /// What is said of a key of which nothing was heard.
+    const SILENT: Fault = Fault::Silent { seconds: SILENT_US as f64 * 2e-6 };
+
+    /// Takes where the key is at `t` [s, m], if that is known.
+    fn advance(&mut self, t: f64, position: Option<f64>) {
+        let (Self::At(rest), Some(position)) = (&mut *self, position) else { return };
+        match rest.advance(t, position) {
+            Ok(Next::Push(_)) => {}
+            Ok(Next::Done(rested)) => *self = Self::Done(Ok(rested)),
+            Err(fault) => *self = Self::Done(Err(fault)),
+        }
+    }
+
+    /// Gives the key up if it `is_silent`.
+    fn end_if(&mut self, is_silent: impl FnOnce() -> bool) {
+        if matches!(self, Self::At(_)) && is_silent() {
+            *self = Self::Done(Err(Self::SILENT));
+        }
+    }
+
+    const fn outcome(self) -> Result<Rested, Fault> {
+        match self {
+            Self::At(_) => Err(Self::SILENT),
+            Self::Done(outcome) => outcome,
+        }
+    }
+}
+
+/// Armed boards whose keys are measured; all but the one at work feel no force.
+#[derive(Debug)]
+pub struct Bench {
+    keybed: Keybed<Armed>,
+    samples: [KeySample; KEYS],
+    /// What is asked of the motors [N, up positive].
+    forces: [f64; KEYS],
+    tick: u64,
+    /// When the next exchange is due [us].
+    due: u64,
+}
+
+impl Bench {
+    /// A bench for boards that were armed as if they were nominal.
+    pub fn new(keybed: Keybed<Armed>) -> Self {
+        let due = keybed.now_us();
+        let samples = [KeySample::default(); KEYS];
+        Self { keybed, samples, forces: [0.0; KEYS], tick: 0, due }
+    }
+
+    /// The boards again, without forces.
+    pub fn release(mut self) -> Keybed<Armed> {
+        self.keybed.disarm();
+        self.keybed
+    }
+
+    /// The boards.
+    pub const fn keybed(&self) -> &Keybed<Armed> {
+        &self.keybed
+    }
+
+    /// Measures where all of `keys` rest, at once.
+    pub fn rests(&mut self, keys: &[KeyIndex]) -> Vec<Result<Rested, Fault>> {
+        let mut rests = vec![Resting::At(Rest::default()); keys.len()];
+        let began = self.keybed.now_us();
+        while rests.iter().any(|it| matches!(it, Resting::At(_))) {
+            self.exchange();
+            let t = self.seconds();
+            let is_late = began + 2 * SILENT_US < self.keybed.now_us();
+            for (key, resting) in keys.iter().zip(&mut rests) {
+                resting.advance(t, self.position(*key));
+                resting.end_if(|| is_late && self.position(*key).is_none());
+            }
+        }
+        rests.into_iter().map(Resting::outcome).collect()
+    }
+
+    /// Sends `key` down and up.
+    ///
+    /// # Errors
+    /// What is wrong with the key.
+    pub fn trip(&mut self, key: KeyIndex, rested: &Rested) -> Result<Travelled, Fault> {
+        let mut trip = Trip::new(rested);
+        self.work(key, |t, position| trip.advance(t, position))
+    }
+
+    /// Balances `mass` [kg], which lies on `key`; returns what must be asked of its motor for a
+    /// newton [1].
+    ///
+    /// # Errors
+    /// What is wrong with the key or the weight.
+    pub fn balance(
+        &mut self,
+        key: KeyIndex,
+        rested: &Rested,
+        empty: &Travelled,
+        mass: f64,
+    ) -> Result<f64, Fault> {
+        let mut balance = Balance::new(rested, empty, mass);
+        self.work(key, |t, position| balance.advance(t, position))
+    }
+
+    /// Keeps the boards armed, without forces, until `is_over`.
+    pub fn wait(&mut self, mut is_over: impl FnMut() -> bool) {
+        while !is_over() {
+            self.exchange();
+        }
+    }
+
+    /// Pushes `key` as `advance` says from its time and position, until it is done.
+    fn work<T>(
+        &mut self,
+        key: KeyIndex,
+        mut advance: impl FnMut(f64, f64) -> Result<Next<T>, Fault>,
+    ) -> Result<T, Fault> {
+        let armings = self.armings(key);
+        let mut heard = self.keybed.now_us();
+        let outcome = loop {
+            self.exchange();
+            let now = self.keybed.now_us();
+            if armings.is_none() || self.keybed.armings(key) != armings {
+                break Err(Fault::Interrupted);
+            }
+            if heard + SILENT_US < now {
+                break Err(Fault::Silent { seconds: SILENT_US as f64 * 1e-6 });
+            }
+            let Some(position) = self.position(key) else { continue };
+            heard = now;
+            match advance(self.seconds(), position) {
+                Ok(Next::Push(push)) => self.forces[key.index()] = -push,
+                Ok(Next::Done(done)) => break Ok(done),
+                Err(fault) => break Err(fault),
+            }
+        };
+        self.let_go(key);
+        outcome
+    }
+
+    /// Takes the force from `key`, gently.
+    fn let_go(&mut self, key: KeyIndex) {
+        let step = RELEASE * self.keybed.period_us() as f64 * 1e-6;
+        while self.forces[key.index()].abs() > step {
+            self.forces[key.index()] -= step.copysign(self.forces[key.index()]);
+            self.exchange();
+        }
+        self.forces[key.index()] = 0.0;
+        self.exchange();
+    }
+
+    /// Waits until the board of `key` renders forces, and says how often it was armed.
+    fn armings(&mut self, key: KeyIndex) -> Option<u64> {
+        let until = self.keybed.now_us() + 2 * SILENT_US;
+        while self.keybed.armings(key).is_none() && self.keybed.now_us() < until {
+            self.exchange();
+        }
+        self.keybed.armings(key)
+    }
+
+    /// Waits until it is time, and exchanges once.
+    fn exchange(&mut self) {
+        let period = self.keybed.period_us();
+        let now = self.keybed.now_us();
+        if now < self.due {
+            pause(Duration::from_micros(self.due - now));
+        }
+        // What was missed is not made up.
+        self.due = self.due.max(now.saturating_sub(period)) + period;
+        self.tick += 1;
+        self.keybed.receive(self.tick, &mut self.samples);
+        // When they came matters here, and not what a board's clock says of it, which is not
+        // well known in the first seconds.
+        self.samples = *self.keybed.newest();
+        self.keybed.send(self.tick, &self.forces);
+    }
+
+    /// Where `key` is, if that is known [m].
+    fn position(&self, key: KeyIndex) -> Option<f64> {
+        let KeySample { position, age } = self.samples[key.index()];
+        let age_us = u64::from(age).saturating_mul(self.keybed.period_us());
+        (age_us <= STALE_US).then_some(position)
+    }
+
+    /// The host's clock [s].
+    fn seconds(&self) -> f64 {
+        self.keybed.now_us() as f64 * 1e-6
+    }
+}

@@ -1,0 +1,75 @@
+//! How a key's encoder reads and how strong its motor is: measured with small forces.
+//!
+//! ```text
+//! rest      no force: the mean of 0.3 s
+//! trip      pushed down until it moves, until it stops; then up until it moves, until it is
+//!           back: the bottom, and the friction as half the difference of the two pushes
+//! balance   the same with a known weight on it: by how much that moved the middle of the
+//!           two is what must be asked of the motor for the weight
+//! ```
+//!
+//! [`rest`], [`trip`] and [`balance`] take times and positions and give pushes, and know no
+//! board; [`bench`] lets them work on the keys of armed boards. A push is down positive, and
+//! changes slowly, and only while the key stands still.
+
+pub mod balance;
+pub mod bench;
+mod fault;
+mod hand;
+pub mod rest;
+pub mod trip;
+
+use firmware_protocol::acyclic::calibration as wire;
+
+use crate::calibration::KeyCalibration;
+
+pub use balance::Balance;
+pub use bench::Bench;
+pub use fault::Fault;
+pub use rest::{Rest, Rested};
+pub use trip::{Travelled, Trip};
+
+/// Largest push on a key without a weight [N].
+pub const MOST_PUSH: f64 = 1.5;
+/// Ways that a key can go [m].
+pub const TRAVELS: (f64, f64) = (5e-3, 20e-3);
+/// Weights that can be told from friction, and that a finger's key carries [kg].
+pub const WEIGHTS: (f64, f64) = (0.03, 0.15);
+/// Standard acceleration of free fall [m/s^2].
+pub const G: f64 = 9.806_65;
+
+/// What comes next.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Next<T> {
+    /// Push the key so much [N, down positive].
+    Push(f64),
+    /// It is done.
+    Done(T),
+}
+
+/// A key's calibration from what was measured where `nominal` said how it reads; `gain` is what
+/// must be asked of the motor for a newton [1].
+pub fn calibrated(
+    nominal: &KeyCalibration,
+    rested: &Rested,
+    travelled: &Travelled,
+    gain: f64,
+) -> KeyCalibration {
+    KeyCalibration {
+        rest: nominal.counts(rested.position),
+        bottom: nominal.counts(travelled.bottom),
+        quantum: nominal.quantum,
+        friction: travelled.friction / gain,
+        gain,
+    }
+}
+
+/// What the board in whose `slot` the key is keeps of its calibration.
+pub fn record(slot: u8, key: &KeyCalibration) -> wire::KeyCalibration {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+    let gain_permille = (1e3 / key.gain).round() as u16;
+    wire::KeyCalibration { slot, rest: key.rest.get(), bottom: key.bottom.get(), gain_permille }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,45 @@
+//! Calibration on the disk: a file for each board.
+//!
+//! TOML, to be read by people and not to be edited: a checksum over all values makes a file
+//! that was changed or cut be refused with a sentence.
+
+mod read;
+mod sheet;
+#[cfg(test)]
+mod tests;
+mod write;
+
+use std::path::{Path, PathBuf};
+
+use firmware_protocol::key::PerKey;
+
+use super::KeyCalibration;
+use crate::refusal::Uid;
+
+pub use read::load;
+pub use sheet::Sheet;
+pub use write::{backup, write};
+
+/// Where the files of this user are.
+pub fn usual_folder() -> Option<PathBuf> {
+    let set = |name: &str| std::env::var_os(name).filter(|it| !it.is_empty()).map(PathBuf::from);
+    let base = set("XDG_CONFIG_HOME").or_else(|| Some(set("HOME")?.join(".config")))?;
+    Some(base.join("letoff/calibration"))
+}
+
+/// The file of the board with this id.
+pub fn path(folder: &Path, uid: Uid) -> PathBuf {
+    folder.join(format!("{uid}.toml"))
+}
+
+/// Reads the file of a board of `n_keys` keys; nothing if there is none.
+///
+/// # Errors
+/// All that is wrong with the file, a sentence on each line.
+pub fn read(
+    path: &Path,
+    uid: Uid,
+    n_keys: usize,
+) -> Result<Option<PerKey<KeyCalibration>>, String> {
+    Ok(load(path, uid, n_keys)?.map(|sheet| sheet.keys))
+}

@@ -1,0 +1,46 @@
+//! From values to a file: whole or not at all, with the old one beside it.
+
+use std::fs::{self, File};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use super::Sheet;
+use crate::Error;
+
+/// Where the file that was at `path` before is kept.
+pub fn backup(path: &Path) -> PathBuf {
+    beside(path, ".bak")
+}
+
+/// Writes `sheet` to `path`, and makes its folder; whatever happens there is the old file or
+/// the new one. The old one is kept, see [`backup`].
+///
+/// # Errors
+/// What the system says.
+pub fn write(path: &Path, sheet: &Sheet) -> Result<(), Error> {
+    let written = replace(path, sheet.render().as_bytes());
+    written.map_err(|source| Error::Unwritable { path: path.to_owned(), source })
+}
+
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    let part = beside(path, ".part");
+    let mut file = File::create(&part)?;
+    file.write_all(bytes)?;
+    // What is renamed before it is on the disk may be empty after a power cut.
+    file.sync_all()?;
+    match fs::copy(path, backup(path)) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        Ok(_) | Err(_) => {}
+    }
+    fs::rename(part, path)
+}
+
+/// `path` with more behind its name.
+fn beside(path: &Path, more: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(more);
+    name.into()
+}

@@ -1,0 +1,268 @@
+//! A board's clock as the host sees it: where it stands, how fast it runs, how sure that is.
+//!
+//! A round trip tells the board's time to within half its length, so the shortest round trips
+//! tell it best: through the last 64 a line is laid, in which each counts by the inverse square
+//! of its length (least squares, with the length as the error that it has).
+//! Times are microseconds; the host's never wrap, the board's do.
+
+/// Round trips that are remembered.
+const WINDOW: usize = 64;
+
+/// How long round trips must have been spread, as a standard deviation, before a rate is told
+/// apart from noise [us].
+const LONG_ENOUGH: f64 = 150e3;
+
+/// Fastest drift that is believed [1]: worse quartzes than any, and emulated ones.
+const MOST_DRIFT: f64 = 0.1;
+
+/// One round trip.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+struct Trip {
+    /// Middle of the round trip, host time since the first [us].
+    host: f64,
+    /// Board time then, since the first [us].
+    board: f64,
+    /// How long it took [us].
+    length: f64,
+}
+
+/// What came of a round trip.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Told {
+    /// It was taken into account.
+    News,
+    /// The board's clock went backwards, or somewhere else: it has started anew.
+    Jumped,
+}
+
+/// The clock of one board.
+#[derive(Clone, Debug)]
+pub struct ClockModel {
+    trips: [Trip; WINDOW],
+    n: usize,
+    /// Host and board time of the first trip [us].
+    origin: Option<(u64, u32)>,
+    /// Board time since the origin of the newest trip [us], whole.
+    newest: i64,
+    /// Board minus host time at `middle`, since the origin [us].
+    offset: f64,
+    /// Host time since the origin around which the line turns [us].
+    middle: f64,
+    /// Rate of the board's clock minus 1.
+    drift: f64,
+    /// The shortest round trip that is remembered [us].
+    shortest: f64,
+}
+
+impl Default for ClockModel {
+    fn default() -> Self {
+        Self {
+            trips: [Trip::default(); WINDOW],
+            n: 0,
+            origin: None,
+            newest: 0,
+            offset: 0.0,
+            middle: 0.0,
+            drift: 0.0,
+            shortest: 0.0,
+        }
+    }
+}
+
+impl ClockModel {
+    /// Takes a round trip: asked at `sent_us`, answered with `board_us`, heard at `heard_us`.
+    ///
+    /// # Real-time
+    /// Two passes over 64 trips.
+    pub fn learn(&mut self, sent_us: u64, board_us: u32, heard_us: u64) -> Told {
+        let middle_us = sent_us + heard_us.saturating_sub(sent_us) / 2;
+        let (host_origin, board_origin) = *self.origin.get_or_insert((middle_us, board_us));
+        let since = board_us.wrapping_sub(board_origin);
+        // The whole board time nearest to the newest one that has these low bits.
+        let [a, b, c, d, ..] = self.newest.to_le_bytes();
+        let ahead = since.wrapping_sub(u32::from_le_bytes([a, b, c, d])).cast_signed();
+        let board = self.newest + i64::from(ahead);
+        let length = heard_us.saturating_sub(sent_us) as f64;
+        let trip = Trip {
+            host: middle_us.saturating_sub(host_origin) as f64,
+            board: board as f64,
+            length,
+        };
+        if self.is_jump(&trip) {
+            *self = Self::default();
+            return Told::Jumped;
+        }
+        self.newest = board;
+        self.trips[self.n % WINDOW] = trip;
+        self.n += 1;
+        self.fit();
+        Told::News
+    }
+
+    /// Whether the board's time can be told.
+    pub const fn is_known(&self) -> bool {
+        0 < self.n
+    }
+
+    /// The board's time at the host's `host_us` [us], low half.
+    pub fn board_us(&self, host_us: u64) -> Option<u32> {
+        let (host_origin, board_origin) = self.origin?;
+        let host = signed(host_us, host_origin);
+        let board = host + self.offset + self.drift * (host - self.middle);
+        #[expect(clippy::cast_possible_truncation, reason = "within days, and wrapping is meant")]
+        let since = board.round() as i64;
+        let [a, b, c, d, ..] = since.to_le_bytes();
+        Some(board_origin.wrapping_add(u32::from_le_bytes([a, b, c, d])))
+    }
+
+    /// How long ago, at the host's `now_us`, the board's clock showed a time whose low 16 bits
+    /// are `stamp_us` [us]; at most 65 ms can be told apart, 5 ms of them in the future.
+    pub fn age_us(&self, now_us: u64, stamp_us: u16) -> Option<i32> {
+        /// How far in the future a stamp is taken for what it says, not for an old one [us].
+        const FUTURE: u16 = 5_000;
+        let [low, high, ..] = self.board_us(now_us)?.to_le_bytes();
+        let age = u16::from_le_bytes([low, high]).wrapping_sub(stamp_us);
+        Some(i32::from(age.wrapping_add(FUTURE)) - i32::from(FUTURE))
+    }
+
+    /// How much faster than the host's the board's clock runs [1e-6].
+    pub fn drift_ppm(&self) -> f64 {
+        self.drift * 1e6
+    }
+
+    /// The shortest round trip of late [us].
+    pub const fn shortest_us(&self) -> f64 {
+        self.shortest
+    }
+
+    fn remembered(&self) -> &[Trip] {
+        &self.trips[..self.n.min(WINDOW)]
+    }
+
+    /// Whether `trip` cannot be of the same clock: further off than drift and trip explain.
+    fn is_jump(&self, trip: &Trip) -> bool {
+        if self.n == 0 {
+            return false;
+        }
+        let newest = self.trips[(self.n - 1) % WINDOW];
+        let passed = trip.host - newest.host;
+        let allowed = MOST_DRIFT * passed.abs() + trip.length + newest.length + 1e3;
+        allowed < (trip.board - newest.board - passed).abs()
+    }
+
+    /// Lays a line through them, the shorter a trip the nearer.
+    fn fit(&mut self) {
+        let trips = self.remembered();
+        let shortest = trips.iter().fold(f64::INFINITY, |least, trip| trip.length.min(least));
+        let sum = |value: &dyn Fn(&Trip) -> f64| -> f64 {
+            trips.iter().map(|trip| trip.weight() * value(trip)).sum()
+        };
+        let all = sum(&|_| 1.0);
+        let middle = sum(&|trip| trip.host) / all;
+        let offset = sum(&|trip| trip.board - trip.host) / all;
+        let spread = sum(&|trip| (trip.host - middle).powi(2));
+        let covariance = sum(&|trip| (trip.host - middle) * (trip.board - trip.host - offset));
+        let is_long_enough = LONG_ENOUGH.powi(2) <= spread / all;
+        let drift = if is_long_enough { covariance / spread } else { 0.0 };
+        (self.middle, self.offset, self.shortest) = (middle, offset, shortest);
+        self.drift = drift.clamp(-MOST_DRIFT, MOST_DRIFT);
+    }
+}
+
+impl Trip {
+    /// How much it counts: it tells the time to within half its length.
+    fn weight(&self) -> f64 {
+        // Below 50 us the difference is noise of the system, not of the way.
+        self.length.max(50.0).powi(-2)
+    }
+}
+
+/// The low half of a clock [us], as it stands on the wire.
+pub(crate) const fn low(us: u64) -> u32 {
+    let [a, b, c, d, ..] = us.to_le_bytes();
+    u32::from_le_bytes([a, b, c, d])
+}
+
+/// `later` − `earlier` [us].
+fn signed(later: u64, earlier: u64) -> f64 {
+    later as f64 - earlier as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A way of 150 us there and back, and what comes on top by chance [us].
+    fn way(n: u64) -> (u64, u64) {
+        let chance = |n: u64| (n.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 40) % 1_000;
+        let late = |n: u64| if chance(n) < 700 { chance(n) / 10 } else { 4 * chance(n) };
+        (150 + late(2 * n), 150 + late(2 * n + 1))
+    }
+
+    /// Learns `n` round trips, 20 ms apart, of a clock at `rate` from `board_us` on.
+    fn learned(n: u64, rate: f64, board_us: u32) -> (ClockModel, impl Fn(u64) -> u32) {
+        let board = move |host: u64| {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "low half")]
+            let passed = (host as f64 * rate) as u64 as u32;
+            board_us.wrapping_add(passed)
+        };
+        let mut clock = ClockModel::default();
+        for i in 0..n {
+            let (there, back) = way(i);
+            let sent = 1_000_000 + 20_000 * i;
+            assert_eq!(clock.learn(sent, board(sent + there), sent + there + back), Told::News);
+        }
+        (clock, board)
+    }
+
+    #[test]
+    fn the_board_s_time_is_known_better_than_half_the_shortest_trip() {
+        for rate in [1.0, 1.0 + 200e-6, 1.0 - 200e-6, 1.04, 0.96] {
+            let (clock, board) = learned(200, rate, u32::MAX - 2_000_000);
+            let now = 1_000_000 + 20_000 * 200;
+            let error = clock.board_us(now).unwrap().wrapping_sub(board(now)).cast_signed();
+            assert!(error.abs() < 150, "{error} us at rate {rate}");
+            assert!((clock.drift_ppm() * 1e-6 - (rate - 1.0)).abs() < 100e-6, "{rate}");
+        }
+    }
+
+    #[test]
+    fn the_age_of_a_stamp_is_told_across_its_wrap() {
+        let (clock, board) = learned(100, 1.0, 65_000);
+        let now = 1_000_000 + 20_000 * 100;
+        for age in [0, 900, 20_000, 59_000] {
+            let [low, high, ..] = board(now - age).to_le_bytes();
+            let told = clock.age_us(now, u16::from_le_bytes([low, high])).unwrap();
+            assert!((i64::from(told) - age.cast_signed()).abs() < 150, "{told} for {age}");
+        }
+    }
+
+    #[test]
+    fn a_clock_that_goes_backwards_is_noticed_and_learned_anew() {
+        let (mut clock, board) = learned(50, 1.0, 5_000_000);
+        let now = 1_000_000 + 20_000 * 50;
+        let before = board(now).wrapping_sub(3_000_000);
+        assert_eq!(clock.learn(now, before, now + 300), Told::Jumped);
+        assert!(!clock.is_known());
+        assert_eq!(clock.learn(now, before, now + 300), Told::News);
+        assert_eq!(clock.board_us(now + 150), Some(before));
+    }
+
+    #[test]
+    fn quick_trips_at_the_start_do_not_tell_a_rate() {
+        let mut clock = ClockModel::default();
+        for i in 0..8 {
+            // Short trips, and as wrong as they may be, the same way each time a little more.
+            let sent = 1_000_000 + 5_000 * i;
+            clock.learn(sent, low(sent + 10 + 20 * i), sent + 300);
+        }
+        let later = 1_000_000 + 2_500_000;
+        for i in 0..4 {
+            let sent = later + 50_000 * i;
+            clock.learn(sent, low(sent + 1_000), sent + 2_000);
+        }
+        let now = later + 300_000;
+        let error = clock.board_us(now).unwrap().wrapping_sub(low(now)).cast_signed();
+        assert!(error.abs() < 500, "{error} us, {} ppm", clock.drift_ppm());
+    }
+}

@@ -1,0 +1,157 @@
+//! Requests on their way to one board: asked again until they are answered.
+//!
+//! It has no clock and no link: time [us] is an argument, frames go through the caller.
+
+use firmware_protocol::acyclic::{Operation, RETRY_MS, Reply, encode_request};
+use firmware_protocol::key::BoardId;
+use firmware_protocol::{MAX_FRAME, Record};
+
+/// Times that a request is asked before the board counts as silent.
+const TRIES: u8 = 8;
+
+/// A request and when it was asked.
+#[derive(Clone, Copy, Debug)]
+struct Asked {
+    frame: [u8; MAX_FRAME],
+    len: usize,
+    id: u8,
+    operation: Operation,
+    sent_us: Option<u64>,
+    tries: u8,
+}
+
+/// One board's courier: one request at a time.
+#[derive(Clone, Copy, Debug)]
+pub struct Courier {
+    board: BoardId,
+    next_id: u8,
+    asked: Option<Asked>,
+}
+
+/// A reply that came, and how long it took.
+#[derive(Clone, Copy, Debug)]
+pub struct Heard<'a> {
+    /// The reply.
+    pub reply: Reply<'a>,
+    /// What had been asked for.
+    pub operation: Operation,
+    /// When its request was sent, if that was once only [us].
+    pub sent_us: Option<u64>,
+}
+
+impl Courier {
+    /// A courier to `board` whose first request has the number `first`.
+    ///
+    /// A host that starts anew begins elsewhere, or its first request would be taken for the
+    /// last one of the host before.
+    pub const fn new(board: BoardId, first: u8) -> Self {
+        Self { board, next_id: first, asked: None }
+    }
+
+    /// Whether a request may be asked.
+    pub const fn is_free(&self) -> bool {
+        self.asked.is_none()
+    }
+
+    /// Asks; a request that is under way is forgotten.
+    pub fn ask<R: Record>(&mut self, operation: Operation, record: &R) {
+        let (id, mut frame) = (self.next_id, [0; MAX_FRAME]);
+        self.next_id = self.next_id.wrapping_add(1);
+        let len = encode_request(self.board, id, operation, record, &mut frame);
+        self.asked = Some(Asked { frame, len, id, operation, sent_us: None, tries: 0 });
+    }
+
+    /// The frame to be sent at `now_us`, if one is due.
+    pub fn due(&mut self, now_us: u64) -> Option<&[u8]> {
+        let asked = self.asked.as_mut()?;
+        let patience_us = u64::from(RETRY_MS) * 1_000;
+        if asked.sent_us.is_some_and(|sent| now_us < sent + patience_us) || TRIES <= asked.tries {
+            return None;
+        }
+        asked.sent_us = Some(now_us);
+        asked.tries += 1;
+        Some(&asked.frame[..asked.len])
+    }
+
+    /// Takes a frame; returns the reply if it is the one that is waited for.
+    pub fn hear<'a>(&mut self, frame: &'a [u8]) -> Option<Heard<'a>> {
+        let reply = Reply::decode(frame).ok()?;
+        let is_it = |asked: &mut Asked| {
+            reply.board == self.board
+                && reply.id == asked.id
+                && reply.operation == Ok(asked.operation)
+        };
+        let asked = self.asked.take_if(is_it)?;
+        let sent_us = asked.sent_us.filter(|_| asked.tries == 1);
+        Some(Heard { reply, operation: asked.operation, sent_us })
+    }
+
+    /// Whether the board did not answer, however often it was asked; then it may be asked
+    /// something else.
+    pub fn gave_up(&mut self, now_us: u64) -> bool {
+        let patience_us = u64::from(RETRY_MS) * 1_000;
+        let is_silent = |asked: &mut Asked| {
+            TRIES <= asked.tries && asked.sent_us.is_none_or(|sent| sent + patience_us <= now_us)
+        };
+        self.asked.take_if(is_silent).is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use firmware_protocol::Nothing;
+    use firmware_protocol::acyclic::ping::Pong;
+    use firmware_protocol::acyclic::{Status, encode_reply};
+
+    fn board() -> BoardId {
+        BoardId::new(4).unwrap()
+    }
+
+    fn reply(id: u8, operation: Operation) -> ([u8; MAX_FRAME], usize) {
+        let mut bytes = [0; MAX_FRAME];
+        let pong = Ok::<_, Status>(Pong { board_us: 5 });
+        let len = encode_reply(board(), id, operation as u8, pong, &mut bytes);
+        (bytes, len)
+    }
+
+    #[test]
+    fn it_asks_again_after_25_ms_and_gives_up_in_the_end() {
+        let mut courier = Courier::new(board(), 9);
+        courier.ask(Operation::Ping, &Nothing);
+        let mut sent = 0;
+        for now in (0..1_000_000).step_by(1_000) {
+            sent += u32::from(courier.due(now).is_some());
+            if courier.gave_up(now) {
+                assert_eq!((sent, now), (8, 200_000));
+                assert!(courier.is_free());
+                return;
+            }
+        }
+        panic!("it never gave up");
+    }
+
+    #[test]
+    fn only_the_reply_that_is_waited_for_counts() {
+        let mut courier = Courier::new(board(), 9);
+        courier.ask(Operation::Ping, &Nothing);
+        assert!(courier.due(100).is_some());
+        for (id, operation) in [(8, Operation::Ping), (9, Operation::Light)] {
+            let (bytes, len) = reply(id, operation);
+            assert!(courier.hear(&bytes[..len]).is_none());
+        }
+        let (bytes, len) = reply(9, Operation::Ping);
+        let heard = courier.hear(&bytes[..len]).unwrap();
+        assert_eq!(heard.sent_us, Some(100));
+        assert!(courier.hear(&bytes[..len]).is_none(), "it counts once");
+    }
+
+    #[test]
+    fn a_reply_to_what_was_asked_twice_tells_no_time() {
+        let mut courier = Courier::new(board(), 0);
+        courier.ask(Operation::Ping, &Nothing);
+        assert!(courier.due(0).is_some() && courier.due(25_000).is_some());
+        let (bytes, len) = reply(0, Operation::Ping);
+        assert_eq!(courier.hear(&bytes[..len]).unwrap().sent_us, None);
+    }
+}

@@ -1,0 +1,96 @@
+//! What this user's processes are granted, from `/proc/self`.
+
+use std::path::Path;
+
+use super::files::text;
+
+/// Bit of `CapEff` for locking any amount of memory.
+const CAP_IPC_LOCK: u32 = 14;
+/// Bit of `CapEff` for any priority.
+const CAP_SYS_NICE: u32 = 23;
+
+/// How much a process may have of something.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Limit {
+    /// As much as it asks for.
+    None,
+    /// So much.
+    Of(u64),
+}
+
+/// The limits that matter to a tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Limits {
+    /// Real-time priority.
+    pub(super) priority: Limit,
+    /// Memory that is never paged out [bytes].
+    pub(super) locked: Limit,
+}
+
+impl Limits {
+    /// Those of this process, whose files are under `root`.
+    pub(super) fn read(root: &Path) -> Option<Self> {
+        let process = root.join("proc/self");
+        let limits = text(&process.join("limits"))?;
+        let status = text(&process.join("status")).unwrap_or_default();
+        Self::parse(&limits, &status)
+    }
+
+    /// From the texts of `limits` and `status`.
+    fn parse(limits: &str, status: &str) -> Option<Self> {
+        let capabilities = capabilities(status);
+        let limit = |name, capability: u32| {
+            let may = capabilities >> capability & 1 == 1;
+            if may { Some(Limit::None) } else { soft(limits, name) }
+        };
+        Some(Self {
+            priority: limit("Max realtime priority", CAP_SYS_NICE)?,
+            locked: limit("Max locked memory", CAP_IPC_LOCK)?,
+        })
+    }
+}
+
+/// The soft limit in the line that begins with `name`.
+fn soft(limits: &str, name: &str) -> Option<Limit> {
+    let line = limits.lines().find_map(|line| line.strip_prefix(name))?;
+    let value = line.split_whitespace().next()?;
+    if value == "unlimited" { Some(Limit::None) } else { value.parse().ok().map(Limit::Of) }
+}
+
+/// The set of capabilities that are in force; none if they are not told.
+fn capabilities(status: &str) -> u64 {
+    let line = status.lines().find_map(|line| line.strip_prefix("CapEff:"));
+    line.and_then(|set| u64::from_str_radix(set.trim(), 16).ok()).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIMITS: &str = "\
+Limit                     Soft Limit           Hard Limit           Units
+Max cpu time              unlimited            unlimited            seconds
+Max locked memory         8388608              8388608              bytes
+Max nice priority         0                    0
+Max realtime priority     0                    95
+Max realtime timeout      unlimited            unlimited            us";
+
+    #[test]
+    fn the_soft_limits_are_read() {
+        let limits = Limits::parse(LIMITS, "CapEff:\t0000000000000000\n").unwrap();
+        assert_eq!(limits, Limits { priority: Limit::Of(0), locked: Limit::Of(8_388_608) });
+    }
+
+    #[test]
+    fn capabilities_lift_their_limits() {
+        let nice = Limits::parse(LIMITS, "Name:\tx\nCapEff:\t0000000000800000\n").unwrap();
+        assert_eq!(nice, Limits { priority: Limit::None, locked: Limit::Of(8_388_608) });
+        let root = Limits::parse(LIMITS, "CapEff:\t000001ffffffffff\n").unwrap();
+        assert_eq!(root, Limits { priority: Limit::None, locked: Limit::None });
+    }
+
+    #[test]
+    fn a_text_without_them_has_no_limits_to_tell() {
+        assert_eq!(Limits::parse("Limit Soft Hard", ""), None);
+    }
+}

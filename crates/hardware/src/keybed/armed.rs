@@ -1,0 +1,290 @@
+//! Armed boards as the tick's bus.
+
+use firmware_protocol::Nothing;
+use firmware_protocol::acyclic::Operation;
+use firmware_protocol::frame::broadcast::{self, Broadcast};
+use firmware_protocol::frame::hello::feature;
+use firmware_protocol::key::KeyIndex;
+use haptics::plant::Gesture;
+use scheduler::motion::{KEYS, KeySample, KeySlope};
+use scheduler::port::KeyBus;
+
+use super::{Keybed, Line};
+use crate::courier::Courier;
+use crate::link::Link as _;
+use crate::plan::{Medium, Seen};
+use crate::refusal::{BoardName, Refusal};
+use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
+use crate::rt::bus::{Bus, LineStatistics};
+use crate::rt::steward::{Bar, Condition, Stage, Steward};
+use crate::topology::BoardPlace;
+
+/// Armed boards.
+#[derive(Debug)]
+pub struct Armed {
+    bus: Box<Bus>,
+    steward: Steward,
+    names: Vec<BoardName>,
+    features: Vec<u16>,
+    /// Time between two exchanges [us].
+    period_us: u64,
+    /// Frames from and to each board before the beginning.
+    before: Vec<(u64, u64)>,
+    /// Since when the lines are metered [us].
+    since_us: u64,
+}
+
+/// What became of one board.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BoardReport {
+    /// Which.
+    pub name: BoardName,
+    /// Where it is, and its keys.
+    pub place: BoardPlace,
+    /// What it has sent and was sent.
+    pub statistics: BoardStatistics,
+    /// Frames of samples and of forces since the beginning.
+    pub exchanged: (u64, u64),
+    /// What it is like.
+    pub condition: Condition,
+}
+
+/// What became of one line.
+#[derive(Clone, PartialEq, Debug)]
+pub struct LineReport {
+    /// Which.
+    pub name: String,
+    /// What it has carried beside the boards' own counts.
+    pub statistics: LineStatistics,
+    /// What it is made of, if that is known.
+    pub medium: Option<Medium>,
+    /// How full it was, if its medium is known.
+    pub load: Option<Seen>,
+}
+
+impl Armed {
+    pub(super) fn new(
+        bus: Bus,
+        steward: Steward,
+        names: Vec<BoardName>,
+        features: Vec<u16>,
+        period_us: u64,
+    ) -> Self {
+        let before = vec![(0, 0); names.len()];
+        let since_us = steward.now();
+        Self { bus: Box::new(bus), steward, names, features, period_us, before, since_us }
+    }
+
+    /// Makes samples as old as their board's clock says they are, if that is too old.
+    ///
+    /// What came in this tick is fresh, though it was taken a period before or two: that is
+    /// the way's usual length. What was held up on its way is not.
+    fn age(&self, samples: &mut [KeySample; KEYS]) {
+        /// Periods that a sample may take for its way.
+        const USUAL: u32 = 3;
+        for (index, board) in self.bus.boards().iter().enumerate() {
+            let Some(newest) = board.newest() else { continue };
+            let age_us = self.steward.age_us(index, newest.header.stamp_us).unwrap_or(0);
+            let age = u64::try_from(age_us).unwrap_or(0) / self.period_us.max(1);
+            let age = u32::try_from(age).unwrap_or(u32::MAX);
+            if age < USUAL {
+                continue;
+            }
+            for sample in &mut samples[board.terms().place.keys()] {
+                sample.age = sample.age.max(age);
+            }
+        }
+    }
+}
+
+impl Keybed<Armed> {
+    /// Takes what has come and sends what boards are asked, without forces.
+    pub fn attend(&mut self) {
+        let Self { lines, stage: Armed { bus, steward, .. }, clock } = self;
+        steward.set_now(clock());
+        for (index, Line { link, .. }) in lines.iter_mut().enumerate() {
+            if index < bus.n_lines() {
+                bus.receive(index, link, steward);
+                steward.attend(index, bus, link);
+            }
+        }
+    }
+
+    /// Whether all boards render forces.
+    pub fn is_ready(&self) -> bool {
+        self.stage.steward.is_ready()
+    }
+
+    /// Whether all boards have simulated fingers.
+    pub fn has_fingers(&self) -> bool {
+        self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
+    }
+
+    /// The keys that some board carries.
+    pub fn has_key(&self, key: KeyIndex) -> bool {
+        self.stage.bus.boards().iter().any(|it| it.terms().place.keys().contains(&key.index()))
+    }
+
+    /// Plays `gestures` on `key`, in time from [`Self::begin_at`] on.
+    pub fn play(&mut self, key: KeyIndex, gestures: &[Gesture]) {
+        let Armed { bus, steward, .. } = &mut self.stage;
+        for (index, board) in bus.boards().iter().enumerate() {
+            let keys = board.terms().place.keys();
+            if keys.contains(&key.index())
+                && let Ok(slot) = u8::try_from(key.index() - keys.start)
+            {
+                steward.play(index, slot, gestures);
+            }
+        }
+    }
+
+    /// The newest sample of every key, as old as it is since it came.
+    pub const fn newest(&self) -> &[KeySample; KEYS] {
+        self.stage.bus.samples()
+    }
+
+    /// What was agreed with each board.
+    pub fn terms(&self) -> impl Iterator<Item = &BoardTerms> {
+        self.stage.bus.boards().iter().map(BoardEnd::terms)
+    }
+
+    /// Time between two exchanges [us].
+    pub const fn period_us(&self) -> u64 {
+        self.stage.period_us
+    }
+
+    /// Times that the board of `key` was armed, if it renders forces.
+    pub fn armings(&self, key: KeyIndex) -> Option<u64> {
+        let has = |it: &BoardTerms| it.place.keys().contains(&key.index());
+        self.stage.steward.armings(self.terms().position(has)?)
+    }
+
+    /// From when on gestures and frames count: host time [us].
+    ///
+    /// What has come before is thrown away.
+    pub fn begin_at(&mut self, origin_us: u64) {
+        self.stage.steward.begin_at(origin_us);
+        self.attend();
+        let Armed { bus, before, .. } = &mut self.stage;
+        for (before, board) in before.iter_mut().zip(bus.boards()) {
+            *before = exchanged(&board.statistics());
+        }
+    }
+
+    /// Tells all boards to render no force until they are seen to.
+    pub fn stop(&mut self, reason: u8) {
+        let mut frame = [0; broadcast::MAX_LEN];
+        let len = Broadcast::EmergencyStop { reason }.encode(&mut frame);
+        for line in &mut self.lines {
+            // Boards that do not hear it are safe when their forces expire.
+            let _lost = line.link.try_send(&frame[..len]);
+        }
+    }
+
+    /// Tells every board that it shall render no force; does not wait for answers.
+    pub fn disarm(&mut self) {
+        for board in self.stage.bus.boards() {
+            let place = board.terms().place;
+            // Another number than that of any request that may be under way.
+            let [first, ..] = (self.clock)().to_le_bytes();
+            let mut courier = Courier::new(place.board, first ^ 0x80);
+            courier.ask(Operation::Disarm, &Nothing);
+            if let Some(frame) = courier.due(0) {
+                // A board that does not hear it is safe when its forces expire.
+                let _lost = self.lines[place.line].link.try_send(frame);
+            }
+        }
+    }
+
+    /// What became of each board.
+    pub fn board_reports(&self) -> Vec<BoardReport> {
+        let Armed { bus, steward, names, .. } = &self.stage;
+        let reports = bus.boards().iter().zip(names).enumerate().map(|(index, (board, name))| {
+            let (came, went) = exchanged(&board.statistics());
+            let (before, already) = self.stage.before.get(index).copied().unwrap_or_default();
+            Some(BoardReport {
+                name: name.clone(),
+                place: board.terms().place,
+                statistics: board.statistics(),
+                exchanged: (came - before, went - already),
+                condition: steward.condition(index)?,
+            })
+        });
+        reports.flatten().collect()
+    }
+
+    /// What became of each line.
+    pub fn line_reports(&self) -> Vec<LineReport> {
+        let Armed { bus, steward, since_us, .. } = &self.stage;
+        let seconds = steward.now().saturating_sub(*since_us) as f64 * 1e-6;
+        let lines = self.lines.iter().enumerate();
+        let report = |(index, line): (usize, &Line)| LineReport {
+            name: line.name.clone(),
+            statistics: bus.line(index),
+            medium: line.medium,
+            load: bus.load(index, seconds).filter(|_| 0.0 < seconds),
+        };
+        lines.map(report).collect()
+    }
+
+    /// Why boards do not render forces after `seconds` of trying.
+    pub(super) fn refusals(&self, seconds: f64) -> Vec<Refusal> {
+        let boards = self.board_reports().into_iter().enumerate();
+        let refusal = |(index, report): (usize, BoardReport)| {
+            let board = report.name;
+            match report.condition.stage {
+                Stage::Barred(Bar::Latched(reason)) => Some(Refusal::Latched { board, reason }),
+                Stage::Barred(Bar::Declined(asked, status)) => {
+                    Some(Refusal::Declined { board, asked, status })
+                }
+                Stage::Barred(Bar::Exchanged) => Some(Refusal::Missing { board }),
+                Stage::Armed if report.condition.round_trips_us.is_some() => None,
+                Stage::Greeting
+                | Stage::Streaming
+                | Stage::Disarming
+                | Stage::Arming { .. }
+                | Stage::Armed => {
+                    let asked = self.stage.steward.asked(index).unwrap_or(Operation::Hello);
+                    Some(Refusal::NoAnswer { board, asked, seconds })
+                }
+            }
+        };
+        boards.filter_map(refusal).collect()
+    }
+}
+
+/// Frames of samples that came, and of forces that went.
+const fn exchanged(statistics: &BoardStatistics) -> (u64, u64) {
+    (statistics.samples.frames, statistics.sent)
+}
+
+impl KeyBus for Keybed<Armed> {
+    /// Takes what the lines bring.
+    ///
+    /// # Real-time
+    /// At most 128 frames and one request for each board; no heap.
+    fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        self.stage.bus.begin(tick);
+        self.attend();
+        samples.copy_from_slice(self.stage.bus.samples());
+        self.stage.age(samples);
+    }
+
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
+        self.send_sloped(tick, forces, &[KeySlope::HELD; KEYS]);
+    }
+
+    /// Sends each board its forces.
+    ///
+    /// # Real-time
+    /// One frame for each board; no heap.
+    fn send_sloped(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
+        let now_us = (self.clock)();
+        let Self { lines, stage: Armed { bus, .. }, .. } = self;
+        for (index, Line { link, .. }) in lines.iter_mut().enumerate() {
+            if index < bus.n_lines() {
+                bus.send(index, now_us, forces, slopes, link);
+            }
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Single requests outside the tick: asked, and waited for.
+
+use firmware_protocol::acyclic::{Operation, Reply, Status};
+use firmware_protocol::key::BoardId;
+use firmware_protocol::{MAX_FRAME, Nothing, Record};
+
+use super::{Keybed, LOOK, Line};
+use crate::courier::Courier;
+use crate::link::Link as _;
+use crate::pause::pause;
+use crate::refusal::{BoardName, Refusal};
+
+/// Whoever asks one board, and the numbers of its requests.
+#[derive(Clone, Debug)]
+pub struct Asker {
+    line: usize,
+    name: BoardName,
+    courier: Courier,
+}
+
+impl<S> Keybed<S> {
+    /// Somebody who asks `board` on `line`.
+    ///
+    /// Not while an armed keybed is attended: a board answers one request at a time.
+    pub fn asker(&mut self, line: usize, board: BoardId) -> Asker {
+        let [first, ..] = self.now_us().to_le_bytes();
+        let courier = Courier::new(board, first);
+        let name = self.lines.get(line).map_or_else(String::new, |it| it.name.clone());
+        let name = BoardName { line: name, number: board.number() };
+        let mut asker = Asker { line, name, courier };
+        // If somebody else's last request had this number, the board repeats its answer to
+        // that: let it be the answer to nothing.
+        let _whatever = self.ask::<_, Nothing>(&mut asker, Operation::Ping, &Nothing);
+        asker
+    }
+
+    /// Asks for `operation` with `record`, and waits for the answer.
+    ///
+    /// # Errors
+    /// The board does not answer, or declines.
+    pub fn ask<Q: Record, A: Record>(
+        &mut self,
+        asker: &mut Asker,
+        operation: Operation,
+        record: &Q,
+    ) -> Result<A, Refusal> {
+        let clock = self.clock;
+        let start = clock();
+        let board = || asker.name.clone();
+        asker.courier.ask(operation, record);
+        let Some(Line { link, .. }) = self.lines.get_mut(asker.line) else {
+            return Err(Refusal::Missing { board: board() });
+        };
+        loop {
+            if let Some(outcome) = hear(link, &mut asker.courier) {
+                return outcome.map_err(|status| Refusal::Declined {
+                    board: board(),
+                    asked: operation,
+                    status,
+                });
+            }
+            let now = clock();
+            if asker.courier.gave_up(now) {
+                let seconds = now.saturating_sub(start) as f64 * 1e-6;
+                return Err(Refusal::NoAnswer { board: board(), asked: operation, seconds });
+            }
+            if let Some(frame) = asker.courier.due(now) {
+                // What the link does not take is asked again.
+                let _lost = link.try_send(frame);
+            }
+            pause(LOOK);
+        }
+    }
+}
+
+/// Takes what has come until it is the answer.
+fn hear<A: Record>(
+    link: &mut (impl crate::link::Link + ?Sized),
+    courier: &mut Courier,
+) -> Option<Result<A, Status>> {
+    let mut frame = [0; MAX_FRAME];
+    while let Ok(Some(len)) = link.try_recv(&mut frame) {
+        let Some(heard) = courier.hear(&frame[..len.min(MAX_FRAME)]) else { continue };
+        let Reply { status, record, .. } = heard.reply;
+        let is_done = status == Status::Done;
+        return Some(if is_done { A::take(record).ok_or(Status::BadValue) } else { Err(status) });
+    }
+    None
+}

@@ -1,0 +1,96 @@
+//! The boards are known and measured: let them render forces.
+
+use firmware_protocol::frame::key_forces::ForcePacking;
+use firmware_protocol::frame::key_samples::SamplePacking;
+
+use super::{Armed, Keybed, LOOK};
+use crate::pause::pause;
+use crate::refusal::{BoardName, Refusals};
+use crate::rt::board::BoardTerms;
+use crate::rt::bus::Bus;
+use crate::rt::steward::{Agreed, Steward};
+use crate::topology::BoardPlace;
+
+/// The boards are known and measured.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Calibrated {
+    pub(super) boards: Vec<BoardTerms>,
+    pub(super) uids: Vec<[u8; 6]>,
+    pub(super) features: Vec<u16>,
+}
+
+/// What is agreed with all boards when they are armed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Terms {
+    /// Time between two exchanges [us].
+    pub period_us: u16,
+    /// How samples are packed.
+    pub samples: SamplePacking,
+    /// How forces are packed.
+    pub forces: ForcePacking,
+    /// How long forces are valid after the samples that they answer [ms].
+    pub valid_ms: u8,
+}
+
+impl Keybed<Calibrated> {
+    /// Where the boards are, and which keys they carry.
+    pub fn places(&self) -> impl Iterator<Item = &BoardPlace> {
+        self.stage.boards.iter().map(|board| &board.place)
+    }
+
+    /// How many keys each board on `line` has.
+    pub fn boards_on(&self, line: usize) -> Vec<usize> {
+        let boards = self.stage.boards.iter().filter(|it| it.place.line == line);
+        boards.map(|it| it.place.n_keys).collect()
+    }
+
+    /// Asks for samples and arms every board; waits until all are, for `patience_us` at most.
+    ///
+    /// # Errors
+    /// Which boards did not get there, and why.
+    pub fn arm(self, terms: Terms, patience_us: u64) -> Result<Keybed<Armed>, Refusals> {
+        let Self { lines, stage, clock } = self;
+        let agreed = phases(&stage, terms);
+        let names = stage.boards.iter().map(|board| BoardName {
+            line: lines[board.place.line].name.clone(),
+            number: board.place.board.number(),
+        });
+        let names: Vec<_> = names.collect();
+        let start = clock();
+        let steward = Steward::new(agreed, start);
+        let mut bus = Bus::new(&stage.boards);
+        for (index, line) in lines.iter().enumerate() {
+            if let Some(medium) = line.medium {
+                bus.meter(index, medium);
+            }
+        }
+        let armed = Armed::new(bus, steward, names, stage.features, u64::from(terms.period_us));
+        let mut keybed = Keybed { lines, stage: armed, clock };
+        while !keybed.is_ready() {
+            let now = clock();
+            if start + patience_us <= now {
+                let refusals = keybed.refusals(patience_us as f64 * 1e-6);
+                keybed.disarm();
+                return Err(Refusals(refusals));
+            }
+            keybed.attend();
+            pause(LOOK);
+        }
+        Ok(keybed)
+    }
+}
+
+/// What is agreed with each board: those on one line take turns.
+fn phases(stage: &Calibrated, terms: Terms) -> Vec<Agreed> {
+    let on_line = |line| stage.boards.iter().filter(move |it| it.place.line == line);
+    let agreed = stage.boards.iter().zip(&stage.uids).map(|(board, uid)| {
+        let line = board.place.line;
+        let n = u16::try_from(on_line(line).count().max(1)).unwrap_or(1);
+        let before = on_line(line).take_while(|it| it.place.board != board.place.board).count();
+        let turn = u16::try_from(before).unwrap_or(0);
+        // Boards work things out every 100 us, and can send only then.
+        let phase_us = terms.period_us / n * turn / 100 * 100;
+        Agreed { place: board.place, uid: *uid, phase_us, terms }
+    });
+    agreed.collect()
+}

@@ -1,0 +1,205 @@
+//! The boards are known by name: which keys do they carry, and how do they read?
+
+use firmware_protocol::frame::hello::{Hello, feature};
+use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking};
+use firmware_protocol::frame::key_samples::{SampleLayout, SamplePacking};
+use firmware_protocol::key::{BoardId, KeyIndex, PerKey};
+
+use super::{Calibrated, Keybed, Line};
+use crate::calibration::KeyCalibration;
+use crate::refusal::{BoardName, KeyName, KeyRange, Refusal, Refusals, Uid};
+use crate::rt::board::BoardTerms;
+use crate::topology::BoardPlace;
+
+/// A board that answered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Found {
+    /// Which line it is on.
+    pub line: usize,
+    /// Its number there.
+    pub board: BoardId,
+    /// What it said.
+    pub hello: Hello,
+}
+
+impl Found {
+    /// What it is called in sentences.
+    pub(super) fn name(&self, lines: &[Line]) -> BoardName {
+        let line = lines.get(self.line).map_or_else(String::new, |line| line.name.clone());
+        BoardName { line, number: self.board.number() }
+    }
+
+    /// Who it is.
+    pub const fn uid(&self) -> Uid {
+        Uid(self.hello.uid)
+    }
+
+    /// The keys that it says it carries.
+    pub const fn keys(&self) -> KeyRange {
+        KeyRange { first: self.hello.first_key, n: self.hello.n_keys }
+    }
+
+    /// How its keys read as long as nobody has measured them.
+    pub fn nominal(&self) -> KeyCalibration {
+        KeyCalibration::nominal(f64::from(self.hello.quantum_nm) * 1e-9)
+    }
+
+    /// Its place, if it can carry these keys.
+    fn place(&self) -> Option<BoardPlace> {
+        let first_key = KeyIndex::new(self.hello.first_key)?;
+        let n_keys = self.hello.n_keys.into();
+        let place = BoardPlace { line: self.line, board: self.board, first_key, n_keys };
+        place.is_possible().then_some(place)
+    }
+}
+
+/// The boards are known.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Identified {
+    pub(super) found: Vec<Found>,
+}
+
+/// What a scene says of boards.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Wanted {
+    /// How samples shall be packed.
+    pub samples: SamplePacking,
+    /// How forces shall be packed.
+    pub forces: ForcePacking,
+    /// Boards that must be there, by line and number, with the keys that they must carry.
+    pub boards: Vec<(usize, u8, KeyRange)>,
+    /// Samples and forces a second.
+    pub hz: u32,
+}
+
+impl Keybed<Identified> {
+    /// The boards that answered.
+    pub fn boards(&self) -> &[Found] {
+        &self.stage.found
+    }
+
+    /// Leaves the boards alone that are not among those that `are_wanted`.
+    pub fn keep(&mut self, are_wanted: impl FnMut(&Found) -> bool) {
+        self.stage.found.retain(are_wanted);
+    }
+
+    /// What the board is called in sentences.
+    pub fn name(&self, found: &Found) -> BoardName {
+        found.name(&self.lines)
+    }
+
+    /// Checks what the boards carry and can against what is wanted, and takes over how their
+    /// keys read: `calibration` says it of a board, or why that is not known.
+    ///
+    /// # Errors
+    /// All that is wrong.
+    pub fn calibrate(
+        self,
+        wanted: &Wanted,
+        calibration: impl Fn(&Found, &BoardName) -> Result<PerKey<KeyCalibration>, Refusal>,
+    ) -> Result<Keybed<Calibrated>, Refusals> {
+        let Self { lines, stage, clock } = self;
+        let mut refusals = Vec::new();
+        let mut boards = Vec::new();
+        for found in &stage.found {
+            let name = found.name(&lines);
+            refuse_unable(found, &name, wanted, &mut refusals);
+            let Some(place) = found.place() else {
+                refusals.push(Refusal::Keys { board: name, keys: found.keys() });
+                continue;
+            };
+            match calibration(found, &name) {
+                Ok(calibration) => boards.push(terms(place, wanted, &calibration)),
+                Err(refusal) => refusals.push(refusal),
+            }
+        }
+        refuse_shared_keys(&stage.found, &lines, &mut refusals);
+        refuse_other_boards(&stage.found, wanted, &lines, &mut refusals);
+        if refusals.is_empty() {
+            let uids = stage.found.iter().map(|found| found.hello.uid).collect();
+            let features = stage.found.iter().map(|found| found.hello.features).collect();
+            let stage = Calibrated { boards, uids, features };
+            Ok(Keybed { lines, stage, clock })
+        } else {
+            Err(Refusals(refusals))
+        }
+    }
+}
+
+/// What the host must know of a board at `place`.
+const fn terms(
+    place: BoardPlace,
+    wanted: &Wanted,
+    calibration: &PerKey<KeyCalibration>,
+) -> BoardTerms {
+    BoardTerms {
+        place,
+        samples: SampleLayout { packing: wanted.samples, n_keys: place.n_keys },
+        forces: ForceLayout { packing: wanted.forces, n_keys: place.n_keys },
+        calibration: *calibration,
+    }
+}
+
+/// Refuses a board that cannot do what the scene wants.
+fn refuse_unable(found: &Found, name: &BoardName, wanted: &Wanted, refusals: &mut Vec<Refusal>) {
+    let mut unable = |what, instead: String| {
+        refusals.push(Refusal::Unable { board: name.clone(), what, instead });
+    };
+    let Hello { features, max_sample_hz, max_force_hz, .. } = found.hello;
+    if wanted.samples.has_velocity() && features & feature::VELOCITY == 0 {
+        unable("measure velocities", "give `samples = \"position24\"` in [links]".into());
+    }
+    if wanted.forces == ForcePacking::Force16Slope && features & feature::SLOPES == 0 {
+        unable("render slopes", "give `forces = \"force16\"` in [links]".into());
+    }
+    if wanted.forces == ForcePacking::Force16Slope && !wanted.samples.has_velocity() {
+        let instead = "give `samples = \"position24-velocity\"` in [links]";
+        unable("render slopes without velocities in its samples", instead.into());
+    }
+    if wanted.forces == ForcePacking::Multicast16 && features & feature::MULTICAST == 0 {
+        unable("take forces for all boards", "give `forces = \"force16\"` in [links]".into());
+    }
+    let fastest = max_sample_hz.min(max_force_hz);
+    if u32::from(fastest) < wanted.hz {
+        let instead = format!("it can exchange {fastest} times a second: give `tick_hz`");
+        unable("keep the scene's rate", instead);
+    }
+}
+
+/// Refuses keys that two boards carry.
+fn refuse_shared_keys(found: &[Found], lines: &[Line], refusals: &mut Vec<Refusal>) {
+    for (n, one) in found.iter().enumerate() {
+        for other in &found[n + 1..] {
+            let keys =
+                |it: &Found| it.hello.first_key..it.hello.first_key.saturating_add(it.hello.n_keys);
+            let shared = keys(one).find(|key| keys(other).contains(key)).and_then(KeyIndex::new);
+            if let Some(key) = shared {
+                let (one, other) = (one.name(lines), other.name(lines));
+                refusals.push(Refusal::KeyTwice { one, other, key: KeyName(key) });
+            }
+        }
+    }
+}
+
+/// Refuses boards that are not what the scene says.
+fn refuse_other_boards(
+    found: &[Found],
+    wanted: &Wanted,
+    lines: &[Line],
+    refusals: &mut Vec<Refusal>,
+) {
+    for (line, number, scene) in &wanted.boards {
+        let board = BoardName {
+            line: lines.get(*line).map_or_else(String::new, |line| line.name.clone()),
+            number: *number,
+        };
+        let it = found.iter().find(|it| it.line == *line && it.board.number() == *number);
+        match it.map(Found::keys) {
+            None => refusals.push(Refusal::Missing { board }),
+            Some(says) if says != *scene => {
+                refusals.push(Refusal::OtherKeys { board, says, scene: *scene });
+            }
+            Some(_) => {}
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Real boards, from their links to a bus that ticks.
+//!
+//! ```text
+//! Keybed<Offline> ── identify ──▶ Keybed<Identified> ── calibrate ──▶ Keybed<Calibrated>
+//!                                                                          │ arm
+//!                                            Keybed<Armed>: KeyBus ◀───────┘
+//! ```
+//!
+//! Each step returns all that is wrong at once, and a keybed that is not armed has no way to
+//! send a force. These steps wait and allocate; what an armed keybed does in a tick is in
+//! [`crate::rt`].
+
+mod armed;
+mod ask;
+mod calibrated;
+mod identified;
+mod offline;
+
+use std::time::Duration;
+
+pub use armed::{Armed, BoardReport, LineReport};
+pub use ask::Asker;
+pub use calibrated::{Calibrated, Terms};
+pub use identified::{Found, Identified, Wanted};
+pub use offline::Offline;
+
+use crate::link::Link;
+use crate::plan::Medium;
+
+/// Boards on their lines, and how far they have been brought up.
+#[derive(Debug)]
+pub struct Keybed<S> {
+    lines: Vec<Line>,
+    stage: S,
+    clock: Clock,
+}
+
+/// Reads the host's monotonic clock [us].
+pub type Clock = fn() -> u64;
+
+/// A link with its name.
+pub struct Line {
+    /// What it is called in sentences: a port, an interface.
+    pub name: String,
+    /// What carries its frames.
+    pub link: Box<dyn Link + Send>,
+    /// What that is made of, if its times are known.
+    pub medium: Option<Medium>,
+}
+
+impl Line {
+    /// A link of which only its name is known.
+    pub fn new(name: impl Into<String>, link: Box<dyn Link + Send>) -> Self {
+        Self { name: name.into(), link, medium: None }
+    }
+}
+
+impl std::fmt::Debug for Line {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Line").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+impl<S> Keybed<S> {
+    /// The names of the lines.
+    pub fn line_names(&self) -> impl Iterator<Item = &str> {
+        self.lines.iter().map(|line| line.name.as_str())
+    }
+
+    /// What each line is made of, if that is known.
+    pub fn media(&self) -> impl Iterator<Item = Option<Medium>> {
+        self.lines.iter().map(|line| line.medium)
+    }
+
+    /// The host's clock now [us].
+    pub fn now_us(&self) -> u64 {
+        (self.clock)()
+    }
+}
+
+/// Time between two looks at what may have come.
+const LOOK: Duration = Duration::from_micros(500);

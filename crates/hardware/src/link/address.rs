@@ -1,0 +1,126 @@
+//! Where a link leads: what a scene or the command line says, and how it is opened.
+
+use std::fmt;
+use std::path::PathBuf;
+
+use super::Link;
+use super::can::{Can, CanMode, Side};
+use crate::Error;
+
+/// Bits per second of a serial port of which nothing is said; USB devices ignore it.
+pub const BAUD: u32 = 2_000_000;
+
+/// Where a link leads.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Address {
+    /// A serial port.
+    Serial {
+        /// Its path.
+        port: PathBuf,
+        /// Bits per second.
+        baud: u32,
+    },
+    /// A CAN interface.
+    Can {
+        /// Its name.
+        interface: String,
+        /// What it carries.
+        mode: CanMode,
+    },
+}
+
+impl Address {
+    /// Reads `serial:/dev/ttyACM0`, `serial:/dev/ttyUSB0@1000000`, `can:can0` or
+    /// `classic-can:can0`.
+    ///
+    /// # Errors
+    /// A sentence on what is wrong, and what to write.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        const KINDS: &str = "write serial:PORT, serial:PORT@BAUD, can:INTERFACE or \
+                             classic-can:INTERFACE";
+        let unknown = || format!("\"{text}\" is no link: {KINDS}");
+        let (kind, rest) = text.split_once(':').ok_or_else(unknown)?;
+        let interface = rest.to_owned();
+        match kind {
+            _ if rest.is_empty() => Err(unknown()),
+            "serial" => serial(rest),
+            "can" => Ok(Self::Can { interface, mode: CanMode::Fd }),
+            "classic-can" => Ok(Self::Can { interface, mode: CanMode::Classic }),
+            _ => Err(unknown()),
+        }
+    }
+
+    /// What it is called in sentences: the port or the interface.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Serial { port, .. } => port.display().to_string(),
+            Self::Can { interface, .. } => interface.clone(),
+        }
+    }
+
+    /// Opens it for one end.
+    ///
+    /// # Errors
+    /// Says what is wrong with the port or interface, and what to do.
+    pub fn open(&self, side: Side) -> Result<Box<dyn Link + Send>, Error> {
+        match self {
+            Self::Serial { port, baud } => open_serial(port, *baud),
+            Self::Can { interface, mode } => Ok(Box::new(Can::open(interface, *mode, side)?)),
+        }
+    }
+}
+
+#[cfg(unix)]
+fn open_serial(port: &std::path::Path, baud: u32) -> Result<Box<dyn Link + Send>, Error> {
+    Ok(Box::new(super::serial::Serial::open(port, baud)?))
+}
+
+#[cfg(not(unix))]
+fn open_serial(port: &std::path::Path, _baud: u32) -> Result<Box<dyn Link + Send>, Error> {
+    let source = std::io::Error::from(std::io::ErrorKind::Unsupported);
+    Err(Error::Unreadable { path: port.to_owned(), source })
+}
+
+fn serial(rest: &str) -> Result<Address, String> {
+    let (port, baud) = match rest.rsplit_once('@') {
+        None => (rest, BAUD),
+        Some((port, baud)) => {
+            let number = baud.parse().ok().filter(|baud| *baud != 0);
+            (port, number.ok_or_else(|| format!("\"{baud}\" is no baud rate: write 2000000"))?)
+        }
+    };
+    Ok(Address::Serial { port: port.into(), baud })
+}
+
+impl fmt::Display for Address {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Serial { port, baud } => write!(f, "serial:{}@{baud}", port.display()),
+            Self::Can { interface, mode: CanMode::Fd } => write!(f, "can:{interface}"),
+            Self::Can { interface, mode: CanMode::Classic } => {
+                write!(f, "classic-can:{interface}")
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_address_reads_as_it_is_written() {
+        for text in ["serial:/dev/ttyUSB0@1000000", "can:can0", "classic-can:vcan1"] {
+            assert_eq!(Address::parse(text).unwrap().to_string(), text);
+        }
+        let usual = Address::parse("serial:/dev/ttyACM0").unwrap();
+        assert_eq!(usual, Address::Serial { port: "/dev/ttyACM0".into(), baud: BAUD });
+    }
+
+    #[test]
+    fn what_is_no_address_says_what_to_write() {
+        for text in ["", "can", "can:", "usb:1", "serial:/dev/x@fast", "serial:/dev/x@0"] {
+            assert!(Address::parse(text).unwrap_err().contains("write"), "{text}");
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Frames on a stream of bytes: COBS, a checksum, and a zero at the end.
+
+use firmware_protocol::serial::{self, Deframer, MAX_WIRE};
+
+use super::{Health, Link, RecvError, SendError};
+
+/// Pieces that are taken from the stream for one frame; the rest waits for the next call.
+const MAX_PIECES: usize = 64;
+
+/// What is remembered of a stream between two calls.
+#[derive(Clone, Debug)]
+pub struct Framing {
+    deframer: Deframer,
+    piece: [u8; MAX_WIRE],
+    /// The part of `piece` that was not read yet.
+    rest: std::ops::Range<usize>,
+}
+
+impl Default for Framing {
+    fn default() -> Self {
+        Self { deframer: Deframer::default(), piece: [0; MAX_WIRE], rest: 0..0 }
+    }
+}
+
+impl Framing {
+    /// Forgets what came of a frame that is not whole, as after a stream was opened anew.
+    pub fn forget(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Puts `bytes`, which carries any pieces of a stream, between a caller and frames.
+    pub const fn around<L: Link>(&mut self, bytes: L) -> Framed<'_, L> {
+        Framed { framing: self, bytes }
+    }
+
+    /// Reads on in the piece; returns the outcome of the frame that it ends, if it does.
+    fn read(&mut self, buffer: &mut [u8]) -> Option<Result<usize, RecvError>> {
+        for place in self.rest.by_ref() {
+            if let Some(outcome) = self.deframer.push(self.piece[place]) {
+                return Some(
+                    outcome
+                        .map_err(|_framing| RecvError::Corrupt)
+                        .and_then(|frame| copy(frame, buffer)),
+                );
+            }
+        }
+        None
+    }
+}
+
+/// Copies a frame into `buffer`, if there is room for it.
+fn copy(frame: &[u8], buffer: &mut [u8]) -> Result<usize, RecvError> {
+    let len = frame.len();
+    let room = buffer.get_mut(..len).ok_or(RecvError::BufferTooShort { len })?;
+    room.copy_from_slice(frame);
+    Ok(len)
+}
+
+/// A link over something that carries bytes.
+#[derive(Debug)]
+pub struct Framed<'a, L> {
+    framing: &'a mut Framing,
+    bytes: L,
+}
+
+impl<L: Link> Link for Framed<'_, L> {
+    fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        let mut wire = [0; MAX_WIRE];
+        let len = serial::encode(frame, &mut wire)
+            .map_err(|serial::TooLong { len }| SendError::TooLong { len })?;
+        self.bytes.try_send(&wire[..len])
+    }
+
+    fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
+        for _ in 0..MAX_PIECES {
+            if let Some(outcome) = self.framing.read(buffer) {
+                return outcome.map(Some);
+            }
+            let Some(len) = self.bytes.try_recv(&mut self.framing.piece)? else {
+                return Ok(None);
+            };
+            self.framing.rest = 0..len.min(MAX_WIRE);
+        }
+        Ok(None)
+    }
+
+    fn health(&self) -> Health {
+        self.bytes.health()
+    }
+}

@@ -1,0 +1,130 @@
+//! Serial ports: USB, UART and pseudo-terminals, with frames on their bytes.
+//!
+//! The `serialport` crate sets a port up and keeps other programs out. Its own reads and
+//! writes wait, so a second descriptor of the same port, which does not, carries the bytes.
+
+mod carrier;
+mod pty;
+mod stream;
+
+use std::path::Path;
+use std::time::Duration;
+
+use rustix::fd::OwnedFd;
+use rustix::fs::{Mode, OFlags};
+use serialport::{ClearBuffer, ErrorKind, SerialPort as _, TTYPort};
+
+use self::carrier::Carrier;
+use super::framed::Framing;
+use super::trouble::PortTrouble;
+use super::{Link, RecvError, SendError};
+use crate::Error;
+
+pub(super) use pty::Ends;
+pub use pty::Pty;
+pub(super) use stream::{Gone, Stream};
+
+/// A serial port that was opened, and never waits.
+///
+/// When it says that the other end is down, it stays down: whoever owns it opens it anew.
+#[derive(Debug)]
+pub struct Serial {
+    framing: Framing,
+    carrier: Carrier,
+    _keeper: Keeper,
+}
+
+/// What must stay open beside the descriptor that carries the bytes.
+#[derive(Debug)]
+#[expect(dead_code, reason = "held, never read")]
+enum Keeper {
+    /// The port with its lock.
+    Port(TTYPort),
+    /// The other end of a pseudo-terminal, so that it stays between two clients.
+    OtherEnd(OwnedFd),
+}
+
+impl Serial {
+    /// Opens the port at `path` with `baud` bits per second, for this program alone.
+    ///
+    /// What had come before is thrown away. A pseudo-terminal takes any `baud` and keeps none.
+    ///
+    /// # Errors
+    /// Says what is wrong with the port, and what to do.
+    pub fn open(path: &Path, baud: u32) -> Result<Self, Error> {
+        let refused = |why| Error::Port { path: path.to_owned(), why };
+        let (port, stream) = open(path, baud).map_err(|error| refused(trouble(path, error)))?;
+        ask_for_low_latency(path);
+        Ok(Self::new(stream, Keeper::Port(port)))
+    }
+
+    fn new(stream: Stream, keeper: Keeper) -> Self {
+        let (framing, carrier) = (Framing::default(), Carrier::new(stream));
+        Self { framing, carrier, _keeper: keeper }
+    }
+
+    /// Frames that were dropped because those before were still on their way.
+    pub const fn dropped(&self) -> u64 {
+        self.carrier.dropped()
+    }
+}
+
+/// # Real-time
+/// A frame sent costs at most two system calls, none of which waits; a reception at most two
+/// for each piece of 68 bytes. No heap.
+impl Link for Serial {
+    fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        self.framing.around(&mut self.carrier).try_send(frame)
+    }
+
+    fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
+        self.framing.around(&mut self.carrier).try_recv(buffer)
+    }
+}
+
+/// Opens a port twice: to set it up, and for the bytes.
+///
+/// A port that is locked opens no second time, so the lock comes last; until then a shared
+/// one keeps out who asks for a lock.
+fn open(path: &Path, baud: u32) -> serialport::Result<(TTYPort, Stream)> {
+    let settings =
+        serialport::new(path.to_string_lossy(), baud).exclusive(false).timeout(Duration::ZERO);
+    let mut port = TTYPort::open(&settings)?;
+    let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::NONBLOCK | OFlags::CLOEXEC;
+    let bytes = rustix::fs::open(path, flags, Mode::empty()).map_err(std::io::Error::from)?;
+    port.set_exclusive(true)?;
+    port.clear(ClearBuffer::All)?;
+    Ok((port, Stream::new(bytes)))
+}
+
+/// What a refusal of the system means for whoever wants to use the port.
+fn trouble(path: &Path, error: serialport::Error) -> PortTrouble {
+    use std::io::ErrorKind as Io;
+
+    match error.kind() {
+        ErrorKind::NoDevice | ErrorKind::Io(Io::ResourceBusy) => {
+            PortTrouble::Busy { path: path.to_owned() }
+        }
+        ErrorKind::Io(Io::NotFound) => PortTrouble::Missing,
+        ErrorKind::Io(Io::PermissionDenied) => crate::discovery::obstacle(path)
+            .map_or_else(|| PortTrouble::Refused { path: path.to_owned() }, PortTrouble::Forbidden),
+        ErrorKind::Io(_) | ErrorKind::InvalidInput | ErrorKind::Unknown => {
+            PortTrouble::Unfit(error.into())
+        }
+    }
+}
+
+/// Asks an FTDI adapter, which holds bytes back for 16 ms, to hold them for 1 ms.
+///
+/// Where there is no such adapter or no right to ask, nothing happens.
+fn ask_for_low_latency(path: &Path) {
+    let device = std::fs::canonicalize(path).unwrap_or_else(|_unresolved| path.to_owned());
+    let Some(name) = device.file_name() else { return };
+    let timer = Path::new("/sys/class/tty").join(name).join("device/latency_timer");
+    if timer.exists() {
+        let _not_allowed = std::fs::write(timer, "1");
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,62 @@
+//! Pseudo-terminals: a board in this process behind a port that any program can open.
+
+use std::ffi::OsString;
+use std::io;
+use std::os::unix::ffi::OsStringExt as _;
+use std::path::PathBuf;
+
+use rustix::fd::OwnedFd;
+use rustix::fs::{Mode, OFlags, fcntl_getfl, fcntl_setfl};
+use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+use rustix::termios::{OptionalActions, tcgetattr, tcsetattr};
+
+use super::{Keeper, Serial, Stream};
+use crate::Error;
+
+/// A pseudo-terminal: a link for the board that this process plays, and the port to reach it.
+#[derive(Debug)]
+pub struct Pty {
+    /// The board's side.
+    pub board: Serial,
+    /// The host's side, to be opened by its path again and again.
+    pub path: PathBuf,
+}
+
+impl Pty {
+    /// Makes a pseudo-terminal.
+    ///
+    /// # Errors
+    /// The system has none left.
+    pub fn open() -> Result<Self, Error> {
+        let Ends { stream, other, path } = Ends::open().map_err(Error::Pty)?;
+        Ok(Self { board: Serial::new(stream, Keeper::OtherEnd(other)), path })
+    }
+}
+
+/// Both ends of a pseudo-terminal as descriptors.
+#[derive(Debug)]
+pub(in crate::link) struct Ends {
+    /// This side, which does not wait.
+    pub(in crate::link) stream: Stream,
+    /// The other side; while it is held, this side lives on when a client leaves.
+    pub(in crate::link) other: OwnedFd,
+    /// The path of the other side.
+    pub(in crate::link) path: PathBuf,
+}
+
+impl Ends {
+    /// Makes a pseudo-terminal that hands bytes on as they are.
+    pub(in crate::link) fn open() -> io::Result<Self> {
+        let this = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC)?;
+        grantpt(&this)?;
+        unlockpt(&this)?;
+        fcntl_setfl(&this, fcntl_getfl(&this)? | OFlags::NONBLOCK)?;
+        let path = PathBuf::from(OsString::from_vec(ptsname(&this, Vec::new())?.into_bytes()));
+        let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::CLOEXEC;
+        let other = rustix::fs::open(&path, flags, Mode::empty())?;
+        let mut settings = tcgetattr(&other)?;
+        settings.make_raw();
+        tcsetattr(&other, OptionalActions::Now, &settings)?;
+        Ok(Self { stream: Stream::new(this), other, path })
+    }
+}

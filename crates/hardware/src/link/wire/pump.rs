@@ -1,0 +1,95 @@
+//! The thread that hands bytes on.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+
+use super::lane::Lane;
+use super::{Shared, WirePlan};
+use crate::link::serial::{Ends, Gone, Stream};
+
+/// Bytes that are moved at once.
+const CHUNK: usize = 1_024;
+/// The pump looks again after this time at the latest, to see whether it shall stop [ns].
+const PATIENCE: u64 = 5_000_000;
+/// It sleeps no shorter than this [ns].
+const NAP: u64 = 20_000;
+
+/// Hands bytes on between two ports until it is told to stop.
+pub(super) fn run(host: &Ends, board: &Ends, plan: WirePlan, shared: &Shared) {
+    let (mut down, mut up) = (Lane::new(plan, 0), Lane::new(plan, 1));
+    let clock = Clock::start();
+    while !shared.stop.load(Ordering::Relaxed) {
+        let (host, board) = (&host.stream, &board.stream);
+        let moved = carry(&mut down, host, board, clock.now(), shared)
+            .and_then(|()| carry(&mut up, board, host, clock.now(), shared));
+        if moved.is_err() {
+            return;
+        }
+        shared.tell(&down, &up);
+        let now = clock.now();
+        let next = [down.next(), up.next()].into_iter().flatten().min();
+        let sleep = next.map_or(PATIENCE, |next| next.saturating_sub(now)).clamp(NAP, PATIENCE);
+        wait(&[(host, down.room()), (board, up.room())], sleep);
+    }
+}
+
+/// Takes what was sent at one end, and hands on what has arrived at the other.
+fn carry(
+    lane: &mut Lane,
+    from: &Stream,
+    to: &Stream,
+    now: u64,
+    shared: &Shared,
+) -> Result<(), Gone> {
+    let mut bytes = [0; CHUNK];
+    let room = lane.room().min(CHUNK);
+    if 0 < room {
+        let n = from.read(&mut bytes[..room])?;
+        let cut = shared.cut.load(Ordering::Relaxed);
+        if cut { lane.lose(n) } else { lane.take(now, &bytes[..n]) }
+    }
+    let arrived = lane.arrived(now, &mut bytes);
+    let handed = if arrived == 0 { 0 } else { to.write(&bytes[..arrived])? };
+    lane.hand_on(handed);
+    Ok(())
+}
+
+/// Sleeps until one of the streams that have room has something, or for `nanos`.
+fn wait(streams: &[(&Stream, usize); 2], nanos: u64) {
+    let interest = |room| if 0 < room { PollFlags::IN } else { PollFlags::empty() };
+    let mut streams = streams.map(|(stream, room)| PollFd::new(stream, interest(room)));
+    let timeout = Timespec { tv_sec: 0, tv_nsec: nanos.cast_signed() };
+    // Whatever ended the sleep, the next turn sees it.
+    let _why = poll(&mut streams, Some(&timeout));
+}
+
+impl Shared {
+    fn tell(&self, down: &Lane, up: &Lane) {
+        let (down, up) = (down.counts(), up.counts());
+        let set = |count: &AtomicU64, value| count.store(value, Ordering::Relaxed);
+        set(&self.passed, down.passed + up.passed);
+        set(&self.lost, down.lost + up.lost);
+        set(&self.flipped, down.flipped + up.flipped);
+        set(&self.stalls, down.stalls + up.stalls);
+    }
+}
+
+/// The wire's own time.
+struct Clock(Instant);
+
+#[expect(
+    clippy::disallowed_methods,
+    reason = "the wire is no part of the tick: it is what takes time"
+)]
+impl Clock {
+    fn start() -> Self {
+        Self(Instant::now())
+    }
+
+    /// Time since the start [ns].
+    fn now(&self) -> u64 {
+        u64::try_from(self.0.elapsed().as_nanos()).unwrap_or(u64::MAX)
+    }
+}

@@ -1,0 +1,136 @@
+//! Lengths of CAN frames in bits, from start of frame to the end of the pause after it.
+//!
+//! After five equal bits the sender inserts their inverse, so the length depends on the
+//! payload; fewest and most are given, and every frame lies between. A CAN FD frame's head
+//! and tail are sent at the nominal rate, what is between at the data rate.
+
+/// Most payload of a classic frame [bytes].
+pub const CLASSIC_MOST: usize = 8;
+/// Most payload of a CAN FD frame [bytes].
+pub const FD_MOST: usize = 64;
+
+/// Payloads that a CAN FD frame can have [bytes].
+const FD_SIZES: [usize; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 20, 24, 32, 48, FD_MOST];
+
+/// Of a classic frame, what is never stuffed: CRC delimiter, ACK, ACK delimiter, 7 of the
+/// end, 3 of the pause [bits].
+const CLASSIC_TAIL: usize = 13;
+/// Of a CAN FD frame, what follows at the nominal rate: ACK, ACK delimiter, 7, 3 [bits].
+const FD_TAIL: usize = 12;
+/// After the rate switch and before the payload: ESI, 4 of the length [bits].
+const FD_HEAD: usize = 5;
+/// The stuff bits' count, 3 and parity [bits].
+const STUFF_COUNT: usize = 4;
+
+/// How long identifiers are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Id {
+    /// 11 bits.
+    #[default]
+    Standard,
+    /// 29 bits.
+    Extended,
+}
+
+/// Which of the payloads of one length is charged.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Stuffing {
+    /// The one that needs no stuff bit.
+    Fewest,
+    /// The one that needs most of them.
+    Most,
+}
+
+impl Stuffing {
+    /// Stuff bits among `bits`: the first comes after five, each further one after four.
+    const fn among(self, bits: usize) -> usize {
+        match self {
+            Self::Fewest => 0,
+            Self::Most => (bits - 1) / 4,
+        }
+    }
+}
+
+/// Length of a classic frame with a payload of `bytes`, at most 8 [bits].
+pub const fn classic_bits(id: Id, bytes: usize, stuffing: Stuffing) -> usize {
+    // Start, identifier, flags, length, and the CRC behind the payload.
+    let fixed = match id {
+        Id::Standard => 34,
+        Id::Extended => 54,
+    };
+    let stuffed = fixed + 8 * bytes;
+    stuffed + stuffing.among(stuffed) + CLASSIC_TAIL
+}
+
+/// Time of a classic frame at `bitrate` [bit/s] on the bus [us].
+pub fn classic_time(id: Id, bytes: usize, stuffing: Stuffing, bitrate: u32) -> f64 {
+    micros(classic_bits(id, bytes, stuffing), bitrate)
+}
+
+/// The payload that a CAN FD frame of `bytes` is filled up to; none above 64 [bytes].
+pub fn fd_size(bytes: usize) -> Option<usize> {
+    FD_SIZES.into_iter().find(|size| bytes <= *size)
+}
+
+/// Length of a CAN FD frame, by the rate at which its bits are sent.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct FdBits {
+    /// At the nominal rate [bits].
+    pub nominal: usize,
+    /// At the data rate [bits].
+    pub data: usize,
+}
+
+impl FdBits {
+    /// Length of a frame that switches rates, with a payload of `bytes`, one of the sizes
+    /// that [`fd_size`] gives.
+    ///
+    /// The bits in which the rate switches belong half to each rate; the first is counted
+    /// as nominal, the last as data, which is exact if both rates sample at the same point.
+    /// [`Stuffing::Most`] puts as many stuff bits as can be into the slower part.
+    pub const fn of(id: Id, bytes: usize, stuffing: Stuffing) -> Self {
+        let head = match id {
+            Id::Standard => 17,
+            Id::Extended => 36,
+        };
+        let crc = if bytes <= 16 { 17 } else { 21 };
+        let fixed_stuff = 1 + (STUFF_COUNT + crc) / 4;
+        let stuff_nominal = stuffing.among(head);
+        let stuff_data = stuffing.among(head + FD_HEAD + 8 * bytes) - stuff_nominal;
+        let delimiter = 1;
+        Self {
+            nominal: head + FD_TAIL + stuff_nominal,
+            data: FD_HEAD + 8 * bytes + STUFF_COUNT + crc + fixed_stuff + delimiter + stuff_data,
+        }
+    }
+
+    /// Its time on a bus of these rates [bit/s] [us].
+    pub fn time(self, nominal: u32, data: u32) -> f64 {
+        micros(self.nominal, nominal) + micros(self.data, data)
+    }
+}
+
+/// Time of so many bits at a rate [bit/s] [us].
+fn micros(bits: usize, rate: u32) -> f64 {
+    bits as f64 * 1e6 / f64::from(rate)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_frame_is_filled_up_to_the_next_size_there_is() {
+        for (bytes, size) in [(0, 0), (7, 7), (8, 8), (9, 12), (26, 32), (48, 48), (49, 64)] {
+            assert_eq!(fd_size(bytes), Some(size));
+        }
+        assert_eq!(fd_size(65), None);
+    }
+
+    #[test]
+    fn a_frame_without_a_rate_switch_lasts_as_long_as_all_its_bits() {
+        let bits = FdBits::of(Id::Standard, 8, Stuffing::Fewest);
+        assert_eq!(bits, FdBits { nominal: 29, data: 97 });
+        assert!((bits.time(1_000_000, 1_000_000) - 126.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,170 @@
+//! How long a frame of the protocol takes on any kind of wire.
+
+use std::fmt;
+
+use super::can::{self, FD_MOST, FdBits, Id, Stuffing};
+use super::uart::{self, Wiring};
+use super::usb::Speed;
+
+/// Of a frame, what one classic CAN frame carries; its first byte says which piece it is.
+const PIECE: usize = can::CLASSIC_MOST - 1;
+
+/// What carries frames between the host and its boards.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Medium {
+    /// Classic CAN; a frame goes in pieces of 7 bytes.
+    ClassicCan {
+        /// Rate [bit/s].
+        bitrate: u32,
+    },
+    /// CAN FD with rate switch; a frame above 64 bytes goes as several.
+    CanFd {
+        /// Rate of head and tail [bit/s].
+        nominal: u32,
+        /// Rate of the rest [bit/s].
+        data: u32,
+    },
+    /// An asynchronous serial line.
+    Uart {
+        /// Rate [bit/s].
+        baud: u32,
+        /// Who may speak at a time.
+        wiring: Wiring,
+    },
+    /// Bulk transfers of full-speed devices behind one transaction translator, framed as on
+    /// a serial line.
+    UsbFullSpeed,
+    /// The same of high-speed devices.
+    UsbHighSpeed,
+}
+
+impl Medium {
+    /// How long a frame of `bytes` has the medium for itself [us].
+    ///
+    /// # Real-time
+    /// A few dozen operations, whatever the length.
+    pub fn time(self, bytes: usize, stuffing: Stuffing) -> f64 {
+        let piece = self.piece(bytes);
+        if piece == 0 {
+            return self.piece_time(0, stuffing);
+        }
+        // Full pieces, and a shorter one behind them.
+        let (full, rest) = (bytes / piece, bytes % piece);
+        let last = if rest == 0 { 0.0 } else { self.piece_time(rest, stuffing) };
+        full as f64 * self.piece_time(piece, stuffing) + last
+    }
+
+    /// How long a frame of `bytes` keeps the most urgent other one waiting, at worst [us].
+    pub fn blocking(self, bytes: usize) -> f64 {
+        match self {
+            Self::UsbFullSpeed => Speed::Full.frame_time(),
+            Self::UsbHighSpeed => Speed::High.frame_time(),
+            Self::ClassicCan { .. } | Self::CanFd { .. } | Self::Uart { .. } => {
+                self.piece_time(self.piece(bytes), Stuffing::Most)
+            }
+        }
+    }
+
+    /// Of a frame, what goes at once [bytes].
+    fn piece(self, bytes: usize) -> usize {
+        match self {
+            Self::ClassicCan { .. } => bytes.min(PIECE),
+            Self::CanFd { .. } => bytes.min(FD_MOST),
+            Self::Uart { .. } | Self::UsbFullSpeed | Self::UsbHighSpeed => bytes,
+        }
+    }
+
+    /// How long a piece takes that goes at once [us].
+    fn piece_time(self, bytes: usize, stuffing: Stuffing) -> f64 {
+        match self {
+            Self::ClassicCan { bitrate } => {
+                can::classic_time(Id::Standard, bytes + 1, stuffing, bitrate)
+            }
+            Self::CanFd { nominal, data } => {
+                let filled = can::fd_size(bytes).unwrap_or(FD_MOST);
+                FdBits::of(Id::Standard, filled, stuffing).time(nominal, data)
+            }
+            Self::Uart { baud, wiring: Wiring::FullDuplex } => uart::time(bytes, baud),
+            Self::Uart { baud, wiring: Wiring::HalfDuplex { turnaround } } => {
+                uart::time(bytes, baud) + f64::from(turnaround)
+            }
+            Self::UsbFullSpeed => Speed::Full.time(uart::wire_bytes(bytes)),
+            Self::UsbHighSpeed => Speed::High.time(uart::wire_bytes(bytes)),
+        }
+    }
+
+    /// Whether what comes up and what goes down take turns.
+    pub const fn is_shared(self) -> bool {
+        !matches!(self, Self::Uart { wiring: Wiring::FullDuplex, .. })
+    }
+
+    /// Whether one frame reaches every board.
+    pub const fn reaches_all(self) -> bool {
+        match self {
+            Self::ClassicCan { .. } | Self::CanFd { .. } => true,
+            Self::Uart { wiring, .. } => matches!(wiring, Wiring::HalfDuplex { .. }),
+            Self::UsbFullSpeed | Self::UsbHighSpeed => false,
+        }
+    }
+}
+
+impl fmt::Display for Medium {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mega = |rate: u32| f64::from(rate) / 1e6;
+        match *self {
+            Self::ClassicCan { bitrate } => write!(f, "classic CAN at {} Mbit/s", mega(bitrate)),
+            Self::CanFd { nominal, data } => {
+                write!(f, "CAN FD at {}/{} Mbit/s", mega(nominal), mega(data))
+            }
+            Self::Uart { baud, wiring: Wiring::FullDuplex } => {
+                write!(f, "serial line at {} Mbaud", mega(baud))
+            }
+            Self::Uart { baud, wiring: Wiring::HalfDuplex { .. } } => {
+                write!(f, "RS-485 at {} Mbaud", mega(baud))
+            }
+            Self::UsbFullSpeed => f.write_str("full-speed USB"),
+            Self::UsbHighSpeed => f.write_str("high-speed USB"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CLASSIC: Medium = Medium::ClassicCan { bitrate: 1_000_000 };
+    const FD: Medium = Medium::CanFd { nominal: 1_000_000, data: 5_000_000 };
+
+    #[track_caller]
+    fn check(medium: Medium, bytes: usize, time: f64) {
+        let got = medium.time(bytes, Stuffing::Most);
+        assert!((got - time).abs() < 1e-9, "{bytes} bytes on {medium}: {got} us");
+    }
+
+    #[test]
+    fn classic_can_carries_seven_bytes_in_each_frame() {
+        check(CLASSIC, 0, 65.0);
+        check(CLASSIC, 7, 135.0);
+        check(CLASSIC, 8, 135.0 + 75.0);
+        check(CLASSIC, 26, 3.0 * 135.0 + 115.0);
+    }
+
+    #[test]
+    fn what_is_too_long_for_a_can_fd_frame_goes_as_several() {
+        check(FD, 26, 104.8);
+        check(FD, 64, 168.8);
+        check(FD, 64 + 8, 168.8 + 55.8);
+    }
+
+    #[test]
+    fn a_long_frame_blocks_for_one_piece_only() {
+        assert!((CLASSIC.blocking(48) - 135.0).abs() < 1e-9);
+        assert!((FD.blocking(180) - 168.8).abs() < 1e-9);
+        assert!((Medium::UsbFullSpeed.blocking(48) - 1_000.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_medium_names_its_rates() {
+        assert_eq!(FD.to_string(), "CAN FD at 1/5 Mbit/s");
+    }
+}

@@ -1,0 +1,162 @@
+//! How full a bus is by the frames that were seen on it.
+
+use super::Medium;
+use super::can::Stuffing;
+
+/// Counts the frames on one medium; on a link with a pair of wires each way, in one direction.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Meter {
+    medium: Medium,
+    frames: u64,
+    least: f64,
+    most: f64,
+}
+
+/// What was seen in a window of time.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Seen {
+    /// Frames.
+    pub frames: u64,
+    /// How often a frame came [Hz].
+    pub rate: f64,
+    /// Share of the medium's time, if no payload needed a stuff bit.
+    pub least: f64,
+    /// Share of the medium's time, if every payload was the worst, as planned.
+    pub most: f64,
+}
+
+impl Meter {
+    /// A meter that has seen nothing.
+    pub const fn new(medium: Medium) -> Self {
+        Self { medium, frames: 0, least: 0.0, most: 0.0 }
+    }
+
+    /// Counts a frame of `len` bytes, either way.
+    ///
+    /// # Real-time
+    /// Some dozens of operations, whatever the length; no heap.
+    pub fn saw(&mut self, len: usize) {
+        self.frames += 1;
+        self.least += self.medium.time(len, Stuffing::Fewest);
+        self.most += self.medium.time(len, Stuffing::Most);
+    }
+
+    /// What was seen in the window that ends now, `seconds` after it began; begins the next.
+    pub fn load(&mut self, seconds: f64) -> Seen {
+        let seen = self.seen(seconds);
+        *self = Self::new(self.medium);
+        seen
+    }
+
+    /// What was seen so far, `seconds` after the window began; it goes on.
+    pub fn seen(&self, seconds: f64) -> Seen {
+        let share = |micros: f64| micros * 1e-6 / seconds;
+        Seen {
+            frames: self.frames,
+            rate: self.frames as f64 / seconds,
+            least: share(self.least),
+            most: share(self.most),
+        }
+    }
+}
+
+/// Counts the frames of both directions of a link.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct LinkMeter {
+    down: Meter,
+    up: Meter,
+}
+
+impl LinkMeter {
+    /// A meter that has seen nothing.
+    pub const fn new(medium: Medium) -> Self {
+        Self { down: Meter::new(medium), up: Meter::new(medium) }
+    }
+
+    /// Counts a frame of `len` bytes from the host.
+    ///
+    /// # Real-time
+    /// As [`Meter::saw`].
+    pub fn saw_down(&mut self, len: usize) {
+        self.down.saw(len);
+    }
+
+    /// Counts a frame of `len` bytes to the host.
+    ///
+    /// # Real-time
+    /// As [`Meter::saw`].
+    pub fn saw_up(&mut self, len: usize) {
+        self.up.saw(len);
+    }
+
+    /// What was seen in `seconds`: of both directions together where they take turns, else of
+    /// the busier one, as [`super::BusPlan::load`] has it.
+    pub fn seen(&self, seconds: f64) -> Seen {
+        let (down, up) = (self.down.seen(seconds), self.up.seen(seconds));
+        if self.up.medium.is_shared() {
+            return Seen {
+                frames: down.frames + up.frames,
+                rate: down.rate + up.rate,
+                least: down.least + up.least,
+                most: down.most + up.most,
+            };
+        }
+        if down.most < up.most { up } else { down }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::uart::Wiring;
+    use crate::plan::{BusPlan, Extras, ForcePacking, SamplePacking};
+
+    const FD: Medium = Medium::CanFd { nominal: 1_000_000, data: 5_000_000 };
+
+    #[test]
+    fn frames_as_planned_are_seen_as_planned() {
+        let plan = BusPlan {
+            name: "can0".to_owned(),
+            medium: FD,
+            boards: vec![11; 8],
+            samples: SamplePacking::Position16Velocity,
+            forces: ForcePacking::Force16,
+            sample_rate: 500.0,
+            force_rate: 250.0,
+            extras: Extras::NONE,
+        };
+        let mut meter = Meter::new(FD);
+        for frame in 0..8 * 500 {
+            meter.saw(plan.samples.frame_len(11));
+            if frame % 2 == 0 {
+                meter.saw(plan.forces.frame_len(11));
+            }
+        }
+        let seen = meter.load(1.0);
+        assert_eq!((seen.frames, seen.rate.round()), (6_000, 6_000.0));
+        assert!((seen.most - plan.load()).abs() < 1e-9, "{seen:?}");
+        assert!(seen.least < seen.most && 0.8 * seen.most < seen.least, "{seen:?}");
+    }
+
+    #[test]
+    fn directions_that_take_turns_add_up_and_others_do_not() {
+        let both = |medium| {
+            let mut meter = LinkMeter::new(medium);
+            meter.saw_down(26);
+            (0..2).for_each(|_| meter.saw_up(26));
+            meter.seen(1e-3).most
+        };
+        let line = |wiring| Medium::Uart { baud: 1_000_000, wiring };
+        assert!((both(FD) - 3.0 * 0.1048).abs() < 1e-9);
+        assert!((both(line(Wiring::FullDuplex)) - 2.0 * 0.3).abs() < 1e-9);
+        assert!((both(line(Wiring::HalfDuplex { turnaround: 0 })) - 3.0 * 0.3).abs() < 1e-9);
+    }
+
+    #[test]
+    fn each_window_begins_empty() {
+        let mut meter = Meter::new(FD);
+        meter.saw(8);
+        assert!(0.0 < meter.load(0.1).most);
+        assert_eq!(meter.load(0.1), Seen { frames: 0, rate: 0.0, least: 0.0, most: 0.0 });
+    }
+}

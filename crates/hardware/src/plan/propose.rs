@@ -1,0 +1,153 @@
+//! The richest packing that a bus can carry at the wanted rates, or what it can carry.
+
+use super::verdict::WARN;
+use super::{BusPlan, ForcePacking, SamplePacking, Verdict};
+
+/// All packings, by what they tell of each key; of two that tell as much, first the one
+/// whose force depends on the key's own position, then the one with a frame for each board.
+const RICHEST_FIRST: [(SamplePacking, ForcePacking); 12] = [
+    (SamplePacking::Position24Velocity, ForcePacking::Force16Slope),
+    (SamplePacking::Position16Velocity, ForcePacking::Force16Slope),
+    (SamplePacking::Position24, ForcePacking::Force16Slope),
+    (SamplePacking::Position24Velocity, ForcePacking::Force16),
+    (SamplePacking::Position24Velocity, ForcePacking::Multicast16),
+    (SamplePacking::Position16, ForcePacking::Force16Slope),
+    (SamplePacking::Position16Velocity, ForcePacking::Force16),
+    (SamplePacking::Position16Velocity, ForcePacking::Multicast16),
+    (SamplePacking::Position24, ForcePacking::Force16),
+    (SamplePacking::Position24, ForcePacking::Multicast16),
+    (SamplePacking::Position16, ForcePacking::Force16),
+    (SamplePacking::Position16, ForcePacking::Multicast16),
+];
+
+/// What a bus can carry.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Proposal {
+    /// The wanted rates, with the richest packing for them.
+    AsWanted(BusPlan),
+    /// The leanest packing, at the highest rates for it.
+    Slower {
+        /// What this bus can carry.
+        plan: BusPlan,
+        /// Buses like this one among which the boards would have to be divided for the
+        /// wanted rates; none if one board is too much for one bus.
+        buses: Option<usize>,
+    },
+}
+
+impl BusPlan {
+    /// What this bus can carry of what is wanted of it, whatever the packing in the plan.
+    ///
+    /// The richest packing with room to spare, else the leanest if it is only tight, else
+    /// the leanest at lower rates, in the wanted proportion.
+    pub fn propose(&self) -> Proposal {
+        let roomy = self.candidates().find(|it| it.verdict() == Verdict::Fits);
+        roomy.map_or_else(|| self.leanest(), Proposal::AsWanted)
+    }
+
+    /// The packing with the smallest load, slower if it must be.
+    fn leanest(&self) -> Proposal {
+        let by_load = |one: &Self, other: &Self| one.load().total_cmp(&other.load());
+        let plan = self.candidates().min_by(by_load).unwrap_or_else(|| self.clone());
+        if plan.verdict() == Verdict::Refused {
+            let buses = plan.buses_needed();
+            Proposal::Slower { plan: plan.slowed(), buses }
+        } else {
+            Proposal::AsWanted(plan)
+        }
+    }
+
+    /// The same, at the highest whole rates with room to spare; below 1 Hz, not whole.
+    fn slowed(self) -> Self {
+        let factor = self.stretch(WARN);
+        let slowed = |rate: f64| {
+            let rate = rate * factor;
+            if rate < 1.0 { rate } else { rate.floor() }
+        };
+        Self { sample_rate: slowed(self.sample_rate), force_rate: slowed(self.force_rate), ..self }
+    }
+
+    /// This plan with every packing, richest first.
+    fn candidates(&self) -> impl Iterator<Item = Self> {
+        let all = self.medium.reaches_all();
+        RICHEST_FIRST
+            .into_iter()
+            .filter(move |(_, forces)| all || *forces != ForcePacking::Multicast16)
+            .map(|(samples, forces)| Self { samples, forces, ..self.clone() })
+    }
+
+    /// The fewest buses like this one on which the boards fit with room to spare; none if
+    /// one board is too much for one bus.
+    pub fn buses_needed(&self) -> Option<usize> {
+        (1..=self.boards.len()).find(|buses| {
+            let most = self.boards.len().div_ceil(*buses);
+            self.boards.chunks(most).all(|boards| {
+                let part = Self { boards: boards.to_vec(), ..self.clone() };
+                part.verdict() == Verdict::Fits
+            })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::{Extras, Medium};
+
+    fn wanted(rate: f64) -> BusPlan {
+        BusPlan {
+            name: "can0".to_owned(),
+            medium: Medium::CanFd { nominal: 1_000_000, data: 5_000_000 },
+            boards: vec![11; 8],
+            samples: SamplePacking::Position16,
+            forces: ForcePacking::Force16,
+            sample_rate: rate,
+            force_rate: rate,
+            extras: Extras::default(),
+        }
+    }
+
+    #[track_caller]
+    fn check(rate: f64, samples: SamplePacking, forces: ForcePacking) {
+        let Proposal::AsWanted(plan) = wanted(rate).propose() else {
+            panic!("{rate} Hz is too much");
+        };
+        assert_eq!((plan.samples, plan.forces), (samples, forces), "{rate} Hz");
+    }
+
+    #[test]
+    fn the_higher_the_rate_the_leaner_the_packing() {
+        check(250.0, SamplePacking::Position24Velocity, ForcePacking::Force16Slope);
+        check(310.0, SamplePacking::Position16Velocity, ForcePacking::Force16Slope);
+        check(370.0, SamplePacking::Position24Velocity, ForcePacking::Multicast16);
+        check(500.0, SamplePacking::Position16, ForcePacking::Multicast16);
+    }
+
+    #[test]
+    fn too_much_becomes_slower_and_says_how_many_buses_it_takes() {
+        let Proposal::Slower { plan, buses } = wanted(1_000.0).propose() else {
+            panic!("1000 Hz fit");
+        };
+        assert_eq!(
+            (plan.samples, plan.forces),
+            (SamplePacking::Position16, ForcePacking::Multicast16)
+        );
+        assert_eq!((plan.verdict(), buses), (Verdict::Fits, Some(2)));
+        let faster = BusPlan { sample_rate: plan.sample_rate + 5.0, ..plan };
+        assert_eq!(faster.verdict(), Verdict::Tight);
+    }
+
+    #[test]
+    fn what_one_board_is_too_much_for_no_number_of_buses_carries() {
+        let Proposal::Slower { buses, .. } = wanted(10_000.0).propose() else {
+            panic!("10 kHz fit");
+        };
+        assert_eq!(buses, None);
+    }
+
+    #[test]
+    fn a_link_to_one_board_is_not_offered_frames_for_all() {
+        let usb = BusPlan { medium: Medium::UsbFullSpeed, ..wanted(1_000.0) };
+        assert!(usb.candidates().all(|it| it.forces != ForcePacking::Multicast16));
+    }
+}

@@ -1,0 +1,64 @@
+//! How long a frame waits on a bus where the most urgent goes first and none is interrupted.
+
+/// A frame that comes again and again.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Periodic {
+    /// From one to the next at least [us].
+    pub period: f64,
+    /// On the bus [us].
+    pub time: f64,
+}
+
+/// Longer than any that converges in use; each step lasts for a frame at least.
+const MAX_STEPS: u32 = 100_000;
+
+/// From wanting to send a frame until it has arrived, at worst [us].
+///
+/// The frame that is on the bus already ends first (`blocking`, the longest there is [us]);
+/// then go all of `higher`, as often as they come meanwhile; then the frame itself, for
+/// `own` [us]. `R = B + sum(ceil(R / P) T) + own`, from below until it stays.
+///
+/// None if `higher` leave no room, or if a number is not one.
+pub fn worst_response(blocking: f64, higher: &[Periodic], own: f64) -> Option<f64> {
+    let share: f64 = higher.iter().map(|it| it.time / it.period).sum();
+    // Also false if a number is none.
+    let has_room = share < 1.0;
+    if !has_room {
+        return None;
+    }
+    let mut response = blocking + own;
+    for _ in 0..MAX_STEPS {
+        let ahead: f64 = higher.iter().map(|it| (response / it.period).ceil() * it.time).sum();
+        let next = blocking + ahead + own;
+        if next <= response {
+            return Some(response);
+        }
+        response = next;
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn alone_a_frame_waits_for_the_one_on_the_bus() {
+        assert_eq!(worst_response(168.8, &[], 104.8), Some(168.8 + 104.8));
+    }
+
+    #[test]
+    fn those_that_come_again_while_it_waits_go_first_again() {
+        // By hand: 20, then 20 + 10, 20 + 2 * 10, 20 + 2 * 10 stays.
+        let higher = [Periodic { period: 25.0, time: 10.0 }];
+        assert_eq!(worst_response(10.0, &higher, 10.0), Some(40.0));
+    }
+
+    #[test]
+    fn a_full_bus_never_answers() {
+        let higher =
+            [Periodic { period: 100.0, time: 60.0 }, Periodic { period: 50.0, time: 20.0 }];
+        assert_eq!(worst_response(1.0, &higher, 1.0), None);
+        assert_eq!(worst_response(1.0, &[Periodic { period: 1.0, time: f64::NAN }], 1.0), None);
+    }
+}

@@ -1,0 +1,78 @@
+//! Bulk transfers over USB (USB 2.0, 5.8): how many bytes of a frame's budget they take.
+//!
+//! These are ceilings of the wire; the host's scheduling adds up to a frame of delay.
+
+/// How fast a device signals.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Speed {
+    /// 12 Mbit/s, frames of 1 ms; all such devices behind one transaction translator share it.
+    Full,
+    /// 480 Mbit/s, frames of 125 us.
+    High,
+}
+
+impl Speed {
+    /// Most payload of one transaction [bytes].
+    pub const fn payload(self) -> usize {
+        match self {
+            Self::Full => 64,
+            Self::High => 512,
+        }
+    }
+
+    /// What a transaction takes besides its payload [bytes].
+    const fn overhead(self) -> usize {
+        match self {
+            Self::Full => 13,
+            Self::High => 55,
+        }
+    }
+
+    /// What one frame has room for [bytes].
+    const fn budget(self) -> usize {
+        match self {
+            Self::Full => 1_500,
+            Self::High => 7_500,
+        }
+    }
+
+    /// How long a frame is [us].
+    pub const fn frame_time(self) -> f64 {
+        match self {
+            Self::Full => 1_000.0,
+            Self::High => 125.0,
+        }
+    }
+
+    /// Transactions with a payload of `bytes` that fit into one frame.
+    pub const fn transactions_per_frame(self, bytes: usize) -> usize {
+        self.budget() / (self.overhead() + bytes)
+    }
+
+    /// What a transfer takes of a frame's budget [bytes].
+    ///
+    /// A transfer ends with a transaction that is not full; one that fills its last needs
+    /// an empty one behind it.
+    pub const fn cost(self, bytes: usize) -> usize {
+        let transactions = bytes / self.payload() + 1;
+        bytes + transactions * self.overhead()
+    }
+
+    /// Share of the wire's time, as time, that a transfer takes [us].
+    pub const fn time(self, bytes: usize) -> f64 {
+        self.cost(bytes) as f64 / self.budget() as f64 * self.frame_time()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_transfer_that_fills_its_last_transaction_costs_an_empty_one_more() {
+        assert_eq!(Speed::Full.cost(63), 63 + 13);
+        assert_eq!(Speed::Full.cost(64), 64 + 2 * 13);
+        assert_eq!(Speed::Full.cost(65), 65 + 2 * 13);
+        assert_eq!(Speed::High.cost(512), 512 + 2 * 55);
+    }
+}

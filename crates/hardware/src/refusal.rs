@@ -1,0 +1,209 @@
+//! Why a board is not used, as sentences that name link, board and key.
+
+use std::fmt;
+
+use firmware_protocol::acyclic::{Operation, Status};
+use firmware_protocol::frame::hello::safe_reason;
+use firmware_protocol::key::KeyIndex;
+use firmware_protocol::version::PROTOCOL_VERSION;
+
+use crate::calibrate::Fault;
+
+/// A board as it is called in sentences.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct BoardName {
+    /// The link it is on.
+    pub line: String,
+    /// Its number there.
+    pub number: u8,
+}
+
+impl fmt::Display for BoardName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "board {} on {}", self.number, self.line)
+    }
+}
+
+/// Who a board is, as twelve hexadecimal digits.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct Uid(pub [u8; 6]);
+
+impl fmt::Display for Uid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
+}
+
+/// A key as musicians call it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct KeyName(pub KeyIndex);
+
+impl fmt::Display for KeyName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const NAMES: [&str; 12] = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
+        // Key 0 is A0, nine semitones above C0.
+        let semitones = self.0.index() + 9;
+        write!(f, "{}{}", NAMES[semitones % 12], semitones / 12)
+    }
+}
+
+/// The first and last of some keys in a row.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct KeyRange {
+    /// The first, `0 ..= 87`.
+    pub first: u8,
+    /// How many.
+    pub n: u8,
+}
+
+impl fmt::Display for KeyRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let last = self.first.saturating_add(self.n.saturating_sub(1));
+        match (KeyIndex::new(self.first), KeyIndex::new(last)) {
+            (Some(first), Some(last)) => write!(f, "{}..{}", KeyName(first), KeyName(last)),
+            _ => write!(f, "keys {} to {last}, which no piano has,", self.first),
+        }
+    }
+}
+
+/// Why a board or a link is not used.
+#[derive(Clone, PartialEq, Debug, thiserror::Error)]
+#[expect(missing_docs, reason = "the sentences say it")]
+pub enum Refusal {
+    #[error(
+        "nothing on {line} answers as a board does ({heard}); see that the board has power and \
+         that this is its port: `letoff devices` lists what there is"
+    )]
+    Silent { line: String, heard: Heard },
+    #[error(
+        "{board} speaks protocol {major}, this host {ours}; update the {older}",
+        ours = PROTOCOL_VERSION.major,
+        older = if *major < PROTOCOL_VERSION.major { "board's firmware" } else { "host" }
+    )]
+    Version { board: BoardName, major: u8 },
+    #[error(
+        "{board} was built with other cyclic layouts (schema {theirs:016x}, this host has \
+         {ours:016x}); build its firmware and the host from the same release",
+        ours = firmware_protocol::schema::HASH
+    )]
+    Schema { board: BoardName, theirs: u64 },
+    #[error(
+        "two boards say that they are {board} ({one} and {other}); give one of them another \
+         number"
+    )]
+    SameNumber { board: BoardName, one: Uid, other: Uid },
+    #[error("{one} and {other} are both board {uid}; unplug one of the two cables")]
+    SameBoard { one: BoardName, other: BoardName, uid: Uid },
+    #[error("{board} says that it carries {keys}; a board carries 1 to 12 keys, all within A0..C8")]
+    Keys { board: BoardName, keys: KeyRange },
+    #[error("{board} says that it carries {says}, the scene says {scene}; correct one of the two")]
+    OtherKeys { board: BoardName, says: KeyRange, scene: KeyRange },
+    #[error("{one} and {other} both carry {key}; correct the range of one of them")]
+    KeyTwice { one: BoardName, other: BoardName, key: KeyName },
+    #[error("the scene wants {board}, and nobody answers to that number there")]
+    Missing { board: BoardName },
+    #[error("{board} cannot {what}; {instead}")]
+    Unable { board: BoardName, what: &'static str, instead: String },
+    #[error("{board} did not answer {asked:?} for {seconds} s; it was there before: see its cable")]
+    NoAnswer { board: BoardName, asked: Operation, seconds: f64 },
+    #[error("{board} answered {asked:?} with \"{}\"; its log may say why: `letoff devices --boards`", status_words(*status))]
+    Declined { board: BoardName, asked: Operation, status: Status },
+    #[error("{board} renders no force: {}; see to it, then start it anew", reason_words(*reason))]
+    Latched { board: BoardName, reason: u8 },
+    #[error("{board} has no calibration file {file}; make one: letoff calibrate")]
+    NotCalibrated { board: BoardName, file: String },
+    #[error("{board}: {why}")]
+    Calibration { board: BoardName, why: String },
+    #[error("{key} of {board}: {fault}")]
+    Key { board: BoardName, key: KeyName, fault: Fault },
+}
+
+/// What came over a line on which no board answered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Heard {
+    /// Frames that were no hello.
+    pub frames: u64,
+    /// What came and was no frame.
+    pub corrupt: u64,
+    /// The line was down.
+    pub down: u64,
+}
+
+impl fmt::Display for Heard {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self { frames: 0, corrupt: 0, down: 0 } => f.write_str("not a byte came"),
+            Self { frames: 0, corrupt: 0, .. } => f.write_str("the link is down"),
+            Self { frames: 0, corrupt, .. } => {
+                write!(f, "{corrupt} pieces came that were no frames")
+            }
+            Self { frames, .. } => write!(f, "{frames} frames came, none of them a hello"),
+        }
+    }
+}
+
+/// A status in words.
+const fn status_words(status: Status) -> &'static str {
+    match status {
+        Status::Done => "done",
+        Status::Unknown => "unknown operation",
+        Status::BadValue => "a value is out of range",
+        Status::WrongState => "not in this state",
+        Status::WrongNonce => "wrong nonce",
+        Status::Impossible => "impossible",
+    }
+}
+
+/// Why a board is safe, in words.
+pub const fn reason_words(reason: u8) -> &'static str {
+    match reason {
+        safe_reason::NONE => "it is armed",
+        safe_reason::NEVER_ARMED => "it was never armed",
+        safe_reason::SILENCE => "its forces expired",
+        safe_reason::DISARMED => "it was disarmed",
+        safe_reason::EMERGENCY_STOP => "everything was stopped",
+        safe_reason::KEY_FAULT => "a key, motor or sensor failed",
+        _ => "for a reason that this version does not know",
+    }
+}
+
+/// All that is wrong at once.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Refusals(pub Vec<Refusal>);
+
+impl fmt::Display for Refusals {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (n, refusal) in self.0.iter().enumerate() {
+            let separator = if n == 0 { "" } else { "\nletoff: " };
+            write!(f, "{separator}{refusal}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Refusals {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_have_the_names_that_musicians_use() {
+        let name = |key| KeyName(KeyIndex::new(key).unwrap()).to_string();
+        assert_eq!(
+            (name(0), name(3), name(39), name(87)),
+            ("A0".into(), "C1".into(), "C4".into(), "C8".into())
+        );
+        assert_eq!(KeyRange { first: 33, n: 11 }.to_string(), "F#3..E4");
+        assert!(KeyRange { first: 80, n: 11 }.to_string().contains("no piano has"));
+    }
+
+    #[test]
+    fn another_generation_is_told_which_side_is_old() {
+        let board = BoardName { line: "/dev/ttyACM0".into(), number: 3 };
+        assert_eq!(
+            Refusal::Version { board, major: 9 }.to_string(),
+            "board 3 on /dev/ttyACM0 speaks protocol 9, this host 2; update the host"
+        );
+    }
+}

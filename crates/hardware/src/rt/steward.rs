@@ -1,0 +1,469 @@
+//! What goes on with every board beside the cyclic frames: it is brought up, kept armed,
+//! asked for its time and its counts, and its simulated fingers are moved.
+//!
+//! ```text
+//! Greeting ─ hello ─▶ Streaming ─ done ─▶ Disarming ─ nonce ─▶ Arming ─ done ─▶ Armed
+//!    ▲                                                                           │
+//!    └── it fell silent, started anew, or renders no force and did not say why ◀─┘
+//! ```
+//!
+//! A board that tripped over silence is armed again. One that was stopped, or whose key
+//! failed, stays as it is until somebody has seen to it.
+
+use firmware_protocol::acyclic::arm::{Arm, Disarmed};
+use firmware_protocol::acyclic::counters::Counters;
+use firmware_protocol::acyclic::finger::Finger;
+use firmware_protocol::acyclic::ping::Pong;
+use firmware_protocol::acyclic::stream::Stream;
+use firmware_protocol::acyclic::{Operation, Status};
+use firmware_protocol::frame::Kind;
+use firmware_protocol::frame::hello::{Hello, Introduction, safe_reason};
+use firmware_protocol::{Nothing, Record as _, schema};
+use haptics::plant::{Gesture, Touch};
+
+use super::bus::{Acyclic, Bus};
+use super::trips::Trips;
+use crate::clock::{ClockModel, Told};
+use crate::courier::{Courier, Heard};
+use crate::keybed::Terms;
+use crate::topology::BoardPlace;
+
+/// Round trips at the start, to learn a board's clock from.
+const QUICK_PINGS: u32 = 8;
+/// Time between two of them [us].
+const QUICK_PING_US: u64 = 5_000;
+/// Time between two round trips afterwards [us].
+const PING_US: u64 = 50_000;
+/// Time between two looks at a board's counts [us].
+const COUNTERS_US: u64 = 1_000_000;
+/// How long before its time a gesture is handed over [us].
+const AHEAD_US: u64 = 1_000_000;
+/// Time after which an attempt to bring a board up is made again [us].
+const AGAIN_US: u64 = 100_000;
+/// A board that renders no force for so long though it was armed has tripped [us].
+const FLAGGED_US: u64 = 5_000;
+/// A board that sent nothing for so long is gone [us].
+const SILENT_US: u64 = 100_000;
+
+/// What is agreed with one board.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Agreed {
+    /// Where it is.
+    pub place: BoardPlace,
+    /// Who it is.
+    pub uid: [u8; 6],
+    /// When in the period it sends [us].
+    pub phase_us: u16,
+    /// The rest.
+    pub terms: Terms,
+}
+
+/// How far a board has been brought up.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Stage {
+    /// It is asked who it is.
+    Greeting,
+    /// It is asked for samples.
+    Streaming,
+    /// It is asked for a nonce.
+    Disarming,
+    /// It is told to render forces.
+    Arming {
+        /// What it said.
+        nonce: u32,
+    },
+    /// It renders forces.
+    Armed,
+    /// It may not be armed: somebody has to see to it.
+    Barred(Bar),
+}
+
+/// Why a board may not be armed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Bar {
+    /// It renders no force, for this reason.
+    Latched(u8),
+    /// It answered this to that.
+    Declined(Operation, Status),
+    /// Another board has taken its place, or its firmware was changed.
+    Exchanged,
+}
+
+/// The care of one board.
+#[derive(Clone, Debug)]
+struct Charge {
+    agreed: Agreed,
+    courier: Courier,
+    stage: Stage,
+    clock: ClockModel,
+    trips: Trips,
+    counters: Option<Counters>,
+    /// Times that it was armed.
+    armings: u64,
+    /// Times that its clock jumped.
+    jumps: u64,
+    /// Not before then is it asked again [us].
+    rest_until: u64,
+    n_pings: u32,
+    next_ping: u64,
+    next_counters: u64,
+    /// When its samples were last seen without the flag, and seen at all [us].
+    clear: u64,
+    heard: u64,
+    frames: u64,
+    fingers: Fingers,
+}
+
+/// Gestures that wait to be handed over, in the order of their starts.
+#[derive(Clone, Debug, Default)]
+struct Fingers {
+    gestures: Vec<(u8, Gesture)>,
+    next: usize,
+}
+
+/// What a board is like, for reports.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Condition {
+    /// How far it has been brought up.
+    pub stage: Stage,
+    /// Times that it was armed.
+    pub armings: u64,
+    /// Times that its clock jumped.
+    pub jumps: u64,
+    /// Its drift [1e-6].
+    pub drift_ppm: f64,
+    /// Median, 99th hundredth and longest of the last round trips [us].
+    pub round_trips_us: Option<[u32; 3]>,
+    /// What it has counted itself, a second ago at most.
+    pub counters: Option<Counters>,
+    /// What it was asked and has not answered.
+    pub waiting: bool,
+}
+
+/// The care of all boards.
+#[derive(Clone, Debug)]
+pub struct Steward {
+    charges: Vec<Charge>,
+    now: u64,
+    /// Host time of the performance's beginning [us].
+    origin: Option<u64>,
+}
+
+impl Steward {
+    /// Cares for boards in the order in which the bus has them; `now` [us].
+    pub fn new(agreed: Vec<Agreed>, now: u64) -> Self {
+        let charges = agreed.into_iter().map(|agreed| Charge::new(agreed, now)).collect();
+        Self { charges, now, origin: None }
+    }
+
+    /// Hands these gestures over to the key in `slot` of a board in time, from `origin` [us] on.
+    ///
+    /// Not for the tick.
+    pub fn play(&mut self, board: usize, slot: u8, gestures: &[Gesture]) {
+        let Some(charge) = self.charges.get_mut(board) else { return };
+        let fingers = &mut charge.fingers;
+        fingers.gestures.extend(gestures.iter().map(|gesture| (slot, *gesture)));
+        fingers.gestures.sort_by(|one, other| one.1.start.total_cmp(&other.1.start));
+    }
+
+    /// From when on gestures count [us].
+    pub const fn begin_at(&mut self, origin: u64) {
+        self.origin = Some(origin);
+    }
+
+    /// What time it was when it was last looked at [us].
+    pub const fn now(&self) -> u64 {
+        self.now
+    }
+
+    /// Takes what time it is [us].
+    pub const fn set_now(&mut self, now: u64) {
+        self.now = now;
+    }
+
+    /// Looks after the boards on `line`, and sends what is to be sent.
+    ///
+    /// # Real-time
+    /// At most one frame for each board; no heap.
+    pub fn attend(
+        &mut self,
+        line: usize,
+        bus: &mut Bus,
+        link: &mut (impl crate::link::Link + ?Sized),
+    ) {
+        let (now, origin) = (self.now, self.origin);
+        let charges = self.charges.iter_mut().enumerate();
+        for (board, charge) in charges.filter(|(_, it)| it.agreed.place.line == line) {
+            charge.watch(now, board, bus);
+            if charge.courier.gave_up(now) {
+                charge.greet(now + AGAIN_US);
+            }
+            if charge.courier.is_free() && charge.rest_until <= now {
+                charge.go_on(now, origin);
+            }
+            let Some(frame) = charge.courier.due(now) else { continue };
+            // What the link does not take is asked again.
+            if link.try_send(frame).is_ok() {
+                bus.saw_sent(line, frame.len());
+            }
+        }
+    }
+
+    /// Whether every board renders forces and its clock is known.
+    pub fn is_ready(&self) -> bool {
+        self.charges
+            .iter()
+            .all(|it| it.stage == Stage::Armed && QUICK_PINGS <= it.n_pings && it.clock.is_known())
+    }
+
+    /// How long ago the samples with this stamp were taken by a board [us].
+    pub fn age_us(&self, board: usize, stamp_us: u16) -> Option<i32> {
+        self.charges.get(board)?.clock.age_us(self.now, stamp_us)
+    }
+
+    /// What a board is like.
+    ///
+    /// Not for the tick.
+    pub fn condition(&self, board: usize) -> Option<Condition> {
+        let it = self.charges.get(board)?;
+        Some(Condition {
+            stage: it.stage,
+            armings: it.armings,
+            jumps: it.jumps,
+            drift_ppm: it.clock.drift_ppm(),
+            round_trips_us: it.trips.quantiles(),
+            counters: it.counters,
+            waiting: !it.courier.is_free(),
+        })
+    }
+
+    /// Times that a board was armed, if it is now.
+    pub fn armings(&self, board: usize) -> Option<u64> {
+        let charge = self.charges.get(board)?;
+        (charge.stage == Stage::Armed).then_some(charge.armings)
+    }
+
+    /// Which operation a board has been asked for as long as it is brought up.
+    pub fn asked(&self, board: usize) -> Option<Operation> {
+        Some(match self.charges.get(board)?.stage {
+            Stage::Greeting => Operation::Hello,
+            Stage::Streaming => Operation::Stream,
+            Stage::Disarming => Operation::Disarm,
+            Stage::Arming { .. } => Operation::Arm,
+            Stage::Armed => Operation::Ping,
+            Stage::Barred(_) => return None,
+        })
+    }
+}
+
+impl Acyclic for Steward {
+    fn hear(&mut self, line: usize, frame: &[u8]) {
+        let board = firmware_protocol::frame::board_of(frame);
+        let is_it =
+            |it: &&mut Charge| it.agreed.place.line == line && Some(it.agreed.place.board) == board;
+        let Some(charge) = self.charges.iter_mut().find(is_it) else { return };
+        if Kind::of(frame) == Some(Kind::Hello) {
+            charge.was_introduced(frame, self.now);
+        } else if let Some(heard) = charge.courier.hear(frame) {
+            charge.was_answered(&heard, self.now);
+        }
+    }
+}
+
+impl Charge {
+    fn new(agreed: Agreed, now: u64) -> Self {
+        // Another host's last request may have had any number.
+        let [first, ..] = now.to_le_bytes();
+        Self {
+            courier: Courier::new(agreed.place.board, first),
+            agreed,
+            stage: Stage::Greeting,
+            clock: ClockModel::default(),
+            trips: Trips::default(),
+            counters: None,
+            armings: 0,
+            jumps: 0,
+            rest_until: 0,
+            n_pings: 0,
+            next_ping: 0,
+            next_counters: 0,
+            clear: now,
+            heard: now,
+            frames: 0,
+            fingers: Fingers::default(),
+        }
+    }
+
+    /// Begins to bring the board up, not before `rest_until` [us].
+    const fn greet(&mut self, rest_until: u64) {
+        self.stage = Stage::Greeting;
+        self.rest_until = rest_until;
+    }
+
+    /// Looks whether an armed board is still there and renders forces.
+    fn watch(&mut self, now: u64, board: usize, bus: &mut Bus) {
+        let statistics = bus.statistics(board);
+        let frames = statistics.samples.frames;
+        if frames != self.frames {
+            (self.frames, self.heard) = (frames, now);
+            if !statistics.fault {
+                self.clear = now;
+            }
+        }
+        let is_silent = self.heard + SILENT_US < now;
+        let is_flagged = self.clear + FLAGGED_US < self.heard;
+        if self.stage == Stage::Armed && (is_silent || is_flagged) {
+            if is_silent {
+                // Its numbers may begin anew.
+                bus.forget(board);
+            }
+            self.greet(now);
+        }
+    }
+
+    /// Asks what comes next.
+    fn go_on(&mut self, now: u64, origin: Option<u64>) {
+        let terms = self.agreed.terms;
+        match self.stage {
+            Stage::Greeting => self.courier.ask(Operation::Hello, &Nothing),
+            Stage::Streaming => {
+                let (period_us, phase_us) = (terms.period_us, self.agreed.phase_us);
+                let packing = terms.samples as u8;
+                self.courier.ask(Operation::Stream, &Stream { period_us, packing, phase_us });
+            }
+            Stage::Disarming => self.courier.ask(Operation::Disarm, &Nothing),
+            Stage::Arming { nonce } => {
+                let (packing, valid_ms) = (terms.forces as u8, terms.valid_ms);
+                self.courier.ask(Operation::Arm, &Arm { nonce, packing, valid_ms });
+            }
+            Stage::Armed => self.run_errands(now, origin),
+            Stage::Barred(_) => {}
+        }
+    }
+
+    /// What an armed board is asked beside.
+    fn run_errands(&mut self, now: u64, origin: Option<u64>) {
+        if self.next_ping <= now {
+            let quick = self.n_pings < QUICK_PINGS;
+            self.next_ping = now + if quick { QUICK_PING_US } else { PING_US };
+            self.courier.ask(Operation::Ping, &Nothing);
+        } else if let Some(finger) = self.next_finger(now, origin) {
+            self.courier.ask(Operation::Finger, &finger);
+        } else if self.next_counters <= now {
+            self.next_counters = now + COUNTERS_US;
+            self.courier.ask(Operation::Counters, &Nothing);
+        }
+    }
+
+    /// The next gesture, if its time is near and the board's time is known.
+    fn next_finger(&self, now: u64, origin: Option<u64>) -> Option<Finger> {
+        let origin = origin?;
+        let &(slot, gesture) = self.fingers.gestures.get(self.fingers.next)?;
+        let at = |seconds: f64| origin + microseconds(seconds);
+        if now + AHEAD_US < at(gesture.start) {
+            return None;
+        }
+        // A hand that never lifts would outlast the board's clock.
+        let release = gesture.release.min(gesture.start + 1_800.0);
+        Some(Finger {
+            slot,
+            touch: match gesture.touch {
+                Touch::Pressed => 0,
+                Touch::Struck => 1,
+            },
+            start_us: self.clock.board_us(at(gesture.start))?,
+            release_us: self.clock.board_us(at(release))?,
+            speed: short(gesture.speed * 1e6),
+            hold: short(gesture.hold * 1e6),
+        })
+    }
+
+    /// Hears a hello that nobody asked for here: the board may have started anew.
+    fn was_introduced(&mut self, frame: &[u8], now: u64) {
+        let Ok(it) = Introduction::decode(frame) else { return };
+        if it.hello.uid == self.agreed.uid && it.hello.safe_reason == safe_reason::NEVER_ARMED {
+            self.clock = ClockModel::default();
+            self.greet(now);
+        }
+    }
+
+    /// Hears an answer, and goes on.
+    fn was_answered(&mut self, heard: &Heard<'_>, now: u64) {
+        let Heard { reply, operation, sent_us } = *heard;
+        if reply.status != Status::Done && self.stage != Stage::Armed {
+            let nonce_is_old = reply.status == Status::WrongNonce
+                || operation == Operation::Arm && reply.status == Status::WrongState;
+            self.stage = if nonce_is_old {
+                Stage::Disarming
+            } else {
+                Stage::Barred(Bar::Declined(operation, reply.status))
+            };
+            return;
+        }
+        match (operation, self.stage) {
+            (Operation::Hello, Stage::Greeting) => {
+                self.stage = Hello::take(reply.record)
+                    .map_or(Stage::Greeting, |hello| next_stage(&hello, &self.agreed));
+            }
+            (Operation::Stream, Stage::Streaming) => self.stage = Stage::Disarming,
+            (Operation::Disarm, Stage::Disarming) => {
+                if let Some(Disarmed { nonce }) = Disarmed::take(reply.record) {
+                    self.stage = Stage::Arming { nonce };
+                }
+            }
+            (Operation::Arm, Stage::Arming { .. }) => {
+                self.stage = Stage::Armed;
+                self.armings += 1;
+                (self.clear, self.heard) = (now, now);
+            }
+            (Operation::Ping, _) => {
+                if let Some(Pong { board_us }) = Pong::take(reply.record) {
+                    self.was_timed(sent_us, board_us, now);
+                }
+            }
+            // One that was never answered is handed over again.
+            (Operation::Finger, _) => self.fingers.next += 1,
+            (Operation::Counters, _) => self.counters = Counters::take(reply.record),
+            _ => {}
+        }
+    }
+
+    /// Learns from a round trip, if its request was sent once only.
+    fn was_timed(&mut self, sent_us: Option<u64>, board_us: u32, now: u64) {
+        let Some(sent_us) = sent_us else { return };
+        self.trips.push(now.saturating_sub(sent_us));
+        match self.clock.learn(sent_us, board_us, now) {
+            Told::News => self.n_pings = self.n_pings.saturating_add(1),
+            Told::Jumped => {
+                self.jumps += 1;
+                self.n_pings = 0;
+            }
+        }
+    }
+}
+
+/// What follows a hello: whether the board may be armed.
+fn next_stage(hello: &Hello, agreed: &Agreed) -> Stage {
+    let is_same = hello.uid == agreed.uid && hello.schema == schema::HASH;
+    if !is_same {
+        return Stage::Barred(Bar::Exchanged);
+    }
+    match hello.safe_reason {
+        latched @ (safe_reason::EMERGENCY_STOP | safe_reason::KEY_FAULT) => {
+            Stage::Barred(Bar::Latched(latched))
+        }
+        _ => Stage::Streaming,
+    }
+}
+
+/// Whole microseconds in a time that is not negative [s].
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+fn microseconds(seconds: f64) -> u64 {
+    (seconds * 1e6).round() as u64
+}
+
+/// A value of the wire.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+fn short(value: f64) -> u32 {
+    value.round() as u32
+}

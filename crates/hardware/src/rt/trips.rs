@@ -1,0 +1,48 @@
+//! The last round trips to one board, for its statistics.
+
+/// Round trips that are remembered.
+const WINDOW: usize = 256;
+
+/// The last 256 round trips [us].
+#[derive(Clone, Debug)]
+pub(super) struct Trips {
+    lengths: [u32; WINDOW],
+    n: usize,
+}
+
+impl Default for Trips {
+    fn default() -> Self {
+        Self { lengths: [0; WINDOW], n: 0 }
+    }
+}
+
+impl Trips {
+    /// Remembers one [us].
+    pub(super) fn push(&mut self, length: u64) {
+        self.lengths[self.n % WINDOW] = u32::try_from(length).unwrap_or(u32::MAX);
+        self.n += 1;
+    }
+
+    /// Median, 99th hundredth and longest [us]; none if there is none.
+    pub(super) fn quantiles(&self) -> Option<[u32; 3]> {
+        let n = self.n.min(WINDOW);
+        let mut sorted = self.lengths;
+        let sorted = sorted.get_mut(..n)?;
+        sorted.sort_unstable();
+        let at = |hundredths: usize| sorted.get((n * hundredths / 100).min(n.checked_sub(1)?));
+        Some([*at(50)?, *at(99)?, *at(100)?])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_are_those_of_the_last_256() {
+        let mut trips = Trips::default();
+        assert_eq!(trips.quantiles(), None);
+        (0..1_000).for_each(|length| trips.push(length));
+        assert_eq!(trips.quantiles(), Some([872, 997, 999]));
+    }
+}

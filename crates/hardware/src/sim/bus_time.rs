@@ -1,0 +1,87 @@
+//! What time it is on the bus, as a board knows it: the age of forces that are for all.
+
+use firmware_protocol::frame::multicast_forces::GROUPS;
+use firmware_protocol::sequence::{Arrival, Sequence};
+
+use crate::clock::low;
+
+/// After this long without bus time nothing is known of it [us].
+const FORGET_US: u64 = 1_000_000;
+
+/// Ages beyond this cannot be told from the future: half of what 16 bits hold [us].
+const OLDEST_US: u16 = 32_000;
+
+/// Silence after which any frame is news [us].
+const SILENCE_US: u64 = 60_000;
+
+/// Bus time as a board knows it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct BusTime {
+    /// Own time minus bus time, low bits [us], and when it was heard [us].
+    offset: Option<(u32, u64)>,
+    /// The newest frame of each group, and when it came [us].
+    newest: [Option<(Sequence, u64)>; GROUPS],
+}
+
+impl BusTime {
+    /// Hears that the bus's clock shows `host_us`.
+    pub(super) const fn hear(&mut self, now_us: u64, host_us: u32) {
+        self.offset = Some((low(now_us).wrapping_sub(host_us), now_us));
+    }
+
+    /// How long ago the bus's clock showed a time with these low bits [us]; none if that
+    /// cannot be told.
+    pub(super) fn age_us(&self, now_us: u64, stamp_us: u16) -> Option<u64> {
+        let (offset, heard_us) = self.offset?;
+        let [a, b, ..] = low(now_us).wrapping_sub(offset).to_le_bytes();
+        // A frame may overtake the time by a little; that is no age.
+        let age = u16::from_le_bytes([a, b]).wrapping_sub(stamp_us);
+        let is_known = now_us.saturating_sub(heard_us) < FORGET_US;
+        let is_ahead = u16::MAX - 5_000 < age;
+        match age {
+            _ if !is_known => None,
+            _ if is_ahead => Some(0),
+            _ => (age <= OLDEST_US).then_some(age.into()),
+        }
+    }
+
+    /// Whether a frame of `group` is newer than all before.
+    pub(super) fn accept(&mut self, group: u8, sequence: Sequence, now_us: u64) -> bool {
+        let Some(newest) = self.newest.get_mut(usize::from(group)) else { return false };
+        let is_newer = newest.is_none_or(|(before, at)| {
+            let arrival = sequence.after(before);
+            SILENCE_US < now_us.saturating_sub(at) || matches!(arrival, Arrival::Newer { .. })
+        });
+        if is_newer {
+            *newest = Some((sequence, now_us));
+        }
+        is_newer
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_age_is_told_by_bus_time_and_only_while_that_is_known() {
+        let mut time = BusTime::default();
+        assert_eq!(time.age_us(5_000, 0), None);
+        time.hear(1_000_000, 70_000);
+        // At 1 012 000 the bus shows 82 000, of which 16 bits are 16 464.
+        assert_eq!(time.age_us(1_012_000, 16_464), Some(0));
+        assert_eq!(time.age_us(1_012_000, 16_464 - 9_000), Some(9_000));
+        assert_eq!(time.age_us(1_012_000, 16_464 + 1_000), Some(0));
+        assert_eq!(time.age_us(1_012_000, 16_464_u16.wrapping_sub(40_000)), None);
+        assert_eq!(time.age_us(2_000_001, 0), None);
+    }
+
+    #[test]
+    fn an_overtaken_frame_is_no_news() {
+        let mut time = BusTime::default();
+        let news = |time: &mut BusTime, n, at| time.accept(1, Sequence(n), at);
+        assert!(news(&mut time, 7, 0) && news(&mut time, 9, 1_000));
+        assert!(!news(&mut time, 8, 2_000) && !news(&mut time, 9, 2_000));
+        assert!(news(&mut time, 3, 100_000), "after a silence");
+    }
+}

@@ -1,0 +1,90 @@
+//! The samples that a board sent last: what forces may answer.
+
+use firmware_protocol::acyclic::arm::HISTORY;
+use firmware_protocol::frame::Header;
+use firmware_protocol::frame::key_samples::KeySamples;
+use firmware_protocol::sequence::Sequence;
+
+/// A frame of samples, and when it was taken.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Sent {
+    /// The frame.
+    pub(super) samples: KeySamples,
+    /// Board time [us].
+    pub(super) taken_us: u64,
+    /// Which it was, counted from the first.
+    pub(super) number: u64,
+}
+
+/// The last 64 frames of samples.
+#[derive(Clone, Debug)]
+pub(super) struct History {
+    sent: Box<[Option<Sent>; HISTORY]>,
+    /// How many were sent.
+    n: u64,
+}
+
+impl History {
+    /// Nothing was sent yet.
+    pub(super) fn new() -> Self {
+        Self { sent: Box::new([None; HISTORY]), n: 0 }
+    }
+
+    /// The number of the next frame.
+    pub(super) const fn next_sequence(&self) -> Sequence {
+        let [low, ..] = self.n.to_le_bytes();
+        Sequence(low)
+    }
+
+    /// Remembers a frame.
+    pub(super) fn push(&mut self, samples: KeySamples, taken_us: u64) {
+        self.sent[place(samples.header.sequence)] =
+            Some(Sent { samples, taken_us, number: self.n });
+        self.n += 1;
+    }
+
+    /// The frame that `answer` answers: same number and same time, or none.
+    pub(super) fn find(&self, answer: Header) -> Option<&Sent> {
+        self.sent[place(answer.sequence)].as_ref().filter(|sent| {
+            let header = sent.samples.header;
+            header.sequence == answer.sequence && header.stamp_us == answer.stamp_us
+        })
+    }
+}
+
+/// Where the frame with this number is kept.
+const fn place(sequence: Sequence) -> usize {
+    sequence.0 as usize % HISTORY
+}
+
+const _: () = assert!(HISTORY.is_power_of_two(), "the number masks the place");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use firmware_protocol::key::{BoardId, PerKey};
+
+    fn samples(history: &History, stamp_us: u16) -> KeySamples {
+        let board = BoardId::new(1).unwrap();
+        let sequence = history.next_sequence();
+        let header = Header { board, sequence, stamp_us, flag: false };
+        KeySamples { header, positions: PerKey::default(), velocities: PerKey::default() }
+    }
+
+    #[test]
+    fn only_the_last_64_can_be_answered_and_only_by_number_and_time() {
+        let mut history = History::new();
+        let mut frames = Vec::new();
+        for n in 0..300_u16 {
+            let frame = samples(&history, n.wrapping_mul(1_000));
+            history.push(frame, u64::from(n) * 1_000);
+            frames.push(frame.header);
+        }
+        for (n, header) in frames.iter().enumerate() {
+            let found = history.find(*header).map(|sent| sent.taken_us);
+            assert_eq!(found, (300 - 64 <= n).then_some(n as u64 * 1_000), "{n}");
+            let later = Header { stamp_us: header.stamp_us.wrapping_add(1), ..*header };
+            assert_eq!(history.find(later), None);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! What a board renders between two frames: F0 + K (s0 − s) + B (s0' − s'), where s0 goes on
+//! at s0' for a while.
+
+use firmware_protocol::acyclic::arm::PATH_US;
+use firmware_protocol::frame::key_forces::{KeyForces, KeySlopes};
+use firmware_protocol::frame::key_samples::KeySamples;
+use firmware_protocol::quantity::Millinewtons;
+
+use crate::calibration;
+
+/// The law of one key, until the next frame.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub(super) struct Law {
+    /// F0 [N].
+    force: f64,
+    /// K [N/m].
+    stiffness: f64,
+    /// B [N s/m].
+    damping: f64,
+    /// s0 [m].
+    position: f64,
+    /// s0' [m/s].
+    velocity: f64,
+    /// When the key was there [us].
+    taken_us: u64,
+}
+
+impl Law {
+    /// The law of the key in `slot` that `frame` says, where `samples` are what it answers.
+    ///
+    /// `quantum` is what a count means [m]. A frame that says "no force" says so of all keys.
+    pub(super) fn answering(
+        frame: &KeyForces,
+        samples: &KeySamples,
+        slot: usize,
+        quantum: f64,
+        taken_us: u64,
+    ) -> Self {
+        let Some(force) = frame.forces.as_slice().get(slot) else { return Self::default() };
+        if frame.header.flag {
+            return Self::default();
+        }
+        let slopes = frame.slopes.as_slice().get(slot).copied().unwrap_or_default();
+        let counts = samples.positions.as_slice().get(slot).copied().unwrap_or_default();
+        let speed = samples.velocities.as_slice().get(slot).copied().unwrap_or_default();
+        let here = (f64::from(counts.get()) * quantum, calibration::metres_per_second(speed));
+        Self::here(*force, slopes, here, taken_us)
+    }
+
+    /// The law of a force that holds at a position [m] and velocity [m/s], measured then [us].
+    pub(super) fn here(
+        force: Millinewtons,
+        slopes: KeySlopes,
+        (position, velocity): (f64, f64),
+        taken_us: u64,
+    ) -> Self {
+        let (stiffness, damping) = calibration::slopes(slopes);
+        let force = calibration::newtons(force);
+        Self { force, stiffness, damping, position, velocity, taken_us }
+    }
+
+    /// Whether the force is the same wherever the key is.
+    pub(super) const fn is_held(&self) -> bool {
+        self.stiffness.abs() == 0.0 && self.damping.abs() == 0.0
+    }
+
+    /// The force [N] at `now_us` on a key at `position` [m] moving at `velocity` [m/s].
+    pub(super) fn force(&self, now_us: u64, (position, velocity): (f64, f64)) -> f64 {
+        let along_us = now_us.saturating_sub(self.taken_us).min(PATH_US.into());
+        let expected = self.position + self.velocity * (along_us as f64 * 1e-6);
+        self.force
+            + self.stiffness * (expected - position)
+            + self.damping * (self.velocity - velocity)
+    }
+}

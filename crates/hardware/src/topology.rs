@@ -1,0 +1,50 @@
+//! Which key sits where: on which line, on which board, in which slot.
+
+use firmware_protocol::key::{BoardId, KEYS, KeyIndex, MOST_KEYS};
+
+/// A board's place among all lines, and the keys that it carries.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct BoardPlace {
+    /// Which line it is on.
+    pub line: usize,
+    /// Its number there.
+    pub board: BoardId,
+    /// Its first key.
+    pub first_key: KeyIndex,
+    /// Its keys, `1 ..= 12`, in a row.
+    pub n_keys: usize,
+}
+
+impl BoardPlace {
+    /// The keys that it carries, as places in an array over the compass.
+    pub const fn keys(&self) -> std::ops::Range<usize> {
+        let first = self.first_key.index();
+        first..first + self.n_keys
+    }
+
+    /// Whether its keys are a board's keys, and all of the compass.
+    pub const fn is_possible(&self) -> bool {
+        0 < self.n_keys && self.n_keys <= MOST_KEYS && self.keys().end <= KEYS
+    }
+}
+
+/// Eight boards of eleven keys, each on a line of its own.
+pub fn standard() -> Vec<BoardPlace> {
+    let places = BoardId::all().enumerate().map(|(line, board)| {
+        let first_key = u8::try_from(board.keys().start).ok().and_then(KeyIndex::new)?;
+        Some(BoardPlace { line, board, first_key, n_keys: board.keys().len() })
+    });
+    places.flatten().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_standard_boards_carry_every_key_once() {
+        let keys: Vec<_> = standard().iter().flat_map(BoardPlace::keys).collect();
+        assert_eq!(keys, (0..KEYS).collect::<Vec<_>>());
+        assert!(standard().iter().all(BoardPlace::is_possible));
+    }
+}

@@ -1,0 +1,59 @@
+//! What a line was seen to carry, beside what was planned.
+#![expect(clippy::disallowed_methods, reason = "boards live in real time")]
+
+mod common;
+
+use std::time::Duration;
+
+use common::{Living, board, nominal, now_us, pair};
+use hardware::keybed::{Keybed, Line, Terms, Wanted};
+use hardware::plan::{BusPlan, Extras, Medium};
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::port::KeyBus as _;
+
+#[test]
+fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {
+    let medium = Medium::CanFd { nominal: 1_000_000, data: 5_000_000 };
+    let (host, away) = pair();
+    let (other_host, other_away) = pair();
+    let _boards = [Living::start(board(1), away), Living::start(board(2), other_away)];
+    let lines = vec![
+        Line { medium: Some(medium), ..Line::new("known", Box::new(host)) },
+        Line::new("not known", Box::new(other_host)),
+    ];
+    let identified = Keybed::new(lines, now_us).identify(5_000_000).unwrap();
+    let calibrated =
+        identified.calibrate(&Wanted { hz: 1_000, ..Wanted::default() }, nominal).unwrap();
+    let Wanted { samples, forces, .. } = Wanted::default();
+    let terms = Terms { period_us: 1_000, samples, forces, valid_ms: 100 };
+    let mut keybed = calibrated.arm(terms, 5_000_000).unwrap();
+    let mut readings = [KeySample::default(); KEYS];
+    for tick in 0..1_000 {
+        keybed.receive(tick, &mut readings);
+        keybed.send(tick, &[0.0; KEYS]);
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let lines = keybed.line_reports();
+    assert_eq!((lines[1].medium, lines[1].load), (None, None));
+    let load = lines[0].load.unwrap();
+    // The same frames by the planner, at the rates that came.
+    let statistics = keybed.board_reports()[0].statistics;
+    let seconds = load.frames as f64 / load.rate;
+    let plan = BusPlan {
+        name: "known".into(),
+        medium,
+        boards: vec![11],
+        samples,
+        forces,
+        sample_rate: statistics.samples.frames as f64 / seconds,
+        force_rate: statistics.sent as f64 / seconds,
+        extras: Extras::NONE,
+    };
+    // Requests and replies are another hundredth or two.
+    let beside = load.most - plan.load();
+    assert!((0.0..0.02).contains(&beside), "seen {load:?}, planned {}", plan.load());
+    assert!(0.05 < load.most && load.least < load.most, "{load:?}");
+    let bytes = lines[0].statistics.bytes;
+    let cyclic = 37 * statistics.samples.frames + 26 * statistics.sent;
+    assert!(cyclic <= bytes && bytes < cyclic + 20_000, "{bytes} of {cyclic}");
+}

@@ -1,0 +1,125 @@
+//! Highest rates of 88 keys on 8 boards over CAN, every key up and every force down.
+
+use super::hertz;
+use ForcePacking::{Force16, Multicast16};
+use SamplePacking::{Position16, Position16Velocity, Position24, Position24Velocity};
+use hardware::plan::can::Stuffing;
+use hardware::plan::{BusPlan, Extras, ForcePacking, Medium, SamplePacking};
+
+pub(crate) const CLASSIC: Medium = Medium::ClassicCan { bitrate: 1_000_000 };
+pub(crate) const FD5: Medium = Medium::CanFd { nominal: 1_000_000, data: 5_000_000 };
+pub(crate) const FD8: Medium = Medium::CanFd { nominal: 1_000_000, data: 8_000_000 };
+
+/// The fullest of so many buses for eight boards.
+pub(crate) fn plan(medium: Medium, buses: usize, up: SamplePacking, down: ForcePacking) -> BusPlan {
+    BusPlan {
+        name: "can0".to_owned(),
+        medium,
+        boards: vec![11; 8 / buses],
+        samples: up,
+        forces: down,
+        sample_rate: 1_000.0,
+        force_rate: 1_000.0,
+        extras: Extras::NONE,
+    }
+}
+
+/// Asserts the highest rates with 1, 2, 4 and 8 buses [Hz].
+#[track_caller]
+fn check(medium: Medium, up: SamplePacking, down: ForcePacking, rates: [u32; 4]) {
+    let got = [1, 2, 4, 8].map(|buses| hertz(plan(medium, buses, up, down).max_rate()));
+    assert_eq!(got, rates, "{up:?} and {down:?} over {medium}");
+}
+
+/// The same for packings that are only lengths [bytes].
+#[track_caller]
+fn check_bytes(medium: Medium, up: usize, down: usize, rates: [u32; 4]) {
+    let cycle = medium.time(up, Stuffing::Most) + medium.time(down, Stuffing::Most);
+    let got = [8.0, 4.0, 2.0, 1.0].map(|boards: f64| hertz(0.8e6 / (boards * cycle)));
+    assert_eq!(got, rates, "{up} and {down} bytes over {medium}");
+}
+
+#[test]
+fn forces_for_each_board_over_can_fd_reach_the_rates_of_the_table() {
+    check(FD5, Position16, Force16, [477, 954, 1_908, 3_817]);
+    check(FD5, Position24, Force16, [414, 828, 1_656, 3_311]);
+    check(FD5, Position16Velocity, Force16, [414, 828, 1_656, 3_311]);
+    check(FD5, Position24Velocity, Force16, [365, 731, 1_462, 2_924]);
+    check(FD8, Position16, Force16, [642, 1_284, 2_568, 5_136]);
+    check(FD8, Position24, Force16, [569, 1_138, 2_276, 4_552]);
+    check(FD8, Position16Velocity, Force16, [569, 1_138, 2_276, 4_552]);
+    check(FD8, Position24Velocity, Force16, [511, 1_022, 2_043, 4_087]);
+}
+
+#[test]
+fn packings_of_twelve_and_eight_bits_reach_the_rates_of_the_table() {
+    // 11 keys of 12 bits are 17 bytes.
+    check_bytes(FD5, 26, 4 + 17, [517, 1_033, 2_066, 4_132]);
+    check_bytes(FD8, 26, 4 + 17, [686, 1_372, 2_744, 5_489]);
+    check_bytes(FD5, 4 + 17, 4 + 11, [623, 1_245, 2_491, 4_981]);
+    check_bytes(FD8, 4 + 17, 4 + 11, [799, 1_598, 3_197, 6_394]);
+}
+
+#[test]
+fn forces_for_all_boards_reach_the_rates_of_the_table() {
+    check(FD5, Position16, Multicast16, [595, 1_155, 2_309, 3_817]);
+    check(FD5, Position24, Multicast16, [500, 975, 1_949, 3_311]);
+    check(FD5, Position16Velocity, Multicast16, [500, 975, 1_949, 3_311]);
+    check(FD5, Position24Velocity, Multicast16, [431, 843, 1_686, 2_924]);
+    check(FD8, Position16, Multicast16, [819, 1_577, 3_154, 5_136]);
+    check(FD8, Position16Velocity, Multicast16, [704, 1_362, 2_725, 4_552]);
+    check(FD8, Position24Velocity, Multicast16, [617, 1_199, 2_398, 4_087]);
+}
+
+#[test]
+fn classic_can_carries_whole_frames_in_pieces_of_seven_bytes() {
+    // By hand, for one board: 26 bytes are 3 frames of 135 us and one of 6 bytes, 115 us;
+    // 37 are 5 and 85 us; 48 are 6 and 125 us; 59 are 8 and 95 us.
+    let hand = |up: f64| [8.0, 4.0, 2.0, 1.0].map(|boards| hertz(0.8e6 / (boards * (up + 520.0))));
+    check(CLASSIC, Position16, Force16, hand(520.0));
+    check(CLASSIC, Position24, Force16, hand(5.0 * 135.0 + 85.0));
+    check(CLASSIC, Position16Velocity, Force16, hand(6.0 * 135.0 + 125.0));
+    check(CLASSIC, Position24Velocity, Force16, hand(8.0 * 135.0 + 95.0));
+}
+
+/// The table's classic rates are of another encapsulation: the keys' values only, in frames
+/// of 8 bytes whose first replaces the header.
+#[test]
+fn without_their_headers_frames_over_classic_can_reach_the_rates_of_the_table() {
+    let time = |bytes: usize| bytes.div_ceil(7) as f64 * CLASSIC.time(7, Stuffing::Most);
+    let cases = [
+        (22, 22, [93, 185, 370, 741]),
+        (33, 22, [82, 165, 329, 658]),
+        (44, 22, [67, 135, 269, 539]),
+        (55, 22, [62, 123, 247, 494]),
+        (22, 17, [106, 212, 423, 847]),
+        (17, 11, [148, 296, 593, 1_185]),
+    ];
+    for (up, down, rates) in cases {
+        let cycle = time(up) + time(down);
+        let got = [8.0, 4.0, 2.0, 1.0].map(|boards: f64| hertz(0.8e6 / (boards * cycle)));
+        assert_eq!(got, rates, "{up} and {down} bytes");
+    }
+}
+
+/// Only the keys that move, behind a header of 6 bytes that says which: the cycle of a bus on
+/// whose boards so many move, with positions and velocities up and forces down [us].
+fn masked(active: &[usize]) -> f64 {
+    let time = |bytes| FD5.time(bytes, Stuffing::Most);
+    active.iter().map(|keys| time(6 + 4 * keys) + time(6 + 2 * keys)).sum()
+}
+
+#[test]
+fn frames_of_the_keys_that_move_reach_the_rates_of_the_table() {
+    let cases: [(&[usize], u32); 6] = [
+        (&[2, 2, 1, 1, 1, 1, 1, 1], 809),
+        (&[2, 2, 1, 1], 1_567),
+        (&[3, 3, 3, 3, 2, 2, 2, 2], 714),
+        (&[3, 3, 3, 3], 1_383),
+        (&[4, 4, 4, 4, 4, 4, 3, 3], 639),
+        (&[4, 4, 4, 4], 1_245),
+    ];
+    for (active, rate) in cases {
+        assert_eq!(hertz(0.8e6 / masked(active)), rate, "{active:?}");
+    }
+}

@@ -1,0 +1,118 @@
+//! Boards on links, as every command has them: opened, planned, and how their keys read.
+
+pub(crate) mod planning;
+
+use std::path::{Path, PathBuf};
+
+use firmware_protocol::frame::hello::feature;
+use firmware_protocol::key::PerKey;
+use hardware::calibration::{KeyCalibration, file};
+use hardware::keybed::{Found, Line};
+use hardware::link::address::Address;
+use hardware::link::can::{CanMode, Side};
+use hardware::link::lasting::Lasting;
+use hardware::plan::Medium;
+use hardware::plan::uart::Wiring;
+use hardware::refusal::{BoardName, Refusal};
+
+use crate::config::{BoardBus, Boards};
+use crate::realtime::clock;
+
+/// How long boards may take to answer, and to be armed [us].
+pub(crate) const PATIENCE_US: u64 = 4_000_000;
+
+/// Begins of the names of serial ports whose bits take their time on a wire.
+const UARTS: [&str; 7] = ["ttyS", "ttyUSB", "ttyAMA", "ttyO", "ttyTHS", "ttymxc", "cu.usbserial"];
+
+/// The host's clock, as boards' clocks are compared with it [us].
+pub(crate) fn now_us() -> u64 {
+    clock::monotonic().as_u64() / 1_000
+}
+
+/// Opens a link that is opened again whenever it goes down.
+pub(crate) fn open(bus: &BoardBus) -> Result<Line, hardware::Error> {
+    let address = bus.address.clone();
+    let link = Lasting::open(move || address.open(Side::Host))?;
+    let medium = medium(bus).filter(|_| !is_virtual(&bus.address));
+    Ok(Line { name: bus.address.name(), link: Box::new(link), medium })
+}
+
+/// What a link is made of, as far as its name and its rates tell.
+///
+/// USB devices and pseudo-terminals take any baud rate and keep none.
+pub(crate) fn medium(bus: &BoardBus) -> Option<Medium> {
+    let (nominal, data) = bus.bit_rates;
+    match &bus.address {
+        Address::Can { mode: CanMode::Fd, .. } => Some(Medium::CanFd { nominal, data }),
+        Address::Can { mode: CanMode::Classic, .. } => {
+            Some(Medium::ClassicCan { bitrate: nominal })
+        }
+        Address::Serial { port, baud } => {
+            let device = std::fs::canonicalize(port).unwrap_or_else(|_absent| port.clone());
+            let name = device.file_name()?.to_str()?;
+            let is_uart = UARTS.iter().any(|start| name.starts_with(start));
+            is_uart.then_some(Medium::Uart { baud: *baud, wiring: Wiring::FullDuplex })
+        }
+    }
+}
+
+/// Whether a link exists in memory only, and takes no time.
+pub(crate) fn is_virtual(address: &Address) -> bool {
+    match address {
+        Address::Can { interface, .. } => {
+            interface.starts_with("vcan") || interface.starts_with("vxcan")
+        }
+        Address::Serial { .. } => false,
+    }
+}
+
+/// Where calibration files are.
+pub(crate) fn folder(boards: &Boards) -> Option<PathBuf> {
+    boards.calibration.clone().or_else(file::usual_folder)
+}
+
+/// How a board's keys read: from its file; a simulated board reads as it says.
+pub(crate) fn calibration(
+    found: &Found,
+    name: &BoardName,
+    folder: Option<&Path>,
+) -> Result<PerKey<KeyCalibration>, Refusal> {
+    let board = || name.clone();
+    let path = folder.map(|folder| file::path(folder, found.uid()));
+    let n_keys = usize::from(found.hello.n_keys);
+    let read = path.as_deref().map(|path| file::read(path, found.uid(), n_keys)).transpose();
+    match read.map_err(|why| Refusal::Calibration { board: board(), why })?.flatten() {
+        Some(calibration) => Ok(calibration),
+        None if found.hello.features & feature::FINGERS != 0 => Ok(nominal(found)),
+        None => {
+            let file = path.map_or_else(|| found.uid().to_string(), |it| it.display().to_string());
+            Err(Refusal::NotCalibrated { board: board(), file })
+        }
+    }
+}
+
+/// Keys that read as their board says.
+pub(crate) fn nominal(found: &Found) -> PerKey<KeyCalibration> {
+    let n_keys = usize::from(found.hello.n_keys);
+    PerKey::collect(std::iter::repeat_n(found.nominal(), n_keys))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(address: &str, medium: Option<&str>) {
+        let bus = BoardBus::new(Address::parse(address).unwrap());
+        assert_eq!(super::medium(&bus).map(|it| it.to_string()).as_deref(), medium, "{address}");
+    }
+
+    #[test]
+    fn a_link_whose_bits_take_their_time_has_a_medium() {
+        check("can:can0", Some("CAN FD at 1/5 Mbit/s"));
+        check("classic-can:can0", Some("classic CAN at 1 Mbit/s"));
+        check("serial:/dev/ttyUSB7@3000000", Some("serial line at 3 Mbaud"));
+        check("serial:/dev/ttyACM7", None);
+        check("serial:/dev/pts/99", None);
+    }
+}

@@ -1,0 +1,124 @@
+//! What the links of a scene have to carry, and whether they can.
+
+use firmware_protocol::key::{BOARDS, KEYS_PER_BOARD};
+use hardware::keybed::{Calibrated, Keybed};
+use hardware::plan::{BusPlan, Extras, Verdict};
+
+use crate::config::{BoardBus, Boards};
+
+/// Plans of the links of `boards` at `tick_hz` with the boards that the scene lists; a link
+/// without a list, or whose times are not known, has none.
+pub(crate) fn listed(boards: &Boards, tick_hz: u32) -> Vec<BusPlan> {
+    let plans = boards.buses.iter().filter(|bus| !super::is_virtual(&bus.address));
+    plans.filter_map(|bus| plan(boards, bus, listed_on(bus), tick_hz)).collect()
+}
+
+/// The same with an entry for each link; those of which nothing is said share the standard
+/// boards that no other has.
+pub(crate) fn assumed(boards: &Boards, tick_hz: u32) -> Vec<Option<BusPlan>> {
+    let keys = shares(boards).into_iter().zip(&boards.buses);
+    keys.map(|(keys, bus)| plan(boards, bus, keys, tick_hz)).collect()
+}
+
+/// Plans of all links of a keybed whose boards are known; none where times are not known.
+pub(crate) fn found(
+    boards: &Boards,
+    keybed: &Keybed<Calibrated>,
+    tick_hz: u32,
+) -> Vec<Option<BusPlan>> {
+    let lines = keybed.line_names().zip(keybed.media()).enumerate();
+    let plans = lines.map(|(line, (name, medium))| {
+        let plan = of(boards, name.to_owned(), medium?, keybed.boards_on(line), tick_hz);
+        Some(plan)
+    });
+    plans.collect()
+}
+
+/// What plans with this verdict say.
+pub(crate) fn sentences<'a, P: IntoIterator<Item = &'a BusPlan>>(
+    plans: P,
+    verdict: Verdict,
+) -> Vec<String> {
+    let plans = plans.into_iter().filter(|plan| plan.verdict() == verdict);
+    plans.map(BusPlan::sentence).collect()
+}
+
+fn plan(boards: &Boards, bus: &BoardBus, keys: Vec<usize>, tick_hz: u32) -> Option<BusPlan> {
+    let medium = super::medium(bus)?;
+    (!keys.is_empty()).then(|| of(boards, bus.address.name(), medium, keys, tick_hz))
+}
+
+fn of(
+    boards: &Boards,
+    name: String,
+    medium: hardware::plan::Medium,
+    keys: Vec<usize>,
+    tick_hz: u32,
+) -> BusPlan {
+    BusPlan {
+        name,
+        medium,
+        boards: keys,
+        samples: boards.samples,
+        forces: boards.forces,
+        sample_rate: tick_hz.into(),
+        force_rate: tick_hz.into(),
+        extras: Extras::default(),
+    }
+}
+
+fn listed_on(bus: &BoardBus) -> Vec<usize> {
+    bus.boards.iter().map(|(_, keys)| usize::from(keys.n)).collect()
+}
+
+/// How many keys each board on each link has.
+fn shares(boards: &Boards) -> Vec<Vec<usize>> {
+    let listed: usize = boards.buses.iter().map(|bus| bus.boards.len()).sum();
+    let mut rest = BOARDS.saturating_sub(listed);
+    let mut open = boards.buses.iter().filter(|bus| bus.boards.is_empty()).count();
+    let mut share = |bus: &BoardBus| {
+        if !bus.boards.is_empty() {
+            return listed_on(bus);
+        }
+        // The first have one more where they cannot be shared evenly.
+        let n = rest.div_ceil(open.max(1));
+        (rest, open) = (rest - n, open.saturating_sub(1));
+        vec![KEYS_PER_BOARD; n]
+    };
+    boards.buses.iter().map(&mut share).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hardware::link::address::Address;
+    use hardware::refusal::KeyRange;
+
+    fn boards(links: &[&str]) -> Boards {
+        let bus = |link: &&str| BoardBus::new(Address::parse(link).unwrap());
+        Boards { buses: links.iter().map(bus).collect(), ..Boards::default() }
+    }
+
+    #[test]
+    fn boards_of_which_nothing_is_said_are_spread_evenly() {
+        let n = |links: &[&str]| shares(&boards(links)).iter().map(Vec::len).collect::<Vec<_>>();
+        assert_eq!(n(&["can:can0"]), [8]);
+        assert_eq!(n(&["can:can0", "can:can1", "can:can2"]), [3, 3, 2]);
+        let mut some = boards(&["can:can0", "can:can1"]);
+        some.buses[0].boards = vec![(0, KeyRange { first: 0, n: 12 }); 3];
+        assert_eq!(shares(&some), [vec![12; 3], vec![11; 5]]);
+    }
+
+    #[test]
+    fn only_links_whose_boards_are_listed_are_planned_before_anybody_is_asked() {
+        let mut some = boards(&["can:can0", "can:vcan0", "serial:/dev/pts/9"]);
+        assert_eq!(listed(&some, 1_000), []);
+        for bus in &mut some.buses {
+            bus.boards = vec![(0, KeyRange { first: 0, n: 11 }); 8];
+        }
+        let plans = listed(&some, 1_000);
+        assert_eq!(plans.iter().map(|it| it.name.as_str()).collect::<Vec<_>>(), ["can0"]);
+        let said = sentences(&plans, Verdict::Refused);
+        assert!(said[0].contains("would take") && said[0].contains("divide"), "{said:?}");
+    }
+}

@@ -1,0 +1,77 @@
+//! From links to boards that are armed as if they were nominal.
+
+use std::path::PathBuf;
+
+use firmware_protocol::frame::key_forces::ForcePacking;
+use firmware_protocol::frame::key_samples::SamplePacking;
+use hardware::calibrate::Bench;
+use hardware::calibration::file;
+use hardware::keybed::{Found, Keybed, Line, Offline, Terms, Wanted};
+use hardware::refusal::{BoardName, Refusals};
+
+use super::operator::Operator;
+use crate::boards::{PATIENCE_US, folder, nominal, now_us, open};
+use crate::command::Failure;
+use crate::command::target::Target;
+
+/// Exchanges a second: more would load slow buses, and say no more.
+const HZ: u32 = 500;
+/// Forces are valid for as long as they can be: the system may be late [ms].
+const VALID_MS: u8 = firmware_protocol::acyclic::arm::LONGEST_VALID_MS;
+
+/// A board that is measured, and its file.
+#[derive(Clone, Debug)]
+pub(super) struct Board {
+    pub(super) found: Found,
+    pub(super) name: BoardName,
+    pub(super) file: PathBuf,
+}
+
+/// Finds and arms the boards that are meant, after the operator has agreed to the files.
+pub(super) fn arm(
+    target: &Target,
+    only: Option<u8>,
+    chosen: Option<PathBuf>,
+    operator: &Operator,
+) -> Result<(Vec<Board>, Box<Bench>), Failure> {
+    let (_tick_hz, scene) = target.boards()?;
+    let folder = chosen.or_else(|| folder(&scene)).ok_or_else(|| {
+        Failure::Usage("there is no home for calibration files; give --folder".into())
+    })?;
+    let lines: Result<Vec<Line>, _> = scene.buses.iter().map(open).collect();
+    let lines = lines.map_err(|error| Failure::Usage(error.to_string()))?;
+    let mut keybed =
+        Keybed::<Offline>::new(lines, now_us).identify(PATIENCE_US).map_err(refused)?;
+    keybed.keep(|found| only.is_none_or(|number| found.board.number() == number));
+    let boards: Vec<_> = keybed
+        .boards()
+        .iter()
+        .map(|found| Board {
+            found: *found,
+            name: keybed.name(found),
+            file: file::path(&folder, found.uid()),
+        })
+        .collect();
+    if let (true, Some(number)) = (boards.is_empty(), only) {
+        return Err(Failure::Usage(format!(
+            "no board has the number {number}; `letoff devices --boards` lists those there are"
+        )));
+    }
+    let there: Vec<_> = boards.iter().map(|it| it.file.clone()).filter(|it| it.exists()).collect();
+    operator.may_overwrite(&there)?;
+    let wanted = Wanted { hz: HZ, ..Wanted::default() };
+    let keybed = keybed.calibrate(&wanted, |found, _name| Ok(nominal(found))).map_err(refused)?;
+    let terms = Terms {
+        period_us: u16::try_from(1_000_000 / HZ).unwrap_or(u16::MAX),
+        samples: SamplePacking::default(),
+        forces: ForcePacking::default(),
+        valid_ms: VALID_MS,
+    };
+    let keybed = keybed.arm(terms, PATIENCE_US).map_err(refused)?;
+    Ok((boards, Box::new(Bench::new(keybed))))
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "fits map_err")]
+fn refused(refusals: Refusals) -> Failure {
+    Failure::Usage(refusals.to_string())
+}

@@ -1,0 +1,73 @@
+//! Whoever sits before the terminal.
+
+use std::io::{self, BufRead as _, IsTerminal as _, Write as _};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use hardware::calibrate::Bench;
+
+use super::CalibrateArgs;
+use crate::command::Failure;
+
+/// Whoever sits before the terminal, if anybody does.
+#[derive(Debug)]
+pub(super) struct Operator {
+    is_there: bool,
+    agrees: bool,
+}
+
+impl Operator {
+    /// Whoever has typed `args`.
+    pub(super) fn new(args: &CalibrateArgs) -> Self {
+        Self { is_there: io::stdin().is_terminal(), agrees: args.yes }
+    }
+
+    /// Refuses to go on without somebody, because of `what`.
+    pub(super) fn must_be_there(&self, what: &str) -> Result<(), Failure> {
+        if self.is_there {
+            return Ok(());
+        }
+        Err(Failure::Usage(format!("{what} needs somebody at a terminal; leave it out here")))
+    }
+
+    /// Asks whether files may be overwritten that are there.
+    pub(super) fn may_overwrite(&self, files: &[PathBuf]) -> Result<(), Failure> {
+        if files.is_empty() || self.agrees {
+            return Ok(());
+        }
+        let names: Vec<_> = files.iter().map(|it| it.display().to_string()).collect();
+        let names = names.join(", ");
+        if !self.is_there {
+            let text = format!("{names} would be overwritten; give --yes to do so");
+            return Err(Failure::Usage(text));
+        }
+        tell(&format!("overwrite {names}? [y/N] "));
+        let mut answer = String::new();
+        io::stdin().lock().read_line(&mut answer)?;
+        match answer.trim() {
+            "y" | "Y" | "yes" => Ok(()),
+            _ => Err(Failure::Usage("nothing was measured, and nothing overwritten".into())),
+        }
+    }
+
+    /// Asks for something to be done, and keeps the boards armed until it is.
+    pub(super) fn wait_for(bench: &mut Bench, what: &str) {
+        tell(&format!("{what}, then press Enter "));
+        let done = Arc::new(AtomicBool::new(false));
+        let its_done = Arc::clone(&done);
+        // It ends with the line, or with the program.
+        std::thread::spawn(move || {
+            let _read = io::stdin().lock().read_line(&mut String::new());
+            its_done.store(true, Ordering::Release);
+        });
+        bench.wait(|| done.load(Ordering::Acquire));
+    }
+}
+
+/// Says something to the operator.
+fn tell(text: &str) {
+    let mut stderr = io::stderr();
+    // A closed stderr leaves nobody to tell.
+    let _unheard = write!(stderr, "{text}").and_then(|()| stderr.flush());
+}

@@ -1,0 +1,133 @@
+//! What a report says of one link.
+
+use std::fmt;
+
+use hardware::keybed::{BoardReport, LineReport};
+use hardware::link::WireState;
+use hardware::plan::{BusPlan, Verdict};
+use serde::Serialize;
+
+/// One link of a run.
+#[derive(Clone, Debug, Serialize)]
+pub struct LinkLine {
+    /// What it is called.
+    pub name: String,
+    /// What it is made of, if that is known.
+    pub medium: Option<String>,
+    /// Share of its time that was planned, at worst.
+    pub planned_load: Option<f64>,
+    /// Share of its time that was seen, its payloads charged as the worst.
+    pub seen_load: Option<f64>,
+    /// The same, its payloads charged as the best.
+    pub seen_load_least: Option<f64>,
+    /// Samples of each board that were planned, a second [1/s].
+    pub planned_hz: Option<f64>,
+    /// Samples of each board that came, a second, on average [1/s].
+    pub seen_hz: f64,
+    /// What came and was no frame.
+    pub corrupt: u64,
+    /// Frames of no board that is known.
+    pub foreign: u64,
+    /// Receptions that failed because it was down.
+    pub down: u64,
+    /// What its controller does.
+    pub state: &'static str,
+    /// Transmission errors, as its controller counts them up and down.
+    pub transmit_errors: u8,
+    /// Reception errors, likewise.
+    pub receive_errors: u8,
+    /// Times that it was opened or started again.
+    pub restarts: u64,
+    /// What is tight about its plan, a sentence.
+    pub warning: Option<String>,
+}
+
+impl LinkLine {
+    /// Of `line` with its `plan`, after `seconds`; `boards` are those of all lines.
+    pub fn new(
+        line: &LineReport,
+        plan: Option<&BusPlan>,
+        boards: &[BoardReport],
+        seconds: f64,
+    ) -> Self {
+        let LineReport { name, statistics, medium, load } = line;
+        let on_it = boards.iter().filter(|board| board.name.line == *name);
+        let frames: Vec<_> = on_it.map(|board| board.statistics.samples.frames).collect();
+        let mean = frames.iter().sum::<u64>() as f64 / frames.len().max(1) as f64;
+        let health = statistics.health;
+        Self {
+            name: name.clone(),
+            medium: medium.map(|it| it.to_string()),
+            planned_load: plan.map(BusPlan::load),
+            seen_load: load.map(|it| it.most),
+            seen_load_least: load.map(|it| it.least),
+            planned_hz: plan.map(|it| it.sample_rate),
+            seen_hz: mean / seconds.max(1e-9),
+            corrupt: statistics.corrupt,
+            foreign: statistics.foreign,
+            down: statistics.down,
+            state: state(health.state),
+            transmit_errors: health.transmit_errors,
+            receive_errors: health.receive_errors,
+            restarts: health.restarts,
+            warning: plan.filter(|it| it.verdict() != Verdict::Fits).map(BusPlan::sentence),
+        }
+    }
+}
+
+const fn state(state: WireState) -> &'static str {
+    match state {
+        WireState::Active => "active",
+        WireState::Warning => "warning",
+        WireState::Passive => "passive",
+        WireState::Off => "off",
+    }
+}
+
+/// Prints the table of all links, if there are any, and what is tight.
+pub(super) fn fmt_table(lines: &[LinkLine], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    if lines.is_empty() {
+        return Ok(());
+    }
+    writeln!(
+        f,
+        "              {:20} {:24} {:>7} {:>7} {:>6} {:>6} {:>7} {:>7} {:>7} {:>7} {:>8}",
+        "link",
+        "medium",
+        "planned",
+        "seen",
+        "Hz",
+        "seen",
+        "corrupt",
+        "foreign",
+        "state",
+        "TEC/REC",
+        "restarts",
+    )?;
+    lines.iter().try_for_each(|line| line.fmt_row(f))?;
+    let mut warnings = lines.iter().filter_map(|line| line.warning.as_ref());
+    warnings.try_for_each(|warning| writeln!(f, "              {warning}"))
+}
+
+impl LinkLine {
+    fn fmt_row(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let percent = |load: Option<f64>| {
+            load.map_or_else(|| "-".to_owned(), |load| format!("{:.1} %", 100.0 * load))
+        };
+        let planned = self.planned_hz.map_or_else(|| "-".to_owned(), |hz| format!("{hz:.0}"));
+        writeln!(
+            f,
+            "              {:20} {:24} {:>7} {:>7} {planned:>6} {:6.0} {:7} {:7} {:>7} {:>7} {:8}",
+            self.name,
+            self.medium.as_deref().unwrap_or("-"),
+            percent(self.planned_load),
+            percent(self.seen_load),
+            self.seen_hz,
+            self.corrupt,
+            self.foreign,
+            self.state,
+            format!("{}/{}", self.transmit_errors, self.receive_errors),
+            self.restarts,
+        )
+    }
+}

@@ -1,0 +1,283 @@
+//! What a run reports when it is over, for people and for programs.
+
+use std::fmt;
+
+use hdrhistogram::Histogram;
+use performance::Assessment;
+use serde::Serialize;
+
+use crate::adapters::audit::AuditReport;
+
+mod board_line;
+mod link_line;
+
+pub use board_line::BoardLine;
+pub use link_line::LinkLine;
+
+/// The report of `letoff run`, as `--json` prints it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// The scene's name.
+    pub scene: String,
+    /// Keys with a voice.
+    pub voices: usize,
+    /// Ticks per second.
+    pub tick_hz: u32,
+    /// Ticks that were run.
+    pub ticks: u64,
+    /// Ticks that were never run; `deadline` counts them as missed.
+    pub skipped: u64,
+    /// Length of the run [s].
+    pub duration_s: f64,
+    /// Threads that shared the tick.
+    pub lanes: usize,
+    /// What the system granted.
+    pub realtime: Realtime,
+    /// Whether forces were out in time.
+    pub deadline: Deadline,
+    /// What was played, and how well; `None` without a pianist.
+    pub notes: Option<Notes>,
+    /// Reset maps applied by all models.
+    pub events: u64,
+    /// Hammers that met their string.
+    pub strikes: u64,
+    /// Turns that ended in a fault.
+    pub faults: u64,
+    /// Key events for which a ring had no room.
+    pub dropped: u64,
+    /// Counted work of all voices.
+    pub work: Evaluations,
+    /// Exchange with the boards, summed over them.
+    pub links: Links,
+    /// Each board, if there are real ones.
+    pub boards: Vec<BoardLine>,
+    /// Each link to them.
+    pub lines: Vec<LinkLine>,
+    /// Where the energy of all voices came from and went [J].
+    pub energy_audit: AuditReport,
+    /// What became of the MIDI output.
+    pub midi: MidiReport,
+}
+
+/// What the system granted.
+#[derive(Clone, Debug, Serialize)]
+pub struct Realtime {
+    /// Scheduling policy of the tick, or `virtual time`.
+    pub policy: String,
+    /// Whether memory cannot be paged out.
+    pub memory_locked: bool,
+    /// What to do to get more, a sentence each.
+    pub advice: Vec<String>,
+}
+
+/// Deadlines and what was measured around them.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Deadline {
+    /// Ticks whose forces were out too late, or that were never run.
+    pub missed: u64,
+    /// Of these, because the voices took too long.
+    pub missed_own_work: u64,
+    /// Of these, because the system woke the tick too late.
+    pub missed_woken_late: u64,
+    /// Of these, because the system took the processor away.
+    pub missed_preempted: u64,
+    /// Woken − due.
+    pub lateness_us: Quantiles,
+    /// CPU time of a tick.
+    pub work_us: Quantiles,
+    /// Samples in → forces out.
+    pub turnaround_us: Quantiles,
+    /// Lateness of a bare timer thread of the same priority, beside.
+    pub timer_baseline_us: Quantiles,
+}
+
+/// Quantiles of a distribution, in microseconds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "the names say it")]
+pub struct Quantiles {
+    pub p50: f64,
+    pub p99: f64,
+    pub p99_9: f64,
+    pub max: f64,
+}
+
+impl Quantiles {
+    /// Of a histogram of nanoseconds.
+    pub fn of(histogram: &Histogram<u64>) -> Self {
+        let at = |q: f64| histogram.value_at_quantile(q) as f64 * 1e-3;
+        Self { p50: at(0.5), p99: at(0.99), p99_9: at(0.999), max: histogram.max() as f64 * 1e-3 }
+    }
+}
+
+/// How the performance came out.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Notes {
+    /// Notes that the piece asks for within the run.
+    pub played: usize,
+    /// Of these, struck.
+    pub struck: usize,
+    /// Notes asked for and not struck.
+    pub missed: usize,
+    /// Strikes that nobody asked for.
+    pub extra: usize,
+    /// |struck − wanted| [ms].
+    pub onset_error_ms: Spread,
+    /// |struck − wanted| in MIDI velocities.
+    pub velocity_error: Spread,
+}
+
+/// Quantiles of an error.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[expect(missing_docs, reason = "the names say it")]
+pub struct Spread {
+    pub p50: f64,
+    pub p99: f64,
+    pub max: f64,
+}
+
+impl From<&Assessment> for Notes {
+    fn from(it: &Assessment) -> Self {
+        let spread = |it: &performance::Spread| Spread { p50: it.p50, p99: it.p99, max: it.max };
+        Self {
+            played: it.played,
+            struck: it.played - it.missed,
+            missed: it.missed,
+            extra: it.extra,
+            onset_error_ms: spread(&it.onset_error_ms),
+            velocity_error: spread(&it.velocity_error),
+        }
+    }
+}
+
+/// Evaluations, independent of the machine.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Evaluations {
+    /// Of derivatives.
+    pub derivatives: u64,
+    /// Of guards.
+    pub guards: u64,
+}
+
+/// What happened on the links to the boards.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Links {
+    /// Frames that arrived.
+    pub frames: u64,
+    /// Frames that are known to be missing.
+    pub gaps: u64,
+    /// Bytes or frames that were refused.
+    pub refused: u64,
+    /// Times that boards were armed again after their watchdogs had taken the forces away.
+    pub rearmed: u64,
+}
+
+/// What became of the MIDI output.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct MidiReport {
+    /// Where it went.
+    pub output: String,
+    /// Handed over − happened, in real time.
+    pub handover_us: Option<Quantiles>,
+    /// Messages that could not be sent.
+    pub failed: u64,
+    /// The first reason, a sentence.
+    pub trouble: Option<String>,
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "{}: {} voices, {} ticks at {} Hz ({:.1} s) on {} lane(s)",
+            self.scene, self.voices, self.ticks, self.tick_hz, self.duration_s, self.lanes
+        )?;
+        let locked = if self.realtime.memory_locked { "locked" } else { "not locked" };
+        writeln!(f, "  real time   {}, memory {locked}", self.realtime.policy)?;
+        for advice in &self.realtime.advice {
+            writeln!(f, "              {advice}")?;
+        }
+        self.deadline.fmt_lines(f, self.skipped)?;
+        if let Some(notes) = &self.notes {
+            notes.fmt_lines(f)?;
+        }
+        writeln!(
+            f,
+            "  models      {} events, {} strikes, {} faults; {:.1} derivatives and {:.1} guards per tick",
+            self.events,
+            self.strikes,
+            self.faults,
+            self.work.derivatives as f64 / self.ticks.max(1) as f64,
+            self.work.guards as f64 / self.ticks.max(1) as f64,
+        )?;
+        let e = &self.energy_audit;
+        writeln!(
+            f,
+            "  energy      supplied {:.4} J, dissipated {:.4} J, impacts {:.4} J, stored {:.4} J, unexplained {:.1e} J",
+            e.supplied, e.dissipated, e.jumps, e.stored, e.residual
+        )?;
+        writeln!(
+            f,
+            "  boards      {} frames, {} gaps, {} refused",
+            self.links.frames, self.links.gaps, self.links.refused
+        )?;
+        board_line::fmt_table(&self.boards, f)?;
+        link_line::fmt_table(&self.lines, f)?;
+        self.midi.fmt_line(f)
+    }
+}
+
+impl Deadline {
+    fn fmt_lines(&self, f: &mut fmt::Formatter<'_>, skipped: u64) -> fmt::Result {
+        writeln!(
+            f,
+            "  deadlines   {} missed: {} own work, {} woken late, {} preempted; {skipped} of these never run",
+            self.missed, self.missed_own_work, self.missed_woken_late, self.missed_preempted
+        )?;
+        writeln!(f, "              [us]        p50      p99    p99.9      max")?;
+        for (name, q) in [
+            ("lateness", &self.lateness_us),
+            ("bare timer", &self.timer_baseline_us),
+            ("work", &self.work_us),
+            ("turnaround", &self.turnaround_us),
+        ] {
+            writeln!(
+                f,
+                "              {name:10}{:9.1}{:9.1}{:9.1}{:9.1}",
+                q.p50, q.p99, q.p99_9, q.max
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl Notes {
+    fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "  notes       {} of {} struck, {} missed, {} extra",
+            self.struck, self.played, self.missed, self.extra
+        )?;
+        let (o, v) = (&self.onset_error_ms, &self.velocity_error);
+        writeln!(
+            f,
+            "              onset error p50 {:.3} p99 {:.3} max {:.3} ms; velocity error p50 {:.0} p99 {:.0} max {:.0}",
+            o.p50, o.p99, o.max, v.p50, v.p99, v.max
+        )
+    }
+}
+
+impl MidiReport {
+    fn fmt_line(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "  midi        {}", self.output)?;
+        if let Some(q) = &self.handover_us {
+            write!(f, "; handed over after p50 {:.0} p99 {:.0} max {:.0} us", q.p50, q.p99, q.max)?;
+        }
+        match &self.trouble {
+            Some(trouble) if self.failed > 0 => {
+                writeln!(f, "; {} messages failed: {trouble}", self.failed)
+            }
+            Some(notice) => writeln!(f, "\n              {notice}"),
+            None => writeln!(f),
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Where simulated boards can be found: on pseudo-terminals or on a CAN interface.
+
+use std::path::PathBuf;
+
+use firmware_protocol::key::BoardId;
+use hardware::link::Link;
+use hardware::link::address::Address;
+use hardware::link::can::Side;
+use hardware::link::lasting::Lasting;
+use hardware::link::serial::{Pty, Serial};
+use hardware::link::wire::{Wire, WirePlan};
+
+/// Where boards shall be found.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Place {
+    /// Each on a pseudo-terminal of its own, at once and whole.
+    Pty,
+    /// Each on a pseudo-terminal of its own, behind a wire with faults.
+    Wire(WirePlan),
+    /// All on this link, which is opened again when it goes down.
+    Shared(Address),
+}
+
+/// A board's end of its link, and what a host has to open.
+pub struct Placed {
+    /// The board's end.
+    pub link: Box<dyn Link + Send>,
+    /// What a host has to open.
+    pub address: Address,
+    /// What must live as long as the link.
+    _wire: Option<Wire>,
+}
+
+impl std::fmt::Debug for Placed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Placed").field("address", &self.address).finish_non_exhaustive()
+    }
+}
+
+/// Puts the board with this number where it shall be found.
+///
+/// # Errors
+/// Says what the system refused.
+pub fn place(board: BoardId, at: &Place) -> Result<Placed, hardware::Error> {
+    match at {
+        Place::Pty => {
+            let Pty { board, path } = Pty::open()?;
+            Ok(Placed { link: Box::new(board), address: serial(path), _wire: None })
+        }
+        Place::Wire(plan) => {
+            // Each board has its own chance.
+            let seed = plan.seed.wrapping_add(u64::from(board.number()));
+            let wire = Wire::open(WirePlan { seed, ..*plan })?;
+            let link = Box::new(Serial::open(wire.board(), 2_000_000)?);
+            Ok(Placed { link, address: serial(wire.host().to_owned()), _wire: Some(wire) })
+        }
+        Place::Shared(address) => {
+            let its_address = address.clone();
+            let link = Lasting::open(move || its_address.open(Side::Board(board)))?;
+            Ok(Placed { link: Box::new(link), address: address.clone(), _wire: None })
+        }
+    }
+}
+
+fn serial(port: PathBuf) -> Address {
+    Address::Serial { port, baud: hardware::link::address::BAUD }
+}

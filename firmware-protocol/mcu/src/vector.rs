@@ -1,0 +1,47 @@
+//! A golden vector as text, read without a heap.
+
+use core::str::FromStr;
+
+use firmware_protocol::MAX_FRAME;
+
+/// One vector: its text, and the frame in it.
+pub struct Vector<'a> {
+    text: &'a str,
+    frame: [u8; MAX_FRAME],
+    len: usize,
+}
+
+impl<'a> Vector<'a> {
+    pub fn read(text: &'a str) -> Option<Self> {
+        let mut vector = Self { text, frame: [0; MAX_FRAME], len: 0 };
+        for digits in vector.line("frame")?.as_bytes().chunks(2) {
+            *vector.frame.get_mut(vector.len)? = byte(digits)?;
+            vector.len += 1;
+        }
+        Some(vector)
+    }
+
+    pub fn frame(&self) -> &[u8] {
+        &self.frame[..self.len]
+    }
+
+    /// What stands behind `name =`.
+    pub fn line(&self, name: &str) -> Option<&'a str> {
+        let value = |line: &'a str| line.strip_prefix(name)?.strip_prefix(" =");
+        Some(self.text.lines().find_map(value)?.trim())
+    }
+
+    pub fn number<T: FromStr>(&self, name: &str) -> Option<T> {
+        self.line(name)?.parse().ok()
+    }
+
+    /// How many values stand there.
+    pub fn count(&self, name: &str) -> Option<usize> {
+        Some(self.line(name)?.split_whitespace().count())
+    }
+}
+
+/// The byte that two hex digits are.
+pub fn byte(digits: &[u8]) -> Option<u8> {
+    u8::from_str_radix(core::str::from_utf8(digits).ok()?, 16).ok()
+}

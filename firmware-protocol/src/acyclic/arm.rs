@@ -1,0 +1,43 @@
+//! How a board is disarmed and armed: the only way out of the safe state.
+//!
+//! ```text
+//! host  disarm  ──▶  board: no force; a new nonce
+//! host  arm(nonce, what was agreed)  ──▶  board: armed, until its forces expire
+//! ```
+//!
+//! A nonce serves once, so neither a repeated request nor an old host arms a board.
+
+record! {
+    /// The answer to a disarming.
+    Disarmed {
+        /// What arming must say.
+        nonce: u32,
+    }
+}
+
+record! {
+    /// What forces will be like.
+    Arm {
+        /// What the disarming answered.
+        nonce: u32,
+        /// [`crate::frame::key_forces::ForcePacking`].
+        packing: u8,
+        /// How long forces are valid after the samples that they answer [ms], `5 ..= 100`; then
+        /// the board is safe.
+        valid_ms: u8,
+    }
+}
+
+/// The shortest time that forces may be valid [ms].
+pub const SHORTEST_VALID_MS: u8 = 5;
+/// The longest time that forces may be valid [ms].
+pub const LONGEST_VALID_MS: u8 = 100;
+/// What is usual [ms].
+pub const VALID_MS: u8 = 20;
+/// Time in which forces fade when they have expired [ms].
+pub const FADE_MS: u8 = 10;
+/// How long the point around which a force goes on moves on [us], see
+/// [`crate::frame::key_forces`].
+pub const PATH_US: u16 = 2_000;
+/// Samples that a board remembers for forces to answer.
+pub const HISTORY: usize = 64;

@@ -1,0 +1,54 @@
+//! A board's settings, by number.
+//!
+//! They are kept over a restart; their CRC-32 stands in the hello, so that a host need not
+//! write again what is there.
+
+record! {
+    /// Which setting.
+    ReadConfig {
+        /// Its number, one of [`setting`].
+        setting: u8,
+    }
+}
+
+record! {
+    /// A setting and its value.
+    WriteConfig {
+        /// Its number, one of [`setting`].
+        setting: u8,
+        /// Its value.
+        value: i32,
+    }
+}
+
+record! {
+    /// A setting as it is now.
+    Config {
+        /// Its value.
+        value: i32,
+        /// CRC-32 of all settings, as the hello has it.
+        config_crc: u32,
+    }
+}
+
+/// The settings that every board has.
+pub mod setting {
+    /// The board's number on its link, `0 ..= 14`; holds from the next start.
+    pub const BOARD: u8 = 0;
+    /// Its first key, `0 ..= 87`; holds from the next start.
+    pub const FIRST_KEY: u8 = 1;
+    /// Force limit of all its motors [mN].
+    pub const MAX_FORCE_MN: u8 = 2;
+    /// How many settings there are.
+    pub const COUNT: u8 = 3;
+}
+
+/// CRC-32 (ISO-HDLC) of all settings, in the order of their numbers, little-endian.
+pub fn crc(settings: &[i32]) -> u32 {
+    const CRC32: crc::Crc<u32> = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC);
+    let mut digest = CRC32.digest();
+    for value in settings {
+        digest.update(&value.to_le_bytes());
+    }
+    digest.finalize()
+}

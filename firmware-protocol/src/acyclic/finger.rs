@@ -1,0 +1,24 @@
+//! A simulated board's finger: so that a pianist can play over a real link.
+//!
+//! Real boards have none and answer that the operation is impossible.
+
+record! {
+    /// A gesture on one key; a new one is added to those that wait.
+    Finger {
+        /// The key's slot.
+        slot: u8,
+        /// 0 pressed, 1 struck; 255 forgets all gestures of the key.
+        touch: u8,
+        /// When the finger meets the key [us], board time.
+        start_us: u32,
+        /// When it lets go [us], board time.
+        release_us: u32,
+        /// How fast it moves [um/s].
+        speed: u32,
+        /// How deep it holds the key [um].
+        hold: u32,
+    }
+}
+
+/// The value of `touch` that forgets all gestures of a key.
+pub const FORGET: u8 = 255;

@@ -1,0 +1,270 @@
+//! Requests and replies: configuration, calibration, log, arming. One operation per file.
+//!
+//! ```text
+//! request  byte 0 kind 4 | board    byte 1 id    byte 2 operation    byte 3..  its record
+//! reply    byte 0 kind 5 | board    byte 1 id    byte 2 operation    byte 3 status    byte 4..
+//! ```
+//!
+//! The host asks again, with the same id, until it is answered: not before 25 ms, since a USB
+//! adapter may hold an answer that long. One request is on its way to a board at a time. A
+//! board that sees the id of the request that it answered last sends the same answer again and
+//! does nothing else, so asking twice does nothing twice.
+//!
+//! Requests are never on the tick's path, and cost the bus less than a hundredth.
+
+pub mod arm;
+pub mod calibration;
+pub mod config;
+pub mod counters;
+pub mod finger;
+pub mod light;
+pub mod log;
+pub mod ping;
+pub mod stream;
+
+use crate::frame::{ALL_BOARDS, DecodeError, Kind, check_board, head};
+use crate::key::BoardId;
+use crate::{MAX_FRAME, Record};
+
+/// Time after which a request is asked again at the earliest [ms].
+pub const RETRY_MS: u32 = 25;
+
+/// Bytes before the record of a request.
+pub const REQUEST_HEAD: usize = 3;
+/// Bytes before the record of a reply.
+pub const REPLY_HEAD: usize = 4;
+
+/// What is asked for. New ones may be added in a minor version: boards that do not know one
+/// answer [`Status::Unknown`].
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[repr(u8)]
+pub enum Operation {
+    /// Who are you? Answered with the record of a hello.
+    Hello = 1,
+    /// Send samples: [`stream`].
+    Stream = 2,
+    /// Render no force, and say the nonce for arming: [`arm`].
+    Disarm = 3,
+    /// Render forces from now on: [`arm`].
+    Arm = 4,
+    /// What time is it? [`ping`].
+    Ping = 5,
+    /// Read a setting: [`config`].
+    ReadConfig = 6,
+    /// Write a setting: [`config`].
+    WriteConfig = 7,
+    /// Read a key's calibration: [`calibration`].
+    ReadCalibration = 8,
+    /// Write a key's calibration: [`calibration`].
+    WriteCalibration = 9,
+    /// Read the log: [`log`].
+    ReadLog = 10,
+    /// Show yourself: [`light`].
+    Light = 11,
+    /// What was counted: [`counters`].
+    Counters = 12,
+    /// Move a simulated finger: [`finger`].
+    Finger = 13,
+}
+
+impl Operation {
+    /// All operations, in the order of their numbers.
+    pub const ALL: [Self; 13] = [
+        Self::Hello,
+        Self::Stream,
+        Self::Disarm,
+        Self::Arm,
+        Self::Ping,
+        Self::ReadConfig,
+        Self::WriteConfig,
+        Self::ReadCalibration,
+        Self::WriteCalibration,
+        Self::ReadLog,
+        Self::Light,
+        Self::Counters,
+        Self::Finger,
+    ];
+
+    /// The operation with this number.
+    pub fn new(number: u8) -> Option<Self> {
+        Self::ALL.get(usize::from(number).checked_sub(1)?).copied()
+    }
+}
+
+/// How a request was answered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[repr(u8)]
+pub enum Status {
+    /// It was done.
+    Done = 0,
+    /// The board does not know the operation.
+    Unknown = 1,
+    /// A value in it is out of range, or the record is too short.
+    BadValue = 2,
+    /// Not in the state in which the board is.
+    WrongState = 3,
+    /// The nonce is not the one that was given out last.
+    WrongNonce = 4,
+    /// The board cannot do that.
+    Impossible = 5,
+}
+
+impl Status {
+    /// All of them, in the order of their numbers.
+    pub const ALL: [Self; 6] = [
+        Self::Done,
+        Self::Unknown,
+        Self::BadValue,
+        Self::WrongState,
+        Self::WrongNonce,
+        Self::Impossible,
+    ];
+
+    /// The status with this number; [`Status::Impossible`] for those of newer versions.
+    pub fn new(number: u8) -> Self {
+        Self::ALL.get(usize::from(number)).copied().unwrap_or(Self::Impossible)
+    }
+}
+
+/// A request as it came.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Request<'a> {
+    /// Who is asked.
+    pub board: BoardId,
+    /// Its number; the same one is the same request again.
+    pub id: u8,
+    /// What is asked for; nothing that this version knows if the number is none of its own.
+    pub operation: Result<Operation, u8>,
+    /// The record, and zeros or newer fields behind it.
+    pub record: &'a [u8],
+}
+
+impl<'a> Request<'a> {
+    /// Reads a frame, padded or not; never panics, whatever the bytes.
+    ///
+    /// # Errors
+    /// Says what in `bytes` is not of this frame.
+    pub fn decode(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+        let length = DecodeError::Length { got: bytes.len() };
+        let [first, id, operation, record @ ..] = bytes else { return Err(length) };
+        if MAX_FRAME < bytes.len() {
+            return Err(length);
+        }
+        let board = check_board(*first, Kind::Request)?;
+        let operation = Operation::new(*operation).ok_or(*operation);
+        Ok(Self { board, id: *id, operation, record })
+    }
+}
+
+/// Writes a request of `board`; returns its length.
+pub fn encode_request<R: Record>(
+    board: BoardId,
+    id: u8,
+    operation: Operation,
+    record: &R,
+    bytes: &mut [u8; MAX_FRAME],
+) -> usize {
+    bytes.fill(0);
+    let start = [head(Kind::Request, board.number()), id, operation as u8];
+    bytes[..REQUEST_HEAD].copy_from_slice(&start);
+    REQUEST_HEAD + record.put(&mut bytes[REQUEST_HEAD..]).unwrap_or_default()
+}
+
+/// A reply as it came.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Reply<'a> {
+    /// Who answers.
+    pub board: BoardId,
+    /// Which request.
+    pub id: u8,
+    /// What had been asked for.
+    pub operation: Result<Operation, u8>,
+    /// How it went.
+    pub status: Status,
+    /// The record, and zeros or newer fields behind it; nothing if it was not done.
+    pub record: &'a [u8],
+}
+
+impl<'a> Reply<'a> {
+    /// Reads a frame, padded or not; never panics, whatever the bytes.
+    ///
+    /// # Errors
+    /// Says what in `bytes` is not of this frame.
+    pub fn decode(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+        let length = DecodeError::Length { got: bytes.len() };
+        let [first, id, operation, status, record @ ..] = bytes else { return Err(length) };
+        if MAX_FRAME < bytes.len() {
+            return Err(length);
+        }
+        let board = check_board(*first, Kind::Reply)?;
+        let operation = Operation::new(*operation).ok_or(*operation);
+        Ok(Self { board, id: *id, operation, status: Status::new(*status), record })
+    }
+}
+
+/// Writes a reply of `board` to the request `id`; returns its length.
+///
+/// `operation` is the number that was asked for, known or not.
+pub fn encode_reply<R: Record>(
+    board: BoardId,
+    id: u8,
+    operation: u8,
+    outcome: Result<R, Status>,
+    bytes: &mut [u8; MAX_FRAME],
+) -> usize {
+    bytes.fill(0);
+    let status = outcome.as_ref().map_or_else(|status| *status as u8, |_done| Status::Done as u8);
+    let start = [head(Kind::Reply, board.number()), id, operation, status];
+    bytes[..REPLY_HEAD].copy_from_slice(&start);
+    let record = outcome.map_or(0, |record| record.put(&mut bytes[REPLY_HEAD..]).unwrap_or(0));
+    REPLY_HEAD + record
+}
+
+const _: () = assert!(ALL_BOARDS == 15, "requests are for one board, never for all");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Nothing;
+    use crate::acyclic::ping::Pong;
+
+    fn board() -> BoardId {
+        BoardId::new(6).unwrap()
+    }
+
+    #[test]
+    fn a_request_and_its_reply_read_back() {
+        let mut bytes = [0xAA; MAX_FRAME];
+        let len = encode_request(board(), 9, Operation::Ping, &Nothing, &mut bytes);
+        let request = Request::decode(&bytes[..len]).unwrap();
+        assert_eq!(
+            (request.board, request.id, request.operation),
+            (board(), 9, Ok(Operation::Ping))
+        );
+        let pong = Pong { board_us: 77 };
+        let len = encode_reply(board(), 9, Operation::Ping as u8, Ok(pong), &mut bytes);
+        let reply = Reply::decode(&bytes[..len]).unwrap();
+        assert_eq!((reply.id, reply.status), (9, Status::Done));
+        assert_eq!(Pong::take(reply.record), Some(pong));
+    }
+
+    #[test]
+    fn an_operation_of_a_newer_version_is_seen_and_can_be_answered() {
+        let mut bytes = [0; MAX_FRAME];
+        let len = encode_request(board(), 1, Operation::Finger, &Nothing, &mut bytes);
+        bytes[2] = 99;
+        let request = Request::decode(&bytes[..len]).unwrap();
+        assert_eq!(request.operation, Err(99));
+        let unknown = Err::<Nothing, _>(Status::Unknown);
+        let len = encode_reply(board(), 1, 99, unknown, &mut bytes);
+        assert_eq!(Reply::decode(&bytes[..len]).unwrap().status, Status::Unknown);
+    }
+
+    #[test]
+    fn every_operation_has_its_number() {
+        for operation in Operation::ALL {
+            assert_eq!(Operation::new(operation as u8), Some(operation));
+        }
+        assert_eq!((Operation::new(0), Operation::new(14)), (None, None));
+    }
+}

@@ -1,0 +1,125 @@
+//! The same frames on CAN: identifiers, padding, and pieces for classic CAN.
+//!
+//! ```text
+//! identifier, 11 bits:  bits 10..7 class, bits 6..0 board; 15 is all boards
+//! ```
+//!
+//! The class comes first, so that what is urgent wins the bus from whatever board it comes.
+//! The kind and the board stand in the frame as well: an identifier and a frame that do not
+//! agree are refused.
+
+pub mod pieces;
+
+use crate::frame::{ALL_BOARDS, Kind};
+
+/// What a frame is, by urgency; the smaller number wins the bus.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[repr(u8)]
+pub enum Class {
+    /// Emergency stop.
+    Stop = 0,
+    /// Bus time, and "who is there?".
+    Sync = 1,
+    /// Forces of thirty keys.
+    MulticastForces = 2,
+    /// Forces of one board.
+    KeyForces = 3,
+    /// Samples.
+    KeySamples = 4,
+    /// Requests.
+    Request = 8,
+    /// Replies.
+    Reply = 9,
+    /// Hellos.
+    Hello = 10,
+}
+
+impl Class {
+    /// All classes, the most urgent first.
+    pub const ALL: [Self; 8] = [
+        Self::Stop,
+        Self::Sync,
+        Self::MulticastForces,
+        Self::KeyForces,
+        Self::KeySamples,
+        Self::Request,
+        Self::Reply,
+        Self::Hello,
+    ];
+
+    /// The class of a frame; none if it is of no kind.
+    pub fn of(frame: &[u8]) -> Option<Self> {
+        Some(match Kind::of(frame)? {
+            Kind::Broadcast if frame.get(1) == Some(&1) => Self::Stop,
+            Kind::Broadcast => Self::Sync,
+            Kind::KeyForces => Self::KeyForces,
+            Kind::MulticastForces => Self::MulticastForces,
+            Kind::KeySamples => Self::KeySamples,
+            Kind::Request => Self::Request,
+            Kind::Reply => Self::Reply,
+            Kind::Hello => Self::Hello,
+        })
+    }
+}
+
+/// Bits of the identifier below the class.
+pub const NODE_BITS: u16 = 7;
+
+/// The identifier under which a frame travels; none if it is of no kind.
+pub fn identifier(frame: &[u8]) -> Option<u16> {
+    let class = Class::of(frame)?;
+    let node =
+        if class == Class::MulticastForces { ALL_BOARDS } else { frame.first()? & ALL_BOARDS };
+    Some(u16::from(class as u8) << NODE_BITS | u16::from(node))
+}
+
+/// Whether a frame may have come under this identifier.
+pub fn agrees(id: u16, frame: &[u8]) -> bool {
+    identifier(frame) == Some(id)
+}
+
+/// Lengths that a CAN FD frame can have.
+pub const LENGTHS: [usize; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 20, 24, 32, 48, 64];
+
+/// The shortest length of a CAN FD frame that holds `len` bytes; 64 for more than it can.
+pub const fn padded(len: usize) -> usize {
+    let mut i = 0;
+    while i < LENGTHS.len() {
+        if len <= LENGTHS[i] {
+            return LENGTHS[i];
+        }
+        i += 1;
+    }
+    crate::MAX_FRAME
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_class_stands_before_the_board() {
+        // Stop; bus time; forces for board 7; multicast group 2; samples of board 0.
+        let cases: [(&[u8], u16); 5] = [
+            (&[0x0F, 1, 0xDE, 0xAD, 0], 0x00F),
+            (&[0x0F, 2, 0, 0, 0, 0], 0x08F),
+            (&[0x27], 0x187),
+            (&[0x42], 0x10F),
+            (&[0x60], 0x200),
+        ];
+        for (frame, expected) in cases {
+            assert_eq!(identifier(frame), Some(expected), "{frame:x?}");
+            assert!(agrees(expected, frame) && !agrees(expected + 1, frame));
+        }
+        assert_eq!(identifier(&[]), None);
+        assert_eq!(identifier(&[0xFF]), None);
+    }
+
+    #[test]
+    fn a_length_is_padded_to_the_next_that_the_bus_has() {
+        for (len, expected) in [(0, 0), (8, 8), (9, 12), (26, 32), (37, 48), (48, 48), (59, 64)] {
+            assert_eq!(padded(len), expected);
+        }
+        assert_eq!(padded(65), 64);
+    }
+}

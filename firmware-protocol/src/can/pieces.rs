@@ -1,0 +1,153 @@
+//! Frames on classic CAN, whose frames hold eight bytes: in pieces of seven.
+//!
+//! ```text
+//! byte 0      bits 7..5 number of the frame, bit 4 last piece, bits 3..0 number of the piece
+//! byte 1..8   up to seven bytes of the frame
+//! ```
+//!
+//! A frame that lost a piece is lost: the next one is already on its way.
+
+use crate::MAX_FRAME;
+
+/// Bytes of a frame in one piece.
+pub const PIECE: usize = 7;
+/// Pieces that the longest frame takes.
+pub const MOST_PIECES: usize = MAX_FRAME.div_ceil(PIECE);
+
+/// Bit of the head that marks the last piece.
+pub const LAST: u8 = 0b0001_0000;
+/// Bits of the head with the number of the piece.
+pub const INDEX: u8 = 0b0000_1111;
+/// Where the number of the frame stands in the head.
+pub const ROLL_SHIFT: u8 = 5;
+
+/// How many pieces a frame of `len` bytes takes; an empty one takes one.
+pub const fn count(len: usize) -> usize {
+    if len == 0 { 1 } else { len.div_ceil(PIECE) }
+}
+
+/// Cuts `frame` into pieces with the rolling number `roll`; each has its length beside it.
+///
+/// What is longer than the longest frame is cut off.
+pub fn cut(frame: &[u8], roll: u8) -> impl Iterator<Item = ([u8; 8], usize)> + '_ {
+    let frame = &frame[..frame.len().min(MAX_FRAME)];
+    let n = count(frame.len());
+    (0..n).zip(0_u8..).map(move |(index, number)| {
+        let part = frame.get(index * PIECE..).unwrap_or_default();
+        let part = &part[..part.len().min(PIECE)];
+        let mut piece = [0; 8];
+        let last = if index + 1 == n { LAST } else { 0 };
+        piece[0] = roll << ROLL_SHIFT | last | number & INDEX;
+        piece[1..=part.len()].copy_from_slice(part);
+        (piece, part.len() + 1)
+    })
+}
+
+/// Puts the pieces of one sender together, in a fixed buffer.
+#[derive(Clone, Debug)]
+pub struct Assembler {
+    buffer: [u8; MAX_FRAME],
+    len: usize,
+    /// The piece that comes next, and the number of its frame.
+    expected: Option<(u8, u8)>,
+}
+
+/// A piece that does not follow the one before: the frame that it belonged to is lost.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct PieceLost;
+
+impl Default for Assembler {
+    fn default() -> Self {
+        Self { buffer: [0; MAX_FRAME], len: 0, expected: None }
+    }
+}
+
+impl Assembler {
+    /// Takes the next piece; returns the frame when it was the last of one.
+    ///
+    /// # Errors
+    /// A piece is missing; the frame is lost, and the next one is read afresh.
+    pub fn push(&mut self, piece: &[u8]) -> Result<Option<&[u8]>, PieceLost> {
+        let [head, part @ ..] = piece else { return self.lose() };
+        let (roll, index) = (head >> ROLL_SHIFT, head & INDEX);
+        let begins = index == 0;
+        if !begins && self.expected != Some((roll, index)) {
+            return self.lose();
+        }
+        let interrupted = begins && self.expected.is_some();
+        if begins {
+            self.len = 0;
+        }
+        let Some(place) = self.buffer.get_mut(self.len..self.len + part.len()) else {
+            return self.lose();
+        };
+        place.copy_from_slice(part);
+        self.len += part.len();
+        if head & LAST != 0 {
+            self.expected = None;
+            return Ok(Some(&self.buffer[..self.len]));
+        }
+        self.expected = Some((roll, (index + 1) & INDEX));
+        if interrupted { Err(PieceLost) } else { Ok(None) }
+    }
+
+    const fn lose<T>(&mut self) -> Result<T, PieceLost> {
+        self.expected = None;
+        Err(PieceLost)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn frame(len: usize) -> [u8; MAX_FRAME] {
+        let mut next = 0;
+        let mut frame = [(); MAX_FRAME].map(|()| {
+            next += 3;
+            next
+        });
+        frame[len..].fill(0);
+        frame
+    }
+
+    #[test]
+    fn every_length_comes_back_whole() {
+        let mut assembler = Assembler::default();
+        for (len, roll) in (0..=MAX_FRAME).zip((0..8).cycle()) {
+            let whole = frame(len);
+            let n = count(len);
+            for (i, (piece, size)) in cut(&whole[..len], roll).enumerate() {
+                let got = assembler.push(&piece[..size]).unwrap();
+                assert_eq!(got, (i + 1 == n).then_some(&whole[..len]), "{len}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_lost_piece_costs_its_frame_only() {
+        let whole = frame(26);
+        for lost in 0..4 {
+            let mut assembler = Assembler::default();
+            let sent = (0..2).flat_map(|roll| cut(&whole[..26], roll)).enumerate();
+            let came = sent.filter(|(number, _)| *number != lost);
+            let frames = came.filter(|(_, (piece, size))| {
+                let got = assembler.push(&piece[..*size]).unwrap_or_default();
+                assert!(got.is_none_or(|got| got == &whole[..26]));
+                got.is_some()
+            });
+            assert_eq!(frames.count(), 1, "piece {lost}");
+        }
+    }
+
+    #[test]
+    fn pieces_that_run_on_for_ever_are_refused() {
+        let mut assembler = Assembler::default();
+        assert_eq!(assembler.push(&[0; 8]), Ok(None));
+        for index in 1..9 {
+            assert_eq!(assembler.push(&[index, 1, 2, 3, 4, 5, 6, 7]), Ok(None));
+        }
+        assert_eq!(assembler.push(&[9, 1, 2, 3, 4, 5, 6, 7]), Err(PieceLost));
+        assert_eq!(assembler.push(&[]), Err(PieceLost));
+    }
+}

@@ -1,0 +1,130 @@
+//! What the host says to all boards at once.
+//!
+//! ```text
+//! byte 0      kind 0, board 15
+//! byte 1      1 emergency stop, 2 bus time, 3 who is there?
+//! byte 2..    emergency stop: 0xDE 0xAD, reason
+//!             bus time: host time [us], four bytes
+//!             who is there: the host's protocol version, major and minor
+//! ```
+//!
+//! A board that is stopped takes its forces away within 10 ms and is safe until it is
+//! disarmed and armed again. Bus time gives multicast forces their age. A board answers "who
+//! is there?" with its hello, after as many milliseconds as its number.
+
+use super::{ALL_BOARDS, DecodeError, Kind, check_kind, check_padding, head};
+use crate::version::Version;
+
+/// The length without padding, of the longest.
+pub const MAX_LEN: usize = 8;
+
+/// Keeps an emergency stop from being anything else.
+pub const STOP_MAGIC: [u8; 2] = [0xDE, 0xAD];
+
+/// Number of the emergency stop.
+pub const STOP: u8 = 1;
+/// Number of the bus time.
+pub const TIME: u8 = 2;
+/// Number of "who is there?".
+pub const WHO: u8 = 3;
+
+/// What the host says to all boards at once.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Broadcast {
+    /// No force on any key, until armed again.
+    EmergencyStop {
+        /// Free for whoever stops.
+        reason: u8,
+    },
+    /// What time it is on this bus.
+    BusTime {
+        /// Host time [us]; wraps.
+        host_us: u32,
+    },
+    /// Boards, say your hello.
+    WhoIsThere {
+        /// What the host speaks.
+        version: Version,
+    },
+}
+
+impl Broadcast {
+    /// Reads a frame, padded or not; never panics, whatever the bytes.
+    ///
+    /// # Errors
+    /// Says what in `bytes` is not of this frame.
+    pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
+        let length = DecodeError::Length { got: bytes.len() };
+        if MAX_LEN < bytes.len() {
+            return Err(length);
+        }
+        let [first, what, rest @ ..] = bytes else { return Err(length) };
+        check_kind(*first, Kind::Broadcast)?;
+        // What is said to all is said to board 15; a stop for one board would be something else.
+        if *first & ALL_BOARDS != ALL_BOARDS {
+            return Err(DecodeError::Value { at: 0 });
+        }
+        let (broadcast, padding) = match (*what, rest) {
+            (STOP, [one, other, reason, padding @ ..]) => {
+                if [*one, *other] != STOP_MAGIC {
+                    return Err(DecodeError::Magic);
+                }
+                (Self::EmergencyStop { reason: *reason }, padding)
+            }
+            (TIME, [a, b, c, d, padding @ ..]) => {
+                (Self::BusTime { host_us: u32::from_le_bytes([*a, *b, *c, *d]) }, padding)
+            }
+            (WHO, [major, minor, padding @ ..]) => {
+                (Self::WhoIsThere { version: Version { major: *major, minor: *minor } }, padding)
+            }
+            (STOP | TIME | WHO, _) => return Err(length),
+            _ => return Err(DecodeError::Value { at: 1 }),
+        };
+        check_padding(padding)?;
+        Ok(broadcast)
+    }
+
+    /// Writes the frame with zeros behind it; returns its length without them.
+    pub fn encode(&self, bytes: &mut [u8; MAX_LEN]) -> usize {
+        let (what, rest, len) = match *self {
+            Self::EmergencyStop { reason } => (STOP, [STOP_MAGIC[0], STOP_MAGIC[1], reason, 0], 5),
+            Self::BusTime { host_us } => (TIME, host_us.to_le_bytes(), 6),
+            Self::WhoIsThere { version } => (WHO, [version.major, version.minor, 0, 0], 4),
+        };
+        let [a, b, c, d] = rest;
+        *bytes = [head(Kind::Broadcast, ALL_BOARDS), what, a, b, c, d, 0, 0];
+        len
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_reads_back_with_and_without_padding() {
+        let version = Version { major: 2, minor: 7 };
+        for sent in [
+            Broadcast::EmergencyStop { reason: 9 },
+            Broadcast::BusTime { host_us: 0xFEDC_BA98 },
+            Broadcast::WhoIsThere { version },
+        ] {
+            let mut bytes = [0xAA; MAX_LEN];
+            let len = sent.encode(&mut bytes);
+            assert_eq!(Broadcast::decode(&bytes[..len]), Ok(sent));
+            assert_eq!(Broadcast::decode(&bytes), Ok(sent));
+            let cut = Err(DecodeError::Length { got: len - 1 });
+            assert_eq!(Broadcast::decode(&bytes[..len - 1]), cut);
+        }
+    }
+
+    #[test]
+    fn what_only_looks_like_a_stop_is_none() {
+        assert_eq!(Broadcast::decode(&[0x0F, 1, 0xDE, 0xAF, 0]), Err(DecodeError::Magic));
+        assert_eq!(Broadcast::decode(&[0x0F, 9, 0, 0, 0]), Err(DecodeError::Value { at: 1 }));
+        let trailing = Broadcast::decode(&[0x0F, 1, 0xDE, 0xAD, 0, 1]);
+        assert_eq!(trailing, Err(DecodeError::Padding));
+        let for_one = Broadcast::decode(&[0x03, 1, 0xDE, 0xAD, 0]);
+        assert_eq!(for_one, Err(DecodeError::Value { at: 0 }));
+    }
+}

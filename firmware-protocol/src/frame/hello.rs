@@ -1,0 +1,209 @@
+//! Who a board is: board → host, when it starts, when it is asked, and as a reply.
+//!
+//! ```text
+//! byte 0      kind 6, flag: a fault is latched, bits 3..0 board
+//! byte 1..    the fields of [`Hello`], little-endian, in their order
+//! ```
+//!
+//! 49 bytes; a board of a newer minor version may say more behind them. The magic and the
+//! version stand first and never move, so that a board of another generation is refused by
+//! its number rather than misread.
+
+use super::{DecodeError, Kind, check_board, flag, head};
+use crate::MAX_FRAME;
+use crate::Record as _;
+use crate::key::BoardId;
+use crate::version::{PROTOCOL_VERSION, Version};
+
+/// The length without padding, in this version.
+pub const LEN: usize = 1 + Hello::LEN;
+
+/// What every hello begins with.
+pub const MAGIC: [u8; 4] = *b"LTOF";
+
+/// Features of a board, one bit each, in [`Hello::features`].
+pub mod feature {
+    /// Renders slopes between frames.
+    pub const SLOPES: u16 = 1 << 0;
+    /// Takes multicast forces.
+    pub const MULTICAST: u16 = 1 << 1;
+    /// Has velocities in its samples.
+    pub const VELOCITY: u16 = 1 << 2;
+    /// Is a simulation and has fingers, see [`crate::acyclic::finger`].
+    pub const FINGERS: u16 = 1 << 3;
+    /// Keeps a log.
+    pub const LOG: u16 = 1 << 4;
+}
+
+/// Why a board is safe, in [`Hello::safe_reason`].
+pub mod safe_reason {
+    /// It is not safe.
+    pub const NONE: u8 = 0;
+    /// It has never been armed.
+    pub const NEVER_ARMED: u8 = 1;
+    /// Its forces expired and no new ones came.
+    pub const SILENCE: u8 = 2;
+    /// It was disarmed.
+    pub const DISARMED: u8 = 3;
+    /// Everything was stopped.
+    pub const EMERGENCY_STOP: u8 = 4;
+    /// A key, motor or sensor failed.
+    pub const KEY_FAULT: u8 = 5;
+}
+
+record! {
+    /// Who a board is.
+    Hello {
+        /// [`MAGIC`].
+        magic: [u8; 4],
+        /// Major number of the protocol that it speaks.
+        major: u8,
+        /// Minor number.
+        minor: u8,
+        /// [`crate::schema::HASH`] of the cyclic layouts that it was built with.
+        schema: u64,
+        /// Who it is, among all boards that were ever made.
+        uid: [u8; 6],
+        /// Its first key, `0 ..= 87`.
+        first_key: u8,
+        /// Its keys, `1 ..= 12`.
+        n_keys: u8,
+        /// Bits of [`feature`].
+        features: u16,
+        /// Fastest samples [1/s].
+        max_sample_hz: u16,
+        /// Fastest forces [1/s].
+        max_force_hz: u16,
+        /// How often it works out its motors' forces [1/s].
+        law_hz: u16,
+        /// What a count means [nm].
+        quantum_nm: u32,
+        /// Its motors' largest force [mN].
+        max_force_mn: u16,
+        /// CRC-32 of its configuration; the same one need not be written again.
+        config_crc: u32,
+        /// Its own clock [us]; wraps.
+        board_us: u32,
+        /// Major number of its firmware.
+        firmware_major: u8,
+        /// Minor number.
+        firmware_minor: u8,
+        /// Why it started; free for the firmware, 1 for power.
+        reset_reason: u8,
+        /// Why it renders no force, [`safe_reason`].
+        safe_reason: u8,
+    }
+}
+
+/// A hello as it stands in a frame.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Introduction {
+    /// The number of the board on its link.
+    pub board: BoardId,
+    /// A fault is latched on it.
+    pub fault: bool,
+    /// Who it is.
+    pub hello: Hello,
+}
+
+impl Introduction {
+    /// Reads a frame, padded or not, of this or a newer minor version; never panics.
+    ///
+    /// # Errors
+    /// Says what in `bytes` is not of this frame.
+    pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
+        let length = DecodeError::Length { got: bytes.len() };
+        let [first, record @ ..] = bytes else { return Err(length) };
+        if MAX_FRAME < bytes.len() {
+            return Err(length);
+        }
+        let board = check_board(*first, Kind::Hello)?;
+        let [a, b, c, d, major, ..] = record else { return Err(length) };
+        if [*a, *b, *c, *d] != MAGIC {
+            return Err(DecodeError::Magic);
+        }
+        if !PROTOCOL_VERSION.understands(Version { major: *major, minor: 0 }) {
+            return Err(DecodeError::Version(*major));
+        }
+        let hello = Hello::take(record).ok_or(length)?;
+        Ok(Self { board, fault: flag(*first), hello })
+    }
+
+    /// Writes the frame with zeros behind it; returns its length without them.
+    pub fn encode(&self, bytes: &mut [u8; MAX_FRAME]) -> usize {
+        bytes.fill(0);
+        let flag = u8::from(self.fault) << super::field::FLAG_SHIFT;
+        bytes[0] = head(Kind::Hello, self.board.number()) | flag;
+        1 + self.hello.put(&mut bytes[1..]).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::schema;
+
+    fn hello() -> Hello {
+        Hello {
+            magic: MAGIC,
+            major: PROTOCOL_VERSION.major,
+            minor: PROTOCOL_VERSION.minor,
+            schema: schema::HASH,
+            uid: [1, 2, 3, 4, 5, 6],
+            first_key: 33,
+            n_keys: 11,
+            features: feature::SLOPES | feature::LOG,
+            max_sample_hz: 2_000,
+            max_force_hz: 2_000,
+            law_hz: 10_000,
+            quantum_nm: 1_000,
+            max_force_mn: 30_000,
+            config_crc: 0xDEAD_BEEF,
+            board_us: 123_456_789,
+            firmware_major: 1,
+            firmware_minor: 4,
+            reset_reason: 1,
+            safe_reason: safe_reason::NEVER_ARMED,
+        }
+    }
+
+    fn encoded(hello: &Hello) -> [u8; MAX_FRAME] {
+        let mut bytes = [0xAA; MAX_FRAME];
+        assert_eq!(introduction(*hello).encode(&mut bytes), LEN);
+        bytes
+    }
+
+    fn introduction(hello: Hello) -> Introduction {
+        Introduction { board: BoardId::new(3).unwrap(), fault: true, hello }
+    }
+
+    #[test]
+    fn it_reads_back_with_and_without_padding() {
+        let bytes = encoded(&hello());
+        assert_eq!(Introduction::decode(&bytes[..LEN]), Ok(introduction(hello())));
+        assert_eq!(Introduction::decode(&bytes), Ok(introduction(hello())));
+    }
+
+    #[test]
+    fn a_newer_minor_version_may_say_more_behind() {
+        let mut bytes = encoded(&Hello { minor: 200, ..hello() });
+        bytes[LEN..].fill(0x5A);
+        assert_eq!(Introduction::decode(&bytes).unwrap().hello.minor, 200);
+    }
+
+    #[test]
+    fn another_major_version_is_refused_by_its_number_however_short() {
+        let bytes = encoded(&Hello { major: 3, ..hello() });
+        assert_eq!(Introduction::decode(&bytes), Err(DecodeError::Version(3)));
+        assert_eq!(Introduction::decode(&bytes[..6]), Err(DecodeError::Version(3)));
+    }
+
+    #[test]
+    fn what_is_no_hello_is_refused() {
+        let mut bytes = encoded(&hello());
+        bytes[2] = b'X';
+        assert_eq!(Introduction::decode(&bytes), Err(DecodeError::Magic));
+        let cut = Introduction::decode(&encoded(&hello())[..LEN - 1]);
+        assert_eq!(cut, Err(DecodeError::Length { got: LEN - 1 }));
+    }
+}

@@ -1,0 +1,104 @@
+//! The forces of thirty keys in one frame: host → all boards on a bus.
+//!
+//! ```text
+//! byte 0      kind 2, flag: render no force, bits 3..0 group g
+//! byte 1      sequence
+//! byte 2..3   bus time [us] when the forces were worked out, see [`super::broadcast`]
+//! byte 4..64  force of the keys 30 g .. 30 g + 29 [mN]
+//! ```
+//!
+//! 64 bytes exactly. Three frames carry a whole keyboard, where eight boards would take eight;
+//! each board picks its own keys. The forces are valid until their bus time plus the time
+//! that was agreed when the board was armed; a board that has heard no bus time for a second
+//! takes none.
+
+use super::{DecodeError, Kind, check_kind, flag, head};
+use crate::MAX_FRAME;
+use crate::quantity::Millinewtons;
+use crate::sequence::Sequence;
+
+/// Keys in one frame.
+pub const GROUP: usize = 30;
+/// Frames for a full compass.
+pub const GROUPS: usize = 3;
+
+/// The length of the frame: CAN FD's longest.
+pub const LEN: usize = MAX_FRAME;
+
+/// The forces of thirty keys.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct MulticastForces {
+    /// Which thirty, `0 ..= 2`.
+    pub group: u8,
+    /// The number of this frame among those of its group.
+    pub sequence: Sequence,
+    /// Bus time [us] when the forces were worked out.
+    pub stamp_us: u16,
+    /// Render no force.
+    pub flag: bool,
+    /// Force of each key.
+    pub forces: [Millinewtons; GROUP],
+}
+
+impl MulticastForces {
+    /// Reads a frame; never panics, whatever the bytes.
+    ///
+    /// # Errors
+    /// Says what in `bytes` is not of this frame.
+    pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
+        let bytes: &[u8; LEN] =
+            bytes.try_into().map_err(|_other_length| DecodeError::Length { got: bytes.len() })?;
+        let [first, sequence, low, high, values @ ..] = bytes;
+        check_kind(*first, Kind::MulticastForces)?;
+        let group = first & super::field::BOARD;
+        if GROUPS <= usize::from(group) {
+            return Err(DecodeError::Value { at: 0 });
+        }
+        let mut forces = [Millinewtons::default(); GROUP];
+        for (force, bytes) in forces.iter_mut().zip(values.as_chunks().0) {
+            *force = Millinewtons::from_le_bytes(*bytes);
+        }
+        let stamp_us = u16::from_le_bytes([*low, *high]);
+        Ok(Self { group, sequence: Sequence(*sequence), stamp_us, flag: flag(*first), forces })
+    }
+
+    /// The frame's bytes.
+    pub fn encode(&self) -> [u8; LEN] {
+        let mut bytes = [0; LEN];
+        let [low, high] = self.stamp_us.to_le_bytes();
+        let flag = u8::from(self.flag) << super::field::FLAG_SHIFT;
+        let first = head(Kind::MulticastForces, self.group) | flag;
+        let (start, rest) = bytes.split_at_mut(super::HEADER_LEN);
+        start.copy_from_slice(&[first, self.sequence.0, low, high]);
+        for (place, force) in rest.as_chunks_mut().0.iter_mut().zip(&self.forces) {
+            *place = force.to_le_bytes();
+        }
+        bytes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_reads_back_and_other_lengths_and_groups_are_refused() {
+        let mut force = -15_000;
+        let forces = [(); GROUP].map(|()| {
+            force += 1_000;
+            Millinewtons::saturating(force)
+        });
+        let sent = MulticastForces {
+            group: 2,
+            sequence: Sequence(9),
+            stamp_us: 12_345,
+            flag: true,
+            forces,
+        };
+        let mut bytes = sent.encode();
+        assert_eq!(MulticastForces::decode(&bytes), Ok(sent));
+        assert_eq!(MulticastForces::decode(&bytes[..63]), Err(DecodeError::Length { got: 63 }));
+        bytes[0] = 0x43;
+        assert_eq!(MulticastForces::decode(&bytes), Err(DecodeError::Value { at: 0 }));
+    }
+}

@@ -1,0 +1,137 @@
+//! Fixed records: fields one after the other, little-endian, without gaps.
+//!
+//! A record is written down once, in [`record!`]; reading, writing, and the C header come
+//! from that list.
+
+/// A record that stands in a frame.
+pub trait Record: Sized + Copy {
+    /// Bytes on the wire.
+    const LEN: usize;
+    /// Its fields, in the order of the wire.
+    const FIELDS: &'static [Field];
+
+    /// Writes the record to the start of `bytes`; nothing if there is no room.
+    fn put(&self, bytes: &mut [u8]) -> Option<usize>;
+
+    /// Reads the record from the start of `bytes`, if they are enough.
+    ///
+    /// What stands behind is left alone: a newer minor version may have more fields.
+    fn take(bytes: &[u8]) -> Option<Self>;
+}
+
+/// A field of a record, for those who generate code from it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Field {
+    /// Its name.
+    pub name: &'static str,
+    /// Its type, as C99 has it: `uint16_t`; bytes are an array of `uint8_t`.
+    pub c_type: &'static str,
+    /// Its length [bytes].
+    pub len: usize,
+}
+
+/// A value with a fixed length on the wire.
+pub(crate) trait Scalar: Sized + Copy {
+    const LEN: usize;
+    const C_TYPE: &'static str;
+    fn put(self, bytes: &mut [u8]);
+    fn take(bytes: &[u8]) -> Option<Self>;
+}
+
+macro_rules! scalars {
+    ($($type:ty: $name:literal),+) => {$(
+        impl Scalar for $type {
+            const LEN: usize = size_of::<Self>();
+            const C_TYPE: &'static str = $name;
+
+            fn put(self, bytes: &mut [u8]) {
+                bytes.copy_from_slice(&self.to_le_bytes());
+            }
+
+            fn take(bytes: &[u8]) -> Option<Self> {
+                Some(Self::from_le_bytes(bytes.try_into().ok()?))
+            }
+        }
+    )+};
+}
+
+scalars!(
+    u8: "uint8_t", u16: "uint16_t", u32: "uint32_t", u64: "uint64_t", i16: "int16_t", i32: "int32_t"
+);
+
+impl<const N: usize> Scalar for [u8; N] {
+    const LEN: usize = N;
+    const C_TYPE: &'static str = "uint8_t[]";
+
+    fn put(self, bytes: &mut [u8]) {
+        bytes.copy_from_slice(&self);
+    }
+
+    fn take(bytes: &[u8]) -> Option<Self> {
+        bytes.try_into().ok()
+    }
+}
+
+/// Defines a record: a struct whose fields stand on the wire in this order.
+macro_rules! record {
+    (
+        $(#[$doc:meta])+
+        $name:ident { $($(#[$field_doc:meta])+ $field:ident: $type:ty,)* }
+    ) => {
+        $(#[$doc])+
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub struct $name {
+            $($(#[$field_doc])+ pub $field: $type,)*
+        }
+
+        impl $crate::Record for $name {
+            const LEN: usize = 0 $(+ <$type as $crate::record::Scalar>::LEN)*;
+            const FIELDS: &'static [$crate::Field] = &[$($crate::Field {
+                name: stringify!($field),
+                c_type: <$type as $crate::record::Scalar>::C_TYPE,
+                len: <$type as $crate::record::Scalar>::LEN,
+            },)*];
+
+            fn put(&self, bytes: &mut [u8]) -> Option<usize> {
+                let rest = bytes.get_mut(..<Self as $crate::Record>::LEN)?;
+                $(let rest = $crate::record::put(self.$field, rest)?;)*
+                debug_assert!(rest.is_empty(), "the length is the sum of the fields");
+                Some(<Self as $crate::Record>::LEN)
+            }
+
+            fn take(bytes: &[u8]) -> Option<Self> {
+                let mut rest = bytes.get(..<Self as $crate::Record>::LEN)?;
+                Some(Self { $($field: $crate::record::take(&mut rest)?,)* })
+            }
+        }
+    };
+}
+
+/// Writes `value` to the start of `bytes`; returns what is behind it.
+pub(crate) fn put<S: Scalar>(value: S, bytes: &mut [u8]) -> Option<&mut [u8]> {
+    let (place, rest) = bytes.split_at_mut_checked(S::LEN)?;
+    value.put(place);
+    Some(rest)
+}
+
+/// Reads a value from the start of `rest`, and leaves what is behind it.
+pub(crate) fn take<S: Scalar>(rest: &mut &[u8]) -> Option<S> {
+    S::take(rest.split_off(..S::LEN)?)
+}
+
+/// A record without fields.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Nothing;
+
+impl Record for Nothing {
+    const LEN: usize = 0;
+    const FIELDS: &'static [Field] = &[];
+
+    fn put(&self, _bytes: &mut [u8]) -> Option<usize> {
+        Some(0)
+    }
+
+    fn take(_bytes: &[u8]) -> Option<Self> {
+        Some(Self)
+    }
+}

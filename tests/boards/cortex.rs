@@ -1,0 +1,125 @@
+//! The reference firmware on emulated Cortex-M3 processors, behind pseudo-terminals.
+
+use std::io::{BufRead as _, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+use serde_json::Value;
+
+use crate::letoff;
+use crate::rig::{count, had_time, judged, machine, number, print_figures, run, say};
+
+const TOOLS: [&str; 2] = ["arm-none-eabi-gcc", "qemu-system-arm"];
+
+/// Whether the tools are there; if not, says so.
+fn has_tools() -> bool {
+    let answers = |tool: &&&str| Command::new(tool).arg("--version").output().is_ok();
+    let missing: Vec<_> = TOOLS.iter().filter(|tool| !answers(tool)).collect();
+    if !missing.is_empty() {
+        say(&format!("SKIPPED: boards under QEMU: not installed: {missing:?}"));
+    }
+    missing.is_empty()
+}
+
+/// Builds the firmware of a board of the standard compass.
+fn build(folder: &Path, board: usize) -> PathBuf {
+    let c = Path::new(env!("CARGO_MANIFEST_DIR")).join("firmware-protocol/c");
+    let elf = folder.join(format!("board{board}.elf"));
+    let sources = std::fs::read_dir(c.join("firmware")).expect("the firmware");
+    let mut sources: Vec<_> = sources.map(|file| file.expect("a file").path()).collect();
+    sources.retain(|path| path.extension().is_some_and(|end| end == "c"));
+    let mut gcc = Command::new("arm-none-eabi-gcc");
+    gcc.args(["-mcpu=cortex-m3", "-mthumb", "-O2", "-ffreestanding", "-ffunction-sections"]);
+    gcc.args(["-std=c99", "-nostartfiles", "-Wl,--gc-sections"]);
+    gcc.arg(format!("-DBOARD={board}")).arg(format!("-DFIRST_KEY={}", 11 * board));
+    gcc.arg("-T").arg(c.join("firmware/link.ld")).args(sources).arg(c.join("letoff_codec.c"));
+    gcc.args(["--specs=nano.specs", "--specs=nosys.specs", "-lc", "-lgcc", "-o"]).arg(&elf);
+    assert!(gcc.status().expect("the compiler").success(), "the firmware cannot be built");
+    elf
+}
+
+/// A running processor and its port; ended with its owner.
+struct Processor {
+    qemu: Child,
+    port: String,
+}
+
+impl Processor {
+    fn start(elf: &Path) -> Self {
+        let mut command = Command::new("qemu-system-arm");
+        command.args(["-M", "lm3s6965evb", "-display", "none", "-monitor", "none"]);
+        command.args(["-serial", "pty", "-kernel"]).arg(elf);
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
+        let mut qemu = command.spawn().expect("QEMU starts");
+        let out = qemu.stdout.take().expect("its output");
+        // "char device redirected to /dev/pts/3 (label serial0)"
+        let mut lines = BufReader::new(out).lines().map_while(Result::ok);
+        let named = lines.find_map(|line| {
+            let port = line.split(' ').find(|word| word.starts_with("/dev/pts/"))?;
+            Some(port.to_owned())
+        });
+        Self { qemu, port: named.expect("QEMU names its port") }
+    }
+}
+
+impl Drop for Processor {
+    fn drop(&mut self) {
+        let _gone = self.qemu.kill();
+        let _status = self.qemu.wait();
+    }
+}
+
+/// Plays on these boards; returns the report if the machine had time.
+fn play(folder: &Path, elfs: &[PathBuf], more: &[&str]) -> Option<Value> {
+    let boards: Vec<_> = elfs.iter().map(|elf| Processor::start(elf)).collect();
+    let links: Vec<_> = boards
+        .iter()
+        .flat_map(|board| ["--link".to_owned(), format!("serial:{}", board.port)])
+        .collect();
+    let report = run(folder, &links, more);
+    let is_alive = |board: &Value| count(board, "/rearmed") == 0;
+    let boards = report["boards"].as_array().cloned().unwrap_or_default();
+    (had_time(&report) && boards.iter().all(is_alive)).then_some(report)
+}
+
+/// Asserts that nothing stale was rendered, that nothing was lost, and that the notes came out.
+#[track_caller]
+fn check(what: &str, report: &Value, valid_ms: f64) {
+    print_figures(what, report);
+    assert_eq!(count(report, "/links/gaps"), 0, "{report}");
+    for board in report["boards"].as_array().expect("boards") {
+        assert!(number(board, "/counted/oldest_ms") <= valid_ms, "{board}");
+        assert_eq!(count(board, "/counted/corrupt"), 0, "{board}");
+    }
+    let played = count(report, "/notes/played");
+    assert!(2 < played, "{report}");
+    assert_eq!(count(report, "/notes/struck"), played, "{report}");
+}
+
+#[test]
+fn a_piece_is_played_on_one_cortex_m3() {
+    if !has_tools() {
+        return;
+    }
+    let _machine = machine();
+    let folder = letoff::folder("boards-cortex");
+    let elf = build(&folder, 3);
+    let more = ["--duration", "10", "--set", "tick_hz=500", "--set", "links.valid=0.1"];
+    let report = judged("one Cortex-M3", || play(&folder, std::slice::from_ref(&elf), &more));
+    let Some(report) = report else { return };
+    check("one Cortex-M3 under QEMU, 11 keys at 500 Hz", &report, 101.0);
+}
+
+#[test]
+fn a_piece_is_played_on_eight_cortex_m3() {
+    if !has_tools() {
+        return;
+    }
+    let _machine = machine();
+    let folder = letoff::folder("boards-cortex-8");
+    let elfs: Vec<_> = (0..8).map(|board| build(&folder, board)).collect();
+    let more = ["--duration", "10", "--set", "tick_hz=250", "--set", "links.valid=0.1"];
+    let report = judged("eight Cortex-M3", || play(&folder, &elfs, &more));
+    let Some(report) = report else { return };
+    check("eight Cortex-M3 under QEMU, 88 keys at 250 Hz", &report, 101.0);
+}

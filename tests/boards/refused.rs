@@ -1,0 +1,102 @@
+//! What is refused before a force is sent, with a sentence that names link and board.
+
+use crate::letoff;
+use crate::rig::{Boards, arguments, machine};
+
+/// Asserts that a host is refused boards that were started with `boards`, in a sentence with
+/// all of `words`.
+#[track_caller]
+fn check(name: &str, count: usize, boards: &[&str], words: &[&str]) {
+    let _machine = machine();
+    let folder = letoff::folder(name);
+    let boards = Boards::start(&folder, count, boards);
+    let links = boards.links();
+    let said = letoff::run(&folder, &arguments(&links, &["--performance", "none"]));
+    assert_eq!(said.code, Some(2), "{said:?}");
+    letoff::check_words(&said, words);
+    for board in boards.stop() {
+        assert_eq!(board["counts"]["forces"], 0, "{board}");
+        assert_eq!(board["counts"]["armings"], 0, "{board}");
+    }
+}
+
+#[test]
+fn another_generation_of_the_protocol() {
+    check(
+        "refused-major",
+        1,
+        &["--say-major", "9"],
+        &["board 0 on", "links/board0", "speaks protocol 9, this host 2", "update the host"],
+    );
+}
+
+#[test]
+fn other_cyclic_layouts() {
+    check("refused-schema", 1, &["--say-schema", "1"], &["board 0 on", "other cyclic layouts"]);
+}
+
+#[test]
+fn one_board_behind_two_ports() {
+    check("refused-twins", 2, &["--say-uid", "7"], &["are both board 070707070707"]);
+}
+
+#[test]
+fn keys_that_two_boards_carry() {
+    check("refused-shared", 2, &["--say-keys", "0,11"], &["both carry A0"]);
+}
+
+#[test]
+fn keys_that_no_board_can_carry() {
+    check("refused-keys", 1, &["--say-keys", "80,12"], &["a board carries 1 to 12 keys"]);
+}
+
+#[test]
+fn a_board_that_lies_about_what_the_scene_knows() {
+    let _machine = machine();
+    let folder = letoff::folder("refused-lie");
+    let boards = Boards::start(&folder, 1, &[]);
+    let port = folder.join("links/board0");
+    let scene = format!(
+        "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-springs\"\n\n[links]\nkind = \"boards\"\n\n\
+         [[links.bus]]\nserial = \"{}\"\n\n[[links.bus.board]]\nnumber = 0\nkeys = \"C4..A#4\"\n",
+        port.display()
+    );
+    std::fs::write(folder.join("lie.toml"), scene).expect("a file");
+    let words = ["board 0 on", "says that it carries A0..G1, the scene says C4..A#4"];
+    letoff::check(&folder, &["run", "lie.toml"], 2, &words);
+    assert_eq!(boards.stop()[0]["counts"]["armings"], 0);
+}
+
+#[test]
+fn a_port_behind_which_nobody_speaks_the_protocol() {
+    let _machine = machine();
+    let folder = letoff::folder("refused-printer");
+    // Everything that the board says is lost: what comes is no frame.
+    let boards = Boards::start(&folder, 1, &["--flip", "1"]);
+    let links = boards.links();
+    let said = letoff::run(&folder, &arguments(&links, &["--performance", "none"]));
+    assert_eq!(said.code, Some(2), "{said:?}");
+    letoff::check_words(&said, &["nothing on", "links/board0", "answers as a board does"]);
+}
+
+#[test]
+fn a_port_that_is_not_there() {
+    let folder = letoff::folder("refused-missing");
+    let words = ["/no/such/port", "letoff devices"];
+    letoff::check(&folder, &["run", "--link", "serial:/no/such/port"], 2, &words);
+    let words = ["no-such-can"];
+    letoff::check(&folder, &["run", "--link", "can:no-such-can"], 2, &words);
+}
+
+#[test]
+fn time_that_is_not_real() {
+    let _machine = machine();
+    let folder = letoff::folder("refused-virtual");
+    let boards = Boards::start(&folder, 1, &[]);
+    let links = boards.links();
+    let all = arguments(&links, &["--virtual-time", "--duration", "1"]);
+    letoff::check(&folder, &all, 2, &["boards go by their own time"]);
+    let all = arguments(&links, &["--set", "tick_hz=3000", "--performance", "none"]);
+    letoff::check(&folder, &all, 2, &["3000 Hz"]);
+    drop(boards);
+}

@@ -1,0 +1,182 @@
+//! Boards in processes of their own, and the host that drives them.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Child;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+use crate::letoff::{self, Said};
+
+/// One test at a time: each wants the whole machine.
+static MACHINE: Mutex<()> = Mutex::new(());
+
+/// The machine, for one test.
+pub(crate) fn machine() -> MutexGuard<'static, ()> {
+    MACHINE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A line for whoever runs the tests, passed or not.
+pub(crate) fn say(line: &str) {
+    let _nobody_listens = writeln!(std::io::stderr(), "{line}");
+}
+
+/// `letoff board` in a process of its own.
+pub(crate) struct Boards {
+    child: Option<Child>,
+    folder: PathBuf,
+    count: usize,
+}
+
+impl Boards {
+    /// Starts boards 0 to `count` − 1 on pseudo-terminals, with more `arguments`.
+    pub(crate) fn start(folder: &Path, count: usize, arguments: &[&str]) -> Self {
+        let links = folder.join("links");
+        let _none = std::fs::remove_dir_all(&links);
+        let n = count.to_string();
+        let mut all = vec!["board", "--json", "--count", &n, "--links", "links"];
+        all.extend(arguments);
+        let child = letoff::start(folder, &all);
+        let boards = Self { child: Some(child), folder: folder.to_owned(), count };
+        let last = links.join(format!("board{}", count - 1));
+        wait_for("the boards' ports", || last.exists());
+        boards
+    }
+
+    /// The links to all of them, as arguments.
+    pub(crate) fn links(&self) -> Vec<String> {
+        let port = |n| self.folder.join(format!("links/board{n}"));
+        let link = |n| ["--link".to_owned(), format!("serial:{}", port(n).display())];
+        (0..self.count).flat_map(link).collect()
+    }
+
+    /// Stops them; returns what became of each.
+    pub(crate) fn stop(mut self) -> Vec<Value> {
+        let child = self.child.take().expect("they live");
+        interrupt(&child);
+        let said = letoff::end(child);
+        assert_eq!(said.code, Some(0), "{said:?}");
+        said.report().as_array().expect("a list of boards").clone()
+    }
+}
+
+impl Drop for Boards {
+    fn drop(&mut self) {
+        if let Some(mut child) = self.child.take() {
+            let _gone = child.kill();
+            let _status = child.wait();
+        }
+    }
+}
+
+/// Ends a process as Ctrl-C does.
+pub(crate) fn interrupt(child: &Child) {
+    let pid = i32::try_from(child.id()).ok().and_then(rustix::process::Pid::from_raw);
+    let signal = rustix::process::Signal::INT;
+    rustix::process::kill_process(pid.expect("a process"), signal).expect("it lives");
+}
+
+/// Waits until something is so.
+#[track_caller]
+pub(crate) fn wait_for(what: &str, is_so: impl Fn() -> bool) {
+    let end = Instant::now() + Duration::from_secs(20);
+    while !is_so() {
+        assert!(Instant::now() < end, "{what} never came");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+}
+
+/// Arguments of a run over `links`.
+pub(crate) fn arguments<'a>(links: &'a [String], more: &[&'a str]) -> Vec<&'a str> {
+    let run = ["run", "--json"].into_iter();
+    run.chain(links.iter().map(String::as_str)).chain(more.iter().copied()).collect()
+}
+
+/// Runs the host over `links`; returns its report.
+#[track_caller]
+pub(crate) fn run(folder: &Path, links: &[String], more: &[&str]) -> Value {
+    let said = letoff::run(folder, &arguments(links, more));
+    report(&said)
+}
+
+/// The report of a host that ended well.
+#[track_caller]
+pub(crate) fn report(said: &Said) -> Value {
+    assert_eq!(said.code, Some(0), "{said:?}");
+    said.report()
+}
+
+/// A count in a report.
+#[track_caller]
+pub(crate) fn count(report: &Value, path: &str) -> u64 {
+    let value = report.pointer(path).unwrap_or_else(|| panic!("no {path} in {report}"));
+    value.as_u64().unwrap_or_else(|| panic!("{path} is {value}"))
+}
+
+/// A number in a report.
+#[track_caller]
+pub(crate) fn number(report: &Value, path: &str) -> f64 {
+    let value = report.pointer(path).unwrap_or_else(|| panic!("no {path} in {report}"));
+    value.as_f64().unwrap_or_else(|| panic!("{path} is {value}"))
+}
+
+/// Whether the machine gave host and boards their time: the host was woken for all but a few
+/// ticks, a bare timer beside was never very late, every board sent as often as it should, and
+/// none ever rendered an answer to samples more than three ticks old.
+///
+/// Who is not woken can neither exchange nor play; that says nothing of the links.
+pub(crate) fn had_time(report: &Value) -> bool {
+    let tick_hz = number(report, "/tick_hz");
+    let boards = report["boards"].as_array().cloned().unwrap_or_default();
+    let is_prompt = |board: &Value| {
+        let is_silent = board["state"] != "armed";
+        let oldest = board.pointer("/counted/oldest_ms").and_then(Value::as_f64).unwrap_or(0.0);
+        is_silent || 0.97 * tick_hz < number(board, "/samples_hz") && oldest < 3e3 / tick_hz + 0.5
+    };
+    had_host_time(report) && boards.iter().all(is_prompt)
+}
+
+/// The part that concerns the host.
+fn had_host_time(report: &Value) -> bool {
+    let ticks = count(report, "/ticks") + count(report, "/skipped");
+    let late =
+        count(report, "/deadline/missed_woken_late") + count(report, "/deadline/missed_preempted");
+    100 * late <= ticks && number(report, "/deadline/timer_baseline_us/max") < 10e3
+}
+
+/// Tries up to three times for a run in which the machine had time; says so if there is none.
+pub(crate) fn judged(what: &str, mut attempt: impl FnMut() -> Option<Value>) -> Option<Value> {
+    for _ in 0..3 {
+        if let Some(report) = attempt() {
+            return Some(report);
+        }
+    }
+    say(&format!("SKIPPED: {what}: this machine was too busy, three times"));
+    None
+}
+
+/// Prints rates, round trips and gaps of every board.
+pub(crate) fn print_figures(what: &str, report: &Value) {
+    say(&format!(
+        "{what}: onset error p99 {:.2} ms",
+        number_or_nan(report, "/notes/onset_error_ms/p99")
+    ));
+    for board in report["boards"].as_array().into_iter().flatten() {
+        say(&format!(
+            "  board {}: {:.0} up/s, {:.0} down/s, {} gaps, round trip p50 {} p99 {} us, oldest answered {} ms",
+            board["number"],
+            number_or_nan(board, "/samples_hz"),
+            number_or_nan(board, "/forces_hz"),
+            board["gaps"],
+            board["round_trip_us"]["p50"],
+            board["round_trip_us"]["p99"],
+            board["counted"]["oldest_ms"],
+        ));
+    }
+}
+
+fn number_or_nan(report: &Value, path: &str) -> f64 {
+    report.pointer(path).and_then(Value::as_f64).unwrap_or(f64::NAN)
+}

@@ -1,0 +1,173 @@
+//! Pseudo-terminals and the real serial driver.
+
+use std::time::Duration;
+
+use crate::letoff;
+use crate::rig::{
+    Boards, arguments, count, had_time, judged, machine, number, print_figures, run, wait_for,
+};
+
+/// What a board may answer at most [us]: as long as forces are valid, and a tick.
+const VALID_US: f64 = 21e3;
+
+#[test]
+fn a_piece_is_played_over_eight_ports() {
+    let _machine = machine();
+    let folder = letoff::folder("boards-piece");
+    let played = judged("a piece over eight ports", || {
+        let boards = Boards::start(&folder, 8, &[]);
+        let report = run(&folder, &boards.links(), &["--duration", "8"]);
+        let told = boards.stop();
+        for board in &told {
+            assert!(number(board, "/counts/oldest_us") <= VALID_US, "{board}");
+            assert_eq!(count(board, "/counts/corrupt"), 0, "{board}");
+            assert!(number(board, "/force_while_safe_n") < 1e-3, "{board}");
+        }
+        had_time(&report).then_some(report)
+    });
+    let Some(report) = played else { return };
+    print_figures("eight ports, 88 keys", &report);
+    assert!(5 < count(&report, "/notes/played"), "{report}");
+    assert_eq!(count(&report, "/notes/struck"), count(&report, "/notes/played"), "{report}");
+    assert_eq!(count(&report, "/notes/extra"), 0, "{report}");
+    assert_eq!(count(&report, "/links/gaps"), 0, "{report}");
+    assert_eq!(count(&report, "/links/refused"), 0, "{report}");
+    assert_eq!(count(&report, "/deadline/missed_own_work"), 0, "{report}");
+}
+
+#[test]
+fn bytes_that_are_lost_or_flipped_cost_frames_and_never_a_force() {
+    let _machine = machine();
+    let folder = letoff::folder("boards-noise");
+    let boards = Boards::start(&folder, 2, &["--loss", "0.001", "--flip", "0.001"]);
+    let report = run(&folder, &boards.links(), &["--duration", "4"]);
+    // A frame of 43 bytes is hit with a chance of 8 %.
+    assert!(20 < count(&report, "/links/gaps"), "{report}");
+    assert!(20 < count(&report, "/links/refused"), "{report}");
+    for board in boards.stop() {
+        assert!(20 < count(&board, "/counts/corrupt"), "{board}");
+        assert!(number(&board, "/counts/oldest_us") <= VALID_US, "{board}");
+        assert!(500 < count(&board, "/counts/forces"), "{board}");
+    }
+}
+
+#[test]
+fn a_host_that_is_killed_leaves_every_board_without_force_and_latched() {
+    let _machine = machine();
+    let folder = letoff::folder("boards-killed");
+    let boards = Boards::start(&folder, 8, &[]);
+    let links = boards.links();
+    let mut host = letoff::start(&folder, &arguments(&links, &[]));
+    // It rehearses, arms, and is in the middle of the piece.
+    std::thread::sleep(Duration::from_secs(8));
+    host.kill().expect("it lives");
+    let _killed = host.wait();
+    std::thread::sleep(Duration::from_millis(500));
+    for board in boards.stop() {
+        assert_eq!(board["state"], "its forces expired", "{board}");
+        assert!(number(&board, "/force_n") < 1e-3, "{board}");
+        assert!(number(&board, "/force_while_safe_n") < 1e-3, "{board}");
+        assert!(100 < count(&board, "/counts/forces"), "{board}");
+        // 10 ms to fade, the motor's lag, and the boards' own process being woken.
+        assert!(number(&board, "/quiet_after_ms") < 60.0, "{board}");
+    }
+}
+
+#[test]
+fn after_a_kill_the_next_host_arms_the_boards_and_plays() {
+    let _machine = machine();
+    let folder = letoff::folder("boards-again");
+    let boards = Boards::start(&folder, 8, &[]);
+    let links = boards.links();
+    let mut host = letoff::start(&folder, &arguments(&links, &["--duration", "60"]));
+    std::thread::sleep(Duration::from_secs(6));
+    host.kill().expect("it lives");
+    let _killed = host.wait();
+    let report = run(&folder, &links, &["--duration", "4"]);
+    assert!(report["boards"].as_array().is_some_and(|it| it.len() == 8), "{report}");
+    for board in boards.stop() {
+        assert!(2 <= count(&board, "/counts/armings"), "{board}");
+    }
+}
+
+#[test]
+fn a_board_that_dies_leaves_the_others_playing() {
+    let _machine = machine();
+    let folder = letoff::folder("boards-dies");
+    // Nothing is played on board 0, and much on 3 and 4.
+    let played = judged("a board dies", || {
+        let boards = Boards::start(&folder, 8, &["--fate", "0@3:die", "--fate", "7@3:mute=0.3"]);
+        let report = run(&folder, &boards.links(), &["--duration", "8"]);
+        let told = boards.stop();
+        let trips: Vec<_> = told.iter().map(|it| count(it, "/counts/trips")).collect();
+        (had_time(&report) && trips[1..7].iter().all(|trips| *trips == 0)).then_some(report)
+    });
+    let Some(report) = played else { return };
+    assert_eq!(count(&report, "/notes/struck"), count(&report, "/notes/played"), "{report}");
+    assert_eq!(count(&report, "/notes/extra"), 0, "{report}");
+    let state = |n: usize| report["boards"][n]["state"].clone();
+    assert_ne!(state(0), "armed", "{report}");
+    assert!((1..8).all(|n| state(n) == "armed"), "{report}");
+    assert_eq!(count(&report["boards"][7], "/rearmed"), 1, "{report}");
+    let gaps: Vec<_> = (1..7).map(|n| count(&report["boards"][n], "/gaps")).collect();
+    assert_eq!(gaps, [0; 6], "{report}");
+}
+
+#[test]
+fn a_board_that_is_stopped_stays_stopped() {
+    let _machine = machine();
+    let folder = letoff::folder("boards-fault");
+    let boards = Boards::start(&folder, 2, &["--fate", "1@1:key-fault"]);
+    let report = run(&folder, &boards.links(), &["--duration", "4", "--performance", "none"]);
+    assert_eq!(report["boards"][1]["state"], "a key, motor or sensor failed", "{report}");
+    assert_eq!(report["boards"][0]["state"], "armed", "{report}");
+    let told = boards.stop();
+    assert_eq!(count(&told[1], "/counts/armings"), 1, "{told:?}");
+    assert!(number(&told[1], "/force_while_safe_n") < 1e-3, "{told:?}");
+}
+
+#[test]
+fn a_clock_that_runs_backwards_is_noticed_and_learned_anew() {
+    let _machine = machine();
+    let folder = letoff::folder("boards-clock");
+    let fates = ["--fate", "0@1.5:backwards=2", "--drift", "300"];
+    let boards = Boards::start(&folder, 1, &fates);
+    let report = run(&folder, &boards.links(), &["--duration", "5", "--performance", "none"]);
+    let board = &report["boards"][0];
+    assert!(1 <= count(board, "/clock_jumps"), "{report}");
+    assert_eq!(board["state"], "armed", "{report}");
+    let drift = number(board, "/drift_ppm");
+    // Round trips are known to half a tick, over the three seconds since.
+    assert!((drift - 300.0).abs() < 1e3, "{drift} ppm");
+}
+
+#[test]
+fn a_board_that_starts_anew_is_armed_again() {
+    let _machine = machine();
+    let folder = letoff::folder("boards-restart");
+    let boards = Boards::start(&folder, 2, &["--fate", "1@1.5:restart=0.5"]);
+    let report = run(&folder, &boards.links(), &["--duration", "5", "--performance", "none"]);
+    assert_eq!(report["boards"][1]["state"], "armed", "{report}");
+    assert_eq!(count(&report["boards"][1], "/rearmed"), 1, "{report}");
+    assert_eq!(count(&report["boards"][0], "/rearmed"), 0, "{report}");
+}
+
+#[test]
+fn an_emergency_stop_takes_every_force_away_and_is_latched() {
+    let _machine = machine();
+    let folder = letoff::folder("boards-stop");
+    let boards = Boards::start(&folder, 2, &[]);
+    let links = boards.links();
+    let host = letoff::start(&folder, &arguments(&links, &["--performance", "none"]));
+    wait_for("the host's socket", || folder.join("socket").exists());
+    std::thread::sleep(Duration::from_secs(1));
+    let said = letoff::run(&folder, &["stop"]);
+    assert_eq!(said.code, Some(0), "{said:?}");
+    let said = letoff::end(host);
+    assert_eq!(said.code, Some(0), "{said:?}");
+    std::thread::sleep(Duration::from_millis(200));
+    for board in boards.stop() {
+        assert_eq!(board["state"], "everything was stopped", "{board}");
+        assert!(number(&board, "/force_n") < 1e-3, "{board}");
+    }
+}
