@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 
 use crate::error::Error;
+use crate::guest_boards::Form;
 use crate::peers::Options;
 
 /// What `cargo xtask help` prints.
@@ -17,6 +18,10 @@ Chores of this workspace.
                                     checks what is heard: Debian or Ubuntu on x86_64; the
                                     first time downloads QEMU and a kernel (90 MB), then
                                     about a minute; skipped, and says so, elsewhere
+  cargo xtask guest-boards [--full]
+                                    plays and breaks boards over real CAN and USB drivers in
+                                    an emulated machine, as guest-midi; two minutes, with
+                                    --full a quarter of an hour
   cargo xtask peers [--quick] [--out DIR]
                                     runs other people's ODE solvers and ours side by side
                                     and writes results.json and table.md, by default into
@@ -39,6 +44,8 @@ pub(crate) enum Task {
     Test,
     /// Play to real MIDI ports in a guest.
     GuestMidi,
+    /// Play boards over real drivers in a guest.
+    GuestBoards(Form),
     /// Measure other people's solvers beside ours.
     Peers(Options),
     /// Say what there is.
@@ -53,6 +60,7 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
         Some("peers") => return peers(arguments),
         Some("test") => Task::Test,
         Some("guest-midi") => Task::GuestMidi,
+        Some("guest-boards") => return guest_boards(arguments),
         Some("help" | "--help" | "-h") => Task::Help,
         _ => return Err(refused(&name)),
     };
@@ -71,6 +79,19 @@ fn demo(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
         Some(argument) if is_help(&argument) => Ok(Task::Help),
         Some(argument) => Err(refused(&argument)),
     }
+}
+
+/// Reads what follows `guest-boards`.
+fn guest_boards(arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
+    let mut form = Form::Short;
+    for argument in arguments {
+        match argument.to_str() {
+            Some("--full") => form = Form::Full,
+            Some("--help" | "-h") => return Ok(Task::Help),
+            _ => return Err(refused(&argument)),
+        }
+    }
+    Ok(Task::GuestBoards(form))
 }
 
 /// Reads what follows `peers`.
@@ -125,12 +146,14 @@ mod tests {
         check("demo", &demo(&[]));
         check("test", &Task::Test);
         check("guest-midi", &Task::GuestMidi);
+        check("guest-boards", &Task::GuestBoards(Form::Short));
+        check("guest-boards --full", &Task::GuestBoards(Form::Full));
         check("help", &Task::Help);
     }
 
     #[test]
     fn nothing_and_the_usual_flags_ask_for_help() {
-        for line in ["", "-h", "--help", "demo --help", "test -h"] {
+        for line in ["", "-h", "--help", "demo --help", "test -h", "guest-boards -h"] {
             check(line, &Task::Help);
         }
     }
@@ -155,5 +178,6 @@ mod tests {
         check_refused("tset", "tset");
         check_refused("demo --duration 5", "--duration");
         check_refused("test host", "host");
+        check_refused("guest-boards --fast", "--fast");
     }
 }

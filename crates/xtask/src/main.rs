@@ -1,5 +1,5 @@
-//! Chores: install what is missing, play the demo, run every test, play to real MIDI ports,
-//! measure other people's solvers beside ours.
+//! Chores: install what is missing, play the demo, run every test, play to real MIDI ports
+//! and boards over real drivers, measure other people's solvers beside ours.
 //!
 //! `cargo xtask help` lists them. Nothing here is part of the product, and nothing here
 //! needs a system library: it must run on the machine on which they are still missing.
@@ -11,8 +11,11 @@ mod arguments;
 mod command;
 mod demo;
 mod error;
+mod guest;
+mod guest_boards;
 mod guest_midi;
 mod needs;
+mod optional;
 mod peers;
 mod stage;
 mod test;
@@ -37,7 +40,8 @@ fn perform(task: Task) -> Result<(), Error> {
     match task {
         Task::Demo { forwarded } => demo::play(forwarded),
         Task::Test => test::run(),
-        Task::GuestMidi => guest_midi::run(),
+        Task::GuestMidi => guest_midi::guest().run().map(drop),
+        Task::GuestBoards(form) => guest_boards::guest(form).run().map(drop),
         Task::Peers(options) => peers::run(&options),
         Task::Help => {
             print!("{USAGE}");

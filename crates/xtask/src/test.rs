@@ -6,7 +6,9 @@ use std::process::Command;
 use crate::apt;
 use crate::command::cargo;
 use crate::error::Error;
-use crate::stage::{self, Stage};
+use crate::guest_boards::{self, Form};
+use crate::optional;
+use crate::stage::{self, Stage, Work};
 
 /// The crates of the tick, which must do without the standard library.
 const NO_STD: [&str; 4] = ["pode", "models", "scheduler", "firmware-protocol"];
@@ -23,12 +25,17 @@ const NOT_INSTALLED: &str = "the target is not installed (rustup target add thum
 /// Says what is missing, or which command failed.
 pub(crate) fn run() -> Result<(), Error> {
     apt::install_missing()?;
+    optional::install();
     stage::run_all(stages((!has_bare_target()).then_some(NOT_INSTALLED)))
 }
 
 /// All stages; `no_bare_target` says why the one for the bare target is skipped, if it is.
 fn stages(no_bare_target: Option<&'static str>) -> Vec<Stage> {
-    let stage = |name, arguments: &[&str]| Stage { name, command: cargo(arguments), skipped: None };
+    let stage = |name, arguments: &[&str]| Stage {
+        name,
+        work: Work::Command(cargo(arguments)),
+        skipped: None,
+    };
     vec![
         stage("the tick's crates without std", &no_std(&[])),
         Stage {
@@ -40,6 +47,11 @@ fn stages(no_bare_target: Option<&'static str>) -> Vec<Stage> {
         stage("examples in the documentation", &test(&["--workspace", "--doc"])),
         // The root package owns all benches; outside `cargo bench` each runs once.
         stage("benches, once each", &test(&["--package", "letoff", "--benches"])),
+        Stage {
+            name: "boards in a Debian kernel (QEMU)",
+            work: Work::Chore(|| guest_boards::guest(Form::Short).run()),
+            skipped: None,
+        },
     ]
 }
 
@@ -70,7 +82,8 @@ mod tests {
     #[test]
     fn every_crate_is_tested_not_only_the_default_one() {
         for stage in stages(None) {
-            let line = words(&stage.command);
+            let Work::Command(command) = stage.work else { continue };
+            let line = words(&command);
             let selects = ["--workspace", "--package"].iter().any(|flag| line.contains(flag));
             assert!(selects, "{line}");
         }
@@ -79,7 +92,7 @@ mod tests {
     #[test]
     fn without_the_bare_target_only_that_stage_is_skipped() {
         let skipped: Vec<_> = stages(Some("x")).iter().map(|stage| stage.skipped).collect();
-        assert_eq!(skipped, [None, Some("x"), None, None, None]);
+        assert_eq!(skipped, [None, Some("x"), None, None, None, None]);
     }
 
     #[test]

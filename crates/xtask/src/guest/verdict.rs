@@ -39,12 +39,7 @@ impl Verdict {
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "real ALSA ports: {} checks passed, {} failed",
-            self.n_passed,
-            self.failed.len()
-        )?;
+        write!(f, "{} checks passed, {} failed", self.n_passed, self.failed.len())?;
         if !self.is_complete {
             f.write_str(", and the guest did not come to its end")?;
         }

@@ -6,14 +6,15 @@ use std::path::{Path, PathBuf};
 use crate::apt;
 use crate::error::Error;
 
-/// Each program with Debian's and Ubuntu's package for it.
-const TOOLS: [(&str, &str); 8] = [
+/// A program, or the path of a file, and Debian's and Ubuntu's package for it.
+pub(crate) type Tool = (&'static str, &'static str);
+
+/// What makes every guest.
+pub(crate) const MAKERS: [Tool; 6] = [
     ("qemu-system-x86_64", "qemu-system-x86"),
     ("busybox", "busybox-static"),
     ("cpio", "cpio"),
     ("depmod", "kmod"),
-    ("aseqdump", "alsa-utils"),
-    ("aconnect", "alsa-utils"),
     ("dpkg-deb", "dpkg"),
     ("ldd", "libc-bin"),
 ];
@@ -21,21 +22,21 @@ const TOOLS: [(&str, &str); 8] = [
 /// Folders of programs that are not on everybody's path.
 const SYSTEM: [&str; 2] = ["/usr/sbin", "/sbin"];
 
-/// Installs what is missing.
+/// Installs what is missing of the makers, and of the `programs` that run in the guest.
 ///
 /// # Errors
 /// Says what cannot be had, and why.
-pub(super) fn install_missing() -> Result<(), Error> {
+pub(super) fn install_missing(programs: &[Tool]) -> Result<(), Error> {
     if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
         return Err(Error::unobtainable("a guest", "it needs a Debian or Ubuntu on x86_64"));
     }
-    let packages = packages(|program| find(program).is_some());
+    let packages = packages(&[&MAKERS, programs], |program| find(program).is_some());
     if packages.is_empty() {
         return Ok(());
     }
     println!("installing what is missing: {}", packages.join(" "));
     apt::install(&packages)?;
-    match TOOLS.iter().find(|(program, _)| find(program).is_none()) {
+    match MAKERS.iter().chain(programs).find(|(program, _)| find(program).is_none()) {
         None => Ok(()),
         Some((program, package)) => {
             Err(Error::unobtainable(*program, format!("installing {package} has not brought it")))
@@ -43,10 +44,11 @@ pub(super) fn install_missing() -> Result<(), Error> {
     }
 }
 
-/// The packages of the programs that are not there.
-fn packages(is_there: impl Fn(&str) -> bool) -> Vec<&'static str> {
-    let missing = TOOLS.iter().filter(|(program, _)| !is_there(program));
+/// The packages of the programs that are not there, each once.
+pub(crate) fn packages(tools: &[&[Tool]], is_there: impl Fn(&str) -> bool) -> Vec<&'static str> {
+    let missing = tools.iter().copied().flatten().filter(|(program, _)| !is_there(program));
     let mut packages: Vec<_> = missing.map(|(_, package)| *package).collect();
+    packages.sort_unstable();
     packages.dedup();
     packages
 }
@@ -59,7 +61,8 @@ pub(super) fn path(program: &str) -> Result<PathBuf, Error> {
     find(program).ok_or_else(|| Error::unobtainable(program, "it is not installed"))
 }
 
-fn find(program: &str) -> Option<PathBuf> {
+/// Where `program` is, if it is anywhere.
+pub(crate) fn find(program: &str) -> Option<PathBuf> {
     let path = env::var_os("PATH").unwrap_or_default();
     let folders = env::split_paths(&path).chain(SYSTEM.map(PathBuf::from));
     folders.map(|folder| folder.join(program)).find(|path| Path::is_file(path))
@@ -71,8 +74,9 @@ mod tests {
 
     #[test]
     fn each_missing_package_is_named_once() {
-        assert!(packages(|_| true).is_empty());
-        assert_eq!(packages(|program| !program.starts_with('a')), ["alsa-utils"]);
-        assert_eq!(packages(|_| false).len(), 7);
+        let tools: [&[Tool]; 2] = [&[("a", "one"), ("b", "other")], &[("c", "one")]];
+        assert!(packages(&tools, |_| true).is_empty());
+        assert_eq!(packages(&tools, |program| program == "b"), ["one"]);
+        assert_eq!(packages(&tools, |_| false), ["one", "other"]);
     }
 }

@@ -1,44 +1,45 @@
-//! The guest's file system: one program of ours, a few of others, and the modules of ALSA.
+//! The guest's file system: one program of ours, a few of others, and the kernel's modules.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::kernel::Kernel;
-use super::{files, piece, tools};
+use super::{Guest, files, tools};
 use crate::command;
 use crate::error::Error;
+use crate::needs;
 
-/// The sequencer, four virtual cables, and Midi Through.
-const MODULES: [&str; 3] = ["snd-seq", "snd-virmidi", "snd-seq-dummy"];
-
-/// Programs of the machine that run in the guest.
-const PROGRAMS: [&str; 3] = ["busybox", "aseqdump", "aconnect"];
-
-/// What alsa-lib reads before it opens anything.
-const ALSA_CONF: &str = "/usr/share/alsa/alsa.conf";
-
-const FOLDERS: [&str; 7] = ["bin", "dev", "modules", "proc", "sys", "tmp", "usr/share/alsa"];
+const FOLDERS: [&str; 6] = ["bin", "dev", "modules", "proc", "sys", "tmp"];
 
 /// Makes the file system beneath `folder`, and returns the file that QEMU loads.
 ///
 /// # Errors
 /// Names the file or the command.
-pub(super) fn make(folder: &Path, kernel: &Kernel, letoff: &Path) -> Result<PathBuf, Error> {
+pub(super) fn make(
+    folder: &Path,
+    guest: &Guest,
+    kernel: &Kernel,
+    letoff: &Path,
+) -> Result<PathBuf, Error> {
     let root = folder.join("root");
     files::empty(&root)?;
     for name in FOLDERS {
         files::make(&root.join(name))?;
     }
-    let mut programs = vec![letoff.to_owned()];
-    for name in PROGRAMS {
+    let mut programs = vec![letoff.to_owned(), tools::path("busybox")?];
+    for (name, _package) in guest.programs {
         programs.push(tools::path(name)?);
     }
+    programs.extend_from_slice(&guest.more);
     install(&programs, &root)?;
-    add_modules(kernel, &root.join("modules"))?;
-    files::copy(Path::new(ALSA_CONF), &within(&root, Path::new(ALSA_CONF)))?;
-    files::write(&root.join("scene.toml"), include_str!("scene.toml"))?;
-    files::write(&root.join("piece.mid"), piece::file())?;
+    add_modules(guest.modules, kernel, &root.join("modules"))?;
+    for path in guest.copies.iter().map(Path::new) {
+        copy(path, &root)?;
+    }
+    for (path, content) in &guest.files {
+        files::write(&root.join(path), content)?;
+    }
     files::write(&root.join("init"), include_str!("init.sh"))?;
     let initrd = folder.join("initrd");
     let pack = "chmod 755 init && find . | cpio --quiet -o -H newc >../initrd";
@@ -50,24 +51,26 @@ pub(super) fn make(folder: &Path, kernel: &Kernel, letoff: &Path) -> Result<Path
 fn install(programs: &[PathBuf], root: &Path) -> Result<(), Error> {
     let mut needed = BTreeSet::new();
     for program in programs {
-        let name = program.file_name().unwrap_or_default();
-        files::copy(program, &root.join("bin").join(name))?;
+        let copy = root.join("bin").join(program.file_name().unwrap_or_default());
+        files::copy(program, &copy)?;
+        // The guest's memory is small; where nothing can strip, it is just large enough.
+        needs::succeeds("strip", &["--strip-debug", &copy.to_string_lossy()]);
         // A static program makes ldd fail, and needs nothing.
         let output = Command::new("ldd").arg(program).output();
         let output = output.map_err(|cause| Error::file("ldd", cause))?;
         needed.extend(libraries(&String::from_utf8_lossy(&output.stdout)));
     }
     for library in needed {
-        let place = within(root, &library);
-        files::make(place.parent().unwrap_or(root))?;
-        files::copy(&library, &place)?;
+        copy(&library, root)?;
     }
     Ok(())
 }
 
-/// The place of the absolute `path` beneath `root`.
-fn within(root: &Path, path: &Path) -> PathBuf {
-    root.join(path.strip_prefix("/").unwrap_or(path))
+/// Copies the file at the absolute `path` to the same place beneath `root`.
+fn copy(path: &Path, root: &Path) -> Result<(), Error> {
+    let place = root.join(path.strip_prefix("/").unwrap_or(path));
+    files::make(place.parent().unwrap_or(root))?;
+    files::copy(path, &place)
 }
 
 /// The paths in what `ldd` prints.
@@ -76,13 +79,13 @@ fn libraries(ldd: &str) -> Vec<PathBuf> {
 }
 
 /// Copies the modules, unpacked, and writes the order in which to load them.
-fn add_modules(kernel: &Kernel, to: &Path) -> Result<(), Error> {
+fn add_modules(modules: &[&str], kernel: &Kernel, to: &Path) -> Result<(), Error> {
     let dependencies = files::read(&kernel.modules.join("modules.dep"))?;
     let mut order = String::new();
-    for path in load_order(&dependencies)? {
+    for Load { path, parameters } in load_order(modules, &dependencies)? {
         let name = format!("{}.ko", module(path));
         unpack(&kernel.modules.join(path), &to.join(&name))?;
-        order.push_str(&name);
+        order.push_str(format!("{name} {parameters}").trim_end());
         order.push('\n');
     }
     files::write(&to.join("order"), order)
@@ -106,10 +109,18 @@ fn unpack(from: &Path, to: &Path) -> Result<(), Error> {
     }
 }
 
-/// The files of all modules that are needed, each after those it needs itself.
-fn load_order(modules_dep: &str) -> Result<Vec<&str>, Error> {
-    let mut order = Vec::new();
-    for wanted in MODULES {
+/// A module that is loaded.
+#[derive(PartialEq, Eq, Debug)]
+struct Load<'a> {
+    path: &'a str,
+    parameters: &'a str,
+}
+
+/// All `modules` that are wanted, each after those it needs itself.
+fn load_order<'a>(modules: &[&'a str], modules_dep: &'a str) -> Result<Vec<Load<'a>>, Error> {
+    let mut order: Vec<Load<'a>> = Vec::new();
+    for wanted in modules {
+        let (wanted, parameters) = wanted.split_once(' ').unwrap_or((wanted, ""));
         let found = modules_dep
             .lines()
             .filter_map(|line| line.split_once(':'))
@@ -119,9 +130,10 @@ fn load_order(modules_dep: &str) -> Result<Vec<&str>, Error> {
             Error::unobtainable(what, "the kernel's packages have none")
         })?;
         // What is needed first stands last.
-        for path in needed.split_whitespace().rev().chain([path]) {
-            if !order.contains(&path) {
-                order.push(path);
+        let needed = needed.split_whitespace().rev().map(|path| Load { path, parameters: "" });
+        for load in needed.chain([Load { path, parameters }]) {
+            if order.iter().all(|it| it.path != load.path) {
+                order.push(load);
             }
         }
     }
@@ -147,14 +159,18 @@ kernel/sound/snd_virmidi.ko.xz: kernel/sound/snd-seq.ko kernel/sound/snd-timer.k
 
     #[test]
     fn a_module_is_loaded_once_and_after_those_it_needs() {
-        let order = load_order(MODULES_DEP).unwrap();
-        let names: Vec<_> = order.into_iter().map(module).collect();
+        let modules = ["snd-seq", "snd-virmidi index=1", "snd-seq-dummy"];
+        let order = load_order(&modules, MODULES_DEP).unwrap();
+        let names: Vec<_> = order.iter().map(|it| module(it.path)).collect();
         assert_eq!(names, ["snd", "snd-timer", "snd-seq", "snd-virmidi", "snd-seq-dummy"]);
+        let parameters: Vec<_> = order.iter().map(|it| it.parameters).collect();
+        assert_eq!(parameters, ["", "", "", "index=1", ""]);
     }
 
     #[test]
     fn a_kernel_without_a_module_is_refused_by_its_name() {
-        let error = load_order("kernel/sound/snd-seq.ko:\n").unwrap_err().to_string();
+        let error =
+            load_order(&["snd-virmidi"], "kernel/sound/snd-seq.ko:\n").unwrap_err().to_string();
         assert!(error.contains("snd-virmidi"), "{error}");
     }
 

@@ -30,7 +30,7 @@ struct Event {
 }
 
 /// A chord that is held for 18 s, and a note that is repeated twice a second.
-pub(super) fn file() -> Vec<u8> {
+pub(crate) fn file() -> Vec<u8> {
     let mut track = Vec::new();
     let mut now = 0;
     for event in events() {

@@ -1,0 +1,110 @@
+//! A virtual machine with a Debian or Ubuntu kernel, in which `letoff` is checked against real
+//! drivers.
+//!
+//! Containers and build servers have neither a sequencer nor a CAN bus, and a kernel's modules
+//! cannot be loaded into them. In a guest they can: its only program is `init.sh`, which loads
+//! the modules and goes through what a [`Guest`] checks. Nothing of the machine is changed but
+//! for a few packages.
+
+mod files;
+mod image;
+mod kernel;
+mod machine;
+pub(crate) mod piece;
+pub(crate) mod tools;
+mod verdict;
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use crate::apt;
+use crate::command::{self, cargo};
+use crate::error::Error;
+use crate::stage::Done;
+use kernel::Kernel;
+use machine::Machine;
+use tools::Tool;
+
+/// Four keys of a grand: as many as an emulated processor computes in time.
+pub(crate) const SCENE: &str = include_str!("scene.toml");
+
+/// What is checked in a guest.
+pub(crate) struct Guest {
+    /// Name of the folder in which it is put together.
+    pub name: &'static str,
+    /// What it plays on, in a few words.
+    pub plays_on: &'static str,
+    /// Modules with their parameters, each with those it needs loaded before.
+    pub modules: &'static [&'static str],
+    /// Programs of this machine that run in the guest, beside busybox.
+    pub programs: &'static [Tool],
+    /// Files of this machine that stand in the guest at the same place.
+    pub copies: &'static [&'static str],
+    /// Other programs in the guest, by path.
+    pub more: Vec<PathBuf>,
+    /// Files of the guest: path beneath its root, and content.
+    pub files: Vec<(&'static str, Vec<u8>)>,
+    /// How long everything may take.
+    pub time_limit: Duration,
+}
+
+impl Guest {
+    /// Obtains a kernel and tools, builds `letoff`, boots, and judges.
+    ///
+    /// What cannot be obtained is no error: the run is skipped, and says why.
+    ///
+    /// # Errors
+    /// Says what is missing for the build, which command failed, or which check did.
+    pub(crate) fn run(&self) -> Result<Done, Error> {
+        let target = target()?;
+        let folder = target.join("guest");
+        let kernel = match self.obtain(&folder) {
+            Ok(kernel) => kernel,
+            Err(error) => {
+                print!("{}", self.skipped(&error));
+                return Ok(Done::Skipped(error.to_string()));
+            }
+        };
+        apt::install_missing()?;
+        command::run(&mut cargo(["build", "--release", "--package", "host"]))?;
+        let initrd =
+            image::make(&folder.join(self.name), self, &kernel, &target.join("release/letoff"))?;
+        let machine = Machine { kernel: kernel.image, initrd, time_limit: self.time_limit };
+        let verdict = machine.boot()?;
+        println!("\n{}: {verdict}", self.plays_on);
+        verdict.into_result().map(|()| Done::All)
+    }
+
+    /// Everything that comes from elsewhere.
+    fn obtain(&self, folder: &Path) -> Result<Kernel, Error> {
+        tools::install_missing(self.programs)?;
+        kernel::obtain(folder)
+    }
+
+    /// Says so that nobody takes it for a pass.
+    fn skipped(&self, error: &Error) -> String {
+        let bar = "=".repeat(72);
+        format!("\n{bar}\nSKIPPED: nothing was played on {}\n{error}\n{bar}\n", self.plays_on)
+    }
+}
+
+/// The folder that cargo builds into, which is ours two levels up: `target/debug/xtask`.
+fn target() -> Result<PathBuf, Error> {
+    let ours = env::current_exe().map_err(|cause| Error::file("this program", cause))?;
+    let target = ours.ancestors().nth(2).map(PathBuf::from);
+    target.ok_or_else(|| Error::unobtainable("cargo's target folder", "this program was moved"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_skip_cannot_be_taken_for_a_pass() {
+        let error = Error::unobtainable("QEMU", "no network");
+        let text = crate::guest_midi::guest().skipped(&error);
+        assert!(text.contains("SKIPPED") && text.contains("no network"), "{text}");
+        assert!(!text.contains("passed"), "{text}");
+    }
+}

@@ -1,0 +1,64 @@
+//! Plays and breaks boards over real drivers in a guest: CAN FD through `vcan`, USB through
+//! gadgets on `dummy_hcd`; what must hold is written in the scripts beside.
+//!
+//! Time in the guest is what its processor executes: a busy machine makes it slow and not
+//! late, so what is counted there is true anywhere.
+
+mod conformance;
+
+use std::time::Duration;
+
+use crate::guest::tools::Tool;
+use crate::guest::{Guest, SCENE, piece};
+
+/// What sets buses up, disturbs them, and reads reports.
+pub(crate) const PROGRAMS: [Tool; 7] = [
+    ("ip", "iproute2"),
+    ("tc", "iproute2"),
+    ("cansend", "can-utils"),
+    ("cangen", "can-utils"),
+    ("candump", "can-utils"),
+    ("canbusload", "can-utils"),
+    ("jq", "jq"),
+];
+
+/// CAN whose queue can lose, delay and refuse frames; eight USB ports with a device on each.
+const MODULES: [&str; 7] =
+    ["can-raw", "vcan echo=1", "sch-netem", "sch-tbf", "usb-f-acm", "dummy-hcd num=8", "cdc-acm"];
+
+/// How much is checked.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Form {
+    /// What every change is checked by.
+    Short,
+    /// Everything, and for longer.
+    Full,
+}
+
+/// The guest with eight boards.
+pub(crate) fn guest(form: Form) -> Guest {
+    let (word, minutes) = match form {
+        Form::Short => ("short", 15),
+        Form::Full => ("full", 60),
+    };
+    Guest {
+        name: "boards",
+        plays_on: "boards over real drivers",
+        modules: &MODULES,
+        programs: &PROGRAMS,
+        copies: &[],
+        more: conformance::program().into_iter().collect(),
+        files: vec![
+            ("form", word.into()),
+            ("scene.toml", SCENE.into()),
+            ("piece.mid", piece::file()),
+            ("checks.sh", include_str!("checks.sh").into()),
+            ("play.sh", include_str!("play.sh").into()),
+            ("can.sh", include_str!("can.sh").into()),
+            ("fates.sh", include_str!("fates.sh").into()),
+            ("refusals.sh", include_str!("refusals.sh").into()),
+            ("usb.sh", include_str!("usb.sh").into()),
+        ],
+        time_limit: Duration::from_mins(minutes),
+    }
+}

@@ -1,0 +1,60 @@
+//! What some tests need and the build does not: tools of emulated machines, and a target.
+//!
+//! Tests that miss something of it are skipped, and say so.
+
+use std::process::Command;
+
+use crate::apt;
+use crate::command;
+use crate::guest::tools::{self, Tool};
+use crate::guest_boards;
+use crate::needs::has_program;
+
+/// For firmware on an emulated microcontroller.
+const FIRMWARE: [Tool; 3] = [
+    ("qemu-system-arm", "qemu-system-arm"),
+    ("arm-none-eabi-gcc", "gcc-arm-none-eabi"),
+    ("/usr/include/newlib/newlib.h", "libnewlib-arm-none-eabi"),
+];
+
+/// The target of those microcontrollers.
+const TARGET: &str = "thumbv7m-none-eabi";
+
+/// Installs it as far as that is possible, and says what is not.
+pub(crate) fn install() {
+    if !cfg!(target_os = "linux") {
+        return;
+    }
+    let packages = packages(|it| tools::find(it).is_some());
+    if !packages.is_empty() {
+        println!("installing what some tests need: {}", packages.join(" "));
+        if let Err(error) = apt::install(&packages) {
+            println!("{error}; the tests that need it are skipped");
+        }
+    }
+    if has_program("rustup") {
+        // Quick if it is there.
+        let mut add = Command::new("rustup");
+        if command::run(add.args(["target", "add", TARGET])).is_err() {
+            println!("the tests for {TARGET} are skipped");
+        }
+    }
+}
+
+/// What is missing, for one call of apt.
+fn packages(is_there: impl Fn(&str) -> bool) -> Vec<&'static str> {
+    tools::packages(&[&FIRMWARE, &tools::MAKERS, &guest_boards::PROGRAMS], is_there)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_missing_is_installed_in_one_call() {
+        assert!(packages(|_| true).is_empty());
+        let packages = packages(|it| !it.starts_with("qemu") && !it.starts_with('/'));
+        let expected = ["libnewlib-arm-none-eabi", "qemu-system-arm", "qemu-system-x86"];
+        assert_eq!(packages, expected);
+    }
+}
