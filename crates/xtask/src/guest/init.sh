@@ -8,6 +8,8 @@ export PATH=/bin HOME=/tmp XDG_RUNTIME_DIR=/tmp
 mount -t proc proc /proc
 mount -t sysfs sys /sys
 mount -t devtmpfs dev /dev
+mkdir -p /dev/pts
+mount -t devpts pts /dev/pts
 echo 1 >/proc/sys/kernel/printk
 # Parameters are several words.
 # shellcheck disable=SC2086
