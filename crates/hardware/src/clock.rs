@@ -50,8 +50,6 @@ pub struct ClockModel {
     middle: f64,
     /// Rate of the board's clock minus 1.
     drift: f64,
-    /// The shortest round trip that is remembered [us].
-    shortest: f64,
 }
 
 impl Default for ClockModel {
@@ -64,7 +62,6 @@ impl Default for ClockModel {
             offset: 0.0,
             middle: 0.0,
             drift: 0.0,
-            shortest: 0.0,
         }
     }
 }
@@ -130,11 +127,6 @@ impl ClockModel {
         self.drift * 1e6
     }
 
-    /// The shortest round trip of late [us].
-    pub const fn shortest_us(&self) -> f64 {
-        self.shortest
-    }
-
     fn remembered(&self) -> &[Trip] {
         &self.trips[..self.n.min(WINDOW)]
     }
@@ -153,7 +145,6 @@ impl ClockModel {
     /// Lays a line through them, the shorter a trip the nearer.
     fn fit(&mut self) {
         let trips = self.remembered();
-        let shortest = trips.iter().fold(f64::INFINITY, |least, trip| trip.length.min(least));
         let sum = |value: &dyn Fn(&Trip) -> f64| -> f64 {
             trips.iter().map(|trip| trip.weight() * value(trip)).sum()
         };
@@ -164,7 +155,7 @@ impl ClockModel {
         let covariance = sum(&|trip| (trip.host - middle) * (trip.board - trip.host - offset));
         let is_long_enough = LONG_ENOUGH.powi(2) <= spread / all;
         let drift = if is_long_enough { covariance / spread } else { 0.0 };
-        (self.middle, self.offset, self.shortest) = (middle, offset, shortest);
+        (self.middle, self.offset) = (middle, offset);
         self.drift = drift.clamp(-MOST_DRIFT, MOST_DRIFT);
     }
 }

@@ -52,11 +52,21 @@ pub struct CanInterface {
 /// # Errors
 /// The kernel's list of network interfaces cannot be read.
 pub fn can_interfaces() -> Result<Listing<CanInterface>, Error> {
+    let mut listing = known_can_interfaces()?;
     if cfg!(target_os = "linux") {
-        let mut listing = interfaces_in(Path::new("/sys/class/net"))?;
         let kernel = doctor::kernel::Version::read(Path::new("/"));
         examine(&mut listing.found, &can_link::ask_ip(), kernel);
-        Ok(listing)
+    }
+    Ok(listing)
+}
+
+/// The same from the kernel's files alone: without what `ip` tells, and without advice.
+///
+/// # Errors
+/// The kernel's list of network interfaces cannot be read.
+pub(crate) fn known_can_interfaces() -> Result<Listing<CanInterface>, Error> {
+    if cfg!(target_os = "linux") {
+        interfaces_in(Path::new("/sys/class/net"))
     } else {
         let why = "CAN interfaces are known on Linux only, as SocketCAN; elsewhere use serial";
         Ok(Listing::new(Vec::new(), why))

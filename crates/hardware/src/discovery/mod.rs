@@ -14,6 +14,7 @@ mod testing;
 use std::fmt;
 use std::path::PathBuf;
 
+pub(crate) use can::known_can_interfaces;
 pub use can::{CanInterface, can_interfaces};
 pub use doctor::can_link::{BitTiming, CanLink};
 pub use doctor::machine::{Fact, this_machine};

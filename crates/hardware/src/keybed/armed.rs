@@ -120,11 +120,6 @@ impl Keybed<Armed> {
         self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
     }
 
-    /// The keys that some board carries.
-    pub fn has_key(&self, key: KeyIndex) -> bool {
-        self.stage.bus.boards().iter().any(|it| it.terms().place.keys().contains(&key.index()))
-    }
-
     /// Plays `gestures` on `key`, in time from [`Self::begin_at`] on.
     pub fn play(&mut self, key: KeyIndex, gestures: &[Gesture]) {
         let Armed { bus, steward, .. } = &mut self.stage;

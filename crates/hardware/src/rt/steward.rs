@@ -136,8 +136,6 @@ pub struct Condition {
     pub round_trips_us: Option<[u32; 3]>,
     /// What it has counted itself, a second ago at most.
     pub counters: Option<Counters>,
-    /// What it was asked and has not answered.
-    pub waiting: bool,
 }
 
 /// The care of all boards.
@@ -233,7 +231,6 @@ impl Steward {
             drift_ppm: it.clock.drift_ppm(),
             round_trips_us: it.trips.quantiles(),
             counters: it.counters,
-            waiting: !it.courier.is_free(),
         })
     }
 

@@ -17,6 +17,7 @@ use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
 use firmware_protocol::version::PROTOCOL_VERSION;
 use firmware_protocol::{key, schema};
 use haptics::plant::{Gesture, KeyRig, RigParameters};
+use serde::Serialize;
 
 use super::bus_time::BusTime;
 use super::guard::{Fed, Guard};
@@ -37,7 +38,7 @@ const FEATURES: u16 =
 const MAX_FRAMES: usize = 64;
 
 /// What a board has counted.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]
 pub struct BoardCounts {
     /// Frames of samples that the link took.
     pub samples: u64,

@@ -119,7 +119,7 @@ pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> 
         let its_stop = Arc::clone(&stop);
         let mut signals = Signals::new()?;
         let mut living = tokio::task::spawn_blocking(move || {
-            live(&mut boards, duration, &its_stop, |_boards| {});
+            live(&mut boards, duration, &its_stop);
             boards
         });
         loop {

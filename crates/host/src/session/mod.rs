@@ -115,6 +115,7 @@ const MOST_LANES: usize = 16;
 /// Everything of one run, connected and at rest.
 pub struct Session {
     stage: Box<Stage>,
+    bed: Bed,
     desk: Desk,
 }
 
@@ -127,7 +128,6 @@ struct Stage {
     ticks: Option<u64>,
     virtual_time: bool,
     voices: Vec<(usize, BoxedVoice)>,
-    bed: Option<Bed>,
     performance: Option<Performance>,
     publisher: Publisher,
     midi: MidiReport,
@@ -189,7 +189,6 @@ impl Session {
             ticks: seconds.map(|seconds| whole(seconds / period)),
             virtual_time: options.virtual_time,
             voices,
-            bed: Some(bed),
             performance,
             publisher,
             midi,
@@ -197,7 +196,7 @@ impl Session {
             counters,
             patchbay,
         };
-        Ok(Self { stage: Box::new(stage), desk })
+        Ok(Self { stage: Box::new(stage), bed, desk })
     }
 
     /// Ticks that the run will take; `None` until it is stopped.
@@ -225,11 +224,11 @@ impl Session {
     /// # Errors
     /// If the system refuses threads, or one of ours panics.
     pub fn run(self, stop: &AtomicBool) -> Result<Report, SessionError> {
-        let Self { stage, desk } = self;
+        let Self { stage, bed, desk } = self;
         if stage.virtual_time {
-            virtual_run::run(*stage, desk, stop)
+            virtual_run::run(*stage, bed, desk, stop)
         } else {
-            real::run(stage, desk, stop)
+            real::run(stage, bed, desk, stop)
         }
     }
 }

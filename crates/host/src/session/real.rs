@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::bed::Bus;
+use super::bed::{Bed, Bus};
 use super::measured::Measured;
 use super::{SessionError, Stage};
 use crate::adapters::observer::LiveCounters;
@@ -19,14 +19,13 @@ use ::scheduler::time::Nanos;
 const LEAD: Nanos = Nanos::from_millis(50);
 
 /// Runs until its end or `stop`; ramps all forces down; then reports.
-#[expect(clippy::large_stack_frames, reason = "once, on a thread that does nothing else")]
 pub(super) fn run(
     mut stage: Box<Stage>,
+    bed: Bed,
     desk: Desk,
     stop: &AtomicBool,
 ) -> Result<Report, SessionError> {
     let locked = memory::lock();
-    let bed = stage.bed.take().ok_or(SessionError::Endless)?;
     let (mut bus, start) = bed.arm(stage.performance.as_ref(), LEAD)?;
     let handover = histogram().map_err(std::io::Error::other)?;
     let attended = Attended::start(desk, Arc::clone(&stage.bell), start, handover)?;

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
+use super::bed::Bed;
 use super::measured::Measured;
 use super::{SessionError, Stage, no_clock};
 use crate::desk::Desk;
@@ -13,6 +14,7 @@ use ::scheduler::time::Nanos;
 /// Runs all ticks; the MIDI side follows after each tick, on this thread.
 pub(super) fn run(
     mut stage: Stage,
+    bed: Bed,
     mut desk: Desk,
     stop: &AtomicBool,
 ) -> Result<Report, SessionError> {
@@ -20,7 +22,6 @@ pub(super) fn run(
     let mut scheduler = scheduler(stage.timetable()?);
     let until = Until { stop, ticks: stage.ticks };
     let (mut ticks, mut skipped) = (0, 0);
-    let bed = stage.bed.take().ok_or(SessionError::Endless)?;
     let (mut bus, _start) = bed.arm(None, Nanos::ZERO)?;
     let mut assembly = Assembly {
         scheduler: &mut scheduler,

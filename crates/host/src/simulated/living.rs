@@ -121,7 +121,7 @@ impl Living {
             force_n: self.force(),
             quiet_after_ms: self.quiet_after.map(|it| it.as_secs_f64() * 1e3),
             force_while_safe_n: self.force_while_safe,
-            counts: self.board.counts().into(),
+            counts: self.board.counts(),
         }
     }
 

@@ -42,70 +42,22 @@ pub struct Epitaph {
     /// fade [N].
     pub force_while_safe_n: f64,
     /// What it counted.
-    pub counts: Counts,
+    pub counts: BoardCounts,
 }
 
-/// What a board counted.
-#[derive(Clone, Copy, Debug, Serialize)]
-#[expect(missing_docs, reason = "hardware::sim::board::BoardCounts says it")]
-pub struct Counts {
-    pub samples: u64,
-    pub unsent: u64,
-    pub forces: u64,
-    pub corrupt: u64,
-    pub refused: u64,
-    pub stale: u64,
-    pub unarmed: u64,
-    pub unanswered: u64,
-    pub trips: u64,
-    pub armings: u64,
-    pub oldest_us: u64,
-}
-
-impl From<BoardCounts> for Counts {
-    fn from(it: BoardCounts) -> Self {
-        Self {
-            samples: it.samples,
-            unsent: it.unsent,
-            forces: it.forces,
-            corrupt: it.corrupt,
-            refused: it.refused,
-            stale: it.stale,
-            unarmed: it.unarmed,
-            unanswered: it.unanswered,
-            trips: it.trips,
-            armings: it.armings,
-            oldest_us: it.oldest_us,
-        }
-    }
-}
-
-/// Lets `boards` live until `stop`, or for `duration`; `look` sees them now and then.
-pub fn live(
-    boards: &mut [Living],
-    duration: Option<Nanos>,
-    stop: &AtomicBool,
-    mut look: impl FnMut(&[Living]),
-) {
-    /// Looks between two calls of `look`.
-    const SELDOM: u32 = 1_000;
+/// Lets `boards` live until `stop`, or for `duration`.
+pub fn live(boards: &mut [Living], duration: Option<Nanos>, stop: &AtomicBool) {
     let began = clock::monotonic();
-    let mut due = began;
-    for n in (0..SELDOM).cycle() {
-        let now = clock::monotonic();
-        let is_over = duration.is_some_and(|duration| duration <= now.since(began));
-        if is_over || stop.load(Ordering::Acquire) {
-            return;
-        }
+    let is_over = |now: Nanos| duration.is_some_and(|duration| duration <= now.since(began));
+    let (mut now, mut due) = (began, began);
+    while !is_over(now) && !stop.load(Ordering::Acquire) {
         for board in boards.iter_mut() {
             board.live(now);
-        }
-        if n == 0 {
-            look(boards);
         }
         // What was missed is not made up for: boards go by their clock.
         due = due.after(LOOK).max(now);
         clock::sleep_until(due);
+        now = clock::monotonic();
     }
 }
 

@@ -1,12 +1,12 @@
 //! What can be told of an interface before and after it is opened.
 
 use super::CanMode;
-use crate::discovery::{CanInterface, Obstacle, can_interfaces};
+use crate::discovery::{CanInterface, Obstacle, known_can_interfaces};
 use crate::link::trouble::CanTrouble;
 
 /// Looks at an interface in the kernel's files; where those are missing, opening will tell.
 pub(super) fn check(interface: &str, mode: CanMode) -> Result<(), CanTrouble> {
-    let Ok(listing) = can_interfaces() else { return Ok(()) };
+    let Ok(listing) = known_can_interfaces() else { return Ok(()) };
     let Some(found) = listing.found.iter().find(|can| can.name == interface) else {
         let names: Vec<_> = listing.found.iter().map(|can| can.name.as_str()).collect();
         let those = || format!("those that there are: {}", names.join(", "));
