@@ -51,7 +51,7 @@ struct Tables {
 impl KeyBus for Tables {
     fn receive(&mut self, _tick: u64, samples: &mut [KeySample; KEYS]) {
         for (sample, table) in samples.iter_mut().zip(&self.positions) {
-            *sample = KeySample { position: table[self.next], age: 0 };
+            *sample = KeySample::fresh(table[self.next]);
         }
         self.next = (self.next + 1) % TICKS;
     }
@@ -66,7 +66,7 @@ struct Held(f64);
 
 impl KeyBus for Held {
     fn receive(&mut self, _tick: u64, samples: &mut [KeySample; KEYS]) {
-        *samples = [KeySample { position: self.0, age: 0 }; KEYS];
+        *samples = [KeySample::fresh(self.0); KEYS];
     }
 
     fn send(&mut self, _tick: u64, forces: &[f64; KEYS]) {

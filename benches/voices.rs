@@ -41,9 +41,8 @@ fn voice(instrument: &str) -> AnyVoice {
 }
 
 fn ticks(criterion: &mut Criterion, name: &str, mut voice: AnyVoice, positions: &[f64; TICKS]) {
-    let mut samples =
-        positions.iter().map(|position| KeySample { position: *position, age: 0 }).cycle();
-    voice.reset(&KeySample { position: positions[0], age: 0 });
+    let mut samples = positions.iter().map(|position| KeySample::fresh(*position)).cycle();
+    voice.reset(&KeySample::fresh(positions[0]));
     let mut turn = Turn::default();
     let mut tick = 0;
     let mut next = || {

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use firmware_protocol::key::KeyIndex;
 use haptics::{Gesture, RigParameters, Touch};
 use hardware::sim::keybed::SimulatedKeybed;
+use host::adapters::audit::AuditCell;
 use host::assemble::Assembler;
 use host::config::Scene;
 use host::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
@@ -28,9 +29,17 @@ pub fn scene(name: &str, overrides: &[(&str, &str)]) -> Scene {
 
 /// The voices of `scene`, each with its key.
 pub fn voices(scene: &Scene) -> Vec<(usize, BoxedVoice)> {
+    audited(scene, &std::array::from_fn(|_key| Arc::default()))
+}
+
+/// The same with energy audits that can be read.
+pub fn audited(scene: &Scene, audits: &[Arc<AuditCell>; KEYS]) -> Vec<(usize, BoxedVoice)> {
     let assembler = Assembler::new(scene).expect("a rate that can be kept");
-    let voice = |voice| assembler.voice(voice, Arc::default()).expect("a known model");
-    assembler.keys().map(|(key, described)| (key, voice(described) as BoxedVoice)).collect()
+    let voice = |(key, voice)| {
+        let voice = assembler.voice(voice, Arc::clone(&audits[key])).expect("a known model");
+        (key, voice as BoxedVoice)
+    };
+    assembler.keys().map(voice).collect()
 }
 
 /// A keybed at rest for `scene`.

@@ -68,6 +68,11 @@ impl ForceGate {
         Ok(Self { limit: limit_newtons, slew: slew_newtons_per_s, force: 0.0 })
     }
 
+    /// Returns the largest force that passes [N].
+    pub const fn limit(&self) -> f64 {
+        self.limit
+    }
+
     /// Returns the force nearest to `force` [N] that is allowed one `period` [s] later.
     ///
     /// A period that is not positive and finite allows no change at all.

@@ -94,9 +94,9 @@ mod tests {
     fn a_report_adds_up_what_voices_did() {
         let mut slots = [40, 2, 7, 8].map(|key| Slot::new(key, Parity));
         let mut samples = [KeySample::default(); KEYS];
-        samples[2] = KeySample { position: 1.0, age: 1 };
-        samples[7] = KeySample { position: 1.0, age: 4 };
-        samples[8] = KeySample { position: -1.0, age: 0 };
+        samples[2] = KeySample { age: 1, ..KeySample::fresh(1.0) };
+        samples[7] = KeySample { age: 4, ..KeySample::fresh(1.0) };
+        samples[8] = KeySample::fresh(-1.0);
         let mut turns = [Turn::default(); KEYS];
         run_slots(&mut slots, 0, &samples, &mut turns);
         let expected = LaneReport {

@@ -29,8 +29,18 @@ impl Moment {
 pub struct KeySample {
     /// Key-front displacement, down positive [m].
     pub position: f64,
-    /// Ticks since this was measured; 0 is fresh.
+    /// Ticks since this came; 0 is fresh.
     pub age: u32,
+    /// Ticks since it was taken, less what its way usually takes: the age, unless this sample
+    /// was later or earlier than others.
+    pub taken: f64,
+}
+
+impl KeySample {
+    /// A sample that has just come, as long after it was taken as any other.
+    pub const fn fresh(position: f64) -> Self {
+        Self { position, age: 0, taken: 0.0 }
+    }
 }
 
 /// How the force on a key goes on around the point for which it was worked out.

@@ -123,7 +123,7 @@ mod tests {
     }
 
     fn at(position: f64) -> KeySample {
-        KeySample { position, age: 0 }
+        KeySample::fresh(position)
     }
 
     #[test]

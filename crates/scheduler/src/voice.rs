@@ -122,6 +122,8 @@ pub enum VoiceFault {
         /// Events handled before giving up.
         handled: u32,
     },
+    /// The model's energy changed by much more than its own work in this tick explains.
+    Diverged,
     /// The voice panicked and is not called again.
     Panicked,
 }

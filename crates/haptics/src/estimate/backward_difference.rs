@@ -15,6 +15,8 @@ pub struct BackwardDifference {
     period: f64,
     position: f64,
     velocity: f64,
+    /// Between the last two samples [s].
+    elapsed: f64,
 }
 
 impl BackwardDifference {
@@ -25,22 +27,25 @@ impl BackwardDifference {
     /// Unless `period` is finite and positive.
     pub fn new(period: f64) -> Self {
         assert_positive(period, "period");
-        Self { period, position: 0.0, velocity: 0.0 }
+        Self { period, position: 0.0, velocity: 0.0, elapsed: period }
     }
 }
 
 impl Estimator for BackwardDifference {
-    fn update(&mut self, position: f64) -> Motion {
-        let velocity = (position - self.position) / self.period;
-        let acceleration = (velocity - self.velocity) / self.period;
+    fn update(&mut self, position: f64, elapsed: f64) -> Motion {
+        let velocity = (position - self.position) / elapsed;
+        // Each velocity is that in the middle of its interval.
+        let acceleration = (velocity - self.velocity) / (0.5 * (self.elapsed + elapsed));
         self.position = position;
         self.velocity = velocity;
+        self.elapsed = elapsed;
         Motion { position, velocity, acceleration }
     }
 
     fn reset(&mut self, position: f64) {
         self.position = position;
         self.velocity = 0.0;
+        self.elapsed = self.period;
     }
 }
 
@@ -57,7 +62,7 @@ mod tests {
     #[test]
     fn one_count_of_the_papers_rig_is_a_step_of_1_31_rad_per_s() {
         let mut estimator = BackwardDifference::new(1e-3);
-        let motion = estimator.update(PAPER_COUNT);
+        let motion = estimator.update(PAPER_COUNT, 1e-3);
         assert!((motion.velocity - 1.309).abs() < 5e-4, "{motion:?}");
         assert!((motion.acceleration - 1309.0).abs() < 0.5, "{motion:?}");
     }
@@ -69,7 +74,7 @@ mod tests {
         for tick in 0..40_u32 {
             // One count every tenth tick: 0.131 rad/s on average, never seen as such.
             let counts = f64::from(tick / 10);
-            let velocity = estimator.update(counts * PAPER_COUNT).velocity;
+            let velocity = estimator.update(counts * PAPER_COUNT, 1e-3).velocity;
             let expected = if tick > 0 && tick % 10 == 0 { step } else { 0.0 };
             assert!((velocity - expected).abs() <= 4.0 * ROUNDING * step, "tick {tick}");
         }
@@ -81,7 +86,7 @@ mod tests {
         let mut estimator = BackwardDifference::new(period);
         for tick in 0..100_u32 {
             let t = f64::from(tick) * period;
-            let motion = estimator.update(0.5 * acceleration * t * t);
+            let motion = estimator.update(0.5 * acceleration * t * t, period);
             if tick >= 2 {
                 // Positions up to 0.01 m, rounded, divided by the period once and twice.
                 let late = acceleration * (t - 0.5 * period);
@@ -93,10 +98,26 @@ mod tests {
     }
 
     #[test]
+    fn uniform_acceleration_is_seen_through_gaps() {
+        let (period, acceleration) = (1e-3, 2.0);
+        let mut estimator = BackwardDifference::new(period);
+        let mut t = 0.0;
+        for (n, elapsed) in [1.0, 1.0, 3.0, 0.4, 2.5, 1.0].iter().map(|it| it * period).enumerate()
+        {
+            t += elapsed;
+            let motion = estimator.update(0.5 * acceleration * t * t, elapsed);
+            if n >= 2 {
+                assert!((motion.velocity - acceleration * (t - 0.5 * elapsed)).abs() < 1e-12);
+                assert!((motion.acceleration - acceleration).abs() < 1e-8, "{motion:?}");
+            }
+        }
+    }
+
+    #[test]
     fn a_reset_forgets_the_jump() {
         let mut estimator = BackwardDifference::new(1e-3);
-        estimator.update(1.0);
+        estimator.update(1.0, 1e-3);
         estimator.reset(0.004);
-        assert_eq!(estimator.update(0.004), Motion::at_rest(0.004));
+        assert_eq!(estimator.update(0.004, 1e-3), Motion::at_rest(0.004));
     }
 }

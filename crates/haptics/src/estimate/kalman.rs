@@ -1,6 +1,9 @@
-//! A constant-acceleration Kalman filter with its steady-state gain.
+//! A constant-acceleration Kalman filter.
 //!
-//! The gain is found at construction; an update is three predictions and three corrections.
+//! As long as samples come once a period it has its steady gain, which is found at construction:
+//! an update is three predictions and three corrections. A sample that comes sooner or later is
+//! worth less or more, so the covariance is followed from there until it is steady again; with
+//! the steady gain the filter would be unstable where every third sample is late.
 
 use nalgebra::{Matrix3, RowVector3, Vector3};
 
@@ -15,12 +18,19 @@ const MAX_ITERATIONS: usize = 200_000;
 /// Relative change of the gain that counts as converged: some hundred roundings.
 const CONVERGED: f64 = 1e-14;
 
+/// Relative difference to the steady gain that is none.
+const STEADY: f64 = 1e-9;
+
+/// Longest time between two samples that is told apart, in periods: its covariance says already
+/// that nothing is known but the new position.
+const FORGOTTEN: f64 = 1e4;
+
 /// Share of a quantum, as displacement per period, below which motion counts as rest.
 ///
 /// A millionth of a count per period cannot be told from rest by any encoder.
 const REST: f64 = 1e-6;
 
-/// Steady-state Kalman filter of a point driven by white jerk.
+/// Kalman filter of a point driven by white jerk.
 ///
 /// State: position, velocity, acceleration. The measurement's variance is that of a
 /// uniformly distributed rounding, quantum²/12. The position is kept as the difference to
@@ -35,8 +45,14 @@ pub struct Kalman {
     period: f64,
     /// Displacement per period [m] below which motion is rest.
     rest: f64,
-    /// Corrections per metre of innovation [1, 1/s, 1/s²].
+    /// Corrections per metre of innovation when samples come regularly [1, 1/s, 1/s²].
     gain: [f64; 3],
+    /// q T⁵ / Δ².
+    ratio: f64,
+    /// Covariance after a correction when samples come regularly, in units of quantum and period.
+    steady: Matrix3<f64>,
+    /// The same now, if it is not that.
+    unsteady: Option<Matrix3<f64>>,
     measured: f64,
     /// Estimated minus measured position [m].
     offset: f64,
@@ -61,12 +77,15 @@ impl Kalman {
         assert_positive(period, "period");
         assert_positive(quantum, "quantum");
         assert_positive(jerk_density, "jerk density");
-        let [position, velocity, acceleration] =
-            steady_gain(jerk_density * period.powi(5) / (quantum * quantum));
+        let ratio = jerk_density * period.powi(5) / (quantum * quantum);
+        let (gain, steady) = steady_gain(ratio);
         Self {
             period,
             rest: REST * quantum,
-            gain: [position, velocity / period, acceleration / (period * period)],
+            gain: per_seconds(&gain, period),
+            ratio,
+            steady,
+            unsteady: None,
             measured: 0.0,
             offset: 0.0,
             velocity: 0.0,
@@ -74,14 +93,30 @@ impl Kalman {
         }
     }
 
-    /// Returns the gains on position, velocity and acceleration [1, 1/s, 1/s²].
+    /// Returns the steady gains on position, velocity and acceleration [1, 1/s, 1/s²].
     pub const fn gain(&self) -> [f64; 3] {
         self.gain
     }
 
-    /// Moves the state to the next sample, whose position is `measured` [m].
-    fn predict(&mut self, measured: f64) {
-        let h = self.period;
+    /// Returns the gain for a sample `elapsed` [s] after the last one.
+    fn next_gain(&mut self, elapsed: f64) -> [f64; 3] {
+        let periods = (elapsed / self.period).min(FORGOTTEN);
+        let is_regular = (periods - 1.0).abs() < STEADY;
+        if is_regular && self.unsteady.is_none() {
+            return self.gain;
+        }
+        let before = self.unsteady.as_ref().unwrap_or(&self.steady);
+        let predicted = predicted(before, self.ratio, periods);
+        let gain = gain_of(&predicted);
+        let after = corrected(&predicted, &gain);
+        let gain = per_seconds(&gain, self.period);
+        let is_steady = gain.iter().zip(self.gain).all(|(a, b)| (a - b).abs() < STEADY * b);
+        self.unsteady = (!is_regular || !is_steady).then_some(0.5 * (after + after.transpose()));
+        gain
+    }
+
+    /// Moves the state to the next sample, `h` [s] later, whose position is `measured` [m].
+    fn predict(&mut self, measured: f64, h: f64) {
         self.offset += h * (self.velocity + 0.5 * h * self.acceleration);
         self.offset += self.measured - measured;
         self.velocity += h * self.acceleration;
@@ -89,11 +124,11 @@ impl Kalman {
     }
 
     /// Draws the state towards the measurement.
-    fn correct(&mut self) {
+    fn correct(&mut self, [position, velocity, acceleration]: [f64; 3]) {
         let innovation = -self.offset;
-        self.offset += self.gain[0] * innovation;
-        self.velocity += self.gain[1] * innovation;
-        self.acceleration += self.gain[2] * innovation;
+        self.offset += position * innovation;
+        self.velocity += velocity * innovation;
+        self.acceleration += acceleration * innovation;
     }
 
     /// Ends the exponential decay before it reaches denormal numbers.
@@ -109,9 +144,10 @@ impl Kalman {
 }
 
 impl Estimator for Kalman {
-    fn update(&mut self, position: f64) -> Motion {
-        self.predict(position);
-        self.correct();
+    fn update(&mut self, position: f64, elapsed: f64) -> Motion {
+        let gain = self.next_gain(elapsed);
+        self.predict(position, elapsed);
+        self.correct(gain);
         self.settle();
         Motion {
             position: position + self.offset,
@@ -125,43 +161,57 @@ impl Estimator for Kalman {
         self.offset = 0.0;
         self.velocity = 0.0;
         self.acceleration = 0.0;
+        self.unsteady = None;
     }
 }
 
-/// Returns the steady gain in units of quantum and period.
+/// A gain in units of the period in those of the second [1, 1/s, 1/s²].
+fn per_seconds(gain: &Vector3<f64>, period: f64) -> [f64; 3] {
+    [gain[0], gain[1] / period, gain[2] / (period * period)]
+}
+
+/// Returns the steady gain, and the covariance after a correction, in units of quantum and
+/// period.
 ///
 /// In these units the filter has a single parameter, `ratio` = q T⁵ / Δ²: jerk density
 /// against rounding. Iterates prediction and correction of the covariance.
-fn steady_gain(ratio: f64) -> [f64; 3] {
-    let transition = Matrix3::new(1.0, 1.0, 0.5, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0);
-    let noise = ratio * white_jerk();
-    let mut predicted = Matrix3::identity() + noise;
-    let mut gain = Vector3::zeros();
+fn steady_gain(ratio: f64) -> (Vector3<f64>, Matrix3<f64>) {
+    let mut before = Matrix3::identity() + ratio * white_jerk(1.0);
+    let mut gain = gain_of(&before);
+    let mut after = corrected(&before, &gain);
     for _ in 0..MAX_ITERATIONS {
-        let before = gain;
-        gain = gain_of(&predicted);
-        if (gain - before).component_div(&gain).amax() < CONVERGED {
+        before = predicted(&after, ratio, 1.0);
+        let next = gain_of(&before);
+        let change = (next - gain).component_div(&next).amax();
+        gain = next;
+        after = corrected(&before, &gain);
+        if change < CONVERGED {
             break;
         }
-        let corrected = corrected(&predicted, &gain);
-        let next = transition * corrected * transition.transpose() + noise;
-        predicted = 0.5 * (next + next.transpose());
     }
-    gain.into()
+    (gain, after)
 }
 
-/// Covariance that unit white jerk adds over a unit period.
-fn white_jerk() -> Matrix3<f64> {
+/// Covariance before the sample that comes `t` periods after one with the covariance `after`.
+fn predicted(after: &Matrix3<f64>, ratio: f64, t: f64) -> Matrix3<f64> {
+    let transition = Matrix3::new(1.0, t, 0.5 * t * t, 0.0, 1.0, t, 0.0, 0.0, 1.0);
+    let next = transition * after * transition.transpose() + ratio * white_jerk(t);
+    0.5 * (next + next.transpose())
+}
+
+/// Covariance that unit white jerk adds over `t` periods.
+fn white_jerk(t: f64) -> Matrix3<f64> {
+    let [t1, t2, t3, t4, t5] = [t, t * t, t * t * t, t.powi(4), t.powi(5)];
     Matrix3::new(
-        1.0 / 20.0,
-        1.0 / 8.0,
-        1.0 / 6.0,
-        1.0 / 8.0,
-        1.0 / 3.0,
-        1.0 / 2.0,
-        1.0 / 6.0,
-        1.0 / 2.0,
-        1.0,
+        t5 / 20.0,
+        t4 / 8.0,
+        t3 / 6.0,
+        t4 / 8.0,
+        t3 / 3.0,
+        t2 / 2.0,
+        t3 / 6.0,
+        t2 / 2.0,
+        t1,
     )
 }
 
@@ -246,7 +296,8 @@ mod tests {
         for tick in 0..3000_u32 {
             let phase = omega * f64::from(tick) * 1e-3;
             let counts = (5e-3 * phase.sin() / quantum).round();
-            let error = estimator.update(counts * quantum).velocity - 5e-3 * omega * phase.cos();
+            let error =
+                estimator.update(counts * quantum, 1e-3).velocity - 5e-3 * omega * phase.cos();
             // The first second is the transient from rest.
             sum += if tick < 1000 { 0.0 } else { error * error };
         }
@@ -267,14 +318,14 @@ mod tests {
     fn a_key_that_rests_is_estimated_exactly_at_rest() {
         let mut estimator = Kalman::new(1e-3, 1e-6, Kalman::KEY_JERK_DENSITY);
         for tick in 0..20_u32 {
-            estimator.update(f64::from(tick) * 5e-4);
+            estimator.update(f64::from(tick) * 5e-4, 1e-3);
         }
         let rest = 0.012_345_678;
         // Its memory is a few samples; a thousand are forever.
         for _ in 0..1000 {
-            estimator.update(rest);
+            estimator.update(rest, 1e-3);
         }
-        assert_eq!(estimator.update(rest), Motion::at_rest(rest));
+        assert_eq!(estimator.update(rest, 1e-3), Motion::at_rest(rest));
     }
 
     #[test]
@@ -283,7 +334,7 @@ mod tests {
         let mut motion = Motion::at_rest(0.0);
         for tick in 0..200_u32 {
             let t = f64::from(tick) * 1e-3;
-            motion = estimator.update(0.5 * 3.0 * t * t);
+            motion = estimator.update(0.5 * 3.0 * t * t, 1e-3);
         }
         // The model is exact; what is left is rounding of 0.06 m against T and T².
         assert!((motion.velocity - 3.0 * 0.199).abs() < 1e-12, "{motion:?}");
@@ -291,10 +342,42 @@ mod tests {
     }
 
     #[test]
+    fn samples_at_half_the_rate_get_the_gain_of_a_filter_for_that_rate() {
+        let (quantum, density) = (1e-6, Kalman::KEY_JERK_DENSITY);
+        let mut often = Kalman::new(1e-3, quantum, density);
+        let seldom = Kalman::new(2e-3, quantum, density);
+        let mut gain = often.gain();
+        for _ in 0..200 {
+            gain = often.next_gain(2e-3);
+        }
+        for (got, want) in gain.iter().zip(seldom.gain()) {
+            assert!((got / want - 1.0).abs() < 1e-9, "{got} against {want}");
+        }
+        for _ in 0..200 {
+            often.next_gain(1e-3);
+        }
+        assert!(often.unsteady.is_none(), "and the steady one again");
+    }
+
+    #[test]
+    fn irregular_samples_of_a_uniform_acceleration_leave_no_bias() {
+        let mut estimator = Kalman::new(1e-3, 1e-6, Kalman::KEY_JERK_DENSITY);
+        let (mut t, mut motion) = (0.0, Motion::at_rest(0.0));
+        for n in 0..2000_u32 {
+            // Between a third of a period and three periods after each other.
+            let elapsed = 1e-3 * (0.3 + 2.7 * f64::from(n * 7919 % 101) / 101.0);
+            t += elapsed;
+            motion = estimator.update(0.5 * 3.0 * t * t, elapsed);
+        }
+        assert!((motion.velocity - 3.0 * t).abs() < 1e-8, "{motion:?}");
+        assert!((motion.acceleration - 3.0).abs() < 1e-5, "{motion:?}");
+    }
+
+    #[test]
     fn after_a_reset_the_key_rests_there() {
         let mut estimator = Kalman::new(1e-3, 1e-6, Kalman::KEY_JERK_DENSITY);
-        estimator.update(0.01);
+        estimator.update(0.01, 1e-3);
         estimator.reset(0.004);
-        assert_eq!(estimator.update(0.004), Motion::at_rest(0.004));
+        assert_eq!(estimator.update(0.004, 1e-3), Motion::at_rest(0.004));
     }
 }

@@ -1,7 +1,8 @@
 //! From quantised positions to position, velocity and acceleration.
 //!
-//! An estimator sees one position per period and nothing else. It takes every position at
-//! its word: a missing sample is the caller's business.
+//! An estimator sees positions and how long after each other they were taken, which is a period
+//! unless some were lost, late or skipped. It takes every position at its word: what the key does
+//! after the newest sample is the caller's business.
 
 mod backward_difference;
 mod kalman;
@@ -26,16 +27,28 @@ impl Motion {
     pub const fn at_rest(position: f64) -> Self {
         Self { position, velocity: 0.0, acceleration: 0.0 }
     }
+
+    /// Returns the motion `t` [s] later if the acceleration stays.
+    #[must_use]
+    pub fn after(&self, t: f64) -> Self {
+        let Self { position, velocity, acceleration } = *self;
+        Self {
+            position: position + t * (velocity + 0.5 * t * acceleration),
+            velocity: velocity + t * acceleration,
+            acceleration,
+        }
+    }
 }
 
-/// Estimates motion from one position per period.
+/// Estimates motion from positions, one per period if all goes well.
 pub trait Estimator {
-    /// Takes the next measured position [m], finite, and returns the motion at that sample.
+    /// Takes the next measured position [m], finite, taken `elapsed` [s] after the one before,
+    /// above 0; returns the motion at that sample.
     ///
     /// # Real-time
     ///
     /// A fixed number of multiplications; no allocation, no loop.
-    fn update(&mut self, position: f64) -> Motion;
+    fn update(&mut self, position: f64, elapsed: f64) -> Motion;
 
     /// Forgets the past: the key rests at `position` [m].
     fn reset(&mut self, position: f64);

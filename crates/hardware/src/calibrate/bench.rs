@@ -202,7 +202,7 @@ impl Bench {
 
     /// Where `key` is, if that is known [m].
     fn position(&self, key: KeyIndex) -> Option<f64> {
-        let KeySample { position, age } = self.samples[key.index()];
+        let KeySample { position, age, .. } = self.samples[key.index()];
         let age_us = u64::from(age).saturating_mul(self.keybed.period_us());
         (age_us <= STALE_US).then_some(position)
     }

@@ -16,6 +16,7 @@ use crate::plan::{Medium, Seen};
 use crate::refusal::{BoardName, Refusal};
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
 use crate::rt::bus::{Bus, LineStatistics};
+use crate::rt::lateness::Lateness;
 use crate::rt::steward::{Bar, Condition, Stage, Steward};
 use crate::topology::BoardPlace;
 
@@ -32,6 +33,10 @@ pub struct Armed {
     before: Vec<(u64, u64)>,
     /// Since when the lines are metered [us].
     since_us: u64,
+    /// What the samples of each board usually take.
+    lateness: Vec<Lateness>,
+    /// When tick 0 was due, but for a constant [us].
+    first_us: Option<u64>,
 }
 
 /// What became of one board.
@@ -72,26 +77,40 @@ impl Armed {
     ) -> Self {
         let before = vec![(0, 0); names.len()];
         let since_us = steward.now();
-        Self { bus: Box::new(bus), steward, names, features, period_us, before, since_us }
+        let lateness = vec![Lateness::default(); names.len()];
+        let (bus, first_us) = (Box::new(bus), None);
+        Self { bus, steward, names, features, period_us, before, since_us, lateness, first_us }
     }
 
-    /// Makes samples as old as their board's clock says they are, if that is too old.
+    /// Dates samples by their board's clock, and makes them as old as it says if that is too old.
     ///
     /// What came in this tick is fresh, though it was taken a period before or two: that is
     /// the way's usual length. What was held up on its way is not.
-    fn age(&self, samples: &mut [KeySample; KEYS]) {
+    fn age(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
         /// Periods that a sample may take for its way.
         const USUAL: u32 = 3;
-        for (index, board) in self.bus.boards().iter().enumerate() {
-            let Some(newest) = board.newest() else { continue };
-            let age_us = self.steward.age_us(index, newest.header.stamp_us).unwrap_or(0);
-            let age = u64::try_from(age_us).unwrap_or(0) / self.period_us.max(1);
-            let age = u32::try_from(age).unwrap_or(u32::MAX);
-            if age < USUAL {
-                continue;
+        /// Periods after which 16 bits of a board's clock say nothing any more, at any rate.
+        const SOON: u32 = 8;
+        let period_us = self.period_us.max(1);
+        let (now_us, passed_us) = (self.steward.now(), tick.saturating_mul(period_us));
+        // The ticks are regular; when this thread wakes is not, and no reason to move a sample.
+        let due_us = *self.first_us.get_or_insert(now_us.saturating_sub(passed_us)) + passed_us;
+        let ends = self.bus.boards().iter().zip(&mut self.lateness);
+        for (board, (end, lateness)) in ends.enumerate() {
+            let Some(newest) = end.newest() else { continue };
+            let at = |us: u64| self.steward.age_us(board, us, newest.header.stamp_us);
+            let (Some(age_us), Some(by_tick_us)) = (at(now_us), at(due_us)) else { continue };
+            let waited = samples[end.terms().place.keys().start].age;
+            if waited == 0 {
+                lateness.learn(by_tick_us);
             }
-            for sample in &mut samples[board.terms().place.keys()] {
-                sample.age = sample.age.max(age);
+            if waited < SOON {
+                end.date(lateness.of(by_tick_us) / period_us as f64, samples);
+            }
+            let age = u64::try_from(age_us).unwrap_or(0) / period_us;
+            let age = u32::try_from(age).unwrap_or(u32::MAX);
+            if USUAL <= age {
+                end.outdate(age, samples);
             }
         }
     }
@@ -262,7 +281,7 @@ impl KeyBus for Keybed<Armed> {
         self.stage.bus.begin(tick);
         self.attend();
         samples.copy_from_slice(self.stage.bus.samples());
-        self.stage.age(samples);
+        self.stage.age(tick, samples);
     }
 
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {

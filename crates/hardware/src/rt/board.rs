@@ -95,13 +95,28 @@ impl BoardEnd {
         news
     }
 
-    /// Writes the newest samples into their keys' places, `age` ticks old.
-    pub fn publish(&self, age: u32, samples: &mut [KeySample; KEYS]) {
+    /// Writes the newest samples into their keys' places, as if they had just been taken.
+    pub fn publish(&self, samples: &mut [KeySample; KEYS]) {
         let Some(newest) = &self.newest else { return };
         let places = samples[self.terms.place.keys()].iter_mut();
         let readings = newest.positions.as_slice().iter().zip(self.terms.calibration.as_slice());
         for (sample, (counts, calibration)) in places.zip(readings) {
-            *sample = KeySample { position: calibration.position(*counts), age };
+            *sample = KeySample::fresh(calibration.position(*counts));
+        }
+    }
+
+    /// Says how long before the present tick the newest samples were taken [ticks], as in
+    /// [`KeySample::taken`].
+    pub fn date(&self, taken: f64, samples: &mut [KeySample; KEYS]) {
+        for sample in &mut samples[self.terms.place.keys()] {
+            sample.taken = taken;
+        }
+    }
+
+    /// Makes the newest samples at least `age` ticks old.
+    pub fn outdate(&self, age: u32, samples: &mut [KeySample; KEYS]) {
+        for sample in &mut samples[self.terms.place.keys()] {
+            sample.age = sample.age.max(age);
         }
     }
 

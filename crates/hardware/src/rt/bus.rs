@@ -128,7 +128,7 @@ impl Bus {
         }
         Self {
             tick: None,
-            samples: [KeySample { position: 0.0, age: NEVER }; KEYS],
+            samples: [KeySample { age: NEVER, ..KeySample::fresh(0.0) }; KEYS],
             boards: boards.iter().copied().map(BoardEnd::new).collect(),
             lines,
         }
@@ -161,6 +161,7 @@ impl Bus {
         self.tick = Some(tick);
         for sample in &mut self.samples {
             sample.age = sample.age.saturating_add(passed);
+            sample.taken = sample.age.into();
         }
     }
 
@@ -279,7 +280,7 @@ impl Bus {
             (Some(Kind::KeySamples), Some(index)) => {
                 let board = &mut self.boards[index];
                 if board.hear(frame, self.tick.unwrap_or_default()) {
-                    board.publish(0, &mut self.samples);
+                    board.publish(&mut self.samples);
                 }
             }
             (Some(Kind::Reply | Kind::Hello), Some(_)) => acyclic.hear(line, frame),

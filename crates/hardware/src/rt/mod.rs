@@ -4,6 +4,7 @@
 
 pub mod board;
 pub mod bus;
+pub mod lateness;
 pub mod loss;
 mod multicast;
 pub mod steward;

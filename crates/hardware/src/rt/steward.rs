@@ -214,9 +214,9 @@ impl Steward {
             .all(|it| it.stage == Stage::Armed && QUICK_PINGS <= it.n_pings && it.clock.is_known())
     }
 
-    /// How long ago the samples with this stamp were taken by a board [us].
-    pub fn age_us(&self, board: usize, stamp_us: u16) -> Option<i32> {
-        self.charges.get(board)?.clock.age_us(self.now, stamp_us)
+    /// How long before the host's `at_us` the samples with this stamp were taken by a board [us].
+    pub fn age_us(&self, board: usize, at_us: u64, stamp_us: u16) -> Option<i32> {
+        self.charges.get(board)?.clock.age_us(at_us, stamp_us)
     }
 
     /// What a board is like.

@@ -280,6 +280,13 @@ impl SimulatedBoard {
         self.late_us = self.late_us.saturating_add(by_us);
     }
 
+    /// Ticks that have passed since it showed others this time, whole; at most 65 ms.
+    pub(super) fn ticks_since(&self, stamp_us: u16) -> f64 {
+        let [low, high, ..] = self.clock_us().to_le_bytes();
+        let us = u16::from_le_bytes([low, high]).wrapping_sub(stamp_us);
+        (f64::from(us) * 1e-6 / self.make.period).round()
+    }
+
     /// One of its keys fails: it renders no force, for this reason.
     pub fn fail(&mut self, reason: u8) {
         self.guard.trip(reason, self.now_us());

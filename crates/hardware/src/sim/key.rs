@@ -219,7 +219,7 @@ impl SimulatedKey {
             let share = self.guard.share(now_us);
             self.render(self.progress.seconds(step), share);
         }
-        KeySample { position: self.calibration.position(self.plant.counts()), age: 0 }
+        KeySample::fresh(self.calibration.position(self.plant.counts()))
     }
 
     /// Takes the force [N, up positive] that holds until the next one, as `slope` says.

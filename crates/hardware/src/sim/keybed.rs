@@ -123,6 +123,11 @@ impl KeyBus for SimulatedKeybed {
             self.bus.receive(index, &mut link, &mut Unread);
         }
         samples.copy_from_slice(self.bus.samples());
+        for (end, Line { board, .. }) in self.bus.boards().iter().zip(&self.lines) {
+            if let Some(newest) = end.newest() {
+                end.date(board.ticks_since(newest.header.stamp_us), samples);
+            }
+        }
     }
 
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {

@@ -10,7 +10,7 @@ use scheduler::voice::{Events, Turn, Voice, VoiceFault, Work};
 
 use super::audit::AuditCell;
 use super::damper::Damper;
-use super::input::InputPath;
+use super::input::{Followed, InputPath};
 
 /// A voice that can be copied, for rehearsals.
 pub trait RehearsableVoice: Voice + Send {
@@ -38,6 +38,9 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
 /// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so
 /// that the limit lies below the softest MIDI velocity of the Disklavier's curve.
 const SOFTEST_TONE: f64 = 0.15;
+
+/// Farther than a key moves in a tick [m]: twice its dip.
+const LONGEST_WAY: f64 = 0.02;
 
 /// What a voice is built from, besides its model.
 #[derive(Clone, Debug)]
@@ -84,11 +87,12 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
-    /// How the mean force of a tick without events goes on around the middle of that tick.
+    /// How the mean force of a tick without events goes on around the middle of that tick, at
+    /// whose start the newest sample was `late` [s].
     ///
     /// # Real-time
     /// At most four readouts.
-    fn slope(&self, middle: &Motion) -> KeySlope {
+    fn slope(&self, middle: &Motion, late: f64) -> KeySlope {
         let model = self.simulator.model();
         let slopes = model.slopes(self.simulator.mode(), self.simulator.state(), middle);
         let scale = model.input_per_metre();
@@ -97,21 +101,25 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             damping: -slopes.per_rate * scale * scale,
             position: middle.position / scale,
             velocity: middle.rate / scale,
-            ahead: 0.5 * self.h,
+            ahead: late + 0.5 * self.h,
         }
     }
 
-    /// The position to go on from: measured, or expected for one tick without a sample.
-    fn position(&self, sample: &KeySample) -> f64 {
-        if sample.age == 1 { self.input.expected() } else { sample.position }
+    /// Whether the model accounts for the energy that it gained or lost in this tick, but for
+    /// less than the strongest force does over [`LONGEST_WAY`].
+    ///
+    /// Energies are the same at the finger and in the model, whatever its input is measured in.
+    fn is_explained(&self, audit: &EnergyAudit) -> bool {
+        let most = self.gate.limit() * LONGEST_WAY;
+        (audit.residual() - self.audit.residual()).abs() <= most
     }
 
-    fn advance(&mut self, tick: u64, position: f64, turn: &mut Turn) {
+    fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
         *turn = Turn::default();
+        let Followed { signal, position, late } = self.input.follow(tick, sample);
         if let Some((at, event)) = self.damper.follow(tick, position, self.h) {
             turn.events.push(at, event);
         }
-        let signal = self.input.push(position);
         let before = *self.simulator.state();
         // What a tick says counts only if it ends well: a model that diverges must neither
         // play notes nor spoil the sums.
@@ -124,7 +132,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         turn.force = gated.force;
         let is_free = gated.finite && !gated.limited && !gated.slewed && done.work.events == 0;
         if self.slopes == Slopes::Rendered && is_free {
-            turn.slope = self.slope(&signal.at(0.5));
+            turn.slope = self.slope(&signal.at(0.5), late);
         }
         turn.work = Work {
             derivatives: done.work.derivatives,
@@ -132,12 +140,14 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             events: done.work.events,
         };
         turn.fault = fault(done.advance, done.work.events);
-        if turn.fault.is_none() && audit.residual().is_finite() {
+        if turn.fault.is_none() && self.is_explained(&audit) {
             (self.audit, turn.events) = (audit, events);
             self.cell.publish(&self.audit);
+        } else if turn.fault.is_none() {
+            turn.fault = Some(VoiceFault::Diverged);
         }
         let moved = largest_change::<M>(&before, self.simulator.state());
-        self.rest.observe(position, turn.force, moved);
+        self.rest.observe(sample.position, turn.force, moved);
     }
 }
 
@@ -149,11 +159,11 @@ impl<M: Playable, T: Stepper> Voice for RenderedKey<M, T> {
     }
 
     fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
-        let position = self.position(sample);
-        if let Some(force) = self.rest.force_at(position) {
+        if let Some(force) = self.rest.force_at(sample.position) {
+            self.input.go_on(tick, sample);
             turn.rest_at(force);
-        } else if position.is_finite() {
-            self.advance(tick, position, turn);
+        } else if sample.position.is_finite() && sample.taken.is_finite() {
+            self.advance(tick, sample, turn);
         } else {
             *turn = Turn::faulty(VoiceFault::BadSample);
         }

@@ -34,7 +34,7 @@ struct HeldKeys {
 
 impl KeyBus for HeldKeys {
     fn receive(&mut self, _tick: u64, samples: &mut [KeySample; KEYS]) {
-        *samples = [KeySample { position: 0.005, age: 0 }; KEYS];
+        *samples = [KeySample::fresh(0.005); KEYS];
     }
 
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {

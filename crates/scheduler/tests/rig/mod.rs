@@ -86,7 +86,7 @@ impl KeyBus for MemoryBus {
                 sample.age += 1;
             } else {
                 let phase = 0.02 * tick as f64 + key as f64;
-                *sample = KeySample { position: 0.005 * (1.0 - phase.cos()), age: 0 };
+                *sample = KeySample::fresh(0.005 * (1.0 - phase.cos()));
             }
         }
     }

@@ -104,7 +104,7 @@ impl Run {
 
     fn tick(&mut self, tick: u64) -> &[Turn; KEYS] {
         let position = |key: usize| 0.01 * ((tick as f64) * 0.3 + key as f64).sin();
-        let samples = std::array::from_fn(|key| KeySample { position: position(key), age: 0 });
+        let samples = std::array::from_fn(|key| KeySample::fresh(position(key)));
         self.lanes.run(tick, &samples, &mut self.turns);
         &self.turns
     }
