@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::letoff;
 use crate::rig::{
-    count, had_host_time, had_time, judged, machine, number, print_figures, run, say,
+    count, had_emulated_time, had_host_time, judged, machine, number, print_figures, run, say,
 };
 
 const TOOLS: [&str; 2] = ["arm-none-eabi-gcc", "qemu-system-arm"];
@@ -111,7 +111,7 @@ fn a_piece_is_played_on_one_cortex_m3() {
     let elf = build(&folder, 3);
     let more = ["--duration", "10", "--set", "tick_hz=500", "--set", "links.valid=0.1"];
     let elfs = [elf];
-    let report = judged("one Cortex-M3", || drive(&folder, &elfs, &more, had_time));
+    let report = judged("one Cortex-M3", || drive(&folder, &elfs, &more, had_emulated_time));
     let Some(report) = report else { return };
     check("one Cortex-M3 under QEMU, 11 keys at 500 Hz", &report, 101.0);
     let played = count(&report, "/notes/played");

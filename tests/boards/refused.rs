@@ -1,4 +1,5 @@
-//! What is refused before a force is sent, with a sentence that names link and board.
+//! What is refused before a force is sent, with a sentence that names link and board: exit code
+//! 1, since a board may come to power yet; 2 where the scene is wrong.
 
 use crate::letoff;
 use crate::rig::{Boards, arguments, machine};
@@ -12,7 +13,7 @@ fn check(name: &str, count: usize, boards: &[&str], words: &[&str]) {
     let boards = Boards::start(&folder, count, boards);
     let links = boards.links();
     let said = letoff::run(&folder, &arguments(&links, &["--performance", "none"]));
-    assert_eq!(said.code, Some(2), "{said:?}");
+    assert_eq!(said.code, Some(1), "{said:?}");
     letoff::check_words(&said, words);
     for board in boards.stop() {
         assert_eq!(board["counts"]["forces"], 0, "{board}");
@@ -63,7 +64,7 @@ fn a_board_that_lies_about_what_the_scene_knows() {
     );
     std::fs::write(folder.join("lie.toml"), scene).expect("a file");
     let words = ["board 0 on", "says that it carries A0..G1, the scene says C4..A#4"];
-    letoff::check(&folder, &["run", "lie.toml"], 2, &words);
+    letoff::check(&folder, &["run", "lie.toml"], 1, &words);
     assert_eq!(boards.stop()[0]["counts"]["armings"], 0);
 }
 
@@ -75,7 +76,7 @@ fn a_port_behind_which_nobody_speaks_the_protocol() {
     let boards = Boards::start(&folder, 1, &["--flip", "1"]);
     let links = boards.links();
     let said = letoff::run(&folder, &arguments(&links, &["--performance", "none"]));
-    assert_eq!(said.code, Some(2), "{said:?}");
+    assert_eq!(said.code, Some(1), "{said:?}");
     letoff::check_words(&said, &["nothing on", "links/board0", "answers as a board does"]);
 }
 
@@ -83,9 +84,9 @@ fn a_port_behind_which_nobody_speaks_the_protocol() {
 fn a_port_that_is_not_there() {
     let folder = letoff::folder("refused-missing");
     let words = ["/no/such/port", "letoff devices"];
-    letoff::check(&folder, &["run", "--link", "serial:/no/such/port"], 2, &words);
+    letoff::check(&folder, &["run", "--link", "serial:/no/such/port"], 1, &words);
     let words = ["no-such-can"];
-    letoff::check(&folder, &["run", "--link", "can:no-such-can"], 2, &words);
+    letoff::check(&folder, &["run", "--link", "can:no-such-can"], 1, &words);
 }
 
 #[test]

@@ -1,12 +1,25 @@
 //! Pseudo-terminals and the real serial driver.
 
+use std::path::Path;
+use std::process::Child;
 use std::time::Duration;
 
 use crate::letoff;
 use crate::rig::{
-    Boards, arguments, count, had_time, had_time_but_for, judged, machine, number, print_figures,
+    Boards, arguments, check_exchange, count, had_time, judged, machine, number, print_figures,
     run, wait_for,
 };
+
+/// A host in `folder` in the middle of its piece: it listens once it has rehearsed.
+fn playing(folder: &Path, links: &[String]) -> Child {
+    let socket = folder.join("socket");
+    // One that was killed leaves it behind.
+    let _none = std::fs::remove_file(&socket);
+    let host = letoff::start(folder, &arguments(links, &[]));
+    wait_for("the host's socket", || socket.exists());
+    std::thread::sleep(Duration::from_secs(3));
+    host
+}
 
 /// What a board may answer at most [us]: as long as forces are valid, and a tick.
 const VALID_US: f64 = 21e3;
@@ -24,10 +37,11 @@ fn a_piece_is_played_over_eight_ports() {
             assert_eq!(count(board, "/counts/corrupt"), 0, "{board}");
             assert!(number(board, "/force_while_safe_n") < 1e-3, "{board}");
         }
-        had_time(&report).then_some(report)
+        had_time(&report, &told).then_some(report)
     });
     let Some(report) = played else { return };
     print_figures("eight ports, 88 keys", &report);
+    check_exchange(&report, 0..8);
     assert!(5 < count(&report, "/notes/played"), "{report}");
     assert_eq!(count(&report, "/notes/struck"), count(&report, "/notes/played"), "{report}");
     assert_eq!(count(&report, "/notes/extra"), 0, "{report}");
@@ -58,9 +72,7 @@ fn a_host_that_is_killed_leaves_every_board_without_force_and_latched() {
     let folder = letoff::folder("boards-killed");
     let boards = Boards::start(&folder, 8, &[]);
     let links = boards.links();
-    let mut host = letoff::start(&folder, &arguments(&links, &[]));
-    // It rehearses, arms, and is in the middle of the piece.
-    std::thread::sleep(Duration::from_secs(8));
+    let mut host = playing(&folder, &links);
     host.kill().expect("it lives");
     let _killed = host.wait();
     std::thread::sleep(Duration::from_millis(500));
@@ -80,12 +92,12 @@ fn after_a_kill_the_next_host_arms_the_boards_and_plays() {
     let folder = letoff::folder("boards-again");
     let boards = Boards::start(&folder, 8, &[]);
     let links = boards.links();
-    let mut host = letoff::start(&folder, &arguments(&links, &["--duration", "60"]));
-    std::thread::sleep(Duration::from_secs(6));
+    let mut host = playing(&folder, &links);
     host.kill().expect("it lives");
     let _killed = host.wait();
     let report = run(&folder, &links, &["--duration", "4"]);
     assert!(report["boards"].as_array().is_some_and(|it| it.len() == 8), "{report}");
+    assert!(1 < count(&report, "/notes/struck"), "{report}");
     for board in boards.stop() {
         assert!(2 <= count(&board, "/counts/armings"), "{board}");
     }
@@ -100,11 +112,12 @@ fn a_board_that_dies_leaves_the_others_playing() {
         let boards = Boards::start(&folder, 8, &["--fate", "0@3:die", "--fate", "7@3:mute=0.3"]);
         let report = run(&folder, &boards.links(), &["--duration", "8"]);
         let told = boards.stop();
-        let trips: Vec<_> = told.iter().map(|it| count(it, "/counts/trips")).collect();
-        (had_time_but_for(&report, &[0, 7]) && trips[1..7].iter().all(|trips| *trips == 0))
-            .then_some(report)
+        had_time(&report, &told).then_some((report, told))
     });
-    let Some(report) = played else { return };
+    let Some((report, told)) = played else { return };
+    let trips: Vec<_> = told[1..7].iter().map(|it| count(it, "/counts/trips")).collect();
+    assert_eq!(trips, [0; 6], "{told:?}");
+    check_exchange(&report, 1..7);
     assert_eq!(count(&report, "/notes/struck"), count(&report, "/notes/played"), "{report}");
     assert_eq!(count(&report, "/notes/extra"), 0, "{report}");
     let state = |n: usize| report["boards"][n]["state"].clone();
@@ -132,7 +145,7 @@ fn a_board_that_is_stopped_stays_stopped() {
 fn a_clock_that_runs_backwards_is_noticed_and_learned_anew() {
     let _machine = machine();
     let folder = letoff::folder("boards-clock");
-    let fates = ["--fate", "0@1.5:backwards=2", "--drift", "300"];
+    let fates = ["--fate", "0@1.5:backwards=2", "--drift", "5000"];
     let boards = Boards::start(&folder, 1, &fates);
     let report = run(&folder, &boards.links(), &["--duration", "5", "--performance", "none"]);
     let board = &report["boards"][0];
@@ -140,7 +153,7 @@ fn a_clock_that_runs_backwards_is_noticed_and_learned_anew() {
     assert_eq!(board["state"], "armed", "{report}");
     let drift = number(board, "/drift_ppm");
     // Round trips are known to half a tick, over the three seconds since.
-    assert!((drift - 300.0).abs() < 1e3, "{drift} ppm");
+    assert!((drift - 5000.0).abs() < 1e3, "{drift} ppm");
 }
 
 #[test]
@@ -160,14 +173,19 @@ fn an_emergency_stop_takes_every_force_away_and_is_latched() {
     let folder = letoff::folder("boards-stop");
     let boards = Boards::start(&folder, 2, &[]);
     let links = boards.links();
-    let host = letoff::start(&folder, &arguments(&links, &["--performance", "none"]));
-    wait_for("the host's socket", || folder.join("socket").exists());
-    std::thread::sleep(Duration::from_secs(1));
+    let host = playing(&folder, &links);
     let said = letoff::run(&folder, &["stop"]);
     assert_eq!(said.code, Some(0), "{said:?}");
     let said = letoff::end(host);
     assert_eq!(said.code, Some(0), "{said:?}");
-    std::thread::sleep(Duration::from_millis(200));
+    let report = said.report();
+    assert_eq!(report["stopped"], true, "{report}");
+    // Whoever comes after leaves it so, and says it.
+    for _ in 0..2 {
+        let said = letoff::run(&folder, &arguments(&links, &["--duration", "1"]));
+        assert_eq!(said.code, Some(1), "{said:?}");
+        assert!(said.err.contains("everything was stopped"), "{said:?}");
+    }
     for board in boards.stop() {
         assert_eq!(board["state"], "everything was stopped", "{board}");
         assert!(number(&board, "/force_n") < 1e-3, "{board}");

@@ -23,10 +23,10 @@ pub enum Error {
         why: PortTrouble,
     },
     /// The system gave no thread.
-    #[error("the system gives no thread: {0}")]
+    #[error("the system gives no thread: {0}; see its limit of processes: ulimit -u")]
     Thread(io::Error),
     /// The system gave no pseudo-terminal.
-    #[error("the system gives no pseudo-terminal: {0}")]
+    #[error("the system gives no pseudo-terminal: {0}; see that /dev/pts is there")]
     Pty(io::Error),
     /// A CAN interface could not be opened.
     #[error("the CAN interface {interface} cannot be opened: {why}")]
@@ -56,10 +56,10 @@ pub enum Error {
         source: io::Error,
     },
     /// The system refused to list its serial ports.
-    #[error("the system does not list its serial ports: {0}")]
+    #[error("the system does not list its serial ports: {0}; name one: serial:/dev/ttyACM0")]
     SerialPorts(#[from] serialport::Error),
     /// A folder or file of the system could not be read.
-    #[error("{path} cannot be read: {source}")]
+    #[error("{path} cannot be read: {source}; see to its rights")]
     Unreadable {
         /// Which one.
         path: PathBuf,

@@ -58,10 +58,13 @@ pub struct KeyRange {
 
 impl fmt::Display for KeyRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let last = self.first.saturating_add(self.n.saturating_sub(1));
+        if self.n == 0 {
+            return write!(f, "no keys");
+        }
+        let last = self.first.saturating_add(self.n - 1);
         match (KeyIndex::new(self.first), KeyIndex::new(last)) {
             (Some(first), Some(last)) => write!(f, "{}..{}", KeyName(first), KeyName(last)),
-            _ => write!(f, "keys {} to {last}, which no piano has,", self.first),
+            _ => write!(f, "keys {} to {last} (A0 is 0, C8 is 87)", self.first),
         }
     }
 }
@@ -102,6 +105,8 @@ pub enum Refusal {
     KeyTwice { one: BoardName, other: BoardName, key: KeyName },
     #[error("the scene wants {board}, and nobody answers to that number there")]
     Missing { board: BoardName },
+    #[error("{board} is another board than before, or has other firmware; start the host again")]
+    Exchanged { board: BoardName },
     #[error("{board} cannot {what}; {instead}")]
     Unable { board: BoardName, what: &'static str, instead: String },
     #[error("{board} did not answer {asked:?} for {seconds} s; it was there before: see its cable")]
@@ -195,7 +200,9 @@ mod tests {
             ("A0".into(), "C1".into(), "C4".into(), "C8".into())
         );
         assert_eq!(KeyRange { first: 33, n: 11 }.to_string(), "F#3..E4");
-        assert!(KeyRange { first: 80, n: 11 }.to_string().contains("no piano has"));
+        let beyond = KeyRange { first: 80, n: 11 }.to_string();
+        assert_eq!(beyond, "keys 80 to 90 (A0 is 0, C8 is 87)");
+        assert_eq!(KeyRange { first: 3, n: 0 }.to_string(), "no keys");
     }
 
     #[test]

@@ -29,7 +29,7 @@ impl Moment {
 pub struct KeySample {
     /// Key-front displacement, down positive [m].
     pub position: f64,
-    /// Ticks since this came; 0 is fresh.
+    /// Ticks since this came, or since it was taken if its way was too long; 0 is fresh.
     pub age: u32,
     /// Ticks since it was taken, less what its way usually takes: the age, unless this sample
     /// was later or earlier than others.

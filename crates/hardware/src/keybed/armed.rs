@@ -3,7 +3,6 @@
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::Operation;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
-use firmware_protocol::frame::hello::feature;
 use firmware_protocol::key::KeyIndex;
 use haptics::plant::Gesture;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
@@ -26,7 +25,6 @@ pub struct Armed {
     bus: Box<Bus>,
     steward: Steward,
     names: Vec<BoardName>,
-    features: Vec<u16>,
     /// Time between two exchanges [us].
     period_us: u64,
     /// Frames from and to each board before the beginning.
@@ -68,52 +66,48 @@ pub struct LineReport {
 }
 
 impl Armed {
-    pub(super) fn new(
-        bus: Bus,
-        steward: Steward,
-        names: Vec<BoardName>,
-        features: Vec<u16>,
-        period_us: u64,
-    ) -> Self {
+    pub(super) fn new(bus: Bus, steward: Steward, names: Vec<BoardName>, period_us: u64) -> Self {
         let before = vec![(0, 0); names.len()];
         let since_us = steward.now();
         let lateness = vec![Lateness::default(); names.len()];
         let (bus, first_us) = (Box::new(bus), None);
-        Self { bus, steward, names, features, period_us, before, since_us, lateness, first_us }
+        Self { bus, steward, names, period_us, before, since_us, lateness, first_us }
     }
 
-    /// Dates samples by their board's clock, and makes them as old as it says if that is too old.
-    ///
-    /// What came in this tick is fresh, though it was taken a period before or two: that is
-    /// the way's usual length. What was held up on its way is not.
-    fn age(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
-        /// Periods that a sample may take for its way.
-        const USUAL: u32 = 3;
-        /// Periods after which 16 bits of a board's clock say nothing any more, at any rate.
-        const SOON: u32 = 8;
+    /// Dates by their board's clock the samples that have come in this tick.
+    fn date(&mut self, tick: u64) {
         let period_us = self.period_us.max(1);
-        let (now_us, passed_us) = (self.steward.now(), tick.saturating_mul(period_us));
+        let passed_us = tick.saturating_mul(period_us);
         // The ticks are regular; when this thread wakes is not, and no reason to move a sample.
-        let due_us = *self.first_us.get_or_insert(now_us.saturating_sub(passed_us)) + passed_us;
-        let ends = self.bus.boards().iter().zip(&mut self.lateness);
-        for (board, (end, lateness)) in ends.enumerate() {
-            let Some(newest) = end.newest() else { continue };
-            let at = |us: u64| self.steward.age_us(board, us, newest.header.stamp_us);
-            let (Some(age_us), Some(by_tick_us)) = (at(now_us), at(due_us)) else { continue };
-            let waited = samples[end.terms().place.keys().start].age;
-            if waited == 0 {
-                lateness.learn(by_tick_us);
-            }
-            if waited < SOON {
-                end.date(lateness.of(by_tick_us) / period_us as f64, samples);
-            }
-            let age = u64::try_from(age_us).unwrap_or(0) / period_us;
-            let age = u32::try_from(age).unwrap_or(u32::MAX);
-            if USUAL <= age {
-                end.outdate(age, samples);
-            }
+        let first_us = self.steward.now().saturating_sub(passed_us);
+        let due_us = *self.first_us.get_or_insert(first_us) + passed_us;
+        for (board, lateness) in self.lateness.iter_mut().enumerate() {
+            let newest = self.bus.boards().get(board).and_then(BoardEnd::newest);
+            let Some(newest) = newest.filter(|_| self.bus.has_news(board)) else { continue };
+            let stamp_us = newest.header.stamp_us;
+            let Some(age_us) = self.steward.age_us(board, due_us, stamp_us) else { continue };
+            lateness.learn(age_us);
+            self.bus.date(board, lateness.of(age_us) / period_us as f64);
         }
     }
+}
+
+/// Makes a sample that was held up on its way as old as it is.
+///
+/// What came in this tick is fresh, though it was taken a while before: that is the way's usual
+/// length, and within a tick or two of it no way is exact.
+fn outdate(sample: &mut KeySample) {
+    /// Ticks beyond the usual that a sample may take.
+    const MOST_LATE: f64 = 2.0;
+    if MOST_LATE <= sample.taken {
+        sample.age = sample.age.max(whole(sample.taken));
+    }
+}
+
+/// Whole ticks in some that are not negative.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+const fn whole(ticks: f64) -> u32 {
+    ticks as u32
 }
 
 impl Keybed<Armed> {
@@ -132,11 +126,6 @@ impl Keybed<Armed> {
     /// Whether all boards render forces.
     pub fn is_ready(&self) -> bool {
         self.stage.steward.is_ready()
-    }
-
-    /// Whether all boards have simulated fingers.
-    pub fn has_fingers(&self) -> bool {
-        self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
     }
 
     /// Plays `gestures` on `key`, in time from [`Self::begin_at`] on.
@@ -196,8 +185,12 @@ impl Keybed<Armed> {
     }
 
     /// Tells every board that it shall render no force; does not wait for answers.
+    ///
+    /// One that was stopped, or has failed, is left as it is until somebody sees to it.
     pub fn disarm(&mut self) {
-        for board in self.stage.bus.boards() {
+        let Armed { bus, steward, .. } = &self.stage;
+        let boards = bus.boards().iter().enumerate();
+        for (_, board) in boards.filter(|(index, _)| !steward.is_latched(*index)) {
             let place = board.terms().place;
             // Another number than that of any request that may be under way.
             let [first, ..] = (self.clock)().to_le_bytes();
@@ -251,8 +244,8 @@ impl Keybed<Armed> {
                 Stage::Barred(Bar::Declined(asked, status)) => {
                     Some(Refusal::Declined { board, asked, status })
                 }
-                Stage::Barred(Bar::Exchanged) => Some(Refusal::Missing { board }),
-                Stage::Armed if report.condition.round_trips_us.is_some() => None,
+                Stage::Barred(Bar::Exchanged) => Some(Refusal::Exchanged { board }),
+                Stage::Armed if self.stage.steward.is_board_ready(index) => None,
                 Stage::Greeting
                 | Stage::Streaming
                 | Stage::Disarming
@@ -280,8 +273,9 @@ impl KeyBus for Keybed<Armed> {
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
         self.stage.bus.begin(tick);
         self.attend();
+        self.stage.date(tick);
         samples.copy_from_slice(self.stage.bus.samples());
-        self.stage.age(tick, samples);
+        samples.iter_mut().for_each(outdate);
     }
 
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {

@@ -1,9 +1,12 @@
 //! The boards are known and measured: let them render forces.
 
+use firmware_protocol::MAX_FRAME;
+use firmware_protocol::frame::hello::feature;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 
-use super::{Armed, Keybed, LOOK};
+use super::{Armed, Keybed, LOOK, Line};
+use crate::link::{Link as _, RecvError};
 use crate::pause::pause;
 use crate::refusal::{BoardName, Refusals};
 use crate::rt::board::BoardTerms;
@@ -38,6 +41,11 @@ impl Keybed<Calibrated> {
         self.stage.boards.iter().map(|board| &board.place)
     }
 
+    /// Whether all boards have simulated fingers.
+    pub fn has_fingers(&self) -> bool {
+        self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
+    }
+
     /// How many keys each board on `line` has.
     pub fn boards_on(&self, line: usize) -> Vec<usize> {
         let boards = self.stage.boards.iter().filter(|it| it.place.line == line);
@@ -49,7 +57,8 @@ impl Keybed<Calibrated> {
     /// # Errors
     /// Which boards did not get there, and why.
     pub fn arm(self, terms: Terms, patience_us: u64) -> Result<Keybed<Armed>, Refusals> {
-        let Self { lines, stage, clock } = self;
+        let Self { mut lines, stage, clock } = self;
+        lines.iter_mut().for_each(forget_the_past);
         let agreed = phases(&stage, terms);
         let names = stage.boards.iter().map(|board| BoardName {
             line: lines[board.place.line].name.clone(),
@@ -64,7 +73,7 @@ impl Keybed<Calibrated> {
                 bus.meter(index, medium);
             }
         }
-        let armed = Armed::new(bus, steward, names, stage.features, u64::from(terms.period_us));
+        let armed = Armed::new(bus, steward, names, u64::from(terms.period_us));
         let mut keybed = Keybed { lines, stage: armed, clock };
         while !keybed.is_ready() {
             let now = clock();
@@ -77,6 +86,18 @@ impl Keybed<Calibrated> {
             pause(LOOK);
         }
         Ok(keybed)
+    }
+}
+
+/// Throws away what has come while nobody read: boards may have streamed to another host, and
+/// what a full queue had no room for would look like frames that were lost.
+fn forget_the_past(line: &mut Line) {
+    /// More than any queue holds.
+    const MOST: usize = 100_000;
+    for _ in 0..MOST {
+        if let Ok(None) | Err(RecvError::Down) = line.link.try_recv(&mut [0; MAX_FRAME]) {
+            return;
+        }
     }
 }
 

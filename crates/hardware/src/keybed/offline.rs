@@ -34,7 +34,13 @@ impl Keybed<Offline> {
     ///
     /// # Errors
     /// All that is wrong: lines without a board, boards of another version, twice the same.
-    pub fn identify(mut self, patience_us: u64) -> Result<Keybed<Identified>, Refusals> {
+    pub fn identify(self, patience_us: u64) -> Result<Keybed<Identified>, Refusals> {
+        let (keybed, refusals) = self.look(patience_us);
+        if refusals.0.is_empty() { Ok(keybed) } else { Err(refusals) }
+    }
+
+    /// The same for who wants to know of boards beside what is wrong with others.
+    pub fn look(mut self, patience_us: u64) -> (Keybed<Identified>, Refusals) {
         let clock = self.clock;
         let start = clock();
         let mut hearings: Vec<_> = self.lines.iter().map(|_| Hearing::default()).collect();
@@ -62,11 +68,7 @@ impl Keybed<Offline> {
             hearing.conclude(index, &line.name, &mut found, &mut refusals);
         }
         refuse_twins(&self.lines, &found, &mut refusals);
-        if refusals.is_empty() {
-            Ok(Keybed { lines: self.lines, stage: Identified { found }, clock })
-        } else {
-            Err(Refusals(refusals))
-        }
+        (Keybed { lines: self.lines, stage: Identified { found }, clock }, Refusals(refusals))
     }
 }
 

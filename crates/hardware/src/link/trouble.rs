@@ -27,7 +27,7 @@ pub enum PortTrouble {
         path: PathBuf,
     },
     /// It is there, and is something else, or broken.
-    #[error("it does not work as a serial port: {0}")]
+    #[error("it does not work as a serial port: {0}; `letoff devices` says what is behind each")]
     Unfit(io::Error),
 }
 
@@ -62,6 +62,6 @@ pub enum CanTrouble {
     #[error("this kernel has no CAN sockets; load them: sudo modprobe can-raw")]
     NoSockets,
     /// Anything else.
-    #[error("{0}")]
+    #[error("{0}; `letoff devices` says how it is set up")]
     Other(io::Error),
 }

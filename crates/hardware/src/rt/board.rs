@@ -105,21 +105,6 @@ impl BoardEnd {
         }
     }
 
-    /// Says how long before the present tick the newest samples were taken [ticks], as in
-    /// [`KeySample::taken`].
-    pub fn date(&self, taken: f64, samples: &mut [KeySample; KEYS]) {
-        for sample in &mut samples[self.terms.place.keys()] {
-            sample.taken = taken;
-        }
-    }
-
-    /// Makes the newest samples at least `age` ticks old.
-    pub fn outdate(&self, age: u32, samples: &mut [KeySample; KEYS]) {
-        for sample in &mut samples[self.terms.place.keys()] {
-            sample.age = sample.age.max(age);
-        }
-    }
-
     /// The next force frame and its length; nothing if there are no samples to answer.
     pub fn answer(
         &mut self,

@@ -161,7 +161,7 @@ impl Bus {
         self.tick = Some(tick);
         for sample in &mut self.samples {
             sample.age = sample.age.saturating_add(passed);
-            sample.taken = sample.age.into();
+            sample.taken += f64::from(passed);
         }
     }
 
@@ -193,6 +193,21 @@ impl Bus {
         self.lines[line].statistics.health = link.health();
     }
 
+    /// Whether samples of the board with this index have come in this tick.
+    pub fn has_news(&self, board: usize) -> bool {
+        let Some(end) = self.boards.get(board) else { return false };
+        self.samples.get(end.terms().place.keys().start).is_some_and(|it| it.age == 0)
+    }
+
+    /// Says how long before this tick the newest samples of a board were taken [ticks], as in
+    /// [`KeySample::taken`].
+    pub fn date(&mut self, board: usize, taken: f64) {
+        let Some(end) = self.boards.get(board) else { return };
+        for sample in &mut self.samples[end.terms().place.keys()] {
+            sample.taken = taken;
+        }
+    }
+
     /// The newest sample of every key.
     pub const fn samples(&self) -> &[KeySample; KEYS] {
         &self.samples
@@ -200,7 +215,8 @@ impl Bus {
 
     /// Sends the boards on `line` their shares of the forces [N, up positive] at `now_us`.
     ///
-    /// A board that was never heard is sent nothing: there is nothing to answer.
+    /// A board that was never heard is sent nothing, unless it takes what is for all: there is
+    /// nothing to answer.
     ///
     /// # Real-time
     /// One frame for each board, or four for a line with multicast; no heap.

@@ -107,6 +107,10 @@ struct Charge {
     n_pings: u32,
     next_ping: u64,
     next_counters: u64,
+    /// Requests beside that it declined.
+    declined: u64,
+    /// It has started anew, and its numbers with it.
+    is_anew: bool,
     /// When its samples were last seen without the flag, and seen at all [us].
     clear: u64,
     heard: u64,
@@ -136,6 +140,8 @@ pub struct Condition {
     pub round_trips_us: Option<[u32; 3]>,
     /// What it has counted itself, a second ago at most.
     pub counters: Option<Counters>,
+    /// Requests that it declined while it was armed.
+    pub declined: u64,
 }
 
 /// The care of all boards.
@@ -209,9 +215,18 @@ impl Steward {
 
     /// Whether every board renders forces and its clock is known.
     pub fn is_ready(&self) -> bool {
-        self.charges
-            .iter()
-            .all(|it| it.stage == Stage::Armed && QUICK_PINGS <= it.n_pings && it.clock.is_known())
+        self.charges.iter().all(Charge::is_ready)
+    }
+
+    /// Whether this one does.
+    pub fn is_board_ready(&self, board: usize) -> bool {
+        self.charges.get(board).is_some_and(Charge::is_ready)
+    }
+
+    /// Whether a board was stopped or has failed, and somebody has to see to it.
+    pub fn is_latched(&self, board: usize) -> bool {
+        let stage = self.charges.get(board).map(|it| it.stage);
+        matches!(stage, Some(Stage::Barred(Bar::Latched(_))))
     }
 
     /// How long before the host's `at_us` the samples with this stamp were taken by a board [us].
@@ -231,6 +246,7 @@ impl Steward {
             drift_ppm: it.clock.drift_ppm(),
             round_trips_us: it.trips.quantiles(),
             counters: it.counters,
+            declined: it.declined,
         })
     }
 
@@ -284,11 +300,18 @@ impl Charge {
             n_pings: 0,
             next_ping: 0,
             next_counters: 0,
+            declined: 0,
+            is_anew: false,
             clear: now,
             heard: now,
             frames: 0,
             fingers: Fingers::default(),
         }
+    }
+
+    /// Whether it renders forces and its clock is known.
+    fn is_ready(&self) -> bool {
+        self.stage == Stage::Armed && QUICK_PINGS <= self.n_pings && self.clock.is_known()
     }
 
     /// Begins to bring the board up, not before `rest_until` [us].
@@ -299,6 +322,9 @@ impl Charge {
 
     /// Looks whether an armed board is still there and renders forces.
     fn watch(&mut self, now: u64, board: usize, bus: &mut Bus) {
+        if std::mem::take(&mut self.is_anew) {
+            bus.forget(board);
+        }
         let statistics = bus.statistics(board);
         let frames = statistics.samples.frames;
         if frames != self.frames {
@@ -380,6 +406,7 @@ impl Charge {
         let Ok(it) = Introduction::decode(frame) else { return };
         if it.hello.uid == self.agreed.uid && it.hello.safe_reason == safe_reason::NEVER_ARMED {
             self.clock = ClockModel::default();
+            (self.n_pings, self.is_anew) = (0, true);
             self.greet(now);
         }
     }
@@ -387,14 +414,8 @@ impl Charge {
     /// Hears an answer, and goes on.
     fn was_answered(&mut self, heard: &Heard<'_>, now: u64) {
         let Heard { reply, operation, sent_us } = *heard;
-        if reply.status != Status::Done && self.stage != Stage::Armed {
-            let nonce_is_old = reply.status == Status::WrongNonce
-                || operation == Operation::Arm && reply.status == Status::WrongState;
-            self.stage = if nonce_is_old {
-                Stage::Disarming
-            } else {
-                Stage::Barred(Bar::Declined(operation, reply.status))
-            };
+        if reply.status != Status::Done {
+            self.was_declined(operation, reply.status, now);
             return;
         }
         match (operation, self.stage) {
@@ -422,6 +443,27 @@ impl Charge {
             (Operation::Finger, _) => self.fingers.next += 1,
             (Operation::Counters, _) => self.counters = Counters::take(reply.record),
             _ => {}
+        }
+    }
+
+    /// Hears that the board does not do what it was asked.
+    fn was_declined(&mut self, operation: Operation, status: Status, now: u64) {
+        let nonce_is_old = status == Status::WrongNonce
+            || operation == Operation::Arm && status == Status::WrongState;
+        let brings_up = matches!(
+            operation,
+            Operation::Hello | Operation::Stream | Operation::Disarm | Operation::Arm
+        );
+        if brings_up && nonce_is_old {
+            self.stage = Stage::Disarming;
+        } else if brings_up {
+            self.stage = Stage::Barred(Bar::Declined(operation, status));
+        } else if operation == Operation::Finger && status == Status::WrongState {
+            // As many gestures wait there as it can hold: again, a little later.
+            self.rest_until = now + AGAIN_US;
+        } else {
+            self.declined += 1;
+            self.fingers.next += usize::from(operation == Operation::Finger);
         }
     }
 

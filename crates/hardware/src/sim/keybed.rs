@@ -13,7 +13,7 @@ use crate::Error;
 use crate::link::faulty::{FaultCounts, FaultPlan, Faults};
 use crate::link::framed::Framing;
 use crate::link::loopback::Loopback;
-use crate::rt::board::{BoardStatistics, BoardTerms};
+use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
 use crate::rt::bus::{Bus, LineStatistics, Unread};
 use crate::topology;
 
@@ -121,13 +121,12 @@ impl KeyBus for SimulatedKeybed {
             board.advance(tick, &mut away.around(wire.board_end()));
             let mut link = host.around(faults.around(wire.host_end()));
             self.bus.receive(index, &mut link, &mut Unread);
-        }
-        samples.copy_from_slice(self.bus.samples());
-        for (end, Line { board, .. }) in self.bus.boards().iter().zip(&self.lines) {
-            if let Some(newest) = end.newest() {
-                end.date(board.ticks_since(newest.header.stamp_us), samples);
+            let newest = self.bus.boards().get(index).and_then(BoardEnd::newest);
+            if let Some(newest) = newest.filter(|_| self.bus.has_news(index)) {
+                self.bus.date(index, board.ticks_since(newest.header.stamp_us));
             }
         }
+        samples.copy_from_slice(self.bus.samples());
     }
 
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {

@@ -3,6 +3,7 @@
 use haptics::{BackwardDifference, Estimator as _, Kalman, Motion as KeyMotion};
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 use scheduler::motion::KeySample;
+use scheduler::safety::MAX_EXTRAPOLATED;
 
 /// Which estimator of a key's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,8 +70,11 @@ pub struct Followed {
 /// Samples closer than this are one and the same [ticks].
 const NEWS: f64 = 1e-3;
 
-/// How far motion goes on without a sample [ticks]; then the key is taken to stay where it is.
+/// How far motion is continued from a sample [ticks].
 const MOST_AHEAD: f64 = 1.0;
+
+/// After so long without a sample nothing is known of a key's motion [s]: a stroke takes as long.
+const FORGOTTEN: f64 = 10e-3;
 
 impl InputPath {
     /// A path with ticks of `h` [s] for a model whose input is `scale` per metre.
@@ -112,16 +116,27 @@ impl InputPath {
         is_news.then_some(elapsed)
     }
 
+    /// Takes a position [m] that was taken `elapsed` [s] after the one before.
+    fn learn(&mut self, position: f64, elapsed: f64) {
+        self.last = if FORGOTTEN.max(1.5 * self.h) < elapsed {
+            self.estimator.reset(position);
+            KeyMotion::at_rest(position)
+        } else {
+            self.estimator.update(position, elapsed)
+        };
+    }
+
     /// The input over `tick`, at whose start `sample` is the newest.
     pub fn follow(&mut self, tick: u64, sample: &KeySample) -> Followed {
         if let Some(elapsed) = self.go_on(tick, sample) {
-            self.last = self.estimator.update(sample.position, elapsed * self.h);
+            self.learn(sample.position, elapsed * self.h);
         }
         let (motion, position) = if self.since == 0.0 {
             (self.last, sample.position)
         } else {
             let motion = self.last.after(self.since.min(MOST_AHEAD) * self.h);
-            let is_over = MOST_AHEAD < self.since;
+            // What goes on, and for how long, is the same here as in `scheduler::safety`.
+            let is_over = MAX_EXTRAPOLATED < sample.age;
             let motion = if is_over { KeyMotion::at_rest(motion.position) } else { motion };
             (motion, motion.position)
         };
@@ -135,5 +150,71 @@ impl InputPath {
             Continuation::Samples(_, reconstructor) => reconstructor.push(position * self.scale),
         };
         Followed { signal, position, late: self.since.min(MOST_AHEAD) * self.h }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pode::Signal as _;
+
+    use super::*;
+
+    const H: f64 = 1e-3;
+
+    fn path() -> InputPath {
+        let kalman = Kalman::new(H, 1e-6, Kalman::KEY_JERK_DENSITY);
+        let mut path = InputPath::new(AnyEstimator::Kalman(kalman), None, 1.0, H);
+        path.reset(0.0);
+        path
+    }
+
+    /// Follows a key that moves at `speed` [m/s] for `ticks`, each sample `late` [ticks].
+    fn moved(path: &mut InputPath, speed: f64, ticks: u64, late: f64) {
+        for tick in 0..ticks {
+            let position = speed * (tick as f64 - late) * H;
+            path.follow(tick, &KeySample { taken: late, ..KeySample::fresh(position) });
+        }
+    }
+
+    #[test]
+    fn a_key_goes_on_for_one_tick_without_a_sample_however_late_the_last_was() {
+        for late in [-0.4, 0.0, 0.4] {
+            let mut path = path();
+            moved(&mut path, 0.5, 100, late);
+            let position = 0.5 * (99.0 - late) * H;
+            let lost = |age: u32| KeySample { position, age, taken: late + f64::from(age) };
+            let first = path.follow(100, &lost(1)).signal.at(0.0);
+            assert!((first.rate - 0.5).abs() < 1e-6, "{late}: {first:?}");
+            assert!((first.position - position - 0.5 * H).abs() < 0.3 * H, "{late}: {first:?}");
+            let second = path.follow(101, &lost(2)).signal.at(0.0);
+            assert!(second.rate == 0.0, "{late}: {second:?}");
+            assert!((second.position - position - 0.5 * H).abs() < 1e-9, "{late}: {second:?}");
+        }
+    }
+
+    #[test]
+    fn a_key_that_stopped_while_nobody_looked_has_no_speed_afterwards() {
+        for ticks in [12, 50, 1000] {
+            let mut path = path();
+            moved(&mut path, 0.5, 100, 0.0);
+            let moved_on = KeySample::fresh(9.9e-3);
+            let after = path.follow(99 + ticks, &moved_on).signal.at(0.0);
+            assert!(after.rate == 0.0, "{after:?}");
+            assert!((after.position - moved_on.position).abs() == 0.0, "{after:?}");
+        }
+    }
+
+    #[test]
+    fn samples_that_come_late_by_turns_show_the_speed_that_they_were_taken_at() {
+        let mut path = path();
+        for tick in 0..200_u32 {
+            let late = [0.0, 0.7, 0.2, 1.4, 0.9][tick as usize % 5];
+            let position = 0.5 * (f64::from(tick) - late) * H;
+            let sample = KeySample { taken: late, ..KeySample::fresh(position) };
+            let seen = path.follow(tick.into(), &sample).signal.at(0.0);
+            if 20 < tick {
+                assert!((seen.rate - 0.5).abs() < 1e-3, "tick {tick}: {seen:?}");
+            }
+        }
     }
 }

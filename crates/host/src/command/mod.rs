@@ -86,9 +86,14 @@ pub fn run(letoff: &Letoff) -> ExitCode {
         Err(Failure::Running(text)) => (1, text),
         Err(Failure::Usage(text)) => (2, text),
     };
+    tell(&text);
+    ExitCode::from(code)
+}
+
+/// Says something beside the output.
+fn tell(text: &str) {
     // A closed stderr leaves nobody to tell.
     let _unheard = writeln!(io::stderr(), "letoff: {text}");
-    ExitCode::from(code)
 }
 
 fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {

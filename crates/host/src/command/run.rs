@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 
 use super::signals::Signals;
-use super::{Failure, live, print_json};
+use super::{Failure, live, print_json, tell};
 use hardware::link::address::Address;
 
 use crate::config::{Scene, link_overrides};
@@ -140,11 +140,19 @@ fn listen(scene: &Scene, options: Options, session: &Session) {
     if options.virtual_time {
         return;
     }
-    // A second host, or a machine without a place for sockets, runs all the same.
-    if let Ok(server) = Server::listen(&socket_path()) {
-        let switchboard = Switchboard::new(scene.clone(), session.patchbay());
-        // Ends with the runtime, and takes the socket with it.
-        tokio::spawn(serve(server, Arc::new(switchboard)));
+    let path = socket_path();
+    match Server::listen(&path) {
+        Ok(server) => {
+            let switchboard = Switchboard::new(scene.clone(), session.patchbay());
+            // Ends with the runtime, and takes the socket with it.
+            tokio::spawn(serve(server, Arc::new(switchboard)));
+        }
+        // A second host, or a machine without a place for sockets, runs all the same.
+        Err(error) => tell(&format!(
+            "`letoff stop` and `letoff instruments use` do not reach this host: {}: {error}; give \
+             it a place of its own with LETOFF_SOCKET",
+            path.display()
+        )),
     }
 }
 
@@ -159,10 +167,12 @@ impl Drop for StopOnDrop {
 
 fn failure(error: &SessionError) -> Failure {
     match error {
-        SessionError::System(_) | SessionError::Panicked(_) => Failure::Running(error.to_string()),
-        SessionError::Assemble(_)
+        // A board that has no power yet is no mistake of the scene's: who starts hosts tries again.
+        SessionError::System(_)
+        | SessionError::Panicked(_)
         | SessionError::Link(_)
-        | SessionError::Boards(_)
+        | SessionError::Boards(_) => Failure::Running(error.to_string()),
+        SessionError::Assemble(_)
         | SessionError::BoardRate { .. }
         | SessionError::Overload(_)
         | SessionError::RealBoards

@@ -17,6 +17,8 @@ pub struct Patchbay {
     cells: Mutex<Vec<Arc<AuditCell>>>,
     /// Everything shall stop.
     alarm: AtomicBool,
+    /// Every board was told to.
+    stopped: AtomicBool,
 }
 
 impl Patchbay {
@@ -55,6 +57,16 @@ impl Patchbay {
     /// One load.
     pub fn is_alarmed(&self) -> bool {
         self.alarm.load(Ordering::Acquire)
+    }
+
+    /// Says that every board was told to render no force.
+    pub fn note_stopped(&self) {
+        self.stopped.store(true, Ordering::Release);
+    }
+
+    /// Whether every board was told to render no force until it is seen to.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Acquire)
     }
 
     /// A place for one more voice's energy audit.

@@ -9,11 +9,15 @@ use std::time::Duration;
 
 use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
 use tokio::net::{UnixListener, UnixStream};
+use tokio::sync::Semaphore;
 
 use super::{Reply, Switchboard, Wish};
 
 /// Longest request in bytes; a sentence would do.
 const MAX_REQUEST: u64 = 4096;
+
+/// Clients that are listened to at once; all are this user's.
+const MOST_CLIENTS: usize = 64;
 
 /// Longest time that one client is listened to.
 const PATIENCE: Duration = Duration::from_secs(2);
@@ -53,13 +57,20 @@ impl Drop for Server {
     }
 }
 
-/// Answers clients one after the other, until it is dropped.
+/// Answers clients, so many at once, until it is dropped.
 #[expect(clippy::infinite_loop, reason = "whoever spawned it ends it")]
 pub async fn serve(server: Server, switchboard: Arc<Switchboard>) {
+    let places = Arc::new(Semaphore::new(MOST_CLIENTS));
     loop {
-        // A client that fails, stalls or talks nonsense is dropped; the next one is heard.
-        if let Ok((client, _address)) = server.listener.accept().await {
-            let _served = tokio::time::timeout(PATIENCE, converse(client, &switchboard)).await;
+        let Ok((client, _address)) = server.listener.accept().await else { continue };
+        // One that finds no place goes away unheard, so that whoever has one may come in time.
+        if let Ok(place) = Arc::clone(&places).try_acquire_owned() {
+            let switchboard = Arc::clone(&switchboard);
+            tokio::spawn(async move {
+                // A client that fails, stalls or talks nonsense is dropped.
+                let _served = tokio::time::timeout(PATIENCE, converse(client, &switchboard)).await;
+                drop(place);
+            });
         }
     }
 }

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use super::{Patchbay, Reply, Request, Stop, StopKind, Wish};
 use crate::assemble::Assembler;
 use crate::config::{Instrument, KeyVoice, Scene, keys_named};
+use crate::realtime::clock;
 use crate::realtime::pool::BoxedVoice;
+use scheduler::time::Nanos;
 
 /// Builds voices for a running scene and hands them to its lanes.
 #[derive(Debug)]
@@ -27,11 +29,25 @@ impl Switchboard {
             Wish::Switch(request) => {
                 self.switch(request).map_or_else(Reply::Refused, Reply::Switched)
             }
-            Wish::Stop(Stop { stop: StopKind::Emergency }) => {
-                self.patchbay.sound_alarm();
-                Reply::Stopped
-            }
+            Wish::Stop(Stop { stop: StopKind::Emergency }) => self.stop(),
         }
+    }
+
+    /// Ends the run, and waits until every board was told.
+    fn stop(&self) -> Reply {
+        /// Looks, and the time between two.
+        const LOOKS: u32 = 200;
+        const LOOK: Nanos = Nanos::from_millis(5);
+        self.patchbay.sound_alarm();
+        for _ in 0..LOOKS {
+            if self.patchbay.is_stopped() {
+                return Reply::Stopped;
+            }
+            clock::sleep_until(clock::monotonic().after(LOOK));
+        }
+        Reply::Refused(
+            "the host has not told its boards to stop within a second: cut their power".into(),
+        )
     }
 
     fn switch(&self, request: &Request) -> Result<usize, String> {

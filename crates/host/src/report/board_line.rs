@@ -38,6 +38,8 @@ pub struct BoardLine {
     pub drift_ppm: f64,
     /// Times that its clock jumped.
     pub clock_jumps: u64,
+    /// Requests beside the forces that it declined: gestures, pings.
+    pub declined: u64,
     /// Times that it was armed again.
     pub rearmed: u64,
     /// Whether it renders forces, or why not.
@@ -101,6 +103,7 @@ impl BoardLine {
             }),
             drift_ppm: condition.drift_ppm,
             clock_jumps: condition.jumps,
+            declined: condition.declined,
             rearmed: condition.armings.saturating_sub(1),
             state: state(condition.stage),
             counted: condition.counters.map(|it| Counted {

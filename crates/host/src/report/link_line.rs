@@ -52,7 +52,7 @@ impl LinkLine {
     ) -> Self {
         let LineReport { name, statistics, medium, load } = line;
         let on_it = boards.iter().filter(|board| board.name.line == *name);
-        let frames: Vec<_> = on_it.map(|board| board.statistics.samples.frames).collect();
+        let frames: Vec<_> = on_it.map(|board| board.exchanged.0).collect();
         let mean = frames.iter().sum::<u64>() as f64 / frames.len().max(1) as f64;
         let health = statistics.health;
         Self {

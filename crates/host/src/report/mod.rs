@@ -29,6 +29,8 @@ pub struct Report {
     pub skipped: u64,
     /// Length of the run [s].
     pub duration_s: f64,
+    /// Whether `letoff stop` ended it: its boards render no force until they are started anew.
+    pub stopped: bool,
     /// Threads that shared the tick.
     pub lanes: usize,
     /// What the system granted.
@@ -191,6 +193,9 @@ impl fmt::Display for Report {
             "{}: {} voices, {} ticks at {} Hz ({:.1} s) on {} lane(s)",
             self.scene, self.voices, self.ticks, self.tick_hz, self.duration_s, self.lanes
         )?;
+        if self.stopped {
+            writeln!(f, "  STOPPED     boards render no force until they are started anew")?;
+        }
         let locked = if self.realtime.memory_locked { "locked" } else { "not locked" };
         writeln!(f, "  real time   {}, memory {locked}", self.realtime.policy)?;
         for advice in &self.realtime.advice {

@@ -100,6 +100,14 @@ impl Bed {
         }
     }
 
+    /// Whether there are fingers that can play.
+    pub(super) fn has_fingers(&self) -> bool {
+        match self {
+            Self::Simulated(_) => true,
+            Self::Boards(keybed, ..) => keybed.has_fingers(),
+        }
+    }
+
     /// Gives the performance's gestures to the simulated fingers.
     pub(super) fn seat(&mut self, performance: &Performance) {
         if let Self::Simulated(keybed) = self {
@@ -121,8 +129,10 @@ impl Bed {
             }
             Self::Boards(keybed, terms, plans) => {
                 let mut keybed = keybed.arm(terms, PATIENCE_US)?;
-                if let Some(performance) = performance {
-                    seat(&mut keybed, performance)?;
+                for (key, gestures) in
+                    performance.into_iter().flat_map(|it| all_keys().zip(&it.gestures))
+                {
+                    keybed.play(key, gestures);
                 }
                 let start = clock::monotonic().after(lead);
                 keybed.begin_at(start.as_u64() / 1_000);
@@ -130,18 +140,6 @@ impl Bed {
             }
         }
     }
-}
-
-/// Hands the performance's gestures to boards that have simulated fingers.
-fn seat(keybed: &mut Keybed<Armed>, performance: &Performance) -> Result<(), SessionError> {
-    if !keybed.has_fingers() {
-        keybed.disarm();
-        return Err(SessionError::NoFingers);
-    }
-    for (key, gestures) in all_keys().zip(&performance.gestures) {
-        keybed.play(key, gestures);
-    }
-    Ok(())
 }
 
 impl KeyBus for Bus {

@@ -156,6 +156,9 @@ impl Session {
         let period = assembler.period().as_secs_f64();
         // What is missing is said before anybody rehearses.
         let mut bed = lay(scene, &assembler, options)?;
+        if scene.performance.is_some() && !bed.has_fingers() {
+            return Err(SessionError::NoFingers);
+        }
         let performance = pianist::rehearse(scene, &assembler, &bed, options.duration, progress)?;
         let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
         if options.virtual_time && seconds.is_none() {
@@ -249,7 +252,7 @@ impl Stage {
     /// Puts the report together when all is over.
     fn report(&self, ticks: u64, played: Played, measured: Measured, bus: &Bus) -> Report {
         use std::sync::atomic::Ordering::Relaxed;
-        let duration = ticks as f64 / f64::from(self.tick_hz);
+        let duration = (ticks + measured.skipped) as f64 / f64::from(self.tick_hz);
         let counters = &self.counters;
         let load = |counter: &std::sync::atomic::AtomicU64| counter.load(Relaxed);
         Report {
@@ -259,6 +262,7 @@ impl Stage {
             ticks,
             skipped: measured.skipped,
             duration_s: duration,
+            stopped: self.patchbay.is_stopped(),
             lanes: self.n_lanes.get(),
             realtime: measured.realtime,
             deadline: measured.deadline,

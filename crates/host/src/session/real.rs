@@ -39,7 +39,12 @@ pub(super) fn run(
     });
     let baseline = baseline.stop();
     let played = attended.finish().map_err(|_panic| SessionError::Panicked("MIDI"))?;
-    if !stage.patchbay.is_alarmed() {
+    // Also after a panic, and for an alarm that came when the last tick was over.
+    let is_alarmed = stage.patchbay.is_alarmed();
+    if is_alarmed {
+        bus.stop();
+        stage.patchbay.note_stopped();
+    } else {
         bus.disarm();
     }
     let (timings, standing) = ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
@@ -78,6 +83,7 @@ fn tick(
     });
     if patchbay.is_alarmed() {
         assembly.bus.stop();
+        patchbay.note_stopped();
     } else {
         ramp_down(&mut assembly);
     }

@@ -12,6 +12,9 @@ use super::{Epitaph, Placed};
 /// Force that counts as none [N].
 const NONE: f64 = 1e-3;
 
+/// How long motors may take to let go: the fade of 10 ms, their lag, and a look of ours.
+const LETTING_GO: Nanos = Nanos::from_millis(15);
+
 /// A board that lives by the host's clock.
 #[derive(Debug)]
 pub struct Living {
@@ -33,6 +36,9 @@ pub struct Living {
     quiet_after: Option<Nanos>,
     force_while_safe: f64,
     was_armed: bool,
+    /// When it was last looked after, and the longest time between two such while armed.
+    looked_after: Option<Nanos>,
+    longest_gap: Nanos,
 }
 
 /// What is wrong for a while, until when.
@@ -71,6 +77,8 @@ impl Living {
             quiet_after: None,
             force_while_safe: 0.0,
             was_armed: false,
+            looked_after: None,
+            longest_gap: Nanos::ZERO,
         })
     }
 
@@ -92,6 +100,10 @@ impl Living {
 
     /// Lives until `now`.
     pub fn live(&mut self, now: Nanos) {
+        let gap = now.since(self.looked_after.replace(now).unwrap_or(now));
+        if self.was_armed {
+            self.longest_gap = self.longest_gap.max(gap);
+        }
         self.suffer(now);
         if now < self.trouble.off || now < self.trouble.frozen {
             return;
@@ -121,6 +133,7 @@ impl Living {
             force_n: self.force(),
             quiet_after_ms: self.quiet_after.map(|it| it.as_secs_f64() * 1e3),
             force_while_safe_n: self.force_while_safe,
+            longest_gap_ms: self.longest_gap.as_secs_f64() * 1e3,
             counts: self.board.counts(),
         }
     }
@@ -136,7 +149,9 @@ impl Living {
         let is_armed = !self.board.is_safe();
         if is_armed {
             self.armed.get_or_insert(now);
-            self.fading = None;
+            if let Some(since) = self.fading.take() {
+                self.quiet_after = self.quiet_after.max(Some(now.since(since)));
+            }
         } else if self.was_armed {
             self.fading = Some(now);
         }
@@ -147,8 +162,10 @@ impl Living {
                 self.quiet_after = self.quiet_after.max(Some(now.since(since)));
                 self.fading = None;
             }
-            None if !is_armed => self.force_while_safe = self.force_while_safe.max(force),
-            Some(_) | None => {}
+            Some(since) if now.since(since) < LETTING_GO => {}
+            None if is_armed => {}
+            // Silent once, or for too long not.
+            Some(_) | None => self.force_while_safe = self.force_while_safe.max(force),
         }
     }
 

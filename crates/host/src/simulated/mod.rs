@@ -41,6 +41,9 @@ pub struct Epitaph {
     /// Largest force of its motors while it had no right to render, once they had had time to
     /// fade [N].
     pub force_while_safe_n: f64,
+    /// Longest time that it was not looked after while it rendered forces [ms]: by nobody's
+    /// fault but this machine's.
+    pub longest_gap_ms: f64,
     /// What it counted.
     pub counts: BoardCounts,
 }

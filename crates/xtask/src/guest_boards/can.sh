@@ -47,7 +47,7 @@ loss() {
 late() {
 	disturbed late "frames are late by 2 ms and more, and overtake each other" \
 		"([.boards[].repeated_or_overtaken] | add) > 0 and $most and
-			(.energy_audit.residual | fabs) < 1 and .notes.extra < 100" \
+			(.energy_audit.residual | fabs) < 10 and .notes.extra < 200" \
 		netem delay 2ms 1ms reorder 25%
 }
 
@@ -83,7 +83,8 @@ corrupt() {
 # The queue takes a part only: the tick must not wait for it.
 full() {
 	midway full "a queue that is full is counted, and delays no tick" \
-		'([.boards[].unsent] | add) > 0 and .deadline.missed_own_work == 0' \
+		'([.boards[].unsent] | add) > 0 and .deadline.missed_own_work == 0 and
+			.deadline.missed_preempted == 0' \
 		tbf rate 3mbit burst 256 limit 2000
 }
 

@@ -10,7 +10,7 @@ killed() {
 	sleep 1
 	bury
 	bear killed "$fresh"' and .state == "its forces expired" and .counts.trips == 1 and
-		.force_n < 0.001 and .quiet_after_ms <= 12'
+		.force_n < 0.001 and .quiet_after_ms != null and .quiet_after_ms <= 12'
 	verdict killed "the host is killed in a chord: no force is left, and boards stay safe" $? \
 		"$(graves killed)"
 }

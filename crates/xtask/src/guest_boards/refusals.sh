@@ -1,6 +1,6 @@
 # Boards that may not be used. Sourced by checks.sh.
 
-# refused NAME SENTENCE WORDS LINKS...: the host ends with exit code 2 and says the words; the
+# refused NAME SENTENCE WORDS LINKS...: the host ends with exit code 1 and says the words; the
 # boards are there already.
 refused() {
 	it=$1
@@ -12,7 +12,7 @@ refused() {
 		>"$it.json" 2>"$it.err"
 	code=$?
 	bury
-	[ $code = 2 ] && grep -q "$words" "$it.err"
+	[ $code = 1 ] && grep -q "$words" "$it.err"
 	verdict "$it" "$sentence" $? "from $since s on, exit $code: $(head -n 3 "$it.err")"
 }
 
