@@ -15,7 +15,7 @@ fn playing(folder: &Path, links: &[String]) -> Child {
     let socket = folder.join("socket");
     // One that was killed leaves it behind.
     let _none = std::fs::remove_file(&socket);
-    let host = letoff::start(folder, &arguments(links, &[]));
+    let host = letoff::start(folder, &arguments(links, &["--duration", "20"]));
     wait_for("the host's socket", || socket.exists());
     std::thread::sleep(Duration::from_secs(3));
     host
@@ -182,7 +182,7 @@ fn an_emergency_stop_takes_every_force_away_and_is_latched() {
     assert_eq!(report["stopped"], true, "{report}");
     // Whoever comes after leaves it so, and says it.
     for _ in 0..2 {
-        let said = letoff::run(&folder, &arguments(&links, &["--duration", "1"]));
+        let said = letoff::run(&folder, &arguments(&links, &["--performance", "none"]));
         assert_eq!(said.code, Some(1), "{said:?}");
         assert!(said.err.contains("everything was stopped"), "{said:?}");
     }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use host::config::Scene;
-use host::control::{ControlError, Reply, Request, Server, Switchboard, send, serve};
+use host::control::{Clients, ControlError, Reply, Request, Server, Switchboard, send, serve};
 use host::report::Report;
 use host::session::{Options, Session};
 
@@ -30,7 +30,7 @@ fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> Report {
         let _inside = runtime.enter();
         Server::listen(&path).expect("a socket")
     };
-    runtime.spawn(serve(server, switchboard));
+    runtime.spawn(serve(server, switchboard, Clients::default()));
     std::thread::scope(|scope| {
         let host = scope.spawn(|| session.run(&stop));
         clients(&path);

@@ -27,7 +27,8 @@ pub struct Lasting {
     /// Links that went down, on their way to be closed.
     closed: Producer<AnyLink>,
     shared: Arc<Shared>,
-    health: Health,
+    /// What those before this one were like, and counted.
+    before: Health,
     reopened: u64,
 }
 
@@ -59,7 +60,7 @@ impl Lasting {
         let its_shared = Arc::clone(&shared);
         let thread = std::thread::Builder::new().name("letoff-open".into());
         thread.spawn(move || attend(&open, newly, lately, &its_shared)).map_err(Error::Thread)?;
-        Ok(Self { link, opened, closed, shared, health: Health::default(), reopened: 0 })
+        Ok(Self { link, opened, closed, shared, before: Health::default(), reopened: 0 })
     }
 
     /// Times that it was opened again.
@@ -81,9 +82,12 @@ impl Lasting {
     /// Lets a link go that is down, and asks for another.
     fn lose(&mut self) {
         let Some(link) = self.link.take() else { return };
-        self.health = link.health();
+        let before = added(self.before, link.health());
         match self.closed.push(link) {
-            Ok(()) => self.shared.wanted.store(true, Ordering::Release),
+            Ok(()) => {
+                self.before = before;
+                self.shared.wanted.store(true, Ordering::Release);
+            }
             // Whoever closes is behind: it is tried again.
             Err(rtrb::PushError::Full(link)) => self.link = Some(link),
         }
@@ -116,8 +120,18 @@ impl Link for Lasting {
     }
 
     fn health(&self) -> Health {
-        let health = self.link.as_ref().map_or(self.health, Link::health);
+        let health = self.link.as_ref().map_or(self.before, |it| added(self.before, it.health()));
         Health { restarts: health.restarts + self.reopened, ..health }
+    }
+}
+
+/// What a link is like, with what those before it have counted.
+fn added(before: Health, now: Health) -> Health {
+    Health {
+        reports: before.reports + now.reports,
+        restarts: before.restarts + now.restarts,
+        dropped: before.dropped + now.dropped,
+        ..now
     }
 }
 
@@ -160,6 +174,10 @@ mod tests {
         fn try_recv(&mut self, _buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
             Ok(None)
         }
+
+        fn health(&self) -> Health {
+            Health { reports: 3, restarts: 1, dropped: 2, ..Health::default() }
+        }
     }
 
     #[test]
@@ -186,5 +204,7 @@ mod tests {
             pause(Duration::from_millis(5));
         }
         assert_eq!((sent, link.reopened(), attempts.load(Ordering::Relaxed)), (2, 1, 3));
+        let Health { reports, restarts, dropped, .. } = link.health();
+        assert_eq!((reports, restarts, dropped), (6, 3, 4), "of both, and opened again once");
     }
 }

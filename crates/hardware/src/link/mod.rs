@@ -108,6 +108,9 @@ pub struct Health {
     pub reports: u64,
     /// Times that the controller was started again after it had left the bus.
     pub restarts: u64,
+    /// Frames that were dropped here, because those before were still on their way or found no
+    /// room.
+    pub dropped: u64,
 }
 
 /// What a controller does.

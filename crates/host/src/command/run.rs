@@ -11,7 +11,7 @@ use super::{Failure, live, print_json, tell};
 use hardware::link::address::Address;
 
 use crate::config::{Scene, link_overrides};
-use crate::control::{Server, Switchboard, serve, socket_path};
+use crate::control::{Clients, Server, Switchboard, serve, socket_path};
 use crate::report::Report;
 use crate::session::{Options, Session, SessionError};
 
@@ -106,7 +106,7 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 /// Rehearses, runs until the end or a signal, and reports.
-fn perform(scene: &Scene, options: Options) -> Result<Report, Failure> {
+fn perform(scene: &Scene, options: Options) -> Result<Box<Report>, Failure> {
     let rehearsal = live::Rehearsal::new();
     let session = Session::prepare(scene, options, &|progress| rehearsal.show(progress))
         .map_err(|error| failure(&error))?;
@@ -116,16 +116,17 @@ fn perform(scene: &Scene, options: Options) -> Result<Report, Failure> {
     runtime.block_on(async {
         let counters = session.counters();
         let line = live::Line::new(session.tick_hz(), session.ticks());
-        listen(scene, options, &session);
+        let clients = listen(scene, options, &session);
         let its_stop = Arc::clone(&stop);
         let _stops = StopOnDrop(Arc::clone(&stop));
-        let mut running = tokio::task::spawn_blocking(move || session.run(&its_stop));
+        let mut running = tokio::task::spawn_blocking(move || session.run(&its_stop).map(Box::new));
         let mut signals = Signals::new()?;
         let mut every = tokio::time::interval(live::REFRESH);
         loop {
             tokio::select! {
                 done = &mut running => {
                     line.finish();
+                    clients.leave().await;
                     return done.map_err(|panic| Failure::Running(panic.to_string()))?.map_err(|error| failure(&error));
                 }
                 () = signals.next() => stop.store(true, Ordering::Release),
@@ -136,16 +137,17 @@ fn perform(scene: &Scene, options: Options) -> Result<Report, Failure> {
 }
 
 /// Listens for `letoff instruments use`; in virtual time there is nobody to talk to.
-fn listen(scene: &Scene, options: Options, session: &Session) {
+fn listen(scene: &Scene, options: Options, session: &Session) -> Clients {
+    let clients = Clients::default();
     if options.virtual_time {
-        return;
+        return clients;
     }
     let path = socket_path();
     match Server::listen(&path) {
         Ok(server) => {
             let switchboard = Switchboard::new(scene.clone(), session.patchbay());
             // Ends with the runtime, and takes the socket with it.
-            tokio::spawn(serve(server, Arc::new(switchboard)));
+            tokio::spawn(serve(server, Arc::new(switchboard), clients.clone()));
         }
         // A second host, or a machine without a place for sockets, runs all the same.
         Err(error) => tell(&format!(
@@ -154,6 +156,7 @@ fn listen(scene: &Scene, options: Options, session: &Session) {
             path.display()
         )),
     }
+    clients
 }
 
 /// Ends the run when this thread unwinds: notes off, forces down.

@@ -16,7 +16,7 @@ mod switchboard;
 
 pub use client::{ControlError, send};
 pub use patchbay::Patchbay;
-pub use server::{Server, serve};
+pub use server::{Clients, Server, serve};
 pub use switchboard::Switchboard;
 
 use std::path::PathBuf;

@@ -17,7 +17,7 @@ use super::{Reply, Switchboard, Wish};
 const MAX_REQUEST: u64 = 4096;
 
 /// Clients that are listened to at once; all are this user's.
-const MOST_CLIENTS: usize = 64;
+const MOST_CLIENTS: u32 = 64;
 
 /// Longest time that one client is listened to.
 const PATIENCE: Duration = Duration::from_secs(2);
@@ -57,14 +57,33 @@ impl Drop for Server {
     }
 }
 
+/// Those who are being answered.
+#[derive(Clone, Debug)]
+pub struct Clients(Arc<Semaphore>);
+
+impl Default for Clients {
+    /// Nobody.
+    fn default() -> Self {
+        Self(Arc::new(Semaphore::new(MOST_CLIENTS as usize)))
+    }
+}
+
+impl Clients {
+    /// Waits until everybody has their answer, or a moment has passed.
+    pub async fn leave(&self) {
+        /// Longer than it takes to write a line.
+        const GRACE: Duration = Duration::from_millis(500);
+        let _left = tokio::time::timeout(GRACE, self.0.acquire_many(MOST_CLIENTS)).await;
+    }
+}
+
 /// Answers clients, so many at once, until it is dropped.
 #[expect(clippy::infinite_loop, reason = "whoever spawned it ends it")]
-pub async fn serve(server: Server, switchboard: Arc<Switchboard>) {
-    let places = Arc::new(Semaphore::new(MOST_CLIENTS));
+pub async fn serve(server: Server, switchboard: Arc<Switchboard>, clients: Clients) {
     loop {
         let Ok((client, _address)) = server.listener.accept().await else { continue };
         // One that finds no place goes away unheard, so that whoever has one may come in time.
-        if let Ok(place) = Arc::clone(&places).try_acquire_owned() {
+        if let Ok(place) = Arc::clone(&clients.0).try_acquire_owned() {
             let switchboard = Arc::clone(&switchboard);
             tokio::spawn(async move {
                 // A client that fails, stalls or talks nonsense is dropped.

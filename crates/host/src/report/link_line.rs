@@ -36,8 +36,12 @@ pub struct LinkLine {
     pub transmit_errors: u8,
     /// Reception errors, likewise.
     pub receive_errors: u8,
+    /// Reports of errors that its controller gave.
+    pub reports: u64,
     /// Times that it was opened or started again.
     pub restarts: u64,
+    /// Frames that were dropped here, because those before were still on their way.
+    pub dropped: u64,
     /// What is tight about its plan, a sentence.
     pub warning: Option<String>,
 }
@@ -69,7 +73,9 @@ impl LinkLine {
             state: state(health.state),
             transmit_errors: health.transmit_errors,
             receive_errors: health.receive_errors,
+            reports: health.reports,
             restarts: health.restarts,
+            dropped: health.dropped,
             warning: plan.filter(|it| it.verdict() != Verdict::Fits).map(BusPlan::sentence),
         }
     }

@@ -102,6 +102,7 @@ mod tests {
             receive_errors: 0x61,
             reports: 2,
             restarts: 0,
+            dropped: 0,
         };
         assert_eq!(health, warned);
         health.note(report(0x204, 0x0040_0000_0000_0100));

@@ -87,7 +87,7 @@ impl Link for Can {
     }
 
     fn health(&self) -> Health {
-        self.port.health()
+        Health { dropped: self.port.dropped(), ..self.port.health() }
     }
 }
 

@@ -17,7 +17,7 @@ use serialport::{ClearBuffer, ErrorKind, SerialPort as _, TTYPort};
 use self::carrier::Carrier;
 use super::framed::Framing;
 use super::trouble::PortTrouble;
-use super::{Link, RecvError, SendError};
+use super::{Health, Link, RecvError, SendError};
 use crate::Error;
 
 pub(super) use pty::Ends;
@@ -79,6 +79,10 @@ impl Link for Serial {
 
     fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
         self.framing.around(&mut self.carrier).try_recv(buffer)
+    }
+
+    fn health(&self) -> Health {
+        Health { dropped: self.carrier.dropped(), ..Health::default() }
     }
 }
 

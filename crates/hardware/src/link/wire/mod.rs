@@ -84,7 +84,7 @@ impl Wire {
             move || pump::run(&one, &other, plan, &shared)
         };
         let thread = std::thread::Builder::new().name("wire".to_owned());
-        let pump = Some(thread.spawn(run).map_err(Error::Pty)?);
+        let pump = Some(thread.spawn(run).map_err(Error::Thread)?);
         Ok(Self { host, board, shared, pump })
     }
 
