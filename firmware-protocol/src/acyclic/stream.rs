@@ -7,7 +7,8 @@ record! {
         period_us: u16,
         /// [`crate::frame::key_samples::SamplePacking`].
         packing: u8,
-        /// When in its period this board shall send [us], so that boards on a bus take turns.
+        /// When in its period this board shall begin to send [us], so that boards on a bus begin in
+        /// turns: by the bus's time where it knows that, else from the request on.
         phase_us: u16,
     }
 }

@@ -101,7 +101,10 @@ fn forget_the_past(line: &mut Line) {
     }
 }
 
-/// What is agreed with each board: those on one line take turns.
+/// What is agreed with each board.
+///
+/// Those on one line are asked to begin in turns. Each goes on by its own clock, so they drift
+/// apart; nothing relies on it, and plans take all at once.
 fn phases(stage: &Calibrated, terms: Terms) -> Vec<Agreed> {
     let on_line = |line| stage.boards.iter().filter(move |it| it.place.line == line);
     let agreed = stage.boards.iter().zip(&stage.uids).map(|(board, uid)| {

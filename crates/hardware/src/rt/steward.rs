@@ -52,7 +52,7 @@ pub struct Agreed {
     pub place: BoardPlace,
     /// Who it is.
     pub uid: [u8; 6],
-    /// When in the period it sends [us].
+    /// When in the period it begins to send [us].
     pub phase_us: u16,
     /// The rest.
     pub terms: Terms,

@@ -93,7 +93,8 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
         }
     };
     for found in keybed.boards().to_vec() {
-        let mut board = describe(&found);
+        let (mut board, trouble) = describe(&found);
+        link.refusals.extend(trouble);
         if args.log && found.hello.features & feature::LOG != 0 {
             match log(&found, &mut keybed) {
                 Ok(lines) => board.log = lines,
@@ -110,10 +111,14 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
     link
 }
 
-fn describe(found: &Found) -> Board {
+/// What a board said, and what is wrong with its calibration file.
+fn describe(found: &Found) -> (Board, Option<String>) {
     let hello = &found.hello;
     let file = folder(&Boards::default()).map(|folder| file::path(&folder, found.uid()));
-    Board {
+    let n_keys = usize::from(hello.n_keys);
+    let read = file.as_ref().map(|file| file::read(file, found.uid(), n_keys));
+    let is_calibrated = matches!(read, Some(Ok(Some(_))));
+    let board = Board {
         number: found.board.number(),
         uid: found.uid().to_string(),
         keys: found.keys().to_string(),
@@ -128,10 +133,11 @@ fn describe(found: &Found) -> Board {
         reset_reason: hello.reset_reason,
         safe_reason: reason_words(hello.safe_reason),
         config_crc: format!("{:08x}", hello.config_crc),
-        is_calibrated: file.as_ref().is_some_and(|file| file.exists()),
+        is_calibrated,
         calibration: file.map(|file| file.display().to_string()),
         log: Vec::new(),
-    }
+    };
+    (board, read.and_then(Result::err))
 }
 
 /// What a board can, in words.
