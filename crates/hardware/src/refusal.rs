@@ -111,12 +111,18 @@ pub enum Refusal {
     Unable { board: BoardName, what: &'static str, instead: String },
     #[error("{board} did not answer {asked:?} for {seconds} s; it was there before: see its cable")]
     NoAnswer { board: BoardName, asked: Operation, seconds: f64 },
-    #[error("{board} answered {asked:?} with \"{}\"; its log may say why: `letoff devices --boards`", status_words(*status))]
-    Declined { board: BoardName, asked: Operation, status: Status },
+    #[error(
+        "{board} answered {asked:?} with \"{}\"; its log may say why: `letoff devices --boards \
+         --link {link} --log`", status_words(*status)
+    )]
+    Declined { board: BoardName, link: String, asked: Operation, status: Status },
     #[error("{board} renders no force: {}; see to it, then start it anew", reason_words(*reason))]
     Latched { board: BoardName, reason: u8 },
-    #[error("{board} has no calibration file {file}; make one: letoff calibrate")]
-    NotCalibrated { board: BoardName, file: String },
+    #[error(
+        "{board} has no calibration file {file}; make one: `letoff calibrate --link {link} \
+         --board {number}`", number = board.number
+    )]
+    NotCalibrated { board: BoardName, link: String, file: String },
     #[error("{board}: {why}")]
     Calibration { board: BoardName, why: String },
     #[error("{key} of {board}: {fault}")]
@@ -203,6 +209,19 @@ mod tests {
         let beyond = KeyRange { first: 80, n: 11 }.to_string();
         assert_eq!(beyond, "keys 80 to 90 (A0 is 0, C8 is 87)");
         assert_eq!(KeyRange { first: 3, n: 0 }.to_string(), "no keys");
+    }
+
+    #[test]
+    fn what_is_to_be_typed_names_the_link() {
+        let board = BoardName { line: "can0".into(), number: 3 };
+        let (link, file) = ("can:can0".to_owned(), "f.toml".into());
+        let status = Status::WrongState;
+        let asked = Operation::Light;
+        let declined =
+            Refusal::Declined { board: board.clone(), link: link.clone(), asked, status };
+        assert!(declined.to_string().contains("devices --boards --link can:can0 --log`"));
+        let refusal = Refusal::NotCalibrated { board, link, file };
+        assert!(refusal.to_string().contains("calibrate --link can:can0 --board 3`"));
     }
 
     #[test]

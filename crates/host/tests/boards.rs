@@ -6,14 +6,13 @@ use std::process::{Command, Output, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
 
 use firmware_protocol::key::BoardId;
 use haptics::RigParameters;
 use hardware::calibration::file;
-use hardware::link::serial::Pty;
 use hardware::refusal::Uid;
-use hardware::sim::board::{BoardMake, SimulatedBoard};
+use hardware::sim::board::BoardMake;
+use host::simulated::{Living, Place, live, place};
 use serde_json::Value;
 
 /// A simulated board behind a port.
@@ -21,24 +20,19 @@ struct Board {
     port: PathBuf,
     uid: Uid,
     stop: Arc<AtomicBool>,
-    thread: Option<JoinHandle<SimulatedBoard>>,
+    thread: Option<JoinHandle<Living>>,
 }
 
 impl Board {
     fn start(make: BoardMake) -> Self {
-        let Pty { mut board, path: port } = Pty::open().expect("a pseudo-terminal");
-        let mut simulated = SimulatedBoard::new(make).expect("a possible board");
+        let placed = place(make.id, &Place::Pty).expect("a pseudo-terminal");
+        let port = placed.address.name().into();
+        let mut living = Living::new(make, placed, 0.0, Vec::new()).expect("a possible board");
         let stop = Arc::new(AtomicBool::new(false));
         let its_stop = Arc::clone(&stop);
         let thread = std::thread::spawn(move || {
-            let began = Instant::now();
-            while !its_stop.load(Ordering::Acquire) {
-                // Its ticks are of 100 us.
-                let tick = u64::try_from(began.elapsed().as_micros() / 100).expect("a short test");
-                simulated.advance(tick, &mut board);
-                std::thread::sleep(Duration::from_micros(300));
-            }
-            simulated
+            live(std::slice::from_mut(&mut living), None, &its_stop);
+            living
         });
         Self { port, uid: Uid(make.uid()), stop, thread: Some(thread) }
     }
@@ -47,7 +41,7 @@ impl Board {
         format!("serial:{}", self.port.display())
     }
 
-    fn stop(mut self) -> SimulatedBoard {
+    fn stop(mut self) -> Living {
         self.stop.store(true, Ordering::Release);
         self.thread.take().expect("it lives").join().expect("it lives well")
     }
@@ -95,7 +89,7 @@ fn boards_are_listed_with_their_logs_and_a_dead_link_is_no_end() {
     assert_eq!(it["uid"], board.uid.to_string());
     assert!(it["log"][0].as_str().expect("a line").ends_with("  light"), "{listed}");
     assert_eq!(it["law_hz"], 10_000);
-    assert!(board.stop().is_lit());
+    assert!(board.stop().board().is_lit());
 }
 
 #[test]
@@ -128,19 +122,23 @@ fn a_board_is_calibrated_into_a_file_and_the_file_is_not_lost() {
 }
 
 #[test]
-fn a_key_that_jams_is_named_and_no_file_is_written() {
+fn a_key_that_jams_is_named_and_the_other_board_gets_its_file() {
     let mut jams = make(0, 1);
     jams.rig.key.stiction = 3.0;
-    let board = Board::start(jams);
+    let (board, good) = (Board::start(jams), Board::start(make(1, 1)));
     let folder = folder("jams");
-    let link = board.link();
-    let said = letoff(&["calibrate", "--link", &link, "--folder", &folder.display().to_string()]);
+    let (link, good_link) = (board.link(), good.link());
+    let links = ["calibrate", "--link", &link, "--link", &good_link];
+    let said = letoff(&[&links[..], &["--folder", &folder.display().to_string()]].concat());
     let err = text(&said.stderr);
     assert_eq!(said.status.code(), Some(1), "{err}");
     assert!(err.contains("A0 of board 0 on /dev/pts/") && err.contains("does not move"), "{err}");
-    assert!(!folder.exists());
+    assert!(err.contains("since it holds all 1 keys or none"), "{err}");
+    assert!(!file::path(&folder, board.uid).exists());
+    assert!(file::path(&folder, good.uid).exists());
     let said = letoff(&["calibrate", "--link", &link, "--board", "9"]);
-    assert!(text(&said.stderr).contains("no board has the number 9"), "{said:?}");
+    let advice = format!("no board has the number 9; `letoff devices --boards --link {link}@");
+    assert!(text(&said.stderr).contains(&advice), "{said:?}");
     let said = letoff(&["calibrate", "--link", &link, "--weight", "50"]);
     assert!(text(&said.stderr).contains("needs somebody at a terminal"), "{said:?}");
 }
@@ -149,7 +147,10 @@ fn a_key_that_jams_is_named_and_no_file_is_written() {
 fn a_scene_that_cannot_fit_is_refused_before_a_link_is_opened() {
     let folder = folder("overload");
     std::fs::create_dir_all(&folder).expect("a folder");
-    let board = |n| format!("[[links.bus.board]]\nnumber = {n}\nkeys = \"A0..G1\"\n");
+    let board = |n: usize| {
+        let (first, last) = (21 + 11 * n, 31 + 11 * n);
+        format!("[[links.bus.board]]\nnumber = {n}\nkeys = \"{first}..{last}\"\n")
+    };
     let boards: Vec<_> = (0..8).map(board).collect();
     let boards = boards.concat();
     let scene = format!(
@@ -166,7 +167,7 @@ fn a_scene_that_cannot_fit_is_refused_before_a_link_is_opened() {
         assert!(parts.iter().all(|part| err.contains(part)), "{err}");
         assert!(!err.contains("cannot be opened"), "{err}");
     }
-    assert_eq!(letoff(&["plan", &path]).status.code(), Some(1));
+    assert_eq!(letoff(&["plan", &path]).status.code(), Some(2));
 }
 
 #[test]
@@ -184,4 +185,44 @@ fn a_run_on_a_board_reports_its_link() {
     );
     assert!(200.0 < line["seen_hz"].as_f64().expect("a rate"), "{line}");
     assert!(line["medium"].is_null() && line["planned_load"].is_null(), "{line}");
+}
+
+#[test]
+fn boards_that_cannot_be_as_typed_are_refused() {
+    let check = |arguments: &[&str], words: &str| {
+        let said = letoff(&[&["board"], arguments].concat());
+        let err = text(&said.stderr);
+        assert_eq!((said.status.code(), err.contains(words)), (Some(2), true), "{err}");
+    };
+    let fates = ["--count", "2", "--fate", "9@0:die", "--fate", "3@1:die"];
+    check(&fates, "--fate 9@0: there is no board 9\nletoff: --fate 3@1: there is no board 3; give");
+    check(&["--links", "/proc/x", "--duration", "1"], "/proc/x cannot be made");
+    check(&["--links", "x", "--on", "can:vcan0"], "cannot be used with");
+    check(&["--strength=-1"], "`-1` is no ratio");
+    check(&["--strength", "-1"], "`-1` is no ratio");
+    check(&["--drift", "nan"], "`nan` is not a number");
+    check(&["--seed", "7"], "required");
+}
+
+#[test]
+fn a_program_learns_at_once_where_boards_are() {
+    let wire = ["--loss", "0.1", "--baud", "1000000", "--seed", "7"];
+    let said = letoff(&[&["board", "--json", "--duration", "0.1"], &wire[..]].concat());
+    let out = text(&said.stdout);
+    let (places, report) = out.split_once('\n').expect("a line and a report");
+    let places: Value = serde_json::from_str(places).expect("a line of JSON");
+    let report: Value = serde_json::from_str(report).expect("a report as JSON");
+    assert!(places["boards"][0]["link"].as_str().expect("a link").starts_with("serial:/dev/pts/"));
+    assert_eq!(places["boards"][0]["link"], report[0]["link"]);
+}
+
+#[test]
+fn all_links_that_cannot_be_opened_are_said_at_once() {
+    let links = ["--link", "serial:/dev/no-such-1", "--link", "serial:/dev/no-such-2"];
+    for command in ["run", "calibrate"] {
+        let said = letoff(&[&[command], &links[..]].concat());
+        let err = text(&said.stderr);
+        assert_eq!(said.status.code(), Some(1), "{err}");
+        assert!(err.contains("no-such-1") && err.contains("no-such-2"), "{err}");
+    }
 }

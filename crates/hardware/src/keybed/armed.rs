@@ -8,7 +8,7 @@ use haptics::plant::Gesture;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 
-use super::{Keybed, Line};
+use super::{Keybed, Line, address};
 use crate::courier::Courier;
 use crate::link::Link as _;
 use crate::plan::{Medium, Seen};
@@ -242,7 +242,8 @@ impl Keybed<Armed> {
             match report.condition.stage {
                 Stage::Barred(Bar::Latched(reason)) => Some(Refusal::Latched { board, reason }),
                 Stage::Barred(Bar::Declined(asked, status)) => {
-                    Some(Refusal::Declined { board, asked, status })
+                    let link = address(&self.lines, &board.line);
+                    Some(Refusal::Declined { board, link, asked, status })
                 }
                 Stage::Barred(Bar::Exchanged) => Some(Refusal::Exchanged { board }),
                 Stage::Armed if self.stage.steward.is_board_ready(index) => None,

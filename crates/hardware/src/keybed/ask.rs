@@ -48,13 +48,14 @@ impl<S> Keybed<S> {
         let start = clock();
         let board = || asker.name.clone();
         asker.courier.ask(operation, record);
-        let Some(Line { link, .. }) = self.lines.get_mut(asker.line) else {
+        let Some(Line { link, address, .. }) = self.lines.get_mut(asker.line) else {
             return Err(Refusal::Missing { board: board() });
         };
         loop {
             if let Some(outcome) = hear(link, &mut asker.courier) {
                 return outcome.map_err(|status| Refusal::Declined {
                     board: board(),
+                    link: address.clone(),
                     asked: operation,
                     status,
                 });

@@ -42,6 +42,8 @@ pub type Clock = fn() -> u64;
 pub struct Line {
     /// What it is called in sentences: a port, an interface.
     pub name: String,
+    /// What a command takes for it, as `can:can0`.
+    pub address: String,
     /// What carries its frames.
     pub link: Box<dyn Link + Send>,
     /// What that is made of, if its times are known.
@@ -51,7 +53,8 @@ pub struct Line {
 impl Line {
     /// A link of which only its name is known.
     pub fn new(name: impl Into<String>, link: Box<dyn Link + Send>) -> Self {
-        Self { name: name.into(), link, medium: None }
+        let name = name.into();
+        Self { address: name.clone(), name, link, medium: None }
     }
 }
 
@@ -76,6 +79,12 @@ impl<S> Keybed<S> {
     pub fn now_us(&self) -> u64 {
         (self.clock)()
     }
+}
+
+/// What a command takes for the line that is called `name`.
+fn address(lines: &[Line], name: &str) -> String {
+    let line = lines.iter().find(|line| line.name == name);
+    line.map_or_else(|| name.to_owned(), |line| line.address.clone())
 }
 
 /// Time between two looks at what may have come.

@@ -3,15 +3,14 @@
 use super::verdict::WARN;
 use super::{BusPlan, ForcePacking, SamplePacking, Verdict};
 
-/// All packings, by what they tell of each key; of two that tell as much, first the one
-/// whose force depends on the key's own position, then the one with a frame for each board.
-const RICHEST_FIRST: [(SamplePacking, ForcePacking); 12] = [
+/// All packings that go together, by what they tell of each key; of two that tell as much, first
+/// the one whose force depends on the key's own position, then the one with a frame for each
+/// board. Slopes need velocities.
+const RICHEST_FIRST: [(SamplePacking, ForcePacking); 10] = [
     (SamplePacking::Position24Velocity, ForcePacking::Force16Slope),
     (SamplePacking::Position16Velocity, ForcePacking::Force16Slope),
-    (SamplePacking::Position24, ForcePacking::Force16Slope),
     (SamplePacking::Position24Velocity, ForcePacking::Force16),
     (SamplePacking::Position24Velocity, ForcePacking::Multicast16),
-    (SamplePacking::Position16, ForcePacking::Force16Slope),
     (SamplePacking::Position16Velocity, ForcePacking::Force16),
     (SamplePacking::Position16Velocity, ForcePacking::Multicast16),
     (SamplePacking::Position24, ForcePacking::Force16),
@@ -143,6 +142,12 @@ mod tests {
             panic!("10 kHz fit");
         };
         assert_eq!(buses, None);
+    }
+
+    #[test]
+    fn slopes_come_with_velocities() {
+        let mut slopes = RICHEST_FIRST.iter().filter(|it| it.1 == ForcePacking::Force16Slope);
+        assert!(slopes.all(|(samples, _)| samples.has_velocity()));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 pub(crate) mod planning;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use firmware_protocol::frame::hello::feature;
 use firmware_protocol::key::PerKey;
@@ -34,7 +34,23 @@ pub(crate) fn open(bus: &BoardBus) -> Result<Line, hardware::Error> {
     let address = bus.address.clone();
     let link = Lasting::open(move || address.open(Side::Host))?;
     let medium = medium(bus).filter(|_| !is_virtual(&bus.address));
-    Ok(Line { name: bus.address.name(), link: Box::new(link), medium })
+    let (name, address) = (bus.address.name(), bus.address.to_string());
+    Ok(Line { name, address, link: Box::new(link), medium })
+}
+
+/// Opens all links.
+///
+/// # Errors
+/// All that cannot be opened, a sentence on each, ready to be said after "letoff: ".
+pub(crate) fn open_all(buses: &[BoardBus]) -> Result<Vec<Line>, String> {
+    let (mut lines, mut wrong) = (Vec::new(), Vec::new());
+    for bus in buses {
+        match open(bus) {
+            Ok(line) => lines.push(line),
+            Err(error) => wrong.push(error.to_string()),
+        }
+    }
+    if wrong.is_empty() { Ok(lines) } else { Err(wrong.join("\nletoff: ")) }
 }
 
 /// What a link is made of, as far as its name and its rates tell.
@@ -71,14 +87,15 @@ pub(crate) fn folder(boards: &Boards) -> Option<PathBuf> {
     boards.calibration.clone().or_else(file::usual_folder)
 }
 
-/// How a board's keys read: from its file; a simulated board reads as it says.
+/// How the keys of a board behind one of the `boards`' buses read: from its file; a simulated
+/// board reads as it says.
 pub(crate) fn calibration(
     found: &Found,
     name: &BoardName,
-    folder: Option<&Path>,
+    boards: &Boards,
 ) -> Result<PerKey<KeyCalibration>, Refusal> {
     let board = || name.clone();
-    let path = folder.map(|folder| file::path(folder, found.uid()));
+    let path = folder(boards).map(|folder| file::path(&folder, found.uid()));
     let n_keys = usize::from(found.hello.n_keys);
     let read = path.as_deref().map(|path| file::read(path, found.uid(), n_keys)).transpose();
     match read.map_err(|why| Refusal::Calibration { board: board(), why })?.flatten() {
@@ -86,7 +103,9 @@ pub(crate) fn calibration(
         None if found.hello.features & feature::FINGERS != 0 => Ok(nominal(found)),
         None => {
             let file = path.map_or_else(|| found.uid().to_string(), |it| it.display().to_string());
-            Err(Refusal::NotCalibrated { board: board(), file })
+            let bus = boards.buses.get(found.line);
+            let link = bus.map_or_else(|| name.line.clone(), |bus| bus.address.to_string());
+            Err(Refusal::NotCalibrated { board: board(), link, file })
         }
     }
 }
@@ -105,6 +124,17 @@ mod tests {
     fn check(address: &str, medium: Option<&str>) {
         let bus = BoardBus::new(Address::parse(address).unwrap());
         assert_eq!(super::medium(&bus).map(|it| it.to_string()).as_deref(), medium, "{address}");
+    }
+
+    #[test]
+    fn all_links_that_cannot_be_opened_are_said_at_once() {
+        let bus = |port: &str| BoardBus::new(Address::Serial { port: port.into(), baud: 1 });
+        let why = open_all(&[bus("/dev/no-such-1"), bus("/dev/no-such-2")]).unwrap_err();
+        let said: Vec<_> = why.split("\nletoff: ").collect();
+        assert!(
+            said.len() == 2 && said[0].contains("such-1") && said[1].contains("such-2"),
+            "{why}"
+        );
     }
 
     #[test]

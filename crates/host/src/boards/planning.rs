@@ -1,21 +1,50 @@
 //! What the links of a scene have to carry, and whether they can.
 
+use std::fmt;
+
 use firmware_protocol::key::{BOARDS, KEYS_PER_BOARD};
 use hardware::keybed::{Calibrated, Keybed};
 use hardware::plan::{BusPlan, Extras, Verdict};
 
 use crate::config::{BoardBus, Boards};
 
+/// Why nothing is planned for a link.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum NoPlan {
+    /// It exists in memory only.
+    Virtual,
+    /// Its name does not tell how fast it is.
+    NoRates,
+    /// No board is left for it.
+    NoBoards,
+}
+
+impl fmt::Display for NoPlan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Virtual => "it is virtual and takes no time, so nothing is planned",
+            Self::NoRates => {
+                "it takes any rate and keeps none, as USB devices and pseudo-terminals do, so \
+                 nothing is planned"
+            }
+            Self::NoBoards => {
+                "no board is left for it, so nothing is planned; list its boards in the scene, or \
+                 leave it out"
+            }
+        })
+    }
+}
+
 /// Plans of the links of `boards` at `tick_hz` with the boards that the scene lists; a link
 /// without a list, or whose times are not known, has none.
 pub(crate) fn listed(boards: &Boards, tick_hz: u32) -> Vec<BusPlan> {
-    let plans = boards.buses.iter().filter(|bus| !super::is_virtual(&bus.address));
-    plans.filter_map(|bus| plan(boards, bus, listed_on(bus), tick_hz)).collect()
+    let buses = boards.buses.iter();
+    buses.filter_map(|bus| plan(boards, bus, listed_on(bus), tick_hz).ok()).collect()
 }
 
 /// The same with an entry for each link; those of which nothing is said share the standard
 /// boards that no other has.
-pub(crate) fn assumed(boards: &Boards, tick_hz: u32) -> Vec<Option<BusPlan>> {
+pub(crate) fn assumed(boards: &Boards, tick_hz: u32) -> Vec<Result<BusPlan, NoPlan>> {
     let keys = shares(boards).into_iter().zip(&boards.buses);
     keys.map(|(keys, bus)| plan(boards, bus, keys, tick_hz)).collect()
 }
@@ -43,9 +72,20 @@ pub(crate) fn sentences<'a, P: IntoIterator<Item = &'a BusPlan>>(
     plans.map(BusPlan::sentence).collect()
 }
 
-fn plan(boards: &Boards, bus: &BoardBus, keys: Vec<usize>, tick_hz: u32) -> Option<BusPlan> {
-    let medium = super::medium(bus)?;
-    (!keys.is_empty()).then(|| of(boards, bus.address.name(), medium, keys, tick_hz))
+fn plan(
+    boards: &Boards,
+    bus: &BoardBus,
+    keys: Vec<usize>,
+    tick_hz: u32,
+) -> Result<BusPlan, NoPlan> {
+    if super::is_virtual(&bus.address) {
+        return Err(NoPlan::Virtual);
+    }
+    let medium = super::medium(bus).ok_or(NoPlan::NoRates)?;
+    if keys.is_empty() {
+        return Err(NoPlan::NoBoards);
+    }
+    Ok(of(boards, bus.address.name(), medium, keys, tick_hz))
 }
 
 fn of(
@@ -107,6 +147,15 @@ mod tests {
         let mut some = boards(&["can:can0", "can:can1"]);
         some.buses[0].boards = vec![(0, KeyRange { first: 0, n: 12 }); 3];
         assert_eq!(shares(&some), [vec![12; 3], vec![11; 5]]);
+    }
+
+    #[test]
+    fn a_link_without_a_plan_says_why() {
+        let mut some = boards(&["can:can0", "can:vcan0", "serial:/dev/pts/9", "can:can1"]);
+        some.buses[0].boards = vec![(0, KeyRange { first: 0, n: 11 }); 8];
+        let why: Vec<_> = assumed(&some, 1_000).into_iter().map(Result::err).collect();
+        let (virtual_, rates, boards) = (NoPlan::Virtual, NoPlan::NoRates, NoPlan::NoBoards);
+        assert_eq!(why, [None, Some(virtual_), Some(rates), Some(boards)]);
     }
 
     #[test]

@@ -1,22 +1,25 @@
 //! `letoff board`: simulated boards, for developing without hardware.
 
 use std::fmt;
-use std::io::Write;
-use std::path::PathBuf;
+use std::fs;
+use std::io::{self, Write};
+use std::os::unix::fs::symlink;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use clap::Args;
+use clap::{ArgGroup, Args};
 use firmware_protocol::key::{BoardId, KEYS, KEYS_PER_BOARD};
 use haptics::RigParameters;
 use hardware::link::address::Address;
 use hardware::link::wire::WirePlan;
 use hardware::sim::board::{BoardMake, Guise};
 use scheduler::time::Nanos;
+use serde::Serialize;
 
-use super::run::positive;
+use super::arguments::{number, ratio, seconds, share};
 use super::signals::Signals;
-use super::{Failure, print_json};
+use super::{Failure, print_json, system};
 use crate::config::keys_named;
 use crate::simulated::fate::Fate;
 use crate::simulated::{Epitaph, Living, Place, fates_of, live, place};
@@ -26,6 +29,7 @@ const LAW_PERIOD: f64 = 100e-6;
 
 /// What `letoff board` takes.
 #[derive(Clone, Debug, Args)]
+#[command(group(ArgGroup::new("wire").args(["loss", "flip", "baud"]).multiple(true)))]
 #[command(after_help = "Examples:
   letoff board                        board 0 on a pseudo-terminal; says how to reach it
   letoff board --count 8              a whole keybed, each board on its own
@@ -44,20 +48,20 @@ pub struct BoardArgs {
     pub keys: Option<String>,
     /// The link on which all boards shall be, instead of pseudo-terminals.
     #[arg(long, value_name = "can:INTERFACE", value_parser = Address::parse,
-          conflicts_with_all = ["loss", "flip", "baud"])]
+          conflicts_with_all = ["wire", "links"])]
     pub on: Option<Address>,
     /// Share of the bytes on the wire that are lost.
-    #[arg(long, value_name = "SHARE", value_parser = share)]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
     pub loss: Option<f64>,
     /// Share of the bytes on the wire that come with an inverted bit.
-    #[arg(long, value_name = "SHARE", value_parser = share)]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
     pub flip: Option<f64>,
     /// Bits per second of the wire.
     #[arg(long, value_name = "BITS")]
     pub baud: Option<u32>,
-    /// Where the wires' chance starts from.
-    #[arg(long, default_value_t = 1)]
-    pub seed: u64,
+    /// Where the wires' chance starts from, if there is a wire: 1 without.
+    #[arg(long, requires = "wire")]
+    pub seed: Option<u64>,
     /// Folder for links of fixed names to the pseudo-terminals: board0, board1 and so on.
     #[arg(long, value_name = "FOLDER")]
     pub links: Option<PathBuf>,
@@ -65,10 +69,12 @@ pub struct BoardArgs {
     #[arg(long, default_value_t = 0, value_name = "COUNTS", allow_negative_numbers = true)]
     pub offset: i32,
     /// Force of their motors for a newton that is asked for.
-    #[arg(long, default_value_t = 1.0, value_name = "RATIO", value_parser = positive)]
+    #[arg(long, default_value_t = 1.0, value_name = "RATIO", value_parser = ratio,
+          allow_negative_numbers = true)]
     pub strength: f64,
     /// How much too fast their clocks run [1e-6].
-    #[arg(long, default_value_t = 0.0, value_name = "PPM", allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 0.0, value_name = "PPM", value_parser = number,
+          allow_negative_numbers = true)]
     pub drift: f64,
     /// What happens to a board, and when: NUMBER@SECONDS:WHAT, from its first arming on.
     #[arg(long = "fate", value_name = "FATE", value_parser = Fate::parse)]
@@ -86,16 +92,11 @@ pub struct BoardArgs {
     #[arg(long, value_name = "NUMBER")]
     pub say_uid: Option<u8>,
     /// How long they live [s]; without it, until they are stopped.
-    #[arg(long, value_name = "SECONDS", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub duration: Option<f64>,
-    /// Prints what became of them as JSON.
+    /// Prints where they are, on one line, and in the end what became of them, both as JSON.
     #[arg(long)]
     pub json: bool,
-}
-
-fn share(text: &str) -> Result<f64, String> {
-    let share = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
-    share.ok_or_else(|| format!("`{text}` is no share: give a number from 0 to 1"))
 }
 
 fn pair(text: &str) -> Result<(u8, u8), String> {
@@ -109,15 +110,14 @@ pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> 
     if let Some(folder) = &args.links {
         link_names(&boards, folder)?;
     }
-    if !args.json {
-        introduce(&boards, out)?;
-    }
+    introduce(&boards, args, out)?;
     let stop = Arc::new(AtomicBool::new(false));
     let duration = args.duration.map(|seconds| Nanos::new(crate::session::whole(seconds * 1e9)));
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    let runtime = runtime.map_err(system)?;
     let boards = runtime.block_on(async {
         let its_stop = Arc::clone(&stop);
-        let mut signals = Signals::new()?;
+        let mut signals = Signals::new().map_err(system)?;
         let mut living = tokio::task::spawn_blocking(move || {
             live(&mut boards, duration, &its_stop);
             boards
@@ -137,11 +137,12 @@ pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> 
 
 /// The boards that are asked for, where they are asked for.
 fn boards(args: &BoardArgs) -> Result<Vec<Living>, Failure> {
+    refuse_nobodys_fates(args)?;
     let at = if let Some(address) = &args.on {
         Place::Shared(address.clone())
     } else if args.loss.is_some() || args.flip.is_some() || args.baud.is_some() {
         Place::Wire(WirePlan {
-            seed: args.seed,
+            seed: args.seed.unwrap_or(1),
             baud: args.baud,
             loss: args.loss.unwrap_or(0.0),
             flip: args.flip.unwrap_or(0.0),
@@ -151,6 +152,21 @@ fn boards(args: &BoardArgs) -> Result<Vec<Living>, Failure> {
         Place::Pty
     };
     (0..args.count).map(|n| board(args, n, &at)).collect()
+}
+
+/// Refuses what would happen to boards that are not there.
+fn refuse_nobodys_fates(args: &BoardArgs) -> Result<(), Failure> {
+    let last = args.number.saturating_add(args.count - 1);
+    let strangers = args.fates.iter().filter(|it| !(args.number..=last).contains(&it.number));
+    let wrong: Vec<_> = strangers
+        .map(|it| format!("--fate {}@{}: there is no board {0}", it.number, it.at))
+        .collect();
+    if wrong.is_empty() {
+        return Ok(());
+    }
+    let all = if args.number == last { String::new() } else { format!(" to {last}") };
+    let help = format!("; give fates to board {}{all}, or another --count", args.number);
+    Err(Failure::Usage(wrong.join("\nletoff: ") + &help))
 }
 
 /// The n-th board.
@@ -192,28 +208,50 @@ fn keys(args: &BoardArgs, n: u8, number: u8) -> Result<(u8, usize), Failure> {
 }
 
 /// Makes links of fixed names to the boards' ports.
-fn link_names(boards: &[Living], folder: &std::path::Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder)?;
+fn link_names(boards: &[Living], folder: &Path) -> Result<(), Failure> {
+    let refuse = |path: &Path, error: io::Error| {
+        Failure::Usage(format!(
+            "--links: {} cannot be made: {error}; give a folder in which you may write",
+            path.display()
+        ))
+    };
+    fs::create_dir_all(folder).map_err(|error| refuse(folder, error))?;
     for living in boards {
         let name = folder.join(format!("board{}", living.board().make().id.number()));
         let port = living.address().trim_start_matches("serial:");
         let port = port.rsplit_once('@').map_or(port, |(port, _baud)| port);
         // One of an earlier run may lie there.
-        let _none = std::fs::remove_file(&name);
-        std::os::unix::fs::symlink(port, &name)?;
+        let _none = fs::remove_file(&name);
+        symlink(port, &name).map_err(|error| refuse(&name, error))?;
     }
     Ok(())
 }
 
+/// Where a board is, for a program.
+#[derive(Serialize)]
+struct Whereabouts<'a> {
+    number: u8,
+    keys: String,
+    link: &'a str,
+}
+
 /// Says which boards there are, and how a host reaches them.
-fn introduce(boards: &[Living], out: &mut dyn Write) -> Result<(), Failure> {
-    for living in boards {
-        let number = living.board().make().id.number();
-        writeln!(out, "board {number}, {}: {}", living.keys(), living.address())?;
+fn introduce(boards: &[Living], args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let boards = boards.iter().map(|living| Whereabouts {
+        number: living.board().make().id.number(),
+        keys: living.keys().to_string(),
+        link: living.address(),
+    });
+    let boards: Vec<_> = boards.collect();
+    if args.json {
+        writeln!(out, "{}", serde_json::json!({ "boards": boards }))?;
+        return Ok(out.flush()?);
     }
-    let mut addresses: Vec<_> = boards.iter().map(Living::address).collect();
-    addresses.dedup();
-    let links: Vec<_> = addresses.iter().map(|it| format!("--link {it}")).collect();
+    for Whereabouts { number, keys, link } in &boards {
+        writeln!(out, "board {number}, {keys}: {link}")?;
+    }
+    let mut links: Vec<_> = boards.iter().map(|it| format!("--link {}", it.link)).collect();
+    links.dedup();
     writeln!(out, "reach them with: letoff run {}", links.join(" "))?;
     Ok(out.flush()?)
 }

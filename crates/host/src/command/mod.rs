@@ -1,8 +1,9 @@
 //! What people type: `letoff run`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
-//! `instruments`, `lab`.
+//! `instruments`, `stop`, `lab`.
 //!
 //! Exit codes: 0 done, 1 something failed while running, 2 wrong usage or file.
 
+mod arguments;
 mod board;
 mod calibrate;
 mod check;
@@ -68,6 +69,8 @@ pub enum Failure {
     Unread,
 }
 
+/// Of the output, which every command writes with `?`; what else the system refuses is named
+/// where it is asked for.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {
@@ -75,6 +78,14 @@ impl From<io::Error> for Failure {
         }
         Self::Running(format!("the output cannot be written: {error}"))
     }
+}
+
+/// What the system refuses to any program in such a state.
+#[expect(clippy::needless_pass_by_value, reason = "fits map_err")]
+fn system(error: io::Error) -> Failure {
+    Failure::Running(format!(
+        "the system refused a thread, signals or descriptors: {error}; see `ulimit -a`"
+    ))
 }
 
 /// Does what `letoff` asks for, and says how it went.

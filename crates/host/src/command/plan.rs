@@ -10,8 +10,8 @@ use serde::Serialize;
 
 use super::target::Target;
 use super::{Failure, print_json};
-use crate::boards::planning;
-use crate::config::{Boards, FORCES, SAMPLES};
+use crate::boards::planning::{self, NoPlan};
+use crate::config::{BoardBus, Boards, FORCES, SAMPLES};
 
 /// What `letoff plan` takes.
 #[derive(Clone, Debug, Args)]
@@ -33,7 +33,7 @@ pub struct PlanArgs {
 #[derive(Debug, Serialize)]
 struct Row {
     link: String,
-    /// What it is made of; nothing if that is not known, and then nothing is planned.
+    /// What it is made of; nothing if that is not known or takes no time.
     medium: Option<String>,
     planned: Option<Planned>,
     sentences: Vec<String>,
@@ -79,21 +79,24 @@ pub(super) fn run(args: &PlanArgs, out: &mut dyn Write) -> Result<(), Failure> {
         print(&rows, out)?;
     }
     let refused = planning::sentences(plans.iter().flatten(), Verdict::Refused);
-    if refused.is_empty() { Ok(()) } else { Err(Failure::Running(refused.join("\nletoff: "))) }
+    if refused.is_empty() { Ok(()) } else { Err(Failure::Usage(refused.join("\nletoff: "))) }
 }
 
-fn rows(boards: &Boards, plans: &[Option<BusPlan>]) -> Vec<Row> {
-    let pairs = boards.buses.iter().zip(plans);
-    let row = |(bus, plan): (&crate::config::BoardBus, &Option<BusPlan>)| Row {
+fn rows(boards: &Boards, plans: &[Result<BusPlan, NoPlan>]) -> Vec<Row> {
+    boards.buses.iter().zip(plans).map(|(bus, plan)| row(bus, plan)).collect()
+}
+
+fn row(bus: &BoardBus, plan: &Result<BusPlan, NoPlan>) -> Row {
+    let medium = crate::boards::medium(bus).filter(|_| *plan != Err(NoPlan::Virtual));
+    Row {
         link: bus.address.name(),
-        medium: crate::boards::medium(bus).map(|it| it.to_string()),
-        planned: plan.as_ref().map(planned),
-        sentences: plan.as_ref().map_or_else(
-            || vec![format!("{}: its rates are not known, so nothing is planned", bus.address)],
-            |plan| vec![plan.sentence(), proposed(plan)],
-        ),
-    };
-    pairs.map(row).collect()
+        medium: medium.map(|it| it.to_string()),
+        planned: plan.as_ref().ok().map(planned),
+        sentences: match plan {
+            Ok(plan) => vec![plan.sentence(), proposed(plan)],
+            Err(why) => vec![format!("{}: {why}", bus.address)],
+        },
+    }
 }
 
 fn planned(plan: &BusPlan) -> Planned {
@@ -170,7 +173,7 @@ fn print(rows: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
         "link", "medium", "boards", "keys", "Hz", "load", "most Hz", "force us", "blocks us"
     )?;
     for row in rows {
-        let medium = row.medium.as_deref().unwrap_or("not known");
+        let medium = row.medium.as_deref().unwrap_or("-");
         write!(out, "{:16} {medium:24}", row.link)?;
         match &row.planned {
             None => writeln!(out, " {:>6} {:>5}", "-", "-")?,
@@ -199,7 +202,7 @@ mod tests {
 
     fn args(links: &[&str]) -> PlanArgs {
         let links = links.iter().map(|it| Address::parse(it).unwrap()).collect();
-        PlanArgs { target: Target { scene: "default".into(), links }, json: false }
+        PlanArgs { target: Target { scene: "default".into(), links, set: Vec::new() }, json: false }
     }
 
     fn planned(args: &PlanArgs) -> (String, Result<(), Failure>) {
@@ -213,7 +216,7 @@ mod tests {
         let (text, done) = planned(&args(&["can:can0"]));
         assert!(text.contains("8    88   1000  194.1 %") && text.contains("refused"), "{text}");
         assert!(text.contains("and 2 such links all that is wanted"), "{text}");
-        let Err(Failure::Running(why)) = done else { panic!("{done:?}") };
+        let Err(Failure::Usage(why)) = done else { panic!("{done:?}") };
         assert!(why.contains("would take 194.1 % of its time, and 80 %"), "{why}");
     }
 

@@ -61,6 +61,24 @@ impl Node {
         }
     }
 
+    /// The items, if it is a list.
+    pub(super) fn items(&self) -> Option<&[Self]> {
+        match &self.value {
+            Value::List(nodes) => Some(nodes),
+            Value::Text(_)
+            | Value::Integer(_)
+            | Value::Float(_)
+            | Value::Truth(_)
+            | Value::Date
+            | Value::Table(_) => None,
+        }
+    }
+
+    /// The item with this index, if it is a list with so many.
+    pub(super) fn item_mut(&mut self, index: usize) -> Option<&mut Self> {
+        if let Value::List(nodes) = &mut self.value { nodes.get_mut(index) } else { None }
+    }
+
     /// The value of an override: TOML, or text without its quotes.
     pub(super) fn overriding(text: &str, place: Place) -> Self {
         match text.parse::<toml_edit::Value>() {

@@ -1,4 +1,6 @@
 //! `--set name=value`: values of a scene by dotted path, put into the document before it is checked.
+//!
+//! A number in a path is a place in a list: `links.bus.0.bit_rate` is that of the first bus.
 
 use super::document::{Entry, Node, Value};
 use super::report::{Place, Report};
@@ -10,11 +12,29 @@ const DEEPEST: usize = 8;
 /// What a key range's model comes from; a new one replaces what the file says of all three.
 const VOICE: [&str; 3] = ["instrument", "model", "preset"];
 
+/// A value of a scene that the command line replaces.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Override {
+    /// Its dotted path.
+    pub name: String,
+    /// What it becomes.
+    pub value: String,
+    /// What was typed for it, as `--link can:can0`.
+    pub typed: String,
+}
+
+impl From<(String, String)> for Override {
+    fn from((name, value): (String, String)) -> Self {
+        let typed = format!("--set {name}={value}");
+        Self { name, value, typed }
+    }
+}
+
 /// Puts `overrides` into the scene `root`, the last of a name winning.
 ///
 /// `keys.0.…` means the first key range, and `keys.…` all of them.
-pub(super) fn apply(report: &mut Report<'_>, root: &mut Node, overrides: &[(String, String)]) {
-    for (index, (name, value)) in overrides.iter().enumerate() {
+pub(super) fn apply(report: &mut Report<'_>, root: &mut Node, overrides: &[Override]) {
+    for (index, Override { name, value, .. }) in overrides.iter().enumerate() {
         let place = Place::Override(index);
         let steps: Vec<&str> = name.split('.').map(str::trim).collect();
         if steps.iter().any(|step| step.is_empty()) || DEEPEST < steps.len() {
@@ -25,7 +45,7 @@ pub(super) fn apply(report: &mut Report<'_>, root: &mut Node, overrides: &[(Stri
         let node = Node::overriding(value, place);
         match steps.as_slice() {
             ["keys", rest @ ..] if !rest.is_empty() => set_keys(report, root, rest, &node),
-            steps => set(root, steps, &node),
+            steps => set(report, root, steps, 0, &node),
         }
     }
 }
@@ -58,7 +78,7 @@ fn set_keys(report: &mut Report<'_>, root: &mut Node, steps: &[&str], value: &No
     for (index, range) in ranges.iter_mut().enumerate() {
         if chosen.is_none_or(|chosen| chosen == index) {
             replace_voice(range, steps);
-            set(range, steps, value);
+            set(report, range, steps, 0, value);
         }
     }
 }
@@ -83,27 +103,53 @@ fn replace_voice(range: &mut Node, steps: &[&str]) {
     }
 }
 
-/// Sets the value at `steps` of `node`; whether it belongs there is checked later.
-fn set(node: &mut Node, steps: &[&str], value: &Node) {
-    let [first, rest @ ..] = steps else {
+/// Sets the value at `steps` of a table, of which the first `depth` have led to `node`; whether
+/// it belongs there is checked later.
+fn set(report: &mut Report<'_>, node: &mut Node, steps: &[&str], depth: usize, value: &Node) {
+    let Some(step) = steps.get(depth) else {
         node.clone_from(value);
         return;
     };
+    let index = step.parse::<usize>().ok().filter(|_| 0 < depth);
+    if index.is_some() || node.items().is_some() {
+        match index.and_then(|index| node.item_mut(index)) {
+            Some(item) => set(report, item, steps, depth + 1, value),
+            None => refuse_item(report, node, steps.get(..depth).unwrap_or(&[]), value.place),
+        }
+        return;
+    }
     if node.entries().is_none() {
         *node = empty(value.place);
     }
     let Value::Table(entries) = &mut node.value else { return };
-    let found = entries.iter().position(|entry| entry.name == *first);
-    let index = found.unwrap_or_else(|| {
-        let node = empty(value.place);
-        entries.push(Entry { name: (*first).to_owned(), place: value.place, node });
-        entries.len() - 1
-    });
-    let entry = &mut entries[index];
-    if rest.is_empty() {
+    let entry = entry(entries, step, value.place);
+    if depth + 1 == steps.len() {
         entry.place = value.place;
     }
-    set(&mut entry.node, rest, value);
+    set(report, &mut entry.node, steps, depth + 1, value);
+}
+
+/// The entry called `name`; made if it is not there.
+fn entry<'a>(entries: &'a mut Vec<Entry>, name: &str, place: Place) -> &'a mut Entry {
+    let found = entries.iter().position(|entry| entry.name == name);
+    let index = found.unwrap_or_else(|| {
+        entries.push(Entry { name: name.to_owned(), place, node: empty(place) });
+        entries.len() - 1
+    });
+    &mut entries[index]
+}
+
+/// Reports that `node`, to which `path` leads, has no such item.
+fn refuse_item(report: &mut Report<'_>, node: &Node, path: &[&str], place: Place) {
+    let path = path.join(".");
+    let n = node.items().map_or(0, <[Node]>::len);
+    let help = match n {
+        0 => "add one to the file first".to_owned(),
+        1 => format!("use {path}.0, the only one"),
+        _ => format!("use {path}.0 to {path}.{}", n - 1),
+    };
+    let what = if n == 0 { "has no items" } else { "is a list without this item" };
+    report.miss(place, format!("{} {what}", quoted(&path)), help);
 }
 
 const fn empty(place: Place) -> Node {

@@ -54,6 +54,17 @@ impl<'a> Reader<'a> {
         number(report, name, &entry.node, quantity)
     }
 
+    /// The whole number called `name`, if it is there and right.
+    pub(super) fn whole(
+        &mut self,
+        report: &mut Report<'_>,
+        name: &'static str,
+        quantity: Quantity,
+    ) -> Option<u32> {
+        let entry = self.take(name)?;
+        whole(report, name, &entry.node, quantity)
+    }
+
     /// The text called `name`, if it is there and not empty, with its place.
     pub(super) fn text(
         &mut self,
@@ -178,6 +189,36 @@ pub(super) fn number(
         return None;
     }
     Some(value)
+}
+
+/// The whole number of `node`, called `name`; within its range of small positive numbers.
+pub(super) fn whole(
+    report: &mut Report<'_>,
+    name: &str,
+    node: &Node,
+    quantity: Quantity,
+) -> Option<u32> {
+    let value = number(report, name, node, quantity)?;
+    if 0.0 < value.fract() {
+        let message = format!("{} is {value}, not a whole number", quoted(name));
+        report.say(node.place, message, format!("round it, as {}", value.round()));
+        return None;
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the range was checked and is far inside that of u32"
+    )]
+    let whole = value as u32;
+    Some(whole)
+}
+
+/// The nodes of a list of tables.
+pub(super) fn tables<'a>(report: &mut Report<'_>, name: &str, node: &'a Node) -> &'a [Node] {
+    node.items().unwrap_or_else(|| {
+        wrong_type(report, name, node, "a list", &format!("write it as [[{name}]]"));
+        &[]
+    })
 }
 
 /// Reports that `text` is not the quantity called `name`.

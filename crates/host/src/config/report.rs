@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::diagnostic::{Diagnostic, Diagnostics};
+use super::overrides::Override;
 use super::source::Source;
 
 /// Mistakes reported of one file; whoever made so many does not read on.
@@ -21,7 +22,7 @@ pub(super) enum Place {
 #[derive(Debug)]
 pub(super) struct Report<'a> {
     source: &'a Source,
-    overrides: &'a [(String, String)],
+    overrides: &'a [Override],
     /// Byte at which each line starts.
     lines: Vec<usize>,
     /// Part of the file could not be read, so what seems missing may stand there.
@@ -31,7 +32,7 @@ pub(super) struct Report<'a> {
 
 impl<'a> Report<'a> {
     /// Nothing is wrong yet.
-    pub(super) fn new(source: &'a Source, overrides: &'a [(String, String)]) -> Self {
+    pub(super) fn new(source: &'a Source, overrides: &'a [Override]) -> Self {
         let ends = source.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
         let lines = std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect();
         Self { source, overrides, lines, broken: false, found: Vec::new() }
@@ -54,7 +55,7 @@ impl<'a> Report<'a> {
     pub(super) fn overriding(&self, place: Place) -> Option<&'a str> {
         match place {
             Place::At(_) => None,
-            Place::Override(index) => self.overrides.get(index).map(|(_, value)| value.as_str()),
+            Place::Override(index) => self.overrides.get(index).map(|it| it.value.as_str()),
         }
     }
 
@@ -115,10 +116,8 @@ impl<'a> Report<'a> {
         match place {
             Place::At(offset) => (self.source.file.clone(), Some(self.position(offset))),
             Place::Override(index) => {
-                let Some((name, value)) = self.overrides.get(index) else {
-                    return (self.source.file.clone(), None);
-                };
-                (format!("--set {name}={value}"), None)
+                let typed = self.overrides.get(index).map(|it| &it.typed);
+                (typed.unwrap_or(&self.source.file).clone(), None)
             }
         }
     }

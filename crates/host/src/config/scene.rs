@@ -8,8 +8,8 @@ use super::diagnostic::Diagnostics;
 use super::document::{self, Value};
 use super::embedded::{PERFORMANCES, SCENES};
 use super::keys::{self, KeyVoice};
-use super::links::{self, Links};
-use super::overrides;
+use super::links::{self, Links, Rate};
+use super::overrides::{self, Override};
 use super::quantity::Quantity;
 use super::read::{self, Reader};
 use super::render::{self, Render};
@@ -107,6 +107,16 @@ impl Scene {
     ///
     /// All that is wrong with the scene and with the overrides.
     pub fn load(name_or_path: &str, overrides: &[(String, String)]) -> Result<Self, Diagnostics> {
+        let overrides: Vec<_> = overrides.iter().cloned().map(Override::from).collect();
+        Self::load_as_typed(name_or_path, &overrides)
+    }
+
+    /// As [`Scene::load`]; of a wrong override is said what was typed.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with the scene and with the overrides.
+    pub fn load_as_typed(name_or_path: &str, overrides: &[Override]) -> Result<Self, Diagnostics> {
         let source = Source::find(&SCENES, name_or_path, Path::new(""));
         let source = source.map_err(|missing| match missing {
             Missing::Unknown((message, help)) => {
@@ -118,10 +128,7 @@ impl Scene {
     }
 
     /// Reads a scene from `source`.
-    pub(super) fn check(
-        source: &Source,
-        overrides: &[(String, String)],
-    ) -> Result<Self, Diagnostics> {
+    pub(super) fn check(source: &Source, overrides: &[Override]) -> Result<Self, Diagnostics> {
         let mut report = Report::new(source, overrides);
         let root = document::parse(&mut report);
         let read = root.and_then(|mut root| {
@@ -138,53 +145,36 @@ impl Scene {
     fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Self {
         let name = report.source().name.clone();
         let title = reader.text(report, "title").map_or_else(|| name.clone(), |(title, _)| title);
-        let tick_hz = read_tick_hz(report, reader).unwrap_or(DEFAULT_TICK_HZ);
+        let rate = read_tick_hz(report, reader);
+        let tick_hz = rate.map_or(DEFAULT_TICK_HZ, |rate| rate.hz);
         let lanes = read_lanes(report, reader).unwrap_or(Lanes::Auto);
         let render = render::read(report, reader, tick_hz);
         let keys = keys::read(report, reader);
-        let links = links::read(report, reader);
+        let links = links::read(report, reader, rate);
         let midi = read_midi(report, reader);
         let performance = read_pianist(report, reader);
         Self { name, title, tick_hz, lanes, render, keys, links, midi, performance }
     }
 }
 
-fn read_tick_hz(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<u32> {
-    let entry = reader.take("tick_hz")?;
-    let value = read::number(report, "tick_hz", &entry.node, TICK_HZ)?;
-    whole(report, "tick_hz", entry.node.place, value)
+fn read_tick_hz(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Rate> {
+    let node = &reader.take("tick_hz")?.node;
+    let hz = read::whole(report, "tick_hz", node, TICK_HZ)?;
+    Some(Rate { hz, place: node.place })
 }
 
 fn read_lanes(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Lanes> {
-    let entry = reader.take("lanes")?;
-    let place = entry.node.place;
-    if let Value::Text(text) = &entry.node.value {
+    let node = &reader.take("lanes")?.node;
+    if let Value::Text(text) = &node.value {
         if text == "auto" {
             return Some(Lanes::Auto);
         }
         let message = format!("\"lanes\" is {}", quoted(text));
-        report.say(place, message, "give \"auto\" or a number, 1 to 16");
+        report.say(node.place, message, "give \"auto\" or a number, 1 to 16");
         return None;
     }
-    let count = read::number(report, "lanes", &entry.node, LANES)?;
-    let count = whole(report, "lanes", place, count)?;
+    let count = read::whole(report, "lanes", node, LANES)?;
     Some(Lanes::Count(usize::try_from(count).unwrap_or(1)))
-}
-
-/// `value`, which is within a range of small positive numbers, if it is whole.
-fn whole(report: &mut Report<'_>, name: &str, place: Place, value: f64) -> Option<u32> {
-    if 0.0 < value.fract() {
-        let message = format!("{} is {value}, not a whole number", quoted(name));
-        report.say(place, message, format!("round it, as {}", value.round()));
-        return None;
-    }
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the range was checked and is far inside that of u32"
-    )]
-    let whole = value as u32;
-    Some(whole)
 }
 
 fn read_midi(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Midi {

@@ -13,8 +13,8 @@ use scheduler::time::Nanos;
 
 use super::keys::Keys;
 use super::{SessionError, all_keys};
-use crate::boards::{PATIENCE_US, calibration, folder, now_us, open, planning};
-use crate::config::Boards;
+use crate::boards::{PATIENCE_US, calibration, now_us, open_all, planning};
+use crate::config::{Boards, period_us};
 use crate::realtime::clock;
 use crate::report::{BoardLine, LinkLine, Links};
 
@@ -47,8 +47,8 @@ pub(super) enum Bus {
 pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<Bed, SessionError> {
     let terms = terms(boards, tick_hz)?;
     refuse_overload(&planning::listed(boards, tick_hz))?;
-    let lines: Result<Vec<_>, hardware::Error> = boards.buses.iter().map(open).collect();
-    let keybed = Keybed::<Offline>::new(lines?, now_us).identify(PATIENCE_US)?;
+    let lines = open_all(&boards.buses).map_err(SessionError::Links)?;
+    let keybed = Keybed::<Offline>::new(lines, now_us).identify(PATIENCE_US)?;
     let buses = boards.buses.iter().enumerate();
     let wanted = Wanted {
         samples: boards.samples,
@@ -58,9 +58,7 @@ pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<Bed, SessionError> {
             .collect(),
         hz: tick_hz,
     };
-    let folder = folder(boards);
-    let calibrated =
-        keybed.calibrate(&wanted, |found, name| calibration(found, name, folder.as_deref()))?;
+    let calibrated = keybed.calibrate(&wanted, |found, name| calibration(found, name, boards))?;
     let plans = planning::found(boards, &calibrated, tick_hz);
     refuse_overload(plans.iter().flatten())?;
     Ok(Bed::Boards(Box::new(calibrated), terms, plans))
@@ -78,13 +76,8 @@ fn refuse_overload<'a, P: IntoIterator<Item = &'a BusPlan>>(plans: P) -> Result<
 
 /// What is agreed with all boards.
 fn terms(boards: &Boards, tick_hz: u32) -> Result<Terms, SessionError> {
-    let period_us = 1_000_000 / tick_hz;
-    // Boards work in steps of 100 us, and exchange in whole ones.
-    if period_us * tick_hz != 1_000_000 || !period_us.is_multiple_of(100) {
-        return Err(SessionError::BoardRate { tick_hz });
-    }
     Ok(Terms {
-        period_us: u16::try_from(period_us).unwrap_or(u16::MAX),
+        period_us: period_us(tick_hz).ok_or(SessionError::BoardRate { tick_hz })?,
         samples: boards.samples,
         forces: boards.forces,
         valid_ms: boards.valid_ms,

@@ -56,9 +56,9 @@ pub enum SessionError {
     /// The MIDI output is not there.
     #[error("the MIDI output cannot be opened: {0}")]
     Midi(#[from] midi::Unavailable),
-    /// A port or interface cannot be opened.
-    #[error(transparent)]
-    Link(#[from] hardware::Error),
+    /// Ports or interfaces cannot be opened: a sentence on each.
+    #[error("{0}")]
+    Links(String),
     /// Boards are missing, or may not be used.
     #[error(transparent)]
     Boards(#[from] hardware::refusal::Refusals),

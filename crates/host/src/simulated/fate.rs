@@ -1,7 +1,5 @@
 //! What is to happen to a simulated board, and when: `3@1.5:mute=0.2`.
 
-use std::fmt;
-
 /// What happens to a board.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Blow {
@@ -71,12 +69,6 @@ fn parse(text: &str) -> Option<Fate> {
 /// A time that is not negative [s].
 fn seconds(text: &str) -> Option<f64> {
     text.parse().ok().filter(|it: &f64| it.is_finite() && 0.0 <= *it)
-}
-
-impl fmt::Display for Fate {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "board {} after {} s: {:?}", self.number, self.at, self.blow)
-    }
 }
 
 #[cfg(test)]

@@ -7,8 +7,8 @@ tc() { /bin/tc "$@"; }
 # The boards' processes.
 boards=
 
-# boards NAME ARGUMENTS...: starts simulated boards, which say what became of them in
-# NAME.boards; may be called several times, with several names.
+# boards NAME ARGUMENTS...: starts simulated boards, which say where they are, and in the end
+# what became of them, in NAME.boards; may be called several times, with several names.
 boards() {
 	its=$1
 	shift
@@ -63,7 +63,7 @@ of() { jq -r "$2" "$1.json" 2>/dev/null; }
 holds() { jq -e "$2" "$1.json" >/dev/null 2>&1; }
 
 # bear NAME CONDITION: whether it holds of what became of every board of NAME.
-bear() { jq -e "all(.[]; $2)" "$1.boards" >/dev/null 2>&1; }
+bear() { jq -es "last | all(.[]; $2)" "$1.boards" >/dev/null 2>&1; }
 
 # Boards of two keys each, of which four are played: quicker than whole ones.
 few="--count 8 --keys C4..C#4 --on can:vcan0"
@@ -93,7 +93,7 @@ links() {
 
 # graves NAME: figures of what became of the boards.
 graves() {
-	jq -r '. as $b | def sum(f): [$b[] | f] | add;
+	jq -rs 'last as $b | def sum(f): [$b[] | f] | add;
 		"boards: \(sum(.counts.forces)) forces, \(sum(.counts.stale)) stale, oldest \([$b[].counts.oldest_us] | max) us, "
 		+ "\(sum(.counts.corrupt)) corrupt, \(sum(.counts.refused)) refused, \(sum(.counts.unarmed)) while unarmed, "
 		+ "\(sum(.counts.trips)) trips, \(sum(.counts.armings)) armings, "

@@ -6,11 +6,11 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use hardware::calibrate::Bench;
 use hardware::calibration::file;
-use hardware::keybed::{Found, Keybed, Line, Offline, Terms, Wanted};
+use hardware::keybed::{Found, Keybed, Offline, Terms, Wanted};
 use hardware::refusal::{BoardName, Refusals};
 
 use super::operator::Operator;
-use crate::boards::{PATIENCE_US, folder, nominal, now_us, open};
+use crate::boards::{PATIENCE_US, folder, nominal, now_us, open_all};
 use crate::command::Failure;
 use crate::command::target::Target;
 
@@ -38,8 +38,7 @@ pub(super) fn arm(
     let folder = chosen.or_else(|| folder(&scene)).ok_or_else(|| {
         Failure::Usage("there is no home for calibration files; give --folder".into())
     })?;
-    let lines: Result<Vec<Line>, _> = scene.buses.iter().map(open).collect();
-    let lines = lines.map_err(|error| Failure::Usage(error.to_string()))?;
+    let lines = open_all(&scene.buses).map_err(Failure::Running)?;
     let mut keybed =
         Keybed::<Offline>::new(lines, now_us).identify(PATIENCE_US).map_err(refused)?;
     keybed.keep(|found| only.is_none_or(|number| found.board.number() == number));
@@ -53,8 +52,11 @@ pub(super) fn arm(
         })
         .collect();
     if let (true, Some(number)) = (boards.is_empty(), only) {
+        let links: Vec<_> =
+            scene.buses.iter().map(|bus| format!("--link {}", bus.address)).collect();
         return Err(Failure::Usage(format!(
-            "no board has the number {number}; `letoff devices --boards` lists those there are"
+            "no board has the number {number}; `letoff devices --boards {}` lists those there are",
+            links.join(" ")
         )));
     }
     let there: Vec<_> = boards.iter().map(|it| it.file.clone()).filter(|it| it.exists()).collect();
@@ -73,5 +75,5 @@ pub(super) fn arm(
 
 #[expect(clippy::needless_pass_by_value, reason = "fits map_err")]
 fn refused(refusals: Refusals) -> Failure {
-    Failure::Usage(refusals.to_string())
+    Failure::Running(refusals.to_string())
 }

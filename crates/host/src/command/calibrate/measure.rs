@@ -9,38 +9,60 @@ use indicatif::ProgressBar;
 
 use super::bring_up::Board;
 use super::operator::Operator;
-use crate::command::{Failure, live};
+use super::write::Record;
+use crate::command::live;
 
 /// Times that a key is measured again which was interrupted.
 const TRIES: usize = 3;
 
-/// What was measured of one board.
+/// What came of the keys of one board.
 #[derive(Debug)]
-pub(super) struct Measured {
-    pub(super) board: Board,
-    /// Its keys in the order of slots, or why not all of them could be measured.
-    pub(super) keys: Result<Vec<(KeyIndex, KeyCalibration)>, Vec<Refusal>>,
+pub(super) enum Outcome {
+    /// All of them, in the order of slots.
+    All(Vec<(KeyIndex, KeyCalibration)>),
+    /// Why some of them could not be measured, of so many.
+    Faults(Vec<Refusal>, usize),
+    /// The operator stopped.
+    Stopped,
 }
 
-/// Measures all keys; returns the boards without forces.
+/// Why there is nothing of one key.
+enum Missed {
+    Fault(Fault),
+    /// The operator stopped.
+    Stopped,
+}
+
+impl From<Fault> for Missed {
+    fn from(fault: Fault) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+/// Measures all keys, and records those of each board at once, until the operator stops;
+/// returns the boards without forces.
 pub(super) fn all(
     boards: &[Board],
     mut bench: Box<Bench>,
     grams: Option<f64>,
-    operator: &Operator,
-) -> Result<(Vec<Measured>, Keybed<Armed>), Failure> {
-    if grams.is_some() {
-        operator.must_be_there("--weight")?;
-    }
+    record: &mut Record,
+) -> Keybed<Armed> {
     let n_keys: usize = boards.iter().map(|it| keys(it).len()).sum();
     let bar = live::keys(n_keys);
-    let measured = boards.iter().map(|board| Measured {
-        board: board.clone(),
-        keys: self::board(board, &mut bench, grams, &bar),
-    });
-    let measured = measured.collect();
+    for board in boards {
+        let outcome = self::board(board, &mut bench, grams, &bar);
+        let is_over = matches!(outcome, Outcome::Stopped);
+        // A disk may take its time, and boards that hear nothing meanwhile would trip.
+        std::thread::scope(|scope| {
+            let writer = scope.spawn(|| record.keep(board, outcome));
+            bench.wait(|| writer.is_finished());
+        });
+        if is_over {
+            break;
+        }
+    }
     bar.finish_and_clear();
-    Ok((measured, bench.release()))
+    bench.release()
 }
 
 /// The keys of a board.
@@ -50,28 +72,26 @@ fn keys(board: &Board) -> Vec<KeyIndex> {
 }
 
 /// Measures the keys of one board.
-fn board(
-    board: &Board,
-    bench: &mut Bench,
-    grams: Option<f64>,
-    bar: &ProgressBar,
-) -> Result<Vec<(KeyIndex, KeyCalibration)>, Vec<Refusal>> {
+fn board(board: &Board, bench: &mut Bench, grams: Option<f64>, bar: &ProgressBar) -> Outcome {
     let keys = keys(board);
+    let n_keys = keys.len();
     bar.set_message(format!("{}: rest", board.name));
     let rests = bench.rests(&keys);
     let (mut measured, mut refusals) = (Vec::new(), Vec::new());
     for (key, rested) in keys.into_iter().zip(rests) {
         bar.set_message(format!("{}: {}", board.name, KeyName(key)));
+        let rested = rested.map_err(Missed::from);
         match rested.and_then(|rested| self::key(board, bench, key, &rested, grams, bar)) {
             Ok(calibration) => measured.push((key, calibration)),
-            Err(fault) => {
+            Err(Missed::Stopped) => return Outcome::Stopped,
+            Err(Missed::Fault(fault)) => {
                 let (board, key) = (board.name.clone(), KeyName(key));
                 refusals.push(Refusal::Key { board, key, fault });
             }
         }
         bar.inc(1);
     }
-    if refusals.is_empty() { Ok(measured) } else { Err(refusals) }
+    if refusals.is_empty() { Outcome::All(measured) } else { Outcome::Faults(refusals, n_keys) }
 }
 
 /// Measures one key that rests there.
@@ -82,16 +102,19 @@ fn key(
     rested: &Rested,
     grams: Option<f64>,
     bar: &ProgressBar,
-) -> Result<KeyCalibration, Fault> {
+) -> Result<KeyCalibration, Missed> {
     let travelled = again(|| bench.trip(key, rested))?;
     let gain = match grams {
         None => 1.0,
         Some(grams) => {
             let name = KeyName(key);
-            let put = format!("put {grams} g on the front of {name}");
-            bar.suspend(|| Operator::wait_for(bench, &put));
+            let ask = |bench: &mut Bench, what: &str| {
+                let goes_on = bar.suspend(|| Operator::wait_for(bench, what));
+                if goes_on { Ok(()) } else { Err(Missed::Stopped) }
+            };
+            ask(bench, &format!("put {grams} g on the front of {name}"))?;
             let gain = again(|| bench.balance(key, rested, &travelled, grams * 1e-3));
-            bar.suspend(|| Operator::wait_for(bench, &format!("take it off {name}")));
+            ask(bench, &format!("take it off {name}"))?;
             gain?
         }
     };

@@ -1,6 +1,7 @@
 //! `letoff calibrate`: how the keys of boards read and push, measured and written down.
 //!
-//! The keys move by themselves: down with 1.5 N at most, and up again, one after the other.
+//! The keys move by themselves: down with 1.5 N at most, and up again, one after the other; with
+//! a weight, once more with twice its force and 0.5 N at most.
 
 mod bring_up;
 mod measure;
@@ -15,6 +16,7 @@ use clap::Args;
 use hardware::calibrate::WEIGHTS;
 
 use self::operator::Operator;
+use self::write::Record;
 use super::target::Target;
 use super::{Failure, print_json};
 
@@ -24,7 +26,8 @@ use super::{Failure, print_json};
   letoff calibrate --link serial:/dev/ttyACM0
   letoff calibrate my-scene.toml --board 3 --weight 50
 
-Nobody may touch the keys meanwhile: each goes down and up by itself, with 1.5 N at most.")]
+Nobody may touch the keys meanwhile: each goes down and up by itself, with 1.5 N
+at most; with --weight, once more with twice the weight's force and 0.5 N at most.")]
 pub struct CalibrateArgs {
     /// Whose keys shall be measured.
     #[command(flatten)]
@@ -41,7 +44,8 @@ pub struct CalibrateArgs {
     /// Measures motors by a weight of so many grams, which is put on each key.
     #[arg(long, value_name = "GRAMS", value_parser = grams, allow_negative_numbers = true)]
     pub weight: Option<f64>,
-    /// Where the files shall be; in the scene's folder or the user's own without.
+    /// Where the files shall be; without it, where `links.calibration` of the scene says, or in
+    /// the user's own folder.
     #[arg(long, value_name = "DIR")]
     pub folder: Option<PathBuf>,
 }
@@ -62,12 +66,14 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
     }
     let folder = args.folder.clone();
     let (boards, bench) = bring_up::arm(&args.target, args.board, folder, &operator)?;
-    let (measured, keybed) = measure::all(&boards, bench, args.weight, &operator)?;
-    let (sheets, refusals) = write::all(measured, keybed);
+    let mut record = Record::default();
+    let keybed = measure::all(&boards, bench, args.weight, &mut record);
+    record.tell(keybed);
+    let Record { written, wrong, .. } = record;
     if args.json {
-        print_json(&sheets, out)?;
+        print_json(&written, out)?;
     } else {
-        table::print(&sheets, out)?;
+        table::print(&written, out)?;
     }
-    if refusals.is_empty() { Ok(()) } else { Err(Failure::Running(refusals.join("\nletoff: "))) }
+    if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
 }

@@ -1,9 +1,7 @@
 //! Whoever sits before the terminal.
 
-use std::io::{self, BufRead as _, IsTerminal as _, Write as _};
+use std::io::{self, BufRead, IsTerminal as _, Write as _};
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use hardware::calibrate::Bench;
 
@@ -44,25 +42,29 @@ impl Operator {
         }
         tell(&format!("overwrite {names}? [y/N] "));
         let mut answer = String::new();
-        io::stdin().lock().read_line(&mut answer)?;
-        match answer.trim() {
-            "y" | "Y" | "yes" => Ok(()),
-            _ => Err(Failure::Usage("nothing was measured, and nothing overwritten".into())),
+        // What cannot be read agrees to nothing.
+        match io::stdin().lock().read_line(&mut answer).map(|_len| answer.trim()) {
+            Ok("y" | "Y" | "yes") => Ok(()),
+            Ok(_) | Err(_) => {
+                Err(Failure::Usage("nothing was measured, and nothing overwritten".into()))
+            }
         }
     }
 
-    /// Asks for something to be done, and keeps the boards armed until it is.
-    pub(super) fn wait_for(bench: &mut Bench, what: &str) {
-        tell(&format!("{what}, then press Enter "));
-        let done = Arc::new(AtomicBool::new(false));
-        let its_done = Arc::clone(&done);
+    /// Asks for something to be done, and keeps the boards armed until it is; says whether to go
+    /// on.
+    pub(super) fn wait_for(bench: &mut Bench, what: &str) -> bool {
+        tell(&format!("{what}, then press Enter (Ctrl-D stops) "));
         // It ends with the line, or with the program.
-        std::thread::spawn(move || {
-            let _read = io::stdin().lock().read_line(&mut String::new());
-            its_done.store(true, Ordering::Release);
-        });
-        bench.wait(|| done.load(Ordering::Acquire));
+        let reader = std::thread::spawn(|| is_line(&mut io::stdin().lock()));
+        bench.wait(|| reader.is_finished());
+        reader.join().unwrap_or(false)
     }
+}
+
+/// Reads a line; none where the input ends.
+fn is_line(input: &mut impl BufRead) -> bool {
+    input.read_line(&mut String::new()).is_ok_and(|len| 0 < len)
 }
 
 /// Says something to the operator.
@@ -70,4 +72,15 @@ fn tell(text: &str) {
     let mut stderr = io::stderr();
     // A closed stderr leaves nobody to tell.
     let _unheard = write!(stderr, "{text}").and_then(|()| stderr.flush());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_end_of_input_is_no_enter() {
+        assert!(is_line(&mut &b"\n"[..]));
+        assert!(!is_line(&mut &b""[..]));
+    }
 }

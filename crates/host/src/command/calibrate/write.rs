@@ -5,7 +5,7 @@ use std::time::SystemTime;
 
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::Operation;
-use firmware_protocol::key::PerKey;
+use firmware_protocol::key::{KeyIndex, PerKey};
 use hardware::calibrate::record;
 use hardware::calibration::{KeyCalibration, file};
 use hardware::keybed::{Armed, Keybed};
@@ -13,7 +13,7 @@ use hardware::refusal::{KeyName, Refusal};
 use serde::Serialize;
 
 use super::bring_up::Board;
-use super::measure::Measured;
+use super::measure::Outcome;
 
 /// A board whose file was written.
 #[derive(Debug, Serialize)]
@@ -36,46 +36,74 @@ pub(super) struct Row {
     pub(super) gain: f64,
 }
 
-/// Writes what was measured; returns what was written, and what is wrong, in sentences.
-pub(super) fn all(
-    measured: Vec<Measured>,
-    mut keybed: Keybed<Armed>,
-) -> (Vec<Written>, Vec<String>) {
-    let (mut written, mut wrong) = (Vec::new(), Vec::new());
-    for Measured { board, keys } in measured {
-        let keys = match keys {
-            Ok(keys) => keys,
-            Err(refusals) => {
-                wrong.extend(refusals.iter().map(ToString::to_string));
-                wrong.push(format!("{}: its file was left as it was", board.name));
-                continue;
+/// What was written, and what is wrong.
+#[derive(Debug, Default)]
+pub(super) struct Record {
+    pub(super) written: Vec<Written>,
+    /// Sentences.
+    pub(super) wrong: Vec<String>,
+    /// What boards have to be told.
+    untold: Vec<(Board, Vec<KeyCalibration>)>,
+}
+
+impl Record {
+    /// Writes what was measured of a board into its file, or says why there is nothing to write.
+    pub(super) fn keep(&mut self, board: &Board, outcome: Outcome) {
+        let name = &board.name;
+        match outcome {
+            Outcome::All(keys) => self.write(board, &keys),
+            Outcome::Faults(refusals, of) => {
+                self.wrong.extend(refusals.iter().map(ToString::to_string));
+                self.wrong.push(format!(
+                    "{name}: its file was left as it was, since it holds all {of} keys or none, \
+                     and {} could not be measured; see to them and calibrate it again",
+                    refusals.len()
+                ));
             }
-        };
+            Outcome::Stopped => self.wrong.push(format!(
+                "stopped at {name}: its file was left as it was, and so were those of boards \
+                 behind it; calibrate them with --board"
+            )),
+        }
+    }
+
+    fn write(&mut self, board: &Board, keys: &[(KeyIndex, KeyCalibration)]) {
         let calibrations: Vec<_> = keys.iter().map(|(_, it)| *it).collect();
-        if let Err(error) = file::write(&board.file, &sheet(&board, &calibrations)) {
-            wrong.push(error.to_string());
-            continue;
+        if let Err(error) = file::write(&board.file, &sheet(board, &calibrations)) {
+            self.wrong.push(error.to_string());
+            return;
         }
-        if let Err(refusal) = tell(&board, &calibrations, &mut keybed) {
-            wrong.push(format!("its file was written, but {refusal}"));
+        self.written.push(Written {
+            link: board.name.line.clone(),
+            number: board.name.number,
+            uid: board.found.uid().to_string(),
+            keys: keys.iter().map(Row::from).collect(),
+            file: board.file.clone(),
+        });
+        self.untold.push((board.clone(), calibrations));
+    }
+
+    /// Tells the boards what they keep themselves, once nothing is measured any more.
+    pub(super) fn tell(&mut self, mut keybed: Keybed<Armed>) {
+        for (board, keys) in std::mem::take(&mut self.untold) {
+            if let Err(refusal) = tell(&board, &keys, &mut keybed) {
+                self.wrong.push(format!("its file was written, but {refusal}"));
+            }
         }
-        let rows = keys.iter().map(|(key, it)| Row {
+    }
+}
+
+impl From<&(KeyIndex, KeyCalibration)> for Row {
+    fn from((key, it): &(KeyIndex, KeyCalibration)) -> Self {
+        Self {
             key: KeyName(*key).to_string(),
             rest: it.rest.get(),
             bottom: it.bottom.get(),
             travel_mm: 1e3 * it.travel(),
             friction_n: it.friction,
             gain: it.gain,
-        });
-        written.push(Written {
-            link: board.name.line.clone(),
-            number: board.name.number,
-            uid: board.found.uid().to_string(),
-            keys: rows.collect(),
-            file: board.file,
-        });
+        }
     }
-    (written, wrong)
 }
 
 /// The file of a board.

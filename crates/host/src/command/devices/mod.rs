@@ -7,6 +7,7 @@ use hardware::discovery;
 use hardware::link::address::Address;
 use serde::Serialize;
 
+use super::arguments::LINK;
 use super::{Failure, print_json};
 
 mod boards;
@@ -20,9 +21,9 @@ pub struct DevicesArgs {
     /// Asks on the links who is there, and lists the boards instead.
     #[arg(long)]
     pub boards: bool,
-    /// A link to be asked: serial:PORT[@BAUD], can:INTERFACE or classic-can:INTERFACE; once for
-    /// each.
-    #[arg(long = "link", value_name = "LINK", value_parser = Address::parse, requires = "boards")]
+    /// Links to be asked.
+    #[arg(long = "link", value_name = "LINK", help = LINK, value_parser = Address::parse,
+          requires = "boards")]
     pub links: Vec<Address>,
     /// Lets the board with this number blink.
     #[arg(long, value_name = "N", requires = "boards")]

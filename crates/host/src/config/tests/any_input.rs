@@ -10,7 +10,7 @@ use super::super::{kind, quantity};
 use super::*;
 
 /// Reads `bytes` as a scene and as an instrument.
-fn read(bytes: &[u8], overrides: &[(String, String)]) {
+fn read(bytes: &[u8], overrides: &[Override]) {
     let Ok(source) = Source::from_bytes(Path::new("any.toml"), bytes.to_vec()) else { return };
     match Scene::check(&source, overrides) {
         Ok(scene) => {
@@ -86,7 +86,7 @@ fn fragment() -> impl Strategy<Value = String> {
 }
 
 fn any_override() -> impl Strategy<Value = (String, String)> {
-    const STEPS: [&str; 20] = [
+    const STEPS: [&str; 23] = [
         "keys",
         "0",
         "1",
@@ -107,13 +107,16 @@ fn any_override() -> impl Strategy<Value = (String, String)> {
         "pianist",
         "performance",
         "x",
+        "links",
+        "bus",
+        "bit_rate",
     ];
     let steps = proptest::collection::vec(select(&STEPS[..]), 0..6);
     (steps.prop_map(|steps| steps.join(".")), fragment())
 }
 
-fn any_overrides() -> impl Strategy<Value = Vec<(String, String)>> {
-    proptest::collection::vec(any_override(), 0..4)
+fn any_overrides() -> impl Strategy<Value = Vec<Override>> {
+    proptest::collection::vec(any_override().prop_map(Override::from), 0..4)
 }
 
 proptest! {
@@ -164,5 +167,6 @@ fn a_document_of_any_depth() {
     read(format!("[{steps}a]").as_bytes(), &[]);
     read(format!("a = {}", "[".repeat(100_000)).as_bytes(), &[]);
     read(format!("a = {}", "{a=".repeat(80_000)).as_bytes(), &[]);
-    read(MINIMAL.as_bytes(), &[(steps, String::new()), ("a".into(), "[".repeat(100_000))]);
+    let deep = ("a".to_owned(), "[".repeat(100_000));
+    read(MINIMAL.as_bytes(), &[(steps, String::new()).into(), deep.into()]);
 }

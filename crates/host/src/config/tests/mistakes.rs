@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use hardware::link::address::Address;
+
 use super::*;
 
 /// Asserts that exactly `expected` is said of `text`, where FOLDER is the working directory.
@@ -36,6 +38,64 @@ fn a_wrong_override_is_named_instead_of_a_line() {
         ("..", "1"),
     ];
     check(TWO_RANGES, &overrides, include_str!("golden/overrides.txt"));
+}
+
+#[test]
+fn all_mistakes_of_links_are_said_at_once() {
+    check(include_str!("golden/links.toml"), &[], include_str!("golden/links.txt"));
+}
+
+#[test]
+fn simulated_keys_have_nothing_of_boards() {
+    let text = format!(
+        "{MINIMAL}[links]\nkind = \"simulated\"\nvalid = \"20 ms\"\nsamples = \"position24\"\n\
+         bus = []\n"
+    );
+    let help = "leave it out, or write kind = \"boards\"";
+    let agreed = |place: &str, name: &str| {
+        format!(
+            "scene.toml:{place}: {name:?} is agreed with boards, and these keys are simulated; {help}\n"
+        )
+    };
+    let (valid, samples) = (agreed("6:9", "valid"), agreed("7:11", "samples"));
+    let bus = format!("scene.toml:8:7: a simulated keybed has no bus; {help}");
+    check(&text, &[], &format!("{valid}{samples}{bus}"));
+    let silent = text.replace("kind = \"simulated\"\n", "").replace("bus = []\n", "");
+    let (valid, samples) = (agreed("5:9", "valid"), agreed("6:11", "samples"));
+    check(&silent, &[], &format!("{valid}{samples}"));
+}
+
+#[test]
+fn boards_without_a_bus_are_refused() {
+    let help = "add [[links.bus]] with serial = \"/dev/ttyACM0\" or can = \"can0\"";
+    let text = format!("{MINIMAL}[links]\nkind = \"boards\"\n");
+    check(&text, &[], &format!("scene.toml:4:1: boards need a bus; {help}"));
+    let text = format!("{text}bus = []\n");
+    check(&text, &[], &format!("scene.toml:6:7: boards need a bus; {help}"));
+}
+
+#[test]
+fn an_override_of_a_list_says_which_items_there_are() {
+    let text = format!("{MINIMAL}[links]\nkind = \"boards\"\n[[links.bus]]\ncan = \"can0\"\n");
+    check(
+        &text,
+        &[("links.bus.1.can", "can1"), ("links.bus.bit_rate", "500000"), ("midi.0.x", "1")],
+        "--set links.bus.1.can=can1: \"links.bus\" is a list without this item; use links.bus.0, \
+         the only one\n\
+         --set links.bus.bit_rate=500000: \"links.bus\" is a list without this item; use \
+         links.bus.0, the only one\n\
+         --set midi.0.x=1: \"midi\" has no items; add one to the file first",
+    );
+}
+
+#[test]
+fn a_wrong_link_is_named_as_it_was_typed() {
+    let can = Address::parse("can:can0").unwrap();
+    let all = Scene::load_as_typed("default", &link_overrides(&[can.clone(), can])).unwrap_err();
+    assert_eq!(
+        all.to_string(),
+        "--link can:can0 --link can:can0: \"can0\" stands here twice; leave one of them out"
+    );
 }
 
 #[test]

@@ -30,8 +30,9 @@ fn source(text: &str) -> Source {
     Source::from_bytes(Path::new("scene.toml"), text.as_bytes().to_vec()).unwrap()
 }
 
-fn owned(overrides: &[(&str, &str)]) -> Vec<(String, String)> {
-    overrides.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
+fn owned(overrides: &[(&str, &str)]) -> Vec<Override> {
+    let owned = overrides.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
+    owned.map(Override::from).collect()
 }
 
 #[track_caller]

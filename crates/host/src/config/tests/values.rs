@@ -64,7 +64,7 @@ fn a_performance_is_embedded_or_lies_beside_the_scene() {
     let path = folder.write("scene.toml", text.as_bytes());
     let scene = Scene::load(&path, &[]).unwrap();
     assert_eq!(scene.performance, Some(PerformanceSource::Path(folder.0.join("mine.mid"))));
-    let silenced = Scene::load(&path, &owned(&[("pianist.performance", "none")])).unwrap();
+    let silenced = Scene::load_as_typed(&path, &owned(&[("pianist.performance", "none")])).unwrap();
     assert_eq!(silenced.performance, None);
 }
 
@@ -149,4 +149,25 @@ fn a_new_voice_replaces_what_the_file_says_of_the_old_one() {
     check_models(&scene, "key-hammer-rigid", "key-hammer-rigid");
     check_value(&scene, 0, "L1", 4.0);
     check_value(&scene, 87, "k1", 400.0);
+}
+
+#[test]
+fn a_number_in_an_override_is_a_place_in_a_list() {
+    let text = format!(
+        "{MINIMAL}[links]\nkind = \"boards\"\n[[links.bus]]\ncan = \"can0\"\n[[links.bus]]\n\
+         can = \"can1\"\nmode = \"classic\"\n"
+    );
+    let Links::Boards(boards) = load(&text, &[("links.bus.1.bit_rate", "500000")]).links else {
+        panic!("these are boards");
+    };
+    let rates: Vec<_> = boards.buses.iter().map(|bus| bus.bit_rates.0).collect();
+    assert_eq!(rates, [1_000_000, 500_000]);
+}
+
+#[test]
+fn boards_exchange_every_whole_number_of_100_us() {
+    let all = [(100, Some(10_000)), (1_000, Some(1_000)), (10_000, Some(100)), (3_000, None)];
+    for (hz, period) in all {
+        assert_eq!(period_us(hz), period, "{hz} Hz");
+    }
 }

@@ -1,0 +1,57 @@
+//! What several commands take, and how it is read.
+
+/// What `--link` takes.
+pub(super) const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
+                               can:INTERFACE or classic-can:INTERFACE; once for each";
+
+/// A length of time [s], above 0.
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
+    match number(text)? {
+        seconds if seconds > 0.0 => Ok(seconds),
+        _ => Err(format!("`{text}` s is no length: give a number above 0")),
+    }
+}
+
+/// A ratio, above 0.
+pub(super) fn ratio(text: &str) -> Result<f64, String> {
+    match number(text)? {
+        ratio if ratio > 0.0 => Ok(ratio),
+        _ => Err(format!("`{text}` is no ratio: give a number above 0, as 0.5")),
+    }
+}
+
+/// A share, 0 to 1.
+pub(super) fn share(text: &str) -> Result<f64, String> {
+    match number(text)? {
+        share if (0.0..=1.0).contains(&share) => Ok(share),
+        _ => Err(format!("`{text}` is no share: give a number from 0 to 1")),
+    }
+}
+
+/// A finite number.
+pub(super) fn number(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number: &f64| number.is_finite());
+    number.ok_or_else(|| format!("`{text}` is not a number: write digits, as 1.5"))
+}
+
+/// A name and its value.
+pub(super) fn assignment(text: &str) -> Result<(String, String), String> {
+    let (name, value) =
+        text.split_once('=').ok_or_else(|| format!("`{text}` has no `=`: write name=value"))?;
+    Ok((name.trim().to_owned(), value.trim().to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrong_number_is_called_what_it_should_be() {
+        assert!(seconds("0").unwrap_err().contains("no length"));
+        assert!(ratio("-1").unwrap_err().contains("no ratio"));
+        assert!(share("2").unwrap_err().contains("no share"));
+        for text in ["nan", "inf", "fast"] {
+            assert!(number(text).unwrap_err().contains("is not a number"), "{text}");
+        }
+    }
+}

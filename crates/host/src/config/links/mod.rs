@@ -1,0 +1,122 @@
+//! `[links]`: where the keys are, and what is agreed with their boards.
+
+mod board;
+mod bus;
+mod table;
+
+use std::path::PathBuf;
+
+use firmware_protocol::acyclic::arm::VALID_MS;
+use firmware_protocol::frame::key_forces::ForcePacking;
+use firmware_protocol::frame::key_samples::SamplePacking;
+use hardware::link::address::Address;
+use hardware::link::can::CanMode;
+use hardware::refusal::KeyRange as BoardKeys;
+
+use super::overrides::Override;
+
+pub(super) use table::{Rate, read};
+
+/// Bit rates of a CAN bus of which nothing is said.
+const BIT_RATES: (u32, u32) = (1_000_000, 5_000_000);
+
+/// Where the keys are.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Links {
+    /// In a simulated keybed.
+    Simulated,
+    /// On boards.
+    Boards(Boards),
+}
+
+/// Boards, and what is agreed with them.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Boards {
+    /// How samples are packed.
+    pub samples: SamplePacking,
+    /// How forces are packed.
+    pub forces: ForcePacking,
+    /// How long forces are valid after the samples that they answer [ms].
+    pub valid_ms: u8,
+    /// Folder of the calibration files; the user's own if none is given.
+    pub calibration: Option<PathBuf>,
+    /// What leads to them.
+    pub buses: Vec<BoardBus>,
+}
+
+/// A link and the boards that must be on it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BoardBus {
+    /// Where it leads.
+    pub address: Address,
+    /// Bits per second: of the arbitration and of the data phase.
+    pub bit_rates: (u32, u32),
+    /// Boards that must be there, by number, and the keys that they must carry.
+    pub boards: Vec<(u8, BoardKeys)>,
+}
+
+impl Default for Boards {
+    fn default() -> Self {
+        Self {
+            samples: SamplePacking::default(),
+            forces: ForcePacking::default(),
+            valid_ms: VALID_MS,
+            calibration: None,
+            buses: Vec::new(),
+        }
+    }
+}
+
+impl BoardBus {
+    /// A link of which nothing more is said.
+    pub const fn new(address: Address) -> Self {
+        Self { address, bit_rates: BIT_RATES, boards: Vec::new() }
+    }
+}
+
+/// The period of boards that exchange so often [us]: a whole number of the 100 us in which they
+/// work, if there is one.
+pub fn period_us(tick_hz: u32) -> Option<u16> {
+    let divides = 10_000_u32.checked_rem(tick_hz) == Some(0);
+    divides.then(|| 1_000_000 / tick_hz).and_then(|period| u16::try_from(period).ok())
+}
+
+/// What leads to `addresses`, as overrides of a scene; nothing if there are none.
+pub fn overrides(addresses: &[Address]) -> Vec<Override> {
+    if addresses.is_empty() {
+        return Vec::new();
+    }
+    let buses: Vec<_> = addresses.iter().map(bus_at).collect();
+    let options: Vec<_> = addresses.iter().map(|it| format!("--link {it}")).collect();
+    let typed = options.join(" ");
+    let over = |name: &str, value| Override { name: name.into(), value, typed: typed.clone() };
+    vec![over("links.kind", "boards".into()), over("links.bus", format!("[{}]", buses.join(", ")))]
+}
+
+/// A bus in a scene that leads to `address`.
+fn bus_at(address: &Address) -> String {
+    match address {
+        Address::Serial { port, baud } => {
+            format!("{{ serial = {:?}, baud = {baud} }}", port.display().to_string())
+        }
+        Address::Can { interface, mode: CanMode::Fd } => format!("{{ can = {interface:?} }}"),
+        Address::Can { interface, mode: CanMode::Classic } => {
+            format!("{{ can = {interface:?}, mode = \"classic\" }}")
+        }
+    }
+}
+
+/// Names of how samples are packed.
+pub const SAMPLES: [(&str, SamplePacking); 4] = [
+    ("position24", SamplePacking::Position24),
+    ("position16", SamplePacking::Position16),
+    ("position16-velocity", SamplePacking::Position16Velocity),
+    ("position24-velocity", SamplePacking::Position24Velocity),
+];
+
+/// Names of how forces are packed.
+pub const FORCES: [(&str, ForcePacking); 3] = [
+    ("force16", ForcePacking::Force16),
+    ("force16-slope", ForcePacking::Force16Slope),
+    ("multicast16", ForcePacking::Multicast16),
+];
