@@ -534,7 +534,7 @@ size_t letoff_introduction_put(const struct letoff_introduction *who,
                                uint8_t frame[LETOFF_MAX_FRAME])
 {
     memset(frame, 0, LETOFF_MAX_FRAME);
-    frame[0] = letoff_head(LETOFF_KIND_HELLO, who->fault, who->board);
+    frame[0] = letoff_head(LETOFF_KIND_HELLO, who->safe, who->board);
     return 1u + letoff_hello_put(&who->hello, frame + 1, LETOFF_MAX_FRAME - 1u);
 }
 
@@ -561,7 +561,7 @@ enum letoff_refusal letoff_introduction_take(struct letoff_introduction *who, co
         return LETOFF_BAD_VERSION;
     }
     who->board = letoff_board(frame);
-    who->fault = flag_of(frame);
+    who->safe = flag_of(frame);
     bool whole = letoff_hello_take(&who->hello, frame + 1, len - 1u);
     return whole ? LETOFF_TAKEN : LETOFF_BAD_LENGTH;
 }

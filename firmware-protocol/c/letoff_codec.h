@@ -152,7 +152,7 @@ uint8_t letoff_slope_code(int32_t units);
 
 struct letoff_introduction {
     uint8_t board;
-    bool fault;
+    bool safe;
     struct letoff_hello hello;
 };
 

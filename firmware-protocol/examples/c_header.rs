@@ -164,6 +164,8 @@ fn requests() -> String {
     for (name, number) in settings {
         define(&mut text, &format!("SETTING_{name}"), number);
     }
+    define(&mut text, "FINGER_PRESSED", finger::PRESSED);
+    define(&mut text, "FINGER_STRUCK", finger::STRUCK);
     define(&mut text, "FINGER_FORGET", finger::FORGET);
     define(&mut text, "SHORTEST_VALID_MS", arm::SHORTEST_VALID_MS);
     define(&mut text, "LONGEST_VALID_MS", arm::LONGEST_VALID_MS);

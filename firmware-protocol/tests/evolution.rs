@@ -20,7 +20,7 @@ fn introduction() -> Introduction {
     let hello = Hello::take(&text).expect("all fields");
     let Version { major, minor } = PROTOCOL_VERSION;
     let hello = Hello { magic: MAGIC, major, minor, schema: schema::HASH, n_keys: 11, ..hello };
-    Introduction { board: board(), fault: false, hello }
+    Introduction { board: board(), safe: false, hello }
 }
 
 fn encoded(introduction: Introduction) -> [u8; MAX_FRAME] {

@@ -143,7 +143,7 @@ fn forces_move_the_key_and_their_silence_lets_it_go_for_good() {
     let last = board.hold(50, 2_000);
     assert!((position(&last) - BOTTOM).abs() < 5 && last.header.flag, "{last:?}");
     let introduction = board.introduction();
-    assert_eq!((introduction.fault, introduction.hello.safe_reason), (true, safe_reason::SILENCE));
+    assert_eq!((introduction.safe, introduction.hello.safe_reason), (true, safe_reason::SILENCE));
     assert_eq!(board.counters().trips, 1);
     // Until it is disarmed and armed.
     board.skip();
@@ -186,6 +186,9 @@ fn an_emergency_stop_takes_every_force_away() {
     assert!((position(&last) - BOTTOM).abs() < 5 && last.header.flag, "{last:?}");
     assert_eq!(board.introduction().hello.safe_reason, safe_reason::EMERGENCY_STOP);
     assert_eq!(board.counters().trips, 0);
+    // No request brings it back.
+    assert_eq!(board.ask(Operation::Disarm, &Nothing).0, Status::WrongState);
+    assert_eq!(board.introduction().hello.safe_reason, safe_reason::EMERGENCY_STOP);
 }
 
 #[test]

@@ -169,7 +169,7 @@ fn check_hello(vector: &Vector) {
     let expected = (board(vector), vector.number::<u8>("flag") == 1);
     let mut bytes = [0xAA; MAX_FRAME];
     let len = introduction.encode(&mut bytes);
-    check(vector, &bytes[..len], (introduction.board, introduction.fault), expected);
+    check(vector, &bytes[..len], (introduction.board, introduction.safe), expected);
 }
 
 #[track_caller]

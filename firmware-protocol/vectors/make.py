@@ -238,10 +238,10 @@ def hello_values(minor=0):
     ]
 
 
-def hello(name, comment, board, fault):
+def hello(name, comment, board, safe):
     data, named = record(HELLO, hello_values())
-    fields = {"kind": "hello", "board": board, "flag": fault, **named}
-    return name, comment, fields, first("hello", fault, board) + data
+    fields = {"kind": "hello", "board": board, "flag": safe, **named}
+    return name, comment, fields, first("hello", safe, board) + data
 
 
 EDGES = [0, 1, -1, 2500, -2500, 8388607, -8388608, 256, 65536, -65536, 12345, -2]
@@ -335,7 +335,7 @@ def all_replies():
 
 
 def vectors():
-    yield hello("hello", "a board with a latched fault", 3, 1)
+    yield hello("hello", "a board that fell safe", 3, 1)
     yield from all_samples()
     yield from all_forces()
     yield from all_broadcasts()

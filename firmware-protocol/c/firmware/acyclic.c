@@ -48,7 +48,11 @@ static uint8_t stream(struct asked *asked)
 
 static uint8_t disarm(struct asked *asked)
 {
-    struct letoff_disarmed disarmed = {arm_disarm(&asked->state->arm, asked->now_us)};
+    struct letoff_disarmed disarmed;
+    uint8_t status = arm_disarm(&asked->state->arm, asked->now_us, &disarmed.nonce);
+    if (status != LETOFF_STATUS_DONE) {
+        return status;
+    }
     log_write(&asked->state->log, asked->now_us, "disarmed");
     asked->reply_len = letoff_disarmed_put(&disarmed, asked->reply, asked->room);
     return LETOFF_STATUS_DONE;
@@ -60,7 +64,7 @@ static uint8_t arm(struct asked *asked)
     if (!letoff_arm_take(&wanted, asked->record, asked->len)) {
         return LETOFF_STATUS_BAD_VALUE;
     }
-    uint8_t status = arm_arm(&asked->state->arm, &wanted, asked->now_us);
+    uint8_t status = arm_arm(&asked->state->arm, &wanted);
     if (status == LETOFF_STATUS_DONE) {
         forces_begin(&asked->state->forces);
         log_write(&asked->state->log, asked->now_us, "armed");

@@ -34,17 +34,26 @@ static void count(uint16_t *counter)
     }
 }
 
-/* Leaves the armed state, from `since_us` on. */
-static void let_go(struct arm *arm, uint32_t since_us)
+/* Leaves the armed state. Forces that have expired before have begun to fade then. */
+static void let_go(struct arm *arm, uint32_t now_us)
 {
     if (arm->mode == ARM_ARMED) {
-        arm->fading = true;
-        arm->fade_us = since_us;
+        arm->fading = arm->fed;
+        arm->fade_us = from_to(arm->deadline_us, now_us) < 0 ? now_us : arm->deadline_us;
     }
 }
 
-uint32_t arm_disarm(struct arm *arm, uint32_t now_us)
+/* Whether a board that is safe for `reason` is so for good. */
+static bool latches(uint8_t reason)
 {
+    return reason == LETOFF_SAFE_EMERGENCY_STOP || reason == LETOFF_SAFE_KEY_FAULT;
+}
+
+uint8_t arm_disarm(struct arm *arm, uint32_t now_us, uint32_t *nonce)
+{
+    if (latches(arm->reason)) {
+        return LETOFF_STATUS_WRONG_STATE;
+    }
     let_go(arm, now_us);
     arm->mode = ARM_DISARMED;
     arm->reason = LETOFF_SAFE_DISARMED;
@@ -54,7 +63,8 @@ uint32_t arm_disarm(struct arm *arm, uint32_t now_us)
         arm->nonce = arm->seed;
     } while (arm->nonce == last);
     arm->nonce_fresh = true;
-    return arm->nonce;
+    *nonce = arm->nonce;
+    return LETOFF_STATUS_DONE;
 }
 
 static bool is_agreeable(const struct letoff_arm *asked)
@@ -63,7 +73,7 @@ static bool is_agreeable(const struct letoff_arm *asked)
            LETOFF_SHORTEST_VALID_MS <= asked->valid_ms && asked->valid_ms <= LETOFF_LONGEST_VALID_MS;
 }
 
-uint8_t arm_arm(struct arm *arm, const struct letoff_arm *asked, uint32_t now_us)
+uint8_t arm_arm(struct arm *arm, const struct letoff_arm *asked)
 {
     if (arm->mode != ARM_DISARMED) {
         return LETOFF_STATUS_WRONG_STATE;
@@ -80,13 +90,16 @@ uint8_t arm_arm(struct arm *arm, const struct letoff_arm *asked, uint32_t now_us
     arm->fading = false;
     arm->packing = asked->packing;
     arm->valid_us = 1000u * asked->valid_ms;
-    arm->deadline_us = now_us + arm->valid_us;
+    arm->fed = false;
     count(&arm->armings);
     return LETOFF_STATUS_DONE;
 }
 
 void arm_stop(struct arm *arm, uint8_t reason, uint32_t now_us)
 {
+    if (arm->mode == ARM_SAFE && (latches(arm->reason) || !latches(reason))) {
+        return;
+    }
     let_go(arm, now_us);
     arm->mode = ARM_SAFE;
     arm->reason = reason;
@@ -95,7 +108,11 @@ void arm_stop(struct arm *arm, uint8_t reason, uint32_t now_us)
 
 void arm_feed(struct arm *arm, uint32_t deadline_us)
 {
-    if (arm->mode == ARM_ARMED && 0 < from_to(arm->deadline_us, deadline_us)) {
+    if (arm->mode != ARM_ARMED) {
+        return;
+    }
+    if (!arm->fed || 0 < from_to(arm->deadline_us, deadline_us)) {
+        arm->fed = true;
         arm->deadline_us = deadline_us;
     }
 }
@@ -105,7 +122,7 @@ bool arm_check(struct arm *arm, uint32_t now_us)
     if (arm->fading && FADE_US <= from_to(arm->fade_us, now_us)) {
         arm->fading = false;
     }
-    if (arm->mode != ARM_ARMED || from_to(arm->deadline_us, now_us) <= 0) {
+    if (arm->mode != ARM_ARMED || !arm->fed || from_to(arm->deadline_us, now_us) <= 0) {
         return false;
     }
     arm_stop(arm, LETOFF_SAFE_SILENCE, arm->deadline_us);
@@ -125,12 +142,12 @@ static int32_t faded(int32_t elapsed_us)
 int32_t arm_share(const struct arm *arm, uint32_t now_us)
 {
     if (arm->mode == ARM_ARMED) {
-        return faded(from_to(arm->deadline_us, now_us));
+        return arm->fed ? faded(from_to(arm->deadline_us, now_us)) : 0;
     }
     return arm->fading ? faded(from_to(arm->fade_us, now_us)) : 0;
 }
 
-bool arm_fault(const struct arm *arm)
+bool arm_is_safe(const struct arm *arm)
 {
-    return arm->mode == ARM_SAFE && arm->reason != LETOFF_SAFE_NEVER_ARMED;
+    return arm->mode != ARM_ARMED;
 }

@@ -2,7 +2,10 @@
  *
  *   safe      ── disarm ──▶  disarmed, with a new nonce
  *   disarmed  ── arm(nonce) ──▶  armed
- *   armed     ── silence, stop ──▶  safe, latched      armed ── disarm ──▶ disarmed
+ *   armed     ── silence, stop ──▶  safe      armed ── disarm ──▶ disarmed
+ *
+ * Forces expire from the first on that is taken after an arming. A stop and a failed key are for
+ * good: they take the place of any lesser reason, and no request undoes them. Only power does.
  *
  * Times are the board's, in microseconds, and wrap.
  */
@@ -23,7 +26,8 @@ struct arm {
     /* LETOFF_FORCES_*, what was agreed. */
     uint8_t packing;
     uint32_t valid_us;
-    /* While armed: when the forces expire. */
+    /* While armed: whether forces have come, and when they expire. */
+    bool fed;
     uint32_t deadline_us;
     /* Else: since when they fade, until they have faded. */
     uint32_t fade_us;
@@ -38,13 +42,15 @@ struct arm {
 
 void arm_begin(struct arm *arm, uint32_t seed);
 
-/* Takes the forces away; returns the nonce with which they may come back. */
-uint32_t arm_disarm(struct arm *arm, uint32_t now_us);
+/* Takes the forces away, and gives out the nonce with which they may come back, unless they are
+ * away for good; returns a status of the protocol. */
+uint8_t arm_disarm(struct arm *arm, uint32_t now_us, uint32_t *nonce);
 
 /* Arms, if the nonce is right; returns a status of the protocol. */
-uint8_t arm_arm(struct arm *arm, const struct letoff_arm *asked, uint32_t now_us);
+uint8_t arm_arm(struct arm *arm, const struct letoff_arm *asked);
 
-/* Becomes safe for `reason`. */
+/* Becomes safe for `reason`; if it is safe already, only for one that is for good instead of one
+ * that is not. */
 void arm_stop(struct arm *arm, uint8_t reason, uint32_t now_us);
 
 /* The forces are valid until then. */
@@ -56,7 +62,7 @@ bool arm_check(struct arm *arm, uint32_t now_us);
 /* How much of the forces is rendered now, 0 to ARM_FULL. Right also if nobody has checked. */
 int32_t arm_share(const struct arm *arm, uint32_t now_us);
 
-/* Forces were taken away, and not because the host asked for it. */
-bool arm_fault(const struct arm *arm);
+/* It renders no forces. */
+bool arm_is_safe(const struct arm *arm);
 
 #endif

@@ -77,7 +77,7 @@ static bool set_group(struct forces *forces, const struct letoff_multicast *fram
     return any;
 }
 
-/* Feeds the watchdog as long as all groups with keys of this board are there. */
+/* Feeds the watchdog by the oldest of the groups with keys of this board, once all have come. */
 static void feed_by_groups(const struct forces *forces, struct arm *arm, uint8_t first_key,
                            uint8_t n_keys)
 {

@@ -7,7 +7,7 @@
 /* Gestures of one key that wait. */
 #define MOST_GESTURES 32
 
-enum touch { TOUCH_PRESSED = 0, TOUCH_STRUCK = 1 };
+enum touch { TOUCH_PRESSED = LETOFF_FINGER_PRESSED, TOUCH_STRUCK = LETOFF_FINGER_STRUCK };
 
 /* Where a finger shall be [m] and how fast it shall move [m/s], down positive. */
 struct command {

@@ -122,7 +122,7 @@ void link_hello(struct state *state, uint32_t now_us)
     }
     struct letoff_introduction who = {
         BOARD,
-        arm_fault(&state->arm),
+        arm_is_safe(&state->arm),
         state_hello(state, now_us),
     };
     uint8_t frame[LETOFF_MAX_FRAME];
@@ -161,7 +161,7 @@ static void send_samples(struct state *state)
     const struct history_entry *entry = remember(state);
     struct letoff_samples samples = {
         .header = {BOARD, entry->sequence, (uint16_t)(entry->board_us & 0xFFFFu),
-                   arm_fault(&state->arm)},
+                   arm_is_safe(&state->arm)},
         .packing = state->stream.agreed.packing,
         .n_keys = N_KEYS,
     };

@@ -23,13 +23,21 @@ static bool near(float a, float b, float tolerance)
     return a - b <= tolerance && b - a <= tolerance;
 }
 
-/* A board that was armed at `now_us` for 20 ms. */
-static struct arm armed(uint8_t packing, uint32_t now_us)
+/* The nonce of a board that is disarmed. */
+static uint32_t disarmed(struct arm *arm, uint32_t now_us)
+{
+    uint32_t nonce = 0;
+    CHECK(arm_disarm(arm, now_us, &nonce) == LETOFF_STATUS_DONE);
+    return nonce;
+}
+
+/* A board that was armed for 20 ms; they count from its first forces on. */
+static struct arm armed(uint8_t packing)
 {
     struct arm arm;
     arm_begin(&arm, 7);
-    struct letoff_arm asked = {arm_disarm(&arm, now_us), packing, 20};
-    CHECK(arm_arm(&arm, &asked, now_us) == LETOFF_STATUS_DONE);
+    struct letoff_arm asked = {disarmed(&arm, 0), packing, 20};
+    CHECK(arm_arm(&arm, &asked) == LETOFF_STATUS_DONE);
     return arm;
 }
 
@@ -38,35 +46,50 @@ static void a_nonce_serves_once(void)
     struct arm arm;
     arm_begin(&arm, 7);
     struct letoff_arm asked = {0, LETOFF_FORCES_FORCE16, 20};
-    CHECK(arm_arm(&arm, &asked, 0) == LETOFF_STATUS_WRONG_STATE);
-    CHECK(arm.reason == LETOFF_SAFE_NEVER_ARMED && !arm_fault(&arm));
-    asked.nonce = arm_disarm(&arm, 0);
+    CHECK(arm_arm(&arm, &asked) == LETOFF_STATUS_WRONG_STATE);
+    CHECK(arm.reason == LETOFF_SAFE_NEVER_ARMED && arm_is_safe(&arm));
+    asked.nonce = disarmed(&arm, 0);
     asked.nonce ^= 1u;
-    CHECK(arm_arm(&arm, &asked, 0) == LETOFF_STATUS_WRONG_NONCE);
+    CHECK(arm_arm(&arm, &asked) == LETOFF_STATUS_WRONG_NONCE);
     asked.nonce ^= 1u;
     asked.valid_ms = 101;
-    CHECK(arm_arm(&arm, &asked, 0) == LETOFF_STATUS_BAD_VALUE);
+    CHECK(arm_arm(&arm, &asked) == LETOFF_STATUS_BAD_VALUE);
     asked.valid_ms = 5;
-    CHECK(arm_arm(&arm, &asked, 0) == LETOFF_STATUS_DONE);
-    CHECK(arm_arm(&arm, &asked, 0) == LETOFF_STATUS_WRONG_STATE);
-    uint32_t newer = arm_disarm(&arm, 0);
+    CHECK(arm_arm(&arm, &asked) == LETOFF_STATUS_DONE);
+    CHECK(arm_arm(&arm, &asked) == LETOFF_STATUS_WRONG_STATE);
+    uint32_t newer = disarmed(&arm, 0);
     CHECK(newer != asked.nonce);
-    CHECK(arm_arm(&arm, &asked, 0) == LETOFF_STATUS_WRONG_NONCE);
+    CHECK(arm_arm(&arm, &asked) == LETOFF_STATUS_WRONG_NONCE);
     asked.nonce = newer;
-    CHECK(arm_arm(&arm, &asked, 0) == LETOFF_STATUS_DONE);
-    CHECK(arm.armings == 2);
+    CHECK(arm_arm(&arm, &asked) == LETOFF_STATUS_DONE);
+    CHECK(arm.armings == 2 && !arm_is_safe(&arm));
+}
+
+static void before_the_first_forces_there_are_none_and_nothing_expires(void)
+{
+    struct arm arm = armed(LETOFF_FORCES_FORCE16);
+    for (uint32_t now_us = 0; now_us < 1000000u; now_us += 1000u) {
+        CHECK(arm_share(&arm, now_us) == 0 && !arm_check(&arm, now_us));
+    }
+    arm_feed(&arm, 1020000u);
+    CHECK(arm_share(&arm, 1020000u) == ARM_FULL && arm_check(&arm, 1020001u));
+    /* Nor does anything fade that never was. */
+    arm = armed(LETOFF_FORCES_FORCE16);
+    arm_stop(&arm, LETOFF_SAFE_EMERGENCY_STOP, 5);
+    CHECK(arm_share(&arm, 5) == 0);
 }
 
 static void forces_expire_fade_and_stay_away(void)
 {
     /* Just before the clock wraps. */
     uint32_t start = UINT32_MAX - 25000u;
-    struct arm arm = armed(LETOFF_FORCES_FORCE16, start);
+    struct arm arm = armed(LETOFF_FORCES_FORCE16);
+    arm_feed(&arm, start + 20000u);
     CHECK(arm_share(&arm, start + 20000u) == ARM_FULL && !arm_check(&arm, start + 20000u));
     /* The same whether somebody has checked or not. */
     CHECK(arm_share(&arm, start + 25000u) == 500);
     CHECK(arm_check(&arm, start + 25000u) && !arm_check(&arm, start + 25000u));
-    CHECK(arm.mode == ARM_SAFE && arm.reason == LETOFF_SAFE_SILENCE && arm_fault(&arm));
+    CHECK(arm.mode == ARM_SAFE && arm.reason == LETOFF_SAFE_SILENCE && arm_is_safe(&arm));
     CHECK(arm_share(&arm, start + 25000u) == 500);
     CHECK(arm_share(&arm, start + 30000u) == 0);
     arm_feed(&arm, start + 90000u);
@@ -78,15 +101,48 @@ static void forces_expire_fade_and_stay_away(void)
 
 static void a_stop_fades_from_now_and_forgets_the_nonce(void)
 {
-    struct arm arm = armed(LETOFF_FORCES_FORCE16, 0);
+    struct arm arm = armed(LETOFF_FORCES_FORCE16);
+    arm_feed(&arm, 20000);
     arm_stop(&arm, LETOFF_SAFE_EMERGENCY_STOP, 3000);
     CHECK(arm_share(&arm, 3000) == ARM_FULL && arm_share(&arm, 13000) == 0);
     /* Stopped again, the fading does not begin again. */
     arm_stop(&arm, LETOFF_SAFE_EMERGENCY_STOP, 12000);
     CHECK(arm_share(&arm, 13000) == 0);
-    struct letoff_arm asked = {arm_disarm(&arm, 20000), LETOFF_FORCES_FORCE16, 20};
+    arm = armed(LETOFF_FORCES_FORCE16);
+    struct letoff_arm asked = {disarmed(&arm, 20000), LETOFF_FORCES_FORCE16, 20};
     arm_stop(&arm, LETOFF_SAFE_EMERGENCY_STOP, 20000);
-    CHECK(arm_arm(&arm, &asked, 20000) == LETOFF_STATUS_WRONG_STATE);
+    CHECK(arm_arm(&arm, &asked) == LETOFF_STATUS_WRONG_STATE);
+    /* What had expired before is fading already, whether somebody has checked or not. */
+    arm = armed(LETOFF_FORCES_FORCE16);
+    arm_feed(&arm, 20000);
+    arm_stop(&arm, LETOFF_SAFE_EMERGENCY_STOP, 25000);
+    CHECK(arm_share(&arm, 25000) == 500);
+}
+
+static void a_stop_or_a_failed_key_takes_the_place_of_any_lesser_reason_and_stays(void)
+{
+    const uint8_t first[2] = {LETOFF_SAFE_EMERGENCY_STOP, LETOFF_SAFE_KEY_FAULT};
+    for (size_t i = 0; i < 8; i++) {
+        struct arm arm = armed(LETOFF_FORCES_FORCE16);
+        /* Armed, never armed, disarmed, silent. */
+        if (i / 2 == 1) {
+            arm_begin(&arm, 7);
+        } else if (i / 2 == 2) {
+            disarmed(&arm, 0);
+        } else if (i / 2 == 3) {
+            arm_feed(&arm, 20000);
+            CHECK(arm_check(&arm, 25000) && arm.reason == LETOFF_SAFE_SILENCE);
+        }
+        arm_stop(&arm, first[i % 2], 26000);
+        CHECK(i / 2 != 3 || arm_share(&arm, 26000) == 400);
+        arm_stop(&arm, first[1 - i % 2], 27000);
+        arm_stop(&arm, LETOFF_SAFE_SILENCE, 27000);
+        uint32_t nonce = 0;
+        CHECK(arm_disarm(&arm, 28000, &nonce) == LETOFF_STATUS_WRONG_STATE && nonce == 0);
+        struct letoff_arm asked = {arm.nonce, LETOFF_FORCES_FORCE16, 20};
+        CHECK(arm_arm(&arm, &asked) == LETOFF_STATUS_WRONG_STATE);
+        CHECK(arm.mode == ARM_SAFE && arm.reason == first[i % 2]);
+    }
 }
 
 static void the_history_knows_its_last_64_by_number_and_time(void)
@@ -124,7 +180,7 @@ static void only_answers_to_what_was_sent_are_taken(void)
 {
     static struct history history;
     struct forces forces = {0};
-    struct arm arm = armed(LETOFF_FORCES_FORCE16_SLOPE, 0);
+    struct arm arm = armed(LETOFF_FORCES_FORCE16_SLOPE);
     bool unanswered;
     history_add(&history, 1000, &unanswered);
     history_add(&history, 3000, &unanswered);
@@ -134,7 +190,7 @@ static void only_answers_to_what_was_sent_are_taken(void)
     struct letoff_forces wrong = frame(1, 3001, 300);
     CHECK(forces_take(&forces, &arm, &history, &none, 4000) == FORCES_STALE);
     CHECK(forces_take(&forces, &arm, &history, &wrong, 4000) == FORCES_STALE);
-    CHECK(arm.deadline_us == 20000);
+    CHECK(!arm.fed);
     CHECK(forces_take(&forces, &arm, &history, &second, 4000) == FORCES_TAKEN);
     CHECK(arm.deadline_us == 23000 && near(forces.keys[0].force, 0.2f, 1e-6f));
     /* Older than what was answered; the same again; and too late. */
@@ -174,7 +230,7 @@ static void the_law_goes_on_from_the_samples_that_were_answered(void)
 
 static void multicast_forces_need_a_bus_time_and_feed_together(void)
 {
-    struct arm arm = armed(LETOFF_FORCES_MULTICAST16, 0);
+    struct arm arm = armed(LETOFF_FORCES_MULTICAST16);
     struct forces forces = {0};
     struct bus_clock bus = {false, 0, 0};
     struct letoff_multicast group = {.group = 0, .stamp_us = 60500, .forces = {0}};
@@ -183,7 +239,8 @@ static void multicast_forces_need_a_bus_time_and_feed_together(void)
     bus.heard = true;
     bus.ahead_us = 60000;
     CHECK(forces_multicast(&forces, &arm, &bus, &group, 29, 2, 1000) == FORCES_TAKEN);
-    CHECK(near(forces.keys[0].force, -2.0f, 1e-6f) && arm.deadline_us == 20000);
+    /* Without the other group nothing is fed. */
+    CHECK(near(forces.keys[0].force, -2.0f, 1e-6f) && !arm.fed);
     group.group = 1;
     group.stamp_us = 61500;
     CHECK(forces_multicast(&forces, &arm, &bus, &group, 29, 2, 2000) == FORCES_TAKEN);
@@ -280,8 +337,10 @@ static void the_log_keeps_its_last_lines(void)
 int main(void)
 {
     a_nonce_serves_once();
+    before_the_first_forces_there_are_none_and_nothing_expires();
     forces_expire_fade_and_stay_away();
     a_stop_fades_from_now_and_forgets_the_nonce();
+    a_stop_or_a_failed_key_takes_the_place_of_any_lesser_reason_and_stays();
     the_history_knows_its_last_64_by_number_and_time();
     only_answers_to_what_was_sent_are_taken();
     the_law_goes_on_from_the_samples_that_were_answered();

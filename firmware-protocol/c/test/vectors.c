@@ -235,7 +235,7 @@ static void check_hello(void)
     uint8_t again[LETOFF_MAX_FRAME];
     check("a hello", letoff_introduction_take(&who, golden, golden_len) == LETOFF_TAKEN);
     check("board", who.board == small("board"));
-    check("flag", who.fault == (small("flag") == 1));
+    check("flag", who.safe == (small("flag") == 1));
     RECORD(hello, LETOFF_HELLO_FIELDS, 1u);
     check_frame("hello", again, letoff_introduction_put(&who, again));
 }

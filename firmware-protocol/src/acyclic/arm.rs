@@ -6,6 +6,16 @@
 //! ```
 //!
 //! A nonce serves once, so neither a repeated request nor an old host arms a board.
+//!
+//! Forces expire from the first on that is taken after the arming: a board that is armed and was
+//! given none renders none, so nothing can be stale. Of multicast forces the older group counts
+//! where a board has keys in two, and there are none before both have come.
+//!
+//! A board that was stopped or whose key failed is safe for good: a disarming is answered with
+//! [`super::Status::WrongState`] and changes nothing, so no request arms it and its reason can
+//! still be asked for. Only its power clears that, so somebody has been there. A stop or a failed
+//! key takes the place of any other reason, on a board that is safe or disarmed as well; of the
+//! two the first stays.
 
 record! {
     /// The answer to a disarming.
@@ -22,8 +32,8 @@ record! {
         nonce: u32,
         /// [`crate::frame::key_forces::ForcePacking`].
         packing: u8,
-        /// How long forces are valid after the samples that they answer [ms], `5 ..= 100`; then
-        /// the board is safe.
+        /// How long forces are valid after the samples that they answer [ms], `5 ..= 100`; when
+        /// the last have expired, the board is safe.
         valid_ms: u8,
     }
 }

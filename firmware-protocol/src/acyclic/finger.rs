@@ -7,7 +7,7 @@ record! {
     Finger {
         /// The key's slot.
         slot: u8,
-        /// 0 pressed, 1 struck; 255 forgets all gestures of the key.
+        /// [`PRESSED`], [`STRUCK`], or [`FORGET`].
         touch: u8,
         /// When the finger meets the key [us], board time.
         start_us: u32,
@@ -20,5 +20,9 @@ record! {
     }
 }
 
+/// The value of `touch` of a finger that lies on the key and presses it.
+pub const PRESSED: u8 = 0;
+/// The value of `touch` of a finger that is in motion when it meets the key.
+pub const STRUCK: u8 = 1;
 /// The value of `touch` that forgets all gestures of a key.
 pub const FORGET: u8 = 255;

@@ -8,8 +8,8 @@
 //!             who is there: the host's protocol version, major and minor
 //! ```
 //!
-//! A board that is stopped takes its forces away within 10 ms and is safe until it is
-//! disarmed and armed again. Bus time gives multicast forces their age. A board answers "who
+//! A board that is stopped takes its forces away within 10 ms and is safe until it is started
+//! anew, whatever it was before: see [`crate::acyclic::arm`]. Bus time gives multicast forces their age. A board answers "who
 //! is there?" with its hello, after as many milliseconds as its number.
 
 use super::{ALL_BOARDS, DecodeError, Kind, check_kind, check_padding, head};
@@ -31,7 +31,7 @@ pub const WHO: u8 = 3;
 /// What the host says to all boards at once.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Broadcast {
-    /// No force on any key, until armed again.
+    /// No force on any key until the board is started anew.
     EmergencyStop {
         /// Free for whoever stops.
         reason: u8,

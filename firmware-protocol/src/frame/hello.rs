@@ -1,7 +1,7 @@
 //! Who a board is: board → host, when it starts, when it is asked, and as a reply.
 //!
 //! ```text
-//! byte 0      kind 6, flag: a fault is latched, bits 3..0 board
+//! byte 0      kind 6, flag: it renders no forces, bits 3..0 board
 //! byte 1..    the fields of [`Hello`], little-endian, in their order
 //! ```
 //!
@@ -45,9 +45,9 @@ pub mod safe_reason {
     pub const SILENCE: u8 = 2;
     /// It was disarmed.
     pub const DISARMED: u8 = 3;
-    /// Everything was stopped.
+    /// Everything was stopped; until it is started anew.
     pub const EMERGENCY_STOP: u8 = 4;
-    /// A key, motor or sensor failed.
+    /// A key, motor or sensor failed; until it is started anew.
     pub const KEY_FAULT: u8 = 5;
 }
 
@@ -100,8 +100,8 @@ record! {
 pub struct Introduction {
     /// The number of the board on its link.
     pub board: BoardId,
-    /// A fault is latched on it.
-    pub fault: bool,
+    /// It renders no forces; [`Hello::safe_reason`] says why.
+    pub safe: bool,
     /// Who it is.
     pub hello: Hello,
 }
@@ -126,13 +126,13 @@ impl Introduction {
             return Err(DecodeError::Version(*major));
         }
         let hello = Hello::take(record).ok_or(length)?;
-        Ok(Self { board, fault: flag(*first), hello })
+        Ok(Self { board, safe: flag(*first), hello })
     }
 
     /// Writes the frame with zeros behind it; returns its length without them.
     pub fn encode(&self, bytes: &mut [u8; MAX_FRAME]) -> usize {
         bytes.fill(0);
-        let flag = u8::from(self.fault) << super::field::FLAG_SHIFT;
+        let flag = u8::from(self.safe) << super::field::FLAG_SHIFT;
         bytes[0] = head(Kind::Hello, self.board.number()) | flag;
         1 + self.hello.put(&mut bytes[1..]).unwrap_or_default()
     }
@@ -174,7 +174,7 @@ mod tests {
     }
 
     fn introduction(hello: Hello) -> Introduction {
-        Introduction { board: BoardId::new(3).unwrap(), fault: true, hello }
+        Introduction { board: BoardId::new(3).unwrap(), safe: true, hello }
     }
 
     #[test]

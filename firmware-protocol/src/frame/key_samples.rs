@@ -1,8 +1,8 @@
 //! Where a board's keys are: board → host, at the rate that was agreed.
 //!
 //! ```text
-//! byte 0..3   header, kind 3; board time is when the encoders were read; flag: a fault is
-//!             latched on the board or on any of its keys
+//! byte 0..3   header, kind 3; board time is when the encoders were read; flag: the board
+//!             renders no forces
 //! byte 4..    for each key, by packing:
 //!             position16           2 bytes  position [counts], saturated
 //!             position24           3 bytes  position [counts]

@@ -90,8 +90,8 @@ pub struct Header {
     pub sequence: Sequence,
     /// Board time of the samples [us].
     pub stamp_us: u16,
-    /// From a board: a fault is latched on it or on any of its keys. From the host: render no
-    /// force.
+    /// From a board: it renders no forces, for whatever reason; its hello says which. From the
+    /// host: render no force.
     pub flag: bool,
 }
 

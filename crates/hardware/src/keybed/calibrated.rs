@@ -8,7 +8,7 @@ use firmware_protocol::frame::key_samples::SamplePacking;
 use super::{Armed, Keybed, LOOK, Line};
 use crate::link::{Link as _, RecvError};
 use crate::pause::pause;
-use crate::refusal::{BoardName, Refusals};
+use crate::refusal::{BoardName, KeyRange, Refusals};
 use crate::rt::board::BoardTerms;
 use crate::rt::bus::Bus;
 use crate::rt::steward::{Agreed, Steward};
@@ -46,10 +46,12 @@ impl Keybed<Calibrated> {
         self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
     }
 
-    /// How many keys each board on `line` has.
-    pub fn boards_on(&self, line: usize) -> Vec<usize> {
+    /// The keys of each board on `line`.
+    pub fn boards_on(&self, line: usize) -> Vec<KeyRange> {
         let boards = self.stage.boards.iter().filter(|it| it.place.line == line);
-        boards.map(|it| it.place.n_keys).collect()
+        let n = |place: &BoardPlace| u8::try_from(place.n_keys).unwrap_or(u8::MAX);
+        let keys = boards.map(|it| (it.place.first_key.number(), n(&it.place)));
+        keys.map(|(first, n)| KeyRange { first, n }).collect()
     }
 
     /// Asks for samples and arms every board; waits until all are, for `patience_us` at most.

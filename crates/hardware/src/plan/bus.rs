@@ -1,15 +1,29 @@
 //! Boards on one bus, and the share of its time that they take.
 
+use std::ops::Range;
+use std::slice;
+
+use firmware_protocol::Record as _;
+use firmware_protocol::acyclic::counters::Counters;
+use firmware_protocol::acyclic::ping::Pong;
+use firmware_protocol::acyclic::{REPLY_HEAD, REQUEST_HEAD};
+use firmware_protocol::frame::multicast_forces::{self, GROUP, GROUPS};
+use firmware_protocol::key::BoardId;
+
 use super::can::Stuffing;
-use super::packing::MULTICAST_KEYS;
 use super::response::{Periodic, worst_response};
 use super::verdict::REFUSE;
 use super::{ForcePacking, Medium, SamplePacking};
+use crate::refusal::KeyRange;
 
-/// Time of the host: header and 4 bytes of time [bytes].
-const SYNC: usize = 8;
-/// A board's voltages, temperature and counters [bytes].
-const STATUS: usize = 16;
+/// What time it is on the bus: kind, number, and 4 bytes of time [bytes].
+const SYNC: usize = 6;
+/// A request with nothing to say but what it is [bytes].
+const REQUEST: usize = REQUEST_HEAD;
+/// The answer to a ping [bytes].
+const PONG: usize = REPLY_HEAD + Pong::LEN;
+/// What a board has counted [bytes].
+const COUNTERS: usize = REPLY_HEAD + Counters::LEN;
 
 /// What a bus shall carry.
 #[derive(Clone, PartialEq, Debug)]
@@ -18,8 +32,8 @@ pub struct BusPlan {
     pub name: String,
     /// What carries the frames.
     pub medium: Medium,
-    /// How many keys each of its boards has.
-    pub boards: Vec<usize>,
+    /// The keys of each of its boards.
+    pub boards: Vec<KeyRange>,
     /// What the boards tell.
     pub samples: SamplePacking,
     /// What they are told.
@@ -32,23 +46,40 @@ pub struct BusPlan {
     pub extras: Extras,
 }
 
-/// What goes over a bus besides samples and forces.
+/// The keys of the standard boards with these numbers.
+pub fn standard(boards: Range<usize>) -> Vec<KeyRange> {
+    let keys = |board: BoardId| {
+        let keys = board.keys();
+        let [first, n] = [keys.start, keys.len()].map(|it| u8::try_from(it).unwrap_or(u8::MAX));
+        KeyRange { first, n }
+    };
+    BoardId::all().skip(boards.start).take(boards.len()).map(keys).collect()
+}
+
+/// What goes over a bus besides samples and forces, as long as nothing goes wrong: what
+/// `rt::steward` asks each board that is armed, and the time of the bus where `rt::multicast`
+/// sends forces.
+///
+/// Not planned are the second in which boards are brought up, what is asked again, and the
+/// gestures of simulated fingers.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Extras {
-    /// How often the host tells its time [Hz].
+    /// How often the host tells its time, if forces are for all boards [Hz].
     pub sync_rate: f64,
-    /// How often each board tells its status [Hz].
-    pub status_rate: f64,
+    /// How often each board is asked for its time [Hz].
+    pub ping_rate: f64,
+    /// How often each board is asked what it has counted [Hz].
+    pub counters_rate: f64,
 }
 
 impl Extras {
     /// Samples and forces only.
-    pub const NONE: Self = Self { sync_rate: 0.0, status_rate: 0.0 };
+    pub const NONE: Self = Self { sync_rate: 0.0, ping_rate: 0.0, counters_rate: 0.0 };
 }
 
 impl Default for Extras {
     fn default() -> Self {
-        Self { sync_rate: 50.0, status_rate: 10.0 }
+        Self { sync_rate: 50.0, ping_rate: 20.0, counters_rate: 1.0 }
     }
 }
 
@@ -58,7 +89,8 @@ enum Kind {
     Sync,
     Forces,
     Samples,
-    Status,
+    Request,
+    Reply,
 }
 
 /// A frame that comes again and again.
@@ -77,7 +109,7 @@ impl Traffic {
     }
 
     const fn goes_down(&self) -> bool {
-        matches!(self.kind, Kind::Sync | Kind::Forces)
+        matches!(self.kind, Kind::Sync | Kind::Forces | Kind::Request)
     }
 
     /// Share of the medium's time.
@@ -135,7 +167,8 @@ impl BusPlan {
 
     /// The longest time for which nothing else can be sent [us].
     fn blocking_in(&self, lane: &[Traffic]) -> f64 {
-        lane.iter().map(|it| self.medium.blocking(it.bytes)).fold(0.0, f64::max)
+        let sent = lane.iter().filter(|it| 0.0 < it.rate);
+        sent.map(|it| self.medium.blocking(it.bytes)).fold(0.0, f64::max)
     }
 
     /// Share of the bus's time that those of `lane` take that `count`.
@@ -159,33 +192,51 @@ impl BusPlan {
         let mut all: Vec<_> = self
             .force_frames()
             .into_iter()
-            .map(|keys| of(Kind::Forces, self.forces.frame_len(keys), self.force_rate))
+            .map(|bytes| of(Kind::Forces, bytes, self.force_rate))
             .collect();
+        let Extras { sync_rate, ping_rate, counters_rate } = self.extras;
         for keys in &self.boards {
-            all.push(of(Kind::Samples, self.samples.frame_len(*keys), self.sample_rate));
-            all.push(of(Kind::Status, STATUS, self.extras.status_rate));
+            all.push(of(Kind::Samples, self.samples.frame_len(keys.n.into()), self.sample_rate));
+            for (reply, rate) in [(PONG, ping_rate), (COUNTERS, counters_rate)] {
+                all.extend([of(Kind::Request, REQUEST, rate), of(Kind::Reply, reply, rate)]);
+            }
         }
-        let listeners = if self.medium.reaches_all() { 1 } else { self.boards.len() };
-        all.extend(vec![of(Kind::Sync, SYNC, self.extras.sync_rate); listeners]);
+        if self.is_for_all() {
+            let listeners = if self.medium.reaches_all() { 1 } else { self.boards.len() };
+            all.extend(vec![of(Kind::Sync, SYNC, sync_rate); listeners]);
+        }
         all.sort_by_key(|it| it.kind);
         all
     }
 
-    /// How many keys each of the force frames of a cycle is for.
+    /// Whether forces are for all boards.
+    fn is_for_all(&self) -> bool {
+        self.forces == ForcePacking::Multicast16
+    }
+
+    /// How long each of the force frames of a cycle is [bytes].
     fn force_frames(&self) -> Vec<usize> {
-        let for_all = self.forces == ForcePacking::Multicast16;
-        match (for_all, self.medium.reaches_all()) {
-            (false, _) => self.boards.clone(),
-            (true, true) => in_frames(self.boards.iter().sum()),
-            (true, false) => self.boards.iter().flat_map(|keys| in_frames(*keys)).collect(),
+        if !self.is_for_all() {
+            let len = |keys: &KeyRange| self.forces.frame_len(keys.n.into());
+            return self.boards.iter().map(len).collect();
         }
+        let frames = if self.medium.reaches_all() {
+            groups(&self.boards)
+        } else {
+            self.boards.iter().map(|keys| groups(slice::from_ref(keys))).sum()
+        };
+        vec![multicast_forces::LEN; frames]
     }
 }
 
-/// How many keys each of the frames has that are for all boards.
-fn in_frames(keys: usize) -> Vec<usize> {
-    let starts = (0..keys).step_by(MULTICAST_KEYS);
-    starts.map(|start| (keys - start).min(MULTICAST_KEYS)).collect()
+/// How many groups of keys these boards have a key of: each takes a whole frame, whether it has
+/// one of them or thirty.
+fn groups(boards: &[KeyRange]) -> usize {
+    let has = |keys: &KeyRange, group: usize| {
+        let (first, end) = (usize::from(keys.first), usize::from(keys.first) + usize::from(keys.n));
+        first < (group + 1) * GROUP && group * GROUP < end
+    };
+    (0..GROUPS).filter(|group| boards.iter().any(|keys| has(keys, *group))).count()
 }
 
 #[cfg(test)]
@@ -197,7 +248,7 @@ mod tests {
         BusPlan {
             name: "bus".to_owned(),
             medium,
-            boards: vec![11; 8],
+            boards: standard(0..8),
             samples: SamplePacking::Position16,
             forces: ForcePacking::Force16,
             sample_rate: 1_000.0,
@@ -209,28 +260,45 @@ mod tests {
     const FD: Medium = Medium::CanFd { nominal: 1_000_000, data: 5_000_000 };
 
     #[test]
-    fn keys_are_told_their_forces_thirty_at_a_time() {
-        assert_eq!(in_frames(88), [30, 30, 28]);
-        assert_eq!(in_frames(30), [30]);
-        assert_eq!(in_frames(0), [0; 0]);
+    fn a_bus_is_told_the_forces_of_each_group_of_thirty_that_it_has_keys_of() {
+        let of = |first, n| groups(&[KeyRange { first, n }]);
+        assert_eq!((groups(&standard(0..8)), groups(&[])), (3, 0));
+        assert_eq!((of(0, 11), of(22, 11), of(29, 1), of(30, 1), of(29, 2)), (1, 2, 1, 1, 2));
+        // The outermost boards have nothing in the middle.
+        assert_eq!(groups(&[KeyRange { first: 0, n: 11 }, KeyRange { first: 77, n: 11 }]), 2);
+        // Links of their own carry the groups of their own boards.
+        let usb = BusPlan { forces: ForcePacking::Multicast16, ..plan(Medium::UsbFullSpeed) };
+        assert_eq!(usb.force_frames(), [64; 6 + 2 * 2]);
+    }
+
+    #[test]
+    fn the_time_of_the_bus_is_as_long_as_planned_and_told_where_forces_are_for_all() {
+        use firmware_protocol::frame::broadcast::{Broadcast, MAX_LEN};
+        assert_eq!(Broadcast::BusTime { host_us: u32::MAX }.encode(&mut [0; MAX_LEN]), SYNC);
+        let syncs =
+            |plan: BusPlan| plan.traffic().iter().filter(|it| it.kind == Kind::Sync).count();
+        assert_eq!(syncs(plan(FD)), 0);
+        assert_eq!(syncs(BusPlan { forces: ForcePacking::Multicast16, ..plan(FD) }), 1);
     }
 
     #[test]
     fn a_link_each_way_is_as_loaded_as_its_busier_way() {
         let line = Medium::Uart { baud: 1_000_000, wiring: Wiring::FullDuplex };
-        let mut one = BusPlan { boards: vec![11], extras: Extras::NONE, ..plan(line) };
+        let mut one = BusPlan { boards: standard(0..1), extras: Extras::NONE, ..plan(line) };
         assert!((one.load() - 0.3).abs() < 1e-12, "{}", one.load());
         one.force_rate = 2_000.0;
         assert!((one.load() - 0.6).abs() < 1e-12, "{}", one.load());
     }
 
     #[test]
-    fn the_last_force_frame_waits_for_all_others_and_the_clock() {
-        // The longest is one of 32 bytes; the clock's has 8.
-        let expected = 104.8 + 7.0 * 104.8 + 55.8 + 104.8;
+    fn the_last_force_frame_waits_for_all_others_and_the_longest() {
+        // What a board has counted goes in 48 bytes, a board's forces in 32.
+        let expected = 136.8 + 7.0 * 104.8 + 104.8;
         let response = plan(FD).force_response().unwrap();
         assert!((response - expected).abs() < 1e-9, "{response} us");
-        assert!((plan(FD).blocking() - 104.8).abs() < 1e-9);
+        assert!((plan(FD).blocking() - 136.8).abs() < 1e-9);
+        let cyclic = BusPlan { extras: Extras::NONE, ..plan(FD) };
+        assert!((cyclic.blocking() - 104.8).abs() < 1e-9);
     }
 
     #[test]

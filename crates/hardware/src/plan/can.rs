@@ -4,14 +4,6 @@
 //! payload; fewest and most are given, and every frame lies between. A CAN FD frame's head
 //! and tail are sent at the nominal rate, what is between at the data rate.
 
-/// Most payload of a classic frame [bytes].
-pub const CLASSIC_MOST: usize = 8;
-/// Most payload of a CAN FD frame [bytes].
-pub const FD_MOST: usize = 64;
-
-/// Payloads that a CAN FD frame can have [bytes].
-const FD_SIZES: [usize; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 20, 24, 32, 48, FD_MOST];
-
 /// Of a classic frame, what is never stuffed: CRC delimiter, ACK, ACK delimiter, 7 of the
 /// end, 3 of the pause [bits].
 const CLASSIC_TAIL: usize = 13;
@@ -67,11 +59,6 @@ pub fn classic_time(id: Id, bytes: usize, stuffing: Stuffing, bitrate: u32) -> f
     micros(classic_bits(id, bytes, stuffing), bitrate)
 }
 
-/// The payload that a CAN FD frame of `bytes` is filled up to; none above 64 [bytes].
-pub fn fd_size(bytes: usize) -> Option<usize> {
-    FD_SIZES.into_iter().find(|size| bytes <= *size)
-}
-
 /// Length of a CAN FD frame, by the rate at which its bits are sent.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct FdBits {
@@ -82,8 +69,8 @@ pub struct FdBits {
 }
 
 impl FdBits {
-    /// Length of a frame that switches rates, with a payload of `bytes`, one of the sizes
-    /// that [`fd_size`] gives.
+    /// Length of a frame that switches rates, with a payload of `bytes`, one of
+    /// [`firmware_protocol::can::LENGTHS`].
     ///
     /// The bits in which the rate switches belong half to each rate; the first is counted
     /// as nominal, the last as data, which is exact if both rates sample at the same point.
@@ -118,14 +105,6 @@ fn micros(bits: usize, rate: u32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_frame_is_filled_up_to_the_next_size_there_is() {
-        for (bytes, size) in [(0, 0), (7, 7), (8, 8), (9, 12), (26, 32), (48, 48), (49, 64)] {
-            assert_eq!(fd_size(bytes), Some(size));
-        }
-        assert_eq!(fd_size(65), None);
-    }
 
     #[test]
     fn a_frame_without_a_rate_switch_lasts_as_long_as_all_its_bits() {

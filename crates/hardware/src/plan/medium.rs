@@ -2,12 +2,13 @@
 
 use std::fmt;
 
-use super::can::{self, FD_MOST, FdBits, Id, Stuffing};
+use firmware_protocol::MAX_FRAME;
+use firmware_protocol::can::padded;
+use firmware_protocol::can::pieces::PIECE;
+
+use super::can::{self, FdBits, Id, Stuffing};
 use super::uart::{self, Wiring};
 use super::usb::Speed;
-
-/// Of a frame, what one classic CAN frame carries; its first byte says which piece it is.
-const PIECE: usize = can::CLASSIC_MOST - 1;
 
 /// What carries frames between the host and its boards.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -69,7 +70,7 @@ impl Medium {
     fn piece(self, bytes: usize) -> usize {
         match self {
             Self::ClassicCan { .. } => bytes.min(PIECE),
-            Self::CanFd { .. } => bytes.min(FD_MOST),
+            Self::CanFd { .. } => bytes.min(MAX_FRAME),
             Self::Uart { .. } | Self::UsbFullSpeed | Self::UsbHighSpeed => bytes,
         }
     }
@@ -78,11 +79,11 @@ impl Medium {
     fn piece_time(self, bytes: usize, stuffing: Stuffing) -> f64 {
         match self {
             Self::ClassicCan { bitrate } => {
-                can::classic_time(Id::Standard, bytes + 1, stuffing, bitrate)
+                // Its first byte says which piece it is.
+                can::classic_time(Id::Standard, 1 + bytes, stuffing, bitrate)
             }
             Self::CanFd { nominal, data } => {
-                let filled = can::fd_size(bytes).unwrap_or(FD_MOST);
-                FdBits::of(Id::Standard, filled, stuffing).time(nominal, data)
+                FdBits::of(Id::Standard, padded(bytes), stuffing).time(nominal, data)
             }
             Self::Uart { baud, wiring: Wiring::FullDuplex } => uart::time(bytes, baud),
             Self::Uart { baud, wiring: Wiring::HalfDuplex { turnaround } } => {

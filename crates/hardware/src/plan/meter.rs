@@ -5,7 +5,7 @@ use super::can::Stuffing;
 
 /// Counts the frames on one medium; on a link with a pair of wires each way, in one direction.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Meter {
+struct Meter {
     medium: Medium,
     frames: u64,
     least: f64,
@@ -27,29 +27,19 @@ pub struct Seen {
 
 impl Meter {
     /// A meter that has seen nothing.
-    pub const fn new(medium: Medium) -> Self {
+    const fn new(medium: Medium) -> Self {
         Self { medium, frames: 0, least: 0.0, most: 0.0 }
     }
 
-    /// Counts a frame of `len` bytes, either way.
-    ///
-    /// # Real-time
-    /// Some dozens of operations, whatever the length; no heap.
-    pub fn saw(&mut self, len: usize) {
+    /// Counts a frame of `len` bytes.
+    fn saw(&mut self, len: usize) {
         self.frames += 1;
         self.least += self.medium.time(len, Stuffing::Fewest);
         self.most += self.medium.time(len, Stuffing::Most);
     }
 
-    /// What was seen in the window that ends now, `seconds` after it began; begins the next.
-    pub fn load(&mut self, seconds: f64) -> Seen {
-        let seen = self.seen(seconds);
-        *self = Self::new(self.medium);
-        seen
-    }
-
-    /// What was seen so far, `seconds` after the window began; it goes on.
-    pub fn seen(&self, seconds: f64) -> Seen {
+    /// What was seen in `seconds`.
+    fn seen(&self, seconds: f64) -> Seen {
         let share = |micros: f64| micros * 1e-6 / seconds;
         Seen {
             frames: self.frames,
@@ -76,7 +66,7 @@ impl LinkMeter {
     /// Counts a frame of `len` bytes from the host.
     ///
     /// # Real-time
-    /// As [`Meter::saw`].
+    /// Some dozens of operations, whatever the length; no heap.
     pub fn saw_down(&mut self, len: usize) {
         self.down.saw(len);
     }
@@ -84,7 +74,7 @@ impl LinkMeter {
     /// Counts a frame of `len` bytes to the host.
     ///
     /// # Real-time
-    /// As [`Meter::saw`].
+    /// As [`Self::saw_down`].
     pub fn saw_up(&mut self, len: usize) {
         self.up.saw(len);
     }
@@ -109,7 +99,7 @@ impl LinkMeter {
 mod tests {
     use super::*;
     use crate::plan::uart::Wiring;
-    use crate::plan::{BusPlan, Extras, ForcePacking, SamplePacking};
+    use crate::plan::{BusPlan, Extras, ForcePacking, SamplePacking, standard};
 
     const FD: Medium = Medium::CanFd { nominal: 1_000_000, data: 5_000_000 };
 
@@ -118,21 +108,21 @@ mod tests {
         let plan = BusPlan {
             name: "can0".to_owned(),
             medium: FD,
-            boards: vec![11; 8],
+            boards: standard(0..8),
             samples: SamplePacking::Position16Velocity,
             forces: ForcePacking::Force16,
             sample_rate: 500.0,
             force_rate: 250.0,
             extras: Extras::NONE,
         };
-        let mut meter = Meter::new(FD);
+        let mut meter = LinkMeter::new(FD);
         for frame in 0..8 * 500 {
-            meter.saw(plan.samples.frame_len(11));
+            meter.saw_up(plan.samples.frame_len(11));
             if frame % 2 == 0 {
-                meter.saw(plan.forces.frame_len(11));
+                meter.saw_down(plan.forces.frame_len(11));
             }
         }
-        let seen = meter.load(1.0);
+        let seen = meter.seen(1.0);
         assert_eq!((seen.frames, seen.rate.round()), (6_000, 6_000.0));
         assert!((seen.most - plan.load()).abs() < 1e-9, "{seen:?}");
         assert!(seen.least < seen.most && 0.8 * seen.most < seen.least, "{seen:?}");
@@ -150,13 +140,5 @@ mod tests {
         assert!((both(FD) - 3.0 * 0.1048).abs() < 1e-9);
         assert!((both(line(Wiring::FullDuplex)) - 2.0 * 0.3).abs() < 1e-9);
         assert!((both(line(Wiring::HalfDuplex { turnaround: 0 })) - 3.0 * 0.3).abs() < 1e-9);
-    }
-
-    #[test]
-    fn each_window_begins_empty() {
-        let mut meter = Meter::new(FD);
-        meter.saw(8);
-        assert!(0.0 < meter.load(0.1).most);
-        assert_eq!(meter.load(0.1), Seen { frames: 0, rate: 0.0, least: 0.0, most: 0.0 });
     }
 }

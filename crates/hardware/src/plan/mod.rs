@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`can`], [`uart`], [`usb`] | how long a frame takes on each kind of wire |
 //! | [`medium`] | the same question for any of them |
-//! | [`packing`] | how many bytes keys take |
+//! | [`packing`] | how many bytes a board's keys take |
 //! | [`response`] | how long a frame waits behind others |
 //! | [`bus`] | boards and rates on one bus: its load, its highest rate |
 //! | [`verdict`], [`propose`] | whether that will do, and what would |
@@ -24,9 +24,9 @@ pub mod uart;
 pub mod usb;
 pub mod verdict;
 
-pub use bus::{BusPlan, Extras};
+pub use bus::{BusPlan, Extras, standard};
 pub use medium::Medium;
-pub use meter::{LinkMeter, Meter, Seen};
+pub use meter::{LinkMeter, Seen};
 pub use packing::{ForcePacking, SamplePacking};
 pub use propose::Proposal;
 pub use verdict::Verdict;

@@ -91,13 +91,13 @@ impl BusPlan {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::{Extras, Medium};
+    use crate::plan::{Extras, Medium, standard};
 
     fn wanted(rate: f64) -> BusPlan {
         BusPlan {
             name: "can0".to_owned(),
             medium: Medium::CanFd { nominal: 1_000_000, data: 5_000_000 },
-            boards: vec![11; 8],
+            boards: standard(0..8),
             samples: SamplePacking::Position16,
             forces: ForcePacking::Force16,
             sample_rate: rate,
@@ -118,7 +118,7 @@ mod tests {
     fn the_higher_the_rate_the_leaner_the_packing() {
         check(250.0, SamplePacking::Position24Velocity, ForcePacking::Force16Slope);
         check(310.0, SamplePacking::Position16Velocity, ForcePacking::Force16Slope);
-        check(370.0, SamplePacking::Position24Velocity, ForcePacking::Multicast16);
+        check(360.0, SamplePacking::Position24Velocity, ForcePacking::Multicast16);
         check(500.0, SamplePacking::Position16, ForcePacking::Multicast16);
     }
 
@@ -131,7 +131,7 @@ mod tests {
             (plan.samples, plan.forces),
             (SamplePacking::Position16, ForcePacking::Multicast16)
         );
-        assert_eq!((plan.verdict(), buses), (Verdict::Fits, Some(2)));
+        assert_eq!((plan.verdict(), buses), (Verdict::Fits, Some(3)));
         let faster = BusPlan { sample_rate: plan.sample_rate + 5.0, ..plan };
         assert_eq!(faster.verdict(), Verdict::Tight);
     }

@@ -59,7 +59,7 @@ impl BusPlan {
 
     /// The bus and what it is asked for.
     fn what(&self) -> String {
-        let keys: usize = self.boards.iter().sum();
+        let keys: usize = self.boards.iter().map(|it| usize::from(it.n)).sum();
         format!(
             "{} ({}): samples of {keys} keys on {} at {} Hz and forces at {} Hz",
             self.name,
@@ -101,13 +101,13 @@ fn count(n: usize, one: &str, many: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::{Extras, ForcePacking, Medium, SamplePacking};
+    use crate::plan::{Extras, ForcePacking, Medium, SamplePacking, standard};
 
     fn plan(sample_rate: f64, force_rate: f64) -> BusPlan {
         BusPlan {
             name: "can0".to_owned(),
             medium: Medium::CanFd { nominal: 1_000_000, data: 5_000_000 },
-            boards: vec![11; 8],
+            boards: standard(0..8),
             samples: SamplePacking::Position16,
             forces: ForcePacking::Force16,
             sample_rate,

@@ -34,8 +34,8 @@ pub struct BoardStatistics {
     pub sent: u64,
     /// Force frames that it did not take, or that had no samples to answer.
     pub unsent: u64,
-    /// Its newest frame said that it renders no force, or that a key of it has a fault.
-    pub fault: bool,
+    /// Its newest frame said that it renders no force.
+    pub is_safe: bool,
 }
 
 /// The host's end of one board.
@@ -89,7 +89,7 @@ impl BoardEnd {
         };
         let news = self.loss.accept(samples.header.sequence, tick);
         if news {
-            self.statistics.fault = samples.header.flag;
+            self.statistics.is_safe = samples.header.flag;
             self.newest = Some(samples);
         }
         news

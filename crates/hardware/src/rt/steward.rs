@@ -12,7 +12,7 @@
 
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
 use firmware_protocol::acyclic::counters::Counters;
-use firmware_protocol::acyclic::finger::Finger;
+use firmware_protocol::acyclic::finger::{self, Finger};
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::acyclic::{Operation, Status};
@@ -329,7 +329,7 @@ impl Charge {
         let frames = statistics.samples.frames;
         if frames != self.frames {
             (self.frames, self.heard) = (frames, now);
-            if !statistics.fault {
+            if !statistics.is_safe {
                 self.clear = now;
             }
         }
@@ -391,8 +391,8 @@ impl Charge {
         Some(Finger {
             slot,
             touch: match gesture.touch {
-                Touch::Pressed => 0,
-                Touch::Struck => 1,
+                Touch::Pressed => finger::PRESSED,
+                Touch::Struck => finger::STRUCK,
             },
             start_us: self.clock.board_us(at(gesture.start))?,
             release_us: self.clock.board_us(at(release))?,
@@ -454,7 +454,10 @@ impl Charge {
             operation,
             Operation::Hello | Operation::Stream | Operation::Disarm | Operation::Arm
         );
-        if brings_up && nonce_is_old {
+        if operation == Operation::Disarm && status == Status::WrongState {
+            // It was stopped, or has failed, since it said hello: the next one says which.
+            self.greet(now);
+        } else if brings_up && nonce_is_old {
             self.stage = Stage::Disarming;
         } else if brings_up {
             self.stage = Stage::Barred(Bar::Declined(operation, status));

@@ -2,16 +2,15 @@
 //!
 //! It lives in ticks of its own, at each of which its motors' forces are worked out; every so
 //! many it sends samples. It answers requests (`requests.rs`), takes forces only when it
-//! is armed (`guard.rs`) and only as answers to what it has just sent
-//! (`history.rs`).
+//! is armed (`guard.rs`) and only as answers to what it has just sent (`history.rs`) or with a
+//! time of the bus (`multicast.rs`).
 
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::acyclic::arm::VALID_MS;
 use firmware_protocol::frame::broadcast::Broadcast;
 use firmware_protocol::frame::hello::{Hello, Introduction, MAGIC, feature, safe_reason};
-use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces, KeySlopes};
+use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
-use firmware_protocol::frame::multicast_forces::{GROUP, MulticastForces};
 use firmware_protocol::frame::{Header, Kind, board_of};
 use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
 use firmware_protocol::version::PROTOCOL_VERSION;
@@ -24,6 +23,7 @@ use super::guard::{Fed, Guard};
 use super::history::History;
 use super::key::{Plant, Progress};
 use super::law::Law;
+use super::multicast::Groups;
 use super::requests::Desk;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
@@ -126,8 +126,9 @@ pub struct SimulatedBoard {
     /// Ticks between two frames of samples, and how many are left; none for no samples.
     pub(super) every: Option<(u32, u32)>,
     pub(super) counts: BoardCounts,
-    laws: PerKey<Law>,
-    bus_time: BusTime,
+    pub(super) laws: PerKey<Law>,
+    pub(super) bus_time: BusTime,
+    pub(super) groups: Groups,
     history: History,
     /// How much its clock was set back [us].
     late_us: u64,
@@ -159,6 +160,7 @@ impl SimulatedBoard {
             counts: BoardCounts::default(),
             laws: PerKey::collect(std::iter::repeat_n(Law::default(), make.n_keys)),
             bus_time: BusTime::default(),
+            groups: Groups::default(),
             history: History::new(),
             late_us: 0,
             answered: None,
@@ -191,7 +193,7 @@ impl SimulatedBoard {
     pub fn advance(&mut self, tick: u64, link: &mut impl Link) {
         let steps = self.progress.go_on(tick);
         if !steps.is_empty() {
-            self.listen(steps.start, link);
+            self.listen(self.progress.us(steps.start), link);
         }
         for step in steps {
             self.step(step);
@@ -213,7 +215,8 @@ impl SimulatedBoard {
         self.guard.reason()
     }
 
-    /// Leaves the safe state without force; the next valid forces are taken again.
+    /// Leaves the safe state without force, whatever brought it there; the next valid forces are
+    /// taken again.
     pub fn rearm(&mut self) {
         self.guard.force_armed(u64::from(VALID_MS) * 1_000);
         self.forget_forces();
@@ -223,6 +226,7 @@ impl SimulatedBoard {
     pub(super) fn forget_forces(&mut self) {
         self.laws.as_mut_slice().fill(Law::default());
         self.answered = None;
+        self.groups = Groups::default();
     }
 
     /// What was counted.
@@ -272,7 +276,7 @@ impl SimulatedBoard {
             reset_reason: 1,
             safe_reason: self.guard.reason(),
         };
-        Introduction { board: self.make.id, fault: self.is_safe(), hello }
+        Introduction { board: self.make.id, safe: self.is_safe(), hello }
     }
 
     /// Sets the clock that it tells others back by so much [us]; it goes on living by its own.
@@ -287,7 +291,8 @@ impl SimulatedBoard {
         (f64::from(us) * 1e-6 / self.make.period).round()
     }
 
-    /// One of its keys fails: it renders no force, for this reason.
+    /// One of its keys fails: it renders no force, for this reason; a failed key or a stop it
+    /// forgets only without power.
     pub fn fail(&mut self, reason: u8) {
         self.guard.trip(reason, self.now_us());
     }
@@ -307,12 +312,13 @@ impl SimulatedBoard {
         us.wrapping_sub(self.late_us)
     }
 
-    /// Takes what has come until the start of `tick`.
-    fn listen(&mut self, tick: u64, link: &mut impl Link) {
+    /// Takes what has come; it holds from `from_us` on, the start of the ticks that follow,
+    /// however late that is by the clock.
+    fn listen(&mut self, from_us: u64, link: &mut impl Link) {
         for _ in 0..MAX_FRAMES {
             let mut frame = [0; MAX_FRAME];
             match link.try_recv(&mut frame) {
-                Ok(Some(len)) => self.hear(tick, &frame[..len.min(MAX_FRAME)], link),
+                Ok(Some(len)) => self.hear(from_us, &frame[..len.min(MAX_FRAME)], link),
                 Err(RecvError::Corrupt | RecvError::BufferTooShort { .. }) => {
                     self.counts.corrupt += 1;
                 }
@@ -322,26 +328,26 @@ impl SimulatedBoard {
     }
 
     /// Takes one frame.
-    fn hear(&mut self, tick: u64, frame: &[u8], link: &mut impl Link) {
+    fn hear(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
         let is_mine = board_of(frame) == Some(self.make.id);
         match Kind::of(frame) {
             Some(Kind::KeyForces) if is_mine => match KeyForces::decode(frame, self.forces) {
-                Ok(forces) => self.take(self.progress.us(tick), &forces),
+                Ok(forces) => self.take(from_us, &forces),
                 Err(_why) => self.counts.refused += 1,
             },
-            Some(Kind::MulticastForces) => self.take_multicast(frame),
-            Some(Kind::Request) if is_mine => self.serve(frame, link),
-            Some(Kind::Broadcast) => self.obey(frame, link),
+            Some(Kind::MulticastForces) => self.take_multicast(from_us, frame),
+            Some(Kind::Request) if is_mine => self.serve(from_us, frame, link),
+            Some(Kind::Broadcast) => self.obey(from_us, frame, link),
             Some(Kind::KeyForces | Kind::Request) => {}
             _ => self.counts.refused += 1,
         }
     }
 
     /// Does what was said to all boards.
-    fn obey(&mut self, frame: &[u8], link: &mut impl Link) {
+    fn obey(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
         match Broadcast::decode(frame) {
             Ok(Broadcast::EmergencyStop { .. }) => {
-                self.guard.trip(safe_reason::EMERGENCY_STOP, self.now_us());
+                self.guard.trip(safe_reason::EMERGENCY_STOP, from_us);
             }
             Ok(Broadcast::WhoIsThere { .. }) => {
                 let mut bytes = [0; MAX_FRAME];
@@ -350,43 +356,6 @@ impl SimulatedBoard {
             }
             Ok(Broadcast::BusTime { host_us }) => self.bus_time.hear(self.now_us(), host_us),
             Err(_why) => self.counts.refused += 1,
-        }
-    }
-
-    /// Takes forces that are for all boards, if that was agreed and they are recent.
-    fn take_multicast(&mut self, frame: &[u8]) {
-        let Ok(frame) = MulticastForces::decode(frame) else {
-            self.counts.refused += 1;
-            return;
-        };
-        let first = usize::from(frame.group) * GROUP;
-        let mine =
-            usize::from(self.make.first_key)..usize::from(self.make.first_key) + self.make.n_keys;
-        let shared = first.max(mine.start)..(first + GROUP).min(mine.end);
-        if self.forces.packing != ForcePacking::Multicast16 || shared.is_empty() {
-            return;
-        }
-        let now_us = self.now_us();
-        let is_newer = self.bus_time.accept(frame.group, frame.sequence, now_us);
-        let Some(age_us) = self.bus_time.age_us(now_us, frame.stamp_us).filter(|_| is_newer) else {
-            self.counts.stale += 1;
-            return;
-        };
-        match self.guard.feed(now_us.saturating_sub(age_us), now_us) {
-            Fed::Stale => self.counts.stale += 1,
-            Fed::Unarmed => self.counts.unarmed += 1,
-            Fed::Rendered => {
-                self.counts.forces += 1;
-                self.counts.oldest_us = self.counts.oldest_us.max(age_us);
-                if frame.flag {
-                    return self.laws.as_mut_slice().fill(Law::default());
-                }
-                for key in shared {
-                    let force = frame.forces[key - first];
-                    let law = &mut self.laws.as_mut_slice()[key - mine.start];
-                    *law = Law::here(force, KeySlopes::default(), (0.0, 0.0), now_us);
-                }
-            }
         }
     }
 

@@ -7,6 +7,12 @@
 //!  └──────────────── or stopped, or a key failed ◀────────────────────┘
 //! ```
 //!
+//! Forces expire from the first on that is taken after an arming: an armed board that was given
+//! none renders none, so nothing can be stale.
+//!
+//! A board that was stopped, or whose key failed, is safe for good: that takes the place of any
+//! lesser reason, and no request undoes it. Only its power does.
+//!
 //! Times are the board's own [us].
 
 use firmware_protocol::acyclic::arm::FADE_MS;
@@ -18,10 +24,10 @@ const FADE_US: f64 = FADE_MS as f64 * 1e3;
 /// What a board may do.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum State {
-    /// Nothing, for this reason, since then; the force of before fades.
-    Safe { reason: u8, since_us: u64 },
+    /// Nothing, for this reason; the force of before fades from then on, if there was one.
+    Safe { reason: u8, fades_us: Option<u64> },
     /// Nothing yet; whoever says this nonce may arm it.
-    Disarmed { nonce: u32, since_us: u64 },
+    Disarmed { nonce: u32, fades_us: Option<u64> },
     /// It renders forces; the newest ones expire then. Nothing expires before the first.
     Armed { expires_us: Option<u64> },
 }
@@ -52,19 +58,33 @@ pub(super) enum NotArmed {
 impl Guard {
     /// A board that was just switched on.
     pub(super) const fn new(seed: u32) -> Self {
-        let state = State::Safe { reason: safe_reason::NEVER_ARMED, since_us: 0 };
+        let state = State::Safe { reason: safe_reason::NEVER_ARMED, fades_us: None };
         Self { state, valid_us: 0, seed, trips: 0, armings: 0 }
     }
 
-    /// Takes all forces away; returns the nonce for arming.
-    pub(super) const fn disarm(&mut self, now_us: u64) -> u32 {
+    /// Takes all forces away; returns the nonce for arming, or none if it is safe for good.
+    pub(super) const fn disarm(&mut self, now_us: u64) -> Option<u32> {
+        if self.is_latched() {
+            return None;
+        }
         self.seed = self.seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        let since_us = match self.state {
-            State::Safe { since_us, .. } | State::Disarmed { since_us, .. } => since_us,
-            State::Armed { .. } => now_us,
-        };
-        self.state = State::Disarmed { nonce: self.seed, since_us };
-        self.seed
+        self.state = State::Disarmed { nonce: self.seed, fades_us: self.fades_us(now_us) };
+        Some(self.seed)
+    }
+
+    /// Whether it is safe for good.
+    const fn is_latched(&self) -> bool {
+        matches!(self.state, State::Safe { reason, .. } if latches(reason))
+    }
+
+    /// From when on the last forces fade if they are taken away at `now_us`; none if there are
+    /// none. What has expired before has begun to fade then, and nothing fades twice.
+    const fn fades_us(&self, now_us: u64) -> Option<u64> {
+        match self.state {
+            State::Safe { fades_us, .. } | State::Disarmed { fades_us, .. } => fades_us,
+            State::Armed { expires_us: Some(expires_us) } if now_us < expires_us => Some(now_us),
+            State::Armed { expires_us } => expires_us,
+        }
     }
 
     /// Arms the board for forces that are valid for `valid_us`.
@@ -89,12 +109,22 @@ impl Guard {
     /// Takes note of forces that answer samples of `answered_us`; says whether they may be
     /// rendered.
     pub(super) const fn feed(&mut self, answered_us: u64, now_us: u64) -> Fed {
+        let fed = self.judge(answered_us, now_us);
+        let until_us = answered_us.saturating_add(self.valid_us);
+        if let (Fed::Rendered, State::Armed { expires_us }) = (fed, &mut self.state) {
+            *expires_us = match *expires_us {
+                Some(later_us) if until_us < later_us => Some(later_us),
+                Some(_) | None => Some(until_us),
+            };
+        }
+        fed
+    }
+
+    /// Whether forces that answer samples of `answered_us` may be rendered.
+    pub(super) const fn judge(&self, answered_us: u64, now_us: u64) -> Fed {
         let expires_us = answered_us.saturating_add(self.valid_us);
         match self.state {
-            State::Armed { .. } if now_us <= expires_us => {
-                self.state = State::Armed { expires_us: Some(expires_us) };
-                Fed::Rendered
-            }
+            State::Armed { .. } if now_us <= expires_us => Fed::Rendered,
             State::Armed { .. } => Fed::Stale,
             // A board that was never armed cannot tell.
             State::Safe { .. } | State::Disarmed { .. }
@@ -106,10 +136,12 @@ impl Guard {
         }
     }
 
-    /// Goes safe for `reason`; a board that is safe already keeps its first reason.
+    /// Goes safe for `reason`; a board that is safe already keeps its first reason, unless this
+    /// one is for good and the first is not.
     pub(super) const fn trip(&mut self, reason: u8, now_us: u64) {
-        if !matches!(self.state, State::Safe { .. }) {
-            self.state = State::Safe { reason, since_us: now_us };
+        let is_safe = matches!(self.state, State::Safe { .. });
+        if !self.is_latched() && (!is_safe || latches(reason)) {
+            self.state = State::Safe { reason, fades_us: self.fades_us(now_us) };
         }
     }
 
@@ -121,12 +153,13 @@ impl Guard {
             State::Armed { expires_us: Some(expires_us) } if now_us <= expires_us => 1.0,
             State::Armed { expires_us: Some(expires_us) } => {
                 self.trips = self.trips.saturating_add(1);
-                self.state = State::Safe { reason: safe_reason::SILENCE, since_us: expires_us };
+                let fades_us = Some(expires_us);
+                self.state = State::Safe { reason: safe_reason::SILENCE, fades_us };
                 self.share(now_us)
             }
-            State::Safe { since_us, .. } | State::Disarmed { since_us, .. } => {
-                let passed = now_us.saturating_sub(since_us) as f64;
-                (1.0 - passed / FADE_US).max(0.0)
+            State::Safe { fades_us, .. } | State::Disarmed { fades_us, .. } => {
+                let left = |since_us| 1.0 - now_us.saturating_sub(since_us) as f64 / FADE_US;
+                fades_us.map_or(0.0, left).max(0.0)
             }
         }
     }
@@ -151,6 +184,11 @@ impl Guard {
     }
 }
 
+/// Whether a board that is safe for `reason` is so for good.
+const fn latches(reason: u8) -> bool {
+    matches!(reason, safe_reason::EMERGENCY_STOP | safe_reason::KEY_FAULT)
+}
+
 /// What becomes of forces that came.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Fed {
@@ -170,7 +208,7 @@ mod tests {
 
     fn armed() -> Guard {
         let mut guard = Guard::new(7);
-        let nonce = guard.disarm(0);
+        let nonce = guard.disarm(0).unwrap();
         assert_eq!(guard.arm(nonce, VALID), Ok(()));
         guard
     }
@@ -179,7 +217,7 @@ mod tests {
     fn it_is_armed_by_the_nonce_that_was_given_out_and_only_once() {
         let mut guard = Guard::new(7);
         assert_eq!(guard.arm(7, VALID), Err(NotArmed::NotDisarmed));
-        let (old, nonce) = (guard.disarm(0), guard.disarm(0));
+        let (old, nonce) = (guard.disarm(0).unwrap(), guard.disarm(0).unwrap());
         assert_ne!(old, nonce);
         assert_eq!(guard.arm(old, VALID), Err(NotArmed::WrongNonce));
         assert_eq!(guard.arm(nonce, VALID), Ok(()));
@@ -210,7 +248,7 @@ mod tests {
         assert_eq!(guard.feed(0, 0), Fed::Rendered);
         assert!(guard.share(50_000) <= 0.0);
         assert_eq!(guard.feed(50_000, 50_000), Fed::Unarmed);
-        let nonce = guard.disarm(60_000);
+        let nonce = guard.disarm(60_000).unwrap();
         assert_eq!(guard.feed(60_000, 60_000), Fed::Unarmed);
         assert_eq!(guard.arm(nonce, VALID), Ok(()));
         assert_eq!(guard.feed(60_000, 60_000), Fed::Rendered);
@@ -226,10 +264,50 @@ mod tests {
     }
 
     #[test]
-    fn a_stop_keeps_its_reason() {
-        let mut guard = armed();
-        guard.trip(safe_reason::EMERGENCY_STOP, 5);
-        guard.trip(safe_reason::KEY_FAULT, 6);
-        assert_eq!(guard.reason(), safe_reason::EMERGENCY_STOP);
+    fn a_stop_or_a_failed_key_takes_the_place_of_any_lesser_reason_and_stays() {
+        use safe_reason::{EMERGENCY_STOP, KEY_FAULT, SILENCE};
+        let (mut silent, mut disarmed) = (armed(), armed());
+        let _silent = silent.feed(0, 0);
+        assert!(silent.share(VALID + 5_000) < 1.0 && silent.reason() == SILENCE);
+        let _disarmed = disarmed.disarm(VALID + 5_000).unwrap();
+        for guard in [Guard::new(7), silent, disarmed, armed()] {
+            check_latched(guard, EMERGENCY_STOP, KEY_FAULT);
+            check_latched(guard, KEY_FAULT, EMERGENCY_STOP);
+            let mut guard = guard;
+            guard.trip(SILENCE, 0);
+            assert_ne!(guard.disarm(0), None, "silence is not for good");
+        }
+    }
+
+    /// Asserts that `reason` replaces whatever there was, and that nothing replaces it.
+    #[track_caller]
+    fn check_latched(mut guard: Guard, reason: u8, other: u8) {
+        for later in [reason, other, safe_reason::SILENCE] {
+            guard.trip(later, VALID + 6_000);
+            assert_eq!(guard.reason(), reason);
+        }
+        assert_eq!(guard.disarm(VALID + 7_000), None);
+        assert_eq!(guard.arm(guard.seed, VALID), Err(NotArmed::NotDisarmed));
+        assert_eq!(guard.reason(), reason);
+    }
+
+    #[test]
+    fn what_fades_or_has_faded_does_not_come_back_with_another_reason() {
+        let away: [fn(&mut Guard, u64); 2] = [
+            |guard, now_us| guard.trip(safe_reason::EMERGENCY_STOP, now_us),
+            |guard, now_us| _ = guard.disarm(now_us),
+        ];
+        for take_away in away {
+            // Disarmed at 5 ms, expired at 20 ms and nobody has looked, armed and never fed.
+            let (mut disarmed, mut expired, mut unfed) = (armed(), armed(), armed());
+            let _fed = [disarmed.feed(0, 0), expired.feed(0, 0)];
+            let _nonce = disarmed.disarm(5_000);
+            take_away(&mut disarmed, 10_000);
+            take_away(&mut expired, VALID + 5_000);
+            take_away(&mut unfed, 1_000);
+            assert!((disarmed.share(10_000) - 0.5).abs() < 1e-9);
+            assert!((expired.share(VALID + 5_000) - 0.5).abs() < 1e-9);
+            assert!(unfed.share(1_000) <= 0.0);
+        }
     }
 }

@@ -9,4 +9,7 @@ mod history;
 pub mod key;
 pub mod keybed;
 mod law;
+mod multicast;
 mod requests;
+#[cfg(test)]
+mod tests;

@@ -94,7 +94,9 @@ impl Answer<'_> {
 
 impl SimulatedBoard {
     /// Answers a request; the same one again is answered again and not done again.
-    pub(super) fn serve(&mut self, frame: &[u8], link: &mut impl Link) {
+    ///
+    /// What it asks for holds from `from_us` on; what it is told is by the clock.
+    pub(super) fn serve(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
         let Ok(request) = Request::decode(frame) else {
             self.counts.refused += 1;
             return;
@@ -106,7 +108,7 @@ impl SimulatedBoard {
             Some((last, bytes, len)) if last == this => self.send(&bytes[..len], link),
             Some(_) | None => {
                 let mut answer = Answer { request, operation, bytes: [0; MAX_FRAME], len: 0 };
-                self.work_out(&mut answer);
+                self.work_out(from_us, &mut answer);
                 self.desk.last = Some((this, answer.bytes, answer.len));
                 self.send(&answer.bytes[..answer.len], link);
             }
@@ -114,7 +116,7 @@ impl SimulatedBoard {
     }
 
     /// Does what is asked for, and writes the answer.
-    fn work_out(&mut self, answer: &mut Answer<'_>) {
+    fn work_out(&mut self, from_us: u64, answer: &mut Answer<'_>) {
         let request = answer.request;
         let Ok(operation) = request.operation else {
             return answer.with(Err::<Nothing, _>(Status::Unknown));
@@ -123,7 +125,7 @@ impl SimulatedBoard {
             Operation::Hello => answer.with(Ok(self.introduction().hello)),
             Operation::Ping => answer.with(Ok(Pong { board_us: self.clock_us() })),
             Operation::Stream => answer.with(record(&request).and_then(|it| self.stream(it))),
-            Operation::Disarm => answer.with(Ok(self.disarm())),
+            Operation::Disarm => answer.with(self.disarm(from_us)),
             Operation::Arm => answer.with(record(&request).and_then(|it| self.arm(it))),
             Operation::ReadConfig => {
                 answer.with(record(&request).and_then(|it| self.read_config(it)));
@@ -161,8 +163,9 @@ impl SimulatedBoard {
         Ok(Nothing)
     }
 
-    fn disarm(&mut self) -> Disarmed {
-        Disarmed { nonce: self.guard.disarm(self.now_us()) }
+    fn disarm(&mut self, from_us: u64) -> Result<Disarmed, Status> {
+        let nonce = self.guard.disarm(from_us).ok_or(Status::WrongState)?;
+        Ok(Disarmed { nonce })
     }
 
     fn arm(&mut self, wanted: Arm) -> Result<Nothing, Status> {
@@ -254,8 +257,8 @@ impl SimulatedBoard {
                 key.play(Vec::new());
                 return Ok(Nothing);
             }
-            0 => Touch::Pressed,
-            1 => Touch::Struck,
+            finger::PRESSED => Touch::Pressed,
+            finger::STRUCK => Touch::Struck,
             _ => return Err(Status::BadValue),
         };
         let seconds = |us: u32| whole(now_us, us) as f64 * 1e-6;

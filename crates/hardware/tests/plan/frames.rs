@@ -1,6 +1,7 @@
 //! Lengths of CAN frames: the table, exact vectors, and any payload between fewest and most.
 
-use hardware::plan::can::{FdBits, Id, Stuffing, classic_bits, fd_size};
+use firmware_protocol::can::padded;
+use hardware::plan::can::{FdBits, Id, Stuffing, classic_bits};
 use proptest::prelude::*;
 
 use super::encoder;
@@ -203,7 +204,7 @@ proptest! {
     fn every_fd_frame_lies_between_fewest_and_most(
         (id, number) in address(), payload in payload(), n in 0_usize..=64,
     ) {
-        let n = fd_size(n).unwrap();
+        let n = padded(n);
         let bits = encoder::fd(id, number, &payload[..n]);
         let (fewest, most) = (FdBits::of(id, n, Fewest), FdBits::of(id, n, Most));
         prop_assert!(fewest.nominal <= bits.nominal && bits.nominal <= most.nominal);

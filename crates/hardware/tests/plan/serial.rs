@@ -2,7 +2,8 @@
 
 use hardware::plan::uart::{Wiring, wire_bytes};
 use hardware::plan::usb::Speed;
-use hardware::plan::{BusPlan, Extras, ForcePacking, Medium, SamplePacking};
+use hardware::plan::{BusPlan, Extras, ForcePacking, Medium, SamplePacking, standard};
+use hardware::refusal::KeyRange;
 
 use super::hertz;
 use SamplePacking::{Position16, Position16Velocity, Position24, Position24Velocity};
@@ -11,7 +12,7 @@ const PACKINGS: [SamplePacking; 4] =
     [Position16, Position24, Position16Velocity, Position24Velocity];
 
 /// Highest rates with these boards, for each packing [Hz].
-fn rates(medium: Medium, boards: &[usize]) -> [u32; 4] {
+fn rates(medium: Medium, boards: &[KeyRange]) -> [u32; 4] {
     PACKINGS.map(|samples| {
         let plan = BusPlan {
             name: "port".to_owned(),
@@ -35,6 +36,9 @@ fn frames_on_the_wire_have_the_lengths_of_the_table() {
     assert_eq!((up(88), down(88)), ([184, 273, 361, 449], 184));
 }
 
+/// One for all keys.
+const HUB: [KeyRange; 1] = [KeyRange { first: 0, n: 88 }];
+
 /// Rate [Mbaud]; rates of a board's own link, of one for all 88 keys, of a line for eight
 /// boards [Hz].
 type Row = (u32, [u32; 4], [u32; 4], [u32; 4]);
@@ -54,9 +58,9 @@ fn serial_lines_reach_the_rates_of_the_table() {
         let baud = mbaud * 1_000_000;
         let link = Medium::Uart { baud, wiring: Wiring::FullDuplex };
         let line = Medium::Uart { baud, wiring: Wiring::HalfDuplex { turnaround: 0 } };
-        assert_eq!(rates(link, &[11]), own, "own link at {mbaud} Mbaud");
-        assert_eq!(rates(link, &[88]), hub, "hub at {mbaud} Mbaud");
-        assert_eq!(rates(line, &[11; 8]), shared, "RS-485 at {mbaud} Mbaud");
+        assert_eq!(rates(link, &standard(0..1)), own, "own link at {mbaud} Mbaud");
+        assert_eq!(rates(link, &HUB), hub, "hub at {mbaud} Mbaud");
+        assert_eq!(rates(line, &standard(0..8)), shared, "RS-485 at {mbaud} Mbaud");
     }
 }
 
@@ -95,9 +99,9 @@ fn a_cycle_of_eight_full_speed_boards_takes_what_the_table_says() {
 #[test]
 fn usb_reaches_the_rates_of_the_table() {
     let full = Medium::UsbFullSpeed;
-    assert_eq!(rates(full, &[11; 8]), [1_744, 1_546, 1_389, 1_261]);
-    assert_eq!(rates(full, &[88]), [2_691, 2_139, 1_813, 1_546]);
+    assert_eq!(rates(full, &standard(0..8)), [1_744, 1_546, 1_389, 1_261]);
+    assert_eq!(rates(full, &HUB), [2_691, 2_139, 1_813, 1_546]);
     // The table is rounded to a kilohertz.
-    let high = rates(Medium::UsbHighSpeed, &[11; 8]).map(|rate| (rate + 500) / 1_000);
+    let high = rates(Medium::UsbHighSpeed, &standard(0..8)).map(|rate| (rate + 500) / 1_000);
     assert_eq!(high, [35, 33, 31, 30]);
 }

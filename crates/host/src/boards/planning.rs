@@ -2,9 +2,10 @@
 
 use std::fmt;
 
-use firmware_protocol::key::{BOARDS, KEYS_PER_BOARD};
+use firmware_protocol::key::BOARDS;
 use hardware::keybed::{Calibrated, Keybed};
-use hardware::plan::{BusPlan, Extras, Verdict};
+use hardware::plan::{BusPlan, Extras, Verdict, standard};
+use hardware::refusal::KeyRange;
 
 use crate::config::{BoardBus, Boards};
 
@@ -75,7 +76,7 @@ pub(crate) fn sentences<'a, P: IntoIterator<Item = &'a BusPlan>>(
 fn plan(
     boards: &Boards,
     bus: &BoardBus,
-    keys: Vec<usize>,
+    keys: Vec<KeyRange>,
     tick_hz: u32,
 ) -> Result<BusPlan, NoPlan> {
     if super::is_virtual(&bus.address) {
@@ -92,7 +93,7 @@ fn of(
     boards: &Boards,
     name: String,
     medium: hardware::plan::Medium,
-    keys: Vec<usize>,
+    keys: Vec<KeyRange>,
     tick_hz: u32,
 ) -> BusPlan {
     BusPlan {
@@ -107,12 +108,12 @@ fn of(
     }
 }
 
-fn listed_on(bus: &BoardBus) -> Vec<usize> {
-    bus.boards.iter().map(|(_, keys)| usize::from(keys.n)).collect()
+fn listed_on(bus: &BoardBus) -> Vec<KeyRange> {
+    bus.boards.iter().map(|(_, keys)| *keys).collect()
 }
 
-/// How many keys each board on each link has.
-fn shares(boards: &Boards) -> Vec<Vec<usize>> {
+/// The keys of each board on each link; those that are not listed follow one another.
+fn shares(boards: &Boards) -> Vec<Vec<KeyRange>> {
     let listed: usize = boards.buses.iter().map(|bus| bus.boards.len()).sum();
     let mut rest = BOARDS.saturating_sub(listed);
     let mut open = boards.buses.iter().filter(|bus| bus.boards.is_empty()).count();
@@ -122,8 +123,9 @@ fn shares(boards: &Boards) -> Vec<Vec<usize>> {
         }
         // The first have one more where they cannot be shared evenly.
         let n = rest.div_ceil(open.max(1));
+        let first = BOARDS - rest;
         (rest, open) = (rest - n, open.saturating_sub(1));
-        vec![KEYS_PER_BOARD; n]
+        standard(first..first + n)
     };
     boards.buses.iter().map(&mut share).collect()
 }
@@ -132,7 +134,6 @@ fn shares(boards: &Boards) -> Vec<Vec<usize>> {
 mod tests {
     use super::*;
     use hardware::link::address::Address;
-    use hardware::refusal::KeyRange;
 
     fn boards(links: &[&str]) -> Boards {
         let bus = |link: &&str| BoardBus::new(Address::parse(link).unwrap());
@@ -146,7 +147,7 @@ mod tests {
         assert_eq!(n(&["can:can0", "can:can1", "can:can2"]), [3, 3, 2]);
         let mut some = boards(&["can:can0", "can:can1"]);
         some.buses[0].boards = vec![(0, KeyRange { first: 0, n: 12 }); 3];
-        assert_eq!(shares(&some), [vec![12; 3], vec![11; 5]]);
+        assert_eq!(shares(&some), [vec![KeyRange { first: 0, n: 12 }; 3], standard(3..8)]);
     }
 
     #[test]
