@@ -146,6 +146,9 @@ fn the_loop_in_real_time_leaves_the_heap_alone() {
         run::ramp_down(&mut assembly);
     });
     assert_eq!(watch.caught(), (0, 0));
-    assert_eq!(timings.counters().ticks, 500);
+    // A machine that holds everything up for a tick or more has its ticks skipped.
+    let counters = timings.counters();
+    assert!(500 <= counters.ticks + counters.skipped, "{counters:?}");
+    assert!(0 < counters.ticks, "{counters:?}");
     assert!(start.after(Nanos::from_millis(499)) <= clock::monotonic());
 }
