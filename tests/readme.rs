@@ -64,6 +64,30 @@ fn every_command_can_be_typed() {
     }
 }
 
+/// The parts of scenes, between fences that say so.
+fn parts_of_scenes() -> Vec<String> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let text = fs::read_to_string(path).expect("the README");
+    let parts = text.split("```toml\n").skip(1);
+    let parts: Vec<_> =
+        parts.filter_map(|it| it.split_once("```")).map(|(part, _)| part.to_owned()).collect();
+    assert!(!parts.is_empty(), "the README shows scenes");
+    parts
+}
+
+#[test]
+fn every_part_of_a_scene_is_a_good_one() {
+    let folder = folder("readme-scenes");
+    for (number, part) in parts_of_scenes().iter().enumerate() {
+        let keys = "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-springs\"\n";
+        let given = if part.contains("[[keys]]") { "" } else { keys };
+        let name = format!("part-{number}.toml");
+        fs::write(folder.join(&name), format!("{given}\n{part}")).expect("a scene");
+        let said = run(&folder, &["check", &name]);
+        assert_eq!(said.code, Some(0), "{}{}{part}", said.out, said.err);
+    }
+}
+
 #[test]
 fn every_simulation_runs_as_it_stands() {
     let folder = folder("readme-simulations");

@@ -109,11 +109,11 @@ fn a_piece_is_played_on_one_cortex_m3() {
     let _machine = machine();
     let folder = letoff::folder("boards-cortex");
     let elf = build(&folder, 3);
-    let more = ["--duration", "10", "--set", "tick_hz=500", "--set", "links.valid=0.1"];
+    let more = ["--duration", "10", "--set", "tick_hz=1000", "--set", "links.valid=0.1"];
     let elfs = [elf];
     let report = judged("one Cortex-M3", || drive(&folder, &elfs, &more, had_emulated_time));
     let Some(report) = report else { return };
-    check("one Cortex-M3 under QEMU, 11 keys at 500 Hz", &report, 101.0);
+    check("one Cortex-M3 under QEMU, 11 keys at 1 kHz", &report, 101.0);
     let played = count(&report, "/notes/played");
     assert!(2 < played, "{report}");
     assert_eq!(count(&report, "/notes/struck"), played, "{report}");
