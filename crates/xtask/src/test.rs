@@ -10,6 +10,13 @@ use crate::guest_boards::{self, Form};
 use crate::optional;
 use crate::stage::{self, Stage, Work};
 
+/// Where proptest looks for the seed of its cases.
+const SEED_NAME: &str = "PROPTEST_RNG_SEED";
+
+/// The cases of property tests are the same in each run here, so that a failure is a change's
+/// own; `cargo test` draws others each time, and whoever sets the variable chooses.
+const SEED: &str = "1994";
+
 /// The crates of the tick, which must do without the standard library.
 const NO_STD: [&str; 4] = ["pode", "models", "scheduler", "firmware-protocol"];
 
@@ -31,10 +38,10 @@ pub(crate) fn run() -> Result<(), Error> {
 
 /// All stages; `no_bare_target` says why the one for the bare target is skipped, if it is.
 fn stages(no_bare_target: Option<&'static str>) -> Vec<Stage> {
-    let stage = |name, arguments: &[&str]| Stage {
-        name,
-        work: Work::Command(cargo(arguments)),
-        skipped: None,
+    let stage = |name, arguments: &[&str]| {
+        let mut command = cargo(arguments);
+        command.env(SEED_NAME, std::env::var_os(SEED_NAME).unwrap_or_else(|| SEED.into()));
+        Stage { name, work: Work::Command(command), skipped: None }
     };
     vec![
         stage("the tick's crates without std", &no_std(&[])),
@@ -86,6 +93,14 @@ mod tests {
             let line = words(&command);
             let selects = ["--workspace", "--package"].iter().any(|flag| line.contains(flag));
             assert!(selects, "{line}");
+        }
+    }
+
+    #[test]
+    fn the_cases_of_property_tests_are_chosen() {
+        for stage in stages(None) {
+            let Work::Command(command) = stage.work else { continue };
+            assert!(command.get_envs().any(|(name, value)| name == SEED_NAME && value.is_some()));
         }
     }
 
