@@ -1,0 +1,34 @@
+//! What is observed of a host: messages, the stream that carries them, and recordings.
+//!
+//! Nothing here knows a key's physics or a clock; the host fills the messages, and a window, a
+//! viewer or a file takes them.
+//! `proto/letoff/telemetry.proto` describes every message once: the types here, and the schemas
+//! that other people's viewers read, are made from it.
+//!
+//! | topic | message | when |
+//! |---|---|---|
+//! | `/keys/overview` | [`Overview`] | some thirty times a second |
+//! | `/key/<n>/block` | [`KeyBlock`] | every tick in which anything changed |
+//! | `/key/<n>/state` | [`KeyState`] | the same for viewers that take one value with each time |
+//! | `/events` | [`Event`] | as they happen |
+//! | `/voices` | [`Voice`] | at the start, and with each change |
+//! | `/catalogue` | [`Catalogue`] | at the start |
+//! | `/ticks`, `/deadlines` | [`Ticks`], [`Deadlines`] | often; once a second |
+//! | `/links` | [`Links`] | once a second |
+//! | `/midi` | [`Midi`] | as they are sent |
+//! | `/log` | [`Log`] | when there is something to read |
+
+#![forbid(unsafe_code)]
+
+mod messages;
+pub mod request;
+pub mod source;
+pub mod topic;
+
+pub use messages::*;
+pub use request::{Reply, Request};
+pub use source::{Arrival, Source, Standing, Timeline};
+pub use topic::{Topic, Update};
+
+/// Keys of a full compass: A0 to C8.
+pub const KEYS: usize = 88;

@@ -1,0 +1,245 @@
+//! Topics: under which name a message travels, and what it then is.
+
+use std::fmt;
+
+use prost::Message as _;
+
+use crate::{
+    Catalogue, Deadlines, Event, KEYS, KeyBlock, KeyState, Links, Log, Midi, Overview, Ticks, Voice,
+};
+
+/// Under which name a message travels.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Topic {
+    /// What there is to see and to change.
+    Catalogue,
+    /// What keys are played by.
+    Voices,
+    /// All keys at a glance.
+    Overview,
+    /// One key, every tick.
+    Block(u8),
+    /// One key for viewers of single values.
+    State(u8),
+    /// What happened.
+    Events,
+    /// When ticks were done.
+    Ticks,
+    /// All ticks so far.
+    Deadlines,
+    /// Boards and links.
+    Links,
+    /// What was sent to a synthesizer.
+    Midi,
+    /// What people should read.
+    Log,
+}
+
+impl Topic {
+    /// Every topic that is not of one key.
+    pub const COMMON: [Self; 9] = [
+        Self::Catalogue,
+        Self::Voices,
+        Self::Overview,
+        Self::Events,
+        Self::Ticks,
+        Self::Deadlines,
+        Self::Links,
+        Self::Midi,
+        Self::Log,
+    ];
+
+    /// Every topic.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let keys = (0..=u8::MAX).take(KEYS);
+        Self::COMMON.into_iter().chain(keys.flat_map(|key| [Self::Block(key), Self::State(key)]))
+    }
+
+    /// The topic called `name`, if there is one.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::all().find(|topic| topic.to_string() == name)
+    }
+
+    /// Full name of its messages' type, which [`crate::DESCRIPTORS`] describe.
+    pub const fn schema(self) -> &'static str {
+        match self {
+            Self::Catalogue => "letoff.telemetry.Catalogue",
+            Self::Voices => "letoff.telemetry.Voice",
+            Self::Overview => "letoff.telemetry.Overview",
+            Self::Block(_) => "letoff.telemetry.KeyBlock",
+            Self::State(_) => "letoff.telemetry.KeyState",
+            Self::Events => "letoff.telemetry.Event",
+            Self::Ticks => "letoff.telemetry.Ticks",
+            Self::Deadlines => "letoff.telemetry.Deadlines",
+            Self::Links => "letoff.telemetry.Links",
+            Self::Midi => "letoff.telemetry.Midi",
+            Self::Log => "letoff.telemetry.Log",
+        }
+    }
+}
+
+impl fmt::Display for Topic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Catalogue => f.write_str("/catalogue"),
+            Self::Voices => f.write_str("/voices"),
+            Self::Overview => f.write_str("/keys/overview"),
+            Self::Block(key) => write!(f, "/key/{key}/block"),
+            Self::State(key) => write!(f, "/key/{key}/state"),
+            Self::Events => f.write_str("/events"),
+            Self::Ticks => f.write_str("/ticks"),
+            Self::Deadlines => f.write_str("/deadlines"),
+            Self::Links => f.write_str("/links"),
+            Self::Midi => f.write_str("/midi"),
+            Self::Log => f.write_str("/log"),
+        }
+    }
+}
+
+/// Why bytes are no message of a topic.
+#[derive(Debug, thiserror::Error)]
+#[error("what came under {topic} is no {schema}: {cause}", schema = .topic.schema())]
+pub struct DecodeError {
+    /// Where it came.
+    pub topic: Topic,
+    /// What is wrong with it.
+    pub cause: prost::DecodeError,
+}
+
+/// A message of any topic.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Update {
+    /// Of [`Topic::Catalogue`].
+    Catalogue(Catalogue),
+    /// Of [`Topic::Voices`].
+    Voice(Voice),
+    /// Of [`Topic::Overview`].
+    Overview(Overview),
+    /// Of [`Topic::Block`], whose key is the message's.
+    Block(KeyBlock),
+    /// Of [`Topic::State`] of this key.
+    State(u8, KeyState),
+    /// Of [`Topic::Events`].
+    Event(Event),
+    /// Of [`Topic::Ticks`].
+    Ticks(Ticks),
+    /// Of [`Topic::Deadlines`].
+    Deadlines(Deadlines),
+    /// Of [`Topic::Links`].
+    Links(Links),
+    /// Of [`Topic::Midi`].
+    Midi(Midi),
+    /// Of [`Topic::Log`].
+    Log(Log),
+}
+
+impl Update {
+    /// Where it travels; nowhere if it is of a key that is none.
+    pub fn topic(&self) -> Option<Topic> {
+        let is_key = |key: u8| usize::from(key) < KEYS;
+        match self {
+            Self::Catalogue(_) => Some(Topic::Catalogue),
+            Self::Voice(_) => Some(Topic::Voices),
+            Self::Overview(_) => Some(Topic::Overview),
+            Self::Block(block) => {
+                u8::try_from(block.key).ok().filter(|key| is_key(*key)).map(Topic::Block)
+            }
+            Self::State(key, _) => is_key(*key).then_some(Topic::State(*key)),
+            Self::Event(_) => Some(Topic::Events),
+            Self::Ticks(_) => Some(Topic::Ticks),
+            Self::Deadlines(_) => Some(Topic::Deadlines),
+            Self::Links(_) => Some(Topic::Links),
+            Self::Midi(_) => Some(Topic::Midi),
+            Self::Log(_) => Some(Topic::Log),
+        }
+    }
+
+    /// Its bytes.
+    pub fn encode(&self) -> Vec<u8> {
+        match self {
+            Self::Catalogue(it) => it.encode_to_vec(),
+            Self::Voice(it) => it.encode_to_vec(),
+            Self::Overview(it) => it.encode_to_vec(),
+            Self::Block(it) => it.encode_to_vec(),
+            Self::State(_, it) => it.encode_to_vec(),
+            Self::Event(it) => it.encode_to_vec(),
+            Self::Ticks(it) => it.encode_to_vec(),
+            Self::Deadlines(it) => it.encode_to_vec(),
+            Self::Links(it) => it.encode_to_vec(),
+            Self::Midi(it) => it.encode_to_vec(),
+            Self::Log(it) => it.encode_to_vec(),
+        }
+    }
+
+    /// The message of `topic` that `bytes` are.
+    ///
+    /// # Errors
+    /// If they are none.
+    pub fn decode(topic: Topic, bytes: &[u8]) -> Result<Self, DecodeError> {
+        let decoded = match topic {
+            Topic::Catalogue => Catalogue::decode(bytes).map(Self::Catalogue),
+            Topic::Voices => Voice::decode(bytes).map(Self::Voice),
+            Topic::Overview => Overview::decode(bytes).map(Self::Overview),
+            // Whose key it is says the topic, whatever is written in it.
+            Topic::Block(key) => KeyBlock::decode(bytes)
+                .map(|block| Self::Block(KeyBlock { key: key.into(), ..block })),
+            Topic::State(key) => KeyState::decode(bytes).map(|state| Self::State(key, state)),
+            Topic::Events => Event::decode(bytes).map(Self::Event),
+            Topic::Ticks => Ticks::decode(bytes).map(Self::Ticks),
+            Topic::Deadlines => Deadlines::decode(bytes).map(Self::Deadlines),
+            Topic::Links => Links::decode(bytes).map(Self::Links),
+            Topic::Midi => Midi::decode(bytes).map(Self::Midi),
+            Topic::Log => Log::decode(bytes).map(Self::Log),
+        };
+        decoded.map_err(|cause| DecodeError { topic, cause })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn every_topic_is_found_by_its_name() {
+        let names: BTreeSet<_> = Topic::all().map(|topic| topic.to_string()).collect();
+        assert_eq!(names.len(), Topic::COMMON.len() + 2 * KEYS);
+        for topic in Topic::all() {
+            assert_eq!(Topic::named(&topic.to_string()), Some(topic));
+        }
+        for foreign in ["", "/key/88/block", "/key/-1/block", "/key/07/block", "/voices "] {
+            assert_eq!(Topic::named(foreign), None, "{foreign}");
+        }
+    }
+
+    #[test]
+    fn a_message_comes_back_as_it_went() {
+        let block = KeyBlock {
+            key: 39,
+            tick: 12,
+            after: vec![0, 1, 4],
+            position: vec![0.0, 1e-3, f64::MIN_POSITIVE],
+            signals: vec![1.0, -2.0],
+            ..KeyBlock::default()
+        };
+        let update = Update::Block(block);
+        assert_eq!(update.topic(), Some(Topic::Block(39)));
+        let back = Update::decode(Topic::Block(39), &update.encode()).expect("a block");
+        assert_eq!(back, update);
+    }
+
+    #[test]
+    fn a_message_of_no_key_travels_nowhere() {
+        for key in [88, 255, 256, u32::MAX] {
+            let block = KeyBlock { key, ..KeyBlock::default() };
+            assert_eq!(Update::Block(block).topic(), None);
+        }
+    }
+
+    #[test]
+    fn foreign_bytes_are_refused_in_a_sentence() {
+        let refused = Update::decode(Topic::Events, &[0xff; 9]).expect_err("no event").to_string();
+        assert!(refused.starts_with("what came under /events is no letoff.telemetry.Event: "));
+    }
+}
