@@ -12,7 +12,7 @@ piece() {
 # rate SECONDS: every key of eight boards, a thousand times a second.
 rate() {
 	boards rate --count 8 --on can:vcan0
-	play rate --link can:vcan0 --performance none --set tick_hz=1000 --duration "$1"
+	play rate --link can:vcan0 --performance none --duration "$1"
 	[ $code = 0 ] && holds rate "$healthy" && bear rate "$fresh and .counts.stale == 0" &&
 		holds rate 'all(.boards[]; .samples_hz > 990 and .forces_hz > 990)'
 	verdict rate "eight boards of eleven keys at 1 kHz for $1 s" $? \
@@ -129,7 +129,7 @@ removed() {
 # Frames in pieces of eight bytes.
 classic() {
 	boards classic --number 3 --count 2 --keys C4..F#4 --on classic-can:vcan1
-	play classic --link classic-can:vcan1 --duration 6
+	play classic --link classic-can:vcan1 --set tick_hz=500 --duration 6
 	[ $code = 0 ] && holds classic "$complete" && holds classic "$healthy" && bear classic "$fresh"
 	verdict classic "two boards of seven keys on classic CAN" $? \
 		"exit $code; $(notes classic); $(links classic)"
@@ -171,7 +171,7 @@ busy() { sed -n 's/.*vcan1@1000000.* \([0-9]*\)%.*/\1/p' load.bus | tail -n 1; }
 # How busy the same boards' bus would be, as can-utils count it; they know no CAN FD here.
 load() {
 	boards load --number 3 --count 2 --keys C4..F#4 --on classic-can:vcan1
-	host load --link classic-can:vcan1 --performance none --duration 5
+	host load --link classic-can:vcan1 --set tick_hz=500 --performance none --duration 5
 	sleep 2
 	timeout 2 canbusload -e vcan1@1000000 >load.bus
 	ended

@@ -47,10 +47,10 @@ play() {
 	ended
 }
 
-# played SECONDS: waits until the host has exchanged for so long with eight boards at 500 Hz.
+# played SECONDS: waits until the host has exchanged for so long with eight boards at 1 kHz.
 played() {
 	from=$(frames)
-	within 60 eval "[ \$((\$(frames) - $from)) -gt $(($1 * 8000)) ]"
+	within 60 eval "[ \$((\$(frames) - $from)) -gt $(($1 * 16000)) ]"
 }
 
 # frames: how many frames have gone over the first bus.
