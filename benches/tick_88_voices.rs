@@ -24,7 +24,7 @@ use host::adapters::voice::RehearsableVoice;
 use host::assemble::Assembler;
 use host::bell::Bell;
 use scheduler::motion::{KEYS, KeyEvent, KeySample};
-use scheduler::port::{KeyBus, Lanes, TickObserver};
+use scheduler::port::{KeyBus, Lanes, Seen, TickObserver};
 use scheduler::slot::Slot;
 use scheduler::tick::Scheduler;
 use scheduler::time::{Nanos, Period, Timetable};
@@ -91,8 +91,8 @@ impl Published {
 }
 
 impl TickObserver for Published {
-    fn observe(&mut self, tick: u64, turns: &[Turn; KEYS], forces: &[f64; KEYS]) {
-        self.publisher.observe(tick, turns, forces);
+    fn observe(&mut self, seen: &Seen<'_>) {
+        self.publisher.observe(seen);
     }
 }
 

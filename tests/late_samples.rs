@@ -11,8 +11,8 @@ use hardware::sim::keybed::SimulatedKeybed;
 use host::adapters::audit::AuditCell;
 use host::config::Scene;
 use scheduler::motion::{KEYS, KeyEvent};
-use scheduler::port::TickObserver;
-use scheduler::voice::{Turn, VoiceFault};
+use scheduler::port::{Seen, TickObserver};
+use scheduler::voice::VoiceFault;
 use stage::{Stage, audited, key, keybed, scene, stroke};
 
 /// Strokes on each key.
@@ -36,7 +36,8 @@ struct Heard {
 }
 
 impl TickObserver for Heard {
-    fn observe(&mut self, _tick: u64, turns: &[Turn; KEYS], _forces: &[f64; KEYS]) {
+    fn observe(&mut self, seen: &Seen<'_>) {
+        let turns = seen.turns;
         for (turn, diverged) in turns.iter().zip(&mut self.diverged) {
             let is_diverged = turn.fault == Some(VoiceFault::Diverged);
             *diverged += u32::from(is_diverged);

@@ -13,9 +13,8 @@ use midi::KeyEvent as MidiEvent;
 use models::catalogue;
 use rtrb::Consumer;
 use scheduler::motion::KEYS;
-use scheduler::port::{KeyBus, TickObserver};
+use scheduler::port::{KeyBus, Seen, TickObserver};
 use scheduler::time::Nanos;
-use scheduler::voice::Turn;
 
 use crate::marking::mark_lanes;
 use crate::stage::{Stage, keybed, play_all, scene, voices};
@@ -49,9 +48,9 @@ impl Audience {
 }
 
 impl TickObserver for Audience {
-    fn observe(&mut self, tick: u64, turns: &[Turn; KEYS], forces: &[f64; KEYS]) {
-        self.publisher.observe(tick, turns, forces);
-        for (key, turn) in turns.iter().enumerate() {
+    fn observe(&mut self, seen: &Seen<'_>) {
+        self.publisher.observe(seen);
+        for (key, turn) in seen.turns.iter().enumerate() {
             self.active[key] += u32::from(!turn.idle);
             self.events[key] += turn.work.events;
         }

@@ -15,10 +15,9 @@ use host::assemble::Assembler;
 use host::config::Scene;
 use host::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use scheduler::motion::KEYS;
-use scheduler::port::{KeyBus, TickObserver};
+use scheduler::port::{KeyBus, Seen, TickObserver};
 use scheduler::tick::{Scheduler, TickReport};
 use scheduler::time::{Nanos, Period, Timetable};
-use scheduler::voice::Turn;
 
 /// A scene of ours with overrides.
 pub fn scene(name: &str, overrides: &[(&str, &str)]) -> Scene {
@@ -91,7 +90,7 @@ fn strokes(number: usize, end: f64) -> Vec<Gesture> {
 pub struct Nobody;
 
 impl TickObserver for Nobody {
-    fn observe(&mut self, _tick: u64, _turns: &[Turn; KEYS], _forces: &[f64; KEYS]) {}
+    fn observe(&mut self, _seen: &Seen<'_>) {}
 }
 
 /// Everything that a tick needs.

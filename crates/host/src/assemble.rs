@@ -74,6 +74,19 @@ impl<'a> Assembler<'a> {
     /// # Errors
     /// If its model or limits are refused.
     pub fn voice(&self, voice: &KeyVoice, cell: Arc<AuditCell>) -> Result<AnyVoice, AssembleError> {
+        self.numbered(voice, cell, 0)
+    }
+
+    /// The same, whose turns say that they are of `revision`.
+    ///
+    /// # Errors
+    /// If its model or limits are refused.
+    pub fn numbered(
+        &self,
+        voice: &KeyVoice,
+        cell: Arc<AuditCell>,
+        revision: u32,
+    ) -> Result<AnyVoice, AssembleError> {
         let name = voice.model.name;
         let h = self.period.as_secs_f64();
         let builder = Builder {
@@ -83,6 +96,7 @@ impl<'a> Assembler<'a> {
             quantum: self.rig.quantum,
             cell,
             slopes: slopes(&self.scene.links),
+            revision,
         };
         catalogue::visit(name, builder).ok_or(AssembleError::NoSuchModel(name))?
     }
@@ -115,6 +129,7 @@ struct Builder<'a> {
     quantum: f64,
     cell: Arc<AuditCell>,
     slopes: Slopes,
+    revision: u32,
 }
 
 impl Visitor for Builder<'_> {
@@ -139,7 +154,7 @@ impl Visitor for Builder<'_> {
 
 impl Builder<'_> {
     fn fittings(self, scale: f64) -> Result<Fittings, AssembleError> {
-        let Self { render, h, quantum, cell, slopes, .. } = self;
+        let Self { render, h, quantum, cell, slopes, revision, .. } = self;
         let estimator = match render.estimator {
             EstimatorName::Kalman => {
                 AnyEstimator::Kalman(Kalman::new(h, quantum, render.jerk_density))
@@ -159,6 +174,6 @@ impl Builder<'_> {
         };
         let input = InputPath::new(estimator, reconstruction, scale, h);
         let gate = ForceGate::new(render.force_limit, render.slew_limit)?;
-        Ok(Fittings { input, gate, limits, cell, h, slopes })
+        Ok(Fittings { input, gate, limits, cell, h, slopes, revision })
     }
 }

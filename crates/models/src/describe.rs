@@ -2,6 +2,8 @@
 
 use pode::{Energetic, GuardId, Model, Motion, Resets, Sloped};
 
+use crate::draw::Sketch;
+
 /// A model's parameter.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Parameter {
@@ -125,6 +127,9 @@ pub trait Playable: Described {
 
     /// What firing `guard` in `before` sounds, if anything.
     fn sounding(&self, guard: GuardId, before: &Self::State) -> Option<Sounding>;
+
+    /// Draws the mechanism, with these values.
+    fn draw(&self, _sketch: &mut dyn Sketch) {}
 }
 
 /// A guard's firing that is heard.

@@ -18,6 +18,7 @@ mod impact;
 pub mod bouncing_ball;
 pub mod cart_pendulum;
 pub mod catalogue;
+pub mod draw;
 pub mod key_hammer;
 pub mod key_hammer_rigid;
 pub mod key_hammer_springs;

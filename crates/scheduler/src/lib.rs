@@ -22,6 +22,7 @@ extern crate std;
 
 pub mod deadline;
 pub mod lane;
+pub mod look;
 pub mod motion;
 pub mod pace;
 pub mod port;

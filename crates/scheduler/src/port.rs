@@ -31,6 +31,23 @@ pub trait Lanes {
 
 /// Somebody who watches ticks without being waited for.
 pub trait TickObserver {
-    /// Sees the turns of a finished tick and the forces that were sent.
-    fn observe(&mut self, tick: u64, turns: &[Turn; KEYS], forces: &[f64; KEYS]);
+    /// Sees a finished tick.
+    fn observe(&mut self, seen: &Seen<'_>);
+}
+
+/// A finished tick.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<'a> {
+    /// Its number.
+    pub tick: u64,
+    /// Ticks before it that were never run.
+    pub skipped: u64,
+    /// Whether voices may be felt.
+    pub armed: bool,
+    /// What the sensors said.
+    pub samples: &'a [KeySample; KEYS],
+    /// What the voices did.
+    pub turns: &'a [Turn; KEYS],
+    /// What was sent [N].
+    pub forces: &'a [f64; KEYS],
 }

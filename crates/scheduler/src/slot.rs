@@ -24,6 +24,11 @@ pub struct Slot<V> {
     voice: V,
     /// The voice must be put at rest before its next tick.
     fresh: bool,
+    /// The voice was retuned since its last tick.
+    retuned: bool,
+    /// In which of the ticks up to `last` it was run: that one is bit 0.
+    ran: u32,
+    last: u64,
 }
 
 impl<V> Slot<V> {
@@ -33,7 +38,7 @@ impl<V> Slot<V> {
     /// If there is no such key.
     pub const fn new(key: usize, voice: V) -> Self {
         assert!(key < KEYS, "no such key");
-        Self { key, voice, fresh: true }
+        Self { key, voice, fresh: true, retuned: false, ran: 0, last: 0 }
     }
 
     /// The key that the voice plays.
@@ -49,6 +54,19 @@ impl<V> Slot<V> {
 }
 
 impl<V: Voice> Slot<V> {
+    /// Gives the voice the values of `donor`, a voice of the same kind, or else puts `donor` in;
+    /// hands out what is left over.
+    ///
+    /// A voice that was retuned goes on in its state, and says that its force is fresh.
+    pub fn retune(&mut self, mut donor: V) -> V {
+        if donor.as_donor().is_some_and(|donor| self.voice.retune(donor)) {
+            self.retuned = true;
+            donor
+        } else {
+            self.replace(donor)
+        }
+    }
+
     /// Runs the voice for `tick`; a force that is not finite becomes a fault here.
     ///
     /// A voice that failed is reset at the next sample, and says that its force is fresh.
@@ -64,8 +82,18 @@ impl<V: Voice> Slot<V> {
         if turn.fault.is_none() && !turn.force.is_finite() {
             turn.fault = Some(VoiceFault::NotFinite);
         }
-        turn.fresh = self.fresh;
+        turn.fresh = self.fresh || self.retuned;
+        self.retuned = false;
         self.fresh = turn.fault.is_some();
+        turn.ran = self.note_run(tick);
+    }
+
+    /// Notes that the voice was run in `tick`; returns in which of the last ones it was.
+    fn note_run(&mut self, tick: u64) -> u32 {
+        let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
+        self.ran = self.ran.checked_shl(passed).unwrap_or(0) | 1;
+        self.last = tick;
+        self.ran
     }
 }
 
@@ -142,6 +170,72 @@ mod tests {
         assert_eq!(turn_of(&mut slot, 1, 0.0).fault, Some(VoiceFault::NotFinite));
         let back = turn_of(&mut slot, 2, 0.002);
         assert_eq!((back.fault, back.fresh, slot.voice.resets), (None, true, 2));
+    }
+
+    #[test]
+    fn a_turn_says_in_which_of_the_last_ticks_its_voice_was_run() {
+        let mut slot = Slot::new(3, Spy { fails_at: 99, ..Spy::default() });
+        let mut turn = Turn::default();
+        for (tick, ran) in [(7, 0b1), (8, 0b11), (11, 0b11001), (12, 0b11_0011), (60, 0b1)] {
+            slot.tick(tick, &at(0.0), &mut turn);
+            assert_eq!(turn.ran, ran, "tick {tick}");
+        }
+    }
+
+    /// Its force is its value; it counts its ticks.
+    struct Tunable {
+        value: f64,
+        ticks: u32,
+    }
+
+    impl Voice for Tunable {
+        fn tick(&mut self, _tick: u64, _sample: &KeySample) -> Turn {
+            self.ticks += 1;
+            Turn { force: self.value, ..Turn::default() }
+        }
+
+        fn reset(&mut self, _sample: &KeySample) {
+            self.ticks = 0;
+        }
+
+        fn retune(&mut self, donor: &mut dyn core::any::Any) -> bool {
+            let Some(donor) = donor.downcast_mut::<Self>() else { return false };
+            core::mem::swap(&mut self.value, &mut donor.value);
+            true
+        }
+
+        fn as_donor(&mut self) -> Option<&mut dyn core::any::Any> {
+            (self.value < 9.0).then_some(self)
+        }
+    }
+
+    #[test]
+    fn a_voice_that_is_retuned_goes_on_in_its_state_with_a_fresh_force() {
+        let mut slot = Slot::new(3, Tunable { value: 1.0, ticks: 0 });
+        let mut turn = Turn::default();
+        for tick in 0..3 {
+            slot.tick(tick, &at(0.0), &mut turn);
+        }
+        assert!(!turn.fresh);
+        let left = slot.retune(Tunable { value: 2.0, ticks: 70 });
+        assert!((left.value - 1.0).abs() < f64::EPSILON, "it got the old value");
+        slot.tick(3, &at(0.0), &mut turn);
+        assert!((turn.force - 2.0).abs() < f64::EPSILON && turn.fresh);
+        assert_eq!(slot.voice.ticks, 4, "it was not put at rest");
+        slot.tick(4, &at(0.0), &mut turn);
+        assert!(!turn.fresh);
+    }
+
+    #[test]
+    fn a_voice_of_another_kind_is_put_in_instead() {
+        let mut slot = Slot::new(3, Tunable { value: 1.0, ticks: 0 });
+        let mut turn = Turn::default();
+        slot.tick(0, &at(0.0), &mut turn);
+        let left = slot.retune(Tunable { value: 10.0, ticks: 70 });
+        assert_eq!(left.ticks, 1);
+        slot.tick(1, &at(0.0), &mut turn);
+        assert_eq!(slot.voice.ticks, 1, "it was put at rest");
+        assert!(turn.fresh);
     }
 
     #[test]

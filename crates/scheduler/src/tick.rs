@@ -2,7 +2,7 @@
 
 use crate::lane::LaneReport;
 use crate::motion::{KEYS, KeySample, KeySlope};
-use crate::port::{KeyBus, Lanes, TickObserver};
+use crate::port::{KeyBus, Lanes, Seen, TickObserver};
 use crate::safety::{SAFE_FORCE, Safety, SafetyReport};
 use crate::time::{Nanos, Timetable};
 use crate::voice::Turn;
@@ -78,7 +78,14 @@ impl Scheduler {
         let safety = self.safety.apply(skipped, &self.samples, &self.turns, &mut self.forces);
         self.safety.slopes(&self.turns, &mut self.slopes);
         bus.send_sloped(tick, &self.forces, &self.slopes);
-        observer.observe(tick, &self.turns, &self.forces);
+        observer.observe(&Seen {
+            tick,
+            skipped,
+            armed: self.safety.is_armed(),
+            samples: &self.samples,
+            turns: &self.turns,
+            forces: &self.forces,
+        });
 
         Some(TickReport {
             tick,

@@ -1,5 +1,8 @@
 //! One key's running simulation, as the scheduler sees it.
 
+use core::any::Any;
+
+use crate::look::{Look, Switches};
 use crate::motion::{KeyEvent, KeySample, KeySlope, Moment};
 
 /// Key events that one voice can report in one tick; more are counted, not kept.
@@ -26,6 +29,20 @@ pub trait Voice {
 
     /// Puts the voice at rest at `sample`: before its first tick, and after a fault.
     fn reset(&mut self, sample: &KeySample);
+
+    /// Takes on the values of `donor`, a voice of the same kind, which gets its own, and keeps
+    /// the state that it is in; says whether it could.
+    ///
+    /// # Real-time
+    /// Moves values; no heap, lock or clock.
+    fn retune(&mut self, _donor: &mut dyn Any) -> bool {
+        false
+    }
+
+    /// Itself, for [`Voice::retune`] of another; none if it has nothing to give.
+    fn as_donor(&mut self) -> Option<&mut dyn Any> {
+        None
+    }
 }
 
 /// What one voice did in one tick.
@@ -45,8 +62,15 @@ pub struct Turn {
     pub idle: bool,
     /// The lane did not finish: this is the previous tick's turn.
     pub late: bool,
-    /// First turn after the voice was put in or reset: its force knows nothing of the last one.
+    /// First turn after the voice was put in, reset or retuned: its force knows nothing of the
+    /// last one.
     pub fresh: bool,
+    /// What the model is like at the end, for those who watch; of a voice at rest as it was.
+    pub look: Look,
+    /// Changes of mode.
+    pub switches: Switches,
+    /// In which of the last ticks the voice was run: this one is bit 0.
+    pub ran: u32,
 }
 
 impl Turn {
@@ -64,6 +88,7 @@ impl Turn {
         self.work = Work { derivatives: 0, guards: 0, events: 0 };
         self.fault = None;
         (self.idle, self.late, self.fresh) = (true, false, false);
+        self.switches.clear();
     }
 
     /// What stands in for the next turn when the lane is not done: the force, marked late.

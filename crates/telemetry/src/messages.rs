@@ -1,11 +1,6 @@
 //! The messages, as `proto/letoff/telemetry.proto` describes them.
 
-#![expect(
-    clippy::all,
-    clippy::pedantic,
-    missing_docs,
-    reason = "made by prost-build"
-)]
+#![expect(clippy::all, clippy::pedantic, missing_docs, reason = "made by prost-build")]
 
 include!(concat!(env!("OUT_DIR"), "/letoff.telemetry.rs"));
 

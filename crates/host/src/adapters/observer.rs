@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 use midi::{EventKind, KeyEvent as MidiEvent};
 use rtrb::Producer;
-use scheduler::motion::{KEYS, KeyEvent, Moment};
-use scheduler::port::TickObserver;
+use scheduler::motion::{KeyEvent, Moment};
+use scheduler::port::{Seen, TickObserver};
 use scheduler::voice::Turn;
 
 use crate::bell::Bell;
@@ -109,9 +109,10 @@ struct Sums {
 }
 
 impl TickObserver for Publisher {
-    fn observe(&mut self, tick: u64, turns: &[Turn; KEYS], _forces: &[f64; KEYS]) {
+    fn observe(&mut self, seen: &Seen<'_>) {
+        let tick = seen.tick;
         let mut sums = Sums { news: self.press_pedals(tick), ..Sums::default() };
-        for (key, turn) in (0..).zip(turns) {
+        for (key, turn) in (0..).zip(seen.turns) {
             self.publish_turn(key, turn, &mut sums);
         }
         let counters = &self.counters;

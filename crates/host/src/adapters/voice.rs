@@ -1,10 +1,12 @@
 //! A pode model as the scheduler's voice: sample in, force out.
 
+use std::any::Any;
 use std::sync::Arc;
 
 use haptics::ForceGate;
 use models::Playable;
 use pode::{Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch};
+use scheduler::look::{Look, Switch, Switches};
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
 use scheduler::voice::{Events, Turn, Voice, VoiceFault, Work};
 
@@ -31,6 +33,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     /// Tick [s].
     h: f64,
     slopes: Slopes,
+    revision: u32,
 }
 
 /// Hammer speed below which a string is touched but does not sound [m/s].
@@ -57,6 +60,8 @@ pub struct Fittings {
     pub h: f64,
     /// Whether the boards render slopes.
     pub slopes: Slopes,
+    /// Its number among all voices of a run.
+    pub revision: u32,
 }
 
 /// Whether a voice works out how its force goes on between two ticks.
@@ -72,7 +77,7 @@ pub enum Slopes {
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// A voice at rest with its key up.
     pub fn new(model: M, stepper: T, fittings: Fittings) -> Self {
-        let Fittings { input, gate, limits, cell, h, slopes } = fittings;
+        let Fittings { input, gate, limits, cell, h, slopes, revision } = fittings;
         let (mode, state) = model.at_rest(&Motion::default());
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
@@ -84,7 +89,20 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             cell,
             h,
             slopes,
+            revision,
         }
+    }
+
+    /// What the model is like under `input`.
+    fn look(&self, input: &Motion) -> Look {
+        let mut look = Look {
+            revision: self.revision,
+            mode: number::<M>(self.simulator.mode()),
+            input: [input.position, input.rate, input.acceleration, input.jerk],
+            ..Look::default()
+        };
+        look.show(pode::State::entries(self.simulator.state()));
+        look
     }
 
     /// How the mean force of a tick without events goes on around the middle of that tick, at
@@ -124,9 +142,10 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         // What a tick says counts only if it ends well: a model that diverges must neither
         // play notes nor spoil the sums.
         let (mut audit, mut events) = (self.audit, turn.events);
-        let mut strikes = Strikes { tick, events: &mut events };
+        let mut strikes = Strikes { tick, events: &mut events, switches: &mut turn.switches };
         let mut watch = (&mut audit, &mut strikes);
         let done = self.simulator.advance(self.h, &signal, &mut watch);
+        turn.look = self.look(&signal.at(1.0));
         let per_metre = self.simulator.model().input_per_metre();
         let gated = self.gate.apply(done.mean_readout * per_metre, self.h);
         turn.force = gated.force;
@@ -151,7 +170,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     }
 }
 
-impl<M: Playable, T: Stepper> Voice for RenderedKey<M, T> {
+impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
     fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
         let mut turn = Turn::default();
         self.tick_into(tick, sample, &mut turn);
@@ -175,6 +194,21 @@ impl<M: Playable, T: Stepper> Voice for RenderedKey<M, T> {
         self.simulator.place(mode, state);
         self.damper = Damper::new(sample.position);
         self.rest = Rest::default();
+    }
+
+    fn retune(&mut self, donor: &mut dyn Any) -> bool {
+        let Some(donor) = donor.downcast_mut::<Self>() else { return false };
+        let (mine, its) = (*self.simulator.model(), *donor.simulator.model());
+        self.simulator.set_model(its);
+        donor.simulator.set_model(mine);
+        std::mem::swap(&mut self.revision, &mut donor.revision);
+        // What was at rest may not be any more.
+        self.rest = Rest::default();
+        true
+    }
+
+    fn as_donor(&mut self) -> Option<&mut dyn Any> {
+        Some(self)
     }
 }
 
@@ -218,16 +252,30 @@ impl Rest {
     }
 }
 
-/// Turns the guard that sounds into a strike.
+/// The number of `mode` among the model's; 255 if it is not among them.
+fn number<M: Playable>(mode: M::Mode) -> u8 {
+    let index = M::MODES.iter().position(|(other, _name)| *other == mode);
+    index.and_then(|index| u8::try_from(index).ok()).unwrap_or(u8::MAX)
+}
+
+/// Turns the guard that sounds into a strike, and notes changes of mode.
 struct Strikes<'a> {
     tick: u64,
     events: &'a mut Events,
+    switches: &'a mut Switches,
 }
 
 impl<M: Playable> Watch<M> for Strikes<'_> {
     fn piece<S: Signal<Motion>>(&mut self, _model: &M, _piece: &Piece<'_, M, S>) {}
 
     fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        let guard = if let pode::Cause::Guard(spec) = event.cause { spec.id.0 } else { u8::MAX };
+        self.switches.push(Switch {
+            theta: event.theta,
+            from: number::<M>(event.before.0),
+            to: number::<M>(event.after.0),
+            guard,
+        });
         let pode::Cause::Guard(spec) = event.cause else { return };
         let sounding = model.sounding(spec.id, &event.before.1);
         if let Some(sounding) = sounding.filter(|it| it.speed >= SOFTEST_TONE) {

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use pode::EnergyAudit;
 
 use crate::adapters::audit::AuditCell;
-use crate::realtime::pool::{BoxedVoice, VoiceSwaps};
+use crate::realtime::pool::{BoxedVoice, VoiceSwaps, Way};
 
 /// Off the tick on both sides; the tick itself only sees the rings behind it.
 #[derive(Debug, Default)]
@@ -41,7 +41,9 @@ impl Patchbay {
         let swaps = swaps.as_mut().ok_or("the host is not running yet, or not any more")?;
         let n = voices.len();
         for (key, voice) in voices {
-            swaps.replace(key, voice).map_err(|refused| format!("key {key}: {refused}"))?;
+            swaps
+                .send(key, voice, Way::Replace)
+                .map_err(|refused| format!("key {key}: {refused}"))?;
         }
         Ok(n)
     }

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use scheduler::deadline::Outcome;
 use scheduler::motion::{KEYS, KeySample};
-use scheduler::port::{KeyBus, TickObserver};
+use scheduler::port::{KeyBus, Seen, TickObserver};
 use scheduler::time::{Nanos, Period, Timetable};
 use scheduler::voice::{Turn, Voice};
 
@@ -45,7 +45,7 @@ impl KeyBus for HeldKeys {
 struct Nobody;
 
 impl TickObserver for Nobody {
-    fn observe(&mut self, _tick: u64, _turns: &[Turn; KEYS], _forces: &[f64; KEYS]) {}
+    fn observe(&mut self, _seen: &Seen<'_>) {}
 }
 
 fn timetable(start: Nanos) -> Timetable {

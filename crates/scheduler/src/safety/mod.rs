@@ -261,6 +261,11 @@ impl Safety {
         self.armed = false;
     }
 
+    /// Whether voices may be felt.
+    pub const fn is_armed(&self) -> bool {
+        self.armed
+    }
+
     /// Writes what is sent to each key [N], after `skipped` ticks that were never run.
     pub fn apply(
         &mut self,

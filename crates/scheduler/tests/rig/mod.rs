@@ -5,7 +5,7 @@
 
 use scheduler::lane::Inline;
 use scheduler::motion::{KEYS, KeySample};
-use scheduler::port::{KeyBus, TickObserver};
+use scheduler::port::{KeyBus, Seen, TickObserver};
 use scheduler::slot::Slot;
 use scheduler::tick::{Scheduler, TickReport};
 use scheduler::time::{Nanos, Period, Timetable};
@@ -104,7 +104,7 @@ pub struct CountingObserver {
 }
 
 impl TickObserver for CountingObserver {
-    fn observe(&mut self, _tick: u64, _turns: &[Turn; KEYS], _forces: &[f64; KEYS]) {
+    fn observe(&mut self, _seen: &Seen<'_>) {
         self.ticks += 1;
     }
 }

@@ -1,5 +1,6 @@
 //! A voice behind a fence: if it panics, only its own key is lost.
 
+use std::any::Any;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -52,6 +53,15 @@ impl Voice for Fenced {
             let outcome = catch_unwind(AssertUnwindSafe(|| self.voice.reset(sample)));
             self.panicked = outcome.is_err();
         }
+    }
+
+    fn retune(&mut self, donor: &mut dyn Any) -> bool {
+        // Values are moved, nothing is called that could panic; a broken voice keeps its own.
+        !self.panicked && self.voice.retune(donor)
+    }
+
+    fn as_donor(&mut self) -> Option<&mut dyn Any> {
+        self.voice.as_donor()
     }
 }
 

@@ -37,7 +37,7 @@ use scheduler::voice::{Turn, VoiceFault};
 
 pub use fence::BoxedVoice;
 pub use latecomers::LaneCounters;
-pub use swap::{Refused, VoiceSwaps};
+pub use swap::{Refused, VoiceSwaps, Way};
 
 use super::clock;
 use super::thread::Standing;

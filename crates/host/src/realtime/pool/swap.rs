@@ -9,7 +9,7 @@ use scheduler::slot::{Slot, lane_of};
 use super::fence::{BoxedVoice, Fenced};
 
 /// Swaps that one lane does in one tick; a whole instrument takes several.
-const MAX_SWAPS_PER_TICK: usize = 4;
+const MAX_SWAPS_PER_TICK: usize = 8;
 
 /// Why a voice was not taken; it is given back.
 pub enum Refused {
@@ -46,20 +46,37 @@ pub struct VoiceSwaps {
     has_voice: [bool; KEYS],
 }
 
+/// A voice on its way to a key.
+#[derive(Debug)]
+struct Swap {
+    key: usize,
+    voice: Fenced,
+    way: Way,
+}
+
+/// What becomes of the state that the key's voice is in.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Way {
+    /// The new voice is put at rest where its key is.
+    Replace,
+    /// It is kept, if both are of one kind: only the values change.
+    Retune,
+}
+
 #[derive(Debug)]
 struct OuterEnd {
-    into: Producer<(usize, Fenced)>,
+    into: Producer<Swap>,
     out: Consumer<Fenced>,
 }
 
 impl VoiceSwaps {
     /// Sends `voice` to take over `key` at one of the next ticks.
     ///
-    /// It is put at rest where its key is, and safety blends its force in. Not for the tick.
+    /// Whatever its `way`, safety blends its force in. Not for the tick.
     ///
     /// # Errors
     /// If the key has no voice to replace, or too many are waiting.
-    pub fn replace(&mut self, key: usize, voice: BoxedVoice) -> Result<(), Refused> {
+    pub fn send(&mut self, key: usize, voice: BoxedVoice, way: Way) -> Result<(), Refused> {
         self.drain();
         if !self.has_voice.get(key).is_some_and(|has_voice| *has_voice) {
             return Err(Refused::NoSuchVoice(voice));
@@ -67,8 +84,8 @@ impl VoiceSwaps {
         let lane = lane_of(key, self.lanes.len());
         self.lanes[lane]
             .into
-            .push((key, Fenced::new(voice)))
-            .map_err(|PushError::Full((_key, fenced))| Refused::Full(fenced.into_voice()))
+            .push(Swap { key, voice: Fenced::new(voice), way })
+            .map_err(|PushError::Full(swap)| Refused::Full(swap.voice.into_voice()))
     }
 
     /// Frees the voices that were replaced and returns how many. Not for the tick.
@@ -81,7 +98,7 @@ impl VoiceSwaps {
 /// The lane's end.
 #[derive(Debug)]
 pub(super) struct InnerEnd {
-    into: Consumer<(usize, Fenced)>,
+    into: Consumer<Swap>,
     out: Producer<Fenced>,
 }
 
@@ -107,8 +124,9 @@ impl InnerEnd {
             if self.out.is_full() {
                 return;
             }
-            let Ok((key, voice)) = self.into.pop() else { return };
+            let Ok(Swap { key, voice, way }) = self.into.pop() else { return };
             let old = match slots.iter_mut().find(|slot| slot.key() == key) {
+                Some(slot) if way == Way::Retune => slot.retune(voice),
                 Some(slot) => slot.replace(voice),
                 None => voice,
             };

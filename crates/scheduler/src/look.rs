@@ -1,0 +1,109 @@
+//! What a model was like, for those who watch: nothing in the tick depends on it.
+
+/// Most entries of a state that are shown.
+pub const MAX_STATES: usize = 8;
+
+/// Changes of mode that one turn can show; more are counted, not kept.
+pub const MAX_SWITCHES: usize = 6;
+
+/// A model at the end of a turn.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Look {
+    /// Which voice: numbered by whoever put it in.
+    pub revision: u32,
+    /// Its mode, an index into the model's list.
+    pub mode: u8,
+    /// Its state, in the model's order; 0 behind its end.
+    pub state: [f64; MAX_STATES],
+    /// The input and its first three derivatives, in the model's unit.
+    pub input: [f64; 4],
+}
+
+impl Look {
+    /// Shows `state`, as far as there is room.
+    pub fn show(&mut self, state: &[f64]) {
+        for (shown, value) in self.state.iter_mut().zip(state) {
+            *shown = *value;
+        }
+    }
+}
+
+/// A change of mode.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Switch {
+    /// Where in the tick, in `0 ..= 1`.
+    pub theta: f64,
+    /// Modes before and after, indices into the model's list.
+    pub from: u8,
+    /// See `from`.
+    pub to: u8,
+    /// The guard that fired, by its number in the model; 255 if none did.
+    pub guard: u8,
+}
+
+/// A short list of changes of mode with a fixed capacity.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Switches {
+    list: [Switch; MAX_SWITCHES],
+    n: u8,
+    dropped: u8,
+}
+
+impl PartialEq for Switches {
+    fn eq(&self, other: &Self) -> bool {
+        self.as_slice() == other.as_slice() && self.dropped == other.dropped
+    }
+}
+
+impl Switches {
+    /// Forgets all.
+    pub const fn clear(&mut self) {
+        (self.n, self.dropped) = (0, 0);
+    }
+
+    /// Appends one; counts it as dropped when the list is full.
+    pub fn push(&mut self, switch: Switch) {
+        if let Some(place) = self.list.get_mut(usize::from(self.n)) {
+            *place = switch;
+            self.n += 1;
+        } else {
+            self.dropped = self.dropped.saturating_add(1);
+        }
+    }
+
+    /// In the order in which they happened.
+    pub fn as_slice(&self) -> &[Switch] {
+        &self.list[..usize::from(self.n)]
+    }
+
+    /// How many did not fit.
+    pub const fn dropped(&self) -> u8 {
+        self.dropped
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_does_not_fit_is_counted() {
+        let mut switches = Switches::default();
+        for to in 0..9 {
+            switches.push(Switch { to, ..Switch::default() });
+        }
+        assert_eq!(switches.as_slice().len(), MAX_SWITCHES);
+        assert_eq!((switches.as_slice()[5].to, switches.dropped()), (5, 3));
+        switches.clear();
+        assert_eq!(switches, Switches::default());
+    }
+
+    #[test]
+    fn a_long_state_is_shown_as_far_as_there_is_room() {
+        let mut look = Look::default();
+        look.show(&[1.0, 2.0]);
+        assert_eq!(look.state, [1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        look.show(&[3.0; 12]);
+        assert_eq!(look.state, [3.0; 8]);
+    }
+}
