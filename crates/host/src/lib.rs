@@ -15,6 +15,7 @@ pub mod config;
 pub mod control;
 pub mod desk;
 mod names;
+pub mod observe;
 pub mod realtime;
 pub mod rehearsal;
 pub mod report;

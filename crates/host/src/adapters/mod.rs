@@ -4,4 +4,5 @@ pub mod audit;
 pub mod damper;
 pub mod input;
 pub mod observer;
+pub mod tap;
 pub mod voice;

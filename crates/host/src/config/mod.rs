@@ -37,6 +37,7 @@ mod report;
 mod scene;
 mod source;
 mod voicing;
+mod write;
 
 #[cfg(test)]
 mod tests;
@@ -51,3 +52,4 @@ pub use overrides::Override;
 pub use range::keys_named;
 pub use render::{EstimatorName, Reconstruction, Render, StepperName};
 pub use scene::{Lanes, Midi, MidiOutput, PerformanceSource, Scene};
+pub use write::written;

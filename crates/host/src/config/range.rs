@@ -66,6 +66,11 @@ impl fmt::Display for KeyRange {
     }
 }
 
+/// The key, 0 (A0) ..= 87 (C8), as musicians call it.
+pub(super) fn name(key: u8) -> String {
+    KeyIndex::new(key).map_or_else(String::new, |key| KeyName(key).to_string())
+}
+
 fn write_note(f: &mut fmt::Formatter<'_>, key: u8) -> fmt::Result {
     KeyIndex::new(key).map_or(Ok(()), |key| write!(f, "{}", KeyName(key)))
 }

@@ -94,7 +94,7 @@ pub fn overrides(addresses: &[Address]) -> Vec<Override> {
 }
 
 /// A bus in a scene that leads to `address`.
-fn bus_at(address: &Address) -> String {
+pub(super) fn bus_at(address: &Address) -> String {
     match address {
         Address::Serial { port, baud } => {
             format!("{{ serial = {:?}, baud = {baud} }}", port.display().to_string())

@@ -1,0 +1,277 @@
+//! The tick's wait-free end of telemetry: what changed, into rings; full is dropped and counted.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use rtrb::{Consumer, Producer, RingBuffer};
+use scheduler::look::{Look, Switch};
+use scheduler::motion::{KEYS, KeyEvent, KeySample, Moment};
+use scheduler::port::{Seen, TickObserver};
+use scheduler::voice::{Turn, VoiceFault};
+
+/// Ticks whose rows may wait: a quarter of a second of all keys at 1 kHz.
+const TICKS: usize = 256;
+
+/// A key in a tick in which anything changed.
+#[derive(Clone, Copy, Debug)]
+pub struct KeyRow {
+    /// Which tick.
+    pub tick: u64,
+    /// Which key.
+    pub key: u8,
+    /// What its sensor said.
+    pub sample: KeySample,
+    /// The voice's force [N].
+    pub force: f64,
+    /// The force sent [N].
+    pub sent: f64,
+    /// The model at the end; as it was if it was not run.
+    pub look: Look,
+    /// Why the force could not be trusted.
+    pub fault: Option<VoiceFault>,
+    /// How the turn stands.
+    pub stands: Stands,
+    /// In which of the last ticks the voice was run: this one is bit 0.
+    pub ran: u32,
+    /// Key events that the turn told of.
+    pub events: u8,
+}
+
+/// How a turn stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Stands {
+    /// The voice was at rest.
+    pub idle: bool,
+    /// Its lane was not done.
+    pub late: bool,
+    /// Its force knows nothing of the one before.
+    pub fresh: bool,
+}
+
+/// What the tap says.
+#[derive(Clone, Copy, Debug)]
+pub enum Row {
+    /// Of one key.
+    Key(KeyRow),
+    /// Of a tick, after its keys.
+    Tick(TickRow),
+}
+
+/// A tick that was run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct TickRow {
+    /// Its number.
+    pub tick: u64,
+    /// Ticks before it that were not run.
+    pub skipped: u64,
+    /// Whether voices could be felt.
+    pub armed: bool,
+}
+
+/// What happened within a tick.
+#[derive(Clone, Copy, Debug)]
+pub struct Happening {
+    /// The tick that told of it.
+    pub tick: u64,
+    /// Which key.
+    pub key: u8,
+    /// What.
+    pub what: What,
+}
+
+/// See [`Happening`].
+#[derive(Clone, Copy, Debug)]
+pub enum What {
+    /// A change of mode, by the voice of this revision.
+    Switch(u32, Switch),
+    /// Something of the note.
+    Note(Moment, KeyEvent),
+}
+
+/// The rings' other ends.
+#[derive(Debug)]
+pub struct Tapped {
+    /// Keys and ticks.
+    pub rows: Consumer<Row>,
+    /// What happened.
+    pub happenings: Consumer<Happening>,
+    /// How much found no room.
+    pub dropped: Arc<AtomicU64>,
+}
+
+/// Watches ticks for telemetry.
+#[derive(Debug)]
+pub struct Tap {
+    rows: Producer<Row>,
+    happenings: Producer<Happening>,
+    dropped: Arc<AtomicU64>,
+    known: Box<[Known; KEYS]>,
+}
+
+/// A key as it was told of last.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+struct Known {
+    position: u64,
+    force: u64,
+    sent: u64,
+    /// It lay still under a voice at rest.
+    is_still: bool,
+    look: Look,
+}
+
+impl Tap {
+    /// A tap, and where it leads.
+    pub fn new() -> (Self, Tapped) {
+        let (rows, rows_out) = RingBuffer::new(TICKS * (KEYS + 1));
+        let (happenings, happenings_out) = RingBuffer::new(TICKS * KEYS);
+        let dropped = Arc::new(AtomicU64::new(0));
+        let known = vec![Known::default(); KEYS].into_boxed_slice().try_into();
+        let known = known.unwrap_or_else(|_| unreachable!("KEYS long"));
+        let tapped =
+            Tapped { rows: rows_out, happenings: happenings_out, dropped: Arc::clone(&dropped) };
+        (Self { rows, happenings, dropped, known }, tapped)
+    }
+
+    fn push(&mut self, row: Row) {
+        if self.rows.push(row).is_err() {
+            self.dropped.fetch_add(1, Ordering::Relaxed);
+        }
+    }
+
+    fn tell(&mut self, happening: Happening) {
+        if self.happenings.push(happening).is_err() {
+            self.dropped.fetch_add(1, Ordering::Relaxed);
+        }
+    }
+
+    /// Whether anything of `key` is not as it was; notes how it is.
+    fn is_news(&mut self, key: usize, seen: &Seen<'_>) -> bool {
+        let (turn, sample) = (&seen.turns[key], &seen.samples[key]);
+        let known = &mut self.known[key];
+        let bits = [sample.position, turn.force, seen.forces[key]].map(f64::to_bits);
+        let is_still = is_still(turn, sample);
+        let was = [known.position, known.force, known.sent];
+        let is_news = !(is_still && known.is_still && bits == was);
+        [known.position, known.force, known.sent] = bits;
+        known.is_still = is_still;
+        if !turn.idle && 0 < turn.look.revision {
+            known.look = turn.look;
+        }
+        is_news
+    }
+
+    fn row(&self, key: usize, seen: &Seen<'_>) -> KeyRow {
+        let turn = &seen.turns[key];
+        KeyRow {
+            tick: seen.tick,
+            key: u8::try_from(key).unwrap_or(u8::MAX),
+            sample: seen.samples[key],
+            force: turn.force,
+            sent: seen.forces[key],
+            look: self.known[key].look,
+            fault: turn.fault,
+            stands: Stands { idle: turn.idle, late: turn.late, fresh: turn.fresh },
+            ran: if turn.idle && !turn.late { 1 } else { turn.ran },
+            events: u8::try_from(turn.events.as_slice().len()).unwrap_or(u8::MAX),
+        }
+    }
+
+    fn tell_of(&mut self, key: usize, tick: u64, turn: &Turn) {
+        let revision = self.known[key].look.revision;
+        let key = u8::try_from(key).unwrap_or(u8::MAX);
+        for switch in turn.switches.as_slice() {
+            let what = What::Switch(revision, *switch);
+            self.tell(Happening { tick, key, what });
+        }
+        for (at, event) in turn.events.as_slice() {
+            self.tell(Happening { tick, key, what: What::Note(*at, *event) });
+        }
+    }
+}
+
+/// Whether a key lies still on a fresh sample, and its voice sleeps.
+fn is_still(turn: &Turn, sample: &KeySample) -> bool {
+    turn.idle
+        && !turn.late
+        && !turn.fresh
+        && turn.fault.is_none()
+        && turn.events.is_empty()
+        && sample.age == 0
+        && sample.taken.to_bits() == 0
+}
+
+impl TickObserver for Tap {
+    fn observe(&mut self, seen: &Seen<'_>) {
+        for (key, turn) in seen.turns.iter().enumerate() {
+            if self.is_news(key, seen) {
+                self.tell_of(key, seen.tick, turn);
+                self.push(Row::Key(self.row(key, seen)));
+            }
+        }
+        let Seen { tick, skipped, armed, .. } = *seen;
+        self.push(Row::Tick(TickRow { tick, skipped, armed }));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A tap, and what it saw of `ticks` with these positions [mm], asleep or not.
+    fn tapped(ticks: &[(f64, bool)]) -> Vec<Row> {
+        let (mut tap, mut tapped) = Tap::new();
+        let mut samples = [KeySample::default(); KEYS];
+        let mut turns = vec![Turn { idle: true, ran: 1, ..Turn::default() }; KEYS];
+        let forces = [0.0; KEYS];
+        for (tick, (position, idle)) in (0..).zip(ticks) {
+            samples[5] = KeySample::fresh(position * 1e-3);
+            turns[5] = Turn { idle: *idle, ..Turn::default() };
+            let turns = turns.as_slice().try_into().expect("all turns");
+            tap.observe(&Seen {
+                tick,
+                skipped: 0,
+                armed: true,
+                samples: &samples,
+                turns,
+                forces: &forces,
+            });
+        }
+        std::iter::from_fn(|| tapped.rows.pop().ok()).collect()
+    }
+
+    #[test]
+    fn a_key_that_lies_still_is_told_of_once() {
+        let rows = tapped(&[(0.0, true), (0.0, true), (1.0, false), (1.0, true), (1.0, true)]);
+        let told = |key: u8| -> Vec<u64> {
+            let of = |row: &Row| match row {
+                Row::Key(row) if row.key == key => Some(row.tick),
+                Row::Key(_) | Row::Tick(_) => None,
+            };
+            rows.iter().filter_map(of).collect()
+        };
+        assert_eq!(told(5), [0, 2, 3], "as it was found, as it moved, and as it came to rest");
+        assert_eq!(told(6), [0]);
+        let ticks = rows.iter().filter(|row| matches!(row, Row::Tick(_))).count();
+        assert_eq!(ticks, 5, "each tick is told of");
+    }
+
+    #[test]
+    fn what_finds_no_room_is_counted() {
+        let (mut tap, tapped) = Tap::new();
+        let samples = [KeySample::fresh(1.0); KEYS];
+        let turns = vec![Turn::default(); KEYS];
+        let turns = turns.as_slice().try_into().expect("all turns");
+        for tick in 0..TICKS as u64 + 2 {
+            tap.observe(&Seen {
+                tick,
+                skipped: 0,
+                armed: true,
+                samples: &samples,
+                turns,
+                forces: &[0.0; KEYS],
+            });
+        }
+        assert_eq!(tapped.dropped.load(Ordering::Relaxed), 2 * (KEYS as u64 + 1));
+        assert_eq!(tapped.rows.slots(), TICKS * (KEYS + 1));
+    }
+}

@@ -1,0 +1,215 @@
+//! A scene as a file that says everything, with the values that its keys have now.
+
+use hardware::link::address::Address;
+use hardware::link::can::CanMode;
+use hardware::refusal::KeyRange as BoardKeys;
+use models::catalogue::Entry;
+use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value, value};
+
+use super::keys::KeyVoice;
+use super::links::{BoardBus, Boards, FORCES, Links, SAMPLES, bus_at};
+use super::range::name as key;
+use super::render::Render;
+use super::scene::{Lanes, Midi, MidiOutput, PerformanceSource, Scene};
+
+/// The text of `scene`; read again it is the same scene to the last bit.
+pub fn written(scene: &Scene) -> String {
+    let mut document = DocumentMut::new();
+    document["title"] = value(scene.title.as_str());
+    document["tick_hz"] = value(i64::from(scene.tick_hz));
+    document["lanes"] = match scene.lanes {
+        Lanes::Auto => value("auto"),
+        Lanes::Count(count) => value(i64::try_from(count).unwrap_or(1)),
+    };
+    document["render"] = Item::Table(render(&scene.render));
+    document["links"] = Item::Table(links(&scene.links));
+    document["midi"] = Item::Table(midi(&scene.midi));
+    if let Some(source) = &scene.performance {
+        let mut pianist = Table::new();
+        pianist["performance"] = value(match source {
+            PerformanceSource::Embedded(name, _bytes) => (*name).to_owned(),
+            PerformanceSource::Path(path) => absolute(path),
+        });
+        document["pianist"] = Item::Table(pianist);
+    }
+    document["keys"] = Item::ArrayOfTables(keys(&scene.keys));
+    document.to_string()
+}
+
+/// A path that means the same wherever the file will lie.
+fn absolute(path: &std::path::Path) -> String {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).display().to_string()
+}
+
+fn render(it: &Render) -> Table {
+    let mut table = Table::new();
+    table["stepper"] = value(it.stepper.name());
+    table["error_budget"] = value(it.error_budget);
+    table["longest_step"] = value(it.longest_step);
+    table["event_tolerance"] = value(it.event_tolerance);
+    table["estimator"] = value(it.estimator.name());
+    table["jerk_density"] = value(it.jerk_density);
+    table["reconstruction"] = value(it.reconstruction.name());
+    table["force_limit"] = value(it.force_limit);
+    table["slew_limit"] = value(it.slew_limit);
+    table
+}
+
+fn midi(it: &Midi) -> Table {
+    let mut table = Table::new();
+    table["output"] = value(match &it.output {
+        MidiOutput::None => "none".to_owned(),
+        MidiOutput::Virtual => "virtual".to_owned(),
+        MidiOutput::Port(name) => name.clone(),
+        MidiOutput::File(path) => absolute(path),
+    });
+    table["curve"] = value(it.curve.name());
+    table
+}
+
+fn links(it: &Links) -> Table {
+    let mut table = Table::new();
+    let Links::Boards(boards) = it else {
+        table["kind"] = value("simulated");
+        return table;
+    };
+    table["kind"] = value("boards");
+    table["samples"] = value(name_of(&SAMPLES, &boards.samples));
+    table["forces"] = value(name_of(&FORCES, &boards.forces));
+    table["valid"] = value(f64::from(boards.valid_ms) * 1e-3);
+    if let Some(folder) = &boards.calibration {
+        table["calibration"] = value(absolute(folder));
+    }
+    table["bus"] = value(buses(boards));
+    table
+}
+
+fn name_of<T: PartialEq>(names: &[(&'static str, T)], wanted: &T) -> &'static str {
+    names.iter().find(|(_name, it)| it == wanted).map_or("", |(name, _it)| name)
+}
+
+fn buses(boards: &Boards) -> Array {
+    boards.buses.iter().map(bus).collect()
+}
+
+fn bus(it: &BoardBus) -> Value {
+    let mut table = match bus_at(&it.address).parse() {
+        Ok(Value::InlineTable(table)) => table,
+        Ok(_) | Err(_) => InlineTable::new(),
+    };
+    if let Address::Can { mode, .. } = &it.address {
+        table.insert("bit_rate", i64::from(it.bit_rates.0).into());
+        if *mode == CanMode::Fd {
+            table.insert("data_bit_rate", i64::from(it.bit_rates.1).into());
+        }
+    }
+    let boards: Array = it.boards.iter().map(|(number, keys)| board(*number, *keys)).collect();
+    table.insert("board", boards.into());
+    table.into()
+}
+
+fn board(number: u8, keys: BoardKeys) -> Value {
+    let last = keys.first + keys.n.saturating_sub(1);
+    let mut table = InlineTable::new();
+    table.insert("number", i64::from(number).into());
+    table.insert("keys", format!("{}..{}", key(keys.first), key(last)).into());
+    table.into()
+}
+
+/// Neighbours that are alike share an entry.
+fn keys(keys: &[Option<KeyVoice>]) -> ArrayOfTables {
+    let mut tables = ArrayOfTables::new();
+    let mut first = 0;
+    while first < keys.len() {
+        let alike = |it: &&Option<KeyVoice>| is_alike(it.as_ref(), keys[first].as_ref());
+        let n = keys[first..].iter().take_while(alike).count();
+        if let Some(voice) = &keys[first] {
+            tables.push(entry(voice, first, first + n - 1));
+        }
+        first += n;
+    }
+    tables
+}
+
+fn is_alike(a: Option<&KeyVoice>, b: Option<&KeyVoice>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => {
+            let bits =
+                |it: &KeyVoice| -> Vec<u64> { it.values.iter().map(|v| v.to_bits()).collect() };
+            a.model.name == b.model.name && bits(a) == bits(b)
+        }
+        (None, None) => true,
+        (Some(_), None) | (None, Some(_)) => false,
+    }
+}
+
+fn entry(voice: &KeyVoice, first: usize, last: usize) -> Table {
+    let name = |index: usize| key(u8::try_from(index).unwrap_or(u8::MAX));
+    let mut table = Table::new();
+    table["range"] = value(format!("{}..{}", name(first), name(last)));
+    table["model"] = value(voice.model.name);
+    table["parameters"] = value(parameters(voice.model, &voice.values));
+    table
+}
+
+fn parameters(model: &Entry, values: &[f64]) -> InlineTable {
+    model.parameters.iter().zip(values).map(|(it, value)| (it.name, Value::from(*value))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::super::embedded::SCENES;
+    use super::super::source::Source;
+    use super::*;
+
+    /// `scene` as it is read again.
+    fn again(scene: &Scene) -> Scene {
+        let text = written(scene).into_bytes();
+        let source = Source::from_bytes(Path::new("again.toml"), text).expect("a text");
+        Scene::check(&source, &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
+    }
+
+    /// What two scenes must have in common.
+    fn facts(it: &Scene) -> String {
+        let keys = it.keys.iter().map(|voice| voice.as_ref().map(|it| (it.model.name, &it.values)));
+        let keys: Vec<_> = keys.collect();
+        let Scene { title, tick_hz, lanes, render, links, midi, performance, .. } = it;
+        format!(
+            "{title} {tick_hz} {lanes:?} {render:?} {links:?} {midi:?} {performance:?} {keys:?}"
+        )
+    }
+
+    #[test]
+    fn every_scene_of_ours_comes_back_to_the_bit() {
+        for name in SCENES.names() {
+            let scene = Scene::load(name, &[]).expect("a scene");
+            assert_eq!(facts(&again(&scene)), facts(&scene), "{name}");
+        }
+    }
+
+    #[test]
+    fn values_links_and_outputs_come_back() {
+        let changed = [
+            ("links.kind", "boards"),
+            ("links.samples", "position24-velocity"),
+            ("links.forces", "force16-slope"),
+            ("links.valid", "30 ms"),
+            ("links.calibration", "/somewhere"),
+            (
+                "links.bus",
+                "[{ serial = '/dev/ttyACM0', board = [{ number = 3, keys = 'F#3..E4' }] }, \
+                 { can = 'can0' }, { can = 'can1', mode = 'classic', bit_rate = 500000 }]",
+            ),
+            ("midi.output", "Synth \"one\""),
+            ("lanes", "3"),
+            ("render.longest_step", "0.3 ms"),
+            ("render.force_limit", "12.34567891234567"),
+            ("keys.0.parameters.restitution", "0.123456789012345678"),
+        ];
+        let changed = changed.map(|(name, value)| (name.to_owned(), value.to_owned()));
+        let scene = Scene::load("default", &changed).unwrap_or_else(|wrong| panic!("{wrong}"));
+        assert_eq!(facts(&again(&scene)), facts(&scene));
+    }
+}

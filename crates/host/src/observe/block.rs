@@ -1,0 +1,90 @@
+//! One key's rows, column by column.
+
+use scheduler::voice::VoiceFault;
+use telemetry::{KeyBlock, KeyState};
+
+use super::Eye;
+use crate::adapters::tap::{KeyRow, Stands};
+
+/// Bits of `KeyBlock.flags`.
+pub(super) mod flag {
+    pub(crate) const IDLE: u8 = 1;
+    pub(crate) const LATE: u8 = 2;
+    pub(crate) const FRESH: u8 = 4;
+    pub(crate) const GAP: u8 = 8;
+}
+
+/// A row's flags.
+pub(super) const fn flags(stands: Stands) -> u8 {
+    (if stands.idle { flag::IDLE } else { 0 })
+        | (if stands.late { flag::LATE } else { 0 })
+        | (if stands.fresh { flag::FRESH } else { 0 })
+}
+
+/// A fault's number in messages; the larger the worse.
+pub(super) const fn fault_number(fault: Option<VoiceFault>) -> u8 {
+    match fault {
+        None => 0,
+        Some(VoiceFault::NotFinite) => 1,
+        Some(VoiceFault::BadSample) => 2,
+        Some(VoiceFault::Capped { .. }) => 3,
+        Some(VoiceFault::Diverged) => 4,
+        Some(VoiceFault::Panicked) => 5,
+    }
+}
+
+/// Collects rows of one key.
+#[derive(Debug, Default)]
+pub(super) struct BlockBuilder {
+    block: KeyBlock,
+}
+
+impl BlockBuilder {
+    /// Adds a row that `eye` looks at, if its model is known.
+    pub(super) fn push(&mut self, row: &KeyRow, flags: u8, eye: Option<&dyn Eye>) {
+        let block = &mut self.block;
+        if block.after.is_empty() {
+            (block.key, block.tick) = (row.key.into(), row.tick);
+        }
+        block.after.push(u32::try_from(row.tick - block.tick).unwrap_or(u32::MAX));
+        block.position.push(row.sample.position);
+        block.age.push(row.sample.age);
+        block.taken.push(row.sample.taken);
+        block.force.push(row.force);
+        block.sent.push(row.sent);
+        block.mode.push(if eye.is_some() { row.look.mode } else { u8::MAX });
+        block.flags.push(flags);
+        block.fault.push(fault_number(row.fault));
+        block.revision.push(row.look.revision);
+        block.unrun.push(!row.ran);
+        block.events.push(row.events.into());
+        if let Some(eye) = eye {
+            eye.see(&row.look, &mut block.signals);
+        }
+    }
+
+    /// The block so far, if there is any; the next one begins.
+    ///
+    /// A block is of voices with one number of signals each.
+    pub(super) fn take(&mut self) -> Option<KeyBlock> {
+        (!self.block.after.is_empty()).then(|| std::mem::take(&mut self.block))
+    }
+
+    /// Whether `row` is of another voice than the rows so far.
+    pub(super) fn is_of_another(&self, row: &KeyRow) -> bool {
+        self.block.revision.last().is_some_and(|last| *last != row.look.revision)
+    }
+}
+
+/// The rows of `block` one by one, for viewers of single values.
+pub(super) fn states(block: &KeyBlock) -> impl Iterator<Item = KeyState> {
+    let rows = block.after.len().max(1);
+    let width = block.signals.len() / rows;
+    (0..block.after.len()).map(move |row| KeyState {
+        tick: block.tick + u64::from(block.after[row]),
+        position: block.position[row],
+        force: block.sent[row],
+        mode: u32::from(block.mode[row]),
+        signals: block.signals[row * width..(row + 1) * width].to_vec(),
+    })
+}

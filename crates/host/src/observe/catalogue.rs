@@ -1,0 +1,76 @@
+//! What there is to see and to change, as a message.
+
+use models::catalogue::{ENTRIES, Entry};
+use scheduler::motion::KEYS;
+use telemetry::{Catalogue, Instrument, Model, Parameter};
+
+use super::eye::{modes, signals};
+use crate::config::{self, Links, Scene};
+
+/// The catalogue of a host that runs `scene`; when it began is not known yet.
+pub fn catalogue(scene: &Scene) -> Catalogue {
+    Catalogue {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        scene: scene.name.clone(),
+        tick_hz: scene.tick_hz,
+        force_limit: scene.render.force_limit,
+        slew_limit: scene.render.slew_limit,
+        models: ENTRIES.iter().map(model).collect(),
+        instruments: instruments(),
+        fingers: scene.links == Links::Simulated,
+        scene_text: config::written(scene),
+        ..Catalogue::default()
+    }
+}
+
+fn model(entry: &Entry) -> Model {
+    Model {
+        name: entry.name.to_owned(),
+        summary: entry.summary.to_owned(),
+        modes: modes(entry.name),
+        signals: signals(entry.name),
+        parameters: entry.parameters.iter().map(parameter).collect(),
+    }
+}
+
+fn parameter(it: &models::Parameter) -> Parameter {
+    Parameter {
+        name: it.name.to_owned(),
+        unit: it.unit.to_owned(),
+        min: it.range.0,
+        max: it.range.1,
+        doc: it.doc.to_owned(),
+    }
+}
+
+/// Every embedded instrument, with its values on every key.
+fn instruments() -> Vec<Instrument> {
+    let names = config::instruments().into_iter().map(|info| info.name);
+    let loaded = names.filter_map(|name| config::Instrument::load(&name).ok());
+    let keys = || (0..=u8::MAX).take(KEYS);
+    loaded
+        .map(|it| Instrument {
+            values: keys().flat_map(|key| it.values(key)).collect(),
+            model: it.model().name.to_owned(),
+            doc: it.doc,
+            name: it.name,
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn instruments_have_a_value_for_each_parameter_on_each_key() {
+        let scene = Scene::load("default", &[]).expect("the default scene");
+        let catalogue = catalogue(&scene);
+        assert!(!catalogue.instruments.is_empty());
+        for it in &catalogue.instruments {
+            let model = catalogue.models.iter().find(|model| model.name == it.model);
+            let parameters = model.expect("a model that is listed").parameters.len();
+            assert_eq!(it.values.len(), KEYS * parameters, "{}", it.name);
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! All ticks so far, as distributions.
+
+use hdrhistogram::Histogram;
+use scheduler::deadline::{Cause, Outcome};
+use telemetry::{Deadlines, Spread};
+
+use super::pulses::PulseRow;
+use crate::realtime::run::{CreationError, histogram};
+
+/// Sums up ticks.
+#[derive(Debug)]
+pub(super) struct DeadlinesBuilder {
+    counts: Deadlines,
+    lateness: Histogram<u64>,
+    turnaround: Histogram<u64>,
+    work: Histogram<u64>,
+}
+
+impl DeadlinesBuilder {
+    /// Nothing was seen.
+    pub(super) fn new() -> Result<Self, CreationError> {
+        Ok(Self {
+            counts: Deadlines::default(),
+            lateness: histogram()?,
+            turnaround: histogram()?,
+            work: histogram()?,
+        })
+    }
+
+    /// Ticks that were not run.
+    pub(super) const fn skip(&mut self, ticks: u64) {
+        self.counts.skipped += ticks;
+    }
+
+    /// Takes a tick.
+    pub(super) fn push(&mut self, pulse: &PulseRow) {
+        self.lateness.saturating_record(pulse.lateness);
+        self.turnaround.saturating_record(pulse.turnaround);
+        self.work.saturating_record(pulse.work);
+        let counts = &mut self.counts;
+        counts.ticks += 1;
+        let Outcome::Missed(cause) = pulse.outcome else { return };
+        counts.missed += 1;
+        *match cause {
+            Cause::OwnWork => &mut counts.own_work,
+            Cause::WokenLate => &mut counts.woken_late,
+            Cause::Preempted => &mut counts.preempted,
+        } += 1;
+    }
+
+    /// All so far.
+    pub(super) fn read(&self) -> Deadlines {
+        Deadlines {
+            lateness: Some(spread(&self.lateness)),
+            turnaround: Some(spread(&self.turnaround)),
+            work: Some(spread(&self.work)),
+            ..self.counts.clone()
+        }
+    }
+}
+
+/// A histogram with edges that double, of the times up to its largest [us].
+fn spread(histogram: &Histogram<u64>) -> Spread {
+    let quantile = |q: f64| histogram.value_at_quantile(q) as f64 / 1e3;
+    let bins = histogram.iter_log(1_000, 2.0);
+    let (edge, count) = bins
+        .map(|bin| (bin.value_iterated_to() as f64 / 1e3, bin.count_since_last_iteration()))
+        .unzip();
+    Spread {
+        p50: quantile(0.5),
+        p99: quantile(0.99),
+        p999: quantile(0.999),
+        max: histogram.max() as f64 / 1e3,
+        edge,
+        count,
+    }
+}

@@ -1,0 +1,104 @@
+//! What happened, as messages.
+
+use firmware_protocol::key::KeyIndex;
+use hardware::refusal::KeyName;
+use scheduler::look::Switch;
+use scheduler::motion::{KeyEvent, Moment};
+use scheduler::voice::VoiceFault;
+use telemetry::{Event, event::Kind};
+
+use super::Eye;
+use super::pulses::{PulseRow, words};
+use crate::adapters::tap::{KeyRow, TickRow};
+
+/// The key of what is of no key.
+pub(super) const NO_KEY: u32 = 255;
+
+/// Something of a key at (tick, θ).
+fn at(kind: Kind, key: u8, Moment { tick, theta }: Moment) -> Event {
+    Event { kind: kind.into(), tick, theta, key: key.into(), ..Event::default() }
+}
+
+/// A change of mode in `tick`.
+pub(super) fn switch(tick: u64, key: u8, it: &Switch, eye: Option<&dyn Eye>) -> Event {
+    let guard = eye.and_then(|eye| eye.guard(it.from, it.guard)).unwrap_or_default();
+    Event {
+        from: it.from.into(),
+        to: it.to.into(),
+        guard: guard.to_owned(),
+        ..at(Kind::Switch, key, Moment { tick, theta: it.theta })
+    }
+}
+
+/// Something of the note.
+pub(super) fn note(key: u8, moment: Moment, event: KeyEvent) -> Event {
+    match event {
+        KeyEvent::Strike { speed } => Event { speed, ..at(Kind::Strike, key, moment) },
+        KeyEvent::DamperLift => at(Kind::DamperLift, key, moment),
+        KeyEvent::DamperFall { speed } => Event { speed, ..at(Kind::DamperFall, key, moment) },
+    }
+}
+
+/// What became of the trust in a key's voice since `before`, if it is another now.
+pub(super) fn trust(row: &KeyRow, before: Option<VoiceFault>) -> Option<Event> {
+    let start = Moment { tick: row.tick, theta: 0.0 };
+    match (before, row.fault) {
+        (_, Some(now)) if before.map(kind) != Some(kind(now)) => {
+            let name =
+                KeyIndex::new(row.key).map_or_else(String::new, |it| KeyName(it).to_string());
+            let text = format!("{name}: {}", explained(now));
+            Some(Event { text, ..at(Kind::Fault, row.key, start) })
+        }
+        (Some(_), None) => Some(at(Kind::Recovery, row.key, start)),
+        (_, Some(_)) | (None, None) => None,
+    }
+}
+
+/// Faults of one kind are one fault.
+const fn kind(fault: VoiceFault) -> u8 {
+    super::block::fault_number(Some(fault))
+}
+
+/// A fault in a sentence, with what to do.
+fn explained(fault: VoiceFault) -> String {
+    match fault {
+        VoiceFault::NotFinite => {
+            "its model's numbers grew beyond all bounds; take a stiffer method or a faster tick"
+                .into()
+        }
+        VoiceFault::BadSample => {
+            "its sensor said what is no number; look at the board and its calibration".into()
+        }
+        VoiceFault::Capped { handled } => format!(
+            "its model needed more than a tick may take, after {handled} events; it chatters, \
+             so give it more damping"
+        ),
+        VoiceFault::Diverged => "its model gained energy from nowhere; its force comes too late \
+            for its stiffness, so take a faster tick or softer springs"
+            .into(),
+        VoiceFault::Panicked => {
+            "its voice panicked, which is a bug: put in another instrument, and report it".into()
+        }
+    }
+}
+
+/// A tick that was not in time.
+pub(super) fn miss(pulse: &PulseRow) -> Option<Event> {
+    words(pulse.outcome).map(|text| of_none(Kind::Miss, pulse.tick, text.to_owned()))
+}
+
+/// Ticks that were not run before `tick`.
+pub(super) fn skip(tick: u64, skipped: u64) -> Event {
+    of_none(Kind::Skip, tick, format!("{skipped} ticks before this one were not run"))
+}
+
+/// Voices are felt from this tick on, or not any more.
+pub(super) fn armed(row: &TickRow) -> Event {
+    let (kind, text) =
+        if row.armed { (Kind::Arm, "voices are felt") } else { (Kind::Disarm, "all forces fade") };
+    of_none(kind, row.tick, text.to_owned())
+}
+
+fn of_none(kind: Kind, tick: u64, text: String) -> Event {
+    Event { kind: kind.into(), tick, key: NO_KEY, text, ..Event::default() }
+}

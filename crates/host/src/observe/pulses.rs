@@ -1,0 +1,81 @@
+//! When ticks were done: the loop's wait-free end.
+
+use rtrb::{Consumer, Producer, RingBuffer};
+use scheduler::deadline::{Cause, Outcome};
+
+use crate::realtime::run::Pulse;
+
+/// Ticks that may wait: a second at 1 kHz.
+const TICKS: usize = 1024;
+
+/// A tick's times.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct PulseRow {
+    /// Which tick.
+    pub tick: u64,
+    /// Woken after it was due [ns].
+    pub lateness: u64,
+    /// Samples in to forces out [ns].
+    pub turnaround: u64,
+    /// CPU time [ns].
+    pub work: u64,
+    /// Whether it was in time.
+    pub outcome: Outcome,
+    /// Evaluations of derivatives and guards.
+    pub evaluations: u32,
+}
+
+/// Takes the times of ticks; what finds no room is left out.
+#[derive(Debug)]
+pub struct Pulses(Producer<PulseRow>);
+
+impl Pulses {
+    /// The loop's end, and the other.
+    pub fn new() -> (Self, Consumer<PulseRow>) {
+        let (rows, out) = RingBuffer::new(TICKS);
+        (Self(rows), out)
+    }
+
+    /// Takes one tick's times.
+    ///
+    /// # Real-time
+    /// One push into a ring.
+    pub fn take(&mut self, pulse: &Pulse) {
+        let (report, times) = (&pulse.report, &pulse.times);
+        let work = report.voices.work;
+        let _full_is_left_out = self.0.push(PulseRow {
+            tick: report.tick,
+            lateness: times.lateness().as_u64(),
+            turnaround: times.turnaround().as_u64(),
+            work: times.work.as_u64(),
+            outcome: pulse.outcome,
+            evaluations: work.derivatives.saturating_add(work.guards),
+        });
+    }
+}
+
+/// An outcome's number in messages.
+pub(super) const fn number(outcome: Outcome) -> u8 {
+    match outcome {
+        Outcome::Met => 0,
+        Outcome::Missed(Cause::WokenLate) => 1,
+        Outcome::Missed(Cause::Preempted) => 2,
+        Outcome::Missed(Cause::OwnWork) => 3,
+    }
+}
+
+/// What is said of a tick that was not in time.
+pub(super) const fn words(outcome: Outcome) -> Option<&'static str> {
+    match outcome {
+        Outcome::Met => None,
+        Outcome::Missed(Cause::WokenLate) => Some(
+            "woken too late by the system: give the host real-time priority, or a quieter machine",
+        ),
+        Outcome::Missed(Cause::Preempted) => {
+            Some("interrupted by the system: give the host a processor of its own")
+        }
+        Outcome::Missed(Cause::OwnWork) => Some(
+            "the voices took longer than a tick: give a lower rate, more lanes or a lighter model",
+        ),
+    }
+}

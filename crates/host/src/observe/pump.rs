@@ -1,0 +1,292 @@
+//! From rings to messages to sinks.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::Ordering;
+use std::sync::mpsc;
+
+use rtrb::Consumer;
+use scheduler::motion::KEYS;
+use scheduler::voice::VoiceFault;
+use telemetry::{Topic, Update, Voice};
+
+use super::block::{BlockBuilder, flag, flags, states};
+use super::deadlines::DeadlinesBuilder;
+use super::overview::OverviewBuilder;
+use super::pulses::PulseRow;
+use super::ticks::TicksBuilder;
+use super::{Eye, events};
+use crate::adapters::tap::{Happening, KeyRow, Row, Tapped, TickRow, What};
+use crate::realtime::run::CreationError;
+
+/// Somebody who takes messages.
+pub trait Sink: Send {
+    /// Takes a message that was made at `at` [ns since 1970].
+    fn take(&mut self, at: u64, update: &Update);
+
+    /// Whether messages of `topic` are of use to it.
+    fn wants(&self, topic: Topic) -> bool;
+}
+
+/// What the pump is told of by others than the tick.
+pub enum Told {
+    /// A voice that may be put in from now on, and what to see it with.
+    Voice(Box<Voice>, Option<Box<dyn Eye>>),
+    /// Another message.
+    Update(Box<Update>),
+    /// One more who takes messages.
+    Sink(Box<dyn Sink>),
+}
+
+impl std::fmt::Debug for Told {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Voice(voice, _eye) => f.debug_tuple("Voice").field(voice).finish(),
+            Self::Update(update) => f.debug_tuple("Update").field(update).finish(),
+            Self::Sink(_sink) => f.write_str("Sink(..)"),
+        }
+    }
+}
+
+/// Moves what rings tell to sinks.
+pub struct Pump {
+    tapped: Tapped,
+    pulses: Consumer<PulseRow>,
+    told: mpsc::Receiver<Told>,
+    sinks: Vec<Box<dyn Sink>>,
+    /// Of each revision.
+    eyes: BTreeMap<u32, Box<dyn Eye>>,
+    /// Time at tick 0 [ns since 1970], and that of a tick [ns].
+    time: (u64, u64),
+    keys: Vec<Key>,
+    overview: OverviewBuilder,
+    ticks: TicksBuilder,
+    deadlines: DeadlinesBuilder,
+    /// Times that came before their tick.
+    early: Option<PulseRow>,
+    /// The last tick that was told of, and whether voices were felt then.
+    now: u64,
+    armed: bool,
+    dropped: u64,
+    /// Ticks at which the slower messages were made last.
+    looked: u64,
+    summed: u64,
+}
+
+/// What is known of a key.
+#[derive(Debug, Default)]
+struct Key {
+    builder: BlockBuilder,
+    fault: Option<VoiceFault>,
+    /// What its next row is marked with.
+    mark: u8,
+}
+
+/// Time between two overviews [ns].
+const LOOK: u64 = 33_000_000;
+
+/// Time between two sums [ns].
+const SUM: u64 = 1_000_000_000;
+
+impl Pump {
+    /// A pump for ticks of `period` [ns], the first at `began` [ns since 1970].
+    ///
+    /// # Errors
+    /// If a histogram cannot be made, which their constants rule out.
+    pub fn new(
+        tapped: Tapped,
+        pulses: Consumer<PulseRow>,
+        told: mpsc::Receiver<Told>,
+        (began, period): (u64, u64),
+    ) -> Result<Self, CreationError> {
+        Ok(Self {
+            tapped,
+            pulses,
+            told,
+            sinks: Vec::new(),
+            eyes: BTreeMap::new(),
+            time: (began, period),
+            keys: (0..KEYS).map(|_| Key::default()).collect(),
+            overview: OverviewBuilder::new(),
+            ticks: TicksBuilder::default(),
+            deadlines: DeadlinesBuilder::new()?,
+            early: None,
+            now: 0,
+            armed: true,
+            dropped: 0,
+            looked: 0,
+            summed: 0,
+        })
+    }
+
+    /// Moves all that is there.
+    pub fn pump(&mut self) {
+        // Counted first: a voice is told of before the first row that it makes.
+        let rows = self.tapped.rows.slots();
+        self.hear();
+        self.note_gap();
+        for _ in 0..rows {
+            match self.tapped.rows.pop() {
+                Ok(Row::Key(row)) => self.key(&row),
+                Ok(Row::Tick(row)) => self.tick(row),
+                Err(_empty) => break,
+            }
+        }
+        self.flush_keys();
+        while let Ok(happening) = self.tapped.happenings.pop() {
+            self.happening(&happening);
+        }
+        if let Some(ticks) = self.ticks.take() {
+            self.give(&Update::Ticks(ticks));
+        }
+        self.sum_up();
+    }
+
+    /// Takes what others tell.
+    fn hear(&mut self) {
+        while let Ok(told) = self.told.try_recv() {
+            match told {
+                Told::Voice(voice, eye) => {
+                    self.eyes.extend(eye.map(|eye| (voice.revision, eye)));
+                    self.give(&Update::Voice(*voice));
+                }
+                Told::Update(update) => self.give(&update),
+                Told::Sink(sink) => self.sinks.push(sink),
+            }
+        }
+    }
+
+    /// Marks all keys if rows found no room in the ring.
+    fn note_gap(&mut self) {
+        let dropped = self.tapped.dropped.load(Ordering::Relaxed);
+        if self.dropped < dropped {
+            self.dropped = dropped;
+            self.keys.iter_mut().for_each(|key| key.mark = flag::GAP);
+        }
+    }
+
+    fn key(&mut self, row: &KeyRow) {
+        let Some(key) = self.keys.get_mut(usize::from(row.key)) else { return };
+        if key.builder.is_of_another(row) {
+            let done = key.builder.take();
+            self.give_block(done);
+        }
+        let eye = self.eyes.get(&row.look.revision).map(AsRef::as_ref);
+        let Some(key) = self.keys.get_mut(usize::from(row.key)) else { return };
+        let flags = flags(row.stands) | std::mem::take(&mut key.mark);
+        key.builder.push(row, flags, eye);
+        self.overview.push(row, flags, if eye.is_some() { row.look.mode } else { u8::MAX });
+        let event = events::trust(row, key.fault);
+        key.fault = row.fault;
+        if let Some(event) = event {
+            self.give(&Update::Event(event));
+        }
+    }
+
+    fn tick(&mut self, row: TickRow) {
+        self.now = row.tick;
+        let pulse = self.pulse(row.tick);
+        self.ticks.push(row.tick, pulse.as_ref());
+        self.overview.tick(row.tick);
+        if 0 < row.skipped {
+            self.deadlines.skip(row.skipped);
+            self.give(&Update::Event(events::skip(row.tick, row.skipped)));
+        }
+        if row.armed != self.armed {
+            self.armed = row.armed;
+            self.give(&Update::Event(events::armed(&row)));
+        }
+        if let Some(pulse) = pulse {
+            self.deadlines.push(&pulse);
+            if let Some(event) = events::miss(&pulse) {
+                self.give(&Update::Event(event));
+            }
+        }
+    }
+
+    /// The times of `tick`, if they were taken; those of earlier ticks are passed over.
+    fn pulse(&mut self, tick: u64) -> Option<PulseRow> {
+        loop {
+            let pulse = self.early.take().or_else(|| self.pulses.pop().ok())?;
+            if pulse.tick == tick {
+                return Some(pulse);
+            }
+            if tick < pulse.tick {
+                self.early = Some(pulse);
+                return None;
+            }
+        }
+    }
+
+    fn happening(&mut self, it: &Happening) {
+        let event = match &it.what {
+            What::Switch(revision, switch) => {
+                let eye = self.eyes.get(revision).map(AsRef::as_ref);
+                events::switch(it.tick, it.key, switch, eye)
+            }
+            What::Note(moment, event) => events::note(it.key, *moment, *event),
+        };
+        self.give(&Update::Event(event));
+    }
+
+    fn flush_keys(&mut self) {
+        for key in 0..self.keys.len() {
+            let done = self.keys[key].builder.take();
+            self.give_block(done);
+        }
+    }
+
+    fn give_block(&mut self, block: Option<telemetry::KeyBlock>) {
+        let Some(block) = block else { return };
+        let key = u8::try_from(block.key).unwrap_or(u8::MAX);
+        if self.sinks.iter().any(|sink| sink.wants(Topic::State(key))) {
+            for state in states(&block) {
+                let at = self.at(state.tick);
+                self.give_at(at, &Update::State(key, state));
+            }
+        }
+        let at = self.at(block.tick);
+        self.give_at(at, &Update::Block(block));
+    }
+
+    /// Makes what is made less often.
+    fn sum_up(&mut self) {
+        let now = self.at(self.now);
+        if LOOK <= now.saturating_sub(self.looked) {
+            self.looked = now;
+            if let Some(overview) = self.overview.take(self.dropped) {
+                self.give(&Update::Overview(overview));
+            }
+        }
+        if SUM <= now.saturating_sub(self.summed) {
+            self.summed = now;
+            let deadlines = self.deadlines.read();
+            if 0 < deadlines.ticks {
+                self.give(&Update::Deadlines(deadlines));
+            }
+        }
+    }
+
+    /// When `tick` was due [ns since 1970].
+    const fn at(&self, tick: u64) -> u64 {
+        let (began, period) = self.time;
+        began.saturating_add(tick.saturating_mul(period))
+    }
+
+    fn give(&mut self, update: &Update) {
+        let at = self.at(self.now);
+        self.give_at(at, update);
+    }
+
+    fn give_at(&mut self, at: u64, update: &Update) {
+        let Some(topic) = update.topic() else { return };
+        for sink in self.sinks.iter_mut().filter(|sink| sink.wants(topic)) {
+            sink.take(at, update);
+        }
+    }
+}
+
+impl std::fmt::Debug for Pump {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Pump").field("now", &self.now).finish_non_exhaustive()
+    }
+}
