@@ -145,7 +145,7 @@ impl Attended {
     /// # Errors
     /// If the system gives no thread.
     pub fn start(
-        mut desk: Desk,
+        mut desk: Box<Desk>,
         bell: Arc<Bell>,
         start: Nanos,
         mut handover: Histogram<u64>,

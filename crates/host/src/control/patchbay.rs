@@ -1,11 +1,12 @@
 //! What a run shares with those who switch its voices: the way in, and the audits.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
 use pode::EnergyAudit;
 
 use crate::adapters::audit::AuditCell;
+use crate::observe::Told;
 use crate::realtime::pool::{BoxedVoice, VoiceSwaps, Way};
 
 /// Off the tick on both sides; the tick itself only sees the rings behind it.
@@ -19,6 +20,10 @@ pub struct Patchbay {
     alarm: AtomicBool,
     /// Every board was told to.
     stopped: AtomicBool,
+    /// Voices so far.
+    voices: AtomicU32,
+    /// To whoever observes.
+    told: Mutex<Option<mpsc::Sender<Told>>>,
 }
 
 impl Patchbay {
@@ -32,18 +37,34 @@ impl Patchbay {
         *lock(&self.swaps) = None;
     }
 
+    /// Tells `told` of what is sent from now on.
+    pub fn connect(&self, told: mpsc::Sender<Told>) {
+        *lock(&self.told) = Some(told);
+    }
+
+    /// Tells whoever observes, if anybody does.
+    pub fn tell(&self, told: Told) {
+        if let Some(sender) = lock(&self.told).as_ref() {
+            // Who does not listen any more need not know.
+            let _gone = sender.send(told);
+        }
+    }
+
+    /// A number for one more voice, from 1.
+    pub fn new_revision(&self) -> u32 {
+        self.voices.fetch_add(1, Ordering::Relaxed) + 1
+    }
+
     /// Sends `voices` to their keys; returns how many.
     ///
     /// # Errors
     /// Why one was not taken, in a sentence; those before it are on their way.
-    pub fn send(&self, voices: Vec<(usize, BoxedVoice)>) -> Result<usize, String> {
+    pub fn send(&self, voices: Vec<(usize, BoxedVoice)>, way: Way) -> Result<usize, String> {
         let mut swaps = lock(&self.swaps);
         let swaps = swaps.as_mut().ok_or("the host is not running yet, or not any more")?;
         let n = voices.len();
         for (key, voice) in voices {
-            swaps
-                .send(key, voice, Way::Replace)
-                .map_err(|refused| format!("key {key}: {refused}"))?;
+            swaps.send(key, voice, way).map_err(|refused| format!("key {key}: {refused}"))?;
         }
         Ok(n)
     }

@@ -6,7 +6,7 @@ use super::{Patchbay, Reply, Request, Stop, StopKind, Wish};
 use crate::assemble::Assembler;
 use crate::config::{Instrument, KeyVoice, Scene, keys_named};
 use crate::realtime::clock;
-use crate::realtime::pool::BoxedVoice;
+use crate::realtime::pool::{BoxedVoice, Way};
 use scheduler::time::Nanos;
 
 /// Builds voices for a running scene and hands them to its lanes.
@@ -54,7 +54,7 @@ impl Switchboard {
         let instrument = Instrument::load(&request.instrument).map_err(|it| it.to_string())?;
         let range = keys_named(request.keys.as_deref().unwrap_or("A0..C8"))?;
         let voices = self.voices(&instrument, range)?;
-        self.patchbay.send(voices)
+        self.patchbay.send(voices, Way::Replace)
     }
 
     /// A voice for each key of `range` that has one in the scene.

@@ -18,8 +18,10 @@ mod overview;
 mod pulses;
 mod pump;
 mod ticks;
+mod voice;
 
 pub use catalogue::catalogue;
 pub use eye::{Eye, eye, modes, signals};
 pub use pulses::{PulseRow, Pulses};
 pub use pump::{Pump, Sink, Told};
+pub use voice::{Origin, voice};

@@ -7,7 +7,7 @@ use std::sync::mpsc;
 use rtrb::Consumer;
 use scheduler::motion::KEYS;
 use scheduler::voice::VoiceFault;
-use telemetry::{Topic, Update, Voice};
+use telemetry::{Catalogue, Topic, Update, Voice};
 
 use super::block::{BlockBuilder, flag, flags, states};
 use super::deadlines::DeadlinesBuilder;
@@ -53,6 +53,8 @@ pub struct Pump {
     pulses: Consumer<PulseRow>,
     told: mpsc::Receiver<Told>,
     sinks: Vec<Box<dyn Sink>>,
+    /// What whoever comes later must know: the catalogue, and the voice of each key.
+    latched: BTreeMap<Option<u32>, Update>,
     /// Of each revision.
     eyes: BTreeMap<u32, Box<dyn Eye>>,
     /// Time at tick 0 [ns since 1970], and that of a tick [ns].
@@ -88,7 +90,7 @@ const LOOK: u64 = 33_000_000;
 const SUM: u64 = 1_000_000_000;
 
 impl Pump {
-    /// A pump for ticks of `period` [ns], the first at `began` [ns since 1970].
+    /// A pump for ticks of `period` [ns], on the heap since it is large.
     ///
     /// # Errors
     /// If a histogram cannot be made, which their constants rule out.
@@ -96,15 +98,16 @@ impl Pump {
         tapped: Tapped,
         pulses: Consumer<PulseRow>,
         told: mpsc::Receiver<Told>,
-        (began, period): (u64, u64),
-    ) -> Result<Self, CreationError> {
-        Ok(Self {
+        period: u64,
+    ) -> Result<Box<Self>, CreationError> {
+        Ok(Box::new(Self {
             tapped,
             pulses,
             told,
             sinks: Vec::new(),
+            latched: BTreeMap::new(),
             eyes: BTreeMap::new(),
-            time: (began, period),
+            time: (0, period),
             keys: (0..KEYS).map(|_| Key::default()).collect(),
             overview: OverviewBuilder::new(),
             ticks: TicksBuilder::default(),
@@ -115,7 +118,18 @@ impl Pump {
             dropped: 0,
             looked: 0,
             summed: 0,
-        })
+        }))
+    }
+
+    /// Ticks count from `began` [ns since 1970].
+    pub fn begin(&mut self, began: u64, mut catalogue: Catalogue) {
+        self.time.0 = began;
+        catalogue.began = began;
+        catalogue.run = format!("{began}-{}", catalogue.version);
+        self.hear();
+        let catalogue = Update::Catalogue(catalogue);
+        self.give(&catalogue);
+        self.latched.insert(None, catalogue);
     }
 
     /// Moves all that is there.
@@ -147,12 +161,22 @@ impl Pump {
             match told {
                 Told::Voice(voice, eye) => {
                     self.eyes.extend(eye.map(|eye| (voice.revision, eye)));
-                    self.give(&Update::Voice(*voice));
+                    let key = voice.key;
+                    let voice = Update::Voice(*voice);
+                    self.give(&voice);
+                    self.latched.insert(Some(key), voice);
                 }
                 Told::Update(update) => self.give(&update),
-                Told::Sink(sink) => self.sinks.push(sink),
+                Told::Sink(sink) => self.welcome(sink),
             }
         }
+    }
+
+    /// Tells one who came later what it must know.
+    fn welcome(&mut self, mut sink: Box<dyn Sink>) {
+        let at = self.at(self.now);
+        self.latched.values().for_each(|update| sink.take(at, update));
+        self.sinks.push(sink);
     }
 
     /// Marks all keys if rows found no room in the ring.

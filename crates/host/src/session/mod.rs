@@ -4,6 +4,8 @@ mod bed;
 mod keys;
 mod measured;
 mod midi_out;
+mod observed;
+mod overheard;
 mod pianist;
 mod real;
 mod virtual_run;
@@ -23,11 +25,14 @@ use crate::bell::Bell;
 use crate::config::{Lanes, Links as SceneLinks, Scene};
 use crate::control::Patchbay;
 use crate::desk::{Desk, Played};
+use crate::observe::{Sink, Told};
 use crate::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use crate::realtime::thread::DEFAULT_PRIORITY;
 use crate::report::{Deadline, Evaluations, MidiReport, Notes, Realtime, Report};
 use bed::{Bed, Bus};
 use measured::Measured;
+use observed::{Observed, Watchers};
+use overheard::Overheard;
 
 pub use pianist::PianistProgress;
 
@@ -116,7 +121,8 @@ const MOST_LANES: usize = 16;
 pub struct Session {
     stage: Box<Stage>,
     bed: Bed,
-    desk: Desk,
+    desk: Box<Desk>,
+    observed: Observed,
 }
 
 /// All but the MIDI side, which works on a thread of its own.
@@ -129,7 +135,7 @@ struct Stage {
     virtual_time: bool,
     voices: Vec<(usize, BoxedVoice)>,
     performance: Option<Performance>,
-    publisher: Publisher,
+    watchers: Watchers,
     midi: MidiReport,
     bell: Arc<Bell>,
     counters: Arc<LiveCounters>,
@@ -168,13 +174,18 @@ impl Session {
             bed.seat(performance);
         }
         let patchbay = Arc::new(Patchbay::default());
+        let (tap, observed) = observed::connect(scene, period, &patchbay)?;
         let mut voices = Vec::new();
         for (key, voice) in assembler.keys() {
-            voices.push((key, assembler.voice(voice, patchbay.new_cell())? as BoxedVoice));
+            let revision = patchbay.new_revision();
+            patchbay.tell(observed::of_scene(key, voice, revision));
+            let voice = assembler.numbered(voice, patchbay.new_cell(), revision)?;
+            voices.push((key, voice as BoxedVoice));
         }
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi)?;
-        let desk = Desk::new(consumer, output, scene.midi.curve);
+        let output = Box::new(Overheard { output, told: observed.teller() });
+        let desk = Box::new(Desk::new(consumer, output, scene.midi.curve));
         let (bell, counters) = (Arc::new(Bell::new()?), Arc::new(LiveCounters::default()));
         let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
         let publisher = Publisher::new(
@@ -193,13 +204,13 @@ impl Session {
             virtual_time: options.virtual_time,
             voices,
             performance,
-            publisher,
+            watchers: Watchers { publisher, tap },
             midi,
             bell,
             counters,
             patchbay,
         };
-        Ok(Self { stage: Box::new(stage), bed, desk })
+        Ok(Self { stage: Box::new(stage), bed, desk, observed })
     }
 
     /// Ticks that the run will take; `None` until it is stopped.
@@ -222,16 +233,21 @@ impl Session {
         Arc::clone(&self.stage.patchbay)
     }
 
+    /// Who hears of everything that the run does, from before its first tick on.
+    pub fn observe(&self, sink: Box<dyn Sink>) {
+        self.stage.patchbay.tell(Told::Sink(sink));
+    }
+
     /// Runs until the end or until `stop`, and reports.
     ///
     /// # Errors
     /// If the system refuses threads, or one of ours panics.
     pub fn run(self, stop: &AtomicBool) -> Result<Report, SessionError> {
-        let Self { stage, bed, desk } = self;
+        let Self { stage, bed, desk, observed } = self;
         if stage.virtual_time {
-            virtual_run::run(*stage, bed, desk, stop)
+            virtual_run::run(*stage, bed, *desk, observed, stop)
         } else {
-            real::run(stage, bed, desk, stop)
+            real::run(stage, bed, desk, observed, stop)
         }
     }
 }

@@ -5,9 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::bed::{Bed, Bus};
 use super::measured::Measured;
+use super::observed::{Observed, Pumping};
 use super::{SessionError, Stage};
 use crate::adapters::observer::LiveCounters;
 use crate::desk::{Attended, Desk};
+use crate::observe::Pulses;
 use crate::realtime::baseline::Baseline;
 use crate::realtime::run::{Assembly, Pulse, Timings, Until, histogram, ramp_down, scheduler};
 use crate::realtime::thread::{DEFAULT_PRIORITY, Standing, ask_for_fifo};
@@ -22,19 +24,22 @@ const LEAD: Nanos = Nanos::from_millis(50);
 pub(super) fn run(
     mut stage: Box<Stage>,
     bed: Bed,
-    desk: Desk,
+    desk: Box<Desk>,
+    observed: Observed,
     stop: &AtomicBool,
 ) -> Result<Report, SessionError> {
     let locked = memory::lock();
     let (mut bus, start) = bed.arm(stage.performance.as_ref(), LEAD)?;
     let handover = histogram().map_err(std::io::Error::other)?;
+    let (pulses, pump) = observed.begin(since_1970(start));
+    let pumping = Pumping::start(pump)?;
     let attended = Attended::start(desk, Arc::clone(&stage.bell), start, handover)?;
     let timetable = stage.timetable()?.moved(0, start);
     let baseline = Baseline::start(timetable, Some(DEFAULT_PRIORITY))?;
     // The scope joins the tick's thread whatever happens, so a panic there ends here.
     let ticked = std::thread::scope(|scope| {
         let named = std::thread::Builder::new().name("letoff-tick".into());
-        let tick = named.spawn_scoped(scope, || tick(&mut stage, &mut bus, start, stop));
+        let tick = named.spawn_scoped(scope, || tick(&mut stage, &mut bus, pulses, start, stop));
         tick.map(std::thread::ScopedJoinHandle::join)
     });
     let baseline = baseline.stop();
@@ -47,6 +52,7 @@ pub(super) fn run(
     } else {
         bus.disarm();
     }
+    pumping.finish().map_err(|_panic| SessionError::Panicked("telemetry"))?;
     let (timings, standing) = ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
     let measured = Measured::new(&timings, standing, locked, baseline.as_ref());
     Ok(stage.report(timings.counters().ticks, played, measured, &bus))
@@ -56,6 +62,7 @@ pub(super) fn run(
 fn tick(
     stage: &mut Stage,
     bus: &mut Bus,
+    mut pulses: Pulses,
     start: Nanos,
     stop: &AtomicBool,
 ) -> Result<(Timings, Standing), SessionError> {
@@ -72,11 +79,12 @@ fn tick(
         scheduler: &mut scheduler,
         bus,
         lanes: &mut lanes,
-        observer: &mut stage.publisher,
+        observer: &mut stage.watchers,
     };
     let patchbay = Arc::clone(&stage.patchbay);
     ticks::run(&mut assembly, start, until, &mut timings, |pulse| {
         count(&counters, pulse);
+        pulses.take(pulse);
         if patchbay.is_alarmed() {
             stop.store(true, Ordering::Release);
         }
@@ -89,6 +97,13 @@ fn tick(
     }
     stage.patchbay.close();
     Ok((timings, standing))
+}
+
+/// When it will be `start` by the clock on the wall [ns since 1970].
+fn since_1970(start: Nanos) -> u64 {
+    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    let now = now.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX));
+    now.saturating_add(start.since(crate::realtime::clock::monotonic()).as_u64())
 }
 
 /// Smooths the tick's work and counts misses, for the live line.

@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::bed::Bed;
 use super::measured::Measured;
+use super::observed::Observed;
 use super::{SessionError, Stage, no_clock};
 use crate::desk::Desk;
 use crate::realtime::run::{Assembly, Until, scheduler};
@@ -11,11 +12,15 @@ use crate::realtime::virtual_time;
 use crate::report::Report;
 use ::scheduler::time::Nanos;
 
+/// Ticks between two looks at the rings.
+const TICKS_PER_LOOK: u64 = 16;
+
 /// Runs all ticks; the MIDI side follows after each tick, on this thread.
 pub(super) fn run(
     mut stage: Stage,
     bed: Bed,
     mut desk: Desk,
+    observed: Observed,
     stop: &AtomicBool,
 ) -> Result<Report, SessionError> {
     let (mut lanes, _swaps) = stage.start_lanes()?;
@@ -23,19 +28,26 @@ pub(super) fn run(
     let until = Until { stop, ticks: stage.ticks };
     let (mut ticks, mut skipped) = (0, 0);
     let (mut bus, _start) = bed.arm(None, Nanos::ZERO)?;
+    // No clock decides anything: time begins when nobody knows.
+    let (_no_clock, mut pump) = observed.begin(0);
     let mut assembly = Assembly {
         scheduler: &mut scheduler,
         bus: &mut bus,
         lanes: &mut lanes,
-        observer: &mut stage.publisher,
+        observer: &mut stage.watchers,
     };
     virtual_time::run(&mut assembly, until, |report| {
         desk.drain();
         ticks += 1;
         skipped += report.skipped;
+        if ticks % TICKS_PER_LOOK == 0 {
+            pump.pump();
+        }
     });
     drop(lanes);
     let (realtime, deadline) = no_clock();
     let played = desk.close(None);
+    pump.pump();
+    drop(pump);
     Ok(stage.report(ticks, played, Measured { realtime, deadline, skipped }, &bus))
 }

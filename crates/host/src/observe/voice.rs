@@ -1,0 +1,45 @@
+//! A voice as a message, with what it is seen by.
+
+use telemetry::Voice;
+
+use super::{Told, eye};
+use crate::config::{Instrument, KeyVoice, instruments};
+
+/// Where a voice comes from.
+#[derive(Clone, Copy, Debug)]
+pub struct Origin<'a> {
+    /// Its number among the voices of the run.
+    pub revision: u32,
+    /// The instrument that its values are from; found by its values if it is not known.
+    pub instrument: Option<&'a str>,
+    /// Who asked for it.
+    pub writer: &'a str,
+    /// Whether the state of the one before is kept.
+    pub kept: bool,
+}
+
+/// What is told of `voice` on `key` before it is put in.
+pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> Told {
+    let eye = eye(voice.model.name, &voice.values);
+    let instrument = origin.instrument.map(str::to_owned);
+    let message = Voice {
+        key: key.into(),
+        revision: origin.revision,
+        model: voice.model.name.to_owned(),
+        instrument: instrument.or_else(|| instrument_of(key, voice)).unwrap_or_default(),
+        values: voice.values.clone(),
+        writer: origin.writer.to_owned(),
+        drawing: eye.as_ref().map(|eye| eye.drawing()),
+        kept: origin.kept,
+    };
+    Told::Voice(Box::new(message), eye)
+}
+
+/// The embedded instrument that sounds like `voice` on `key`.
+fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
+    let bits = |values: &[f64]| values.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
+    let of_its_model = instruments().into_iter().filter(|info| info.model == voice.model.name);
+    of_its_model.map(|info| info.name).find(|name| {
+        Instrument::load(name).is_ok_and(|it| bits(&it.values(key)) == bits(&voice.values))
+    })
+}

@@ -1,0 +1,114 @@
+//! A run's telemetry: from the tick's taps to the pump, and the pump's thread.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc;
+use std::time::Duration;
+
+use scheduler::port::{Seen, TickObserver};
+use telemetry::Catalogue;
+
+use super::{SessionError, whole};
+use crate::adapters::observer::Publisher;
+use crate::adapters::tap::Tap;
+use crate::config::{KeyVoice, Scene};
+use crate::control::Patchbay;
+use crate::observe::{self, Origin, Pulses, Pump, Told};
+
+/// Time between two looks at the rings: a frame of a screen.
+const LOOK: Duration = Duration::from_millis(16);
+
+/// Both who watch the tick.
+pub(super) struct Watchers {
+    pub(super) publisher: Publisher,
+    pub(super) tap: Tap,
+}
+
+impl TickObserver for Watchers {
+    fn observe(&mut self, seen: &Seen<'_>) {
+        self.publisher.observe(seen);
+        self.tap.observe(seen);
+    }
+}
+
+/// What becomes of what was tapped.
+pub(super) struct Observed {
+    /// Of the loop.
+    pulses: Pulses,
+    pump: Box<Pump>,
+    catalogue: Box<Catalogue>,
+    told: mpsc::Sender<Told>,
+}
+
+/// A tap for a run of `scene` with ticks of `period` [s], and where it leads.
+pub(super) fn connect(
+    scene: &Scene,
+    period: f64,
+    patchbay: &Patchbay,
+) -> Result<(Tap, Observed), SessionError> {
+    let (tap, tapped) = Tap::new();
+    let (pulses, times) = Pulses::new();
+    let (tell, told) = mpsc::channel();
+    let pump = Pump::new(tapped, times, told, whole(period * 1e9));
+    let pump = pump.map_err(std::io::Error::other)?;
+    patchbay.connect(tell.clone());
+    let catalogue = Box::new(observe::catalogue(scene));
+    Ok((tap, Observed { pulses, pump, catalogue, told: tell }))
+}
+
+/// What is told of a voice that the scene asks for.
+pub(super) fn of_scene(key: usize, voice: &KeyVoice, revision: u32) -> Told {
+    let origin = Origin { revision, instrument: None, writer: "scene", kept: false };
+    observe::voice(u8::try_from(key).unwrap_or(u8::MAX), voice, origin)
+}
+
+impl Observed {
+    /// For others who tell.
+    pub(super) fn teller(&self) -> mpsc::Sender<Told> {
+        self.told.clone()
+    }
+
+    /// The loop's end and the pump, once tick 0 is due at `began` [ns since 1970].
+    pub(super) fn begin(self, began: u64) -> (Pulses, Box<Pump>) {
+        let Self { pulses, mut pump, catalogue, told: _ } = self;
+        pump.begin(began, *catalogue);
+        (pulses, pump)
+    }
+}
+
+/// A pump on its own thread.
+#[derive(Debug)]
+pub(super) struct Pumping {
+    stop: Arc<AtomicBool>,
+    thread: std::thread::JoinHandle<()>,
+}
+
+impl Pumping {
+    /// Starts pumping.
+    ///
+    /// # Errors
+    /// If the system gives no thread.
+    pub(super) fn start(mut pump: Box<Pump>) -> std::io::Result<Self> {
+        let stop = Arc::new(AtomicBool::new(false));
+        let its_stop = Arc::clone(&stop);
+        let thread =
+            std::thread::Builder::new().name("letoff-telemetry".into()).spawn(move || {
+                while !its_stop.load(Ordering::Acquire) {
+                    pump.pump();
+                    std::thread::park_timeout(LOOK);
+                }
+                pump.pump();
+            })?;
+        Ok(Self { stop, thread })
+    }
+
+    /// Pumps what is left, and waits until all sinks are closed.
+    ///
+    /// # Errors
+    /// If the thread panicked, which is a bug.
+    pub(super) fn finish(self) -> std::thread::Result<()> {
+        self.stop.store(true, Ordering::Release);
+        self.thread.thread().unpark();
+        self.thread.join()
+    }
+}
