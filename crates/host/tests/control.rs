@@ -12,6 +12,7 @@ use host::config::Scene;
 use host::control::{Clients, ControlError, Reply, Request, Server, Switchboard, send, serve};
 use host::report::Report;
 use host::session::{Options, Session};
+use telemetry::request::Change;
 
 /// Runs a host without a pianist, and `clients` beside it; returns its report.
 fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> Report {
@@ -44,15 +45,19 @@ fn socket(name: &str) -> PathBuf {
 }
 
 fn request(instrument: &str, keys: Option<&str>) -> Request {
-    Request { instrument: instrument.to_owned(), keys: keys.map(str::to_owned) }
+    Request::UseInstrument { instrument: instrument.to_owned(), keys: keys.map(str::to_owned) }
 }
 
 /// Asks until the host runs; it needs some milliseconds for its first tick.
-fn ask(path: &Path, request: &Request) -> Reply {
+fn ask(path: &Path, request: &Request) -> Result<String, String> {
     loop {
-        match send(path, request).expect("a reply") {
-            Reply::Refused(why) if why.contains("not running yet") => std::thread::yield_now(),
-            reply @ (Reply::Switched(_) | Reply::Refused(_) | Reply::Stopped) => return reply,
+        match send(path, request).expect("an answer") {
+            Err(why) if why.contains("not running yet") => std::thread::yield_now(),
+            Err(why) => return Err(why),
+            Ok(Reply::Done { text }) => return Ok(text),
+            Ok(reply @ (Reply::Scene { .. } | Reply::Where { .. })) => {
+                return Err(format!("{reply:?}"));
+            }
         }
     }
 }
@@ -70,9 +75,34 @@ fn say(path: &Path, line: &[u8]) -> String {
 #[test]
 fn every_key_can_become_another_instrument_while_the_host_runs() {
     let report = beside_a_host("switch", |path| {
-        assert_eq!(ask(path, &request("spring-wall", Some("C4..B4"))), Reply::Switched(12));
-        assert_eq!(ask(path, &request("grand-rigid", Some("60"))), Reply::Switched(1));
-        assert_eq!(ask(path, &request("grand-springs", None)), Reply::Switched(88));
+        let switched = |instrument, keys| ask(path, &request(instrument, keys)).expect("done");
+        assert_eq!(switched("spring-wall", Some("C4..B4")), "12 keys are now spring-wall");
+        assert_eq!(switched("grand-rigid", Some("60")), "1 keys are now grand-rigid");
+        assert_eq!(switched("grand-springs", None), "88 keys are now grand-springs");
+    });
+    assert_eq!(report.faults, 0);
+}
+
+fn set(changes: &[(u8, &str, f64)]) -> Request {
+    let change = |(key, parameter, value): &(u8, &str, f64)| Change {
+        key: *key,
+        parameter: (*parameter).to_owned(),
+        value: *value,
+    };
+    Request::Set { changes: changes.iter().map(change).collect() }
+}
+
+#[test]
+fn values_change_while_the_host_runs_and_stand_in_its_scene() {
+    let report = beside_a_host("tune", |path| {
+        let done = ask(path, &set(&[(39, "k2", 900.0), (40, "k2", 901.0)]));
+        assert_eq!(done, Ok("2 values on 2 keys".to_owned()));
+        let refused = ask(path, &set(&[(39, "k2", 1.0), (39, "nothing", 1.0)]));
+        assert!(refused.expect_err("a wrong name").contains("no parameter \"nothing\""));
+        let scene = send(path, &Request::Scene {}).expect("an answer");
+        let Ok(Reply::Scene { toml }) = scene else { unreachable!("{scene:?}") };
+        assert!(toml.contains("k2 = 900.0") && toml.contains("k2 = 901.0"), "all or none");
+        assert!(!toml.contains("k2 = 1.0"), "a set that is refused changes nothing");
     });
     assert_eq!(report.faults, 0);
 }
@@ -80,17 +110,16 @@ fn every_key_can_become_another_instrument_while_the_host_runs() {
 #[test]
 fn nonsense_is_refused_with_the_reason_and_disturbs_nobody() {
     let report = beside_a_host("nonsense", |path| {
-        let refused = |request: &Request| match ask(path, request) {
-            Reply::Refused(why) => why,
-            done @ (Reply::Switched(_) | Reply::Stopped) => panic!("{done:?}"),
-        };
+        let refused = |request: &Request| ask(path, request).expect_err("nonsense");
         assert!(refused(&request("organ", None)).contains("no instrument \"organ\""));
         assert!(refused(&request("spring-wall", Some("B4..C4"))).contains("backwards"));
         assert!(refused(&request("spring-wall", Some("H9"))).contains("is no note"));
         assert!(say(path, b"hello\n").contains("no request"));
-        assert!(say(path, b"{\"instrument\":\"x\",\"limit\":1}\n").contains("unknown field"));
-        assert!(!say(path, "x".repeat(100_000).as_bytes()).contains("switched"));
-        assert_eq!(ask(path, &request("grand-springs", Some("A0"))), Reply::Switched(1));
+        let more = b"{\"service\":\"stop\",\"limit\":1}\n";
+        assert!(say(path, more).contains("unknown field"));
+        assert!(!say(path, "x".repeat(100_000).as_bytes()).contains("Ok"));
+        let done = ask(path, &request("grand-springs", Some("A0")));
+        assert_eq!(done, Ok("1 keys are now grand-springs".to_owned()));
     });
     assert_eq!(report.faults, 0);
 }

@@ -36,6 +36,8 @@ pub enum Request {
     },
     /// The scene as it sounds now, as a file.
     Scene {},
+    /// Where the host streams what it tells.
+    Where {},
     /// Begins to record, or ends.
     Record {
         /// Where to; `None` ends the recording.
@@ -82,6 +84,13 @@ pub enum Reply {
     Scene {
         /// As a file.
         toml: String,
+    },
+    /// Where the host streams what it tells.
+    Where {
+        /// Of its stream, as `ws://127.0.0.1:8765`.
+        address: String,
+        /// What it must be told to be heard.
+        token: Option<String>,
     },
 }
 

@@ -80,6 +80,8 @@ pub struct KeyRig {
     playing: Option<f64>,
     /// Force between finger and key [N].
     contact: f64,
+    /// How hard a weight lies on the key's front besides [N].
+    weight: f64,
 }
 
 impl KeyRig {
@@ -96,6 +98,7 @@ impl KeyRig {
             finger: Finger::new(parameters.finger),
             playing: None,
             contact: 0.0,
+            weight: 0.0,
         }
     }
 
@@ -119,6 +122,12 @@ impl KeyRig {
         for i in 0..substeps {
             self.step(t + f64::from(i) * substep, substep, gesture);
         }
+    }
+
+    /// Lays a weight on the key's front from now on, which presses with `newtons` wherever the
+    /// key goes; 0 takes it away, and so does what is no force.
+    pub fn lay(&mut self, newtons: f64) {
+        self.weight = if newtons.is_finite() { newtons.max(0.0) } else { 0.0 };
     }
 
     /// Returns what the encoder reports.
@@ -156,15 +165,18 @@ impl KeyRig {
     /// Then [`Self::advance`] with the same force and no active gesture changes nothing, and
     /// may be left out.
     pub fn is_still(&self) -> bool {
-        self.playing.is_none() && self.motor.is_settled() && self.key.holds(self.motor.force())
+        self.playing.is_none()
+            && self.motor.is_settled()
+            && self.key.holds(self.motor.force() - self.weight)
     }
 
     /// One substep from `t` to `t + h` [s].
     fn step(&mut self, t: f64, h: f64, gesture: Option<&Gesture>) {
-        self.contact = match gesture {
+        let finger = match gesture {
             Some(gesture) if gesture.is_active(t) => self.play(t, h, gesture),
             _ => self.rest(),
         };
+        self.contact = finger + self.weight;
         let motor = self.motor.step(h);
         self.key.step(motor - self.contact, h);
     }

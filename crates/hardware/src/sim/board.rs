@@ -183,6 +183,13 @@ impl SimulatedBoard {
         }
     }
 
+    /// Lays a weight on the key in `slot` [N]; 0 takes it away.
+    pub fn lay(&mut self, slot: usize, newtons: f64) {
+        if let Some(key) = self.keys.get_mut(slot) {
+            key.lay(newtons);
+        }
+    }
+
     /// Takes what has come, and lives through the ticks up to the start of `tick`; says where
     /// its keys are whenever that is due.
     ///

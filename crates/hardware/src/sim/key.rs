@@ -46,6 +46,11 @@ impl Plant {
         self.current = 0;
     }
 
+    /// Lays a weight on the key [N]; 0 takes it away.
+    pub(super) fn lay(&mut self, newtons: f64) {
+        self.rig.lay(newtons);
+    }
+
     /// Adds a gesture to those that wait, and forgets those that are over.
     pub(super) fn add(&mut self, gesture: Gesture) {
         self.gestures.drain(..self.current);

@@ -65,6 +65,14 @@ impl SimulatedKeybed {
         self.lines[key.board().index()].board.play(key.slot(), gestures);
     }
 
+    /// Lays a weight on `key` that presses with `newtons`; 0 takes it away.
+    ///
+    /// # Real-time
+    /// One assignment.
+    pub fn lay(&mut self, key: KeyIndex, newtons: f64) {
+        self.lines[key.board().index()].board.lay(key.slot(), newtons);
+    }
+
     /// Disturbs the wire of `board` from now on, as planned; exchanges count from 0.
     pub fn disturb(&mut self, board: BoardId, plan: FaultPlan) {
         self.lines[board.index()].faults = Faults::new(plan);

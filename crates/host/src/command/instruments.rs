@@ -6,9 +6,9 @@ use clap::{Args, Subcommand};
 use models::catalogue;
 use serde::Serialize;
 
-use super::{Failure, print_json};
+use super::{Failure, ask, print_json};
 use crate::config::{InstrumentInfo, instruments};
-use crate::control::{Reply, Request, send, socket_path};
+use crate::control::Request;
 
 /// What `letoff instruments` takes.
 #[derive(Clone, Debug, Args)]
@@ -96,7 +96,7 @@ impl From<&catalogue::Entry> for ModelInfo {
 /// Prints the instruments and models, or one model's parameters.
 pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(Action::Use { instrument, keys }) = &args.action {
-        return switch(Request { instrument: instrument.clone(), keys: keys.clone() }, out);
+        return switch(instrument, keys.clone(), out);
     }
     let models = chosen(args.model.as_deref())?;
     let instruments = instruments();
@@ -120,17 +120,11 @@ pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Fai
 }
 
 /// Asks the running host to switch.
-fn switch(mut request: Request, out: &mut dyn Write) -> Result<(), Failure> {
+fn switch(instrument: &str, keys: Option<String>, out: &mut dyn Write) -> Result<(), Failure> {
     // The host may stand in another folder.
-    if let Ok(path) = std::fs::canonicalize(&request.instrument) {
-        request.instrument = path.display().to_string();
-    }
-    match send(&socket_path(), &request) {
-        Ok(Reply::Switched(n)) => Ok(writeln!(out, "{n} keys are now {}", request.instrument)?),
-        Ok(Reply::Refused(why)) => Err(Failure::Usage(why)),
-        Ok(Reply::Stopped) => Err(Failure::Running("the host did something else".into())),
-        Err(error) => Err(Failure::Running(error.to_string())),
-    }
+    let path = std::fs::canonicalize(instrument).map(|path| path.display().to_string());
+    let instrument = path.unwrap_or_else(|_no_file| instrument.to_owned());
+    ask::ask(&Request::UseInstrument { instrument, keys }, Failure::Usage, out)
 }
 
 fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {

@@ -4,6 +4,7 @@
 //! Exit codes: 0 done, 1 something failed while running, 2 wrong usage or file.
 
 mod arguments;
+mod ask;
 mod board;
 mod calibrate;
 mod check;

@@ -5,9 +5,7 @@ use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use serde::Serialize;
-
-use super::Reply;
+use super::{Answer, Request};
 
 /// Longest time that a host is waited for.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -33,7 +31,7 @@ pub enum ControlError {
 ///
 /// # Errors
 /// If there is no host, or it does not answer within seconds.
-pub fn send(path: &Path, request: &impl Serialize) -> Result<Reply, ControlError> {
+pub fn send(path: &Path, request: &Request) -> Result<Answer, ControlError> {
     let mut stream = UnixStream::connect(path)
         .map_err(|_nobody| ControlError::NoHost { path: path.to_owned() })?;
     stream.set_read_timeout(Some(PATIENCE))?;

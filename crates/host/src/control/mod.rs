@@ -1,7 +1,8 @@
-//! Switching instruments on a running host: one JSON object a line over a Unix socket.
+//! What a running host is asked for: one JSON object a line over a Unix socket, or by its stream.
 //!
 //! ```text
 //! letoff instruments use NAME ──socket──▶ server ── Switchboard ──ring──▶ lanes, between ticks
+//! dashboard ──WebSocket──▶ telemetry::stream ─────────┘
 //! ```
 //!
 //! `letoff stop` comes the same way: the run ends with the next tick, and boards are stopped.
@@ -13,6 +14,7 @@ mod client;
 mod patchbay;
 mod server;
 mod switchboard;
+mod tuning;
 
 pub use client::{ControlError, send};
 pub use patchbay::Patchbay;
@@ -21,66 +23,10 @@ pub use switchboard::Switchboard;
 
 use std::path::PathBuf;
 
-use serde::{Deserialize, Serialize};
+pub use telemetry::{Reply, Request};
 
-/// What a client asks for.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Request {
-    /// An instrument's name or file.
-    pub instrument: String,
-    /// Which keys, as `C4..B5`; all without.
-    pub keys: Option<String>,
-}
-
-/// All that a client may ask for.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Wish {
-    /// Another instrument.
-    Switch(Request),
-    /// An end, at once.
-    Stop(Stop),
-}
-
-impl Wish {
-    /// Reads one line.
-    fn parse(line: &str) -> serde_json::Result<Self> {
-        let value: serde_json::Value = serde_json::from_str(line)?;
-        if value.get("stop").is_some() {
-            serde_json::from_value(value).map(Self::Stop)
-        } else {
-            serde_json::from_value(value).map(Self::Switch)
-        }
-    }
-}
-
-/// An end, at once: boards are told to render no force until they are seen to.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Stop {
-    /// What kind of end.
-    pub stop: StopKind,
-}
-
-/// What kind of end.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum StopKind {
-    /// No force on any key from the next tick on.
-    Emergency,
-}
-
-/// What the host answers.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Reply {
-    /// Voices are on their way to so many keys.
-    Switched(usize),
-    /// All forces are taken away with the next tick, and the run ends.
-    Stopped,
-    /// Nothing was changed; why, in a sentence.
-    Refused(String),
-}
+/// What the host answers to one line: what was done, or in a sentence why nothing was.
+pub type Answer = Result<Reply, String>;
 
 /// Where a host of this user listens: where `LETOFF_SOCKET` says, in the runtime directory,
 /// or else beside other temporary files, in a folder of the user's own.

@@ -3,7 +3,9 @@
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
+use firmware_protocol::key::KeyIndex;
 use pode::EnergyAudit;
+use rtrb::Producer;
 
 use crate::adapters::audit::AuditCell;
 use crate::observe::Told;
@@ -20,6 +22,8 @@ pub struct Patchbay {
     alarm: AtomicBool,
     /// Every board was told to.
     stopped: AtomicBool,
+    /// To the fingers of a simulated keybed.
+    weights: Mutex<Option<Producer<(KeyIndex, f64)>>>,
     /// Voices so far.
     voices: AtomicU32,
     /// To whoever observes.
@@ -55,18 +59,71 @@ impl Patchbay {
         self.voices.fetch_add(1, Ordering::Relaxed) + 1
     }
 
-    /// Sends `voices` to their keys; returns how many.
+    /// Sends `voices` to their keys, after those who observe were told; all of them or none.
     ///
     /// # Errors
-    /// Why one was not taken, in a sentence; those before it are on their way.
-    pub fn send(&self, voices: Vec<(usize, BoxedVoice)>, way: Way) -> Result<usize, String> {
+    /// Why none was taken, in a sentence.
+    pub fn send(
+        &self,
+        voices: Vec<(usize, BoxedVoice)>,
+        way: Way,
+        told: Vec<Told>,
+    ) -> Result<usize, String> {
         let mut swaps = lock(&self.swaps);
         let swaps = swaps.as_mut().ok_or("the host is not running yet, or not any more")?;
         let n = voices.len();
+        let keys: Vec<_> = voices.iter().map(|(key, _voice)| *key).collect();
+        swaps.refuse_without_room(&keys)?;
+        for it in told {
+            self.tell(it);
+        }
         for (key, voice) in voices {
             swaps.send(key, voice, way).map_err(|refused| format!("key {key}: {refused}"))?;
         }
         Ok(n)
+    }
+
+    /// Lets a board show its light.
+    ///
+    /// # Errors
+    /// Why it cannot, in a sentence.
+    pub fn identify(&self, line: u32, board: u32) -> Result<String, String> {
+        let _ = (line, board);
+        Err("the boards of a running host cannot show their lights yet: use `letoff devices \
+             --light` while it does not run"
+            .into())
+    }
+
+    /// Begins to record into `file`, or ends.
+    ///
+    /// # Errors
+    /// Why it cannot, in a sentence.
+    pub fn record(&self, file: Option<&str>) -> Result<String, String> {
+        let _ = file;
+        Err("not yet".into())
+    }
+
+    /// Lets weights be laid on simulated keys.
+    pub fn lend_fingers(&self, weights: Producer<(KeyIndex, f64)>) {
+        *lock(&self.weights) = Some(weights);
+    }
+
+    /// Presses a simulated key with `newtons`; 0 lets go.
+    ///
+    /// # Errors
+    /// If there is no such key, or it is a real one, or too much is waiting, in a sentence.
+    pub fn press(&self, key: u8, newtons: f64) -> Result<(), String> {
+        /// A finger's weight and a blow with it [N].
+        const HARDEST: f64 = 50.0;
+        let key =
+            KeyIndex::new(key).ok_or_else(|| format!("there is no key {key}, give 0 to 87"))?;
+        if !(0.0..=HARDEST).contains(&newtons) {
+            return Err(format!("a key is pressed with 0 to {HARDEST} N, not {newtons}"));
+        }
+        let mut weights = lock(&self.weights);
+        let weights = weights.as_mut().ok_or("these keys are real: press them yourself")?;
+        let pushed = weights.push((key, newtons));
+        pushed.map_err(|_full| "too many keys are pressed at once; try again".to_owned())
     }
 
     /// Ends the run with the next tick, without a ramp.

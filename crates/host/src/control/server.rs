@@ -11,7 +11,7 @@ use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, Buf
 use tokio::net::{UnixListener, UnixStream};
 use tokio::sync::Semaphore;
 
-use super::{Reply, Switchboard, Wish};
+use super::{Answer, Request, Switchboard};
 
 /// Longest request in bytes; a sentence would do.
 const MAX_REQUEST: u64 = 4096;
@@ -98,14 +98,15 @@ async fn converse(client: UnixStream, switchboard: &Arc<Switchboard>) -> io::Res
     let (reader, mut writer) = client.into_split();
     let mut line = String::new();
     BufReader::new(reader.take(MAX_REQUEST)).read_line(&mut line).await?;
-    let reply = match Wish::parse(&line) {
+    let reply: Answer = match serde_json::from_str::<Request>(&line) {
         // Building a keyboard of voices may take a while: not on the thread that hears signals.
-        Ok(wish) => {
+        Ok(request) => {
             let switchboard = Arc::clone(switchboard);
-            let answered = tokio::task::spawn_blocking(move || switchboard.answer(&wish)).await;
-            answered.unwrap_or_else(|panic| Reply::Refused(panic.to_string()))
+            let answer = move || switchboard.answer(&request, "letoff");
+            let answered = tokio::task::spawn_blocking(answer).await;
+            answered.unwrap_or_else(|panic| Err(panic.to_string()))
         }
-        Err(error) => Reply::Refused(format!("this is no request of letoff's: {error}")),
+        Err(error) => Err(format!("this is no request of letoff's: {error}")),
     };
     let mut text = serde_json::to_string(&reply)?;
     text.push('\n');

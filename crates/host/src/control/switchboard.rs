@@ -1,10 +1,16 @@
 //! From a request to voices on their way into the lanes.
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use super::{Patchbay, Reply, Request, Stop, StopKind, Wish};
+use telemetry::request::Change;
+use telemetry::{Event, Reply, Request, Update, event};
+
+use super::Patchbay;
+use super::tuning::Playing;
 use crate::assemble::Assembler;
-use crate::config::{Instrument, KeyVoice, Scene, keys_named};
+use crate::config::{Instrument, KeyVoice, Scene, keys_named, written};
+use crate::observe::{self, Origin, Told};
 use crate::realtime::clock;
 use crate::realtime::pool::{BoxedVoice, Way};
 use scheduler::time::Nanos;
@@ -14,62 +20,150 @@ use scheduler::time::Nanos;
 pub struct Switchboard {
     scene: Scene,
     patchbay: Arc<Patchbay>,
+    /// One change at a time, each on top of those before.
+    playing: Mutex<Playing>,
+    /// Where the host streams, and what it must be told.
+    stream: Mutex<Option<(String, Option<String>)>>,
 }
 
 impl Switchboard {
     /// For the host that runs `scene` and opens `patchbay` while it does.
-    pub const fn new(scene: Scene, patchbay: Arc<Patchbay>) -> Self {
-        Self { scene, patchbay }
+    pub fn new(scene: Scene, patchbay: Arc<Patchbay>) -> Self {
+        let playing = Mutex::new(Playing { keys: scene.keys.clone() });
+        Self { scene, patchbay, playing, stream: Mutex::default() }
     }
 
-    /// Does what `wish` asks for. It is checked and built as a whole before a voice is
-    /// sent; only a host that is flooded with requests may take a part of one.
-    pub fn answer(&self, wish: &Wish) -> Reply {
-        match wish {
-            Wish::Switch(request) => {
-                self.switch(request).map_or_else(Reply::Refused, Reply::Switched)
+    /// Says from now on that the host streams at `address`, to whoever knows `token`.
+    pub fn streams_at(&self, address: String, token: Option<String>) {
+        *self.stream.lock().unwrap_or_else(PoisonError::into_inner) = Some((address, token));
+    }
+
+    /// Does what `who` asks for. It is checked and built as a whole before a voice is sent.
+    ///
+    /// # Errors
+    /// Why nothing was changed, in a sentence.
+    pub fn answer(&self, request: &Request, who: &str) -> Result<Reply, String> {
+        let done = match request {
+            Request::Set { changes } => self.set(changes, who)?,
+            Request::UseInstrument { instrument, keys } => {
+                self.switch(instrument, keys.as_deref(), who)?
             }
-            Wish::Stop(Stop { stop: StopKind::Emergency }) => self.stop(),
-        }
+            Request::Stop {} => self.stop()?,
+            Request::Press { key, newtons } => {
+                self.patchbay.press(*key, *newtons)?;
+                format!("key {key} is pressed with {newtons} N")
+            }
+            Request::Identify { line, board } => self.patchbay.identify(*line, *board)?,
+            Request::Scene {} => return Ok(Reply::Scene { toml: self.written() }),
+            Request::Where {} => return self.whereabouts(),
+            Request::Record { file } => self.patchbay.record(file.as_deref())?,
+        };
+        Ok(Reply::Done { text: done })
+    }
+
+    /// The value of a parameter of each voice, in the order of keys.
+    pub fn values(&self) -> Vec<Change> {
+        let playing = self.playing.lock().unwrap_or_else(PoisonError::into_inner);
+        let voices = (0..).zip(&playing.keys).filter_map(|(key, it)| Some((key, it.as_ref()?)));
+        let of = |(key, it): (u8, &KeyVoice)| -> Vec<Change> {
+            let values = it.model.parameters.iter().zip(&it.values);
+            let change = |(parameter, value): (&models::Parameter, &f64)| Change {
+                key,
+                parameter: parameter.name.to_owned(),
+                value: *value,
+            };
+            values.map(change).collect()
+        };
+        voices.flat_map(of).collect()
+    }
+
+    /// The scene as it sounds now.
+    fn written(&self) -> String {
+        let playing = self.playing.lock().unwrap_or_else(PoisonError::into_inner);
+        written(&Scene { keys: playing.keys.clone(), ..self.scene.clone() })
+    }
+
+    fn whereabouts(&self) -> Result<Reply, String> {
+        let stream = self.stream.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let (address, token) =
+            stream.ok_or("this host streams nothing: start it with --listen 127.0.0.1:8765")?;
+        Ok(Reply::Where { address, token })
     }
 
     /// Ends the run, and waits until every board was told.
-    fn stop(&self) -> Reply {
+    fn stop(&self) -> Result<String, String> {
         /// Looks, and the time between two.
         const LOOKS: u32 = 200;
         const LOOK: Nanos = Nanos::from_millis(5);
         self.patchbay.sound_alarm();
         for _ in 0..LOOKS {
             if self.patchbay.is_stopped() {
-                return Reply::Stopped;
+                return Ok("stopped: no board renders a force until it is started anew".into());
             }
             clock::sleep_until(clock::monotonic().after(LOOK));
         }
-        Reply::Refused(
-            "the host has not told its boards to stop within a second: cut their power".into(),
-        )
+        Err("the host has not told its boards to stop within a second: cut their power".into())
     }
 
-    fn switch(&self, request: &Request) -> Result<usize, String> {
-        let instrument = Instrument::load(&request.instrument).map_err(|it| it.to_string())?;
-        let range = keys_named(request.keys.as_deref().unwrap_or("A0..C8"))?;
-        let voices = self.voices(&instrument, range)?;
-        self.patchbay.send(voices, Way::Replace)
+    fn set(&self, changes: &[Change], who: &str) -> Result<String, String> {
+        let mut playing = self.playing.lock().unwrap_or_else(PoisonError::into_inner);
+        let voices = playing.changed(changes)?;
+        let n = voices.len();
+        self.put_in(&mut playing, voices, None, (Way::Retune, who))?;
+        Ok(format!("{} values on {n} keys", changes.len()))
     }
 
-    /// A voice for each key of `range` that has one in the scene.
-    fn voices(
+    fn switch(&self, name: &str, keys: Option<&str>, who: &str) -> Result<String, String> {
+        let instrument = Instrument::load(name).map_err(|it| it.to_string())?;
+        let range = keys_named(keys.unwrap_or("A0..C8"))?;
+        let mut playing = self.playing.lock().unwrap_or_else(PoisonError::into_inner);
+        let sounding = range.filter(|key| playing.keys[usize::from(*key)].is_some());
+        let voice = |key| KeyVoice { model: instrument.model(), values: instrument.values(key) };
+        let voices: BTreeMap<_, _> = sounding.map(|key| (key, voice(key))).collect();
+        let n = voices.len();
+        self.put_in(&mut playing, voices, Some(&instrument.name), (Way::Replace, who))?;
+        let text = format!("{n} keys are now {}", instrument.name);
+        self.tell(&text, who);
+        Ok(text)
+    }
+
+    /// Builds `voices`, tells of them, and sends them to their keys.
+    fn put_in(
         &self,
-        instrument: &Instrument,
-        range: std::ops::RangeInclusive<u8>,
-    ) -> Result<Vec<(usize, BoxedVoice)>, String> {
+        playing: &mut Playing,
+        voices: BTreeMap<u8, KeyVoice>,
+        instrument: Option<&str>,
+        (way, who): (Way, &str),
+    ) -> Result<(), String> {
         let assembler = Assembler::new(&self.scene).map_err(|error| error.to_string())?;
-        let sounding = range.filter(|key| self.scene.keys[usize::from(*key)].is_some());
-        let voice = |key: u8| {
-            let voice = KeyVoice { model: instrument.model(), values: instrument.values(key) };
-            let cell = self.patchbay.new_cell();
-            Ok((usize::from(key), assembler.voice(&voice, cell).map_err(|it| it.to_string())? as _))
+        let mut built: Vec<(usize, BoxedVoice)> = Vec::new();
+        let mut told = Vec::new();
+        for (key, voice) in &voices {
+            let (revision, cell) = (self.patchbay.new_revision(), self.patchbay.new_cell());
+            let made = assembler.numbered(voice, cell, revision);
+            built.push((usize::from(*key), made.map_err(|it| it.to_string())?));
+            let kept = way == Way::Retune;
+            told.push(observe::voice(
+                *key,
+                voice,
+                Origin { revision, instrument, writer: who, kept },
+            ));
+        }
+        self.patchbay.send(built, way, told)?;
+        for (key, voice) in voices {
+            playing.keys[usize::from(key)] = Some(voice);
+        }
+        Ok(())
+    }
+
+    /// Tells those who watch that `who` did something.
+    fn tell(&self, text: &str, who: &str) {
+        let event = Event {
+            kind: event::Kind::Change.into(),
+            key: observe::NO_KEY,
+            text: format!("{who}: {text}"),
+            ..Event::default()
         };
-        sounding.map(voice).collect()
+        self.patchbay.tell(Told::Update(Box::new(Update::Event(event))));
     }
 }

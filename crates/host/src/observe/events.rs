@@ -12,7 +12,7 @@ use super::pulses::{PulseRow, words};
 use crate::adapters::tap::{KeyRow, TickRow};
 
 /// The key of what is of no key.
-pub(super) const NO_KEY: u32 = 255;
+pub const NO_KEY: u32 = 255;
 
 /// Something of a key at (tick, θ).
 fn at(kind: Kind, key: u8, Moment { tick, theta }: Moment) -> Event {

@@ -21,6 +21,7 @@ mod ticks;
 mod voice;
 
 pub use catalogue::catalogue;
+pub use events::NO_KEY;
 pub use eye::{Eye, eye, modes, signals};
 pub use pulses::{PulseRow, Pulses};
 pub use pump::{Pump, Sink, Told};

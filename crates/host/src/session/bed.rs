@@ -15,11 +15,15 @@ use super::keys::Keys;
 use super::{SessionError, all_keys};
 use crate::boards::{PATIENCE_US, calibration, now_us, open_all, planning};
 use crate::config::{Boards, period_us};
+use crate::control::Patchbay;
 use crate::realtime::clock;
 use crate::report::{BoardLine, LinkLine, Links};
 
 /// Time between two looks at the boards before the first tick.
 const LOOK: Nanos = Nanos::from_millis(1);
+
+/// Weights that may wait to be laid on simulated keys.
+const WEIGHTS: usize = 256;
 
 /// The keys before a run.
 pub(super) enum Bed {
@@ -115,10 +119,13 @@ impl Bed {
         self,
         performance: Option<&Performance>,
         lead: Nanos,
+        patchbay: &Patchbay,
     ) -> Result<(Bus, Nanos), SessionError> {
         match self {
             Self::Simulated(keybed) => {
-                Ok((Bus::Simulated(Keys::new(*keybed)), clock::monotonic().after(lead)))
+                let (weights, laid) = rtrb::RingBuffer::new(WEIGHTS);
+                patchbay.lend_fingers(weights);
+                Ok((Bus::Simulated(Keys::new(*keybed, laid)), clock::monotonic().after(lead)))
             }
             Self::Boards(keybed, terms, plans) => {
                 let mut keybed = keybed.arm(terms, PATIENCE_US)?;

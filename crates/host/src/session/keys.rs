@@ -1,7 +1,8 @@
 //! The simulated keybed as the tick's bus, with the host's answer to a tripped watchdog.
 
-use firmware_protocol::key::BoardId;
+use firmware_protocol::key::{BoardId, KeyIndex};
 use hardware::sim::keybed::SimulatedKeybed;
+use rtrb::Consumer;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus;
 
@@ -15,16 +16,25 @@ pub(super) struct Keys {
     pub(super) keybed: SimulatedKeybed,
     /// Times that boards were armed again.
     pub(super) rearmed: u64,
+    /// Weights to be laid on keys [N].
+    pub(super) weights: Consumer<(KeyIndex, f64)>,
 }
 
+/// Weights that one tick lays at most.
+const MOST_WEIGHTS: usize = 16;
+
 impl Keys {
-    pub(super) const fn new(keybed: SimulatedKeybed) -> Self {
-        Self { keybed, rearmed: 0 }
+    pub(super) const fn new(keybed: SimulatedKeybed, weights: Consumer<(KeyIndex, f64)>) -> Self {
+        Self { keybed, rearmed: 0, weights }
     }
 }
 
 impl KeyBus for Keys {
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        for _ in 0..MOST_WEIGHTS {
+            let Ok((key, newtons)) = self.weights.pop() else { break };
+            self.keybed.lay(key, newtons);
+        }
         self.keybed.receive(tick, samples);
         if BoardId::all().any(|board| self.keybed.is_safe(board)) {
             self.keybed.rearm();
@@ -46,7 +56,7 @@ mod tests {
     #[test]
     fn boards_that_a_stall_of_the_host_made_safe_are_armed_again() {
         let keybed = SimulatedKeybed::new(1e-3, RigParameters::default()).expect("a keybed");
-        let mut keys = Keys::new(keybed);
+        let mut keys = Keys::new(keybed, rtrb::RingBuffer::new(1).1);
         let mut samples = [KeySample::default(); KEYS];
         for tick in (0..10).chain(100..110) {
             keys.receive(tick, &mut samples);

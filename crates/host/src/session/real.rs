@@ -29,7 +29,7 @@ pub(super) fn run(
     stop: &AtomicBool,
 ) -> Result<Report, SessionError> {
     let locked = memory::lock();
-    let (mut bus, start) = bed.arm(stage.performance.as_ref(), LEAD)?;
+    let (mut bus, start) = bed.arm(stage.performance.as_ref(), LEAD, &stage.patchbay)?;
     let handover = histogram().map_err(std::io::Error::other)?;
     let (pulses, pump) = observed.begin(since_1970(start));
     let pumping = Pumping::start(pump)?;

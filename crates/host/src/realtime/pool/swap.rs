@@ -88,6 +88,26 @@ impl VoiceSwaps {
             .map_err(|PushError::Full(swap)| Refused::Full(swap.voice.into_voice()))
     }
 
+    /// Says in a sentence why voices for `keys` would not all be taken now.
+    ///
+    /// # Errors
+    /// That sentence.
+    pub fn refuse_without_room(&mut self, keys: &[usize]) -> Result<(), String> {
+        self.drain();
+        if let Some(key) = keys.iter().find(|key| !self.has_voice.get(**key).is_some_and(|it| *it))
+        {
+            return Err(format!("key {key} has no voice in this scene"));
+        }
+        let n_lanes = self.lanes.len();
+        for (number, lane) in self.lanes.iter().enumerate() {
+            let wanted = keys.iter().filter(|key| lane_of(**key, n_lanes) == number).count();
+            if lane.into.slots() < wanted {
+                return Err("too many voices are waiting to be put in; try again".into());
+            }
+        }
+        Ok(())
+    }
+
     /// Frees the voices that were replaced and returns how many. Not for the tick.
     pub fn drain(&mut self) -> usize {
         let drained = |end: &mut OuterEnd| std::iter::from_fn(|| end.out.pop().ok()).count();
