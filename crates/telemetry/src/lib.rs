@@ -2,6 +2,7 @@
 //!
 //! Nothing here knows a key's physics or a clock; the host fills the messages, and a window, a
 //! viewer or a file takes them.
+//! [`recording`] writes them to files, and reads them back.
 //! `proto/letoff/telemetry.proto` describes every message once: the types here, and the schemas
 //! that other people's viewers read, are made from it.
 //!
@@ -21,6 +22,7 @@
 #![forbid(unsafe_code)]
 
 mod messages;
+pub mod recording;
 pub mod request;
 pub mod source;
 pub mod topic;

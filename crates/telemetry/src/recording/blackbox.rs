@@ -1,0 +1,92 @@
+//! The last seconds, kept to be written when something fails.
+
+use std::collections::VecDeque;
+use std::path::Path;
+use std::time::Duration;
+
+use super::error::RecordError;
+use super::format::Labels;
+use super::latest::Latest;
+use super::part::Part;
+use super::raw::Raw;
+use super::settings::Compression;
+use crate::Update;
+
+/// The last seconds of messages, and the catalogue and voices that they need, in bounded memory.
+#[derive(Clone, Debug)]
+pub struct BlackBox {
+    /// For how long it keeps something [ns].
+    span: u64,
+    most: usize,
+    /// The last seconds, the oldest first.
+    ring: VecDeque<Raw>,
+    bytes: usize,
+    /// What was true before them.
+    before: Latest,
+    newest: u64,
+}
+
+impl BlackBox {
+    /// Keeps the last `span`, or less if that is more than `most_bytes` [B].
+    pub fn new(span: Duration, most_bytes: usize) -> Self {
+        Self {
+            span: u64::try_from(span.as_nanos()).unwrap_or(u64::MAX),
+            most: most_bytes,
+            ring: VecDeque::new(),
+            bytes: 0,
+            before: Latest::default(),
+            newest: 0,
+        }
+    }
+
+    /// Keeps `update`, which was made at `at` [ns since 1970], and forgets what is too old.
+    ///
+    /// # Errors
+    /// If the message is of no key; it is then not kept.
+    pub fn keep(&mut self, at: u64, update: &Update) -> Result<(), RecordError> {
+        let raw = Raw::of(at, update)?;
+        self.newest = self.newest.max(at);
+        self.bytes += cost(&raw);
+        self.ring.push_back(raw);
+        while self.is_too_much() {
+            let Some(oldest) = self.ring.pop_front() else { break };
+            self.bytes -= cost(&oldest);
+            self.before.note(&oldest);
+        }
+        Ok(())
+    }
+
+    /// What it holds [B].
+    pub fn bytes(&self) -> usize {
+        self.bytes + self.before.bytes()
+    }
+
+    /// Writes what it holds of `run` as a recording, the new file `path`; how large that is [B].
+    ///
+    /// # Errors
+    /// If a file of this name is there already or cannot be written.
+    pub fn dump(&self, path: &Path, run: &str) -> Result<u64, RecordError> {
+        let mut part = Part::create(path, &Labels::new(run, 1), Compression::default())?;
+        let begins = self.ring.front().map_or(self.newest, |raw| raw.at);
+        for raw in self.before.again(begins) {
+            part.add(&raw)?;
+        }
+        for raw in &self.ring {
+            part.add(raw)?;
+            if part.is_chunk_full() {
+                part.flush()?;
+            }
+        }
+        part.finish()
+    }
+
+    fn is_too_much(&self) -> bool {
+        let oldest = self.newest.saturating_sub(self.span);
+        self.bytes() > self.most || self.ring.front().is_some_and(|raw| raw.at < oldest)
+    }
+}
+
+/// What it takes to keep `raw` [B].
+const fn cost(raw: &Raw) -> usize {
+    raw.bytes.capacity() + size_of::<Raw>()
+}

@@ -1,0 +1,87 @@
+//! What is inside a chunk.
+
+use mcap::records::{MessageHeader, Record};
+use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
+use mcap::{McapError, McapResult};
+
+use super::format::LARGEST_CHUNK;
+
+/// Records of one chunk, which is decompressed and compared with its checksum before the first.
+pub(super) struct Chunk {
+    reader: LinearReader,
+    is_at_end: bool,
+}
+
+/// What a chunk holds.
+pub(super) enum Inside {
+    /// Messages with this number are of the topic of this name.
+    Channel(u16, String),
+    /// A message.
+    Message(MessageHeader, Vec<u8>),
+}
+
+impl Chunk {
+    /// The chunk that `record` is, with its opcode and length.
+    pub(super) fn new(record: &[u8]) -> Self {
+        let options = LinearReaderOptions::default()
+            .with_skip_start_magic(true)
+            .with_skip_end_magic(true)
+            .with_prevalidate_chunk_crcs(true)
+            .with_record_length_limit(LARGEST_CHUNK);
+        let mut reader = LinearReader::new_with_options(options);
+        reader.insert(record.len()).copy_from_slice(record);
+        reader.notify_read(record.len());
+        Self { reader, is_at_end: false }
+    }
+
+    /// What comes next that is not a message or one that `wants` wants.
+    ///
+    /// After an error there is nothing more.
+    pub(super) fn next(
+        &mut self,
+        mut wants: impl FnMut(&MessageHeader) -> bool,
+    ) -> Option<McapResult<Inside>> {
+        loop {
+            let inside = match self.reader.next_event()? {
+                Err(error) => Some(Err(error)),
+                Ok(LinearReadEvent::Record { opcode, data }) => {
+                    inside(opcode, data, &mut wants).transpose()
+                }
+                // All of it has been given: it either ends here or is cut.
+                Ok(LinearReadEvent::ReadRequest(_)) if self.is_at_end => {
+                    Some(Err(McapError::UnexpectedEoc))
+                }
+                Ok(LinearReadEvent::ReadRequest(_)) => {
+                    self.is_at_end = true;
+                    self.reader.notify_read(0);
+                    None
+                }
+            };
+            if inside.is_some() {
+                return inside;
+            }
+        }
+    }
+}
+
+fn inside(
+    opcode: u8,
+    data: &[u8],
+    wants: &mut impl FnMut(&MessageHeader) -> bool,
+) -> McapResult<Option<Inside>> {
+    use mcap::records::op;
+    // The others say nothing that is needed, and are not even looked at.
+    if opcode != op::CHANNEL && opcode != op::MESSAGE {
+        return Ok(None);
+    }
+    let record = mcap::parse_record(opcode, data)?;
+    if let Record::Channel(channel) = record {
+        return Ok(Some(Inside::Channel(channel.id, channel.topic)));
+    }
+    if let Record::Message { header, data } = record
+        && wants(&header)
+    {
+        return Ok(Some(Inside::Message(header, data.into_owned())));
+    }
+    Ok(None)
+}

@@ -1,0 +1,256 @@
+//! A recording as tables.
+
+mod table;
+mod words;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use self::table::Table;
+use self::words::{EVENTS, fault, flags, header, mode, seconds};
+use super::error::{ExportError, ReadError};
+use super::reader::Recording;
+use super::rows::{Row, rows};
+use crate::{Catalogue, Event, KEYS, KeyBlock, Model, Topic, Update, Voice};
+
+/// What of a recording becomes tables.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Selection {
+    /// Which keys, 0 (A0) to 87 (C8).
+    pub keys: BTreeSet<u8>,
+    /// Messages made from then on [ns since 1970] …
+    pub from: u64,
+    /// … and before then.
+    pub to: u64,
+}
+
+impl Default for Selection {
+    /// Everything.
+    fn default() -> Self {
+        Self { keys: (0..=u8::MAX).take(KEYS).collect(), from: 0, to: u64::MAX }
+    }
+}
+
+/// What has become of a recording.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Exported {
+    /// The tables.
+    pub files: Vec<PathBuf>,
+    /// Rows of keys.
+    pub rows: u64,
+    /// Events.
+    pub events: u64,
+    /// What could not be read, a sentence each.
+    pub wrong: Vec<String>,
+}
+
+/// Writes `key-<n>.csv` for each key that has rows, and `events.csv`, into `folder`.
+///
+/// A row is a tick in which anything changed; `t` counts from tick 0.
+/// A key whose model changes goes on in `key-<n>-2.csv`, because its columns are others.
+///
+/// # Errors
+/// If a table is there already or cannot be written, or the recording has no catalogue.
+pub fn export_csv(
+    recording: &Recording,
+    folder: &Path,
+    selection: &Selection,
+) -> Result<Exported, ExportError> {
+    let mut tables = Tables::new(recording, folder, selection)?;
+    let blocks = selection.keys.iter().map(|key| Topic::Block(*key));
+    let topics = blocks.chain([Topic::Events, Topic::Voices]).collect();
+    for message in recording.read(selection.from, selection.to, &topics) {
+        match message {
+            Ok((_, Update::Block(block))) => tables.block(&block)?,
+            Ok((_, Update::Event(event))) => tables.event(&event)?,
+            Ok((_, Update::Voice(voice))) => tables.note(&voice),
+            Ok(_) => {}
+            Err(error) => tables.say(&error),
+        }
+    }
+    tables.finish()
+}
+
+/// A key's table, and whose columns it has.
+struct KeyTable {
+    table: Table,
+    model: String,
+    /// How many tables the key has.
+    number: u32,
+}
+
+struct Tables {
+    folder: PathBuf,
+    catalogue: Catalogue,
+    /// Models by their names.
+    models: BTreeMap<String, Rc<Model>>,
+    /// The model of each key's revisions.
+    revisions: BTreeMap<(u32, u32), Rc<Model>>,
+    /// The model of each key now.
+    current: BTreeMap<u32, Rc<Model>>,
+    keys: BTreeMap<u32, KeyTable>,
+    events: Table,
+    done: Exported,
+}
+
+impl Tables {
+    fn new(
+        recording: &Recording,
+        folder: &Path,
+        selection: &Selection,
+    ) -> Result<Self, ExportError> {
+        let catalogue = recording.catalogue()?.filter(|catalogue| catalogue.tick_hz > 0);
+        let nothing = || ExportError::NoCatalogue(recording.path().to_owned());
+        let catalogue = catalogue.ok_or_else(nothing)?;
+        let mut tables = Self {
+            folder: folder.to_owned(),
+            models: models(&catalogue),
+            catalogue,
+            revisions: BTreeMap::new(),
+            current: BTreeMap::new(),
+            keys: BTreeMap::new(),
+            events: Table::create(folder.join("events.csv"), &EVENTS.map(str::to_owned))?,
+            done: Exported::default(),
+        };
+        tables.note_revisions(recording);
+        match recording.voices_at(selection.from.max(start(recording))) {
+            Ok(voices) => voices.iter().for_each(|(_, voice)| tables.note(voice)),
+            Err(error) => tables.say(&error),
+        }
+        Ok(tables)
+    }
+
+    /// Which model each voice of the recording is of: a voice may be told after its first rows.
+    fn note_revisions(&mut self, recording: &Recording) {
+        for message in recording.read(0, u64::MAX, &BTreeSet::from([Topic::Voices])) {
+            // What is damaged is said when its rows are read.
+            if let Ok((_, Update::Voice(voice))) = message {
+                let model = self.named(&voice.model);
+                self.revisions.insert((voice.key, voice.revision), model);
+            }
+        }
+    }
+
+    /// Something could not be read; it is said once.
+    fn say(&mut self, error: &ReadError) {
+        let text = error.to_string();
+        if !self.done.wrong.contains(&text) {
+            self.done.wrong.push(text);
+        }
+    }
+
+    /// From now on its key is played by `voice`.
+    fn note(&mut self, voice: &Voice) {
+        let model = self.named(&voice.model);
+        self.current.insert(voice.key, model);
+    }
+
+    fn block(&mut self, block: &KeyBlock) -> Result<(), ExportError> {
+        let widths: BTreeMap<u32, usize> = block
+            .revision
+            .iter()
+            .map(|revision| (*revision, self.model(block.key, *revision).signals.len()))
+            .collect();
+        let width = |revision: u32| widths.get(&revision).copied().unwrap_or(0);
+        for row in rows(block, width) {
+            self.row(block.key, &row)?;
+        }
+        Ok(())
+    }
+
+    fn row(&mut self, key: u32, row: &Row<'_>) -> Result<(), ExportError> {
+        let model = self.model(key, row.revision);
+        let mut fields = vec![
+            seconds(&self.catalogue, row.tick, 0.0).to_string(),
+            row.tick.to_string(),
+            row.position.to_string(),
+            row.force.to_string(),
+            row.sent.to_string(),
+            mode(&model, u32::from(row.mode)),
+            flags(row.flags),
+            fault(row.fault),
+        ];
+        fields.extend(row.signals.iter().map(ToString::to_string));
+        self.key_table(key, &model)?.table.row(&fields)?;
+        self.done.rows += 1;
+        Ok(())
+    }
+
+    /// The table with the columns of `model`.
+    fn key_table(&mut self, key: u32, model: &Model) -> Result<&mut KeyTable, ExportError> {
+        let number = match self.keys.get(&key) {
+            Some(table) if table.model == model.name => None,
+            Some(table) => Some(table.number + 1),
+            None => Some(1),
+        };
+        if let Some(number) = number {
+            let name = match number {
+                1 => format!("key-{key}.csv"),
+                _ => format!("key-{key}-{number}.csv"),
+            };
+            let table = Table::create(self.folder.join(name), &header(model))?;
+            let model = model.name.clone();
+            let old = self.keys.insert(key, KeyTable { table, model, number });
+            self.close(old.map(|old| old.table))?;
+        }
+        let nothing = || ExportError::Exists(self.folder.clone());
+        self.keys.get_mut(&key).ok_or_else(nothing)
+    }
+
+    fn event(&mut self, event: &Event) -> Result<(), ExportError> {
+        let model = self.current.get(&event.key).map_or_else(Rc::default, Rc::clone);
+        let is_switch = event.kind() == crate::event::Kind::Switch;
+        let named = |of: u32| if is_switch { mode(&model, of) } else { String::new() };
+        // Seventeen digits tell any two numbers apart, also those that are read back elsewhere.
+        let fields = [
+            format!("{:.16e}", seconds(&self.catalogue, event.tick, event.theta)),
+            event.tick.to_string(),
+            format!("{:.16e}", event.theta),
+            if event.key == 255 { String::new() } else { event.key.to_string() },
+            event.kind().as_str_name().to_lowercase(),
+            named(event.from),
+            named(event.to),
+            event.guard.clone(),
+            event.speed.to_string(),
+            event.text.clone(),
+        ];
+        self.done.events += 1;
+        self.events.row(&fields)
+    }
+
+    fn finish(mut self) -> Result<Exported, ExportError> {
+        for (_, key) in std::mem::take(&mut self.keys) {
+            self.close(Some(key.table))?;
+        }
+        self.done.files.push(self.events.finish()?);
+        self.done.files.sort();
+        Ok(self.done)
+    }
+
+    fn close(&mut self, table: Option<Table>) -> Result<(), ExportError> {
+        if let Some(table) = table {
+            self.done.files.push(table.finish()?);
+        }
+        Ok(())
+    }
+
+    fn model(&self, key: u32, revision: u32) -> Rc<Model> {
+        self.revisions.get(&(key, revision)).map_or_else(Rc::default, Rc::clone)
+    }
+
+    /// The model of this name; one without signals if the catalogue does not have it.
+    fn named(&self, name: &str) -> Rc<Model> {
+        let nameless = || Rc::new(Model { name: name.to_owned(), ..Model::default() });
+        self.models.get(name).map_or_else(nameless, Rc::clone)
+    }
+}
+
+fn start(recording: &Recording) -> u64 {
+    recording.span().map_or(0, |(first, _)| first)
+}
+
+fn models(catalogue: &Catalogue) -> BTreeMap<String, Rc<Model>> {
+    let models = catalogue.models.iter();
+    models.map(|model| (model.name.clone(), Rc::new(model.clone()))).collect()
+}

@@ -1,0 +1,45 @@
+//! What stands in the columns of a table.
+
+use crate::{Catalogue, Model};
+
+/// Columns of the table of events.
+pub(super) const EVENTS: [&str; 10] =
+    ["t [s]", "tick", "theta", "key", "kind", "from", "to", "guard", "speed [m/s]", "text"];
+
+/// Columns that every key has.
+const COLUMNS: [&str; 8] =
+    ["t [s]", "tick", "position [m]", "force [N]", "sent [N]", "mode", "flags", "fault"];
+
+/// What each bit of `KeyBlock.flags` means.
+const FLAGS: [&str; 8] = ["asleep", "late", "fresh", "not run", "other tick", "32", "64", "128"];
+
+/// What each value of `KeyBlock.fault` means.
+const FAULTS: [&str; 6] = ["", "not finite", "bad sample", "capped", "diverged", "panicked"];
+
+pub(super) fn header(model: &Model) -> Vec<String> {
+    let signals = model.signals.iter().map(|signal| match signal.unit.as_str() {
+        "" => signal.name.clone(),
+        unit => format!("{} [{unit}]", signal.name),
+    });
+    COLUMNS.map(str::to_owned).into_iter().chain(signals).collect()
+}
+
+/// Time since tick 0 [s].
+pub(super) fn seconds(catalogue: &Catalogue, tick: u64, theta: f64) -> f64 {
+    (tick as f64 + theta) / f64::from(catalogue.tick_hz)
+}
+
+pub(super) fn mode(model: &Model, mode: u32) -> String {
+    let name = usize::try_from(mode).ok().and_then(|mode| model.modes.get(mode));
+    name.map_or_else(|| mode.to_string(), Clone::clone)
+}
+
+pub(super) fn flags(bits: u8) -> String {
+    let set = FLAGS.iter().enumerate().filter(|(bit, _)| bits >> bit & 1 == 1);
+    set.map(|(_, name)| *name).collect::<Vec<_>>().join("+")
+}
+
+pub(super) fn fault(fault: u8) -> String {
+    let name = FAULTS.get(usize::from(fault));
+    name.map_or_else(|| fault.to_string(), |name| (*name).to_owned())
+}

@@ -1,0 +1,151 @@
+//! What our files have in common: names, numbers, versions.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use mcap::records::Metadata;
+
+use crate::Topic;
+
+/// Version of the format: files with another number before the point are refused.
+pub const FORMAT: &str = "1.0";
+
+/// Profile of the header, and name of the metadata.
+pub(super) const PROFILE: &str = "letoff";
+
+/// What wrote a file.
+pub(super) const LIBRARY: &str = concat!("letoff ", env!("CARGO_PKG_VERSION"));
+
+/// A chunk is closed when so much is in it [B]: small enough to be read at each move of a
+/// timeline, large enough to be worth compressing.
+pub(super) const CHUNK: u64 = 1 << 20;
+
+/// No chunk is larger than this [B], compressed or not; a length above it is a damaged one.
+pub(super) const LARGEST_CHUNK: usize = 64 << 20;
+
+/// What a file says of itself.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Labels {
+    /// Which run: see `Catalogue.run`.
+    pub(super) run: String,
+    /// Which file of the recording, from 1.
+    pub(super) part: u32,
+    /// Version of the format.
+    pub(super) format: String,
+}
+
+impl Labels {
+    pub(super) fn new(run: &str, part: u32) -> Self {
+        Self { run: run.to_owned(), part, format: FORMAT.to_owned() }
+    }
+
+    pub(super) fn metadata(&self) -> Metadata {
+        let entries = [
+            ("format", self.format.clone()),
+            ("part", self.part.to_string()),
+            ("run", self.run.clone()),
+        ];
+        let entries = entries.map(|(name, value)| (name.to_owned(), value));
+        Metadata { name: PROFILE.to_owned(), metadata: BTreeMap::from(entries) }
+    }
+
+    pub(super) fn of(metadata: &Metadata) -> Option<Self> {
+        if metadata.name != PROFILE {
+            return None;
+        }
+        let entry = |name: &str| metadata.metadata.get(name).cloned();
+        let part = entry("part").and_then(|part| part.parse().ok()).unwrap_or(1);
+        Some(Self { run: entry("run")?, part, format: entry("format")? })
+    }
+
+    /// Whether this version reads it.
+    pub(super) fn is_ours(&self) -> bool {
+        let major = |format: &str| format.split('.').next().map(str::to_owned);
+        major(&self.format) == major(FORMAT)
+    }
+}
+
+/// Under which number a topic's messages lie; the same in every file that we write.
+pub(super) const fn channel(topic: Topic) -> u16 {
+    match topic {
+        Topic::Catalogue => 1,
+        Topic::Voices => 2,
+        Topic::Overview => 3,
+        Topic::Events => 4,
+        Topic::Ticks => 5,
+        Topic::Deadlines => 6,
+        Topic::Links => 7,
+        Topic::Midi => 8,
+        Topic::Log => 9,
+        Topic::Block(key) => 100 + key as u16,
+        Topic::State(key) => 200 + key as u16,
+    }
+}
+
+/// Number of a topic's schema; 0 would mean that there is none.
+pub(super) const fn schema(topic: Topic) -> u16 {
+    match topic {
+        Topic::Block(_) => 10,
+        Topic::State(_) => 11,
+        Topic::Catalogue
+        | Topic::Voices
+        | Topic::Overview
+        | Topic::Events
+        | Topic::Ticks
+        | Topic::Deadlines
+        | Topic::Links
+        | Topic::Midi
+        | Topic::Log => channel(topic),
+    }
+}
+
+/// Topics by their numbers in the files that we write.
+///
+/// Other people's tools may number them anew, and say so by name in the file.
+pub(super) fn topics() -> BTreeMap<u16, Topic> {
+    Topic::all().map(|topic| (channel(topic), topic)).collect()
+}
+
+/// Where part `part` of the recording lies whose first is `first`: `take-0002.mcap` of
+/// `take.mcap`.
+pub(super) fn part_path(first: &Path, part: u32) -> PathBuf {
+    if part <= 1 {
+        return first.to_owned();
+    }
+    let stem = first.file_stem().unwrap_or_default().to_string_lossy();
+    first.with_file_name(format!("{stem}-{part:04}.{}", extension(first)))
+}
+
+/// Where the first part of the recording lies whose part `part` is `path`.
+pub(super) fn first_path(path: &Path, part: u32) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    match stem.strip_suffix(&format!("-{part:04}")) {
+        Some(first) if part > 1 => path.with_file_name(format!("{first}.{}", extension(path))),
+        _ => path.to_owned(),
+    }
+}
+
+fn extension(path: &Path) -> String {
+    path.extension().map_or_else(|| "mcap".to_owned(), |it| it.to_string_lossy().into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_topic_has_a_number_of_its_own() {
+        assert_eq!(topics().len(), Topic::all().count());
+        assert!(Topic::all().all(|topic| schema(topic) > 0));
+    }
+
+    #[test]
+    fn a_part_s_name_leads_to_the_first_and_back() {
+        let first = Path::new("takes/slow.mcap");
+        let third = part_path(first, 3);
+        assert_eq!(third, Path::new("takes/slow-0003.mcap"));
+        assert_eq!(first_path(&third, 3), first);
+        // A name that only looks like a part's.
+        assert_eq!(first_path(&third, 1), third);
+    }
+}

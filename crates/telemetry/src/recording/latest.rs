@@ -1,0 +1,39 @@
+//! The last catalogue and the last voice of every key, without which nothing can be understood.
+
+use std::collections::BTreeMap;
+
+use prost::Message as _;
+
+use super::raw::Raw;
+use crate::{Topic, Voice};
+
+/// The last catalogue and the last voice of every key.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Latest {
+    catalogue: Option<Raw>,
+    voices: BTreeMap<u32, Raw>,
+}
+
+impl Latest {
+    /// Remembers `raw` if it is one of these.
+    pub(super) fn note(&mut self, raw: &Raw) {
+        if raw.topic == Topic::Catalogue {
+            self.catalogue = Some(raw.clone());
+        }
+        if raw.topic == Topic::Voices
+            && let Ok(voice) = Voice::decode(raw.bytes.as_slice())
+        {
+            self.voices.insert(voice.key, raw.clone());
+        }
+    }
+
+    /// They, said again at `at` [ns since 1970].
+    pub(super) fn again(&self, at: u64) -> impl Iterator<Item = Raw> {
+        self.catalogue.iter().chain(self.voices.values()).map(move |raw| Raw { at, ..raw.clone() })
+    }
+
+    /// How much it holds [B].
+    pub(super) fn bytes(&self) -> usize {
+        self.catalogue.iter().chain(self.voices.values()).map(|raw| raw.bytes.len()).sum()
+    }
+}

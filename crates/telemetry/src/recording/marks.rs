@@ -1,0 +1,101 @@
+//! Moments of a recording that are worth finding again.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use super::reader::{Messages, Recording};
+use crate::event::Kind;
+use crate::source::Mark;
+use crate::{Event, Topic, Update};
+
+/// Strikes, and ticks that were not in time, are marked once in so long [ns].
+const THINNED: u64 = 1_000_000_000;
+
+/// Moments of a recording that are worth finding again: faults and recoveries, boards, ticks that
+/// were not in time, and strikes, these two at most once a second.
+///
+/// It reads every chunk that has events; what cannot be read is left out.
+pub fn marks(recording: &Recording) -> Marks<'_> {
+    let events = recording.read(0, u64::MAX, &BTreeSet::from([Topic::Events]));
+    Marks { events, strike: None, miss: None }
+}
+
+/// See [`marks`].
+pub struct Marks<'a> {
+    events: Messages<'a>,
+    /// When one was marked last [ns since 1970].
+    strike: Option<u64>,
+    miss: Option<u64>,
+}
+
+impl Marks<'_> {
+    fn mark(&mut self, at: u64, event: &Event) -> Option<Mark> {
+        let is_far = |last: &mut Option<u64>| {
+            let is_far = last.is_none_or(|last| last.abs_diff(at) >= THINNED);
+            if is_far {
+                *last = Some(at);
+            }
+            is_far
+        };
+        let (text, is_fault) = match event.kind() {
+            Kind::Strike if is_far(&mut self.strike) => (format!("{} struck", key(event)), false),
+            Kind::Miss if is_far(&mut self.miss) => (said("late", event), true),
+            Kind::Fault => (said(&format!("{}: fault", key(event)), event), true),
+            Kind::Recovery => (format!("{} recovered", key(event)), false),
+            Kind::Board => (said("board", event), false),
+            Kind::Strike
+            | Kind::Miss
+            | Kind::Unknown
+            | Kind::Switch
+            | Kind::DamperLift
+            | Kind::DamperFall
+            | Kind::Skip
+            | Kind::Change => return None,
+        };
+        Some(Mark { at, text, is_fault })
+    }
+}
+
+impl Iterator for Marks<'_> {
+    type Item = Mark;
+
+    fn next(&mut self) -> Option<Mark> {
+        loop {
+            let Ok((at, Update::Event(event))) = self.events.next()? else { continue };
+            if let Some(mark) = self.mark(at, &event) {
+                return Some(mark);
+            }
+        }
+    }
+}
+
+impl fmt::Debug for Marks<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Marks").field("events", &self.events).finish_non_exhaustive()
+    }
+}
+
+fn said(what: &str, event: &Event) -> String {
+    if event.text.is_empty() { what.to_owned() } else { format!("{what}: {}", event.text) }
+}
+
+/// The key's name, as `C4`.
+fn key(event: &Event) -> String {
+    const NAMES: [&str; 12] = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
+    // Key 0 is A0, the ninth semitone of octave 0.
+    let semitone = u64::from(event.key) + 9;
+    let name = NAMES.iter().cycle().nth(usize::try_from(semitone % 12).unwrap_or(0));
+    format!("{}{}", name.unwrap_or(&""), semitone / 12)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_have_their_names() {
+        for (number, name) in [(0, "A0"), (3, "C1"), (39, "C4"), (48, "A4"), (87, "C8")] {
+            assert_eq!(key(&Event { key: number, ..Event::default() }), name);
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Recordings: what a host told, in files that public viewers read.
+//!
+//! A recording is [MCAP](https://mcap.dev): the same topics and messages as on the stream, with
+//! their schemas, in compressed chunks.
+//! [`Recorder`] writes one and goes on in another file when one is full, [`Recording`] reads what
+//! is there of one, [`Playback`] lets a window see it as if it were live, [`BlackBox`] keeps the
+//! last seconds to be written when something fails, [`recover`] makes a complete file of one that
+//! breaks off, and [`export_csv`] makes tables of it.
+//!
+//! Nothing here reads a clock: time comes with the messages, or from whoever calls.
+//!
+//! A file holds, in this order:
+//!
+//! | what | why |
+//! |---|---|
+//! | header, profile `letoff` | says who wrote it |
+//! | metadata `letoff` | format version, run, and which file of the recording it is |
+//! | chunks | messages with their schemas; none is open for longer than a second |
+//! | summary | where the chunks are; missing if the host died, and then found again by reading |
+//!
+//! A file that is not a recording's first begins with the last catalogue and the last voice of
+//! every key, so that it can be understood alone; they stand there under the time at which the
+//! file begins, with the time at which they were made as MCAP's publish time.
+
+mod blackbox;
+mod chunk;
+mod csv;
+mod error;
+mod format;
+mod index;
+mod latest;
+mod marks;
+mod part;
+mod part_file;
+mod playback;
+mod raw;
+mod reader;
+mod recover;
+mod rows;
+mod settings;
+mod walk;
+mod writer;
+
+pub use blackbox::BlackBox;
+pub use csv::{Exported, Selection, export_csv};
+pub use error::{ExportError, OpenError, ReadError, RecordError};
+pub use format::FORMAT;
+pub use marks::{Marks, marks};
+pub use playback::{Clock, Playback};
+pub use reader::{Messages, Recording, Tear};
+pub use recover::{RecoverError, Recovered, recover};
+pub use rows::{Row, rows};
+pub use settings::{Compression, Settings};
+pub use writer::{Recorded, Recorder};

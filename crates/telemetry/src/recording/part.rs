@@ -1,0 +1,215 @@
+//! One file that is being written.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use mcap::records::MessageHeader;
+use mcap::write::NoSeek;
+use mcap::{McapError, WriteOptions, Writer};
+
+use super::error::{RecordError, cause};
+use super::format::{self, CHUNK, LIBRARY, Labels, PROFILE};
+use super::raw::Raw;
+use super::settings::Compression;
+use crate::{DESCRIPTORS, Topic};
+
+/// What a message takes beside its bytes: its record and its place in the index [B].
+const BESIDE_MESSAGE: u64 = 31 + 16;
+/// What a topic takes beside its schema: its record, twice, and its index [B].
+const BESIDE_TOPIC: u64 = 300;
+/// What a chunk takes in the summary, and each topic in it [B].
+const CHUNK_INDEX: (u64, u64) = (120, 10);
+
+/// One file that is being written.
+///
+/// A chunk is put together in memory and written whole, so that what a dying host leaves behind
+/// ends between two chunks or within the last.
+pub(super) struct Part {
+    path: PathBuf,
+    writer: Writer<NoSeek<Sink>>,
+    written: Arc<AtomicU64>,
+    topics: BTreeSet<Topic>,
+    messages: u64,
+    /// Bytes in the open chunk.
+    pending: u64,
+    /// Bytes that the summary will take at most.
+    summary: u64,
+}
+
+impl Part {
+    /// Makes the file; one that is there already is left alone.
+    pub(super) fn create(
+        path: &Path,
+        labels: &Labels,
+        compression: Compression,
+    ) -> Result<Self, RecordError> {
+        let file = File::options().write(true).create_new(true).open(path).map_err(|cause| {
+            let path = path.to_owned();
+            let is_there = cause.kind() == io::ErrorKind::AlreadyExists;
+            if is_there { RecordError::Exists(path) } else { RecordError::Create { path, cause } }
+        })?;
+        let written = Arc::new(AtomicU64::new(0));
+        let sink = Sink { file: BufWriter::new(file), written: Arc::clone(&written) };
+        let begin = || -> Result<_, McapError> {
+            let mut writer = options(compression).create(NoSeek::new(sink))?;
+            writer.write_metadata(&labels.metadata())?;
+            writer.flush()?;
+            Ok(writer)
+        };
+        Ok(Self {
+            writer: begin().map_err(|error| failed(path, &error))?,
+            path: path.to_owned(),
+            written,
+            topics: BTreeSet::new(),
+            messages: 0,
+            pending: 0,
+            summary: 1000,
+        })
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    pub(super) const fn messages(&self) -> u64 {
+        self.messages
+    }
+
+    /// Whether something waits in memory.
+    pub(super) const fn is_pending(&self) -> bool {
+        self.pending > 0
+    }
+
+    /// Whether the open chunk is as large as it should become.
+    pub(super) const fn is_chunk_full(&self) -> bool {
+        self.pending >= CHUNK
+    }
+
+    /// How large the complete file would be at most with `raw` in it [B].
+    pub(super) fn size_with(&self, raw: &Raw) -> u64 {
+        let more =
+            size(raw) + if self.topics.contains(&raw.topic) { 0 } else { 2 * introduction() };
+        let pending = self.pending + more;
+        // Neither compression makes anything larger by more than this.
+        let compressed = pending + pending / 128 + 1024;
+        self.written.load(Ordering::Relaxed) + compressed + self.summary + self.chunk_index()
+    }
+
+    pub(super) fn add(&mut self, raw: &Raw) -> Result<(), RecordError> {
+        self.introduce(raw.topic).map_err(|error| failed(&self.path, &error))?;
+        let header = MessageHeader {
+            channel_id: format::channel(raw.topic),
+            sequence: 0,
+            log_time: raw.at,
+            publish_time: raw.made,
+        };
+        let written = self.writer.write_to_known_channel(&header, &raw.bytes);
+        written.map_err(|error| failed(&self.path, &error))?;
+        self.messages += 1;
+        self.pending += size(raw);
+        Ok(())
+    }
+
+    /// Tells, before its first message, what a topic's messages are.
+    fn introduce(&mut self, topic: Topic) -> Result<(), McapError> {
+        if !self.topics.insert(topic) {
+            return Ok(());
+        }
+        let schema = format::schema(topic);
+        self.writer.add_schema_with_id(schema, topic.schema(), "protobuf", DESCRIPTORS)?;
+        let (channel, name) = (format::channel(topic), topic.to_string());
+        let nothing = BTreeMap::new();
+        self.writer.add_channel_with_id(channel, schema, &name, "protobuf", &nothing)?;
+        self.pending += introduction();
+        self.summary += introduction();
+        Ok(())
+    }
+
+    /// Closes the open chunk and gives everything to the system.
+    pub(super) fn flush(&mut self) -> Result<(), RecordError> {
+        if self.pending > 0 {
+            self.summary += self.chunk_index();
+        }
+        self.pending = 0;
+        self.writer.flush().map_err(|error| failed(&self.path, &error))
+    }
+
+    /// Completes the file and waits until it is on the disk; how large it is [B].
+    pub(super) fn finish(self) -> Result<u64, RecordError> {
+        let path = self.path.clone();
+        let (size, file) = self.close()?;
+        file.sync_all().map_err(|error| failed(&path, &McapError::Io(error)))?;
+        Ok(size)
+    }
+
+    /// Completes the file, and leaves it to the system when it is on the disk; how large it is [B].
+    pub(super) fn close(mut self) -> Result<(u64, File), RecordError> {
+        self.writer.finish().map_err(|error| failed(&self.path, &error))?;
+        let sink = self.writer.into_inner().into_inner();
+        let file = sink.file.into_inner().map_err(io::IntoInnerError::into_error);
+        let file = file.map_err(|error| failed(&self.path, &McapError::Io(error)))?;
+        Ok((self.written.load(Ordering::Relaxed), file))
+    }
+
+    fn chunk_index(&self) -> u64 {
+        CHUNK_INDEX.0 + CHUNK_INDEX.1 * u64::try_from(self.topics.len()).unwrap_or(u64::MAX)
+    }
+}
+
+impl fmt::Debug for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Part").field("path", &self.path).finish_non_exhaustive()
+    }
+}
+
+fn options(compression: Compression) -> WriteOptions {
+    let compression = match compression {
+        Compression::Zstd => mcap::Compression::Zstd,
+        Compression::Lz4 => mcap::Compression::Lz4,
+    };
+    WriteOptions::new()
+        .profile(PROFILE)
+        .library(LIBRARY)
+        .compression(Some(compression))
+        .compression_level(1)
+        .compression_threads(0)
+        .chunk_size(None)
+        .disable_seeking(true)
+}
+
+/// What a message takes in the file, not compressed [B].
+const fn size(raw: &Raw) -> u64 {
+    raw.bytes.len() as u64 + BESIDE_MESSAGE
+}
+
+/// What a topic takes at its first message [B].
+const fn introduction() -> u64 {
+    DESCRIPTORS.len() as u64 + BESIDE_TOPIC
+}
+
+fn failed(path: &Path, error: &McapError) -> RecordError {
+    RecordError::Write { path: path.to_owned(), cause: cause(error) }
+}
+
+/// A file that knows how much was written.
+struct Sink {
+    file: BufWriter<File>,
+    written: Arc<AtomicU64>,
+}
+
+impl Write for Sink {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.file.write(bytes)?;
+        self.written.fetch_add(u64::try_from(written).unwrap_or(u64::MAX), Ordering::Relaxed);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}

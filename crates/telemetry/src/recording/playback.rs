@@ -1,0 +1,260 @@
+//! A recording that a window sees as if it were a live host.
+
+use std::collections::{BTreeSet, VecDeque};
+use std::fmt;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
+use std::time::Duration;
+
+use super::error::ReadError;
+use super::marks::marks;
+use super::part_file::PartFile;
+use super::raw::Raw;
+use super::reader::{Recording, update};
+use super::walk::Walk;
+use crate::log::Level;
+use crate::source::{Mark, Ticket};
+use crate::{Arrival, Log, Request, Source, Standing, Timeline, Topic, Update};
+
+/// What a window gets of the time before the place that it goes to [ns]: enough for its scopes.
+const BEFORE: u64 = 5_000_000_000;
+
+/// Tells the time [s]; only how much goes by matters.
+pub type Clock = Box<dyn Fn() -> f64 + Send>;
+
+/// A recording that a window sees as if it were a live host.
+///
+/// It gives what was recorded up to where it is, in the order in which it was recorded, and it
+/// goes on by the clock that it is given. The catalogue and the voices come whatever is followed,
+/// because nothing can be understood without them; a topic that is followed anew begins with its
+/// last seconds. What cannot be read is said in a [`Log`] at its place.
+pub struct Playback {
+    recording: Arc<Recording>,
+    clock: Clock,
+    span: (u64, u64),
+    /// Where it was [ns since 1970], and what the clock said then [s].
+    at: u64,
+    since: f64,
+    speed: f64,
+    followed: BTreeSet<Topic>,
+    /// What comes before anything else.
+    arrivals: VecDeque<Arrival>,
+    /// Last seconds of topics that are followed anew.
+    past: VecDeque<Stream>,
+    main: Stream,
+    marks: Vec<Mark>,
+    coming: Receiver<Mark>,
+    tickets: u64,
+}
+
+impl Playback {
+    /// Begins at the recording's beginning, in the clock's time.
+    ///
+    /// Its marks are gathered on a thread beside.
+    pub fn new(recording: Recording, clock: Clock) -> Self {
+        let recording = Arc::new(recording);
+        let span = recording.span().unwrap_or((0, 0));
+        let mut playback = Self {
+            coming: gather(Arc::clone(&recording)),
+            since: clock(),
+            recording,
+            clock,
+            span,
+            at: span.0,
+            speed: 1.0,
+            followed: BTreeSet::new(),
+            arrivals: VecDeque::new(),
+            past: VecDeque::new(),
+            main: Stream::new(Walk::new(0, 0, BTreeSet::new())),
+            marks: Vec::new(),
+            tickets: 0,
+        };
+        playback.seek(span.0);
+        if let Some(tear) = playback.recording.tear().map(ToString::to_string) {
+            playback.arrivals.push_back(log(span.0, Level::Warning, tear));
+        }
+        playback
+    }
+
+    /// What is being played.
+    pub fn recording(&self) -> &Recording {
+        &self.recording
+    }
+
+    /// Stays here from the clock's time on.
+    fn anchor(&mut self, at: u64) {
+        self.at = at.clamp(self.span.0, self.span.1);
+        self.since = (self.clock)();
+    }
+
+    fn wanted(&self) -> BTreeSet<Topic> {
+        let always = [Topic::Catalogue, Topic::Voices];
+        self.followed.iter().copied().chain(always).collect()
+    }
+
+    /// Catalogue and voices at `at`.
+    fn stage(&self, at: u64) -> Result<Vec<Arrival>, ReadError> {
+        let began = self.span.0;
+        let catalogue = self.recording.catalogue()?.map(|it| (began, Update::Catalogue(it)));
+        let voices = self.recording.voices_at(at)?;
+        let voices = voices.into_iter().map(|(at, voice)| (at, Update::Voice(voice)));
+        Ok(catalogue.into_iter().chain(voices).map(|(at, update)| arrival(at, update)).collect())
+    }
+
+    /// What came next up to now.
+    fn next_raw(&mut self) -> Option<Result<Raw, ReadError>> {
+        let (now, parts) = (Timeline::at(self), self.recording.parts());
+        for stream in &mut self.past {
+            let next = stream.next(parts, now);
+            if next.is_some() {
+                return next;
+            }
+        }
+        self.past.retain(|stream| stream.due.is_some());
+        self.main.next(parts, now)
+    }
+
+    fn arrive(&self, raw: Result<Raw, ReadError>) -> Arrival {
+        let update = raw.and_then(|raw| Ok((raw.made, update(&raw, &self.recording)?)));
+        match update {
+            Ok((at, update)) => arrival(at, update),
+            Err(error) => log(Timeline::at(self), Level::Error, error.to_string()),
+        }
+    }
+}
+
+impl Source for Playback {
+    fn next(&mut self) -> Option<Arrival> {
+        self.marks.extend(self.coming.try_iter());
+        let arrival = self.arrivals.pop_front();
+        arrival.or_else(|| {
+            let raw = self.next_raw()?;
+            Some(self.arrive(raw))
+        })
+    }
+
+    fn follow(&mut self, topics: &BTreeSet<Topic>) {
+        let before = std::mem::replace(&mut self.followed, topics.clone());
+        let mut anew: BTreeSet<_> = self.followed.difference(&before).copied().collect();
+        anew.retain(|topic| !matches!(topic, Topic::Catalogue | Topic::Voices));
+        self.main.walk.topics = self.wanted();
+        for stream in &mut self.past {
+            stream.walk.topics.retain(|topic| topics.contains(topic));
+        }
+        if !anew.is_empty() {
+            let from = Timeline::at(self).saturating_sub(BEFORE);
+            self.past.push_back(Stream::new(self.main.walk.past(from, anew)));
+        }
+    }
+
+    fn ask(&mut self, _: Request) -> Ticket {
+        let ticket = Ticket(self.tickets);
+        self.tickets += 1;
+        let refusal = "this is a recording: nothing in it can be changed";
+        self.arrivals.push_back(Arrival::Reply { ticket, result: Err(refusal.to_owned()) });
+        ticket
+    }
+
+    fn standing(&self) -> Standing {
+        Standing::Recording
+    }
+
+    fn name(&self) -> String {
+        self.recording.path().display().to_string()
+    }
+
+    fn timeline(&mut self) -> Option<&mut dyn Timeline> {
+        Some(self)
+    }
+}
+
+impl Timeline for Playback {
+    fn span(&self) -> (u64, u64) {
+        self.span
+    }
+
+    fn at(&self) -> u64 {
+        let gone = ((self.clock)() - self.since).max(0.0) * self.speed;
+        let gone = Duration::try_from_secs_f64(gone).unwrap_or(Duration::MAX);
+        let gone = u64::try_from(gone.as_nanos()).unwrap_or(u64::MAX);
+        self.at.saturating_add(gone).min(self.span.1)
+    }
+
+    fn seek(&mut self, at: u64) {
+        self.anchor(at);
+        self.past.clear();
+        self.arrivals.retain(|arrival| matches!(arrival, Arrival::Reply { .. }));
+        self.arrivals.push_back(Arrival::Anew);
+        let from = self.at.saturating_sub(BEFORE).max(self.span.0);
+        match self.stage(from) {
+            Ok(stage) => self.arrivals.extend(stage),
+            Err(error) => self.arrivals.push_back(log(self.at, Level::Error, error.to_string())),
+        }
+        self.main = Stream::new(Walk::new(from, u64::MAX, self.wanted()));
+    }
+
+    fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    fn set_speed(&mut self, speed: f64) {
+        self.anchor(Timeline::at(self));
+        self.speed = if speed.is_finite() { speed.max(0.0) } else { 0.0 };
+    }
+
+    fn marks(&self) -> &[Mark] {
+        &self.marks
+    }
+}
+
+impl fmt::Debug for Playback {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Playback").field("recording", &self.recording).finish_non_exhaustive()
+    }
+}
+
+/// Messages as their time comes.
+struct Stream {
+    walk: Walk,
+    /// What comes next, but not yet.
+    due: Option<Raw>,
+}
+
+impl Stream {
+    const fn new(walk: Walk) -> Self {
+        Self { walk, due: None }
+    }
+
+    /// What came next up to `now` [ns since 1970].
+    fn next(&mut self, parts: &[PartFile], now: u64) -> Option<Result<Raw, ReadError>> {
+        let due = self.due.take().filter(|raw| self.walk.topics.contains(&raw.topic));
+        let next = due.map(Ok).or_else(|| self.walk.next(parts))?;
+        match next {
+            Ok(raw) if now < raw.at => {
+                self.due = Some(raw);
+                None
+            }
+            Ok(_) | Err(_) => Some(next),
+        }
+    }
+}
+
+fn arrival(at: u64, update: Update) -> Arrival {
+    Arrival::Update { at, update: Box::new(update) }
+}
+
+fn log(at: u64, level: Level, text: String) -> Arrival {
+    arrival(at, Update::Log(Log { level: level.into(), text }))
+}
+
+/// Gathers a recording's marks on a thread of its own.
+///
+/// Where there are no threads there are no marks.
+fn gather(recording: Arc<Recording>) -> Receiver<Mark> {
+    let (sender, receiver) = channel();
+    let gatherer = thread::Builder::new().name("letoff-marks".to_owned());
+    // It ends by itself: at the end of the recording, or when nobody listens.
+    drop(gatherer.spawn(move || marks(&recording).try_for_each(|mark| sender.send(mark))));
+    receiver
+}

@@ -1,0 +1,46 @@
+//! A message as it lies in a file.
+
+use super::error::RecordError;
+use crate::topic::DecodeError;
+use crate::{Topic, Update};
+
+/// A message as it lies in a file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Raw {
+    /// Where it stands in time [ns since 1970].
+    pub(super) at: u64,
+    /// When it was made [ns since 1970]; earlier than `at` where it is said again.
+    pub(super) made: u64,
+    /// What it is.
+    pub(super) topic: Topic,
+    /// The message.
+    pub(super) bytes: Vec<u8>,
+}
+
+impl Raw {
+    pub(super) fn of(at: u64, update: &Update) -> Result<Self, RecordError> {
+        let topic = update.topic().ok_or_else(|| RecordError::NoSuchKey { key: key(update) })?;
+        Ok(Self { at, made: at, topic, bytes: update.encode() })
+    }
+
+    pub(super) fn update(&self) -> Result<Update, DecodeError> {
+        Update::decode(self.topic, &self.bytes)
+    }
+}
+
+/// Which key an update without a topic is of.
+fn key(update: &Update) -> u32 {
+    match update {
+        Update::Block(block) => block.key,
+        Update::State(key, _) => u32::from(*key),
+        Update::Catalogue(_)
+        | Update::Voice(_)
+        | Update::Overview(_)
+        | Update::Event(_)
+        | Update::Ticks(_)
+        | Update::Deadlines(_)
+        | Update::Links(_)
+        | Update::Midi(_)
+        | Update::Log(_) => 0,
+    }
+}

@@ -1,0 +1,275 @@
+//! Reads a recording.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use super::chunk::Inside;
+use super::error::{OpenError, ReadError};
+use super::format::{first_path, part_path};
+use super::index::{Place, Scan};
+use super::part_file::PartFile;
+use super::raw::Raw;
+use super::walk::Walk;
+use crate::{Catalogue, KEYS, Topic, Update, Voice};
+
+/// A recording, of one file or of several.
+///
+/// Opening it reads where its chunks are, and nothing else; a file whose host died, and which
+/// therefore does not say so, is read through once.
+#[derive(Debug)]
+pub struct Recording {
+    parts: Vec<PartFile>,
+    tear: Option<Tear>,
+}
+
+/// Where a recording breaks off, or what is missing from it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Tear {
+    /// The file.
+    pub path: PathBuf,
+    /// Up to where it could be read [B].
+    pub at: u64,
+    text: String,
+}
+
+impl fmt::Display for Tear {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl Recording {
+    /// Opens the recording that begins with the file `path`, and those that go on from it.
+    ///
+    /// # Errors
+    /// If the file is no recording that this version reads.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, OpenError> {
+        let mut recording = Self::open_file(path.as_ref())?;
+        while let Some(next) = recording.next_path(1).filter(|next| next.exists()) {
+            match PartFile::open(&next) {
+                Ok(part) if recording.goes_on_in(&part) => recording.add(part),
+                Ok(_) => return Ok(recording),
+                Err(error) => {
+                    recording.lose(next, &error.to_string());
+                    return Ok(recording);
+                }
+            }
+        }
+        if let Some(later) = recording.next_path(2).filter(|later| later.exists()) {
+            let text = format!("the file before {} is missing", later.display());
+            recording.lose(later, &text);
+        }
+        Ok(recording)
+    }
+
+    /// Opens the one file `path`, whatever it belongs to.
+    ///
+    /// # Errors
+    /// If it is no recording that this version reads.
+    pub fn open_file(path: &Path) -> Result<Self, OpenError> {
+        let mut recording = Self { parts: Vec::new(), tear: None };
+        recording.add(PartFile::open(path)?);
+        Ok(recording)
+    }
+
+    /// What is missing, in a sentence; `None` if it is complete.
+    pub const fn tear(&self) -> Option<&Tear> {
+        self.tear.as_ref()
+    }
+
+    /// Which run it is of: see `Catalogue.run`.
+    pub fn run(&self) -> &str {
+        self.parts.first().map_or("", |part| &part.labels.run)
+    }
+
+    /// Its files.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        self.parts.iter().map(|part| part.path.as_path())
+    }
+
+    /// From when to when it goes [ns since 1970]; nothing if there is nothing in it.
+    pub fn span(&self) -> Option<(u64, u64)> {
+        let places = || self.places().map(|(_, place)| place).filter(|it| it.may_have(|_| true));
+        Some((places().map(|it| it.first).min()?, places().map(|it| it.last).max()?))
+    }
+
+    /// How much of its files was read so far [B].
+    pub fn bytes_read(&self) -> u64 {
+        self.parts.iter().map(PartFile::bytes_read).sum()
+    }
+
+    /// Messages of these topics from `from` on and before `to` [ns since 1970], in the order in
+    /// which they were written, and when each was made.
+    ///
+    /// Only chunks that may have such messages are read, one at a time. After an error it goes on
+    /// behind what is damaged.
+    pub fn read(&self, from: u64, to: u64, topics: &BTreeSet<Topic>) -> Messages<'_> {
+        // Nothing is before the beginning of time.
+        let last = to.checked_sub(1);
+        let topics = if last.is_some() { topics.clone() } else { BTreeSet::new() };
+        Messages { recording: self, walk: Walk::new(from, last.unwrap_or(0), topics) }
+    }
+
+    /// Every message, in the order in which they were written.
+    pub fn messages(&self) -> Messages<'_> {
+        Messages { recording: self, walk: Walk::new(0, u64::MAX, Topic::all().collect()) }
+    }
+
+    /// What there is to see; nothing if it was not recorded.
+    ///
+    /// # Errors
+    /// If it is damaged.
+    pub fn catalogue(&self) -> Result<Option<Catalogue>, ReadError> {
+        let first = self.read(0, u64::MAX, &BTreeSet::from([Topic::Catalogue])).next();
+        match first.transpose()? {
+            Some((_, Update::Catalogue(catalogue))) => Ok(Some(catalogue)),
+            Some(_) | None => Ok(None),
+        }
+    }
+
+    /// What each key was played by at `at` [ns since 1970], and since when, by keys.
+    ///
+    /// # Errors
+    /// If it is damaged.
+    pub fn voices_at(&self, at: u64) -> Result<Vec<(u64, Voice)>, ReadError> {
+        let mut voices = BTreeMap::new();
+        let mut last_part = None;
+        for (part, place) in self.places().rev() {
+            // A file begins with the voices of all keys.
+            let is_complete = last_part.is_some_and(|last: &Path| last != part.path);
+            if voices.len() == KEYS || (is_complete && !voices.is_empty()) {
+                break;
+            }
+            last_part = Some(part.path.as_path());
+            if at < place.first || !place.may_have(|topic| topic == Topic::Voices) {
+                continue;
+            }
+            for (key, voice) in voices_in(part, place, at)? {
+                voices.entry(key).or_insert(voice);
+            }
+        }
+        Ok(voices.into_values().collect())
+    }
+
+    pub(super) fn parts(&self) -> &[PartFile] {
+        &self.parts
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        self.parts.first().map_or(Path::new(""), |part| &part.path)
+    }
+
+    fn places(&self) -> impl DoubleEndedIterator<Item = (&PartFile, &Place)> {
+        self.parts.iter().flat_map(|part| part.index.places.iter().map(move |it| (part, it)))
+    }
+
+    fn add(&mut self, part: PartFile) {
+        if let Some(scan) = part.index.without_summary
+            && self.tear.is_none()
+        {
+            self.tear = Some(tear(&part, scan));
+        }
+        self.parts.push(part);
+    }
+
+    /// It does not go on in `next`, and why.
+    fn lose(&mut self, next: PathBuf, why: &str) {
+        let text = format!("{why}; what was recorded before it is there");
+        self.tear.get_or_insert(Tear { path: next, at: 0, text });
+    }
+
+    /// Where the file would be that it goes on in `after` its last.
+    fn next_path(&self, after: u32) -> Option<PathBuf> {
+        let (first, last) = (self.parts.first()?, self.parts.last()?);
+        let first = first_path(&first.path, first.labels.part);
+        Some(part_path(&first, last.labels.part.checked_add(after)?))
+    }
+
+    fn goes_on_in(&self, next: &PartFile) -> bool {
+        self.parts.last().is_some_and(|last| {
+            last.labels.run == next.labels.run
+                && last.labels.part.checked_add(1) == Some(next.labels.part)
+        })
+    }
+}
+
+/// Messages of a recording.
+pub struct Messages<'a> {
+    recording: &'a Recording,
+    walk: Walk,
+}
+
+impl Messages<'_> {
+    /// The next as it lies in the file.
+    pub(super) fn next_raw(&mut self) -> Option<Result<Raw, ReadError>> {
+        self.walk.next(&self.recording.parts)
+    }
+}
+
+impl Iterator for Messages<'_> {
+    type Item = Result<(u64, Update), ReadError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let raw = self.next_raw()?;
+        Some(raw.and_then(|raw| Ok((raw.made, update(&raw, self.recording)?))))
+    }
+}
+
+impl fmt::Debug for Messages<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Messages").field("recording", &self.recording).finish_non_exhaustive()
+    }
+}
+
+/// The message that `raw` is.
+pub(super) fn update(raw: &Raw, recording: &Recording) -> Result<Update, ReadError> {
+    let path = || recording.path().to_owned();
+    raw.update().map_err(|cause| ReadError::Message { path: path(), cause })
+}
+
+/// The last voices of keys in a chunk up to `at`, and since when they are.
+fn voices_in(
+    part: &PartFile,
+    place: &Place,
+    at: u64,
+) -> Result<BTreeMap<u32, (u64, Voice)>, ReadError> {
+    let mut voices = BTreeMap::new();
+    let mut chunk = part.chunk(place)?;
+    while let Some(inside) =
+        chunk.next(|header| header.log_time <= at && part.topic(header) == Some(Topic::Voices))
+    {
+        let inside = inside.map_err(|error| part.is_damaged(place, &error))?;
+        let Inside::Message(header, bytes) = inside else { continue };
+        let voice = Update::decode(Topic::Voices, &bytes);
+        let voice = voice.map_err(|cause| ReadError::Message { path: part.path.clone(), cause })?;
+        if let Update::Voice(voice) = voice {
+            voices.insert(voice.key, (header.publish_time, voice));
+        }
+    }
+    Ok(voices)
+}
+
+/// What is to be said of a file without a summary.
+fn tear(part: &PartFile, scan: Scan) -> Tear {
+    let path = part.path.display();
+    let damaged = match scan.damaged {
+        0 => String::new(),
+        1 => ", but for one damaged piece".to_owned(),
+        several => format!(", but for {several} damaged pieces"),
+    };
+    let what = if scan.has_end {
+        format!("{path} has a damaged index, and was read through without it")
+    } else {
+        format!(
+            "{path} breaks off at byte {} of {}, because its host died or the file was cut",
+            scan.up_to,
+            part.size()
+        )
+    };
+    let text = format!(
+        "{what}: everything before is there{damaged}, and `letoff recover` makes a complete file \
+         of it"
+    );
+    Tear { path: part.path.clone(), at: scan.up_to, text }
+}

@@ -1,0 +1,88 @@
+//! A key's block, row by row.
+
+use crate::KeyBlock;
+
+/// One tick of a key; see [`KeyBlock`] for what each is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Row<'a> {
+    /// The tick.
+    pub tick: u64,
+    /// Displacement of the key's front [m].
+    pub position: f64,
+    /// Ticks since the sample came.
+    pub age: u32,
+    /// Ticks since the sample was taken, less what its way usually takes.
+    pub taken: f64,
+    /// The voice's force [N].
+    pub force: f64,
+    /// The force sent [N].
+    pub sent: f64,
+    /// Mode after the tick.
+    pub mode: u8,
+    /// What was the case.
+    pub flags: u8,
+    /// What was wrong.
+    pub fault: u8,
+    /// The voice that it is of.
+    pub revision: u32,
+    /// The model's signals after the tick.
+    pub signals: &'a [f32],
+}
+
+/// The rows of `block`, where `width` tells how many signals the voice of a revision has.
+///
+/// A column that is too short reads as NaN or 0: blocks come from files and from far away.
+pub fn rows<W: FnMut(u32) -> usize>(
+    block: &KeyBlock,
+    mut width: W,
+) -> impl Iterator<Item = Row<'_>> + use<'_, W> {
+    let mut signals = block.signals.as_slice();
+    block.after.iter().enumerate().map(move |(row, after)| {
+        let revision = at(&block.revision, row).unwrap_or(0);
+        let (own, rest) = signals.split_at(width(revision).min(signals.len()));
+        signals = rest;
+        let real = |column: &[f64]| at(column, row).unwrap_or(f64::NAN);
+        Row {
+            tick: block.tick.saturating_add(u64::from(*after)),
+            position: real(&block.position),
+            age: at(&block.age, row).unwrap_or(0),
+            taken: real(&block.taken),
+            force: real(&block.force),
+            sent: real(&block.sent),
+            mode: at(&block.mode, row).unwrap_or(u8::MAX),
+            flags: at(&block.flags, row).unwrap_or(0),
+            fault: at(&block.fault, row).unwrap_or(0),
+            revision,
+            signals: own,
+        }
+    })
+}
+
+fn at<T: Copy>(column: &[T], row: usize) -> Option<T> {
+    column.get(row).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_two_models_have_signals_of_their_own() {
+        let block = KeyBlock {
+            tick: 7,
+            after: vec![0, 2],
+            position: vec![1.0, 2.0],
+            revision: vec![1, 2],
+            signals: vec![1.0, 2.0, 3.0],
+            ..KeyBlock::default()
+        };
+        let width = |revision| if revision == 1 { 2 } else { 1 };
+        let rows: Vec<_> = rows(&block, width).collect();
+        assert_eq!(rows.iter().map(|row| row.tick).collect::<Vec<_>>(), [7, 9]);
+        assert_eq!(
+            rows.iter().map(|row| row.signals.to_vec()).collect::<Vec<_>>(),
+            [vec![1.0, 2.0], vec![3.0]]
+        );
+        assert!(rows.iter().all(|row| row.force.is_nan()));
+    }
+}

@@ -1,0 +1,221 @@
+//! Writes a recording.
+
+use std::collections::VecDeque;
+use std::fs;
+use std::path::PathBuf;
+
+use super::error::RecordError;
+use super::format::{Labels, part_path};
+use super::latest::Latest;
+use super::part::Part;
+use super::raw::Raw;
+use super::settings::Settings;
+use crate::Update;
+
+/// Writes a recording, file after file.
+///
+/// For a thread beside the tick: it allocates, compresses and waits for the disk.
+/// What is written when it is dropped stays, but only [`Recorder::finish`] says whether it could
+/// be completed.
+#[derive(Debug)]
+pub struct Recorder {
+    settings: Settings,
+    /// The file that is being written; none once it has ended.
+    part: Option<Part>,
+    number: u32,
+    /// How many messages it begins with that were said before.
+    repeated: u64,
+    latest: Latest,
+    /// Complete files, the oldest first, with their sizes [B].
+    complete: VecDeque<(PathBuf, u64)>,
+    messages: u64,
+    removed: u32,
+    /// When something was last given to the system: by messages' time and by the caller's [ns].
+    flushed: Option<u64>,
+    attended: Option<u64>,
+}
+
+/// What has become of a recording.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Recorded {
+    /// Its files, the oldest first.
+    pub files: Vec<PathBuf>,
+    /// Their size [B].
+    pub bytes: u64,
+    /// Messages that were recorded, those in removed files as well.
+    pub messages: u64,
+    /// Files that were removed, so that it did not become too large.
+    pub removed: u32,
+}
+
+impl Recorder {
+    /// Begins a recording.
+    ///
+    /// # Errors
+    /// If a file of this name is there already or cannot be made, or the disk is all but full.
+    pub fn create(settings: Settings) -> Result<Self, RecordError> {
+        check_room(&settings, &settings.path)?;
+        let second = part_path(&settings.path, 2);
+        if second.exists() {
+            return Err(RecordError::Exists(second));
+        }
+        let labels = Labels::new(&settings.run, 1);
+        let part = Part::create(&settings.path, &labels, settings.compression)?;
+        Ok(Self {
+            settings,
+            part: Some(part),
+            number: 1,
+            repeated: 0,
+            latest: Latest::default(),
+            complete: VecDeque::new(),
+            messages: 0,
+            removed: 0,
+            flushed: None,
+            attended: None,
+        })
+    }
+
+    /// Writes `update`, which was made at `at` [ns since 1970].
+    ///
+    /// # Errors
+    /// If it cannot be written; but for [`RecordError::NoSuchKey`], the recording has then ended.
+    pub fn write(&mut self, at: u64, update: &Update) -> Result<(), RecordError> {
+        let raw = Raw::of(at, update)?;
+        let part = self.part.as_ref().ok_or(RecordError::Ended)?;
+        let is_full = part.size_with(&raw) > self.settings.file_limit();
+        if is_full && part.messages() > self.repeated {
+            self.rotate(at)?;
+        }
+        self.add(&raw)?;
+        self.latest.note(&raw);
+        self.messages += 1;
+        self.flush_by_message(at)
+    }
+
+    /// Gives what waits to the system, if it has waited for long enough at `now` [ns].
+    ///
+    /// `now` is of any clock that goes on by itself: call it some times a second, so that the
+    /// last messages before a silence do not wait for the next one.
+    ///
+    /// # Errors
+    /// If it cannot be written; the recording has then ended.
+    pub fn attend(&mut self, now: u64) -> Result<(), RecordError> {
+        let since = now.saturating_sub(*self.attended.get_or_insert(now));
+        if since < self.settings.flush_ns() {
+            return Ok(());
+        }
+        match &self.part {
+            Some(part) if part.is_pending() => self.flush(),
+            Some(_) | None => Ok(()),
+        }
+    }
+
+    /// Ends the recording.
+    ///
+    /// # Errors
+    /// If the last file could not be completed; [`super::recover`] can still read it.
+    pub fn finish(mut self) -> Result<Recorded, RecordError> {
+        self.end()?;
+        let bytes = self.complete.iter().map(|(_, bytes)| bytes).sum();
+        let files = self.complete.into_iter().map(|(path, _)| path).collect();
+        Ok(Recorded { files, bytes, messages: self.messages, removed: self.removed })
+    }
+
+    fn add(&mut self, raw: &Raw) -> Result<(), RecordError> {
+        let added = self.part.as_mut().ok_or(RecordError::Ended)?.add(raw);
+        self.or_end(added)
+    }
+
+    fn flush_by_message(&mut self, at: u64) -> Result<(), RecordError> {
+        let since = at.saturating_sub(*self.flushed.get_or_insert(at));
+        let is_full = self.part.as_ref().is_some_and(Part::is_chunk_full);
+        if since < self.settings.flush_ns() && !is_full {
+            return Ok(());
+        }
+        self.flushed = Some(at);
+        self.flush()
+    }
+
+    fn flush(&mut self) -> Result<(), RecordError> {
+        let flushed = self.part.as_mut().ok_or(RecordError::Ended)?.flush();
+        self.or_end(flushed)?;
+        // What waits from now on has not waited yet.
+        self.attended = None;
+        let room = check_room(&self.settings, &part_path(&self.settings.path, self.number));
+        if room.is_err() {
+            self.end()?;
+        }
+        room
+    }
+
+    /// Completes the file and goes on in the next, which can be understood without it.
+    ///
+    /// It does not wait for the disk, or what is told meanwhile would find no room on its way here.
+    fn rotate(&mut self, at: u64) -> Result<(), RecordError> {
+        let part = self.part.take().ok_or(RecordError::Ended)?;
+        let path = part.path().to_owned();
+        let (bytes, _) = part.close()?;
+        self.complete.push_back((path, bytes));
+        self.make_room()?;
+        self.number += 1;
+        let path = part_path(&self.settings.path, self.number);
+        let labels = Labels::new(&self.settings.run, self.number);
+        self.part = Some(Part::create(&path, &labels, self.settings.compression)?);
+        let again: Vec<Raw> = self.latest.again(at).collect();
+        self.repeated = u64::try_from(again.len()).unwrap_or(u64::MAX);
+        again.iter().try_for_each(|raw| self.add(raw))
+    }
+
+    /// Removes the oldest files while another full one would be too much.
+    fn make_room(&mut self) -> Result<(), RecordError> {
+        loop {
+            let bytes: u64 = self.complete.iter().map(|(_, bytes)| bytes).sum();
+            if bytes + self.settings.file_limit() <= self.settings.largest_total {
+                return Ok(());
+            }
+            let Some((path, _)) = self.complete.pop_front() else { return Ok(()) };
+            fs::remove_file(&path).map_err(|cause| RecordError::Remove { path, cause })?;
+            self.removed += 1;
+        }
+    }
+
+    /// Completes the file that is being written, if there is one.
+    fn end(&mut self) -> Result<(), RecordError> {
+        let Some(part) = self.part.take() else { return Ok(()) };
+        let path = part.path().to_owned();
+        self.complete.push_back((path, part.finish()?));
+        Ok(())
+    }
+
+    /// A file that cannot be written is not written any further.
+    fn or_end(&mut self, result: Result<(), RecordError>) -> Result<(), RecordError> {
+        if result.is_err() {
+            self.part = None;
+        }
+        result
+    }
+}
+
+/// Whether the disk has the room that is to stay free.
+fn check_room(settings: &Settings, path: &std::path::Path) -> Result<(), RecordError> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    match free(folder.unwrap_or_else(|| ".".as_ref())) {
+        Some(free) if free < settings.lowest_free => {
+            Err(RecordError::LowDisk { path: path.to_owned(), free, lowest: settings.lowest_free })
+        }
+        Some(_) | None => Ok(()),
+    }
+}
+
+/// What is free where `folder` lies [B], if that can be known.
+#[cfg(unix)]
+fn free(folder: &std::path::Path) -> Option<u64> {
+    let disk = rustix::fs::statvfs(folder).ok()?;
+    Some(disk.f_bavail.saturating_mul(disk.f_frsize))
+}
+
+/// What is free where `folder` lies [B]: it is not known here.
+#[cfg(not(unix))]
+const fn free(_: &std::path::Path) -> Option<u64> {
+    None
+}

@@ -1,0 +1,208 @@
+//! A recording that is seen as if it were live.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+
+use telemetry::event::Kind;
+use telemetry::recording::{Playback, Recording, marks};
+use telemetry::{Arrival, KEYS, Request, Source as _, Standing, Timeline, Topic, Update};
+
+use crate::common::{at, event, performance, record};
+
+/// A playback, and the milliseconds of its clock.
+fn played(path: &Path) -> (Playback, Arc<AtomicU64>) {
+    let millis = Arc::new(AtomicU64::new(0));
+    let clock = Arc::clone(&millis);
+    let seconds = move || clock.load(Ordering::Relaxed) as f64 / 1e3;
+    let recording = Recording::open(path).expect("a recording");
+    (Playback::new(recording, Box::new(seconds)), millis)
+}
+
+/// What has come: topics with times; Anew as none.
+fn come(playback: &mut Playback) -> Vec<Option<(u64, Topic)>> {
+    let mut come = Vec::new();
+    while let Some(arrival) = playback.next() {
+        come.push(match arrival {
+            Arrival::Update { at, update } => update.topic().map(|topic| (at, topic)),
+            Arrival::Anew | Arrival::Reply { .. } => None,
+        });
+    }
+    come
+}
+
+fn ticks(come: &[Option<(u64, Topic)>], topic: Topic) -> Vec<u64> {
+    let times = come.iter().flatten().filter(|(_, it)| *it == topic);
+    times.map(|(when, _)| (when - at(0)) / 1_000_000).collect()
+}
+
+#[test]
+fn it_begins_with_catalogue_and_voices_and_goes_on_by_the_clock() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    record(&path, &performance(10_000));
+    let (mut playback, clock) = played(&path);
+    playback.follow(&BTreeSet::from([Topic::Block(39)]));
+    let first = come(&mut playback);
+    assert_eq!(first[0], None);
+    assert_eq!(first[1], Some((at(0), Topic::Catalogue)));
+    assert_eq!(ticks(&first, Topic::Voices).len() / 2 * 2, ticks(&first, Topic::Voices).len());
+    assert_eq!(ticks(&first, Topic::Block(39)), [0; 0]);
+    clock.store(50, Ordering::Relaxed);
+    assert_eq!(ticks(&come(&mut playback), Topic::Block(39)), [20, 40]);
+    playback.set_speed(2.0);
+    clock.store(60, Ordering::Relaxed);
+    assert_eq!(ticks(&come(&mut playback), Topic::Block(39)), [60]);
+    assert_eq!(playback.at(), at(70));
+    playback.set_speed(0.0);
+    clock.store(10_000, Ordering::Relaxed);
+    assert_eq!((come(&mut playback).len(), playback.at()), (0, at(70)));
+    // Not further than it goes, and not by nonsense.
+    playback.set_speed(f64::NAN);
+    assert!(playback.speed().abs() < f64::EPSILON);
+    playback.set_speed(1e300);
+    clock.store(10_001, Ordering::Relaxed);
+    assert_eq!(playback.at(), at(10_000));
+    assert_eq!(ticks(&come(&mut playback), Topic::Block(39)).last(), Some(&10_000));
+    assert_eq!(Timeline::span(&playback), (at(0), at(10_000)));
+}
+
+#[test]
+fn another_place_begins_with_the_seconds_before_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    record(&path, &performance(20_000));
+    let (mut playback, clock) = played(&path);
+    playback.set_speed(0.0);
+    playback.follow(&BTreeSet::from([Topic::Block(39)]));
+    come(&mut playback);
+    for place in [12_000_u64, 8000] {
+        playback.seek(at(place));
+        let come = come(&mut playback);
+        assert_eq!((come[0], come[1]), (None, Some((at(0), Topic::Catalogue))));
+        assert_eq!(ticks(&come, Topic::Voices), [0; 3]);
+        let expected: Vec<_> = (place - 5000..=place).step_by(20).collect();
+        assert_eq!(ticks(&come, Topic::Block(39)), expected);
+    }
+    playback.seek(0);
+    assert_eq!(playback.at(), at(0));
+    playback.seek(u64::MAX);
+    assert_eq!(playback.at(), at(20_000));
+    drop(clock);
+}
+
+#[test]
+fn a_topic_that_is_followed_anew_begins_with_its_last_seconds_and_misses_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    record(&path, &performance(12_000));
+    let (mut playback, clock) = played(&path);
+    playback.follow(&BTreeSet::from([Topic::Block(39)]));
+    clock.store(7010, Ordering::Relaxed);
+    come(&mut playback);
+    playback.follow(&BTreeSet::from([Topic::Block(39), Topic::Block(40)]));
+    let mut all = come(&mut playback);
+    clock.store(12_000, Ordering::Relaxed);
+    all.extend(come(&mut playback));
+    let expected: Vec<_> = (2020..=12_000).step_by(20).collect();
+    assert_eq!(ticks(&all, Topic::Block(40)), expected);
+    assert_eq!(ticks(&all, Topic::Block(39)), (7020..=12_000).step_by(20).collect::<Vec<_>>());
+    // And no longer followed is no longer given.
+    playback.follow(&BTreeSet::new());
+    playback.seek(at(6000));
+    let rest = come(&mut playback);
+    assert!(rest.iter().flatten().all(|(_, it)| matches!(it, Topic::Catalogue | Topic::Voices)));
+}
+
+#[test]
+fn a_topic_that_is_followed_anew_does_not_run_ahead() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    record(&path, &performance(8000));
+    let (mut playback, clock) = played(&path);
+    // Once a second: the place of the next is already known.
+    playback.follow(&BTreeSet::from([Topic::Links]));
+    clock.store(2100, Ordering::Relaxed);
+    assert_eq!(ticks(&come(&mut playback), Topic::Links), [20, 1020, 2020]);
+    playback.follow(&BTreeSet::from([Topic::Links, Topic::Block(39)]));
+    let until = |last| (20..=last).step_by(20).collect::<Vec<u64>>();
+    let mut all = come(&mut playback);
+    assert_eq!(ticks(&all, Topic::Block(39)), until(2100));
+    for millis in (2120..=8000).step_by(20) {
+        clock.store(millis, Ordering::Relaxed);
+        all.extend(come(&mut playback));
+    }
+    assert_eq!(ticks(&all, Topic::Block(39)), until(8000));
+    assert_eq!(ticks(&all, Topic::Links), [3020, 4020, 5020, 6020, 7020]);
+}
+
+#[test]
+fn a_recording_refuses_what_is_asked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    record(&path, &performance(100));
+    let (mut playback, _clock) = played(&path);
+    let ticket = playback.ask(Request::Stop {});
+    // Going elsewhere loses no answer.
+    playback.seek(at(50));
+    let reply = std::iter::from_fn(|| playback.next()).find_map(|arrival| match arrival {
+        Arrival::Reply { ticket, result } => Some((ticket, result)),
+        Arrival::Update { .. } | Arrival::Anew => None,
+    });
+    let refusal = "this is a recording: nothing in it can be changed".to_owned();
+    assert_eq!(reply, Some((ticket, Err(refusal))));
+    assert_eq!(playback.standing(), Standing::Recording);
+    assert_eq!(playback.name(), path.display().to_string());
+    assert!(playback.timeline().is_some());
+}
+
+#[test]
+fn marks_are_what_is_worth_finding() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let mut told = performance(5000);
+    told.push((at(5001), event(Kind::Fault, 5001, 0.0, 39)));
+    told.push((at(5002), event(Kind::Recovery, 5002, 0.0, 39)));
+    told.extend((0..50).map(|tick| (at(5003 + tick), event(Kind::Miss, tick, 0.0, 255))));
+    record(&path, &told);
+    let recording = Recording::open(&path).expect("a recording");
+    let found: Vec<_> = marks(&recording).map(|mark| (mark.text, mark.is_fault)).collect();
+    let strike = ("C4 struck".to_owned(), false);
+    let fault = ("C4: fault: it panicked".to_owned(), true);
+    let recovery = ("C4 recovered".to_owned(), false);
+    let expected = vec![strike; 5].into_iter().chain([fault, recovery, ("late".to_owned(), true)]);
+    assert_eq!(found, expected.collect::<Vec<_>>());
+    // The same, gathered beside.
+    let (mut playback, _clock) = played(&path);
+    while playback.marks().len() < found.len() {
+        playback.next();
+        thread::yield_now();
+    }
+    assert_eq!(playback.marks(), marks(&recording).collect::<Vec<_>>());
+}
+
+#[test]
+fn a_cut_recording_says_so_and_is_played() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    record(&path, &performance(3000));
+    let bytes = std::fs::read(&path).expect("the file");
+    std::fs::write(&path, &bytes[..bytes.len() / 2]).expect("a file");
+    let (mut playback, clock) = played(&path);
+    let keys = (0..u8::MAX).take(KEYS).map(Topic::Block);
+    playback.follow(&keys.collect());
+    clock.store(60_000, Ordering::Relaxed);
+    let mut said = Vec::new();
+    let mut blocks = 0;
+    while let Some(arrival) = playback.next() {
+        let Arrival::Update { update, .. } = arrival else { continue };
+        blocks += usize::from(matches!(*update, Update::Block(_)));
+        if let Update::Log(log) = *update {
+            said.push(log.text);
+        }
+    }
+    assert!(said.iter().any(|text| text.contains(" breaks off at byte ")), "{said:?}");
+    assert!(100 < blocks, "{blocks}");
+}

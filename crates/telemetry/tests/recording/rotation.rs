@@ -1,0 +1,165 @@
+//! A recording of several files, and where it ends.
+
+use std::fs;
+use std::time::Duration;
+
+use telemetry::Update;
+use telemetry::recording::{RecordError, Recorder, Recording, Settings};
+
+use crate::common::{KEYS, at, catalogue, performance, read, settings};
+
+#[test]
+fn a_recording_goes_on_in_another_file_and_is_read_as_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let told = performance(40_000);
+    let settings = Settings { largest_file: Settings::LEAST_FILE, ..settings(&path) };
+    let mut recorder = Recorder::create(settings).expect("a new file");
+    for (at, update) in &told {
+        recorder.write(*at, update).expect("written");
+    }
+    let recorded = recorder.finish().expect("complete");
+    assert!(4 < recorded.files.len(), "{:?}", recorded.files);
+    assert_eq!(recorded.files[1], folder.path().join("take-0002.mcap"));
+    for file in &recorded.files {
+        let size = file.metadata().expect("the file").len();
+        assert!(size <= Settings::LEAST_FILE, "{} has {size} bytes", file.display());
+    }
+    let recording = Recording::open(&path).expect("a recording");
+    assert_eq!(recording.files().count(), recorded.files.len());
+    assert_eq!(read(&recording), (told.clone(), vec![]));
+
+    // Each can be understood alone, and leads to those after it.
+    let third = Recording::open(&recorded.files[2]).expect("a recording");
+    assert_eq!(third.catalogue().expect("read").map(Update::Catalogue), Some(catalogue()));
+    let (from, to) = third.span().expect("messages");
+    assert!(at(0) < from && to == at(40_000));
+    assert_eq!(third.voices_at(from).expect("read").len(), KEYS.len());
+    let (rest, wrong) = read(&third);
+    assert_eq!((rest.len(), wrong), (told.len() - before(&told, from, rest.len()), vec![]));
+}
+
+/// How many messages are not among the last `rest`, of which the first four are said again.
+fn before(told: &[(u64, Update)], from: u64, rest: usize) -> usize {
+    let before = told.len() - (rest - 4);
+    assert!(told[before].0 >= from);
+    before - 4
+}
+
+#[test]
+fn a_recording_that_became_too_large_keeps_its_last_files() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let settings = Settings { largest_total: 3 * Settings::LEAST_FILE, ..settings(&path) };
+    let settings = Settings { largest_file: Settings::LEAST_FILE, ..settings };
+    let mut recorder = Recorder::create(settings).expect("a new file");
+    for (at, update) in &performance(40_000) {
+        recorder.write(*at, update).expect("written");
+    }
+    let recorded = recorder.finish().expect("complete");
+    assert!(recorded.bytes <= 3 * Settings::LEAST_FILE, "{} bytes", recorded.bytes);
+    assert!(0 < recorded.removed && !path.exists());
+    assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), recorded.files.len());
+    let recording = Recording::open(&recorded.files[0]).expect("a recording");
+    assert_eq!(recording.span().expect("messages").1, at(40_000));
+    assert_eq!(recording.files().count(), recorded.files.len());
+    assert!(recording.catalogue().expect("read").is_some());
+}
+
+#[test]
+fn a_file_that_is_missing_or_none_is_said_and_the_others_are_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let small = Settings { largest_file: Settings::LEAST_FILE, ..settings(&path) };
+    crate::common::record_as(small, &performance(40_000));
+    let third = folder.path().join("take-0003.mcap");
+    let whole = read(&Recording::open(&path).expect("a recording")).0;
+    let check = |expected: &str| {
+        let recording = Recording::open(&path).expect("a recording");
+        assert_eq!(recording.files().count(), 2);
+        let (found, wrong) = read(&recording);
+        assert_eq!((&found[..], wrong), (&whole[..found.len()], vec![]));
+        let tear = recording.tear().expect("there is more").to_string();
+        assert!(tear.contains(expected), "{tear}");
+    };
+    fs::write(&third, "something else").expect("a file");
+    check("take-0003.mcap is no recording: it does not begin as an MCAP file does; what was");
+    fs::remove_file(&third).expect("gone");
+    check("the file before ");
+}
+
+#[test]
+fn files_of_other_runs_are_not_taken_for_this_one_s() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let told = performance(100);
+    crate::common::record(&path, &told);
+    // Another recording whose own name looks like a second file's.
+    crate::common::record(&folder.path().join("take-0002.mcap"), &told);
+    let recording = Recording::open(&path).expect("a recording");
+    assert_eq!((recording.files().count(), recording.tear()), (1, None));
+}
+
+#[test]
+fn nothing_is_overwritten() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (there, new) in [("take.mcap", "take.mcap"), ("slow-0002.mcap", "slow.mcap")] {
+        let there = folder.path().join(there);
+        fs::write(&there, "precious").expect("a file");
+        let error = Recorder::create(settings(&folder.path().join(new))).expect_err("refused");
+        assert!(matches!(error, RecordError::Exists(_)), "{error}");
+        let expected = format!("{} is there already", there.display());
+        assert!(error.to_string().starts_with(&expected), "{error}");
+        assert_eq!(fs::read_to_string(&there).expect("the file"), "precious");
+    }
+    let nowhere = folder.path().join("no/such/folder.mcap");
+    let error = Recorder::create(settings(&nowhere)).expect_err("refused").to_string();
+    assert!(error.contains("folder.mcap cannot be made: No such file"), "{error}");
+}
+
+#[test]
+fn a_recording_ends_before_the_disk_is_full() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let settings = Settings { lowest_free: u64::MAX, ..settings(&path) };
+    let error = Recorder::create(settings).expect_err("refused").to_string();
+    assert!(error.starts_with("only ") && error.contains(" MiB are free"), "{error}");
+    assert!(!path.exists());
+}
+
+#[test]
+fn a_message_of_no_key_is_refused_and_the_recording_goes_on() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let mut recorder = Recorder::create(settings(&path)).expect("a new file");
+    let stray = telemetry::KeyBlock { key: 88, ..telemetry::KeyBlock::default() };
+    let error = recorder.write(at(0), &Update::Block(stray)).expect_err("refused");
+    assert!(error.to_string().starts_with("a message is of key 88,"), "{error}");
+    recorder.write(at(1), &catalogue()).expect("written");
+    assert_eq!(recorder.finish().expect("complete").messages, 1);
+}
+
+/// What a host that dies now would leave behind.
+fn left_behind(path: &std::path::Path) -> usize {
+    read(&Recording::open(path).expect("a recording")).0.len()
+}
+
+#[test]
+fn nothing_waits_in_memory_for_longer_than_asked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let settings = Settings { flush: Duration::from_mins(1), ..settings(&path) };
+    let mut recorder = Recorder::create(settings).expect("a new file");
+    let told = performance(3000);
+    for (index, (now, update)) in told.iter().enumerate() {
+        recorder.write(*now, update).expect("written");
+        if index % 500 == 0 {
+            let second_ago = told.iter().filter(|(at, _)| at + 1_000_000_000 <= *now).count();
+            assert!(second_ago <= left_behind(&path));
+        }
+    }
+    // Now nothing is told any more, and only the caller's clock goes on.
+    recorder.attend(5_000_000_000).expect("attended");
+    recorder.attend(6_000_000_000).expect("attended");
+    assert_eq!(left_behind(&path), told.len());
+}

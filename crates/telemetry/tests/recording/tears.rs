@@ -1,0 +1,180 @@
+//! A recording that was cut, or in which bytes were changed: no panic, and nothing lost before.
+
+use std::fs;
+use std::sync::LazyLock;
+
+use proptest::prelude::*;
+use proptest::sample::Index;
+use telemetry::Update;
+use telemetry::recording::{Recorder, Recording, recover};
+
+use crate::common::{performance, read, record, settings};
+
+/// Messages, and when they were made [ns since 1970].
+type Told = Vec<(u64, Update)>;
+
+/// A small recording of several chunks: what was told, and the file.
+static RECORDED: LazyLock<(Told, Vec<u8>)> = LazyLock::new(|| {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("whole.mcap");
+    let told = performance(3000);
+    record(&path, &told);
+    (told, fs::read(path).expect("the file"))
+});
+
+/// How many messages are in whole chunks before byte `at`.
+fn whole_before(bytes: &[u8], at: usize) -> usize {
+    let mut messages = 0;
+    let mut offset = mcap::MAGIC.len();
+    while let Some(head) = bytes.get(offset..offset + 9) {
+        let length = u64::from_le_bytes(head[1..].try_into().expect("eight bytes"));
+        let end = offset + 9 + usize::try_from(length).expect("short");
+        if at < end {
+            break;
+        }
+        if head[0] == mcap::records::op::CHUNK {
+            let body = &bytes[offset + 9..end];
+            let record = mcap::parse_record(head[0], body).expect("a chunk");
+            let mcap::records::Record::Chunk { header, data } = record else { unreachable!() };
+            let inside = mcap::read::ChunkReader::new(header, &data).expect("a chunk");
+            let is_message =
+                |it: &mcap::records::Record<'_>| it.opcode() == mcap::records::op::MESSAGE;
+            messages += inside.filter(|it| it.as_ref().is_ok_and(is_message)).count();
+        }
+        offset = end;
+    }
+    messages
+}
+
+/// A place in a file of so many bytes: anywhere, near its beginning or near its end.
+fn place() -> impl Strategy<Value = Place> {
+    prop_oneof![
+        3 => any::<Index>().prop_map(Place::Anywhere),
+        1 => (0..400_usize).prop_map(Place::FromStart),
+        1 => (1..400_usize).prop_map(Place::FromEnd),
+    ]
+}
+
+/// See [`place`].
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    Anywhere(Index),
+    FromStart(usize),
+    FromEnd(usize),
+}
+
+impl Place {
+    fn in_file(self, bytes: &[u8]) -> usize {
+        match self {
+            Self::Anywhere(index) => index.index(bytes.len()),
+            Self::FromStart(byte) => byte,
+            Self::FromEnd(byte) => bytes.len() - byte,
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_recording_that_was_cut_is_read_up_to_there(place in place()) {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (told, bytes) = &*RECORDED;
+        let cut = place.in_file(bytes);
+        let path = folder.path().join("cut.mcap");
+        fs::write(&path, &bytes[..cut]).expect("a file");
+        match Recording::open(&path) {
+            Ok(recording) => {
+                let expected = whole_before(bytes, cut);
+                let (found, wrong) = read(&recording);
+                prop_assert_eq!(&found[..], &told[..expected]);
+                prop_assert!(wrong.is_empty());
+                let tear = recording.tear().expect("it was cut").to_string();
+                prop_assert!(tear.contains(" breaks off at byte ") || tear.contains(" damaged index"), "{tear}");
+                prop_assert!(!tear.contains('\n'));
+            }
+            Err(error) => {
+                prop_assert!(whole_before(bytes, cut) == 0, "{error}");
+                prop_assert!(!error.to_string().contains('\n'));
+            }
+        }
+    }
+
+    #[test]
+    fn a_recording_with_changed_bytes_is_read_but_for_what_they_hit(
+        place in place(), flip in 1..=u8::MAX, and_more in 0..3_usize,
+    ) {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (told, whole) = &*RECORDED;
+        let mut bytes = whole.clone();
+        let hit = place.in_file(whole);
+        for byte in bytes[hit..].iter_mut().take(1 + and_more) {
+            *byte ^= flip;
+        }
+        let path = folder.path().join("hit.mcap");
+        fs::write(&path, &bytes).expect("a file");
+        let Ok(recording) = Recording::open(&path) else {
+            prop_assert!(whole_before(whole, hit) == 0);
+            return Ok(());
+        };
+        let (found, wrong) = read(&recording);
+        let expected = whole_before(whole, hit);
+        prop_assert_eq!(&found[..expected], &told[..expected]);
+        let lost = found.len() < told.len();
+        prop_assert!(!lost || recording.tear().is_some() || !wrong.is_empty(), "lost in silence");
+        prop_assert!(wrong.iter().all(|it| it.contains(" is damaged at byte ")), "{wrong:?}");
+        // The rest of what reads recordings must stand it as well.
+        let _voices = recording.voices_at(u64::MAX);
+        let _catalogue = recording.catalogue();
+        let _marks = telemetry::recording::marks(&recording).count();
+        let recovered = recover(&path, &folder.path().join("new.mcap")).expect("recovered");
+        prop_assert_eq!(recovered.messages, found.len() as u64);
+    }
+
+    #[test]
+    fn any_bytes_behind_a_beginning_do_no_harm(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("any.mcap");
+        for beginning in [&b""[..], mcap::MAGIC] {
+            fs::write(&path, [beginning, &bytes].concat()).expect("a file");
+            if let Ok(recording) = Recording::open(&path) {
+                read(&recording);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_a_dying_host_leaves_behind_is_read_and_made_whole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let told = performance(3000);
+    let mut recorder = Recorder::create(settings(&path)).expect("a new file");
+    for (at, update) in &told {
+        recorder.write(*at, update).expect("written");
+    }
+    // What is on the disk while it is still being written.
+    let torn = folder.path().join("torn.mcap");
+    fs::copy(&path, &torn).expect("a copy");
+    let recording = Recording::open(&torn).expect("a recording");
+    let size = torn.metadata().expect("the file").len();
+    let tear = recording.tear().expect("no summary").to_string();
+    let expected = format!(
+        "{} breaks off at byte {size} of {size}, because its host died or the file was cut: \
+         everything before is there, and `letoff recover` makes a complete file of it",
+        torn.display()
+    );
+    assert_eq!(tear, expected);
+    let (found, _) = read(&recording);
+    assert!(told.len() - found.len() < told.len() / 5, "a second of three at most");
+    assert_eq!(found[..], told[..found.len()]);
+
+    let whole = folder.path().join("whole.mcap");
+    let recovered = recover(&torn, &whole).expect("recovered");
+    assert_eq!((recovered.messages, recovered.wrong), (found.len() as u64, vec![tear]));
+    let recording = Recording::open(&whole).expect("a recording");
+    assert_eq!((recording.tear(), recording.run()), (None, "the run"));
+    assert_eq!(read(&recording).0, found);
+    assert!(recover(&torn, &whole).is_err(), "nothing is overwritten");
+    assert_eq!(recover(&whole, &folder.path().join("again.mcap")).expect("a copy").wrong, [""; 0]);
+}
