@@ -144,6 +144,8 @@ fn block(key: u32, tick: u64, ticks: u64, random: &mut Random) -> Update {
         flags: vec![0; count],
         fault: vec![0; count],
         revision: vec![key; count],
+        unrun: vec![0; count],
+        events: vec![0; count],
         signals,
     })
 }

@@ -18,6 +18,8 @@
 //! | `/links` | [`Links`] | once a second |
 //! | `/midi` | [`Midi`] | as they are sent |
 //! | `/log` | [`Log`] | when there is something to read |
+//!
+//! [`stream`] has the server and the client that carry them.
 
 #![forbid(unsafe_code)]
 
@@ -25,6 +27,7 @@ mod messages;
 pub mod recording;
 pub mod request;
 pub mod source;
+pub mod stream;
 pub mod topic;
 
 pub use messages::*;

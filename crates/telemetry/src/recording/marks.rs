@@ -43,6 +43,7 @@ impl Marks<'_> {
             Kind::Fault => (said(&format!("{}: fault", key(event)), event), true),
             Kind::Recovery => (format!("{} recovered", key(event)), false),
             Kind::Board => (said("board", event), false),
+            Kind::Disarm => ("all forces fade".to_owned(), false),
             Kind::Strike
             | Kind::Miss
             | Kind::Unknown
@@ -50,7 +51,9 @@ impl Marks<'_> {
             | Kind::DamperLift
             | Kind::DamperFall
             | Kind::Skip
-            | Kind::Change => return None,
+            | Kind::Change
+            | Kind::Pedal
+            | Kind::Arm => return None,
         };
         Some(Mark { at, text, is_fault })
     }

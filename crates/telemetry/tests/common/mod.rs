@@ -89,6 +89,8 @@ pub(crate) fn block(key: u32, tick: u64) -> Update {
         flags: vec![5; count],
         fault: vec![0; count],
         revision: vec![key; count],
+        unrun: vec![0; count],
+        events: vec![0; count],
         signals: rows
             .iter()
             .flat_map(|row| (3..6).map(|column| single(random(row, column))).collect::<Vec<_>>())

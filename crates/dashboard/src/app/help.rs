@@ -1,0 +1,28 @@
+//! The shortcuts, in a window.
+
+use eframe::egui::{Context, Grid, Window};
+
+use super::shortcuts;
+use crate::desk::Desk;
+
+/// Shows the shortcuts if somebody wants to see them.
+pub(super) fn help_ui(ctx: &Context, desk: &mut Desk) {
+    let mut is_open = desk.views.shows_help;
+    Window::new("Shortcuts").open(&mut is_open).resizable(false).collapsible(false).show(
+        ctx,
+        |ui| {
+            Grid::new("shortcuts").num_columns(2).striped(true).show(ui, |ui| {
+                for (keys, text) in shortcuts::list(ctx) {
+                    ui.monospace(keys);
+                    ui.label(text);
+                    ui.end_row();
+                }
+            });
+            ui.separator();
+            ui.label("In a scope: drag moves, the wheel zooms, a drag with the right button");
+            ui.label("zooms to what it covers, a double click follows again.");
+            ui.label("Shift and a click on a key selects all keys up to it.");
+        },
+    );
+    desk.views.shows_help = is_open;
+}

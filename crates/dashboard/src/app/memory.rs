@@ -1,0 +1,87 @@
+//! What the window remembers from one start to the next.
+
+use eframe::egui;
+use serde::{Deserialize, Serialize};
+
+use super::App;
+use crate::desk::Views;
+use crate::layout::{Layout, Pane};
+use crate::tune::Kept;
+
+/// Under which name it is stored.
+const NAME: &str = "letoff-dashboard";
+
+/// What the window remembers from one start to the next: a text, so that a change of ours never
+/// makes an old one unreadable for good.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Memory {
+    text: String,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Remembered {
+    layout: Layout,
+    theme: egui::ThemePreference,
+    zoom: f32,
+    views: Views,
+    kept: Kept,
+}
+
+impl Memory {
+    /// What was stored, if anything was.
+    pub fn load(storage: &dyn eframe::Storage) -> Option<Self> {
+        storage.get_string(NAME).map(|text| Self { text })
+    }
+
+    /// What `text` says, as [`Self::text`] wrote it.
+    pub fn read(text: impl Into<String>) -> Self {
+        Self { text: text.into() }
+    }
+
+    /// It as a text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    pub(super) fn store(&self, storage: &mut dyn eframe::Storage) {
+        if !self.text.is_empty() {
+            storage.set_string(NAME, self.text.clone());
+        }
+    }
+
+    pub(super) fn of(app: &App, ctx: &egui::Context) -> Self {
+        Self::with_theme(app, ctx.options(|options| options.theme_preference))
+    }
+
+    pub(super) fn of_window(app: &App) -> Self {
+        Self::with_theme(app, app.theme)
+    }
+
+    fn with_theme(app: &App, theme: egui::ThemePreference) -> Self {
+        let remembered = Remembered {
+            layout: app.layout.clone(),
+            theme,
+            zoom: app.zoom,
+            views: app.desk.views.clone(),
+            kept: app.desk.tuner.kept.clone(),
+        };
+        // What cannot be written is not remembered: the window goes on without.
+        Self { text: serde_json::to_string(&remembered).unwrap_or_default() }
+    }
+
+    /// Puts it back; what cannot be read is as if it had not been stored.
+    pub(super) fn restore(&self, app: &mut App, ctx: &egui::Context) {
+        let Ok(remembered) = serde_json::from_str::<Remembered>(&self.text) else { return };
+        let is_whole = remembered.layout.tiles.find_pane(&Pane::Overview).is_some()
+            || !remembered.layout.is_empty();
+        if is_whole {
+            app.layout = remembered.layout;
+        }
+        app.zoom = remembered.zoom.clamp(*super::ZOOM.start(), *super::ZOOM.end());
+        app.theme = remembered.theme;
+        app.desk.views = remembered.views;
+        app.desk.tuner.kept = remembered.kept;
+        ctx.set_theme(remembered.theme);
+        ctx.set_zoom_factor(app.zoom);
+    }
+}

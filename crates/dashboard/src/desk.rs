@@ -1,0 +1,220 @@
+//! Everything that a panel may see and change.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
+
+use serde::{Deserialize, Serialize};
+use telemetry::source::Ticket;
+use telemetry::{Arrival, Log, Reply, Request, Source, Standing, Topic, Update, log};
+
+use crate::names::LAST;
+use crate::panels::{deadlines, keyboard, midi, phase, tuning};
+use crate::scope::Scope;
+use crate::store::Store;
+use crate::tune::Tuner;
+use crate::{Clock, names};
+
+/// Arrivals that are taken before each frame: a flood does not stop the window.
+const MOST: usize = 20_000;
+
+/// Why something was asked.
+#[derive(Clone, PartialEq, Eq, Debug)]
+enum Purpose {
+    Tune,
+    Tell,
+}
+
+/// What panels remember of themselves.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct Views {
+    /// The selected key, and those with it.
+    pub(crate) selected: u8,
+    pub(crate) range: (u8, u8),
+    pub(crate) scopes: BTreeMap<u8, Scope>,
+    pub(crate) phase: phase::View,
+    pub(crate) tuning: tuning::View,
+    pub(crate) deadlines: deadlines::View,
+    pub(crate) midi: midi::View,
+    #[serde(skip)]
+    pub(crate) keyboard: keyboard::View,
+    #[serde(skip)]
+    pub(crate) instruments: crate::panels::instruments::View,
+    /// The time at which everything stands still [s].
+    #[serde(skip)]
+    pub(crate) frozen: Option<f64>,
+    /// The scene as it sounds now, if somebody asked.
+    #[serde(skip)]
+    pub(crate) scene: Option<String>,
+    /// The last answer, in a sentence.
+    #[serde(skip)]
+    pub(crate) notice: Option<Result<String, String>>,
+    /// Where a recording is being written, if this window began it.
+    #[serde(skip)]
+    pub(crate) recording: Option<String>,
+    #[serde(skip)]
+    pub(crate) shows_help: bool,
+}
+
+/// Everything that a panel may see and change.
+pub(crate) struct Desk {
+    pub(crate) source: Box<dyn Source>,
+    pub(crate) clock: Clock,
+    pub(crate) store: Store,
+    pub(crate) tuner: Tuner,
+    pub(crate) views: Views,
+    asked: BTreeMap<Ticket, Purpose>,
+    followed: BTreeSet<Topic>,
+    /// Keys whose rows somebody looked at in this frame.
+    wanted: BTreeSet<u8>,
+}
+
+impl Desk {
+    pub(crate) fn new(source: Box<dyn Source>, clock: Clock) -> Self {
+        let views = Views { selected: 39, range: (39, 39), ..Views::default() };
+        Self {
+            source,
+            clock,
+            store: Store::default(),
+            tuner: Tuner::default(),
+            views,
+            asked: BTreeMap::new(),
+            followed: BTreeSet::new(),
+            wanted: BTreeSet::new(),
+        }
+    }
+
+    /// Takes what has arrived.
+    pub(crate) fn take(&mut self) {
+        for _ in 0..MOST {
+            let Some(arrival) = self.source.next() else { break };
+            match arrival {
+                Arrival::Update { at, update } => {
+                    self.tuner.take(&update);
+                    self.store.take(at, *update);
+                }
+                Arrival::Reply { ticket, result } => self.take_reply(ticket, result),
+                Arrival::Anew => self.start_anew(),
+            }
+        }
+        let (store, views) = (&self.store, &mut self.views);
+        for scope in views.scopes.values_mut() {
+            scope.look(store, scope.key.unwrap_or(views.selected));
+        }
+    }
+
+    fn start_anew(&mut self) {
+        self.store.forget();
+        self.tuner.forget();
+        self.views.frozen = None;
+        self.asked.clear();
+    }
+
+    fn take_reply(&mut self, ticket: Ticket, result: Result<Reply, String>) {
+        let purpose = self.asked.remove(&ticket);
+        if purpose == Some(Purpose::Tune) {
+            self.tuner.answered(ticket, result.as_ref().map(|_| ()).map_err(String::as_str));
+        }
+        let is_tuned = purpose == Some(Purpose::Tune) && result.is_ok();
+        self.views.notice = match result {
+            Ok(Reply::Scene { toml }) => {
+                self.views.scene = Some(toml);
+                None
+            }
+            Ok(Reply::Done { .. }) if is_tuned => None,
+            Ok(Reply::Done { text }) => Some(Ok(text)),
+            Ok(Reply::Where { address, token: _ }) => Some(Ok(address)),
+            Err(text) => {
+                let level = log::Level::Error.into();
+                self.store.log.push(Log { level, text: text.clone() });
+                Some(Err(text))
+            }
+        };
+    }
+
+    /// Asks the host; the answer is seen in the bar.
+    pub(crate) fn ask(&mut self, request: Request) {
+        let ticket = self.source.ask(request);
+        self.asked.insert(ticket, Purpose::Tell);
+    }
+
+    /// Sends values that were changed, and says which keys are looked at.
+    pub(crate) fn flush(&mut self) {
+        if let Some(changes) = self.tuner.outgoing() {
+            let ticket = self.source.ask(Request::Set { changes });
+            self.tuner.sent(ticket);
+            self.asked.insert(ticket, Purpose::Tune);
+        }
+        let keys = std::mem::take(&mut self.wanted);
+        let topics: BTreeSet<Topic> =
+            Topic::COMMON.into_iter().chain(keys.into_iter().map(Topic::Block)).collect();
+        if topics != self.followed {
+            self.source.follow(&topics);
+            self.followed = topics;
+        }
+    }
+
+    /// This key's rows are looked at.
+    pub(crate) fn want(&mut self, key: u8) {
+        self.wanted.insert(key);
+    }
+
+    /// The time that is shown [s]: the newest, or that at which everything stands still.
+    pub(crate) fn now(&self) -> f64 {
+        self.views.frozen.unwrap_or_else(|| self.store.newest())
+    }
+
+    /// Lets everything stand still, or go on.
+    pub(crate) fn toggle_freeze(&mut self) {
+        self.views.frozen = match self.views.frozen {
+            None => Some(self.store.newest()),
+            Some(_) => None,
+        };
+    }
+
+    /// All scopes follow what comes.
+    pub(crate) fn follow(&mut self) {
+        self.views.frozen = None;
+        self.views.scopes.values_mut().for_each(|scope| scope.pinned = None);
+    }
+
+    /// The selected range.
+    pub(crate) fn range(&self) -> RangeInclusive<u8> {
+        self.views.range.0..=self.views.range.1
+    }
+
+    /// Selects a key.
+    pub(crate) fn select(&mut self, key: u8) {
+        let key = key.min(LAST);
+        self.views.selected = key;
+        self.views.range = (key, key);
+    }
+
+    /// Selects all keys from the selected one to `key`.
+    pub(crate) fn select_up_to(&mut self, key: u8) {
+        let (key, selected) = (key.min(LAST), self.views.selected);
+        self.views.range = (key.min(selected), key.max(selected));
+    }
+
+    /// Seconds since the newest message was made, as far as both clocks agree.
+    pub(crate) fn latency(&self) -> Option<f64> {
+        let at = self.store.newest_at();
+        (0 < at && self.source.standing() == Standing::Live)
+            .then(|| (self.clock)().saturating_sub(at) as f64 * 1e-9)
+    }
+
+    /// The key's name, and what plays it.
+    pub(crate) fn title(&self, key: u8) -> String {
+        let played = self.store.voice(key).map(|voice| voice.instrument.as_str());
+        match played.filter(|name| !name.is_empty()) {
+            Some(instrument) => format!("{} · {instrument}", names::name(key)),
+            None => names::name(key),
+        }
+    }
+
+    /// Takes a message as if the source had given it: for measurements.
+    pub(crate) fn take_update(&mut self, at: u64, update: Update) {
+        self.tuner.take(&update);
+        self.store.take(at, update);
+    }
+}

@@ -1,0 +1,100 @@
+//! What a fault means, and what to do about it.
+
+use telemetry::event::Kind;
+
+/// What people want to know of a fault.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Explained {
+    /// Its name.
+    pub(crate) name: &'static str,
+    /// What happened.
+    pub(crate) what: &'static str,
+    /// What to do.
+    pub(crate) advice: &'static str,
+}
+
+/// The fault of a key: see `KeyBlock.fault`.
+pub(crate) const fn fault(code: u8) -> Option<Explained> {
+    let (name, what, advice) = match code {
+        0 => return None,
+        1 => (
+            "not finite",
+            "The model's force was no number. The key feels no force, and its voice begins anew at rest.",
+            "Look at what was changed last: take it back, or make stiff springs softer.",
+        ),
+        2 => (
+            "bad sample",
+            "The key's position was no number, or too old to be followed.",
+            "Look at the key's board and cable in Links: gaps and refused frames are counted there.",
+        ),
+        3 => (
+            "capped",
+            "The model wanted more work than a tick may do, so the tick was ended at its last good state.",
+            "Softer springs, more damping, or a higher tick rate; or impacts that pile up want a mode of rest.",
+        ),
+        4 => (
+            "diverged",
+            "The model made energy out of nothing, so its force cannot be trusted.",
+            "Take the last change back; with rigid contacts, raise the tick rate or filter less.",
+        ),
+        _ => (
+            "panicked",
+            "The model's program failed. Its voice is not run until it is replaced.",
+            "Use another instrument on this key, and report what was changed before.",
+        ),
+    };
+    Some(Explained { name, what, advice })
+}
+
+/// An event that says that something went wrong, or was made good.
+pub(crate) const fn event(kind: Kind) -> Option<Explained> {
+    let (name, what, advice) = match kind {
+        Kind::Fault => (
+            "voice failed",
+            "A key's voice could not be trusted: its force faded to zero in 20 ms.",
+            "See which fault it is at the key itself.",
+        ),
+        Kind::Recovery => {
+            ("voice is back", "A key's voice can be trusted again.", "Nothing to do.")
+        }
+        Kind::Miss => (
+            "deadline missed",
+            "Forces of a tick came too late; keys felt the force of the tick before.",
+            "Deadlines says whether the machine was late or the tick too long.",
+        ),
+        Kind::Skip => (
+            "ticks skipped",
+            "The tick was so late that the next one was due; ticks between were never run.",
+            "Give the host real-time priority and processors of its own.",
+        ),
+        Kind::Disarm => (
+            "forces fade",
+            "No voice is felt any more; all forces fade in 20 ms.",
+            "The run is ending, or was stopped.",
+        ),
+        Kind::Board => ("board or link", "A board or a link changed its state.", "See Links."),
+        Kind::Unknown
+        | Kind::Switch
+        | Kind::Strike
+        | Kind::DamperLift
+        | Kind::DamperFall
+        | Kind::Change
+        | Kind::Pedal
+        | Kind::Arm => return None,
+    };
+    Some(Explained { name, what, advice })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_fault_is_explained() {
+        assert_eq!(fault(0), None);
+        for code in 1..=5 {
+            let explained = fault(code).expect("a fault");
+            assert!(explained.what.ends_with('.') && explained.advice.ends_with('.'));
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! The window: keys, scopes, mechanisms and sliders of a host, live or recorded.
+//!
+//! It knows [`telemetry`] and nothing else of ours: everything it shows comes through a
+//! [`telemetry::Source`], everything it wants goes out as a [`telemetry::Request`].
+//!
+//! | folder | what stands there |
+//! |---|---|
+//! | [`store`] | what has arrived, as much of it as is kept |
+//! | [`tune`] | parameters under somebody's hands |
+//! | [`scope`] | what a scope shows, and when it holds still |
+//! | `panels` | one file for each panel: it draws, and nothing more |
+//! | [`app`] | the window around them |
+//! | [`pump`] | a live source on its own thread, so that a still keyboard costs no frames |
+//! | [`demo`] | a source without a host |
+//!
+//! Nothing here knows a key's physics, waits, or reads a clock that it was not given.
+
+#![forbid(unsafe_code)]
+
+pub mod app;
+pub mod demo;
+mod desk;
+mod explain;
+mod layout;
+mod look;
+pub mod names;
+mod number;
+pub mod open;
+mod panels;
+pub mod pump;
+pub mod scope;
+pub mod store;
+pub mod tune;
+mod unit;
+
+use std::sync::Arc;
+use std::time::Duration;
+
+pub use app::{App, Memory};
+pub use layout::Pane;
+
+/// Nanoseconds since 1970.
+pub type Clock = Arc<dyn Fn() -> u64 + Send + Sync>;
+
+/// Called from any thread when something has arrived: how soon it is worth a frame.
+pub type Waker = Arc<dyn Fn(Duration) + Send + Sync>;
+
+/// The time of the day.
+pub fn wall_clock() -> Clock {
+    Arc::new(|| {
+        let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+        since.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX))
+    })
+}

@@ -1,0 +1,99 @@
+//! `letoff-dashboard`: the window onto a host or a recording.
+
+#![forbid(unsafe_code)]
+
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use clap::Parser;
+use dashboard::open::{Sentence, Target, open};
+use dashboard::{App, Memory, Waker, wall_clock};
+use eframe::egui;
+
+/// Where a host listens if nobody says otherwise.
+const USUAL: &str = "127.0.0.1:8765";
+
+/// Shows what a host of force-feedback keys does, and changes it.
+#[derive(Parser, Debug)]
+#[command(name = "letoff-dashboard", version)]
+struct Arguments {
+    /// A host's address, or a recording (.mcap).
+    #[arg(value_name = "ADDRESS | FILE.mcap", default_value = USUAL)]
+    target: String,
+    /// What the host wants to hear before something may be changed; or LETOFF_TOKEN has it.
+    #[arg(long)]
+    token: Option<String>,
+    /// What the host's certificate must be, as the host prints it.
+    #[arg(long)]
+    fingerprint: Option<String>,
+    /// Shows a piece that nobody plays, without a host.
+    #[arg(long)]
+    demo: bool,
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    match run(arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(sentence) => {
+            #[expect(clippy::print_stderr, reason = "a command tells why it ends")]
+            {
+                eprintln!("letoff-dashboard: {sentence}");
+            }
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: Arguments) -> Result<(), Sentence> {
+    let target = if arguments.demo {
+        Target::Demonstration
+    } else {
+        let token = arguments.token.or_else(|| std::env::var("LETOFF_TOKEN").ok());
+        Target::of(&arguments.target, token, arguments.fingerprint)
+    };
+    // Before there is a window: a mistake in the address needs none to be told.
+    let window: Arc<std::sync::OnceLock<egui::Context>> = Arc::default();
+    let waiting = Arc::clone(&window);
+    let wake: Waker = Arc::new(move |soon| {
+        if let Some(ctx) = waiting.get() {
+            ctx.request_repaint_after(soon);
+        }
+    });
+    let source = open(&target, &wake)?;
+    let options = eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default()
+            .with_title("Letoff")
+            .with_app_id("letoff-dashboard")
+            .with_inner_size([1280.0, 800.0])
+            .with_min_inner_size([640.0, 400.0]),
+        ..eframe::NativeOptions::default()
+    };
+    let create = move |cc: &eframe::CreationContext<'_>| {
+        let _first = window.set(cc.egui_ctx.clone());
+        let memory = cc.storage.and_then(Memory::load);
+        let app = App::new(source, wall_clock(), memory, &cc.egui_ctx);
+        let app: Box<dyn eframe::App> = Box::new(app);
+        Ok(app)
+    };
+    eframe::run_native("letoff-dashboard", options, Box::new(create)).map_err(|it| sentence(&it))
+}
+
+/// What to do about it.
+fn sentence(error: &eframe::Error) -> Sentence {
+    // The last part says it; those before are places in other people's sources.
+    let cause = error.to_string();
+    let cause = cause.rsplit(": ").next().unwrap_or_default().trim_end_matches('.');
+    let advice = match error {
+        eframe::Error::WinitEventLoop(_) | eframe::Error::Winit(_) => {
+            "there is no display to open a window on; set DISPLAY or WAYLAND_DISPLAY, or use ssh -X"
+        }
+        eframe::Error::Glutin(_)
+        | eframe::Error::NoGlutinConfigs(..)
+        | eframe::Error::OpenGL(_) => {
+            "the display has no OpenGL; install libgl1-mesa-dri for one in software"
+        }
+        eframe::Error::AppCreation(_) => "the window could not be made",
+    };
+    Sentence(format!("{advice} ({cause})"))
+}

@@ -1,0 +1,111 @@
+//! What keys are called: A0 is key 0, C8 is key 87.
+
+use std::ops::RangeInclusive;
+
+use telemetry::KEYS;
+
+const NAMES: [&str; 12] = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
+
+/// Semitones of A0 above C0.
+const LOWEST: u8 = 9;
+
+/// The last key.
+pub const LAST: u8 = 87;
+
+/// The name of `key`, as `C#4`.
+pub fn name(key: u8) -> String {
+    let semitones = key.saturating_add(LOWEST);
+    format!("{}{}", NAMES[usize::from(semitones % 12)], semitones / 12)
+}
+
+/// Whether `key` is a black one.
+pub fn is_black(key: u8) -> bool {
+    matches!(key.saturating_add(LOWEST) % 12, 1 | 3 | 6 | 8 | 10)
+}
+
+/// White keys below `key`.
+pub fn whites_below(key: u8) -> usize {
+    (0..key).filter(|key| !is_black(*key)).count()
+}
+
+/// The key called `name`, with sharps or flats.
+pub fn key(name: &str) -> Option<u8> {
+    let name = name.trim();
+    let at = name.find(|c: char| c.is_ascii_digit())?;
+    let (letter, octave) = name.split_at(at);
+    let octave: i32 = octave.parse().ok()?;
+    let mut marks = letter.chars();
+    let step = match marks.next()?.to_ascii_uppercase() {
+        'C' => 0,
+        'D' => 2,
+        'E' => 4,
+        'F' => 5,
+        'G' => 7,
+        'A' => 9,
+        'B' => 11,
+        _ => return None,
+    };
+    let shift = match marks.as_str() {
+        "" => 0,
+        "#" => 1,
+        "b" => -1,
+        _ => return None,
+    };
+    let key = octave.checked_mul(12)? + step + shift - i32::from(LOWEST);
+    u8::try_from(key).ok().filter(|key| usize::from(*key) < KEYS)
+}
+
+/// A range's name, as `C4..B5`; a key's own where it is one.
+pub fn range_name(range: &RangeInclusive<u8>) -> String {
+    if range.start() == range.end() {
+        name(*range.start())
+    } else {
+        format!("{}..{}", name(*range.start()), name(*range.end()))
+    }
+}
+
+/// The range called `name`: `C4..B5`, `C4` or `all`.
+pub fn range(text: &str) -> Option<RangeInclusive<u8>> {
+    let text = text.trim();
+    if text.is_empty() || text.eq_ignore_ascii_case("all") {
+        return Some(0..=LAST);
+    }
+    let Some((low, high)) = text.split_once("..") else {
+        return key(text).map(|key| key..=key);
+    };
+    let (low, high) = (key(low)?, key(high)?);
+    (low <= high).then_some(low..=high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_is_found_by_its_name() {
+        for key in 0..=LAST {
+            assert_eq!(super::key(&name(key)), Some(key), "{}", name(key));
+        }
+        assert_eq!(name(0), "A0");
+        assert_eq!(name(39), "C4");
+        assert_eq!(name(87), "C8");
+        assert_eq!(key("Bb3"), key("A#3"));
+    }
+
+    #[test]
+    fn ranges_are_read_as_they_are_written() {
+        for range in [0..=87, 39..=50, 12..=12] {
+            assert_eq!(super::range(&range_name(&range)), Some(range));
+        }
+        assert_eq!(range("all"), Some(0..=87));
+        for foreign in ["B5..C4", "H2", "C9", "G0", "..", "C4...C5", "-C4"] {
+            assert_eq!(range(foreign), None, "{foreign}");
+        }
+    }
+
+    #[test]
+    fn fifty_two_keys_are_white() {
+        assert_eq!((0..=LAST).filter(|key| !is_black(*key)).count(), 52);
+        assert_eq!(whites_below(LAST), 51);
+    }
+}

@@ -1,0 +1,179 @@
+//! Whether ticks were in time: how long they took, and why some were late.
+
+use eframe::egui::{Color32, TextStyle, Ui};
+use egui_plot::{Bar, BarChart, Corner, HLine, Legend, Line, Plot, PlotPoints, Points, VLine};
+use serde::{Deserialize, Serialize};
+use telemetry::{Deadlines, Spread};
+
+use super::nothing_ui;
+use crate::desk::Desk;
+use crate::store::timing::{Cause, Timed};
+use crate::{look, unit};
+
+/// Ticks on the timeline.
+const SHOWN: usize = 4000;
+
+/// Which distribution is seen.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+enum Which {
+    #[default]
+    Turnaround,
+    Lateness,
+    Work,
+    Baseline,
+}
+
+impl Which {
+    const ALL: [Self; 4] = [Self::Turnaround, Self::Lateness, Self::Work, Self::Baseline];
+
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Turnaround => "turnaround",
+            Self::Lateness => "lateness",
+            Self::Work => "work",
+            Self::Baseline => "bare timer",
+        }
+    }
+
+    const fn of(self, deadlines: &Deadlines) -> Option<&Spread> {
+        match self {
+            Self::Turnaround => deadlines.turnaround.as_ref(),
+            Self::Lateness => deadlines.lateness.as_ref(),
+            Self::Work => deadlines.work.as_ref(),
+            Self::Baseline => deadlines.baseline.as_ref(),
+        }
+    }
+}
+
+/// What the panel remembers.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct View {
+    which: Which,
+}
+
+/// Draws the panel.
+pub(super) fn deadlines_ui(ui: &mut Ui, desk: &mut Desk) {
+    let Some(deadlines) = desk.store.deadlines.clone() else {
+        nothing_ui(ui, "Deadlines are told once a second.");
+        return;
+    };
+    counts_ui(ui, &deadlines);
+    ui.horizontal(|ui| {
+        for which in Which::ALL {
+            ui.selectable_value(&mut desk.views.deadlines.which, which, which.text());
+        }
+        if let Some(spread) = desk.views.deadlines.which.of(&deadlines) {
+            ui.weak(format!(
+                "p50 {:.0} µs, p99 {:.0} µs, p99.9 {:.0} µs, most {:.0} µs",
+                spread.p50, spread.p99, spread.p999, spread.max
+            ));
+        }
+    });
+    let height = (ui.available_height() / 2.0 - 6.0).max(60.0);
+    if let Some(spread) = desk.views.deadlines.which.of(&deadlines) {
+        histogram_ui(ui, spread, height);
+    }
+    timeline_ui(ui, desk, height);
+}
+
+fn counts_ui(ui: &mut Ui, deadlines: &Deadlines) {
+    ui.horizontal_wrapped(|ui| {
+        ui.strong(format!("{} ticks", deadlines.ticks));
+        let counts = [
+            ("missed", deadlines.missed),
+            ("own work", deadlines.own_work),
+            ("woken late", deadlines.woken_late),
+            ("preempted", deadlines.preempted),
+            ("skipped", deadlines.skipped),
+        ];
+        for (name, count) in counts {
+            let color = if count == 0 { ui.visuals().weak_text_color() } else { look::fault(ui) };
+            ui.colored_label(color, format!("{count} {name}"));
+        }
+    });
+}
+
+/// How many took how long, on a logarithm, so that a single one is seen.
+fn histogram_ui(ui: &mut Ui, spread: &Spread, height: f32) {
+    let mut before = 0.0;
+    let mut bars = Vec::with_capacity(spread.edge.len());
+    let buckets = spread.edge.iter().zip(&spread.count);
+    for (edge, count) in buckets.filter(|(edge, _)| edge.is_finite()) {
+        let height = (*count as f64 + 1.0).log10();
+        let middle = f64::midpoint(before, *edge);
+        bars.push(Bar::new(middle, height).width((edge - before) * 0.92).name(format!("{count}")));
+        before = *edge;
+    }
+    let marks = [("p99", spread.p99, look::ORANGE), ("p99.9", spread.p999, look::VERMILLION)];
+    let color = look::line(0, ui);
+    Plot::new("histogram")
+        .grid_spacing(22.0..=220.0)
+        .grid_color(look::grid(ui))
+        .x_grid_spacer(look::spacer(4.0))
+        .height(height)
+        .allow_scroll(false)
+        .legend(Legend::default().text_style(TextStyle::Small).position(Corner::RightTop))
+        .x_axis_label("time [µs]")
+        .y_axis_label("ticks")
+        .y_axis_formatter(|mark, _| unit::digits(10_f64.powf(mark.value).round()))
+        .include_x(0.0)
+        .include_y(0.0)
+        .show(ui, move |plot| {
+            plot.bar_chart(BarChart::new("", bars).color(color));
+            for (name, at, color) in marks.into_iter().filter(|mark| mark.1.is_finite()) {
+                plot.vline(VLine::new(name, at).color(color).width(1.5));
+            }
+        });
+}
+
+const fn color(cause: Cause) -> Color32 {
+    match cause {
+        Cause::InTime => look::GREEN,
+        Cause::WokenLate => look::ORANGE,
+        Cause::Preempted => look::PURPLE,
+        Cause::OwnWork => look::VERMILLION,
+    }
+}
+
+/// The last ticks, each late one in the colour of its cause.
+fn timeline_ui(ui: &mut Ui, desk: &Desk, height: f32) {
+    let ticks = desk.store.timing.ticks();
+    let skipped = ticks.len().saturating_sub(SHOWN);
+    let shown: Vec<Timed> = ticks.iter().skip(skipped).copied().collect();
+    let period = desk.store.period();
+    let point = |it: &Timed| [desk.store.seconds(it.tick), f64::from(it.lateness + it.turnaround)];
+    let all: Vec<[f64; 2]> = shown.iter().map(point).collect();
+    let line = look::line(0, ui);
+    let late: Vec<(Cause, Vec<[f64; 2]>)> = Cause::ALL
+        .into_iter()
+        .filter(|cause| *cause != Cause::InTime)
+        .map(|cause| (cause, shown.iter().filter(|it| it.cause == cause).map(point).collect()))
+        .collect();
+    let limit = period * 1e6;
+    Plot::new("ticks")
+        .grid_spacing(22.0..=220.0)
+        .grid_color(look::grid(ui))
+        .x_grid_spacer(look::spacer(4.0))
+        .y_grid_spacer(look::spacer(3.0))
+        .height(height)
+        .allow_scroll(false)
+        .legend(
+            Legend::default()
+                .text_style(TextStyle::Small)
+                .position(Corner::RightTop)
+                .follow_insertion_order(true),
+        )
+        .x_axis_formatter(|mark, _| format!("{} s", unit::digits(mark.value)))
+        .y_axis_label("due to done [µs]")
+        .y_axis_formatter(|mark, _| unit::digits(mark.value))
+        .include_y(0.0)
+        .show(ui, move |plot| {
+            plot.line(Line::new("tick", PlotPoints::new(all)).color(line).width(1.0));
+            plot.hline(HLine::new("deadline", limit).color(look::YELLOW).width(1.2));
+            for (cause, points) in late {
+                let points = Points::new(cause.text(), points).radius(4.0).color(color(cause));
+                plot.points(points);
+            }
+        });
+}

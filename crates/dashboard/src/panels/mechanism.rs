@@ -1,0 +1,208 @@
+//! A key's mechanism, to scale and in motion, as its model describes it.
+
+use std::f32::consts::TAU;
+
+use eframe::egui::{
+    Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, WidgetInfo,
+    accesskit::Role, pos2, vec2,
+};
+use telemetry::{Body, Coil, Drawing, Follower, Outline, outline};
+
+use super::nothing_ui;
+use crate::desk::Desk;
+use crate::{look, names, number, unit};
+
+/// From the drawing [m] to the screen.
+struct Scale {
+    origin: Pos2,
+    left: f64,
+    bottom: f64,
+    points_per_metre: f64,
+}
+
+impl Scale {
+    /// All of `drawing` in `rect`, as large as both directions allow.
+    fn new(drawing: &Drawing, rect: Rect) -> Option<Self> {
+        let width = drawing.right - drawing.left;
+        let height = drawing.top - drawing.bottom;
+        let is_finite = width.is_finite() && height.is_finite();
+        if !(is_finite && 0.0 < width && 0.0 < height) {
+            return None;
+        }
+        let room = rect.shrink(8.0);
+        let across = f64::from(room.width()) / width;
+        let points_per_metre = across.min(f64::from(room.height()) / height);
+        let used = vec2(number::f32(width), number::f32(height)) * number::f32(points_per_metre);
+        let free = room.size() - used;
+        let origin = room.left_bottom() + vec2(free.x / 2.0, -free.y / 2.0);
+        Some(Self { origin, left: drawing.left, bottom: drawing.bottom, points_per_metre })
+    }
+
+    fn place(&self, [x, y]: [f64; 2]) -> Pos2 {
+        let across = number::f32((x - self.left) * self.points_per_metre);
+        let up = number::f32((y - self.bottom) * self.points_per_metre);
+        pos2(self.origin.x + across, self.origin.y - up)
+    }
+}
+
+/// Where a body is, and how it is turned.
+struct Pose {
+    x: f64,
+    y: f64,
+    sin: f64,
+    cos: f64,
+}
+
+impl Pose {
+    fn of(body: &Body, value: &impl Fn(&str) -> f64) -> Self {
+        let at =
+            |follower: &Option<Follower>| follower.as_ref().map_or(0.0, |it| follow(it, value));
+        let (sin, cos) = at(&body.angle).sin_cos();
+        Self { x: at(&body.x), y: at(&body.y), sin, cos }
+    }
+
+    fn point(&self, x: f64, y: f64) -> [f64; 2] {
+        [self.x + self.cos * x - self.sin * y, self.y + self.sin * x + self.cos * y]
+    }
+}
+
+/// Where a follower is.
+fn follow(follower: &Follower, value: &impl Fn(&str) -> f64) -> f64 {
+    if follower.signal.is_empty() {
+        return follower.offset;
+    }
+    follower.offset + follower.scale * value(&follower.signal)
+}
+
+/// Draws the panel.
+pub(super) fn mechanism_ui(ui: &mut Ui, desk: &mut Desk) {
+    let key = desk.views.selected;
+    desk.want(key);
+    let now = desk.now();
+    let mode = mode(desk, key, now);
+    ui.horizontal(|ui| {
+        ui.strong(desk.title(key));
+        if let Some(mode) = mode {
+            ui.colored_label(look::mode(mode), desk.store.mode_name(key, mode));
+        }
+        for (channel, of) in [("position", "m"), ("sent", "N")] {
+            if let Some(value) = value(desk, key, channel, now) {
+                ui.label(unit::text(value, of));
+            }
+        }
+    });
+    let Some(drawing) = desk.store.voice(key).and_then(|voice| voice.drawing.as_ref()) else {
+        nothing_ui(ui, "This model says nothing of how it looks.");
+        return;
+    };
+    let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+    let name = format!("mechanism of {}", names::name(key));
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, 3.0, ui.visuals().extreme_bg_color);
+    if let Some(scale) = Scale::new(drawing, rect) {
+        let value = |name: &str| value(desk, key, name, now).unwrap_or(0.0);
+        paint(&painter, drawing, &scale, mode, &value);
+        paint_ruler(ui, &painter, &scale, rect);
+    }
+}
+
+/// The mode in the time that is shown; as the overview says where no rows are known.
+fn mode(desk: &Desk, key: u8, now: f64) -> Option<u8> {
+    let trace = desk.store.trace(key);
+    let row = trace.and_then(|trace| trace.row_at(desk.store.tick(now)));
+    let known = trace.zip(row).and_then(|(trace, row)| trace.modes().get(row).copied());
+    known.or_else(|| desk.store.glances.key(key).mode)
+}
+
+/// A signal in the time that is shown; the position also where no rows are known.
+fn value(desk: &Desk, key: u8, name: &str, now: f64) -> Option<f64> {
+    let glance = desk.store.glances.key(key);
+    let known = desk.store.value(key, name, now).filter(|value| value.is_finite());
+    known.or(match name {
+        "position" => Some(f64::from(glance.position)),
+        "sent" => Some(f64::from(glance.force)),
+        _ => None,
+    })
+}
+
+fn paint(
+    painter: &Painter,
+    drawing: &Drawing,
+    scale: &Scale,
+    mode: Option<u8>,
+    value: &impl Fn(&str) -> f64,
+) {
+    let is_shown =
+        |modes: &[u32]| modes.is_empty() || mode.is_none_or(|it| modes.contains(&it.into()));
+    let poses: Vec<Pose> = drawing.bodies.iter().map(|body| Pose::of(body, value)).collect();
+    for (body, pose) in drawing.bodies.iter().zip(&poses) {
+        if is_shown(&body.modes) {
+            body.outlines.iter().for_each(|it| paint_outline(painter, it, pose, scale));
+        }
+    }
+    for coil in drawing.coils.iter().filter(|coil| is_shown(&coil.modes)) {
+        paint_coil(painter, coil, &poses, scale);
+    }
+}
+
+fn paint_outline(painter: &Painter, outline: &Outline, pose: &Pose, scale: &Scale) {
+    let pairs = outline.x.iter().zip(&outline.y);
+    let points: Vec<Pos2> = pairs.map(|(x, y)| scale.place(pose.point(*x, *y))).collect();
+    if !points.iter().all(|point| point.is_finite()) {
+        return;
+    }
+    let color = color(outline.kind());
+    let stroke = Stroke::new(1.2, look::blend(color, Color32::BLACK, 0.35));
+    if outline.closed {
+        painter.add(Shape::convex_polygon(points, color, stroke));
+    } else {
+        painter.add(Shape::line(points, Stroke::new(1.8, color)));
+    }
+}
+
+const fn color(kind: outline::Kind) -> Color32 {
+    match kind {
+        outline::Kind::Wood => Color32::from_rgb(0xC8, 0x9B, 0x6A),
+        outline::Kind::Felt => Color32::from_rgb(0xB9, 0x3E, 0x4A),
+        outline::Kind::Metal => Color32::from_rgb(0x9A, 0xA4, 0xAE),
+        outline::Kind::String => Color32::from_rgb(0xE6, 0xC8, 0x5A),
+        outline::Kind::Ground => Color32::from_rgb(0x6B, 0x74, 0x7E),
+        outline::Kind::Finger => Color32::from_rgb(0xE0, 0xA9, 0x8C),
+    }
+}
+
+/// A spring: a wave between two bodies' points, as tight as it is short.
+fn paint_coil(painter: &Painter, coil: &Coil, poses: &[Pose], scale: &Scale) {
+    let end = |body: u32, x: f64, y: f64| {
+        let pose = usize::try_from(body).ok().and_then(|body| poses.get(body));
+        pose.map(|pose| scale.place(pose.point(x, y)))
+    };
+    let from = end(coil.from, coil.from_x, coil.from_y);
+    let to = end(coil.to, coil.to_x, coil.to_y);
+    let ends = from.zip(to).filter(|(from, to)| from.is_finite() && to.is_finite());
+    let Some((from, to)) = ends else { return };
+    let along = to - from;
+    let across = along.rot90().normalized() * 4.5;
+    let wave = |i: u8| {
+        let share = f32::from(i) / 48.0;
+        from + along * share + across * (share * 6.0 * TAU).sin()
+    };
+    painter.add(Shape::line((0..=48).map(wave).collect(), Stroke::new(1.4, look::GREEN)));
+}
+
+/// How long a centimetre, or another round length, is here.
+fn paint_ruler(ui: &Ui, painter: &Painter, scale: &Scale, rect: Rect) {
+    let length = number::round(f64::from(rect.width()) * 0.25 / scale.points_per_metre);
+    let width = number::f32(length * scale.points_per_metre);
+    let right = rect.right_bottom() + vec2(-10.0, -10.0);
+    let stroke = Stroke::new(1.5, ui.visuals().weak_text_color());
+    painter.hline(right.x - width..=right.x, right.y, stroke);
+    for x in [right.x - width, right.x] {
+        painter.vline(x, right.y - 4.0..=right.y, stroke);
+    }
+    let place = right + vec2(-width / 2.0, -5.0);
+    let font = FontId::proportional(11.0);
+    let text = unit::text(length, "m");
+    painter.text(place, Align2::CENTER_BOTTOM, text, font, ui.visuals().weak_text_color());
+}

@@ -1,0 +1,55 @@
+//! One file for each panel. To make another: copy a small one, add it to [`Pane`] and to
+//! [`panel_ui`], and a snapshot of it to `tests/snapshots.rs`.
+
+pub(crate) mod deadlines;
+mod faults;
+pub(crate) mod instruments;
+pub(crate) mod keyboard;
+mod links;
+mod log;
+mod mechanism;
+pub(crate) mod midi;
+mod overview;
+pub(crate) mod phase;
+pub(crate) mod scope;
+mod timeline;
+pub(crate) mod tuning;
+
+use eframe::egui::{Color32, ProgressBar, RichText, Ui};
+
+use crate::desk::Desk;
+use crate::layout::Pane;
+
+/// Draws a panel.
+pub(crate) fn panel_ui(ui: &mut Ui, pane: Pane, desk: &mut Desk) {
+    match pane {
+        Pane::Overview => overview::overview_ui(ui, desk),
+        Pane::Mechanism => mechanism::mechanism_ui(ui, desk),
+        Pane::Scope(number) => scope::scope_ui(ui, number, desk),
+        Pane::Phase => phase::phase_ui(ui, desk),
+        Pane::Tuning => tuning::tuning_ui(ui, desk),
+        Pane::Instruments => instruments::instruments_ui(ui, desk),
+        Pane::Deadlines => deadlines::deadlines_ui(ui, desk),
+        Pane::Links => links::links_ui(ui, desk),
+        Pane::Midi => midi::midi_ui(ui, desk),
+        Pane::Faults => faults::faults_ui(ui, desk),
+        Pane::Timeline => timeline::timeline_ui(ui, desk),
+        Pane::Keyboard => keyboard::keyboard_ui(ui, desk),
+        Pane::Log => log::log_ui(ui, desk),
+    }
+}
+
+/// What stands where there is nothing to show yet, and what to do about it.
+fn nothing_ui(ui: &mut Ui, text: &str) {
+    ui.centered_and_justified(|ui| ui.weak(text));
+}
+
+/// A share of a whole as a bar with its number.
+fn share_ui(ui: &mut Ui, share: f64, color: Color32) {
+    let share = if share.is_finite() { share } else { 0.0 };
+    let text = RichText::new(format!("{:.1} %", share * 100.0)).small();
+    let share = crate::number::f32(share.clamp(0.0, 1.0));
+    ui.add(
+        ProgressBar::new(share).desired_width(120.0).desired_height(14.0).text(text).fill(color),
+    );
+}

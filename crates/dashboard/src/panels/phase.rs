@@ -1,0 +1,143 @@
+//! Force against travel: the technician's view. What a finger feels going down, and coming back.
+
+use eframe::egui::{DragValue, TextStyle, Ui};
+use egui_plot::{Corner, Legend, Line, Plot, PlotPoints, Points};
+use serde::{Deserialize, Serialize};
+
+use super::nothing_ui;
+use crate::desk::Desk;
+use crate::store::Store;
+use crate::{look, number, unit};
+
+/// Travel over which weights are means [m].
+const MIDDLE: std::ops::Range<f64> = 2e-3..7e-3;
+
+/// Slower than this is neither down nor up [m/s].
+const STILL: f64 = 2e-3;
+
+/// What the panel remembers.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct View {
+    /// How much time is seen [s].
+    window: f64,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { window: 4.0 }
+    }
+}
+
+/// Travel [mm] and force [N], down and up.
+#[derive(Default)]
+struct Loop {
+    /// Stretches, each on its way down (0) or up (1).
+    ways: Vec<(usize, Vec<[f64; 2]>)>,
+    /// Sums and counts of forces in the middle.
+    weights: [(f64, usize); 2],
+    last: Option<[f64; 2]>,
+}
+
+impl Loop {
+    fn is_down(&self) -> bool {
+        self.ways.last().is_none_or(|(way, _)| *way == 0)
+    }
+
+    /// A point on the way down or up; a line ends where the other begins.
+    fn enter(&mut self, way: usize, point: [f64; 2]) {
+        if let Some((last, points)) = self.ways.last_mut() {
+            points.push(point);
+            if *last == way {
+                return;
+            }
+        }
+        self.ways.push((way, vec![point]));
+    }
+}
+
+/// Draws the panel.
+pub(super) fn phase_ui(ui: &mut Ui, desk: &mut Desk) {
+    let key = desk.views.selected;
+    desk.want(key);
+    let now = desk.now();
+    let window = desk.views.phase.window;
+    let shown = gather(&desk.store, key, (now - window, now));
+    ui.horizontal_wrapped(|ui| {
+        ui.strong(desk.title(key));
+        let drag = DragValue::new(&mut desk.views.phase.window).speed(0.05).range(0.1..=120.0);
+        ui.add(drag.suffix(" s"))
+            .on_hover_text("How much time is seen.")
+            .accessible_name("seconds of travel");
+        weights_ui(ui, &shown);
+    });
+    if shown.last.is_none() {
+        nothing_ui(ui, "Press the key: its force is drawn over its travel.");
+        return;
+    }
+    let plot = Plot::new("phase")
+        .grid_spacing(22.0..=220.0)
+        .grid_color(look::grid(ui))
+        .x_grid_spacer(look::spacer(4.0))
+        .y_grid_spacer(look::spacer(3.0))
+        .legend(
+            Legend::default()
+                .text_style(TextStyle::Small)
+                .position(Corner::LeftTop)
+                .background_alpha(0.6),
+        )
+        .x_axis_label("travel [mm]")
+        .y_axis_label("force [N]")
+        .y_axis_formatter(|mark, _| unit::digits(mark.value))
+        .x_axis_formatter(|mark, _| unit::digits(mark.value))
+        .include_x(0.0)
+        .include_x(10.0)
+        .include_y(0.0);
+    let colors = [look::line(0, ui), look::line(1, ui)];
+    plot.show(ui, move |plot| {
+        for (way, points) in shown.ways {
+            let line = Line::new(["down", "up"][way], PlotPoints::new(points));
+            plot.line(line.color(colors[way]).width(1.4).allow_band(false));
+        }
+        if let Some(last) = shown.last {
+            plot.points(Points::new("now", vec![last]).radius(4.0).color(look::VERMILLION));
+        }
+    });
+}
+
+/// Down weight, up weight, and what a technician makes of them.
+fn weights_ui(ui: &mut Ui, shown: &Loop) {
+    let [down, up] = shown.weights.map(|(sum, n)| (0 < n).then(|| sum / number::f64(n)));
+    let text = |value: Option<f64>| value.map_or("–".to_owned(), |it| unit::text(it, "N"));
+    ui.label(format!("down {}", text(down)))
+        .on_hover_text("Mean force from 2 to 7 mm, going down.");
+    ui.label(format!("up {}", text(up))).on_hover_text("Mean force from 7 to 2 mm, coming back.");
+    if let Some((down, up)) = down.zip(up) {
+        ui.label(format!("balance {}", unit::text(f64::midpoint(down, up), "N")));
+        ui.label(format!("friction {}", unit::text((down - up) / 2.0, "N")));
+    }
+}
+
+fn gather(store: &Store, key: u8, view: (f64, f64)) -> Loop {
+    let mut gathered = Loop::default();
+    let Some(trace) = store.trace(key) else { return gathered };
+    let first = trace.row_at(store.tick(view.0.max(0.0))).unwrap_or(0);
+    let last = trace.row_at(store.tick(view.1)).map_or(0, |row| row + 1);
+    let (positions, speeds, forces) = (trace.values(0), trace.values(1), trace.values(3));
+    for row in first..last {
+        let [position, speed, force] =
+            [positions, speeds, forces].map(|column| f64::from(column[row]));
+        let point = [position * 1e3, force];
+        if !(position.is_finite() && force.is_finite()) {
+            continue;
+        }
+        let way = usize::from(speed < if gathered.is_down() { -STILL } else { STILL });
+        gathered.enter(way, point);
+        if MIDDLE.contains(&position) && STILL < speed.abs() {
+            gathered.weights[way].0 += force;
+            gathered.weights[way].1 += 1;
+        }
+        gathered.last = Some(point);
+    }
+    gathered
+}

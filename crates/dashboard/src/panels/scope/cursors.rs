@@ -1,0 +1,86 @@
+//! Two cursors through all plots, and what they say.
+
+use eframe::egui::{
+    Align2, CursorIcon, FontId, Grid, Pos2, Rect, ScrollArea, Sense, Stroke, Ui, WidgetInfo,
+    accesskit::Role, vec2,
+};
+use egui_plot::PlotTransform;
+
+use crate::scope::Scope;
+use crate::store::Store;
+use crate::{look, unit};
+
+/// Points to each side within which a cursor is caught.
+const REACH: f32 = 5.0;
+
+/// Two lines through all plots that can be taken with the mouse.
+pub(super) fn cursors_ui(ui: &Ui, scope: &mut Scope, frames: &[PlotTransform]) {
+    for (i, frame) in frames.iter().enumerate() {
+        for (cursor, name) in ["A", "B"].into_iter().enumerate() {
+            let x = frame.position_from_point_x(scope.cursors[cursor]);
+            let column = Rect::from_x_y_ranges(x - REACH..=x + REACH, frame.frame().y_range());
+            if !frame.frame().x_range().contains(x) {
+                continue;
+            }
+            let response =
+                ui.interact(column, ui.scope_id().with(("cursor", i, cursor)), Sense::drag());
+            let at = scope.cursors[cursor];
+            let label = format!("cursor {name} in plot {}", i + 1);
+            response.widget_info(|| WidgetInfo {
+                value: Some(at),
+                ..WidgetInfo::labeled(Role::Splitter, true, &label)
+            });
+            if response.dragged() {
+                let width = f64::from(frame.frame().width().max(1.0));
+                let per_point = frame.bounds().width() / width;
+                scope.cursors[cursor] += f64::from(response.drag_delta().x) * per_point;
+            }
+            let color = [look::selected(ui.visuals()), look::PURPLE][cursor];
+            let painter = ui.painter();
+            painter.vline(x, frame.frame().y_range(), Stroke::new(1.5, color));
+            let font = FontId::proportional(11.0);
+            let at = Pos2::new(x + 3.0, frame.frame().bottom() - 2.0);
+            painter.text(at, Align2::LEFT_BOTTOM, name, font, color);
+            response.on_hover_cursor(CursorIcon::ResizeHorizontal);
+        }
+    }
+}
+
+/// What the cursors say: times, differences, values.
+pub(super) fn table_ui(ui: &mut Ui, scope: &Scope, store: &Store, key: u8, lanes: &[Vec<String>]) {
+    let [a, b] = scope.cursors;
+    let delta = b - a;
+    let hertz = if delta.abs() < 1e-9 { "–".to_owned() } else { unit::digits(1.0 / delta.abs()) };
+    ui.spacing_mut().item_spacing = vec2(14.0, 1.0);
+    ui.label(format!("A {a:.5} s    B {b:.5} s    Δt {}    1/Δt {hertz} Hz", unit::seconds(delta)));
+    ScrollArea::horizontal().auto_shrink([false, true]).show(ui, |ui| {
+        Grid::new("cursors").striped(true).show(ui, |ui| {
+            ui.weak("");
+            for channel in lanes.iter().flatten() {
+                ui.weak(channel);
+            }
+            ui.end_row();
+            let at = |channel: &str, at: f64| store.value(key, channel, at);
+            row_ui(ui, "A", (store, key), lanes, |channel| at(channel, a));
+            row_ui(ui, "B", (store, key), lanes, |channel| at(channel, b));
+            let delta = |channel: &str| Some(at(channel, b)? - at(channel, a)?);
+            row_ui(ui, "Δ", (store, key), lanes, delta);
+        });
+    });
+}
+
+/// A value of each channel.
+fn row_ui(
+    ui: &mut Ui,
+    name: &str,
+    (store, key): (&Store, u8),
+    lanes: &[Vec<String>],
+    value: impl Fn(&str) -> Option<f64>,
+) {
+    ui.weak(name);
+    for channel in lanes.iter().flatten() {
+        let unit = store.channel(key, channel).map_or("", |(_, unit)| unit);
+        ui.label(value(channel).map_or_else(|| "–".to_owned(), |it| unit::text(it, unit)));
+    }
+    ui.end_row();
+}

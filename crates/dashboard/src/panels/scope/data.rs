@@ -1,0 +1,136 @@
+//! What is drawn in a scope's plots: points, epochs, events in the view.
+
+use egui_plot::PlotBounds;
+use telemetry::event::Kind;
+
+use crate::store::Store;
+use crate::store::trace::OWN;
+use crate::{number, unit};
+
+/// More epochs than this in a plot are a grey of their own: they are not drawn.
+const EPOCHS: usize = 160;
+
+/// Points across for which the ends, the smallest and the largest value are drawn.
+const BUCKET: f64 = 3.0;
+
+/// One line of a plot, ready to be drawn.
+pub(super) struct Trace {
+    name: String,
+    pub(super) points: Vec<[f64; 2]>,
+    /// By how much its values were made larger or smaller to fit the plot.
+    gain: f64,
+    pub(super) unit: String,
+}
+
+/// A stretch of one mode, ready to be drawn [s].
+pub(super) struct Shade {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) mode: u8,
+}
+
+impl Trace {
+    /// Its name, and by how much it was made larger to be seen beside the first.
+    pub(super) fn title(&self) -> String {
+        if (self.gain - 1.0).abs() < 1e-9 {
+            format!("{} [{}]", self.name, self.unit)
+        } else {
+            format!("{} [{}] × {}", self.name, self.unit, unit::digits(self.gain))
+        }
+    }
+}
+
+/// The channels' points in the view, all in the first one's scale.
+pub(super) fn traces(
+    store: &Store,
+    key: u8,
+    channels: &[String],
+    view: (f64, f64),
+    width: f32,
+) -> Vec<Trace> {
+    let mut traces: Vec<Trace> =
+        channels.iter().filter_map(|name| trace(store, key, name, view, width)).collect();
+    let Some((unit, size)) = traces.first().map(|it| (it.unit.clone(), size(&it.points))) else {
+        return traces;
+    };
+    for trace in &mut traces {
+        if trace.unit != unit {
+            trace.gain = number::round(size / self::size(&trace.points));
+            let gain = trace.gain;
+            trace.points.iter_mut().for_each(|point| point[1] *= gain);
+        }
+    }
+    traces
+}
+
+/// The largest size of a value.
+fn size(points: &[[f64; 2]]) -> f64 {
+    let sizes = points.iter().map(|point| point[1].abs()).filter(|it| it.is_finite());
+    sizes.fold(0.0, f64::max)
+}
+
+fn trace(store: &Store, key: u8, name: &str, view: (f64, f64), width: f32) -> Option<Trace> {
+    let (column, unit) = store.channel(key, name)?;
+    let (from, to) = (store.tick(view.0.max(0.0)), store.tick(view.1.max(0.0)));
+    let buckets = number::index(f64::from(width.max(64.0)) / BUCKET);
+    let mut points = store.trace(key)?.points(column, from, to, buckets);
+    // Samples are of the tick's beginning, signals of its end.
+    let shift = if OWN.len() <= column { 1.0 } else { 0.0 };
+    let shown = unit::shown(unit);
+    let factor = shown.map_or(1.0, |it| it.factor);
+    let period = store.period();
+    for point in &mut points {
+        *point = [(point[0] + shift) * period, point[1] * factor];
+    }
+    points.retain(|point| point[1].is_finite());
+    // A key that has not moved since is still where it was.
+    if let Some([at, value]) = points.last().copied()
+        && at < view.1
+    {
+        points.push([view.1, value]);
+    }
+    let unit = shown.map_or(unit, |it| it.unit).to_owned();
+    Some(Trace { name: name.to_owned(), points, gain: 1.0, unit })
+}
+
+/// The view across, all values and zero up.
+pub(super) fn bounds(traces: &[Trace], view: (f64, f64)) -> PlotBounds {
+    let values = traces.iter().flat_map(|it| &it.points).map(|point| point[1]);
+    let finite = values.filter(|value| value.is_finite());
+    let (low, high) = finite.fold((0.0_f64, 0.0_f64), |(a, b), y| (a.min(y), b.max(y)));
+    let room = if high - low < 1e-9 { 1.0 } else { 0.08 * (high - low) };
+    PlotBounds::from_min_max([view.0, low - room], [view.1, high + room])
+}
+
+/// Modes in the view: from one switch to the next, to the moment where it is known.
+pub(super) fn shades(store: &Store, key: u8, view: (f64, f64)) -> Vec<Shade> {
+    let Some(trace) = store.trace(key) else { return Vec::new() };
+    let epochs = trace.epochs();
+    let first = epochs.partition_point(|it| store.seconds(it.tick) <= view.0).saturating_sub(1);
+    let last = epochs.partition_point(|it| store.seconds(it.tick) < view.1);
+    if last <= first || EPOCHS < last - first {
+        return Vec::new();
+    }
+    let switches = events(store, key, Kind::Switch, (view.0 - 1.0, view.1));
+    let exact = |tick: u64| {
+        let (from, to) = (store.seconds(tick), store.seconds(tick.saturating_add(1)));
+        let within = switches.iter().copied().filter(|at| from <= *at && *at <= to);
+        within.fold(from, f64::max)
+    };
+    let shade = |i: usize| {
+        let end = epochs.get(i + 1).map_or(view.1, |next| exact(next.tick));
+        Shade { from: exact(epochs[i].tick).max(view.0), to: end.min(view.1), mode: epochs[i].mode }
+    };
+    (first..last).map(shade).filter(|shade| shade.from < shade.to).collect()
+}
+
+/// Times of a key's events in the view.
+pub(super) fn events(store: &Store, key: u8, kind: Kind, view: (f64, f64)) -> Vec<f64> {
+    // Newest last: what is before the view needs no look.
+    let recent = store.events.iter().rev().take_while(|it| view.0 <= store.when(it) + 1.0);
+    let of_kind = recent.filter(|it| it.key == u32::from(key) && it.kind() == kind);
+    let mut times: Vec<f64> =
+        of_kind.map(|it| store.when(it)).filter(|at| view.0 <= *at && *at <= view.1).collect();
+    times.reverse();
+    times
+}

@@ -1,0 +1,141 @@
+//! The plots of a scope, from the top.
+
+use eframe::egui::{Align2, Color32, FontId, Id, Pos2, Response, Stroke, TextStyle, Ui};
+use egui_plot::{
+    Corner, HoverPosition, Legend, Line, LineStyle, Plot, PlotPoints, PlotTransform, Span, VLine,
+};
+use telemetry::event::Kind;
+
+use super::data::{self, Shade, Trace};
+use super::{cursors, mouse};
+use crate::scope::Scope;
+use crate::store::Store;
+use crate::{look, number, unit};
+
+/// How high the table of the cursors is.
+const TABLE: f32 = 108.0;
+
+/// All plots, then the cursors over them.
+pub(super) fn lanes_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8, now: f64) {
+    let lanes = scope.channels(store, key);
+    let view = scope.view(now);
+    let table = if scope.has_cursors { TABLE } else { 0.0 };
+    let room = ui.available_height() - table - 14.0;
+    let height = (room / number::f32(number::f64(lanes.len().max(1)))).max(50.0);
+    let shades = data::shades(store, key, view);
+    let link = ui.scope_id().with("time");
+    let mut frames: Vec<PlotTransform> = Vec::new();
+    for (i, channels) in lanes.iter().enumerate() {
+        let is_last = i + 1 == lanes.len();
+        let height = if is_last { height + 14.0 } else { height };
+        let traces = data::traces(store, key, channels, view, ui.available_width());
+        let unit = traces.first().map_or("", |it| it.unit.as_str());
+        let plot = plot(ui, (i, lanes.len()), link, height, unit);
+        let shown = lane_ui(ui, plot, store, (key, view), &shades, traces);
+        mouse::handle(ui, scope, &shown.0, &shown.1, now);
+        frames.push(shown.1);
+    }
+    names_ui(ui, store, key, &shades, frames.first());
+    if scope.has_cursors {
+        cursors::cursors_ui(ui, scope, &frames);
+        cursors::table_ui(ui, scope, store, key, &lanes);
+    }
+}
+
+/// A plot without its contents: everything that moves it is ours.
+fn plot<'a>(ui: &Ui, (lane, of): (usize, usize), link: Id, height: f32, unit: &str) -> Plot<'a> {
+    let is_last = lane + 1 == of;
+    Plot::new(("lane", lane))
+        .height(height)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_axis_zoom_drag(false)
+        .allow_double_click_reset(false)
+        .link_cursor(link, [true, false])
+        .show_axes([is_last, true])
+        .y_axis_min_width(54.0)
+        .grid_spacing(22.0..=220.0)
+        .grid_color(look::grid(ui))
+        .x_grid_spacer(look::spacer(4.0))
+        .y_grid_spacer(look::spacer(3.0))
+        .y_axis_label(format!("[{unit}]"))
+        .y_axis_formatter(|mark, _| unit::digits(mark.value))
+        .x_axis_formatter(|mark, _| format!("{} s", unit::digits(mark.value)))
+        .legend(
+            Legend::default()
+                .text_style(TextStyle::Small)
+                .position(Corner::RightTop)
+                .background_alpha(0.6)
+                .follow_insertion_order(true),
+        )
+        .label_formatter(|hover| Some(label(hover)))
+}
+
+fn label(hover: &HoverPosition<'_>) -> String {
+    match hover {
+        HoverPosition::NearDataPoint { plot_name, position, index: _ } => {
+            format!("{plot_name}\n{}\n{:.5} s", unit::digits(position.y), position.x)
+        }
+        HoverPosition::Elsewhere { position } => format!("{:.5} s", position.x),
+    }
+}
+
+fn lane_ui(
+    ui: &mut Ui,
+    plot: Plot<'_>,
+    store: &Store,
+    (key, view): (u8, (f64, f64)),
+    shades: &[Shade],
+    traces: Vec<Trace>,
+) -> (Response, PlotTransform) {
+    let bounds = data::bounds(&traces, view);
+    let colors: Vec<Color32> = (0..traces.len()).map(|i| look::line(i, ui)).collect();
+    let line = look::faint(ui.visuals().strong_text_color(), 0.55);
+    let strikes = data::events(store, key, Kind::Strike, view);
+    let shown = plot.show(ui, move |plot| {
+        plot.set_plot_bounds(bounds);
+        for (i, shade) in shades.iter().enumerate() {
+            let fill = look::faint(look::mode(shade.mode), 0.16);
+            plot.span(Span::new("", shade.from..=shade.to).fill(fill));
+            if 0 < i {
+                plot.vline(VLine::new("", shade.from).stroke(Stroke::new(1.2, line)));
+            }
+        }
+        for at in strikes {
+            let stroke = Stroke::new(1.4, look::VERMILLION);
+            let style = LineStyle::dashed_dense();
+            plot.vline(VLine::new("", at).stroke(stroke).style(style));
+        }
+        for (trace, color) in traces.into_iter().zip(colors) {
+            let name = trace.title();
+            plot.line(
+                Line::new(name, PlotPoints::new(trace.points))
+                    .color(color)
+                    .width(1.5)
+                    .allow_band(false),
+            );
+        }
+    });
+    (shown.response, shown.transform)
+}
+
+/// Names of the modes in the first plot, where there is room.
+fn names_ui(ui: &Ui, store: &Store, key: u8, shades: &[Shade], frame: Option<&PlotTransform>) {
+    let Some(frame) = frame else { return };
+    let painter = ui.painter_at(*frame.frame());
+    for shade in shades {
+        let left = frame.position_from_point_x(shade.from);
+        let room = frame.position_from_point_x(shade.to) - left;
+        let name = store.mode_name(key, shade.mode);
+        let name = name.split(' ').next().unwrap_or_default().to_owned();
+        if room < 8.0 * number::f32(number::f64(name.chars().count())) + 6.0 {
+            continue;
+        }
+        let font = FontId::proportional(11.0);
+        let color = look::blend(look::mode(shade.mode), ui.visuals().strong_text_color(), 0.35);
+        let at = Pos2::new(left + 4.0, frame.frame().top() + 3.0);
+        painter.text(at, Align2::LEFT_TOP, name, font, color);
+    }
+}

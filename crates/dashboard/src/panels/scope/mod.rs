@@ -1,0 +1,69 @@
+//! A scope: plots over time, one above the other, with epochs shaded by mode and mode switches
+//! as vertical lines, as in the paper's figure 6.
+
+mod controls;
+mod cursors;
+mod data;
+mod lanes;
+mod mouse;
+
+use eframe::egui::{CentralPanel, Context, Ui, ViewportBuilder, ViewportId};
+
+use super::nothing_ui;
+use crate::desk::Desk;
+use crate::layout::Pane;
+use crate::scope::trigger::On;
+
+/// Draws the panel; its window instead, if it is popped out.
+pub(super) fn scope_ui(ui: &mut Ui, number: u8, desk: &mut Desk) {
+    let is_popped = desk.views.scopes.entry(number).or_default().is_popped;
+    if is_popped {
+        ui.vertical_centered(|ui| {
+            ui.add_space(20.0);
+            ui.weak("This scope is a window of its own.");
+            if ui.button("Put it back").clicked()
+                && let Some(scope) = desk.views.scopes.get_mut(&number)
+            {
+                scope.is_popped = false;
+            }
+        });
+        return;
+    }
+    body_ui(ui, number, desk);
+}
+
+/// Draws the windows of scopes that are popped out.
+pub(crate) fn popped_ui(ctx: &Context, desk: &mut Desk) {
+    let popped = desk.views.scopes.iter().filter(|(_, scope)| scope.is_popped);
+    for number in popped.map(|(number, _)| *number).collect::<Vec<_>>() {
+        let builder = ViewportBuilder::default()
+            .with_title(Pane::Scope(number).title())
+            .with_inner_size([900.0, 600.0]);
+        let id = ViewportId::from_hash_of(("scope", number));
+        ctx.show_viewport_immediate(id, builder, |ui, _class| {
+            CentralPanel::default().show(ui, |ui| body_ui(ui, number, desk));
+            if ui.ctx().input(|input| input.viewport().close_requested())
+                && let Some(scope) = desk.views.scopes.get_mut(&number)
+            {
+                scope.is_popped = false;
+            }
+        });
+    }
+}
+
+fn body_ui(ui: &mut Ui, number: u8, desk: &mut Desk) {
+    let mut scope = desk.views.scopes.remove(&number).unwrap_or_default();
+    let key = scope.key.unwrap_or(desk.views.selected);
+    desk.want(key);
+    let now = desk.now();
+    controls::controls_ui(ui, &mut scope, desk, key, now);
+    if scope.trigger.on != On::Nothing {
+        controls::trigger_ui(ui, &mut scope, &desk.store, key);
+    }
+    if desk.store.trace(key).is_none_or(|trace| trace.ticks().is_empty()) {
+        nothing_ui(ui, "Nothing has moved this key since it is looked at.");
+    } else {
+        lanes::lanes_ui(ui, &mut scope, &desk.store, key, now);
+    }
+    desk.views.scopes.insert(number, scope);
+}

@@ -1,0 +1,110 @@
+//! Where a recording is: a line to scrub, how fast it goes by, moments worth finding again.
+
+use eframe::egui::{
+    Color32, Rect, ScrollArea, Sense, Slider, Stroke, Ui, WidgetInfo, accesskit::Role, vec2,
+};
+use telemetry::Timeline;
+use telemetry::source::Mark;
+
+use super::nothing_ui;
+use crate::desk::Desk;
+use crate::{look, number};
+
+/// Speeds to choose from.
+const SPEEDS: [f64; 6] = [0.01, 0.1, 0.5, 1.0, 2.0, 8.0];
+
+/// Draws the panel.
+pub(super) fn timeline_ui(ui: &mut Ui, desk: &mut Desk) {
+    let Some(timeline) = desk.source.timeline() else {
+        nothing_ui(ui, "This is live: only a recording can be wound back.");
+        return;
+    };
+    let (from, to) = timeline.span();
+    let seconds = |at: u64| at.saturating_sub(from) as f64 * 1e-9;
+    play_ui(ui, timeline, seconds);
+    line_ui(ui, timeline);
+    let mut at = seconds(timeline.at());
+    let length = seconds(to);
+    ui.spacing_mut().slider_width = (ui.available_width() - 170.0).max(80.0);
+    let slider = Slider::new(&mut at, 0.0..=length).suffix(" s").text("place").fixed_decimals(3);
+    if ui.add(slider).changed() {
+        timeline.seek(from + number::floor(at * 1e9));
+    }
+    marks_ui(ui, timeline, from);
+}
+
+fn play_ui(ui: &mut Ui, timeline: &mut dyn Timeline, seconds: impl Fn(u64) -> f64) {
+    ui.horizontal(|ui| {
+        let plays = 0.0 < timeline.speed();
+        if ui.button(if plays { "Pause" } else { "Play" }).clicked() {
+            timeline.set_speed(if plays { 0.0 } else { 1.0 });
+        }
+        for speed in SPEEDS {
+            let is_it = (timeline.speed() - speed).abs() < 1e-9;
+            if ui.selectable_label(is_it, format!("{speed}×")).clicked() {
+                timeline.set_speed(speed);
+            }
+        }
+        for (text, step) in [("- 1 s", -1.0), ("- 10 ms", -0.01), ("+ 10 ms", 0.01), ("+ 1 s", 1.0)]
+        {
+            if ui.small_button(text).clicked() {
+                step_by(timeline, step);
+            }
+        }
+        let (_, to) = timeline.span();
+        ui.weak(format!("{:.3} s of {:.1} s", seconds(timeline.at()), seconds(to)));
+    });
+}
+
+/// Goes on by so many seconds, or back.
+fn step_by(timeline: &mut dyn Timeline, seconds: f64) {
+    let by = number::floor(seconds.abs() * 1e9);
+    let at = timeline.at();
+    let to = if seconds < 0.0 { at.saturating_sub(by) } else { at.saturating_add(by) };
+    let (first, last) = timeline.span();
+    timeline.seek(to.clamp(first, last));
+}
+
+/// All of the recording as a line; a click or a drag goes there.
+fn line_ui(ui: &mut Ui, timeline: &mut dyn Timeline) {
+    let size = vec2(ui.available_width(), 26.0);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    response.widget_info(|| WidgetInfo::labeled(Role::ScrollBar, true, "time line"));
+    let (from, to) = timeline.span();
+    let length = to.saturating_sub(from).max(1) as f64;
+    let share = |at: u64| number::f32(at.saturating_sub(from) as f64 / length);
+    let x = |at: u64| rect.left() + share(at) * rect.width();
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, 3.0, ui.visuals().extreme_bg_color);
+    let here = x(timeline.at());
+    let gone = Rect::from_min_max(rect.min, eframe::egui::pos2(here, rect.bottom()));
+    painter.rect_filled(gone, 3.0, look::faint(look::SKY, 0.25));
+    for mark in timeline.marks() {
+        painter.vline(x(mark.at), rect.y_range(), Stroke::new(2.0, color(mark)));
+    }
+    painter.vline(here, rect.y_range(), Stroke::new(2.0, ui.visuals().strong_text_color()));
+    if (response.dragged() || response.clicked())
+        && let Some(at) = response.interact_pointer_pos()
+    {
+        let share = f64::from(((at.x - rect.left()) / rect.width()).clamp(0.0, 1.0));
+        timeline.seek(from + number::floor(share * length));
+    }
+}
+
+const fn color(mark: &Mark) -> Color32 {
+    if mark.is_fault { look::VERMILLION } else { look::GREEN }
+}
+
+fn marks_ui(ui: &mut Ui, timeline: &mut dyn Timeline, from: u64) {
+    let marks = timeline.marks().to_vec();
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        for mark in marks {
+            let at = mark.at.saturating_sub(from) as f64 * 1e-9;
+            let color = if mark.is_fault { look::fault(ui) } else { ui.visuals().text_color() };
+            let text = eframe::egui::RichText::new(format!("{at:8.3} s  {}", mark.text));
+            if ui.link(text.monospace().color(color)).clicked() {
+                timeline.seek(mark.at);
+            }
+        }
+    });
+}

@@ -1,0 +1,182 @@
+//! What a scope shows: channels, a stretch of time, a trigger, two cursors. No drawing.
+
+pub mod trigger;
+
+use serde::{Deserialize, Serialize};
+use telemetry::signal::Kind;
+
+use crate::store::Store;
+use trigger::{Armed, On, Trigger};
+
+/// Shortest and longest window [s].
+const WINDOW: (f64, f64) = (2e-3, 600.0);
+
+/// How one scope is set.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Scope {
+    /// Which key; the selected one if none is named.
+    pub key: Option<u8>,
+    /// Channels of each plot, from the top; the usual ones if there are none.
+    pub lanes: Vec<Vec<String>>,
+    /// How much time is seen [s].
+    pub window: f64,
+    /// When it holds still.
+    pub trigger: Trigger,
+    /// Whether there are cursors.
+    pub has_cursors: bool,
+    /// Whether it is a window of its own.
+    pub is_popped: bool,
+    /// Where the cursors are [s].
+    #[serde(skip)]
+    pub cursors: [f64; 2],
+    /// Where the view ends [s]; it follows if that is nowhere.
+    #[serde(skip)]
+    pub pinned: Option<f64>,
+    /// Where a stretch begins that is being selected [s].
+    #[serde(skip)]
+    pub selects: Option<f64>,
+    /// What the trigger has seen.
+    #[serde(skip)]
+    pub armed: Armed,
+}
+
+impl Default for Scope {
+    fn default() -> Self {
+        Self {
+            key: None,
+            lanes: Vec::new(),
+            window: 2.0,
+            trigger: Trigger::default(),
+            has_cursors: false,
+            is_popped: false,
+            cursors: [0.0; 2],
+            pinned: None,
+            selects: None,
+            armed: Armed::default(),
+        }
+    }
+}
+
+impl Scope {
+    /// The stretch that is seen [s] when `now` is the newest time.
+    pub fn view(&self, now: f64) -> (f64, f64) {
+        let held = self.armed.end(&self.trigger, self.window, now);
+        let end = self.pinned.or(held).unwrap_or(now);
+        (end - self.window, end)
+    }
+
+    /// Whether it follows what comes.
+    pub fn follows(&self) -> bool {
+        self.pinned.is_none()
+    }
+
+    /// Looks for triggers in what has come.
+    pub fn look(&mut self, store: &Store, key: u8) {
+        if self.trigger.on != On::Nothing && self.pinned.is_none() {
+            self.armed.look(&self.trigger, store, key, self.window);
+        }
+    }
+
+    /// Makes the window `factor` times as long about the time `about` [s].
+    pub fn zoom(&mut self, factor: f64, about: f64, now: f64) {
+        let (start, end) = self.view(now);
+        let window = (self.window * factor).clamp(WINDOW.0, WINDOW.1);
+        let factor = window / (end - start);
+        self.window = window;
+        self.pinned = Some(about + (end - about) * factor);
+    }
+
+    /// Moves the view by so much [s].
+    pub fn pan(&mut self, by: f64, now: f64) {
+        self.pinned = Some(self.view(now).1 + by);
+    }
+
+    /// Shows from `a` to `b` [s].
+    pub fn show(&mut self, a: f64, b: f64) {
+        self.window = (b - a).abs().clamp(WINDOW.0, WINDOW.1);
+        self.pinned = Some(a.max(b));
+    }
+
+    /// Places both cursors in the view.
+    pub fn place_cursors(&mut self, now: f64) {
+        let (start, end) = self.view(now);
+        self.cursors = [start + (end - start) / 3.0, start + (end - start) * 2.0 / 3.0];
+    }
+
+    /// The channels of each plot: as chosen, or as in the paper's figure 6.
+    pub fn channels(&self, store: &Store, key: u8) -> Vec<Vec<String>> {
+        if self.lanes.is_empty() { usual(store, key) } else { self.lanes.clone() }
+    }
+
+    /// Shows a channel in a plot, or no more.
+    pub fn toggle(&mut self, store: &Store, key: u8, lane: usize, channel: &str) {
+        let mut lanes = self.channels(store, key);
+        lanes.resize(lanes.len().max(lane + 1), Vec::new());
+        let shown = &mut lanes[lane];
+        if shown.iter().any(|it| it == channel) {
+            shown.retain(|it| it != channel);
+        } else {
+            shown.push(channel.to_owned());
+        }
+        self.lanes = lanes;
+    }
+}
+
+/// Force and guards above, displacements below.
+fn usual(store: &Store, key: u8) -> Vec<Vec<String>> {
+    let signals = store.signals(key);
+    let guards = signals.iter().filter(|signal| signal.kind() == Kind::Guard);
+    // Speeds are another plot's matter.
+    let is_place = |unit: &str| !unit.ends_with("/s");
+    let places = signals.iter().filter(|it| it.kind() == Kind::State && is_place(&it.unit));
+    let mut above = vec!["sent".to_owned()];
+    above.extend(guards.take(3).map(|signal| signal.name.clone()));
+    let mut below = vec!["position".to_owned()];
+    below.extend(places.take(3).map(|signal| signal.name.clone()));
+    vec![above, below]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn sees(scope: &Scope, now: f64, start: f64, end: f64) {
+        let view = scope.view(now);
+        assert!((view.0 - start).abs() < 1e-9 && (view.1 - end).abs() < 1e-9, "{view:?}");
+    }
+
+    #[test]
+    fn it_follows_until_it_is_touched() {
+        let mut scope = Scope::default();
+        sees(&scope, 10.0, 8.0, 10.0);
+        scope.pan(-1.0, 10.0);
+        sees(&scope, 20.0, 7.0, 9.0);
+        assert!(!scope.follows());
+        scope.pinned = None;
+        sees(&scope, 20.0, 18.0, 20.0);
+    }
+
+    #[test]
+    fn zooming_leaves_the_time_under_the_pointer() {
+        let mut scope = Scope::default();
+        scope.zoom(0.5, 8.5, 10.0);
+        sees(&scope, 10.0, 8.25, 9.25);
+        scope.zoom(1e-9, 8.5, 10.0);
+        assert!((scope.window - WINDOW.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_channel_is_shown_and_hidden() {
+        let (mut scope, store) = (Scope::default(), Store::default());
+        assert_eq!(scope.channels(&store, 39), [["sent"], ["position"]]);
+        scope.toggle(&store, 39, 0, "force");
+        scope.toggle(&store, 39, 1, "position");
+        scope.toggle(&store, 39, 2, "speed");
+        let none: Vec<String> = Vec::new();
+        let expected =
+            [vec!["sent".to_owned(), "force".to_owned()], none, vec!["speed".to_owned()]];
+        assert_eq!(scope.channels(&store, 39), expected);
+    }
+}

@@ -1,0 +1,256 @@
+//! What has arrived, as much of it as is kept.
+//!
+//! Time is the tick's number times the period, in seconds since the run began.
+//! Nothing here draws, asks or reads a clock.
+
+mod column;
+pub mod glance;
+pub mod journal;
+pub mod timing;
+pub mod trace;
+
+use std::collections::BTreeMap;
+
+use telemetry::{
+    Catalogue, Deadlines, Event, Links, Log, Midi, Model, Parameter, Signal, Update, Voice,
+};
+
+use crate::number;
+use glance::Glances;
+use journal::Journal;
+use timing::Timing;
+use trace::{OWN, Trace};
+
+/// Bytes for each key's rows: two minutes of a model of eight signals.
+const TRACE_BYTES: usize = 8 << 20;
+
+/// Ticks beyond are none: thousands of years.
+pub(crate) const LAST_TICK: u64 = 1 << 48;
+
+/// Ticks a second where the catalogue has not come yet.
+const USUAL_HZ: u32 = 1000;
+
+/// Everything that a window shows of a host.
+#[derive(Clone, Debug)]
+pub struct Store {
+    /// What there is to see and to change.
+    pub catalogue: Option<Catalogue>,
+    /// All keys at a glance.
+    pub glances: Glances,
+    /// What happened.
+    pub events: Journal<Event>,
+    /// What people should read.
+    pub log: Journal<Log>,
+    /// What was sent to a synthesizer.
+    pub midi: Journal<Midi>,
+    /// When ticks were done.
+    pub timing: Timing,
+    /// All ticks so far.
+    pub deadlines: Option<Deadlines>,
+    /// Boards and links.
+    pub links: Option<Links>,
+    voices: BTreeMap<u8, Voice>,
+    traces: BTreeMap<u8, Trace>,
+    /// When the newest message was made [ns since 1970].
+    newest_at: u64,
+    /// Counts what arrived.
+    version: u64,
+}
+
+impl Default for Store {
+    fn default() -> Self {
+        Self {
+            catalogue: None,
+            glances: Glances::default(),
+            events: Journal::new(20_000),
+            log: Journal::new(2_000),
+            midi: Journal::new(5_000),
+            timing: Timing::default(),
+            deadlines: None,
+            links: None,
+            voices: BTreeMap::new(),
+            traces: BTreeMap::new(),
+            newest_at: 0,
+            version: 0,
+        }
+    }
+}
+
+impl Store {
+    /// Takes a message that was made `at` [ns since 1970].
+    pub fn take(&mut self, at: u64, update: Update) {
+        self.version += 1;
+        self.newest_at = self.newest_at.max(at);
+        match update {
+            Update::Catalogue(it) => self.catalogue = Some(it),
+            Update::Voice(it) => {
+                if let Some(key) = number::key(it.key) {
+                    self.voices.insert(key, it);
+                }
+            }
+            Update::Overview(it) if LAST_TICK < it.tick => {}
+            Update::Overview(it) => self.glances.take(&it),
+            Update::Block(it) => {
+                if let Some(key) = number::key(it.key) {
+                    let period = self.period();
+                    let trace = self.traces.entry(key).or_default();
+                    trace.append(&it, period);
+                    trace.cap(TRACE_BYTES);
+                }
+            }
+            // Blocks say the same, and more.
+            Update::State(..) => {}
+            Update::Event(it) if LAST_TICK < it.tick => {}
+            Update::Event(it) => self.events.push(it),
+            Update::Ticks(it) => self.timing.take(&it),
+            Update::Deadlines(it) => self.deadlines = Some(it),
+            Update::Links(it) => self.links = Some(it),
+            Update::Midi(it) => self.midi.push(it),
+            Update::Log(it) => self.log.push(it),
+        }
+    }
+
+    /// What came before is of no use any more.
+    ///
+    /// The catalogue and the voices stay until others come: a recording that is wound back is
+    /// still of the same run.
+    pub fn forget(&mut self) {
+        *self = Self {
+            catalogue: self.catalogue.take(),
+            voices: std::mem::take(&mut self.voices),
+            version: self.version + 1,
+            ..Self::default()
+        };
+    }
+
+    /// Forgets rows, events and messages, and nothing else.
+    pub fn clear(&mut self) {
+        self.traces.clear();
+        self.events.clear();
+        self.midi.clear();
+        self.timing = Timing::default();
+        self.version += 1;
+    }
+
+    /// Seconds of a tick.
+    pub fn period(&self) -> f64 {
+        let hz = self.catalogue.as_ref().map_or(USUAL_HZ, |it| it.tick_hz.max(1));
+        1.0 / f64::from(hz)
+    }
+
+    /// When a tick began [s].
+    pub fn seconds(&self, tick: u64) -> f64 {
+        tick as f64 * self.period()
+    }
+
+    /// The tick at `seconds`.
+    pub fn tick(&self, seconds: f64) -> u64 {
+        number::floor(seconds / self.period() + 1e-6)
+    }
+
+    /// When an event happened [s].
+    pub fn when(&self, event: &Event) -> f64 {
+        let theta = if event.theta.is_finite() { event.theta } else { 0.0 };
+        (event.tick as f64 + theta) * self.period()
+    }
+
+    /// The newest time of which anything is known [s].
+    pub fn newest(&self) -> f64 {
+        let rows = self.traces.values().filter_map(|trace| trace.ticks().last());
+        let tick = rows.copied().fold(self.glances.tick, u64::max);
+        self.seconds(tick)
+    }
+
+    /// When the newest message was made [ns since 1970].
+    pub const fn newest_at(&self) -> u64 {
+        self.newest_at
+    }
+
+    /// Counts what arrived: nothing has changed while it stays the same.
+    pub const fn version(&self) -> u64 {
+        self.version
+    }
+
+    /// Rows of a key that is followed.
+    pub fn trace(&self, key: u8) -> Option<&Trace> {
+        self.traces.get(&key)
+    }
+
+    /// Bytes of all rows.
+    pub fn bytes(&self) -> usize {
+        self.traces.values().map(Trace::bytes).sum()
+    }
+
+    /// What a key is played by.
+    pub fn voice(&self, key: u8) -> Option<&Voice> {
+        self.voices.get(&key)
+    }
+
+    /// What every key is played by.
+    pub fn voices(&self) -> impl Iterator<Item = (u8, &Voice)> {
+        self.voices.iter().map(|(key, voice)| (*key, voice))
+    }
+
+    /// The model called `name`.
+    pub fn model(&self, name: &str) -> Option<&Model> {
+        self.catalogue.as_ref()?.models.iter().find(|model| model.name == name)
+    }
+
+    /// The model that plays a key.
+    pub fn model_of(&self, key: u8) -> Option<&Model> {
+        self.model(&self.voice(key)?.model)
+    }
+
+    /// The parameters of a key's model.
+    pub fn parameters(&self, key: u8) -> &[Parameter] {
+        self.model_of(key).map_or(&[], |model| &model.parameters)
+    }
+
+    /// The signals of a key's model.
+    pub fn signals(&self, key: u8) -> &[Signal] {
+        self.model_of(key).map_or(&[], |model| &model.signals)
+    }
+
+    /// The name of a key's mode.
+    pub fn mode_name(&self, key: u8, mode: u8) -> String {
+        let named = self.model_of(key).and_then(|model| model.modes.get(usize::from(mode)));
+        named.cloned().unwrap_or_else(|| format!("mode {mode}"))
+    }
+
+    /// Which column of a key's rows is called `name`, and its unit.
+    pub fn channel(&self, key: u8, name: &str) -> Option<(usize, &str)> {
+        if let Some(i) = OWN.iter().position(|(own, _)| *own == name) {
+            return Some((i, OWN[i].1));
+        }
+        let signals = self.signals(key);
+        let i = signals.iter().position(|signal| signal.name == name)?;
+        Some((OWN.len() + i, &signals[i].unit))
+    }
+
+    /// Every channel of a key: its name and unit.
+    pub fn channels(&self, key: u8) -> Vec<(String, String)> {
+        let own = OWN.iter().map(|(name, unit)| ((*name).to_owned(), (*unit).to_owned()));
+        let signals = self.signals(key).iter();
+        own.chain(signals.map(|signal| (signal.name.clone(), signal.unit.clone()))).collect()
+    }
+
+    /// The value of a channel at `seconds`, if it is known.
+    pub fn value(&self, key: u8, channel: &str, seconds: f64) -> Option<f64> {
+        let (column, _) = self.channel(key, channel)?;
+        self.trace(key)?.value_at(column, self.tick(seconds)).map(f64::from)
+    }
+
+    /// Values of an instrument for one key: one for each parameter of its model.
+    pub fn instrument_values(&self, instrument: &str, key: u8) -> Option<&[f64]> {
+        let catalogue = self.catalogue.as_ref()?;
+        let instrument = catalogue.instruments.iter().find(|it| it.name == instrument)?;
+        let width = self.model(&instrument.model)?.parameters.len();
+        let from = usize::from(key) * width;
+        instrument.values.get(from..from + width)
+    }
+
+    /// Keys whose newest overview says a fault.
+    pub fn faulty(&self) -> Vec<u8> {
+        (0..=crate::names::LAST).filter(|key| self.glances.key(*key).fault != 0).collect()
+    }
+}

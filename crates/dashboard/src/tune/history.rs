@@ -1,0 +1,140 @@
+//! What was changed, so that it can be taken back.
+
+use super::snapshot::{Slot, Values};
+
+/// Steps that are kept.
+const KEPT: usize = 200;
+
+/// One change: by a drag, a typed value, a morph.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Step {
+    /// What it was, in a few words.
+    pub text: String,
+    /// Values before.
+    pub before: Values,
+    /// Values after.
+    pub after: Values,
+    /// Steps of the same drag are one.
+    gesture: Option<u64>,
+}
+
+/// Steps done and steps taken back.
+#[derive(Clone, Debug, Default)]
+pub struct History {
+    done: Vec<Step>,
+    undone: Vec<Step>,
+}
+
+impl History {
+    /// Enters a step; one of the same gesture as the last becomes part of it.
+    pub fn enter(&mut self, text: &str, before: Values, after: Values, gesture: Option<u64>) {
+        self.undone.clear();
+        if let Some(last) = self.done.last_mut()
+            && gesture.is_some()
+            && last.gesture == gesture
+        {
+            for (slot, value) in before {
+                last.before.entry(slot).or_insert(value);
+            }
+            last.after.extend(after);
+            return;
+        }
+        self.done.push(Step { text: text.to_owned(), before, after, gesture });
+        if KEPT < self.done.len() {
+            self.done.remove(0);
+        }
+    }
+
+    /// Takes the last step back: the values to go to.
+    pub fn undo(&mut self) -> Option<Values> {
+        let step = self.done.pop()?;
+        let values = step.before.clone();
+        self.undone.push(step);
+        Some(values)
+    }
+
+    /// Does again what was taken back last.
+    pub fn redo(&mut self) -> Option<Values> {
+        let step = self.undone.pop()?;
+        let values = step.after.clone();
+        self.done.push(step);
+        Some(values)
+    }
+
+    /// The step that [`Self::undo`] would take back.
+    pub fn last(&self) -> Option<&Step> {
+        self.done.last()
+    }
+
+    /// The step that [`Self::redo`] would do again.
+    pub fn next(&self) -> Option<&Step> {
+        self.undone.last()
+    }
+
+    /// Steps done, oldest first.
+    pub fn steps(&self) -> &[Step] {
+        &self.done
+    }
+
+    /// A value that was refused is no step.
+    pub fn forget(&mut self, slots: &[Slot]) {
+        for step in &mut self.done {
+            step.before.retain(|slot, _| !slots.contains(slot));
+            step.after.retain(|slot, _| !slots.contains(slot));
+        }
+        self.done.retain(|step| !step.after.is_empty());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(value: f64) -> Values {
+        [(Slot::new(39, "k2"), value)].into()
+    }
+
+    #[test]
+    fn steps_go_back_and_forth() {
+        let mut history = History::default();
+        history.enter("first", value(1.0), value(2.0), None);
+        history.enter("second", value(2.0), value(3.0), None);
+        assert_eq!(history.undo(), Some(value(2.0)));
+        assert_eq!(history.undo(), Some(value(1.0)));
+        assert_eq!(history.undo(), None);
+        assert_eq!(history.redo(), Some(value(2.0)));
+        assert_eq!(history.next().map(|step| step.text.as_str()), Some("second"));
+        history.enter("third", value(2.0), value(9.0), None);
+        assert_eq!(history.redo(), None);
+        assert_eq!(history.last().map(|step| step.text.as_str()), Some("third"));
+    }
+
+    #[test]
+    fn a_drag_is_one_step() {
+        let mut history = History::default();
+        for i in 0..10 {
+            let at = f64::from(i);
+            history.enter("drag", value(at), value(at + 1.0), Some(7));
+        }
+        assert_eq!(history.steps().len(), 1);
+        assert_eq!(history.undo(), Some(value(0.0)));
+        assert_eq!(history.redo(), Some(value(10.0)));
+    }
+
+    #[test]
+    fn memory_is_bounded() {
+        let mut history = History::default();
+        for _ in 0..2 * KEPT {
+            history.enter("step", value(0.0), value(1.0), None);
+        }
+        assert_eq!(history.steps().len(), KEPT);
+    }
+
+    #[test]
+    fn what_was_refused_is_no_step() {
+        let mut history = History::default();
+        history.enter("step", value(0.0), value(1.0), None);
+        history.forget(&[Slot::new(39, "k2")]);
+        assert!(history.last().is_none());
+    }
+}

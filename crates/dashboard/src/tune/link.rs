@@ -1,0 +1,145 @@
+//! One slider for many keys: what the others do when one is moved.
+
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+use serde::{Deserialize, Serialize};
+
+/// What the other keys of a range do.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub enum Link {
+    /// Nothing: each key for itself.
+    #[default]
+    Alone,
+    /// They take the same value.
+    Same,
+    /// They change by the same factor.
+    Factor,
+    /// They lie on straight lines from the key that is moved to both ends of the range, which
+    /// stay where they are.
+    Graded,
+}
+
+impl Link {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Alone, Self::Same, Self::Factor, Self::Graded];
+
+    /// In words.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Alone => "this key",
+            Self::Same => "same value",
+            Self::Factor => "same factor",
+            Self::Graded => "graded",
+        }
+    }
+}
+
+/// The values of a range of keys once `key` has been moved to `value`.
+///
+/// `values` are those before, of every key that can follow; what comes back is not yet limited.
+pub fn moved(
+    link: Link,
+    range: &RangeInclusive<u8>,
+    values: &BTreeMap<u8, f64>,
+    key: u8,
+    value: f64,
+) -> BTreeMap<u8, f64> {
+    let others = values.iter().filter(|(other, _)| range.contains(other) || **other == key);
+    let new = |(other, old): (&u8, &f64)| {
+        let follows = match link {
+            Link::Alone => None,
+            Link::Same => Some(value),
+            Link::Factor => Some(scaled(*old, values.get(&key).copied(), value)),
+            Link::Graded => Some(graded(range, values, key, value, *other)),
+        };
+        let new = if *other == key { Some(value) } else { follows };
+        new.map(|new| (*other, new))
+    };
+    others.filter_map(new).collect()
+}
+
+/// `old` times the factor from `before` to `after`; nothing grows out of zero.
+fn scaled(old: f64, before: Option<f64>, after: f64) -> f64 {
+    match before {
+        Some(before) if f64::MIN_POSITIVE < before.abs() => old * (after / before),
+        _ => after,
+    }
+}
+
+/// The line from the moved key to the end of the range on which `other` lies.
+fn graded(
+    range: &RangeInclusive<u8>,
+    values: &BTreeMap<u8, f64>,
+    key: u8,
+    value: f64,
+    other: u8,
+) -> f64 {
+    let mut inside = values.range(range.clone());
+    let end = if other < key { inside.next() } else { inside.next_back() };
+    let Some((end, fixed)) = end.filter(|(end, _)| **end != key) else { return value };
+    let along = (f64::from(other) - f64::from(key)) / (f64::from(*end) - f64::from(key));
+    value + (fixed - value) * along
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn values() -> BTreeMap<u8, f64> {
+        (10..=20).map(|key| (key, f64::from(key))).collect()
+    }
+
+    #[track_caller]
+    fn check(link: Link, key: u8, value: f64, expected: &[(u8, f64)]) {
+        let moved = moved(link, &(12..=16), &values(), key, value);
+        let expected: BTreeMap<u8, f64> = expected.iter().copied().collect();
+        assert_eq!(moved.keys().collect::<Vec<_>>(), expected.keys().collect::<Vec<_>>());
+        for (key, value) in expected {
+            assert!((moved[&key] - value).abs() < 1e-12, "{key}: {} for {value}", moved[&key]);
+        }
+    }
+
+    #[test]
+    fn alone_nothing_follows() {
+        check(Link::Alone, 14, 3.0, &[(14, 3.0)]);
+    }
+
+    #[test]
+    fn all_take_the_same_value() {
+        check(Link::Same, 14, 3.0, &[(12, 3.0), (13, 3.0), (14, 3.0), (15, 3.0), (16, 3.0)]);
+    }
+
+    #[test]
+    fn all_change_by_the_same_factor() {
+        let expected = [(12, 24.0), (13, 26.0), (14, 28.0), (15, 30.0), (16, 32.0)];
+        check(Link::Factor, 14, 28.0, &expected);
+    }
+
+    #[test]
+    fn a_graded_range_bends_at_the_key_and_keeps_its_ends() {
+        let expected = [(12, 12.0), (13, 16.0), (14, 20.0), (15, 18.0), (16, 16.0)];
+        check(Link::Graded, 14, 20.0, &expected);
+    }
+
+    #[test]
+    fn a_graded_range_turns_about_its_other_end() {
+        let expected = [(12, 0.0), (13, 4.0), (14, 8.0), (15, 12.0), (16, 16.0)];
+        check(Link::Graded, 12, 0.0, &expected);
+        let expected = [(12, 12.0), (13, 14.0), (14, 16.0), (15, 18.0), (16, 20.0)];
+        check(Link::Graded, 16, 20.0, &expected);
+    }
+
+    #[test]
+    fn a_key_outside_the_range_takes_the_range_with_it() {
+        let moved = moved(Link::Same, &(12..=13), &values(), 20, 5.0);
+        assert_eq!(moved, [(12, 5.0), (13, 5.0), (20, 5.0)].into());
+    }
+
+    #[test]
+    fn nothing_grows_out_of_zero() {
+        let zero = [(12, 0.0), (13, 4.0)].into();
+        let moved = moved(Link::Factor, &(12..=13), &zero, 12, 3.0);
+        assert_eq!(moved, [(12, 3.0), (13, 3.0)].into());
+    }
+}

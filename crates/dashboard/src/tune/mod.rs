@@ -1,0 +1,335 @@
+//! Parameters under somebody's hands: what is shown, what is asked for, what can be taken back.
+//!
+//! A value that was asked for is shown at once and stays until the host has answered, so that a
+//! slider never jumps back to what it was.
+//! Nothing here draws or sends: [`Tuner::outgoing`] says what to ask for.
+
+pub mod history;
+pub mod link;
+pub mod preset;
+pub mod snapshot;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
+
+use serde::{Deserialize, Serialize};
+use telemetry::request::Change;
+use telemetry::source::Ticket;
+use telemetry::{Model, Parameter, Update};
+
+use crate::{names, number};
+use history::History;
+use link::Link;
+use snapshot::{Slot, Snapshot, Values};
+
+/// What is remembered from one start to the next.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Kept {
+    /// Parameters that nothing changes.
+    pub locked: BTreeSet<String>,
+    /// A and B.
+    pub compared: [Option<Snapshot>; 2],
+    /// Snapshots by their names.
+    pub named: BTreeMap<String, Snapshot>,
+}
+
+/// What a key is played by, as the host last told.
+#[derive(Clone, Debug)]
+struct Played {
+    model: String,
+    instrument: String,
+    values: Vec<f64>,
+    revision: u32,
+}
+
+/// Values on their way.
+#[derive(Clone, Debug)]
+struct Asked {
+    ticket: Ticket,
+    values: Values,
+    /// Revisions of the keys' voices when it was sent.
+    revisions: BTreeMap<u8, u32>,
+}
+
+/// Somebody's hands on the parameters.
+#[derive(Clone, Debug, Default)]
+pub struct Tuner {
+    /// What is remembered from one start to the next.
+    pub kept: Kept,
+    models: BTreeMap<String, Model>,
+    played: BTreeMap<u8, Played>,
+    wanted: Values,
+    dirty: BTreeSet<Slot>,
+    asked: Option<Asked>,
+    history: History,
+    refusal: Option<String>,
+}
+
+impl Tuner {
+    /// Takes what the host tells of models and voices.
+    pub fn take(&mut self, update: &Update) {
+        if let Update::Catalogue(catalogue) = update {
+            let models = catalogue.models.iter().cloned();
+            self.models = models.map(|model| (model.name.clone(), model)).collect();
+        }
+        if let Update::Voice(voice) = update
+            && let Some(key) = number::key(voice.key)
+        {
+            if self.played.get(&key).is_some_and(|played| played.model != voice.model) {
+                self.wanted.retain(|slot, _| slot.key != key);
+                self.dirty.retain(|slot| slot.key != key);
+            }
+            let played = Played {
+                model: voice.model.clone(),
+                instrument: voice.instrument.clone(),
+                values: voice.values.clone(),
+                revision: voice.revision,
+            };
+            self.played.insert(key, played);
+        }
+    }
+
+    /// What was on its way will not be answered any more.
+    pub fn forget(&mut self) {
+        self.asked = None;
+        self.dirty.clear();
+        self.wanted.clear();
+    }
+
+    /// The parameter `name` of a key's model.
+    pub fn parameter(&self, key: u8, name: &str) -> Option<&Parameter> {
+        Some(self.at(key, name)?.1)
+    }
+
+    fn at(&self, key: u8, name: &str) -> Option<(usize, &Parameter)> {
+        let model = self.models.get(&self.played.get(&key)?.model)?;
+        let is_it = |(_, parameter): &(usize, &Parameter)| parameter.name == name;
+        model.parameters.iter().enumerate().find(is_it)
+    }
+
+    /// The value to show: the one asked for, or else the host's.
+    pub fn value(&self, key: u8, name: &str) -> Option<f64> {
+        let wanted = self.wanted.get(&Slot::new(key, name)).copied();
+        wanted.or_else(|| self.told(key, name))
+    }
+
+    /// The value that the host told.
+    fn told(&self, key: u8, name: &str) -> Option<f64> {
+        let (i, _) = self.at(key, name)?;
+        self.played.get(&key)?.values.get(i).copied().filter(|value| value.is_finite())
+    }
+
+    /// The model and the instrument of a key.
+    pub fn played(&self, key: u8) -> Option<(&str, &str)> {
+        self.played.get(&key).map(|played| (played.model.as_str(), played.instrument.as_str()))
+    }
+
+    /// Whether a value was asked for and not yet answered.
+    pub fn is_asked(&self, key: u8, name: &str) -> bool {
+        self.wanted.contains_key(&Slot::new(key, name))
+    }
+
+    /// Why the last value was refused.
+    pub fn refusal(&self) -> Option<&str> {
+        self.refusal.as_deref()
+    }
+
+    /// What was changed.
+    pub const fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// Moves a key's parameter to `value`, and with it those of the range.
+    ///
+    /// Changes of the same `gesture` are taken back together.
+    pub fn edit(
+        &mut self,
+        slot: &Slot,
+        value: f64,
+        (link, range): (Link, &RangeInclusive<u8>),
+        gesture: Option<u64>,
+    ) {
+        let Some(model) = self.played.get(&slot.key).map(|played| &played.model) else { return };
+        let same = self.played.iter().filter(|(_, played)| played.model == *model);
+        let values: BTreeMap<u8, f64> =
+            same.filter_map(|(key, _)| Some((*key, self.value(*key, &slot.parameter)?))).collect();
+        let moved = link::moved(link, range, &values, slot.key, value);
+        let values = moved.into_iter().map(|(key, value)| (Slot::new(key, &slot.parameter), value));
+        let text = match link {
+            Link::Alone => format!("{} of {}", slot.parameter, names::name(slot.key)),
+            Link::Same | Link::Factor | Link::Graded => {
+                format!("{} of {}, {}", slot.parameter, names::range_name(range), link.text())
+            }
+        };
+        self.apply(&text, &values.collect(), gesture);
+    }
+
+    /// Goes to `values`, as one step.
+    ///
+    /// What is locked, unknown or not a number stays; what is out of range goes to its end.
+    pub fn apply(&mut self, text: &str, values: &Values, gesture: Option<u64>) {
+        let mut before = Values::new();
+        let mut after = Values::new();
+        for (slot, value) in values {
+            let Some((old, new)) = self.limited(slot, *value) else { continue };
+            if new.to_bits() != old.to_bits() {
+                before.insert(slot.clone(), old);
+                after.insert(slot.clone(), new);
+            }
+        }
+        if !after.is_empty() {
+            self.want(&after);
+            self.history.enter(text, before, after, gesture);
+        }
+    }
+
+    /// The value before, and the one that is allowed.
+    fn limited(&self, slot: &Slot, value: f64) -> Option<(f64, f64)> {
+        if !value.is_finite() || self.is_locked(&slot.parameter) {
+            return None;
+        }
+        let old = self.value(slot.key, &slot.parameter)?;
+        let limits = self.parameter(slot.key, &slot.parameter)?;
+        let new =
+            if limits.min <= limits.max { value.clamp(limits.min, limits.max) } else { value };
+        Some((old, new))
+    }
+
+    fn want(&mut self, values: &Values) {
+        self.wanted.extend(values.iter().map(|(slot, value)| (slot.clone(), *value)));
+        self.dirty.extend(values.keys().cloned());
+    }
+
+    /// Takes the last step back; a parameter that was locked since stays.
+    pub fn undo(&mut self) {
+        if let Some(values) = self.history.undo() {
+            self.want(&self.unlocked(values));
+        }
+    }
+
+    /// Does again what was taken back.
+    pub fn redo(&mut self) {
+        if let Some(values) = self.history.redo() {
+            self.want(&self.unlocked(values));
+        }
+    }
+
+    fn unlocked(&self, mut values: Values) -> Values {
+        values.retain(|slot, value| self.limited(slot, *value).is_some());
+        values
+    }
+
+    /// Whether nothing changes a parameter.
+    pub fn is_locked(&self, parameter: &str) -> bool {
+        self.kept.locked.contains(parameter)
+    }
+
+    /// Locks a parameter, or unlocks it.
+    pub fn toggle_lock(&mut self, parameter: &str) {
+        if !self.kept.locked.remove(parameter) {
+            self.kept.locked.insert(parameter.to_owned());
+        }
+    }
+
+    /// All values as they are now.
+    pub fn snapshot(&self) -> Snapshot {
+        Snapshot::new(self.models_played(), &self.values())
+    }
+
+    fn models_played(&self) -> BTreeMap<u8, String> {
+        self.played.iter().map(|(key, played)| (*key, played.model.clone())).collect()
+    }
+
+    fn values(&self) -> Values {
+        let of_key = |(key, played): (&u8, &Played)| {
+            let parameters = self.models.get(&played.model).map(|model| &model.parameters);
+            let names = parameters.into_iter().flatten().map(|it| it.name.clone());
+            let values = names.filter_map(|name| {
+                let value = self.value(*key, &name)?;
+                Some((Slot::new(*key, name), value))
+            });
+            values.collect::<Vec<_>>()
+        };
+        self.played.iter().flat_map(of_key).collect()
+    }
+
+    /// Goes to a snapshot, as one step.
+    pub fn recall(&mut self, snapshot: &Snapshot, text: &str) {
+        let values = snapshot.values(&self.models_played());
+        self.apply(text, &values, None);
+    }
+
+    /// Goes to what lies between A (0) and B (1).
+    pub fn morph(&mut self, share: f64, gesture: Option<u64>) {
+        let models = self.models_played();
+        if let [Some(a), Some(b)] = &self.kept.compared {
+            let values = snapshot::between(&a.values(&models), &b.values(&models), share);
+            self.apply("from A to B", &values, gesture);
+        }
+    }
+
+    /// What to ask for now: nothing while an answer is on its way.
+    ///
+    /// A drag thus asks as often as the host answers, and always for the newest value.
+    pub fn outgoing(&self) -> Option<Vec<Change>> {
+        if self.asked.is_some() || self.dirty.is_empty() {
+            return None;
+        }
+        let change = |slot: &Slot| {
+            let value = *self.wanted.get(slot)?;
+            Some(Change { key: slot.key, parameter: slot.parameter.clone(), value })
+        };
+        Some(self.dirty.iter().filter_map(change).collect())
+    }
+
+    /// What [`Self::outgoing`] said was asked for by `ticket`.
+    pub fn sent(&mut self, ticket: Ticket) {
+        let dirty = std::mem::take(&mut self.dirty);
+        let value = |slot: Slot| {
+            let value = *self.wanted.get(&slot)?;
+            Some((slot, value))
+        };
+        let values: Values = dirty.into_iter().filter_map(value).collect();
+        let keys = values.keys().map(|slot| slot.key).collect::<BTreeSet<_>>();
+        let revision = |key: u8| Some((key, self.played.get(&key)?.revision));
+        let revisions = keys.into_iter().filter_map(revision).collect();
+        self.asked = Some(Asked { ticket, values, revisions });
+    }
+
+    /// The host answered: a refusal is a sentence.
+    pub fn answered(&mut self, ticket: Ticket, result: Result<(), &str>) {
+        let Some(asked) = self.asked.take_if(|asked| asked.ticket == ticket) else { return };
+        self.refusal = result.err().map(str::to_owned);
+        let slots: Vec<Slot> = asked.values.keys().cloned().collect();
+        for (slot, value) in asked.values {
+            if self.dirty.contains(&slot) {
+                // It was moved on meanwhile: the newer value stays.
+                continue;
+            }
+            self.wanted.remove(&slot);
+            if result.is_ok() && self.told_nothing_since(&asked.revisions, slot.key) {
+                self.believe(&slot, value);
+            }
+        }
+        if result.is_err() {
+            self.history.forget(&slots);
+        }
+    }
+
+    fn told_nothing_since(&self, revisions: &BTreeMap<u8, u32>, key: u8) -> bool {
+        self.played.get(&key).map(|played| played.revision) == revisions.get(&key).copied()
+    }
+
+    /// The host did as it was asked, and its voice is still on the way.
+    fn believe(&mut self, slot: &Slot, value: f64) {
+        let Some((i, _)) = self.at(slot.key, &slot.parameter) else { return };
+        let played = self.played.get_mut(&slot.key);
+        if let Some(told) = played.and_then(|played| played.values.get_mut(i)) {
+            *told = value;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,91 @@
+//! Values of all keys at one time, and what lies between two of them.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// Which parameter of which key.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
+pub struct Slot {
+    /// The key.
+    pub key: u8,
+    /// The parameter's name.
+    pub parameter: String,
+}
+
+impl Slot {
+    /// The parameter `parameter` of `key`.
+    pub fn new(key: u8, parameter: impl Into<String>) -> Self {
+        Self { key, parameter: parameter.into() }
+    }
+}
+
+/// Values by slot.
+pub type Values = BTreeMap<Slot, f64>;
+
+/// Values of all keys, as they once were.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct Snapshot {
+    /// The models that the values are for, key by key.
+    pub models: BTreeMap<u8, String>,
+    /// The values: a list, because a slot is no name in JSON.
+    values: Vec<(Slot, f64)>,
+}
+
+impl Snapshot {
+    /// Keeps `values` of keys that are played by `models`.
+    pub fn new(models: BTreeMap<u8, String>, values: &Values) -> Self {
+        Self { models, values: values.iter().map(|(slot, value)| (slot.clone(), *value)).collect() }
+    }
+
+    /// The values of keys that `models` still play.
+    pub fn values(&self, models: &BTreeMap<u8, String>) -> Values {
+        let of_same = |(slot, _): &&(Slot, f64)| {
+            self.models.get(&slot.key).is_some_and(|model| models.get(&slot.key) == Some(model))
+        };
+        self.values.iter().filter(of_same).cloned().collect()
+    }
+}
+
+/// What lies between `from` (0) and `to` (1); where only one has a value, nothing does.
+pub fn between(from: &Values, to: &Values, share: f64) -> Values {
+    let mix = |(slot, a): (&Slot, &f64)| {
+        let b = to.get(slot)?;
+        Some((slot.clone(), a + (b - a) * share))
+    };
+    from.iter().filter_map(mix).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn values(list: &[(u8, &str, f64)]) -> Values {
+        list.iter().map(|(key, name, value)| (Slot::new(*key, *name), *value)).collect()
+    }
+
+    #[test]
+    fn half_way_is_half_way() {
+        let a = values(&[(0, "k", 1.0), (1, "k", 2.0), (2, "k", 5.0)]);
+        let b = values(&[(0, "k", 3.0), (1, "k", 2.0), (3, "k", 5.0)]);
+        assert_eq!(between(&a, &b, 0.5), values(&[(0, "k", 2.0), (1, "k", 2.0)]));
+        assert_eq!(between(&a, &b, 0.0), values(&[(0, "k", 1.0), (1, "k", 2.0)]));
+    }
+
+    #[test]
+    fn a_key_that_another_model_plays_is_left_alone() {
+        let models: BTreeMap<u8, String> = [(0, "a".to_owned()), (1, "a".to_owned())].into();
+        let snapshot = Snapshot::new(models, &values(&[(0, "k", 1.0), (1, "k", 2.0)]));
+        let now = [(0, "a".to_owned()), (1, "b".to_owned())].into();
+        assert_eq!(snapshot.values(&now), values(&[(0, "k", 1.0)]));
+    }
+
+    #[test]
+    fn a_snapshot_survives_a_restart() {
+        let models: BTreeMap<u8, String> = [(0, "a".to_owned())].into();
+        let snapshot = Snapshot::new(models.clone(), &values(&[(0, "k", 0.1 + 0.2)]));
+        let text = serde_json::to_string(&snapshot).expect("JSON");
+        let back: Snapshot = serde_json::from_str(&text).expect("a snapshot");
+        assert_eq!(back.values(&models), snapshot.values(&models));
+    }
+}

@@ -1,0 +1,224 @@
+//! Situations at the sliders.
+
+use telemetry::{Catalogue, Voice};
+
+use super::*;
+
+const KEY: u8 = 39;
+const ALONE: (Link, RangeInclusive<u8>) = (Link::Alone, 0..=87);
+
+fn voice(key: u8, revision: u32, model: &str, values: &[f64]) -> Update {
+    Update::Voice(Voice {
+        key: key.into(),
+        revision,
+        model: model.into(),
+        values: values.to_vec(),
+        ..Voice::default()
+    })
+}
+
+/// Three keys of a model with k in 0..100 and d in 0..1, each k = 10, d = 0.5.
+fn tuner() -> Tuner {
+    let parameter = |name: &str, max| Parameter { name: name.into(), max, ..Parameter::default() };
+    let parameters = vec![parameter("k", 100.0), parameter("d", 1.0)];
+    let model = |name: &str| Model {
+        name: name.into(),
+        parameters: parameters.clone(),
+        ..Model::default()
+    };
+    let mut tuner = Tuner::default();
+    let models = vec![model("spring"), model("other")];
+    tuner.take(&Update::Catalogue(Catalogue { models, ..Catalogue::default() }));
+    for key in [KEY - 1, KEY, KEY + 1] {
+        tuner.take(&voice(key, 1, "spring", &[10.0, 0.5]));
+    }
+    tuner
+}
+
+fn edit(tuner: &mut Tuner, value: f64) {
+    tuner.edit(&Slot::new(KEY, "k"), value, (ALONE.0, &ALONE.1), None);
+}
+
+#[track_caller]
+fn shows(tuner: &Tuner, value: f64) {
+    let shown = tuner.value(KEY, "k").expect("a value");
+    assert!((shown - value).abs() < 1e-12, "shows {shown}, not {value}");
+}
+
+/// Sends what is to be sent, as `ticket`.
+fn send(tuner: &mut Tuner, ticket: u64) -> Vec<f64> {
+    let changes = tuner.outgoing().expect("something to ask for");
+    tuner.sent(Ticket(ticket));
+    changes.iter().map(|change| change.value).collect()
+}
+
+#[test]
+fn a_value_is_shown_before_it_is_answered() {
+    let mut tuner = tuner();
+    edit(&mut tuner, 20.0);
+    shows(&tuner, 20.0);
+    assert!(tuner.is_asked(KEY, "k"));
+    assert_eq!(send(&mut tuner, 1), [20.0]);
+    assert_eq!(tuner.outgoing(), None);
+}
+
+#[test]
+fn a_slider_does_not_jump_back_to_its_own_echo() {
+    let mut tuner = tuner();
+    edit(&mut tuner, 20.0);
+    send(&mut tuner, 1);
+    edit(&mut tuner, 30.0);
+    tuner.take(&voice(KEY, 2, "spring", &[20.0, 0.5]));
+    shows(&tuner, 30.0);
+    tuner.answered(Ticket(1), Ok(()));
+    shows(&tuner, 30.0);
+    assert_eq!(send(&mut tuner, 2), [30.0]);
+    tuner.answered(Ticket(2), Ok(()));
+    shows(&tuner, 30.0);
+    tuner.take(&voice(KEY, 3, "spring", &[30.0, 0.5]));
+    shows(&tuner, 30.0);
+    assert!(!tuner.is_asked(KEY, "k"));
+}
+
+#[test]
+fn somebody_else_s_change_is_shown() {
+    let mut tuner = tuner();
+    tuner.take(&voice(KEY, 2, "spring", &[77.0, 0.5]));
+    shows(&tuner, 77.0);
+    assert!(tuner.history().last().is_none());
+}
+
+#[test]
+fn a_value_that_the_host_changed_on_the_way_is_the_host_s() {
+    let mut tuner = tuner();
+    edit(&mut tuner, 20.0);
+    send(&mut tuner, 1);
+    tuner.take(&voice(KEY, 2, "spring", &[19.0, 0.5]));
+    shows(&tuner, 20.0);
+    tuner.answered(Ticket(1), Ok(()));
+    shows(&tuner, 19.0);
+}
+
+#[test]
+fn a_refused_value_goes_back_and_is_no_step() {
+    let mut tuner = tuner();
+    edit(&mut tuner, 20.0);
+    send(&mut tuner, 1);
+    tuner.answered(Ticket(1), Err("not now"));
+    shows(&tuner, 10.0);
+    assert_eq!(tuner.refusal(), Some("not now"));
+    assert!(tuner.history().last().is_none());
+}
+
+#[test]
+fn an_answer_to_somebody_else_changes_nothing() {
+    let mut tuner = tuner();
+    edit(&mut tuner, 20.0);
+    send(&mut tuner, 1);
+    tuner.answered(Ticket(9), Err("not now"));
+    shows(&tuner, 20.0);
+}
+
+#[test]
+fn values_stay_within_their_limits() {
+    let mut tuner = tuner();
+    edit(&mut tuner, 1e9);
+    shows(&tuner, 100.0);
+    edit(&mut tuner, -1.0);
+    shows(&tuner, 0.0);
+    edit(&mut tuner, f64::NAN);
+    shows(&tuner, 0.0);
+    tuner.edit(&Slot::new(KEY, "nothing"), 1.0, (ALONE.0, &ALONE.1), None);
+    tuner.edit(&Slot::new(87, "k"), 1.0, (ALONE.0, &ALONE.1), None);
+    assert_eq!(tuner.history().steps().len(), 2);
+}
+
+#[test]
+fn steps_are_taken_back_and_done_again() {
+    let mut tuner = tuner();
+    edit(&mut tuner, 20.0);
+    edit(&mut tuner, 30.0);
+    tuner.undo();
+    shows(&tuner, 20.0);
+    tuner.undo();
+    shows(&tuner, 10.0);
+    tuner.undo();
+    shows(&tuner, 10.0);
+    tuner.redo();
+    tuner.redo();
+    shows(&tuner, 30.0);
+    assert_eq!(send(&mut tuner, 1), [30.0]);
+}
+
+#[test]
+fn a_range_is_taken_back_as_one() {
+    let mut tuner = tuner();
+    tuner.edit(&Slot::new(KEY, "k"), 40.0, (Link::Same, &(0..=87)), Some(1));
+    tuner.edit(&Slot::new(KEY, "k"), 50.0, (Link::Same, &(0..=87)), Some(1));
+    assert_eq!(tuner.value(KEY + 1, "k"), Some(50.0));
+    assert_eq!(send(&mut tuner, 1), [50.0; 3]);
+    tuner.undo();
+    for key in [KEY - 1, KEY, KEY + 1] {
+        assert_eq!(tuner.value(key, "k"), Some(10.0));
+    }
+}
+
+#[test]
+fn a_key_of_another_model_does_not_follow() {
+    let mut tuner = tuner();
+    tuner.take(&voice(KEY + 1, 2, "other", &[10.0, 0.5]));
+    tuner.edit(&Slot::new(KEY, "k"), 40.0, (Link::Same, &(0..=87)), None);
+    assert_eq!(tuner.value(KEY - 1, "k"), Some(40.0));
+    assert_eq!(tuner.value(KEY + 1, "k"), Some(10.0));
+}
+
+#[test]
+fn what_is_locked_stays() {
+    let mut tuner = tuner();
+    edit(&mut tuner, 20.0);
+    tuner.toggle_lock("k");
+    edit(&mut tuner, 30.0);
+    shows(&tuner, 20.0);
+    tuner.undo();
+    shows(&tuner, 20.0);
+    tuner.toggle_lock("k");
+    edit(&mut tuner, 30.0);
+    shows(&tuner, 30.0);
+}
+
+#[test]
+fn a_and_b_are_heard_in_turn_and_between() {
+    let mut tuner = tuner();
+    tuner.kept.compared[0] = Some(tuner.snapshot());
+    edit(&mut tuner, 20.0);
+    tuner.kept.compared[1] = Some(tuner.snapshot());
+    tuner.morph(0.25, Some(1));
+    shows(&tuner, 12.5);
+    tuner.morph(0.0, Some(1));
+    shows(&tuner, 10.0);
+    let b = tuner.kept.compared[1].clone().expect("B");
+    tuner.recall(&b, "B");
+    shows(&tuner, 20.0);
+    tuner.undo();
+    shows(&tuner, 10.0);
+}
+
+#[test]
+fn a_voice_of_another_model_is_not_tuned_as_the_one_before() {
+    let mut tuner = tuner();
+    edit(&mut tuner, 20.0);
+    tuner.take(&voice(KEY, 2, "other", &[3.0, 0.5]));
+    shows(&tuner, 3.0);
+    assert_eq!(tuner.outgoing(), None);
+}
+
+#[test]
+fn a_lost_host_leaves_nothing_on_its_way() {
+    let mut tuner = tuner();
+    edit(&mut tuner, 20.0);
+    send(&mut tuner, 1);
+    tuner.forget();
+    shows(&tuner, 10.0);
+    edit(&mut tuner, 30.0);
+    assert_eq!(send(&mut tuner, 2), [30.0]);
+}

@@ -1,0 +1,96 @@
+//! Quantities as people read them: millimetres rather than 0.0032 m.
+
+/// How a unit is shown: another name, and by how much values grow.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Shown {
+    /// The unit on the screen.
+    pub(crate) unit: &'static str,
+    /// What a value is multiplied by.
+    pub(crate) factor: f64,
+}
+
+/// How `unit` is shown on scopes.
+pub(crate) fn shown(unit: &str) -> Option<Shown> {
+    let (unit, factor) = match unit {
+        "m" => ("mm", 1e3),
+        "rad" => ("mrad", 1e3),
+        _ => return None,
+    };
+    Some(Shown { unit, factor })
+}
+
+/// `value` of `unit` in as many digits as are worth reading.
+pub(crate) fn text(value: f64, unit: &str) -> String {
+    let (value, unit) =
+        shown(unit).map_or((value, unit), |shown| (value * shown.factor, shown.unit));
+    join(&digits(value), unit)
+}
+
+/// A number in four digits.
+pub(crate) fn digits(value: f64) -> String {
+    let size = value.abs();
+    if !value.is_finite() {
+        "–".to_owned()
+    } else if size < 1e-12 {
+        "0".to_owned()
+    } else if (1e-3..1e6).contains(&size) {
+        let places = if size < 0.1 {
+            4
+        } else if size < 10.0 {
+            3
+        } else if size < 100.0 {
+            2
+        } else {
+            1
+        };
+        trimmed(&format!("{value:.places$}"))
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+/// A time or a length of time in words.
+pub(crate) fn seconds(seconds: f64) -> String {
+    let size = seconds.abs();
+    if size < 1e-3 {
+        format!("{:.0} µs", seconds * 1e6)
+    } else if size < 1.0 {
+        format!("{:.2} ms", seconds * 1e3)
+    } else {
+        format!("{seconds:.3} s")
+    }
+}
+
+fn trimmed(digits: &str) -> String {
+    if digits.contains('.') {
+        digits.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        digits.to_owned()
+    }
+}
+
+fn join(digits: &str, unit: &str) -> String {
+    if unit.is_empty() { digits.to_owned() } else { format!("{digits} {unit}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_and_angles_are_read_in_thousandths() {
+        assert_eq!(text(0.0032, "m"), "3.2 mm");
+        assert_eq!(text(0.04, "rad"), "40 mrad");
+        assert_eq!(text(1.5, "N"), "1.5 N");
+        assert_eq!(text(5800.0, "N/m"), "5800 N/m");
+        assert_eq!(text(1.2e-5, "kg m²"), "1.200e-5 kg m²");
+        assert_eq!(text(0.0, ""), "0");
+    }
+
+    #[test]
+    fn times_are_as_long_as_they_need_to_be() {
+        assert_eq!(seconds(2.5e-4), "250 µs");
+        assert_eq!(seconds(0.0125), "12.50 ms");
+        assert_eq!(seconds(3.0), "3.000 s");
+    }
+}

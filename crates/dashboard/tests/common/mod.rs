@@ -1,0 +1,190 @@
+//! The window with the demonstration behind it, at a time that the test chooses.
+
+#![expect(clippy::expect_used, clippy::panic, reason = "helpers of tests, outside #[test]")]
+#![allow(dead_code, reason = "no test file uses all of it")]
+
+pub(crate) mod raster;
+pub(crate) mod snapshot;
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use dashboard::demo::{Asked, Demo};
+use dashboard::{App, Clock, Memory, Pane};
+use eframe::egui;
+use egui_kittest::{Harness, kittest::Queryable as _};
+use telemetry::{Request, Source};
+
+/// When every test begins [ns since 1970].
+const BEGAN: u64 = 1_800_000_000_000_000_000;
+
+/// A clock that a test sets.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Hand(Arc<AtomicU64>);
+
+impl Hand {
+    /// Goes to `seconds` after the beginning.
+    pub(crate) fn set(&self, seconds: f64) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a few seconds"
+        )]
+        let nanos = (seconds * 1e9) as u64;
+        self.0.store(nanos, Ordering::Relaxed);
+    }
+
+    /// The clock that it sets.
+    pub(crate) fn clock(&self) -> Clock {
+        let hand = Arc::clone(&self.0);
+        Arc::new(move || BEGAN + hand.load(Ordering::Relaxed))
+    }
+}
+
+/// What is behind the window.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Behind {
+    /// A host that plays.
+    Live,
+    /// A recording.
+    Recording,
+}
+
+/// A window, and what is behind it.
+pub(crate) struct Stage {
+    /// The window.
+    pub(crate) harness: Harness<'static, App>,
+    /// The clock.
+    pub(crate) hand: Hand,
+    asked: Asked,
+}
+
+/// A window that shows `pane` alone, three seconds after the beginning.
+pub(crate) fn stage(pane: Pane, behind: Behind) -> Stage {
+    let mut stage = stage_with(behind, None, move |app| app.show_only(pane));
+    stage.play(3.0);
+    stage
+}
+
+/// A window at the beginning.
+#[expect(clippy::large_stack_frames, reason = "a window, once")]
+pub(crate) fn stage_with(
+    behind: Behind,
+    memory: Option<Memory>,
+    set: impl FnOnce(&mut App),
+) -> Stage {
+    let hand = Hand::default();
+    let (source, asked) = source(&hand, behind);
+    let ctx = egui::Context::default();
+    let mut app = App::new(source, hand.clock(), memory, &ctx);
+    set(&mut app);
+    let builder =
+        Harness::builder().with_size([900.0, 640.0]).with_step_dt(1.0 / 60.0).with_max_steps(40);
+    let harness = builder.build_ui_state(|ui, app: &mut App| app.draw(ui), app);
+    Stage { harness, hand, asked }
+}
+
+/// The demonstration, and what it is asked.
+pub(crate) fn source(hand: &Hand, behind: Behind) -> (Box<dyn Source>, Asked) {
+    let demo = match behind {
+        Behind::Live => Demo::live(hand.clock()),
+        Behind::Recording => Demo::recording(hand.clock()),
+    };
+    let asked = demo.asked();
+    (Box::new(demo), asked)
+}
+
+impl Stage {
+    /// Lets time go by until `seconds` after the beginning, a frame every tenth.
+    pub(crate) fn play(&mut self, seconds: f64) {
+        let mut at = 0.0;
+        while at < seconds {
+            at = f64::min(at + 0.1, seconds);
+            self.hand.set(at);
+            self.harness.step();
+        }
+        self.settle();
+    }
+
+    /// A few frames, in which nothing comes.
+    pub(crate) fn settle(&mut self) {
+        self.harness.run_steps(4);
+    }
+
+    /// Clicks on what is called `label`.
+    #[track_caller]
+    pub(crate) fn click(&mut self, label: &str) {
+        self.harness.get_by_label(label).click();
+        self.settle();
+    }
+
+    /// Clicks in the middle of what is called `label`, as it was drawn by hand.
+    #[track_caller]
+    pub(crate) fn press_at(&mut self, at: egui::Pos2) {
+        self.harness.hover_at(at);
+        self.harness.drag_at(at);
+        self.harness.step();
+    }
+
+    /// Drags from one place to another with a mouse button.
+    pub(crate) fn drag(&mut self, from: egui::Pos2, to: egui::Pos2, button: egui::PointerButton) {
+        let push = |pressed, pos| egui::Event::PointerButton {
+            pos,
+            button,
+            pressed,
+            modifiers: egui::Modifiers::NONE,
+        };
+        self.harness.event(egui::Event::PointerMoved(from));
+        self.harness.step();
+        self.harness.event(push(true, from));
+        self.harness.step();
+        for i in 1..=8 {
+            let at = from.lerp(to, (i as f32) / 8.0);
+            self.harness.event(egui::Event::PointerMoved(at));
+            self.harness.step();
+        }
+        self.harness.event(push(false, to));
+        self.settle();
+    }
+
+    /// Where what is called `label` is drawn.
+    #[track_caller]
+    pub(crate) fn rect(&self, label: &str) -> egui::Rect {
+        self.harness.get_by_label(label).rect()
+    }
+
+    /// Whether something is called `label`.
+    pub(crate) fn has(&self, label: &str) -> bool {
+        self.harness.query_by_label(label).is_some()
+    }
+
+    /// Whether something's label holds `text`.
+    pub(crate) fn says(&self, text: &str) -> bool {
+        self.harness.query_all_by_label_contains(text).next().is_some()
+            || self.harness.query_all_by_value(text).next().is_some()
+    }
+
+    /// What the source was asked so far.
+    pub(crate) fn asked(&self) -> Vec<Request> {
+        self.asked.lock().expect("nobody panics with it").clone()
+    }
+
+    /// The values that were asked for of a parameter, newest last.
+    pub(crate) fn set(&self, key: u8, parameter: &str) -> Vec<f64> {
+        let changes = self.asked().into_iter().filter_map(|request| match request {
+            Request::Set { changes } => Some(changes),
+            Request::UseInstrument { .. }
+            | Request::Stop {}
+            | Request::Press { .. }
+            | Request::Identify { .. }
+            | Request::Scene {}
+            | Request::Where {}
+            | Request::Record { .. } => None,
+        });
+        changes
+            .flatten()
+            .filter(|change| change.key == key && change.parameter == parameter)
+            .map(|change| change.value)
+            .collect()
+    }
+}

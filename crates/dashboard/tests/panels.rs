@@ -1,0 +1,521 @@
+//! Somebody at the window: what is clicked, dragged and typed, and what the source is asked.
+
+mod common;
+
+use std::time::Duration;
+
+use common::{Behind, Stage, stage, stage_with};
+use dashboard::{Memory, Pane};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{self, Key, Modifiers, PointerButton, vec2};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use telemetry::Request;
+
+const C4: u8 = 39;
+
+fn near(found: f64, expected: f64, within: f64) -> bool {
+    (found - expected).abs() <= within
+}
+
+/// A parameter's slider is dragged to this share of its track.
+fn slide(stage: &mut Stage, name: &str, share: f32) {
+    let slider = stage.harness.get_by_role_and_label(Role::Slider, name);
+    let track = slider.rect();
+    let from = track.left_center() + vec2(track.width() * 0.5, 0.0);
+    let to = track.left_center() + vec2(track.width() * share, 0.0);
+    stage.drag(from, to, PointerButton::Primary);
+}
+
+/// `text` is typed into what is called `label`.
+fn write(stage: &mut Stage, label: &str, text: &str) {
+    stage.harness.get_by_label(label).click();
+    stage.settle();
+    stage.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    stage.harness.event(egui::Event::Text(text.into()));
+    stage.settle();
+    stage.harness.key_press(Key::Enter);
+    stage.settle();
+}
+
+#[test]
+fn a_key_is_selected_with_a_click_and_a_range_with_shift() {
+    let mut stage = stage(Pane::Overview, Behind::Live);
+    // Under the black keys, which lie over the white ones.
+    let front = |stage: &Stage, name: &str| stage.rect(name).center_bottom() - vec2(0.0, 12.0);
+    let at = front(&stage, "key E4");
+    stage.press_at(at);
+    stage.harness.drop_at(at);
+    stage.settle();
+    assert!(stage.says("E4 · grand-springs"));
+    stage.harness.get_by_label("key A4").click_modifiers(Modifiers::SHIFT);
+    stage.settle();
+    stage.harness.state_mut().open(Pane::Instruments);
+    stage.settle();
+    stage.click("upright-light");
+    let expected =
+        Request::UseInstrument { instrument: "upright-light".into(), keys: Some("E4..A4".into()) };
+    assert_eq!(stage.asked().last(), Some(&expected));
+}
+
+#[test]
+fn every_key_says_its_name() {
+    let stage = stage(Pane::Overview, Behind::Live);
+    for key in 0..=dashboard::names::LAST {
+        assert!(stage.has(&format!("key {}", dashboard::names::name(key))), "{key}");
+    }
+}
+
+#[test]
+fn a_slider_is_dragged_and_the_host_is_asked() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    slide(&mut stage, "restitution", 0.8);
+    let asked = stage.set(C4, "restitution");
+    assert!(asked.last().is_some_and(|it| near(*it, 0.76, 0.03)), "{asked:?}");
+    // One drag is one step back.
+    stage.click("Undo");
+    assert!(stage.set(C4, "restitution").last().is_some_and(|it| near(*it, 0.4, 1e-9)));
+    stage.click("Redo");
+    assert!(stage.set(C4, "restitution").last().is_some_and(|it| near(*it, 0.76, 0.03)));
+}
+
+#[test]
+fn a_value_is_typed_and_taken_back_with_the_keyboard() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    write(&mut stage, "k2 value", "7250");
+    assert_eq!(stage.set(C4, "k2").last(), Some(&7250.0));
+    write(&mut stage, "k2 value", "1e9");
+    assert_eq!(stage.set(C4, "k2").last(), Some(&20_000.0));
+    stage.harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    stage.settle();
+    assert_eq!(stage.set(C4, "k2").last(), Some(&7250.0));
+    stage.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    stage.settle();
+    assert_eq!(stage.set(C4, "k2").last(), Some(&20_000.0));
+}
+
+#[test]
+fn a_value_goes_back_to_the_instrument_s() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    write(&mut stage, "k2 value", "7250");
+    stage.click("reset k2");
+    assert_eq!(stage.set(C4, "k2").last(), Some(&6000.0));
+}
+
+#[test]
+fn a_locked_parameter_does_not_move() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    stage.click("lock restitution");
+    slide(&mut stage, "restitution", 0.9);
+    assert!(stage.set(C4, "restitution").is_empty());
+    stage.click("lock restitution");
+    slide(&mut stage, "restitution", 0.9);
+    assert!(!stage.set(C4, "restitution").is_empty());
+}
+
+#[test]
+fn a_range_follows_one_slider() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    stage.click("link");
+    stage.click("same value");
+    stage.click("All keys");
+    write(&mut stage, "r2 value", "8");
+    for key in [0, C4, 87] {
+        assert_eq!(stage.set(key, "r2").last(), Some(&8.0), "{key}");
+    }
+}
+
+#[test]
+fn a_and_b_are_compared() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    stage.click("Store A");
+    write(&mut stage, "k2 value", "10000");
+    stage.click("Store B");
+    stage.click("A");
+    assert_eq!(stage.set(C4, "k2").last(), Some(&6000.0));
+    stage.click("B");
+    assert_eq!(stage.set(C4, "k2").last(), Some(&10_000.0));
+    slide(&mut stage, "morph", 0.75);
+    let asked = stage.set(C4, "k2");
+    assert!(asked.last().is_some_and(|it| near(*it, 9000.0, 200.0)), "{asked:?}");
+}
+
+#[test]
+fn a_snapshot_is_kept_and_recalled() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    stage.harness.get_by_label("snapshot").focus();
+    stage.settle();
+    let field = stage.harness.get_by_role_and_label(Role::TextInput, "snapshot");
+    field.click();
+    stage.settle();
+    stage.harness.event(egui::Event::Text("soft".into()));
+    stage.settle();
+    stage.click("Keep");
+    write(&mut stage, "k2 value", "10000");
+    stage.click("Recall soft");
+    assert_eq!(stage.set(C4, "k2").last(), Some(&6000.0));
+}
+
+#[test]
+fn a_scene_and_a_preset_are_shown_as_files() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    stage.click("Save scene");
+    assert_eq!(stage.asked().last(), Some(&Request::Scene {}));
+    stage.settle();
+    let file = stage.harness.get_by_label("file").value().unwrap_or_default();
+    assert!(file.contains("title = \"Demonstration\""), "{file}");
+    stage.click("Save preset");
+    let file = stage.harness.get_by_label("file").value().unwrap_or_default();
+    assert!(file.contains("model = \"key-hammer-springs\""), "{file}");
+    let path = std::env::temp_dir().join(format!("letoff-preset-{}.toml", std::process::id()));
+    let field = stage.harness.get_by_role_and_label(Role::TextInput, "to");
+    field.click();
+    stage.settle();
+    stage.harness.event(egui::Event::Text(path.display().to_string()));
+    stage.settle();
+    stage.click("Write");
+    assert_eq!(std::fs::read_to_string(&path).expect("it is written"), file);
+    // Nothing that is there is overwritten.
+    stage.click("Write");
+    assert!(stage.says("cannot be written"));
+    std::fs::remove_file(&path).expect("it was there");
+}
+
+#[test]
+fn an_instrument_is_used_for_a_typed_range() {
+    let mut stage = stage(Pane::Instruments, Behind::Live);
+    let field = stage.harness.get_by_role_and_label(Role::TextInput, "for keys");
+    field.click();
+    stage.settle();
+    stage.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    stage.harness.event(egui::Event::Text("C4..B5".into()));
+    stage.settle();
+    stage.harness.get_by_role_and_label(Role::Button, "spring-wall").click();
+    stage.settle();
+    let expected = |keys: Option<&str>| Request::UseInstrument {
+        instrument: "spring-wall".into(),
+        keys: keys.map(str::to_owned),
+    };
+    assert_eq!(stage.asked().last(), Some(&expected(Some("C4..B5"))));
+    stage.click("All");
+    stage.harness.get_by_role_and_label(Role::Button, "spring-wall").click();
+    stage.settle();
+    assert_eq!(stage.asked().last(), Some(&expected(None)));
+}
+
+#[test]
+fn stop_is_one_click_away_in_every_panel() {
+    for pane in Pane::ALL {
+        let mut stage = stage(pane, Behind::Live);
+        let stop = stage.harness.get_by_label_contains("STOP");
+        stop.click();
+        stage.settle();
+        assert_eq!(stage.asked().last(), Some(&Request::Stop {}), "{pane:?}");
+    }
+}
+
+#[test]
+fn a_board_shows_its_light() {
+    let mut stage = stage(Pane::Links, Behind::Live);
+    stage.click("Identify 5");
+    assert_eq!(stage.asked().last(), Some(&Request::Identify { line: 1, board: 5 }));
+}
+
+#[test]
+fn a_recording_is_begun_and_ended() {
+    let mut stage = stage(Pane::Log, Behind::Live);
+    stage.click("Record");
+    let file = match stage.asked().last() {
+        Some(Request::Record { file }) => file.clone(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(file.as_deref(), Some("2026-11-22-09-00-00-3s.mcap"));
+    stage.click("Record");
+    assert_eq!(stage.asked().last(), Some(&Request::Record { file: None }));
+}
+
+#[test]
+fn everything_stands_still_until_it_is_let_go() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    let time = |stage: &Stage, text: &str| stage.says(text);
+    stage.harness.key_press(Key::Space);
+    stage.settle();
+    assert!(time(&stage, "2.976 s"));
+    stage.hand.set(5.0);
+    stage.settle();
+    assert!(time(&stage, "2.976 s"));
+    stage.click("Freeze");
+    assert!(time(&stage, "4.992 s"));
+}
+
+#[test]
+fn a_scope_that_was_moved_follows_again() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    stage.drag(egui::pos2(400.0, 300.0), egui::pos2(500.0, 300.0), PointerButton::Primary);
+    let follows = |stage: &Stage| {
+        let follow = stage.harness.get_by_label("Follow");
+        follow.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True)
+    };
+    assert!(!follows(&stage));
+    stage.harness.key_press(Key::F);
+    stage.settle();
+    assert!(follows(&stage));
+}
+
+#[test]
+fn the_wheel_and_the_right_button_zoom() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    let window = |stage: &Stage| {
+        let window = stage.harness.get_by_label("window");
+        window.accesskit_node().numeric_value().unwrap_or_default()
+    };
+    assert!(near(window(&stage), 2.0, 1e-9));
+    stage.drag(egui::pos2(300.0, 300.0), egui::pos2(500.0, 300.0), PointerButton::Secondary);
+    let zoomed = window(&stage);
+    assert!((0.3..0.7).contains(&zoomed), "{zoomed}");
+    stage.harness.hover_at(egui::pos2(400.0, 300.0));
+    stage.harness.step();
+    stage.harness.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: vec2(0.0, 100.0),
+        modifiers: Modifiers::NONE,
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+    });
+    stage.harness.run_steps(20);
+    assert!(window(&stage) < 0.95 * zoomed, "{}", window(&stage));
+}
+
+#[test]
+fn cursors_are_dragged_and_say_the_difference() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    stage.click("Cursors");
+    let at = |stage: &Stage, name: &str| {
+        let cursor = stage.harness.get_by_label(name);
+        cursor.accesskit_node().numeric_value().unwrap_or_default()
+    };
+    let (a, b) = (at(&stage, "cursor A in plot 1"), at(&stage, "cursor B in plot 1"));
+    assert!(near(b - a, 2.0 / 3.0, 1e-6), "{a} {b}");
+    let from = stage.rect("cursor A in plot 1").center();
+    stage.drag(from, from - vec2(84.0, 0.0), PointerButton::Primary);
+    let moved = at(&stage, "cursor A in plot 2");
+    assert!(moved < a - 0.15, "{a} {moved}");
+    assert!(stage.says("Δt"));
+}
+
+#[test]
+fn a_trigger_holds_the_scope_at_a_strike() {
+    let mut stage = stage_with(Behind::Live, None, |app| app.show_only(Pane::Scope(0)));
+    stage.play(0.3);
+    stage.click("trigger");
+    stage.click("strike");
+    stage.click("normal");
+    assert!(stage.says("waiting"));
+    stage.play(2.6);
+    assert!(!stage.says("waiting"));
+}
+
+#[test]
+fn a_level_is_chosen_for_a_channel() {
+    let mut stage = stage_with(Behind::Live, None, |app| app.show_only(Pane::Scope(0)));
+    stage.play(0.3);
+    stage.click("trigger");
+    stage.click("level");
+    stage.click("trigger channel");
+    stage.click("position");
+    write(&mut stage, "level", "5");
+    stage.click("single");
+    stage.click("Arm");
+    assert!(stage.says("waiting"));
+    stage.play(1.2);
+    assert!(!stage.says("waiting"));
+}
+
+#[test]
+fn channels_are_chosen_from_the_menu() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    stage.click("Channels");
+    stage.click("speed in plot 3");
+    stage.settle();
+    stage.click("Channels");
+    stage.click("Cursors");
+    assert!(stage.has("cursor A in plot 3"));
+}
+
+#[test]
+fn a_key_is_pressed_with_the_mouse_as_hard_as_it_is_far_out() {
+    let mut stage = stage(Pane::Keyboard, Behind::Live);
+    let key = stage.rect("press C4");
+    let at = key.center_top() + vec2(0.0, key.height() * 0.9);
+    stage.press_at(at);
+    stage.settle();
+    let hard = match stage.asked().last() {
+        Some(Request::Press { key: C4, newtons }) => *newtons,
+        other => panic!("{other:?}"),
+    };
+    assert!(near(hard, 5.4, 0.11), "{hard}");
+    stage.harness.drop_at(at);
+    stage.settle();
+    assert_eq!(stage.asked().last(), Some(&Request::Press { key: C4, newtons: 0.0 }));
+}
+
+#[test]
+fn the_computer_keyboard_plays_only_when_it_is_asked_to() {
+    let mut stage = stage(Pane::Keyboard, Behind::Live);
+    stage.harness.key_down(Key::D);
+    stage.settle();
+    stage.harness.key_up(Key::D);
+    stage.settle();
+    assert!(stage.asked().is_empty());
+    stage.click("Computer keyboard plays");
+    stage.harness.key_down(Key::D);
+    stage.settle();
+    // The third white key from C3 on.
+    assert_eq!(stage.asked().last(), Some(&Request::Press { key: 31, newtons: 6.0 }));
+    stage.harness.key_up(Key::D);
+    stage.settle();
+    assert_eq!(stage.asked().last(), Some(&Request::Press { key: 31, newtons: 0.0 }));
+}
+
+#[test]
+fn a_recording_is_scrubbed_paused_and_found_again() {
+    let mut stage = stage(Pane::Timeline, Behind::Recording);
+    stage.click("Pause");
+    assert!(stage.has("Play"));
+    let line = stage.rect("time line");
+    let to = line.left_center() + vec2(line.width() * 0.5, 0.0);
+    stage.drag(line.left_center() + vec2(4.0, 0.0), to, PointerButton::Primary);
+    assert!(stage.says("12.") && stage.says("of 24.0 s"));
+    let mark = stage.harness.get_by_label_contains("instrument changed");
+    mark.click();
+    stage.settle();
+    assert!(stage.says("8.000 s of 24.0 s"));
+}
+
+#[test]
+fn a_recording_cannot_be_changed_and_says_so() {
+    let mut stage = stage(Pane::Tuning, Behind::Recording);
+    write(&mut stage, "k2 value", "7250");
+    assert!(stage.says("A recording cannot be changed."));
+    assert!(!stage.has("Record"));
+}
+
+#[test]
+fn a_fault_is_explained_and_its_key_is_found() {
+    let mut stage = stage(Pane::Faults, Behind::Live);
+    assert!(stage.says("capped"));
+    assert!(stage.says("The model wanted more work"));
+    stage.click("Show F#4");
+    stage.harness.state_mut().open(Pane::Tuning);
+    stage.settle();
+    assert!(stage.says("F#4 · grand-springs"));
+}
+
+#[test]
+fn midi_is_filtered_and_cleared() {
+    let mut stage = stage(Pane::Midi, Behind::Live);
+    assert!(stage.says("note on C4") && stage.says("note off C4"));
+    let field = stage.harness.get_by_role_and_label(Role::TextInput, "only with");
+    field.click();
+    stage.settle();
+    stage.harness.event(egui::Event::Text("note off".into()));
+    stage.settle();
+    assert!(!stage.says("note on C4") && stage.says("note off C4"));
+    stage.click("Clear");
+    assert!(!stage.says("note off C4"));
+}
+
+#[test]
+fn deadlines_show_which_distribution_is_asked_for() {
+    let mut stage = stage(Pane::Deadlines, Behind::Live);
+    assert!(stage.says("p50 116 µs"));
+    stage.click("lateness");
+    assert!(stage.says("p50 15 µs"));
+    assert!(stage.says("2 missed"));
+}
+
+#[test]
+fn force_and_travel_say_what_a_technician_wants_to_know() {
+    let stage = stage(Pane::Phase, Behind::Live);
+    for text in ["down ", "up ", "balance ", "friction "] {
+        assert!(stage.says(text), "{text}");
+    }
+}
+
+#[test]
+fn a_mechanism_says_its_mode() {
+    let stage = stage(Pane::Mechanism, Behind::Live);
+    assert!(stage.has("mechanism of C4"));
+    assert!(stage.says("B1 on the key") || stage.says("B2 in flight"));
+}
+
+#[test]
+fn a_panel_is_closed_and_opened_from_the_menu() {
+    let mut stage = stage(Pane::Log, Behind::Live);
+    assert!(!stage.has("Computer keyboard plays"));
+    stage.click("Panels");
+    stage.click("Keyboard (closed)");
+    assert!(stage.has("Computer keyboard plays"));
+    stage.click("Panels");
+    stage.click("Another scope");
+    assert!(stage.has("Scope 2"));
+    stage.click("Panels");
+    stage.click("Reset layout");
+    assert!(stage.has("STOP") || stage.says("STOP"));
+    assert!(stage.has("key C4"));
+}
+
+#[test]
+fn dark_light_and_scale_are_chosen() {
+    let mut stage = stage(Pane::Log, Behind::Live);
+    stage.click("View");
+    stage.click("Light");
+    assert_eq!(stage.harness.ctx.theme(), egui::Theme::Light);
+    stage.click("View");
+    stage.click("Dark");
+    assert_eq!(stage.harness.ctx.theme(), egui::Theme::Dark);
+}
+
+#[test]
+fn the_help_lists_the_shortcuts() {
+    let mut stage = stage(Pane::Log, Behind::Live);
+    stage.harness.key_press(Key::F1);
+    stage.settle();
+    assert!(stage.says("follow what comes"));
+    stage.harness.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
+    stage.settle();
+    assert!(stage.has("Computer keyboard plays"));
+}
+
+#[test]
+fn the_window_remembers_how_it_was_left() {
+    let mut before = stage(Pane::Tuning, Behind::Live);
+    before.click("lock k2");
+    before.click("Store A");
+    let ctx = before.harness.ctx.clone();
+    let text = before.harness.state().memory(&ctx).text().to_owned();
+    let mut after = stage_with(Behind::Live, Some(Memory::read(text)), |_| {});
+    after.play(1.0);
+    assert!(after.has("lock k2") && !after.has("key C4"));
+    let lock = after.harness.get_by_label("lock k2");
+    assert_eq!(lock.accesskit_node().toggled(), Some(egui::accesskit::Toggled::True));
+    let stale = stage_with(Behind::Live, Some(Memory::read("no memory at all")), |_| {});
+    assert!(stale.has("key C4"));
+}
+
+#[test]
+fn nothing_is_painted_again_when_nothing_has_changed() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    stage.settle();
+    let delay = stage.harness.output().viewport_output[&egui::ViewportId::ROOT].repaint_delay;
+    assert_eq!(delay, Duration::MAX);
+}
+
+#[test]
+fn a_scope_is_popped_out_and_put_back() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    stage.click("Cursors");
+    stage.click("Pop out");
+    assert!(stage.says("This scope is a window of its own."));
+    stage.click("Put it back");
+    assert!(stage.has("cursor A in plot 1"));
+}

@@ -1,0 +1,62 @@
+//! A host without keys, for viewers to look at: `cargo run -p telemetry --example stream_demo`.
+//!
+//! An address to listen at may be given; 127.0.0.1:8765 without.
+
+#![expect(clippy::print_stdout, reason = "says where it listens")]
+
+mod synthetic;
+
+use std::error::Error;
+use std::sync::Arc;
+use std::time::{Duration, SystemTime};
+
+use synthetic::{KEY, Synthetic, TICK_HZ};
+use telemetry::Topic;
+use telemetry::stream::{Publisher, Server, Settings, serve};
+
+/// Messages of all keys in a second.
+const FRAMES_HZ: u32 = 30;
+
+#[tokio::main(flavor = "current_thread")]
+async fn main() -> Result<(), Box<dyn Error>> {
+    let mut settings = Settings::default();
+    if let Some(address) = std::env::args().nth(1) {
+        settings.address = address.parse()?;
+    }
+    let server = Server::listen(settings)?;
+    println!("A synthetic host listens at {}; Ctrl-C ends it.", server.url());
+    let publisher = server.publisher();
+    publisher.publish(now(), &synthetic::catalogue());
+    publisher.publish(now(), &synthetic::voice(KEY.into(), 1));
+    let host = Arc::new(Synthetic::default());
+    let backend = Arc::clone(&host);
+    tokio::select! {
+        served = serve(server, backend) => served?,
+        () = swing(&publisher, &host) => {}
+        interrupted = tokio::signal::ctrl_c() => interrupted?,
+    }
+    println!("{} requests were answered.", host.asked().len());
+    Ok(())
+}
+
+/// Publishes without end.
+#[expect(clippy::infinite_loop, reason = "whoever waits for it ends it")]
+async fn swing(publisher: &Publisher, host: &Synthetic) {
+    let mut frames = tokio::time::interval(Duration::from_secs(1) / FRAMES_HZ);
+    let ticks = TICK_HZ / FRAMES_HZ;
+    let mut tick = 0;
+    loop {
+        frames.tick().await;
+        if publisher.is_followed(Topic::Block(KEY)) && host.value("m").is_some() {
+            publisher.publish(now(), &synthetic::block(tick, ticks));
+        }
+        publisher.publish(now(), &synthetic::overview(tick, ticks));
+        tick += u64::from(ticks);
+    }
+}
+
+/// Nanoseconds since 1970.
+fn now() -> u64 {
+    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+    since.ok().and_then(|since| u64::try_from(since.as_nanos()).ok()).unwrap_or(0)
+}

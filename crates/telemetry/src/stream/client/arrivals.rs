@@ -1,0 +1,125 @@
+//! What has come and waits for the window.
+
+use std::collections::BTreeSet;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use super::Waker;
+use crate::stream::backlog::{Backlog, Worth};
+use crate::stream::latch::latch;
+use crate::{Arrival, Standing, Topic};
+
+/// Messages that wait for a window [bytes]; more are dropped.
+const ROOM: usize = 32 << 20;
+
+/// What has come and waits for the window.
+pub(super) struct Arrivals {
+    waiting: Mutex<Backlog<Arrival>>,
+    standing: Mutex<Standing>,
+    waker: Option<Waker>,
+}
+
+impl Arrivals {
+    /// Nothing yet.
+    pub(super) fn new(waker: Option<Waker>) -> Self {
+        Self {
+            waiting: Mutex::new(Backlog::new(ROOM)),
+            standing: Mutex::new(Standing::Connecting),
+            waker,
+        }
+    }
+
+    /// Adds what came, whose content is so many bytes.
+    pub(super) fn push(&self, arrival: Arrival, bytes: usize) {
+        let worth = worth(&arrival);
+        self.waiting().push(arrival, worth, bytes);
+        self.wake();
+    }
+
+    /// Begins anew: of what waits only replies are of use.
+    pub(super) fn begin(&self) {
+        self.waiting().forget(|arrival| !matches!(arrival, Arrival::Reply { .. }));
+        self.push(Arrival::Anew, 0);
+        self.stand(Standing::Live);
+    }
+
+    /// What came next.
+    pub(super) fn pop(&self) -> Option<Arrival> {
+        self.waiting().pop()
+    }
+
+    /// Forgets messages of other topics.
+    pub(super) fn keep_only(&self, topics: &BTreeSet<Topic>) {
+        self.waiting().forget(|arrival| match arrival {
+            Arrival::Update { update, .. } => {
+                update.topic().is_none_or(|topic| !topics.contains(&topic))
+            }
+            Arrival::Reply { .. } | Arrival::Anew => false,
+        });
+    }
+
+    /// How it stands from now on.
+    pub(super) fn stand(&self, standing: Standing) {
+        *self.standing.lock().unwrap_or_else(PoisonError::into_inner) = standing;
+        self.wake();
+    }
+
+    /// How it stands.
+    pub(super) fn standing(&self) -> Standing {
+        self.standing.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    fn waiting(&self) -> MutexGuard<'_, Backlog<Arrival>> {
+        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn wake(&self) {
+        if let Some(waker) = &self.waker {
+            waker();
+        }
+    }
+}
+
+fn worth(arrival: &Arrival) -> Worth {
+    match arrival {
+        Arrival::Update { update, .. } => latch(update).map_or(Worth::Passing, Worth::Latest),
+        Arrival::Reply { .. } | Arrival::Anew => Worth::Kept,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Ticket;
+    use crate::{Catalogue, Event, Update};
+
+    fn update(update: Update) -> Arrival {
+        Arrival::Update { at: 0, update: Box::new(update) }
+    }
+
+    #[test]
+    fn a_window_that_does_not_look_loses_data_but_no_reply() {
+        let arrivals = Arrivals::new(None);
+        arrivals.push(update(Update::Catalogue(Catalogue::default())), 1000);
+        arrivals.push(Arrival::Reply { ticket: Ticket(1), result: Err("no".to_owned()) }, 0);
+        for _ in 0..100 {
+            arrivals.push(update(Update::Event(Event::default())), 1 << 20);
+        }
+        let all: Vec<_> = std::iter::from_fn(|| arrivals.pop()).collect();
+        assert!(all.len() < 40, "{}", all.len());
+        assert!(matches!(&all[0], Arrival::Update { .. }));
+        assert!(matches!(&all[1], Arrival::Reply { ticket: Ticket(1), .. }));
+    }
+
+    #[test]
+    fn a_new_run_and_other_topics_leave_no_old_messages() {
+        let arrivals = Arrivals::new(None);
+        arrivals.push(update(Update::Event(Event::default())), 10);
+        arrivals.begin();
+        assert_eq!(arrivals.pop(), Some(Arrival::Anew));
+        assert_eq!(arrivals.pop(), None);
+        arrivals.push(update(Update::Event(Event::default())), 10);
+        arrivals.keep_only(&BTreeSet::from([Topic::Log]));
+        assert_eq!(arrivals.pop(), None);
+        assert_eq!(arrivals.standing(), Standing::Live);
+    }
+}

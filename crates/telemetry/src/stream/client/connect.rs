@@ -1,0 +1,120 @@
+//! From an address to a connection, or why there is none.
+
+use std::time::Duration;
+
+use tokio::net::TcpStream;
+use tokio::time::timeout;
+use tokio_rustls::rustls::pki_types::ServerName;
+use tokio_tungstenite::tungstenite::Error;
+use tokio_tungstenite::tungstenite::client::ClientRequestBuilder;
+use tokio_tungstenite::tungstenite::handshake::client::Response;
+use tokio_tungstenite::tungstenite::http::StatusCode;
+use tokio_tungstenite::tungstenite::protocol::WebSocketConfig;
+use tokio_tungstenite::{WebSocketStream, client_async_with_config};
+
+use super::address::{Address, Scheme};
+use super::{Dial, pin};
+use crate::stream::carrier::Boxed;
+use crate::stream::protocol::SUBPROTOCOLS;
+
+/// Longest time to connect.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// Longest message from a host [bytes].
+const MOST_BYTES: usize = 64 << 20;
+
+/// Why there is no connection, in a sentence.
+#[derive(Debug)]
+pub(super) enum Trouble {
+    /// It may be better later.
+    Lost(String),
+    /// It will not.
+    Refused(String),
+}
+
+/// Connects as `dial` says.
+pub(super) async fn connect(dial: &Dial) -> Result<WebSocketStream<Boxed>, Trouble> {
+    let address =
+        Address::parse(&dial.address).map_err(|error| Trouble::Refused(error.to_string()))?;
+    let connected = timeout(PATIENCE, async {
+        let carrier = carrier(dial, &address).await?;
+        greet(dial, &address, carrier).await
+    });
+    let slow = || Trouble::Lost(format!("the host at {} does not answer", dial.address));
+    connected.await.unwrap_or_else(|_elapsed| Err(slow()))
+}
+
+async fn carrier(dial: &Dial, address: &Address) -> Result<Boxed, Trouble> {
+    let lost = |error| Trouble::Lost(format!("no host answers at {}: {error}", dial.address));
+    let stream = TcpStream::connect((address.host.as_str(), address.port)).await.map_err(lost)?;
+    stream.set_nodelay(true).map_err(lost)?;
+    match address.scheme {
+        Scheme::Ws => Ok(Box::new(stream)),
+        Scheme::Wss => encrypted(dial, address, stream).await,
+    }
+}
+
+async fn encrypted(dial: &Dial, address: &Address, stream: TcpStream) -> Result<Boxed, Trouble> {
+    let pin = dial.pin.ok_or_else(|| {
+        let text = "wss:// needs the fingerprint of the host's certificate, which the host prints";
+        Trouble::Refused(text.to_owned())
+    })?;
+    let refused = |text: String| Trouble::Refused(text);
+    let connector = pin::connector(pin).map_err(|error| refused(error.to_string()))?;
+    let name = ServerName::try_from(address.host.clone());
+    let name = name.map_err(|error| refused(format!("{}: {error}", dial.address)))?;
+    match connector.connect(name, stream).await {
+        Ok(stream) => Ok(Box::new(stream)),
+        Err(error) => Err(pin::refusal(&error).map_or_else(
+            || Trouble::Lost(format!("the host at {} speaks no TLS: {error}", dial.address)),
+            Trouble::Refused,
+        )),
+    }
+}
+
+/// The WebSocket handshake.
+async fn greet(
+    dial: &Dial,
+    address: &Address,
+    carrier: Boxed,
+) -> Result<WebSocketStream<Boxed>, Trouble> {
+    let uri = address.uri().ok_or_else(|| Trouble::Refused(dial.address.clone()))?;
+    let mut request = ClientRequestBuilder::new(uri);
+    for protocol in SUBPROTOCOLS {
+        request = request.with_sub_protocol(protocol);
+    }
+    if let Some(token) = &dial.token {
+        if !token.bytes().all(|byte| byte.is_ascii_graphic()) {
+            let text = "the token has other letters in it than a token has";
+            return Err(Trouble::Refused(text.to_owned()));
+        }
+        request = request.with_header("Authorization", format!("Bearer {token}"));
+    }
+    let config = WebSocketConfig::default()
+        .max_message_size(Some(MOST_BYTES))
+        .max_frame_size(Some(MOST_BYTES));
+    match client_async_with_config(request, carrier, Some(config)).await {
+        Ok((socket, _response)) => Ok(socket),
+        Err(error) => Err(trouble(dial, error)),
+    }
+}
+
+fn trouble(dial: &Dial, error: Error) -> Trouble {
+    if let Error::Http(response) = error {
+        return turned_away(dial, &response);
+    }
+    Trouble::Lost(format!("the host at {} speaks no WebSocket: {error}", dial.address))
+}
+
+/// What an answer of HTTP means.
+fn turned_away(dial: &Dial, response: &Response) -> Trouble {
+    let body = response.body().as_deref().unwrap_or_default();
+    let text = String::from_utf8_lossy(body).trim().to_owned();
+    let text = if text.is_empty() {
+        format!("the host at {} answered {}", dial.address, response.status())
+    } else {
+        text
+    };
+    let will_not = [StatusCode::UNAUTHORIZED, StatusCode::FORBIDDEN, StatusCode::BAD_REQUEST];
+    if will_not.contains(&response.status()) { Trouble::Refused(text) } else { Trouble::Lost(text) }
+}

@@ -1,0 +1,260 @@
+//! Binary messages: a byte that says what it is, numbers in little-endian order, then a payload.
+
+use super::DecodeError;
+
+const MESSAGE_DATA: u8 = 1;
+const TIME: u8 = 2;
+const SERVICE_REQUEST: u8 = 2;
+const SERVICE_RESPONSE: u8 = 3;
+
+/// A binary message from a server.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ServerFrame<'a> {
+    /// A message of a channel.
+    Message {
+        /// To which subscription, by the client's own number.
+        subscription: u32,
+        /// When it was made [ns since 1970].
+        at: u64,
+        /// The message.
+        payload: &'a [u8],
+    },
+    /// What time it is [ns since 1970].
+    Time(u64),
+    /// The answer to a call.
+    Response {
+        /// Which service answers.
+        service: u32,
+        /// Which call, by the client's own number.
+        call: u32,
+        /// What the payload is, as `json`.
+        encoding: &'a str,
+        /// The answer.
+        payload: &'a [u8],
+    },
+}
+
+impl<'a> ServerFrame<'a> {
+    /// Its bytes.
+    pub fn encode(&self) -> Vec<u8> {
+        match *self {
+            Self::Message { subscription, at, payload } => {
+                let mut bytes = Vec::with_capacity(13 + payload.len());
+                bytes.push(MESSAGE_DATA);
+                bytes.extend(subscription.to_le_bytes());
+                bytes.extend(at.to_le_bytes());
+                bytes.extend_from_slice(payload);
+                bytes
+            }
+            Self::Time(at) => [&[TIME][..], &at.to_le_bytes()].concat(),
+            Self::Response { service, call, encoding, payload } => {
+                Exchange { service, call, encoding, payload }.encode(SERVICE_RESPONSE)
+            }
+        }
+    }
+
+    /// The message that `bytes` are.
+    ///
+    /// # Errors
+    /// If they are none.
+    pub fn decode(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+        let mut reader = Reader::new(bytes)?;
+        match reader.opcode {
+            MESSAGE_DATA => Ok(Self::Message {
+                subscription: reader.u32()?,
+                at: reader.u64()?,
+                payload: reader.rest,
+            }),
+            TIME => Ok(Self::Time(reader.u64()?)),
+            SERVICE_RESPONSE => {
+                let Exchange { service, call, encoding, payload } = Exchange::read(&mut reader)?;
+                Ok(Self::Response { service, call, encoding, payload })
+            }
+            other => Err(DecodeError::Opcode(other)),
+        }
+    }
+}
+
+/// A binary message from a client.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ClientFrame<'a> {
+    /// A call of a service.
+    Request {
+        /// Which service.
+        service: u32,
+        /// Which call, by the client's own number.
+        call: u32,
+        /// What the payload is, as `json`.
+        encoding: &'a str,
+        /// The request.
+        payload: &'a [u8],
+    },
+}
+
+impl<'a> ClientFrame<'a> {
+    /// Its bytes.
+    pub fn encode(&self) -> Vec<u8> {
+        let Self::Request { service, call, encoding, payload } = *self;
+        Exchange { service, call, encoding, payload }.encode(SERVICE_REQUEST)
+    }
+
+    /// The message that `bytes` are.
+    ///
+    /// # Errors
+    /// If they are none.
+    pub fn decode(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+        let mut reader = Reader::new(bytes)?;
+        match reader.opcode {
+            SERVICE_REQUEST => {
+                let Exchange { service, call, encoding, payload } = Exchange::read(&mut reader)?;
+                Ok(Self::Request { service, call, encoding, payload })
+            }
+            other => Err(DecodeError::Opcode(other)),
+        }
+    }
+}
+
+/// What a call and its answer have alike.
+struct Exchange<'a> {
+    service: u32,
+    call: u32,
+    encoding: &'a str,
+    payload: &'a [u8],
+}
+
+impl<'a> Exchange<'a> {
+    fn encode(&self, opcode: u8) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(13 + self.encoding.len() + self.payload.len());
+        bytes.push(opcode);
+        bytes.extend(self.service.to_le_bytes());
+        bytes.extend(self.call.to_le_bytes());
+        // Encodings are words; one of four gigabytes is none.
+        let length = u32::try_from(self.encoding.len()).unwrap_or(0);
+        bytes.extend(length.to_le_bytes());
+        bytes.extend_from_slice(self.encoding.as_bytes());
+        bytes.extend_from_slice(self.payload);
+        bytes
+    }
+
+    fn read(reader: &mut Reader<'a>) -> Result<Self, DecodeError> {
+        let (service, call, length) = (reader.u32()?, reader.u32()?, reader.u32()?);
+        let encoding = usize::try_from(length).ok().and_then(|length| reader.take(length));
+        let encoding = encoding.ok_or_else(|| reader.short())?;
+        let Ok(encoding) = std::str::from_utf8(encoding) else { return Err(DecodeError::Encoding) };
+        Ok(Self { service, call, encoding, payload: reader.rest })
+    }
+}
+
+/// What is left to read of a binary message.
+struct Reader<'a> {
+    opcode: u8,
+    bytes: usize,
+    rest: &'a [u8],
+}
+
+impl<'a> Reader<'a> {
+    fn new(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+        let (opcode, rest) = bytes.split_first().ok_or(DecodeError::Empty)?;
+        Ok(Self { opcode: *opcode, bytes: bytes.len(), rest })
+    }
+
+    fn take(&mut self, length: usize) -> Option<&'a [u8]> {
+        let (taken, rest) = self.rest.split_at_checked(length)?;
+        self.rest = rest;
+        Some(taken)
+    }
+
+    fn u32(&mut self) -> Result<u32, DecodeError> {
+        self.number().map(u32::from_le_bytes)
+    }
+
+    fn u64(&mut self) -> Result<u64, DecodeError> {
+        self.number().map(u64::from_le_bytes)
+    }
+
+    fn number<const N: usize>(&mut self) -> Result<[u8; N], DecodeError> {
+        let bytes = self.take(N).and_then(|bytes| bytes.try_into().ok());
+        bytes.ok_or_else(|| self.short())
+    }
+
+    const fn short(&self) -> DecodeError {
+        DecodeError::Short { opcode: self.opcode, bytes: self.bytes }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn a_message_is_as_the_protocol_says() {
+        let frame = ServerFrame::Message { subscription: 0x0102, at: 3, payload: b"xy" };
+        let bytes = [1, 2, 1, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, b'x', b'y'];
+        assert_eq!(frame.encode(), bytes);
+        assert_eq!(ServerFrame::decode(&bytes).expect("a message"), frame);
+    }
+
+    #[test]
+    fn a_call_is_as_the_protocol_says() {
+        let frame = ClientFrame::Request { service: 7, call: 8, encoding: "json", payload: b"{}" };
+        let bytes = b"\x02\x07\0\0\0\x08\0\0\0\x04\0\0\0json{}";
+        assert_eq!(frame.encode(), bytes);
+        assert_eq!(ClientFrame::decode(bytes).expect("a call"), frame);
+    }
+
+    #[test]
+    fn what_is_cut_off_is_refused() {
+        let whole =
+            ServerFrame::Response { service: 7, call: 8, encoding: "json", payload: b"" }.encode();
+        for length in 0..whole.len() {
+            assert!(ServerFrame::decode(&whole[..length]).is_err(), "{length}");
+        }
+        let lying = b"\x02\x07\0\0\0\x08\0\0\0\xff\xff\xff\xffjson{}";
+        let refused = ClientFrame::decode(lying).expect_err("too short").to_string();
+        assert_eq!(
+            refused,
+            "a binary message with opcode 2 came with 19 bytes, which is too short"
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn any_bytes_are_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..64)) {
+            // What can be read is written the same way.
+            if let Ok(frame) = ServerFrame::decode(&bytes)
+                && !matches!(frame, ServerFrame::Time(_))
+            {
+                prop_assert_eq!(frame.encode(), bytes.clone());
+            }
+            if let Ok(frame) = ClientFrame::decode(&bytes) {
+                prop_assert_eq!(frame.encode(), bytes);
+            }
+        }
+
+        #[test]
+        fn a_message_comes_back_as_it_went(
+            subscription: u32,
+            at: u64,
+            payload in prop::collection::vec(any::<u8>(), 0..64),
+        ) {
+            let frame = ServerFrame::Message { subscription, at, payload: &payload };
+            let bytes = frame.encode();
+            prop_assert_eq!(ServerFrame::decode(&bytes).expect("a message"), frame);
+        }
+
+        #[test]
+        fn a_response_comes_back_as_it_went(
+            service: u32,
+            call: u32,
+            encoding: String,
+            payload in prop::collection::vec(any::<u8>(), 0..64),
+        ) {
+            let frame =
+                ServerFrame::Response { service, call, encoding: &encoding, payload: &payload };
+            let bytes = frame.encode();
+            prop_assert_eq!(ServerFrame::decode(&bytes).expect("a response"), frame);
+        }
+    }
+}

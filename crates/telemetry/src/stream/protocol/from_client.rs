@@ -1,0 +1,134 @@
+//! Texts from a client.
+
+use serde::{Deserialize, Serialize};
+
+use super::{DecodeError, Parameter};
+
+/// A text from a client.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(tag = "op", rename_all = "camelCase", rename_all_fields = "camelCase")]
+pub enum FromClient {
+    /// Wants messages of channels.
+    Subscribe {
+        /// Which.
+        subscriptions: Vec<Subscription>,
+    },
+    /// Wants no more messages.
+    Unsubscribe {
+        /// Of which subscriptions.
+        subscription_ids: Vec<u32>,
+    },
+    /// Wants to know parameters' values.
+    GetParameters {
+        /// Which; all if there are none.
+        parameter_names: Vec<String>,
+        /// What the answer shall be called.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<String>,
+    },
+    /// Wants other values: all of them or none.
+    SetParameters {
+        /// Which.
+        parameters: Vec<Parameter>,
+        /// What the answer shall be called.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<String>,
+    },
+    /// Wants to hear when values change.
+    SubscribeParameterUpdates {
+        /// Which; all if there are none.
+        parameter_names: Vec<String>,
+    },
+    /// Wants to hear no more of it.
+    UnsubscribeParameterUpdates {
+        /// Which; all if there are none.
+        parameter_names: Vec<String>,
+    },
+    /// Something that this server never said it could.
+    #[serde(other, skip_serializing)]
+    Other,
+}
+
+/// That a client wants messages of a channel.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Subscription {
+    /// The client's own number for it.
+    pub id: u32,
+    /// The channel's number.
+    pub channel_id: u32,
+}
+
+impl FromClient {
+    /// Its text; `None` for [`FromClient::Other`], which has none.
+    pub fn encode(&self) -> Option<String> {
+        serde_json::to_string(self).ok()
+    }
+
+    /// What `text` says.
+    ///
+    /// # Errors
+    /// If it is nothing of the protocol's.
+    pub fn decode(text: &str) -> Result<Self, DecodeError> {
+        Ok(serde_json::from_str(text)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn texts_are_as_the_protocol_says() {
+        let text = r#"{"op":"subscribe","subscriptions":[{"id":1,"channelId":2}]}"#;
+        let subscriptions = vec![Subscription { id: 1, channel_id: 2 }];
+        let message = FromClient::Subscribe { subscriptions };
+        assert_eq!(message.encode().as_deref(), Some(text));
+        assert_eq!(FromClient::decode(text).expect("a message"), message);
+
+        let text = r#"{"op":"getParameters","parameterNames":[],"id":"x"}"#;
+        let message =
+            FromClient::GetParameters { parameter_names: vec![], id: Some("x".to_owned()) };
+        assert_eq!(FromClient::decode(text).expect("a message"), message);
+    }
+
+    #[test]
+    fn an_op_that_is_not_known_is_no_mistake_of_the_text() {
+        let text = r#"{"op":"fetchAsset","uri":"package://x"}"#;
+        assert_eq!(FromClient::decode(text).expect("a message"), FromClient::Other);
+    }
+
+    #[test]
+    fn what_is_none_is_refused() {
+        let nan = r#"{"op":"setParameters","parameters":[{"name":"/key/39/k2","value":NaN}]}"#;
+        let huge = nan.replace("NaN", "1e999");
+        let deep = "[".repeat(100_000);
+        for foreign in ["", "null", "[]", r#"{"op":1}"#, r#"{"op":"subscribe"}"#, nan, &huge, &deep]
+        {
+            let refused = FromClient::decode(foreign).expect_err(foreign).to_string();
+            assert!(refused.starts_with("what came is no message of the protocol: "), "{refused}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn any_text_is_read_or_refused(text: String) {
+            let _either = FromClient::decode(&text);
+        }
+
+        #[test]
+        fn a_value_that_is_set_comes_to_the_last_bit(value in prop::num::f64::NORMAL) {
+            let parameters = vec![Parameter::new("/key/39/k2", value)];
+            let text = FromClient::SetParameters { parameters, id: None }.encode().expect("text");
+            let FromClient::SetParameters { parameters, .. } =
+                FromClient::decode(&text).expect("a message")
+            else {
+                panic!("another message came back");
+            };
+            let change = parameters[0].change().expect("a change");
+            prop_assert_eq!(change.value.to_bits(), value.to_bits());
+        }
+    }
+}

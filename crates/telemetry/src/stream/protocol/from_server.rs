@@ -1,0 +1,184 @@
+//! Texts from a server.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::{AdvertisedService, Channel, DecodeError, Parameter};
+use crate::Reply;
+
+/// A text from a server.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(tag = "op", rename_all = "camelCase", rename_all_fields = "camelCase")]
+pub enum FromServer {
+    /// Who the server is; the first of all.
+    ServerInfo {
+        /// Its name.
+        name: String,
+        /// What it can.
+        #[serde(default)]
+        capabilities: Vec<String>,
+        /// What it reads.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        supported_encodings: Option<Vec<String>>,
+        /// What else there is to know.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        metadata: Option<BTreeMap<String, String>>,
+        /// Changes with each run.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        session_id: Option<String>,
+    },
+    /// A sentence for people.
+    Status {
+        /// How bad it is.
+        level: Level,
+        /// The sentence.
+        message: String,
+        /// Of a refusal: the request's own name.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<String>,
+    },
+    /// Channels that can be followed.
+    Advertise {
+        /// Which.
+        channels: Vec<Channel>,
+    },
+    /// Channels that are gone.
+    Unadvertise {
+        /// Which.
+        channel_ids: Vec<u32>,
+    },
+    /// Parameters' values.
+    ParameterValues {
+        /// Which.
+        parameters: Vec<Parameter>,
+        /// What the request was called, if this is an answer.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<String>,
+        /// What became of the request; ours, and nothing to others.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        reply: Option<Reply>,
+    },
+    /// Services that can be called.
+    AdvertiseServices {
+        /// Which.
+        services: Vec<AdvertisedService>,
+    },
+    /// Services that are gone.
+    UnadvertiseServices {
+        /// Which.
+        service_ids: Vec<u32>,
+    },
+    /// A call was refused.
+    ServiceCallFailure {
+        /// Of which service.
+        service_id: u32,
+        /// Which call, by the client's own number.
+        call_id: u32,
+        /// Why, in a sentence.
+        message: String,
+    },
+    /// Something that this client does not need.
+    #[serde(other, skip_serializing)]
+    Other,
+}
+
+/// How bad something is.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
+#[serde(into = "u8", from = "u8")]
+pub enum Level {
+    /// Good to know.
+    Info,
+    /// Something is lost, or odd.
+    Warning,
+    /// Something was refused, or failed.
+    Error,
+}
+
+impl From<Level> for u8 {
+    fn from(level: Level) -> Self {
+        match level {
+            Level::Info => 0,
+            Level::Warning => 1,
+            Level::Error => 2,
+        }
+    }
+}
+
+impl From<u8> for Level {
+    /// What is worse than known is an error.
+    fn from(number: u8) -> Self {
+        match number {
+            0 => Self::Info,
+            1 => Self::Warning,
+            2.. => Self::Error,
+        }
+    }
+}
+
+impl FromServer {
+    /// Its text; `None` for [`FromServer::Other`], which has none.
+    pub fn encode(&self) -> Option<String> {
+        serde_json::to_string(self).ok()
+    }
+
+    /// What `text` says.
+    ///
+    /// # Errors
+    /// If it is nothing of the protocol's.
+    pub fn decode(text: &str) -> Result<Self, DecodeError> {
+        Ok(serde_json::from_str(text)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[track_caller]
+    fn check(message: &FromServer, text: &str) {
+        assert_eq!(message.encode().as_deref(), Some(text));
+        assert_eq!(&FromServer::decode(text).expect("a message"), message);
+    }
+
+    #[test]
+    fn texts_are_as_the_protocol_says() {
+        check(
+            &FromServer::Status { level: Level::Error, message: "no".to_owned(), id: None },
+            r#"{"op":"status","level":2,"message":"no"}"#,
+        );
+        check(
+            &FromServer::ParameterValues {
+                parameters: vec![Parameter::new("/key/39/k2", 1.0)],
+                id: Some("x".to_owned()),
+                reply: None,
+            },
+            r#"{"op":"parameterValues","parameters":[{"name":"/key/39/k2","value":1.0,"type":"float64"}],"id":"x"}"#,
+        );
+        check(
+            &FromServer::ServiceCallFailure { service_id: 1, call_id: 2, message: "no".to_owned() },
+            r#"{"op":"serviceCallFailure","serviceId":1,"callId":2,"message":"no"}"#,
+        );
+        check(
+            &FromServer::Unadvertise { channel_ids: vec![3] },
+            r#"{"op":"unadvertise","channelIds":[3]}"#,
+        );
+    }
+
+    #[test]
+    fn another_server_s_information_is_read() {
+        let text = r#"{"op":"serverInfo","name":"x","capabilities":["time"],"new":{}}"#;
+        assert!(matches!(FromServer::decode(text), Ok(FromServer::ServerInfo { .. })));
+        let text = r#"{"op":"connectionGraphUpdate","publishedTopics":[]}"#;
+        assert!(matches!(FromServer::decode(text), Ok(FromServer::Other)));
+    }
+
+    proptest! {
+        #[test]
+        fn any_text_is_read_or_refused(text: String) {
+            let _either = FromServer::decode(&text);
+        }
+    }
+}

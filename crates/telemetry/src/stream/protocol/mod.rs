@@ -1,0 +1,28 @@
+//! What travels: the Foxglove WebSocket protocol, as much of it as a host and a window need.
+//!
+//! Texts are JSON objects with an `op`: [`FromServer`] and [`FromClient`].
+//! Binary messages begin with a byte that says what they are: [`ServerFrame`] and [`ClientFrame`];
+//! their numbers are little-endian.
+//! Decoders take any bytes, and refuse in a sentence what they do not understand.
+
+mod binary;
+mod channel;
+mod error;
+mod from_client;
+mod from_server;
+mod parameter;
+mod schema;
+mod service;
+
+pub use binary::{ClientFrame, ServerFrame};
+pub(crate) use channel::place;
+pub use channel::{Channel, channel_id, channels, topic_of};
+pub use error::DecodeError;
+pub use from_client::{FromClient, Subscription};
+pub use from_server::{FromServer, Level};
+pub use parameter::{Parameter, Refusal};
+pub use schema::schema;
+pub use service::{AdvertisedService, Form, Service};
+
+/// Names that the protocol goes by, the present one first.
+pub const SUBPROTOCOLS: [&str; 2] = ["foxglove.sdk.v1", "foxglove.websocket.v1"];

@@ -1,0 +1,93 @@
+//! Parameters: names and numbers.
+
+use serde::{Deserialize, Serialize};
+
+use crate::request::Change;
+
+/// A parameter, with its value.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Parameter {
+    /// Its name, as `/key/39/k2`.
+    pub name: String,
+    /// Its value; whatever a client sends.
+    #[serde(default)]
+    pub value: serde_json::Value,
+    /// What the value is; without, 1 would not be known to be a number with a fraction.
+    #[serde(default, rename = "type", skip_serializing_if = "Option::is_none")]
+    pub kind: Option<String>,
+}
+
+impl Parameter {
+    /// That called `name`.
+    pub fn new(name: impl Into<String>, value: f64) -> Self {
+        Self { name: name.into(), value: value.into(), kind: Some("float64".to_owned()) }
+    }
+
+    /// What setting it means.
+    ///
+    /// # Errors
+    /// If its name is no parameter's, or its value no number.
+    pub fn change(&self) -> Result<Change, Refusal> {
+        let value = self.value.as_f64().filter(|value| value.is_finite());
+        let value = value.ok_or_else(|| Refusal::NoNumber(shortened(&self.name)))?;
+        let change = Change::named(&self.name, value);
+        change.ok_or_else(|| Refusal::NoName(shortened(&self.name)))
+    }
+}
+
+/// Why a parameter cannot be set.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+pub enum Refusal {
+    /// Its value is no number.
+    #[error("the value for {0} is no finite number: send a number in the parameter's unit")]
+    NoNumber(String),
+    /// Its name is no parameter's.
+    #[error("there is no parameter {0}: names are as /key/39/k2, keys 0 (A0) to 87 (C8)")]
+    NoName(String),
+}
+
+/// A foreign name, short enough for a sentence.
+fn shortened(name: &str) -> String {
+    const MOST: usize = 80;
+    let short: String = name.chars().take(MOST).collect();
+    if short.len() < name.len() { format!("{short:?}…") } else { format!("{short:?}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    fn refused(text: &str) -> String {
+        let parameter: Parameter = serde_json::from_str(text).expect("a parameter");
+        parameter.change().expect_err("refused").to_string()
+    }
+
+    #[test]
+    fn a_number_for_a_name_is_a_change() {
+        let parameter: Parameter =
+            serde_json::from_value(json!({"name": "/key/39/k2", "value": 2})).expect("JSON");
+        let change = Change { key: 39, parameter: "k2".to_owned(), value: 2.0 };
+        assert_eq!(parameter.change(), Ok(change));
+    }
+
+    #[test]
+    fn no_number_is_refused() {
+        let no_number = "the value for \"/key/39/k2\" is no finite number: \
+                         send a number in the parameter's unit";
+        assert_eq!(refused(r#"{"name":"/key/39/k2"}"#), no_number);
+        for value in ["null", "\"1\"", "true", "[1.0]", "{}"] {
+            assert_eq!(refused(&format!(r#"{{"name":"/key/39/k2","value":{value}}}"#)), no_number);
+        }
+        assert_eq!(Parameter::new("/key/39/k2", f64::NAN).value, serde_json::Value::Null);
+    }
+
+    #[test]
+    fn no_name_is_refused() {
+        let unknown = refused(r#"{"name":"volume","value":1}"#);
+        assert!(unknown.starts_with("there is no parameter \"volume\": "), "{unknown}");
+        let long = refused(&format!(r#"{{"name":"{}","value":1}}"#, "ä".repeat(5000)));
+        assert!(long.chars().count() < 200, "{long}");
+    }
+}

@@ -1,0 +1,77 @@
+//! What a channel's messages are made of: of all descriptors only those that it needs.
+//!
+//! There are two channels for each key, and each must bring its schema along: all descriptors, with
+//! their comments, would be megabytes for each client that comes.
+
+use std::collections::BTreeSet;
+
+use data_encoding::BASE64;
+use prost::Message as _;
+use prost_types::{DescriptorProto, FileDescriptorProto, FileDescriptorSet};
+
+use crate::{DESCRIPTORS, Topic};
+
+/// The schema of `topic`'s messages: a `google.protobuf.FileDescriptorSet` in base64.
+pub fn schema(topic: Topic) -> String {
+    BASE64.encode(&descriptors(topic.schema()))
+}
+
+/// The descriptors of the message type `name` and of those that it contains.
+fn descriptors(name: &str) -> Vec<u8> {
+    // They are ours, and a test reads them; whole they are right as well.
+    let Ok(set) = FileDescriptorSet::decode(DESCRIPTORS) else { return DESCRIPTORS.to_vec() };
+    let file = set.file.into_iter().map(|file| reduced(file, name)).collect();
+    FileDescriptorSet { file }.encode_to_vec()
+}
+
+/// Of `file` what the message type `name` needs.
+fn reduced(mut file: FileDescriptorProto, name: &str) -> FileDescriptorProto {
+    let package = format!(".{}.", file.package());
+    let mut needed = BTreeSet::from([format!(".{name}")]);
+    // Each round adds what the last one contains; there are not more rounds than types.
+    for _ in 0..file.message_type.len() {
+        for message in &file.message_type {
+            if needed.contains(&format!("{package}{}", message.name())) {
+                needed.extend(contained(message));
+            }
+        }
+    }
+    file.source_code_info = None;
+    file.message_type.retain(|message| needed.contains(&format!("{package}{}", message.name())));
+    file
+}
+
+/// Full names of the types of a message's fields.
+fn contained(message: &DescriptorProto) -> impl Iterator<Item = String> {
+    let types = message.field.iter().filter_map(|field| field.type_name.clone());
+    types.filter(|name| !name.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn types(topic: Topic) -> BTreeSet<String> {
+        let bytes = BASE64.decode(schema(topic).as_bytes()).expect("base64");
+        let set = FileDescriptorSet::decode(bytes.as_slice()).expect("descriptors");
+        assert_eq!(set.file.len(), 1);
+        set.file[0].message_type.iter().map(|message| message.name().to_owned()).collect()
+    }
+
+    #[test]
+    fn a_schema_has_what_its_messages_contain_and_nothing_else() {
+        assert_eq!(types(Topic::Block(39)), ["KeyBlock"].map(String::from).into());
+        assert_eq!(
+            types(Topic::Voices),
+            ["Voice", "Drawing", "Body", "Coil", "Follower", "Outline"].map(String::from).into()
+        );
+    }
+
+    #[test]
+    fn every_topic_s_type_is_in_its_schema() {
+        for topic in Topic::all() {
+            let short = topic.schema().trim_start_matches("letoff.telemetry.");
+            assert!(types(topic).contains(short), "{topic}");
+        }
+    }
+}

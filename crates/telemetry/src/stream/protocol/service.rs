@@ -1,0 +1,263 @@
+//! Services: what may be asked beside parameters.
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use crate::Request;
+
+/// A service; what it does is said at the [`Request`] of its name.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Service {
+    /// [`Request::UseInstrument`].
+    UseInstrument,
+    /// [`Request::Stop`].
+    Stop,
+    /// [`Request::Press`].
+    Press,
+    /// [`Request::Identify`].
+    Identify,
+    /// [`Request::Scene`].
+    Scene,
+    /// [`Request::Record`].
+    Record,
+}
+
+impl Service {
+    /// All of them.
+    pub const ALL: [Self; 6] =
+        [Self::UseInstrument, Self::Stop, Self::Press, Self::Identify, Self::Scene, Self::Record];
+
+    /// By which `request` travels; none if it is of parameters.
+    pub const fn of(request: &Request) -> Option<Self> {
+        match request {
+            // Whoever is here knows where it is.
+            Request::Set { .. } | Request::Where {} => None,
+            Request::UseInstrument { .. } => Some(Self::UseInstrument),
+            Request::Stop {} => Some(Self::Stop),
+            Request::Press { .. } => Some(Self::Press),
+            Request::Identify { .. } => Some(Self::Identify),
+            Request::Scene {} => Some(Self::Scene),
+            Request::Record { .. } => Some(Self::Record),
+        }
+    }
+
+    /// Its number.
+    pub const fn id(self) -> u32 {
+        match self {
+            Self::UseInstrument => 1,
+            Self::Stop => 2,
+            Self::Press => 3,
+            Self::Identify => 4,
+            Self::Scene => 5,
+            Self::Record => 6,
+        }
+    }
+
+    /// That with the number `id`, if there is one.
+    pub fn numbered(id: u32) -> Option<Self> {
+        Self::ALL.into_iter().find(|service| service.id() == id)
+    }
+
+    /// Its name without `/letoff/`, which is also how [`Request`] writes it.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::UseInstrument => "use_instrument",
+            Self::Stop => "stop",
+            Self::Press => "press",
+            Self::Identify => "identify",
+            Self::Scene => "scene",
+            Self::Record => "record",
+        }
+    }
+
+    /// Its name, as `/letoff/press`.
+    pub fn name(self) -> String {
+        format!("/letoff/{}", self.word())
+    }
+
+    /// The request that `payload` is: JSON, with the fields that the request has.
+    ///
+    /// # Errors
+    /// If it is none of this service's.
+    pub fn request(self, payload: &[u8]) -> Result<Request, String> {
+        let refused =
+            |cause: serde_json::Error| format!("{} was asked wrongly: {cause}", self.name());
+        let mut fields: serde_json::Map<String, Value> = match payload {
+            [] => serde_json::Map::new(),
+            _ => serde_json::from_slice(payload).map_err(refused)?,
+        };
+        fields.insert("service".to_owned(), self.word().into());
+        serde_json::from_value(Value::Object(fields)).map_err(refused)
+    }
+
+    /// What asks this service for `request`.
+    pub fn payload(request: &Request) -> Vec<u8> {
+        let mut fields = serde_json::to_value(request).unwrap_or_default();
+        if let Some(fields) = fields.as_object_mut() {
+            fields.remove("service");
+        }
+        fields.to_string().into_bytes()
+    }
+
+    /// How it is advertised.
+    pub fn advertised(self) -> AdvertisedService {
+        let word = self.word();
+        AdvertisedService {
+            id: self.id(),
+            name: self.name(),
+            kind: format!("letoff.{word}"),
+            request: Some(Form::json(format!("letoff.{word}.request"), &self.fields())),
+            response: Some(Form::json("letoff.reply".to_owned(), &reply())),
+        }
+    }
+
+    /// What a request is made of, as a JSON schema.
+    fn fields(self) -> Value {
+        let (properties, required) = match self {
+            Self::UseInstrument => (
+                json!({
+                    "instrument": {"type": "string", "description": "its name or file"},
+                    "keys": {"type": ["string", "null"], "description": "as C4..B5; all without"},
+                }),
+                json!(["instrument"]),
+            ),
+            Self::Stop | Self::Scene => (json!({}), json!([])),
+            Self::Press => (
+                json!({
+                    "key": {"type": "integer", "minimum": 0, "maximum": 87},
+                    "newtons": {"type": "number"},
+                }),
+                json!(["key", "newtons"]),
+            ),
+            Self::Identify => (
+                json!({
+                    "line": {"type": "integer", "minimum": 0},
+                    "board": {"type": "integer", "minimum": 0},
+                }),
+                json!(["line", "board"]),
+            ),
+            Self::Record => (
+                json!({
+                    "file": {"type": ["string", "null"], "description": "ends without"},
+                }),
+                json!([]),
+            ),
+        };
+        json!({
+            "type": "object",
+            "properties": properties,
+            "required": required,
+            "additionalProperties": false,
+        })
+    }
+}
+
+/// What a reply is made of, as a JSON schema.
+fn reply() -> Value {
+    json!({
+        "type": "object",
+        "properties": {
+            "reply": {"type": "string", "enum": ["done", "scene"]},
+            "text": {"type": "string", "description": "what was done"},
+            "toml": {"type": "string", "description": "the scene as a file"},
+        },
+        "required": ["reply"],
+    })
+}
+
+/// A service, as it is advertised.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct AdvertisedService {
+    /// Its number on this connection.
+    pub id: u32,
+    /// Its name.
+    pub name: String,
+    /// The kind of service.
+    #[serde(rename = "type")]
+    pub kind: String,
+    /// What is asked.
+    #[serde(default)]
+    pub request: Option<Form>,
+    /// What is answered.
+    #[serde(default)]
+    pub response: Option<Form>,
+}
+
+/// What a service takes or gives.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Form {
+    /// How it is written: `json`.
+    pub encoding: String,
+    /// Its type's name.
+    pub schema_name: String,
+    /// What the schema is: `jsonschema`.
+    pub schema_encoding: String,
+    /// What its type is.
+    pub schema: String,
+}
+
+impl Form {
+    fn json(schema_name: String, schema: &Value) -> Self {
+        Self {
+            encoding: "json".to_owned(),
+            schema_name,
+            schema_encoding: "jsonschema".to_owned(),
+            schema: schema.to_string(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn requests() -> Vec<Request> {
+        vec![
+            Request::UseInstrument { instrument: "grand".to_owned(), keys: None },
+            Request::Stop {},
+            Request::Press { key: 39, newtons: 2.5 },
+            Request::Identify { line: 1, board: 2 },
+            Request::Scene {},
+            Request::Record { file: Some("a.mcap".to_owned()) },
+        ]
+    }
+
+    #[test]
+    fn every_request_but_set_has_a_service_and_comes_back_as_it_went() {
+        let mut seen = Vec::new();
+        for request in requests() {
+            let service = Service::of(&request).expect("a service");
+            assert_eq!(Service::numbered(service.id()), Some(service));
+            assert_eq!(service.request(&Service::payload(&request)), Ok(request));
+            seen.push(service);
+        }
+        assert_eq!(seen, Service::ALL);
+        assert_eq!(Service::of(&Request::Set { changes: vec![] }), None);
+        assert_eq!(Service::numbered(0), None);
+    }
+
+    #[test]
+    fn a_schema_names_the_fields_that_a_request_has() {
+        for request in requests() {
+            let service = Service::of(&request).expect("a service");
+            let sent: Value =
+                serde_json::from_slice(&Service::payload(&request)).expect("an object");
+            let schema = service.fields();
+            let names = schema["properties"].as_object().expect("properties");
+            assert!(sent.as_object().expect("fields").keys().eq(names.keys()), "{service:?}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_request_is_refused_in_a_sentence() {
+        let wrong =
+            [&b"{"[..], b"[]", b"{\"key\":39}", b"{\"key\":39,\"newtons\":\"much\"}", &[255]];
+        for payload in wrong {
+            let refused = Service::Press.request(payload).expect_err("wrong");
+            assert!(refused.starts_with("/letoff/press was asked wrongly: "), "{refused}");
+        }
+        // Nobody gets to another service by naming it.
+        assert_eq!(Service::Scene.request(br#"{"service":"stop"}"#), Ok(Request::Scene {}));
+    }
+}

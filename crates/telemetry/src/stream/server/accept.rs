@@ -1,0 +1,151 @@
+//! Lets clients in, so many at once.
+
+use std::io;
+use std::net::SocketAddr;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+
+use tokio::net::{TcpListener, TcpStream};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::task::JoinSet;
+use tokio_rustls::TlsAcceptor;
+use tokio_tungstenite::tungstenite::Message;
+use tokio_tungstenite::tungstenite::handshake::server::{ErrorResponse, Request, Response};
+use tokio_tungstenite::tungstenite::http::{HeaderValue, header};
+use tokio_tungstenite::tungstenite::protocol::WebSocketConfig;
+use tokio_tungstenite::{WebSocketStream, accept_hdr_async_with_config};
+
+use super::connection;
+use super::door::{self, Closed};
+use super::{Backend, Publisher, Role, Server, Settings, Who};
+use crate::stream::carrier::Boxed;
+
+/// What all connections share.
+pub(super) struct House {
+    pub(super) settings: Settings,
+    pub(super) publisher: Publisher,
+    pub(super) backend: Arc<dyn Backend>,
+    /// What everybody is told first, but for who they are.
+    pub(super) advertised: Message,
+    acceptor: Option<TlsAcceptor>,
+    places: Arc<Semaphore>,
+    count: AtomicU64,
+}
+
+/// Answers clients, until it is dropped; with it go all connections.
+///
+/// # Errors
+/// If the runtime cannot use the listening socket.
+pub async fn serve(server: Server, backend: Arc<dyn Backend>) -> io::Result<()> {
+    let Server { listener, settings, tls, publisher, hub, .. } = server;
+    let listener = TcpListener::from_std(listener)?;
+    let handshakes = Arc::new(Semaphore::new(settings.limits.handshakes.max(1)));
+    let house = Arc::new(House {
+        places: Arc::new(Semaphore::new(settings.limits.clients)),
+        advertised: connection::advertised(),
+        acceptor: tls.map(|armour| armour.acceptor),
+        count: AtomicU64::new(0),
+        settings,
+        publisher,
+        backend,
+    });
+    let mut tasks = JoinSet::new();
+    tasks.spawn(hub.run());
+    loop {
+        // Those that find no place wait in the system's queue, and come in as others time out.
+        let Ok(step) = Arc::clone(&handshakes).acquire_owned().await else { return Ok(()) };
+        let (stream, address) = next(&listener, &mut tasks).await;
+        let house = Arc::clone(&house);
+        tasks.spawn(async move { house.receive(stream, address, step).await });
+    }
+}
+
+/// Who comes next; meanwhile those who went are forgotten.
+async fn next(listener: &TcpListener, tasks: &mut JoinSet<()>) -> (TcpStream, SocketAddr) {
+    /// How long to wait when the system has no more descriptors.
+    const PAUSE: Duration = Duration::from_millis(50);
+    loop {
+        tokio::select! {
+            accepted = listener.accept() => match accepted {
+                Ok(accepted) => return accepted,
+                Err(_none) => tokio::time::sleep(PAUSE).await,
+            },
+            Some(_ended) = tasks.join_next() => {}
+        }
+    }
+}
+
+/// Somebody who is in.
+struct Guest {
+    socket: WebSocketStream<Boxed>,
+    who: Who,
+    _place: OwnedSemaphorePermit,
+}
+
+impl House {
+    async fn receive(
+        self: Arc<Self>,
+        stream: TcpStream,
+        address: SocketAddr,
+        step: OwnedSemaphorePermit,
+    ) {
+        let entry =
+            tokio::time::timeout(self.settings.limits.handshake, self.enter(stream, address));
+        let Ok(Some(guest)) = entry.await else { return };
+        drop(step);
+        connection::hold(&self, guest.socket, guest.who).await;
+    }
+
+    /// Both handshakes; `None` if somebody is not let in, which has been answered then.
+    async fn enter(&self, stream: TcpStream, address: SocketAddr) -> Option<Guest> {
+        stream.set_nodelay(true).ok()?;
+        let carrier: Boxed = match &self.acceptor {
+            Some(acceptor) => Box::new(Box::pin(acceptor.accept(stream)).await.ok()?),
+            None => Box::new(stream),
+        };
+        let mut admitted = None;
+        #[expect(clippy::result_large_err, reason = "the library's answer, made once")]
+        let decide = |request: &Request, response| match self.admit(request) {
+            Ok((role, protocol, place)) => {
+                admitted = Some((role, place));
+                Ok(spoken(response, protocol))
+            }
+            Err(closed) => Err::<_, ErrorResponse>(closed.response()),
+        };
+        let socket = Box::pin(accept_hdr_async_with_config(carrier, decide, Some(self.config())))
+            .await
+            .ok()?;
+        let (role, place) = admitted?;
+        let number = self.count.fetch_add(1, Ordering::Relaxed) + 1;
+        Some(Guest { socket, who: Who { number, address, role }, _place: place })
+    }
+
+    fn admit(
+        &self,
+        request: &Request,
+    ) -> Result<(Role, &'static str, OwnedSemaphorePermit), Closed> {
+        let (role, protocol) = door::admit(&self.settings, request)?;
+        let Ok(place) = Arc::clone(&self.places).try_acquire_owned() else {
+            return Err(Closed::Full);
+        };
+        Ok((role, protocol, place))
+    }
+
+    fn config(&self) -> WebSocketConfig {
+        /// Large enough for what clients usually send [bytes].
+        const READ_BUFFER: usize = 16 << 10;
+        let most = Some(self.settings.limits.message_bytes);
+        WebSocketConfig::default()
+            .read_buffer_size(READ_BUFFER)
+            .max_message_size(most)
+            .max_frame_size(most)
+    }
+}
+
+/// `response`, saying what will be spoken.
+fn spoken(mut response: Response, protocol: &'static str) -> Response {
+    let protocol = HeaderValue::from_static(protocol);
+    response.headers_mut().insert(header::SEC_WEBSOCKET_PROTOCOL, protocol);
+    response
+}

@@ -1,0 +1,51 @@
+//! What the host supplies.
+
+use std::fmt;
+use std::net::SocketAddr;
+
+use super::Role;
+use crate::{Reply, Request};
+
+/// The host, as the stream knows it.
+pub trait Backend: Send + Sync {
+    /// The parameters called so, in any order; all without names. Those that are not known are
+    /// left out.
+    fn parameters(&self, names: Option<&[String]>) -> Vec<Value>;
+
+    /// Does what is asked, and returns when it is done; a set is done as a whole or not at all.
+    ///
+    /// It is called on a thread that may wait, for each client one call after the other, except for
+    /// a stop, which overtakes.
+    /// After a set the stream itself tells clients the values; other changes are told with
+    /// [`super::Publisher::parameters_changed`].
+    ///
+    /// # Errors
+    /// If it is refused; a sentence.
+    fn ask(&self, request: Request, who: &Who) -> Result<Reply, String>;
+}
+
+/// A parameter's value.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Value {
+    /// Its name, as `/key/39/k2`.
+    pub name: String,
+    /// Its value, in its unit.
+    pub value: f64,
+}
+
+/// Who asks.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Who {
+    /// Counts the clients of a run.
+    pub number: u64,
+    /// Where they are.
+    pub address: SocketAddr,
+    /// What they may do.
+    pub role: Role,
+}
+
+impl fmt::Display for Who {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "client {} ({}) at {}", self.number, self.role.name(), self.address.ip())
+    }
+}

@@ -1,0 +1,156 @@
+//! What is asked of the host, and answered beside the runtime's thread.
+
+use std::sync::Arc;
+
+use tokio::sync::mpsc;
+use tokio_tungstenite::tungstenite::Message;
+
+use crate::stream::protocol::{FromServer, Level, Parameter, Refusal, ServerFrame};
+use crate::stream::server::accept::House;
+use crate::stream::server::outbox::Outbox;
+use crate::stream::server::{Value, Who};
+use crate::{Reply, Request};
+
+/// Something to be answered.
+#[derive(Debug)]
+pub(super) struct Job {
+    pub(super) receipt: Receipt,
+    pub(super) wish: Wish,
+}
+
+/// What an answer is told by.
+#[derive(Clone, Debug)]
+pub(super) enum Receipt {
+    /// Of parameters: what the client calls its request, if anything.
+    Parameters(Option<String>),
+    /// Of a service: the service's number, and the client's for the call.
+    Call(u32, u32),
+}
+
+/// What is asked.
+#[derive(Debug)]
+pub(super) enum Wish {
+    /// Parameters' values; all without names.
+    Get(Vec<String>),
+    /// Other values.
+    Set(Vec<Parameter>),
+    /// A service; or why it was asked wrongly.
+    Call(Result<Request, String>),
+}
+
+impl Job {
+    /// Whether it may overtake others.
+    pub(super) const fn is_urgent(&self) -> bool {
+        matches!(self.wish, Wish::Call(Ok(Request::Stop {})))
+    }
+}
+
+impl Receipt {
+    /// Answers that it is not done.
+    pub(super) fn refuse(self, outbox: &Outbox, message: String) {
+        match self {
+            Self::Parameters(id) => outbox.status(Level::Error, message, id),
+            Self::Call(service_id, call_id) => {
+                outbox.tell(&FromServer::ServiceCallFailure { service_id, call_id, message });
+            }
+        }
+    }
+
+    /// Answers what became of it; `values` are those that were asked for or set.
+    fn tell(self, outbox: &Outbox, values: &[Value], reply: Option<Reply>) {
+        let parameters = values.iter().map(|it| Parameter::new(it.name.clone(), it.value));
+        match self {
+            Self::Parameters(id) => {
+                let parameters = parameters.collect();
+                outbox.tell(&FromServer::ParameterValues { parameters, id, reply });
+            }
+            Self::Call(service, call) => {
+                let payload = serde_json::to_vec(&reply).unwrap_or_default();
+                let response =
+                    ServerFrame::Response { service, call, encoding: "json", payload: &payload };
+                outbox.send(Message::binary(response.encode()));
+            }
+        }
+    }
+}
+
+/// Answers one client.
+#[derive(Clone)]
+pub(super) struct Answerer(Arc<Parts>);
+
+struct Parts {
+    house: Arc<House>,
+    outbox: Arc<Outbox>,
+    who: Who,
+}
+
+impl Answerer {
+    /// Of `who`, by `outbox`.
+    pub(super) fn new(house: Arc<House>, outbox: Arc<Outbox>, who: Who) -> Self {
+        Self(Arc::new(Parts { house, outbox, who }))
+    }
+
+    /// Answers one job after the other.
+    pub(super) async fn run(&self, mut jobs: mpsc::Receiver<Job>) {
+        while let Some(Job { receipt, wish }) = jobs.recv().await {
+            let (parts, copy) = (Arc::clone(&self.0), receipt.clone());
+            // What was begun is finished and told to others, even if this client goes.
+            let answered = tokio::task::spawn_blocking(move || parts.answer(copy, wish)).await;
+            if answered.is_err() {
+                let text = "the host failed over this request: whether it was done is not known";
+                receipt.refuse(&self.0.outbox, text.to_owned());
+            }
+        }
+    }
+}
+
+impl Parts {
+    fn answer(&self, receipt: Receipt, wish: Wish) {
+        match wish {
+            Wish::Get(names) => {
+                let names = if names.is_empty() { None } else { Some(names.as_slice()) };
+                receipt.tell(&self.outbox, &self.house.backend.parameters(names), None);
+            }
+            Wish::Set(parameters) => self.set(receipt, &parameters),
+            Wish::Call(request) => match request.and_then(|request| self.ask(request)) {
+                Ok(reply) => receipt.tell(&self.outbox, &[], Some(reply)),
+                Err(refusal) => receipt.refuse(&self.outbox, refusal),
+            },
+        }
+    }
+
+    fn set(&self, receipt: Receipt, parameters: &[Parameter]) {
+        let result = self.try_set(parameters);
+        let names: Vec<String> = parameters.iter().map(|it| it.name.clone()).collect();
+        let values = self.house.backend.parameters(Some(&names));
+        let is_named = matches!(receipt, Receipt::Parameters(Some(_)));
+        let reply = match result {
+            Ok(reply) => {
+                self.house.publisher.parameters_changed(&values);
+                Some(reply)
+            }
+            Err(refusal) => {
+                receipt.clone().refuse(&self.outbox, refusal);
+                None
+            }
+        };
+        // Whoever was refused learns what is the case instead.
+        if is_named {
+            receipt.tell(&self.outbox, &values, reply);
+        }
+    }
+
+    fn try_set(&self, parameters: &[Parameter]) -> Result<Reply, String> {
+        let changes: Result<Vec<_>, Refusal> = parameters.iter().map(Parameter::change).collect();
+        let changes = changes.map_err(|refusal| refusal.to_string())?;
+        if changes.is_empty() {
+            return Err("nothing was set: name at least one parameter".to_owned());
+        }
+        self.ask(Request::Set { changes })
+    }
+
+    fn ask(&self, request: Request) -> Result<Reply, String> {
+        self.who.role.check(&request)?;
+        self.house.backend.ask(request, &self.who)
+    }
+}

@@ -1,0 +1,156 @@
+//! What a client says, and where it goes.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use futures_util::StreamExt as _;
+use futures_util::stream::SplitStream;
+use tokio::sync::mpsc;
+use tokio::time::{Instant, sleep, timeout};
+use tokio_tungstenite::WebSocketStream;
+use tokio_tungstenite::tungstenite::{Error, Message};
+
+use super::End;
+use super::answer::{Job, Receipt, Wish};
+use super::bucket::Bucket;
+use crate::Request;
+use crate::stream::carrier::Boxed;
+use crate::stream::protocol::{ClientFrame, FromClient, Level, Service};
+use crate::stream::server::accept::House;
+use crate::stream::server::hub::Command;
+use crate::stream::server::outbox::Outbox;
+use crate::stream::server::{Publisher, Who};
+
+/// Subscriptions in one message; there are fewer channels.
+const MOST_SUBSCRIPTIONS: usize = 1000;
+
+/// Reads what a client says.
+pub(super) struct Reader {
+    publisher: Publisher,
+    outbox: Arc<Outbox>,
+    who: Who,
+    asked: mpsc::Sender<Job>,
+    urgent: mpsc::Sender<Job>,
+    messages: Bucket,
+    requests: Bucket,
+    idle: Duration,
+}
+
+impl Reader {
+    /// For `who`; what is asked is handed on to `asked`, a stop to `urgent`.
+    pub(super) fn new(
+        house: &House,
+        outbox: Arc<Outbox>,
+        who: Who,
+        asked: mpsc::Sender<Job>,
+        urgent: mpsc::Sender<Job>,
+    ) -> Self {
+        let limits = &house.settings.limits;
+        let bucket = |per_second| Bucket::new(per_second, Instant::now());
+        Self {
+            publisher: house.publisher.clone(),
+            outbox,
+            who,
+            asked,
+            urgent,
+            messages: bucket(limits.messages_per_second),
+            requests: bucket(limits.requests_per_second),
+            idle: limits.idle,
+        }
+    }
+
+    /// Reads until the client has nothing more to say, or nothing is heard of it.
+    pub(super) async fn run(&mut self, mut stream: SplitStream<WebSocketStream<Boxed>>) -> End {
+        loop {
+            let message = match timeout(self.idle, stream.next()).await {
+                Ok(Some(Ok(message))) => message,
+                Ok(Some(Err(Error::Capacity(_)))) => return End::TooLarge,
+                Ok(Some(Err(_)) | None) => return End::Left,
+                Err(_elapsed) => return End::Silent,
+            };
+            let wait = self.messages.book(Instant::now());
+            // Even no time at all would be rounded up to a tick of the timer.
+            if !wait.is_zero() {
+                sleep(wait).await;
+            }
+            match message {
+                Message::Text(text) => self.text(&text),
+                Message::Binary(bytes) => self.binary(&bytes),
+                // The library answers these itself.
+                Message::Ping(_) | Message::Pong(_) | Message::Close(_) | Message::Frame(_) => {}
+            }
+        }
+    }
+
+    fn text(&mut self, text: &str) {
+        let number = self.who.number;
+        match FromClient::decode(text) {
+            Ok(FromClient::Subscribe { subscriptions }) => {
+                if subscriptions.len() > MOST_SUBSCRIPTIONS {
+                    let text = format!("at most {MOST_SUBSCRIPTIONS} subscriptions in a message");
+                    return self.complain(text);
+                }
+                self.publisher.command(Command::Subscribe(number, subscriptions));
+            }
+            Ok(FromClient::Unsubscribe { subscription_ids }) => {
+                self.publisher.command(Command::Unsubscribe(number, subscription_ids));
+            }
+            Ok(FromClient::SubscribeParameterUpdates { parameter_names }) => {
+                self.publisher.command(Command::Watch(number, parameter_names));
+            }
+            Ok(FromClient::UnsubscribeParameterUpdates { parameter_names }) => {
+                self.publisher.command(Command::Unwatch(number, parameter_names));
+            }
+            Ok(FromClient::GetParameters { parameter_names, id }) => {
+                self.ask(Receipt::Parameters(id), Wish::Get(parameter_names));
+            }
+            Ok(FromClient::SetParameters { parameters, id }) => {
+                self.ask(Receipt::Parameters(id), Wish::Set(parameters));
+            }
+            Ok(FromClient::Other) => {
+                self.complain("this host has not said that it could do this".to_owned());
+            }
+            Err(error) => self.complain(error.to_string()),
+        }
+    }
+
+    fn binary(&mut self, bytes: &[u8]) {
+        let (service, call, encoding, payload) = match ClientFrame::decode(bytes) {
+            Ok(ClientFrame::Request { service, call, encoding, payload }) => {
+                (service, call, encoding, payload)
+            }
+            Err(error) => return self.complain(error.to_string()),
+        };
+        let request = request(service, encoding, payload);
+        self.ask(Receipt::Call(service, call), Wish::Call(request));
+    }
+
+    /// Hands on what is asked, unless too much is.
+    fn ask(&mut self, receipt: Receipt, wish: Wish) {
+        let job = Job { receipt, wish };
+        let queue = if job.is_urgent() { &self.urgent } else { &self.asked };
+        // Whoever asks for a stop gets it, whatever else they ask for.
+        if !job.is_urgent() && !self.requests.take(Instant::now()) {
+            let text = "too many requests come at once: this one was not done, ask more slowly";
+            return job.receipt.refuse(&self.outbox, text.to_owned());
+        }
+        if let Err(full) = queue.try_send(job) {
+            let text = "too many requests wait already: this one was not done, ask more slowly";
+            full.into_inner().receipt.refuse(&self.outbox, text.to_owned());
+        }
+    }
+
+    fn complain(&self, text: String) {
+        self.outbox.status(Level::Error, text, None);
+    }
+}
+
+/// What is asked of a service.
+fn request(service: u32, encoding: &str, payload: &[u8]) -> Result<Request, String> {
+    let service =
+        Service::numbered(service).ok_or_else(|| format!("there is no service {service} here"))?;
+    if encoding != "json" {
+        return Err(format!("{} is asked in json", service.name()));
+    }
+    service.request(payload)
+}

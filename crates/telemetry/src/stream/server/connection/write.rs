@@ -1,0 +1,87 @@
+//! What is sent to a client, and in which order.
+
+use futures_util::SinkExt as _;
+use futures_util::stream::SplitSink;
+use tokio::sync::mpsc;
+use tokio::time::{Duration, Interval, MissedTickBehavior, timeout};
+use tokio_tungstenite::WebSocketStream;
+use tokio_tungstenite::tungstenite::protocol::CloseFrame;
+use tokio_tungstenite::tungstenite::protocol::frame::coding::CloseCode;
+use tokio_tungstenite::tungstenite::{Bytes, Message, Utf8Bytes};
+
+use super::End;
+use crate::stream::carrier::Boxed;
+use crate::stream::protocol::Level;
+use crate::stream::server::Limits;
+use crate::stream::server::outbox::Outbox;
+
+/// One end of a connection.
+type Sink = SplitSink<WebSocketStream<Boxed>, Message>;
+
+/// Pings in the time after which a client counts as gone.
+const PINGS: u32 = 3;
+
+/// Shortest time between two sentences on what was dropped.
+const BETWEEN_WARNINGS: Duration = Duration::from_secs(1);
+
+/// Sends what waits, control first, until the client takes no more.
+pub(super) async fn run(
+    sink: &mut Sink,
+    mut control: mpsc::Receiver<Message>,
+    outbox: &Outbox,
+    limits: &Limits,
+) -> End {
+    let mut pings = interval(limits.idle / PINGS);
+    let mut warnings = interval(BETWEEN_WARNINGS);
+    loop {
+        let next = tokio::select! {
+            biased;
+            Some(message) = control.recv() => {
+                outbox.taken(&message);
+                message
+            }
+            _now = pings.tick() => Message::Ping(Bytes::new()),
+            _now = warnings.tick() => {
+                warn(outbox);
+                continue;
+            }
+            message = outbox.sample() => message,
+        };
+        // Whoever takes nothing for so long is gone, or will not catch up.
+        match timeout(limits.stall, sink.send(next)).await {
+            Ok(Ok(())) => {}
+            Ok(Err(_gone)) => return End::Left,
+            Err(_elapsed) => return End::Stalled,
+        }
+    }
+}
+
+/// Says why it is over, if the client may still hear it.
+pub(super) async fn bid_farewell(sink: &mut Sink, end: End) {
+    /// Longest time for a last word.
+    const GRACE: Duration = Duration::from_secs(1);
+    let (code, reason) = match end {
+        End::Left => return,
+        End::Stalled => (CloseCode::Policy, "you do not take what is sent to you"),
+        End::Silent => (CloseCode::Policy, "nothing was heard of you, not even a pong"),
+        End::TooLarge => (CloseCode::Size, "your message is larger than this host takes"),
+    };
+    let frame = CloseFrame { code, reason: Utf8Bytes::from_static(reason) };
+    let _heard = timeout(GRACE, sink.send(Message::Close(Some(frame)))).await;
+}
+
+/// Ticks never closer than `period`, however long a message took.
+fn interval(period: Duration) -> Interval {
+    let mut interval = tokio::time::interval(period);
+    interval.set_missed_tick_behavior(MissedTickBehavior::Delay);
+    interval
+}
+
+/// Says how many samples were dropped, if any were.
+fn warn(outbox: &Outbox) {
+    let dropped = outbox.take_dropped();
+    if dropped > 0 {
+        let text = format!("{dropped} messages were dropped: they come faster than they are taken");
+        outbox.status(Level::Warning, text, None);
+    }
+}

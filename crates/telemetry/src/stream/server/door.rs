@@ -1,0 +1,168 @@
+//! Who is let in: by where they come from, what they speak and what they know.
+
+use subtle::ConstantTimeEq as _;
+use tokio_tungstenite::tungstenite::handshake::server::{ErrorResponse, Request};
+use tokio_tungstenite::tungstenite::http::{HeaderMap, Response, StatusCode, header};
+
+use super::{Role, Settings, Token};
+use crate::stream::protocol::SUBPROTOCOLS;
+
+/// Why somebody is not let in.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Closed {
+    /// A web page that is not listed.
+    Origin,
+    /// Another protocol.
+    Protocol,
+    /// Without a token that is known here.
+    Token,
+    /// All places are taken.
+    Full,
+}
+
+impl Closed {
+    const fn status(self) -> StatusCode {
+        match self {
+            Self::Origin => StatusCode::FORBIDDEN,
+            Self::Protocol => StatusCode::BAD_REQUEST,
+            Self::Token => StatusCode::UNAUTHORIZED,
+            Self::Full => StatusCode::SERVICE_UNAVAILABLE,
+        }
+    }
+
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Origin => {
+                "this web page may not connect: add its origin to those that the host lets in"
+            }
+            Self::Protocol => "this host speaks foxglove.sdk.v1: ask for it as the subprotocol",
+            Self::Token => "this host asks for a token: give it as ?token=... or as a Bearer",
+            Self::Full => "this host has as many clients as it takes: close one of them",
+        }
+    }
+
+    /// What is answered.
+    pub(super) fn response(self) -> ErrorResponse {
+        let mut response = Response::new(Some(format!("{}\n", self.text())));
+        *response.status_mut() = self.status();
+        let length = header::HeaderValue::from(self.text().len() + 1);
+        response.headers_mut().insert(header::CONTENT_LENGTH, length);
+        let close = header::HeaderValue::from_static("close");
+        response.headers_mut().insert(header::CONNECTION, close);
+        response
+    }
+}
+
+/// Who comes in, as what, and in which protocol they are spoken to.
+///
+/// # Errors
+/// If they are not let in.
+pub(super) fn admit(
+    settings: &Settings,
+    request: &Request,
+) -> Result<(Role, &'static str), Closed> {
+    check_origin(&settings.origins, request.headers())?;
+    let protocol = protocol(request.headers())?;
+    Ok((role(&settings.tokens, request)?, protocol))
+}
+
+/// Programs send no origin; a page's must be listed.
+fn check_origin(listed: &[String], headers: &HeaderMap) -> Result<(), Closed> {
+    let is_listed = |origin: &header::HeaderValue| {
+        listed.iter().any(|it| origin.as_bytes().eq_ignore_ascii_case(it.as_bytes()))
+    };
+    let all_listed = headers.get_all(header::ORIGIN).iter().all(is_listed);
+    if all_listed { Ok(()) } else { Err(Closed::Origin) }
+}
+
+fn protocol(headers: &HeaderMap) -> Result<&'static str, Closed> {
+    let offered: Vec<&str> = headers
+        .get_all(header::SEC_WEBSOCKET_PROTOCOL)
+        .iter()
+        .filter_map(|value| value.to_str().ok())
+        .flat_map(|value| value.split(',').map(str::trim))
+        .collect();
+    SUBPROTOCOLS.into_iter().find(|ours| offered.contains(ours)).ok_or(Closed::Protocol)
+}
+
+fn role(tokens: &[Token], request: &Request) -> Result<Role, Closed> {
+    if tokens.is_empty() {
+        return Ok(Role::Owner);
+    }
+    let given = bearer(request.headers()).or_else(|| queried(request.uri().query()?));
+    let given = given.ok_or(Closed::Token)?;
+    // All are compared to the end, so that the time tells nothing.
+    let known =
+        tokens.iter().filter(|token| bool::from(token.secret.as_bytes().ct_eq(given.as_bytes())));
+    known.map(|token| token.role).max().ok_or(Closed::Token)
+}
+
+/// `Authorization: Bearer <token>`.
+fn bearer(headers: &HeaderMap) -> Option<&str> {
+    let (scheme, token) = headers.get(header::AUTHORIZATION)?.to_str().ok()?.split_once(' ')?;
+    scheme.eq_ignore_ascii_case("bearer").then_some(token.trim())
+}
+
+/// `?token=<token>`.
+fn queried(query: &str) -> Option<&str> {
+    query.split('&').find_map(|pair| pair.strip_prefix("token="))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn settings() -> Settings {
+        let token = |secret: &str, role| Token { secret: secret.to_owned(), role };
+        Settings {
+            origins: vec!["https://app.example".to_owned()],
+            tokens: vec![token("see", Role::Viewer), token("tune", Role::Tuner)],
+            ..Settings::default()
+        }
+    }
+
+    fn knock(uri: &str, headers: &[(&str, &str)]) -> Result<Role, Closed> {
+        let mut builder = Request::builder().uri(uri);
+        for (name, value) in headers {
+            builder = builder.header(*name, *value);
+        }
+        let request = builder.body(()).expect("a request");
+        admit(&settings(), &request).map(|(role, _)| role)
+    }
+
+    const SPEAKS: (&str, &str) = ("Sec-WebSocket-Protocol", "other, foxglove.sdk.v1");
+
+    #[test]
+    fn a_token_makes_the_role() {
+        assert_eq!(knock("/?token=see", &[SPEAKS]), Ok(Role::Viewer));
+        assert_eq!(knock("/?a=b&token=tune", &[SPEAKS]), Ok(Role::Tuner));
+        assert_eq!(knock("/", &[SPEAKS, ("Authorization", "Bearer tune")]), Ok(Role::Tuner));
+        for wrong in ["/", "/?token=", "/?token=tun", "/?token=tunes", "/?Token=tune"] {
+            assert_eq!(knock(wrong, &[SPEAKS]), Err(Closed::Token), "{wrong}");
+        }
+        assert_eq!(
+            knock("/?token=see", &[SPEAKS, ("Authorization", "Bearer x")]),
+            Err(Closed::Token)
+        );
+    }
+
+    #[test]
+    fn only_listed_pages_come_in() {
+        let from = |origin| knock("/?token=see", &[SPEAKS, ("Origin", origin)]);
+        assert_eq!(from("https://app.example"), Ok(Role::Viewer));
+        for evil in ["null", "https://app.example.evil", "http://app.example", ""] {
+            assert_eq!(from(evil), Err(Closed::Origin), "{evil}");
+        }
+        let two = [SPEAKS, ("Origin", "https://app.example"), ("Origin", "https://evil.example")];
+        assert_eq!(knock("/?token=see", &two), Err(Closed::Origin));
+    }
+
+    #[test]
+    fn both_names_of_the_protocol_are_spoken_and_no_other() {
+        let old = ("sec-websocket-protocol", "foxglove.websocket.v1");
+        assert_eq!(knock("/?token=see", &[old]), Ok(Role::Viewer));
+        assert_eq!(knock("/?token=see", &[]), Err(Closed::Protocol));
+        let other = ("sec-websocket-protocol", "foxglove.sdk.v2");
+        assert_eq!(knock("/?token=see", &[other]), Err(Closed::Protocol));
+    }
+}

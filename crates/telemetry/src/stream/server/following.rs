@@ -1,0 +1,77 @@
+//! Who follows what, as the host asks before it computes anything.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use crate::stream::protocol::place;
+use crate::{KEYS, Topic};
+
+/// How many follow each topic.
+#[derive(Debug)]
+pub(super) struct Following([AtomicU32; Topic::COMMON.len() + 2 * KEYS]);
+
+impl Default for Following {
+    /// Nobody.
+    fn default() -> Self {
+        Self([const { AtomicU32::new(0) }; Topic::COMMON.len() + 2 * KEYS])
+    }
+}
+
+// Relaxed throughout: a message more or less at the moment when somebody comes is the same.
+impl Following {
+    /// Whether anybody follows `topic`.
+    pub(super) fn has(&self, topic: Topic) -> bool {
+        self.0.get(place(topic)).is_some_and(|count| count.load(Ordering::Relaxed) > 0)
+    }
+
+    /// One more.
+    pub(super) fn add(&self, topic: Topic) {
+        if let Some(count) = self.0.get(place(topic)) {
+            count.fetch_add(1, Ordering::Relaxed);
+        }
+    }
+
+    /// One less.
+    pub(super) fn remove(&self, topic: Topic) {
+        if let Some(count) = self.0.get(place(topic)) {
+            count.fetch_sub(1, Ordering::Relaxed);
+        }
+    }
+
+    /// Keys of which somebody follows blocks or states: bit n is key n.
+    pub(super) fn keys(&self) -> u128 {
+        let keys = (0..=u8::MAX).take(KEYS);
+        let followed =
+            keys.filter(|key| self.has(Topic::Block(*key)) || self.has(Topic::State(*key)));
+        followed.fold(0, |mask, key| mask | 1 << key)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_topic_is_counted_for_itself() {
+        let following = Following::default();
+        for topic in Topic::all() {
+            assert!(!following.has(topic));
+            following.add(topic);
+            assert!(following.has(topic));
+        }
+        assert_eq!(following.keys(), (1 << KEYS) - 1);
+        for topic in Topic::all() {
+            following.remove(topic);
+        }
+        following.add(Topic::State(87));
+        following.add(Topic::Block(0));
+        assert_eq!(following.keys(), 1 | 1 << 87);
+    }
+
+    #[test]
+    fn what_is_no_topic_is_followed_by_nobody() {
+        let following = Following::default();
+        following.add(Topic::Block(88));
+        assert!(!following.has(Topic::Block(88)));
+        assert_eq!(following.keys(), 0);
+    }
+}

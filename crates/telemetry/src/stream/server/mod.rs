@@ -1,0 +1,94 @@
+//! The host's end of the stream.
+//!
+//! ```text
+//! any thread: Publisher ──bounded, never waits──▶ hub ──▶ a client's outbox ──▶ its connection
+//!                                                  ▲        control: never dropped, or it is cut
+//! a connection's requests ──who follows what───────┘        data: the oldest are dropped
+//!                         ──what is asked──▶ Backend, beside the runtime's thread
+//! ```
+//!
+//! A browser sends where its page comes from, a program does not: only listed origins are let in,
+//! or any page that is open on the machine could move motors.
+//! Loopback is open to this machine's programs; anything else needs a token and TLS.
+
+mod accept;
+mod backend;
+mod connection;
+mod door;
+mod following;
+mod hub;
+mod outbox;
+mod publisher;
+mod role;
+mod sample;
+mod settings;
+mod tls;
+mod watched;
+
+use std::io;
+use std::net::{SocketAddr, TcpListener};
+
+use hub::Hub;
+
+pub use accept::serve;
+pub use backend::{Backend, Value, Who};
+pub use publisher::Publisher;
+pub use role::Role;
+pub use settings::{Limits, Settings, Tls, Token};
+
+use super::Fingerprint;
+
+/// A server that listens, and does not answer before [`serve`] is run.
+#[derive(Debug)]
+pub struct Server {
+    listener: TcpListener,
+    address: SocketAddr,
+    settings: Settings,
+    tls: Option<tls::Armour>,
+    publisher: Publisher,
+    hub: Hub,
+}
+
+impl Server {
+    /// Listens as `settings` say.
+    ///
+    /// # Errors
+    /// If they are not safe or not consistent, a certificate cannot be had, or the address cannot
+    /// be listened at; in a sentence.
+    pub fn listen(settings: Settings) -> io::Result<Self> {
+        settings.check().map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
+        let tls = settings.tls.as_ref().map(tls::Armour::new).transpose()?;
+        let listener = TcpListener::bind(settings.address).map_err(|error| {
+            let text = format!(
+                "the stream cannot listen at {}: {error}; choose another address",
+                settings.address
+            );
+            io::Error::new(error.kind(), text)
+        })?;
+        listener.set_nonblocking(true)?;
+        let address = listener.local_addr()?;
+        let (publisher, hub) = publisher::pair();
+        Ok(Self { listener, address, settings, tls, publisher, hub })
+    }
+
+    /// Where it listens; with the port that was found if port 0 was asked for.
+    pub const fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// Where a client connects to, as `ws://127.0.0.1:8765`.
+    pub fn url(&self) -> String {
+        let scheme = if self.tls.is_some() { "wss" } else { "ws" };
+        format!("{scheme}://{}", self.address)
+    }
+
+    /// What its certificate is recognised by, if it has one.
+    pub fn fingerprint(&self) -> Option<Fingerprint> {
+        self.tls.as_ref().map(|armour| armour.fingerprint)
+    }
+
+    /// Where messages are handed in.
+    pub fn publisher(&self) -> Publisher {
+        self.publisher.clone()
+    }
+}

@@ -1,0 +1,170 @@
+//! What waits for a client: a queue that is never dropped, and one of which it may miss something.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use tokio::sync::{Notify, mpsc};
+use tokio_tungstenite::tungstenite::Message;
+
+use super::Limits;
+use super::sample::Sample;
+use crate::stream::backlog::{Backlog, Worth};
+use crate::stream::protocol::{FromServer, Level, ServerFrame};
+
+/// What waits for a client.
+#[derive(Debug)]
+pub(super) struct Outbox {
+    control: mpsc::Sender<Message>,
+    /// Of what waits in it [bytes].
+    control_bytes: AtomicUsize,
+    most_control_bytes: usize,
+    data: Mutex<Backlog<Letter>>,
+    is_data: Notify,
+    is_cut: Notify,
+}
+
+/// A sample for a subscription.
+#[derive(Debug)]
+struct Letter {
+    subscription: u32,
+    sample: Sample,
+}
+
+impl Outbox {
+    /// An empty one, and the end of its control queue from which is sent.
+    pub(super) fn new(limits: &Limits) -> (Self, mpsc::Receiver<Message>) {
+        let (control, receiver) = mpsc::channel(limits.control_messages.max(1));
+        let outbox = Self {
+            control,
+            control_bytes: AtomicUsize::new(0),
+            most_control_bytes: limits.control_bytes,
+            data: Mutex::new(Backlog::new(limits.data_bytes)),
+            is_data: Notify::new(),
+            is_cut: Notify::new(),
+        };
+        (outbox, receiver)
+    }
+
+    /// Adds a text; a client that does not take it is cut.
+    pub(super) fn tell(&self, message: &FromServer) {
+        if let Some(text) = message.encode() {
+            self.send(Message::text(text));
+        }
+    }
+
+    /// Adds a sentence for people; of a refusal with the request's own name.
+    pub(super) fn status(&self, level: Level, message: String, id: Option<String>) {
+        self.tell(&FromServer::Status { level, message, id });
+    }
+
+    /// Adds a message; a client that does not take it is cut.
+    pub(super) fn send(&self, message: Message) {
+        let before = self.control_bytes.fetch_add(message.len(), Ordering::Relaxed);
+        if before > self.most_control_bytes || self.control.try_send(message).is_err() {
+            self.is_cut.notify_one();
+        }
+    }
+
+    /// Counts that `message` of the control queue does not wait any more.
+    pub(super) fn taken(&self, message: &Message) {
+        self.control_bytes.fetch_sub(message.len(), Ordering::Relaxed);
+    }
+
+    /// Waits until the client is to be cut.
+    pub(super) async fn cut(&self) {
+        self.is_cut.notified().await;
+    }
+
+    /// Adds a sample; the oldest are dropped if there is no room.
+    pub(super) fn post(&self, subscription: u32, sample: Sample) {
+        let worth = sample.latch.map_or(Worth::Passing, |(number, _)| Worth::Latest(number));
+        let bytes = sample.payload.len();
+        self.with_data(|data| data.push(Letter { subscription, sample }, worth, bytes));
+        self.is_data.notify_one();
+    }
+
+    /// Forgets samples for a subscription that is no more.
+    pub(super) fn forget(&self, subscription: u32) {
+        self.with_data(|data| data.forget(|letter| letter.subscription == subscription));
+    }
+
+    /// Waits for the next sample.
+    pub(super) async fn sample(&self) -> Message {
+        loop {
+            if let Some(letter) = self.with_data(Backlog::pop) {
+                return letter.into_message();
+            }
+            self.is_data.notified().await;
+        }
+    }
+
+    /// How many samples were dropped since this was last asked.
+    pub(super) fn take_dropped(&self) -> u64 {
+        self.with_data(Backlog::take_dropped)
+    }
+
+    fn with_data<T>(&self, work: impl FnOnce(&mut Backlog<Letter>) -> T) -> T {
+        work(&mut self.data.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+impl Letter {
+    fn into_message(self) -> Message {
+        let Self { subscription, sample } = self;
+        let frame = ServerFrame::Message { subscription, at: sample.at, payload: &sample.payload };
+        Message::binary(frame.encode())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Topic, Update};
+
+    fn sample(at: u64) -> Sample {
+        Sample::new(Topic::Events, at, &Update::Event(crate::Event::default()))
+    }
+
+    #[tokio::test]
+    async fn replies_are_never_dropped_and_whoever_takes_none_is_cut() {
+        let limits = Limits { control_messages: 3, ..Limits::default() };
+        let (outbox, mut control) = Outbox::new(&limits);
+        for number in 0..4 {
+            outbox.status(Level::Info, number.to_string(), None);
+        }
+        outbox.cut().await;
+        for number in 0..3 {
+            let text = format!(r#"{{"op":"status","level":0,"message":"{number}"}}"#);
+            assert_eq!(control.recv().await, Some(Message::text(text)));
+        }
+    }
+
+    #[tokio::test]
+    async fn few_replies_that_are_long_are_too_many_as_well() {
+        let limits = Limits { control_bytes: 1000, ..Limits::default() };
+        let (outbox, mut control) = Outbox::new(&limits);
+        for _ in 0..5 {
+            outbox.status(Level::Info, "x".repeat(900), None);
+            let message = control.recv().await.expect("it is there");
+            outbox.taken(&message);
+        }
+        for _ in 0..3 {
+            outbox.status(Level::Info, "x".repeat(900), None);
+        }
+        outbox.cut().await;
+    }
+
+    #[tokio::test]
+    async fn samples_are_dropped_and_none_comes_of_a_subscription_that_is_no_more() {
+        let limits = Limits { data_bytes: 200, ..Limits::default() };
+        let (outbox, _control) = Outbox::new(&limits);
+        for at in 0..10 {
+            outbox.post(7, sample(at));
+        }
+        outbox.post(8, sample(10).latched(0, 0));
+        assert_eq!(outbox.take_dropped(), 7);
+        outbox.forget(7);
+        let frame = ServerFrame::Message { subscription: 8, at: 10, payload: &[] };
+        assert_eq!(outbox.sample().await, Message::binary(frame.encode()));
+    }
+}

@@ -1,0 +1,131 @@
+//! Where the host hands in its messages.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use tokio::sync::mpsc::error::TrySendError;
+use tokio::sync::{Notify, mpsc};
+
+use super::Value;
+use super::following::Following;
+use super::hub::{Command, Hub};
+use super::sample::Sample;
+use crate::stream::latch::latch;
+use crate::stream::protocol::Parameter;
+use crate::{Topic, Update};
+
+/// Messages that wait for the runtime; more are dropped, and counted.
+const FEED: usize = 4096;
+
+/// Where the host hands in its messages, from any thread.
+#[derive(Clone, Debug)]
+pub struct Publisher(Arc<Desk>);
+
+/// What publishers and the hub share.
+#[derive(Debug)]
+pub(super) struct Desk {
+    pub(super) following: Following,
+    /// Of those that every client gets the latest that found no room, until the hub takes them.
+    latched: Mutex<BTreeMap<u16, Sample>>,
+    order: AtomicU64,
+    /// That there is something in it.
+    pub(super) is_latched: Notify,
+    feed: mpsc::Sender<Sample>,
+    commands: mpsc::UnboundedSender<Command>,
+    lost: AtomicU64,
+}
+
+/// Both ends.
+pub(super) fn pair() -> (Publisher, Hub) {
+    let (feed, samples) = mpsc::channel(FEED);
+    let (sender, commands) = mpsc::unbounded_channel();
+    let desk = Arc::new(Desk {
+        following: Following::default(),
+        latched: Mutex::default(),
+        order: AtomicU64::new(0),
+        is_latched: Notify::new(),
+        feed,
+        commands: sender,
+        lost: AtomicU64::new(0),
+    });
+    (Publisher(Arc::clone(&desk)), Hub::new(desk, samples, commands))
+}
+
+impl Publisher {
+    /// Sends `update`, made at `at` [ns since 1970], to whom it may concern.
+    ///
+    /// It waits for no client: what nobody follows is not even encoded, and what the runtime has no
+    /// time for is dropped and counted.
+    /// The last catalogue and the last voice of each key are kept for those who come later.
+    pub fn publish(&self, at: u64, update: &Update) {
+        let Some(topic) = update.topic() else { return };
+        if let Some(number) = latch(update) {
+            let order = self.0.order.fetch_add(1, Ordering::Relaxed);
+            self.0.feed(Sample::new(topic, at, update).latched(number, order));
+        } else if self.is_followed(topic) {
+            self.0.feed(Sample::new(topic, at, update));
+        }
+    }
+
+    /// Whether anybody follows `topic`; if not, its messages need not be made.
+    ///
+    /// Those of [`Topic::Catalogue`] and [`Topic::Voices`] are to be published nevertheless.
+    pub fn is_followed(&self, topic: Topic) -> bool {
+        self.0.following.has(topic)
+    }
+
+    /// Keys of which somebody follows blocks or states: bit n is key n.
+    pub fn followed_blocks(&self) -> u128 {
+        self.0.following.keys()
+    }
+
+    /// Tells those who want to know that parameters have these values now.
+    pub fn parameters_changed(&self, values: &[Value]) {
+        let parameters: Vec<_> =
+            values.iter().map(|it| Parameter::new(it.name.clone(), it.value)).collect();
+        self.0.command(Command::Changed(parameters));
+    }
+
+    /// Messages that the runtime had no time for, since the start.
+    pub fn lost(&self) -> u64 {
+        self.0.lost.load(Ordering::Relaxed)
+    }
+
+    /// Tells the hub something.
+    pub(super) fn command(&self, command: Command) {
+        self.0.command(command);
+    }
+}
+
+impl Desk {
+    /// Of those that must not be dropped the latest is put aside.
+    fn put_aside(&self, sample: Sample) {
+        let Some((number, _)) = sample.latch else {
+            self.lost.fetch_add(1, Ordering::Relaxed);
+            return;
+        };
+        // Held only to put in or to take out, never while anything is sent.
+        self.latched.lock().unwrap_or_else(PoisonError::into_inner).insert(number, sample);
+        self.is_latched.notify_one();
+    }
+
+    /// What was put aside since this was last asked.
+    pub(super) fn take_latched(&self) -> BTreeMap<u16, Sample> {
+        std::mem::take(&mut *self.latched.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    fn feed(&self, sample: Sample) {
+        match self.feed.try_send(sample) {
+            Ok(()) => {}
+            Err(TrySendError::Full(sample) | TrySendError::Closed(sample)) => {
+                self.put_aside(sample);
+            }
+        }
+    }
+
+    fn command(&self, command: Command) {
+        // Without a hub there are no clients whom it could concern.
+        let _nobody = self.commands.send(command);
+    }
+}

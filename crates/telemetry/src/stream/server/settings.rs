@@ -1,0 +1,211 @@
+//! How a server listens, and what it puts up with.
+
+use std::net::{Ipv4Addr, SocketAddr};
+use std::path::PathBuf;
+use std::time::Duration;
+
+use super::Role;
+
+/// How a server listens.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Where; port 0 takes any that is free.
+    pub address: SocketAddr,
+    /// What it is called in viewers.
+    pub name: String,
+    /// Which run this is, so that viewers know when another one has begun.
+    pub session: String,
+    /// Web pages that may connect, as `https://app.example`; programs send no origin.
+    pub origins: Vec<String>,
+    /// Who may do what; without any, everybody who gets in is an owner.
+    pub tokens: Vec<Token>,
+    /// How it is encrypted, if it is.
+    pub tls: Option<Tls>,
+    /// Listens even where others could read along or need no token.
+    pub insecure: bool,
+    /// What it puts up with.
+    pub limits: Limits,
+}
+
+impl Default for Settings {
+    /// For programs of this machine, at port 8765.
+    fn default() -> Self {
+        Self {
+            address: SocketAddr::from((Ipv4Addr::LOCALHOST, 8765)),
+            name: "letoff".to_owned(),
+            session: String::new(),
+            origins: Vec::new(),
+            tokens: Vec::new(),
+            tls: None,
+            insecure: false,
+            limits: Limits::default(),
+        }
+    }
+}
+
+/// A secret, and what it is good for.
+#[derive(Clone)]
+pub struct Token {
+    /// Letters, digits and `-._~`, so that it can stand in an address.
+    pub secret: String,
+    /// What those who know it may do.
+    pub role: Role,
+}
+
+impl std::fmt::Debug for Token {
+    /// Without the secret, which must not get into a log.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Token").field("role", &self.role).finish_non_exhaustive()
+    }
+}
+
+/// Where a certificate comes from.
+#[derive(Clone, Debug)]
+pub enum Tls {
+    /// From files in PEM form.
+    Files {
+        /// The server's certificate, and those that vouch for it.
+        chain: PathBuf,
+        /// Its private key.
+        key: PathBuf,
+    },
+    /// Self-made, for names or addresses; clients recognise it by its fingerprint.
+    SelfMade {
+        /// What the machine is called.
+        names: Vec<String>,
+        /// Where it is kept, so that the fingerprint is the same tomorrow; made anew without.
+        folder: Option<PathBuf>,
+    },
+}
+
+/// What a server puts up with.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Clients at once; the next ones are turned away.
+    pub clients: usize,
+    /// Clients at once that are not in yet; the next ones wait.
+    pub handshakes: usize,
+    /// Longest message from a client [bytes].
+    pub message_bytes: usize,
+    /// Messages from a client [1/s]; one that sends more is read more slowly.
+    pub messages_per_second: u32,
+    /// Requests from a client [1/s]; more are refused.
+    pub requests_per_second: u32,
+    /// Data that waits for a slow client [bytes]; the oldest are dropped.
+    pub data_bytes: usize,
+    /// Replies and the like that wait for a slow client; one with more is cut.
+    pub control_messages: usize,
+    /// The same [bytes].
+    pub control_bytes: usize,
+    /// Longest time to get in.
+    pub handshake: Duration,
+    /// Longest time in which a client takes nothing; then it is cut.
+    pub stall: Duration,
+    /// Longest time in which nothing is heard of a client, which is pinged three times meanwhile.
+    pub idle: Duration,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            clients: 64,
+            handshakes: 256,
+            message_bytes: 1 << 20,
+            messages_per_second: 1000,
+            requests_per_second: 200,
+            data_bytes: 8 << 20,
+            control_messages: 1024,
+            control_bytes: 16 << 20,
+            handshake: Duration::from_secs(5),
+            stall: Duration::from_secs(10),
+            idle: Duration::from_secs(30),
+        }
+    }
+}
+
+/// Why a server does not listen as it is told.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+pub(super) enum Unsafe {
+    /// Beyond this machine, without a token.
+    #[error("the stream would listen at {0} without a token: give it one, or listen at 127.0.0.1")]
+    NoToken(SocketAddr),
+    /// Beyond this machine, without TLS.
+    #[error(
+        "the stream would listen at {0} without TLS: give it a certificate, or listen at 127.0.0.1"
+    )]
+    NoTls(SocketAddr),
+    /// A token that cannot stand in an address.
+    #[error("a token of the stream is empty, or has other than letters, digits and -._~ in it")]
+    Token,
+    /// An origin that anybody can send.
+    #[error(
+        "the origin {0:?} is no web page's: give the page's scheme and name, as https://app.example"
+    )]
+    Origin(String),
+}
+
+impl Settings {
+    /// Whether they are safe.
+    pub(super) fn check(&self) -> Result<(), Unsafe> {
+        let is_open = !self.address.ip().is_loopback() && !self.insecure;
+        if is_open && self.tokens.is_empty() {
+            return Err(Unsafe::NoToken(self.address));
+        }
+        if is_open && self.tls.is_none() {
+            return Err(Unsafe::NoTls(self.address));
+        }
+        if !self.tokens.iter().all(|token| is_plain(&token.secret)) {
+            return Err(Unsafe::Token);
+        }
+        // Every sandboxed frame has the origin "null", whoever it is of.
+        match self.origins.iter().find(|origin| !origin.contains("://")) {
+            Some(origin) => Err(Unsafe::Origin(origin.clone())),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Whether a token can stand in an address as it is.
+fn is_plain(secret: &str) -> bool {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~".contains(&byte);
+    !secret.is_empty() && secret.bytes().all(is_plain)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn open() -> Settings {
+        Settings { address: SocketAddr::from((Ipv4Addr::UNSPECIFIED, 0)), ..Settings::default() }
+    }
+
+    fn token(secret: &str) -> Vec<Token> {
+        vec![Token { secret: secret.to_owned(), role: Role::Viewer }]
+    }
+
+    #[test]
+    fn other_machines_need_a_token_and_tls() {
+        assert_eq!(Settings::default().check(), Ok(()));
+        assert_eq!(open().check(), Err(Unsafe::NoToken(open().address)));
+        let with_token = Settings { tokens: token("secret"), ..open() };
+        assert_eq!(with_token.check(), Err(Unsafe::NoTls(open().address)));
+        let tls = Some(Tls::SelfMade { names: vec![], folder: None });
+        assert_eq!(Settings { tls, ..with_token }.check(), Ok(()));
+        assert_eq!(Settings { insecure: true, ..open() }.check(), Ok(()));
+    }
+
+    #[test]
+    fn secrets_and_origins_are_what_can_be_compared() {
+        for secret in ["", "two words", "a&b", "ä"] {
+            let settings = Settings { tokens: token(secret), ..Settings::default() };
+            assert_eq!(settings.check(), Err(Unsafe::Token), "{secret}");
+        }
+        let settings = Settings { origins: vec!["null".to_owned()], ..Settings::default() };
+        assert_eq!(settings.check(), Err(Unsafe::Origin("null".to_owned())));
+    }
+
+    #[test]
+    fn a_secret_is_not_shown() {
+        assert!(!format!("{:?}", token("abracadabra")).contains("abracadabra"));
+    }
+}

@@ -1,0 +1,113 @@
+//! Certificates, and what is encrypted with them.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::sync::Arc;
+
+use tokio_rustls::TlsAcceptor;
+use tokio_rustls::rustls::pki_types::pem::PemObject as _;
+use tokio_rustls::rustls::pki_types::{CertificateDer, PrivateKeyDer};
+use tokio_rustls::rustls::{self, ServerConfig, crypto, version};
+
+use super::Tls;
+use crate::stream::Fingerprint;
+
+/// What connections are encrypted with.
+pub(super) struct Armour {
+    /// What the certificate is recognised by.
+    pub(super) fingerprint: Fingerprint,
+    /// What makes a stream of bytes a secret one.
+    pub(super) acceptor: TlsAcceptor,
+}
+
+impl std::fmt::Debug for Armour {
+    /// Without the key.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Armour").field("fingerprint", &self.fingerprint).finish_non_exhaustive()
+    }
+}
+
+/// A certificate with those that vouch for it, and its key.
+type Identity = (Vec<CertificateDer<'static>>, PrivateKeyDer<'static>);
+
+impl Armour {
+    /// As `tls` says.
+    pub(super) fn new(tls: &Tls) -> io::Result<Self> {
+        let (chain, key) = match tls {
+            Tls::Files { chain, key } => read(chain, key)?,
+            Tls::SelfMade { names, folder: None } => {
+                let (chain, key) = make(names)?;
+                parse(&chain, &key)?
+            }
+            Tls::SelfMade { names, folder: Some(folder) } => kept(names, folder)?,
+        };
+        let own = chain.first().ok_or_else(|| wrong("the certificate's file has none in it"))?;
+        let fingerprint = Fingerprint::of(own);
+        let config = config(chain, key)
+            .map_err(|error| wrong(format!("certificate and key do not go together: {error}")))?;
+        Ok(Self { fingerprint, acceptor: TlsAcceptor::from(Arc::new(config)) })
+    }
+}
+
+fn config(
+    chain: Vec<CertificateDer<'static>>,
+    key: PrivateKeyDer<'static>,
+) -> Result<ServerConfig, rustls::Error> {
+    let provider = Arc::new(crypto::ring::default_provider());
+    ServerConfig::builder_with_provider(provider)
+        .with_protocol_versions(&[&version::TLS13])?
+        .with_no_client_auth()
+        .with_single_cert(chain, key)
+}
+
+/// The self-made certificate in `folder`, made if it is not there yet.
+fn kept(names: &[String], folder: &Path) -> io::Result<Identity> {
+    let (chain, key) = (folder.join("certificate.pem"), folder.join("key.pem"));
+    if !(chain.exists() && key.exists()) {
+        let (chain_text, key_text) = make(names)?;
+        fs::create_dir_all(folder)?;
+        write_secret(&key, &key_text)?;
+        fs::write(&chain, chain_text)?;
+    }
+    read(&chain, &key)
+}
+
+/// Writes what only this user may read.
+fn write_secret(path: &Path, text: &str) -> io::Result<()> {
+    use io::Write as _;
+
+    let mut options = fs::OpenOptions::new();
+    options.write(true).create(true).truncate(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    options.open(path)?.write_all(text.as_bytes())
+}
+
+/// A certificate and its key in PEM form, for these names.
+fn make(names: &[String]) -> io::Result<(String, String)> {
+    let made = rcgen::generate_simple_self_signed(names)
+        .map_err(|error| wrong(format!("no certificate can be made for {names:?}: {error}")))?;
+    Ok((made.cert.pem(), made.signing_key.serialize_pem()))
+}
+
+fn read(chain: &Path, key: &Path) -> io::Result<Identity> {
+    let text = |path: &Path| {
+        fs::read_to_string(path).map_err(|error| {
+            io::Error::new(error.kind(), format!("{} cannot be read: {error}", path.display()))
+        })
+    };
+    parse(&text(chain)?, &text(key)?)
+}
+
+fn parse(chain: &str, key: &str) -> io::Result<Identity> {
+    let chain: Result<Vec<_>, _> = CertificateDer::pem_slice_iter(chain.as_bytes()).collect();
+    let chain = chain.map_err(|error| wrong(format!("the certificate is no PEM: {error}")))?;
+    let key = PrivateKeyDer::from_pem_slice(key.as_bytes())
+        .map_err(|error| wrong(format!("the certificate's key is no PEM: {error}")))?;
+    Ok((chain, key))
+}
+
+fn wrong(text: impl Into<String>) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, text.into())
+}

@@ -1,0 +1,298 @@
+//! Whatever comes in by the network, a good client goes on being answered.
+
+#![expect(clippy::expect_used, reason = "a test that cannot go on fails")]
+#![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
+
+mod stage;
+
+use std::io::Write as _;
+use std::net::TcpStream;
+use std::time::Duration;
+
+use stage::synthetic::{self, KEY};
+use stage::{Stage, Stranger, Watcher, eventually, set};
+use telemetry::stream::protocol::{
+    ClientFrame, FromClient, FromServer, Level, Parameter, Subscription, channel_id,
+};
+use telemetry::stream::server::{Limits, Tls};
+use telemetry::stream::{Dial, Settings};
+use telemetry::{Reply, Request, Topic};
+use tokio_tungstenite::tungstenite::{Error, Message};
+
+/// A good client, and the host that it is a client of.
+struct Scene {
+    stage: Stage,
+    good: Watcher,
+    count: u32,
+}
+
+impl Scene {
+    fn on(stage: Stage) -> Self {
+        let mut good = Watcher::new(Dial {
+            address: stage.url.clone(),
+            pin: stage.fingerprint,
+            ..Dial::default()
+        });
+        good.connected();
+        stage.meet(&mut good);
+        Self { stage, good, count: 0 }
+    }
+
+    fn within(limits: Limits) -> Self {
+        Self::on(Stage::within(limits))
+    }
+
+    /// The good client sets a value and gets a message.
+    #[track_caller]
+    fn is_served(&mut self) {
+        self.count += 1;
+        let change = set("k2", f64::from(self.count));
+        let done = self.good.ask(Request::Set { changes: vec![change] });
+        assert_eq!(done, Ok(Reply::Done { text: "1 set".to_owned() }));
+        let overview = synthetic::overview(self.count.into(), 1);
+        self.stage.publisher.publish(1, &overview);
+        self.good.update(|update| (update == overview).then_some(()));
+    }
+}
+
+/// Numbers without a pattern, the same in each run.
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+
+    fn below(&mut self, most: u64) -> usize {
+        usize::try_from(self.roll() % most).expect("a small number")
+    }
+
+    fn bytes(&mut self, most: u64) -> Vec<u8> {
+        (0..self.below(most)).map(|_| self.roll().to_le_bytes()[0]).collect()
+    }
+}
+
+fn throw_bytes(stage: &Stage, dice: &mut Dice) {
+    let mut stream = TcpStream::connect(stage.address).expect("a connection");
+    // The server may well have closed it before the end.
+    let _either = stream.write_all(&dice.bytes(4096));
+}
+
+#[test]
+fn random_bytes() {
+    let mut scene = Scene::within(Limits::default());
+    let mut dice = Dice(1);
+    for _ in 0..100 {
+        for _ in 0..3 {
+            throw_bytes(&scene.stage, &mut dice);
+        }
+        scene.is_served();
+    }
+}
+
+#[test]
+fn random_bytes_where_tls_is_spoken() {
+    let names = vec!["localhost".to_owned()];
+    let tls = Some(Tls::SelfMade { names, folder: None });
+    let mut scene = Scene::on(Stage::with(Settings { tls, ..Settings::default() }));
+    let mut dice = Dice(2);
+    for _ in 0..50 {
+        throw_bytes(&scene.stage, &mut dice);
+        scene.is_served();
+    }
+}
+
+/// What the protocol knows, to be spoiled.
+fn texts() -> Vec<String> {
+    let parameters = vec![Parameter::new("/key/39/k2", 1.0), Parameter::new("/key/39/m", 0.5)];
+    let parameter_names = vec!["/key/39/k2".to_owned()];
+    let subscriptions = vec![Subscription { id: 1, channel_id: 2 }];
+    [
+        FromClient::SetParameters { parameters, id: Some("x".to_owned()) },
+        FromClient::GetParameters { parameter_names: parameter_names.clone(), id: None },
+        FromClient::SubscribeParameterUpdates { parameter_names: parameter_names.clone() },
+        FromClient::UnsubscribeParameterUpdates { parameter_names },
+        FromClient::Subscribe { subscriptions },
+        FromClient::Unsubscribe { subscription_ids: vec![1, 2, 3] },
+    ]
+    .iter()
+    .filter_map(FromClient::encode)
+    .collect()
+}
+
+fn spoiled_text(dice: &mut Dice, texts: &[String]) -> Message {
+    let mut letters: Vec<char> = texts[dice.below(6)].chars().collect();
+    for _ in 0..dice.below(4) {
+        let place = dice.below(letters.len() as u64);
+        letters[place] = ['"', '{', '}', '9', '-', 'e', ',', '\u{1f3b9}'][dice.below(8)];
+    }
+    Message::text(letters.into_iter().collect::<String>())
+}
+
+fn spoiled_bytes(dice: &mut Dice) -> Message {
+    let request = ClientFrame::Request {
+        service: u32::try_from(dice.below(8)).expect("small"),
+        call: 1,
+        encoding: "json",
+        payload: br#"{"key":39,"newtons":1.0}"#,
+    };
+    let mut bytes = request.encode();
+    for _ in 0..dice.below(3) {
+        let place = dice.below(bytes.len() as u64);
+        bytes[place] = dice.roll().to_le_bytes()[0];
+    }
+    bytes.truncate(dice.below(80));
+    Message::binary(bytes)
+}
+
+#[test]
+fn random_messages() {
+    let mut scene = Scene::within(Limits::default());
+    let (mut dice, texts) = (Dice(3), texts());
+    for _ in 0..20 {
+        let mut stranger = scene.stage.stranger();
+        for _ in 0..50 {
+            let message = match dice.below(4) {
+                0 => Message::text(String::from_utf8_lossy(&dice.bytes(200)).into_owned()),
+                1 => Message::binary(dice.bytes(200)),
+                2 => spoiled_text(&mut dice, &texts),
+                _ => spoiled_bytes(&mut dice),
+            };
+            stranger.socket.send(message).expect("nobody is cut for talking nonsense");
+        }
+        scene.is_served();
+        // And whoever talked nonsense is still listened to.
+        stranger.say(&FromClient::GetParameters {
+            parameter_names: vec![],
+            id: Some("sense".to_owned()),
+        });
+        stranger.hear_text(|message| match message {
+            FromServer::ParameterValues { id: Some(id), .. } if id == "sense" => Some(()),
+            _ => None,
+        });
+    }
+}
+
+fn a_set(number: u32) -> FromClient {
+    let parameters = vec![Parameter::new("/key/39/m", 0.5)];
+    FromClient::SetParameters { parameters, id: Some(number.to_string()) }
+}
+
+#[test]
+fn a_flood_of_sets_each_of_which_is_answered() {
+    // So few that no machine is slow enough to take them all in.
+    let mut scene = Scene::within(Limits { requests_per_second: 10, ..Limits::default() });
+    let mut stranger = scene.stage.stranger();
+    let (mut done, mut refused) = (0, 0);
+    for round in 0..10 {
+        for number in 0..500 {
+            stranger.say(&a_set(round * 500 + number));
+        }
+        scene.is_served();
+        for _ in 0..500 {
+            let is_done = stranger.hear_text(|message| match message {
+                FromServer::ParameterValues { id: Some(_), .. } => Some(true),
+                FromServer::Status { level: Level::Error, id: Some(_), message } => {
+                    assert!(message.starts_with("too many requests "), "{message}");
+                    Some(false)
+                }
+                _ => None,
+            });
+            done += u32::from(is_done);
+            refused += u32::from(!is_done);
+        }
+    }
+    assert_eq!(done + refused, 5000);
+    assert!(done > 0 && refused > 0, "{done} done, {refused} refused");
+}
+
+#[test]
+fn a_flood_of_which_nothing_is_read() {
+    let mut scene = Scene::within(Limits::default());
+    for _ in 0..3 {
+        let mut stranger = scene.stage.stranger();
+        for number in 0..2000 {
+            // It is cut when its answers find no room any more.
+            if stranger.socket.send(Message::text(a_set(number).encode().expect("text"))).is_err() {
+                break;
+            }
+        }
+        scene.is_served();
+    }
+}
+
+#[test]
+fn a_thousand_clients() {
+    let limits = Limits { clients: 20, ..Limits::default() };
+    let mut scene = Scene::within(limits);
+    let (mut inside, mut turned_away) = (Vec::new(), 0);
+    for number in 0..1000 {
+        match Stranger::knock(scene.stage.address, "/", &[]) {
+            Ok(stranger) => inside.push(stranger),
+            Err(error) => {
+                assert!(matches!(&*error, Error::Http(it) if it.status().as_u16() == 503));
+                turned_away += 1;
+            }
+        }
+        if number % 100 == 0 {
+            scene.is_served();
+        }
+    }
+    // One place is the good client's.
+    assert_eq!((inside.len(), turned_away), (19, 981));
+    // Whoever goes makes room.
+    drop(inside);
+    eventually("there is room", || Stranger::knock(scene.stage.address, "/", &[]).is_ok());
+    scene.is_served();
+}
+
+#[test]
+fn connections_that_never_say_who_they_are() {
+    let handshake = Duration::from_secs(2);
+    let mut scene = Scene::within(Limits { handshakes: 16, handshake, ..Limits::default() });
+    let mut silent: Vec<_> =
+        (0..60).map(|_| TcpStream::connect(scene.stage.address).expect("a connection")).collect();
+    for stream in silent.iter_mut().step_by(2) {
+        let _either = stream.write_all(b"GET / HTTP/1.1\r\nHost: x\r\nUpgr");
+    }
+    scene.is_served();
+    // Somebody new comes in as they time out, though they hold on.
+    let mut new = scene.stage.watcher();
+    assert!(new.ask(Request::Scene {}).is_ok());
+    scene.is_served();
+    drop(silent);
+}
+
+#[test]
+fn a_client_that_is_gone_without_a_word_is_forgotten() {
+    let idle = Duration::from_secs(5);
+    let stage = Stage::within(Limits { idle, ..Limits::default() });
+    let mut stranger = stage.stranger();
+    let subscription = Subscription { id: 1, channel_id: channel_id(Topic::Block(KEY)) };
+    stranger.say(&FromClient::Subscribe { subscriptions: vec![subscription] });
+    eventually("it follows", || stage.publisher.is_followed(Topic::Block(KEY)));
+    // Its connection stays open, but it answers no ping.
+    eventually("it is forgotten", || !stage.publisher.is_followed(Topic::Block(KEY)));
+    while stranger.hear().is_ok() {}
+}
+
+#[test]
+fn messages_that_are_too_large() {
+    let mut scene = Scene::within(Limits::default());
+    let mut stranger = scene.stage.stranger();
+    let large = "x".repeat(2 << 20);
+    // The server may have cut it in the middle.
+    let _either = stranger.socket.send(Message::text(large));
+    while stranger.hear().is_ok() {}
+    scene.is_served();
+
+    let mut stranger = scene.stage.stranger();
+    // A frame that says it will be eight exabytes long.
+    let header = [0x82, 0xff, 0x7f, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0];
+    stranger.socket.get_mut().write_all(&header).expect("it is sent");
+    while stranger.hear().is_ok() {}
+    scene.is_served();
+}

@@ -1,0 +1,260 @@
+//! A synthetic host on its stream, clients of ours, and clients that talk as they please.
+
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+#[path = "../../examples/stream_demo/synthetic.rs"]
+pub(crate) mod synthetic;
+
+use std::net::{SocketAddr, TcpStream};
+use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+use synthetic::Synthetic;
+use telemetry::source::Ticket;
+use telemetry::stream::protocol::{FromClient, FromServer};
+use telemetry::stream::server::Limits;
+use telemetry::stream::{Backend, Client, Dial, Fingerprint, Publisher, Server, Settings, serve};
+use telemetry::{Arrival, Reply, Request, Source as _, Standing, Topic, Update};
+use tokio::runtime::Handle;
+use tokio::sync::oneshot;
+use tokio_tungstenite::tungstenite::client::ClientRequestBuilder;
+use tokio_tungstenite::tungstenite::protocol::WebSocketConfig;
+use tokio_tungstenite::tungstenite::{Error, Message, WebSocket, client::client_with_config};
+
+/// Last resort on a machine that does much else.
+pub(crate) const PATIENCE: Duration = Duration::from_mins(2);
+
+/// A host that is served, until it is dropped.
+pub(crate) struct Stage {
+    pub(crate) address: SocketAddr,
+    pub(crate) url: String,
+    pub(crate) fingerprint: Option<Fingerprint>,
+    pub(crate) publisher: Publisher,
+    pub(crate) host: Arc<Synthetic>,
+    pub(crate) runtime: Handle,
+    end: Option<oneshot::Sender<()>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Stage {
+    /// As `settings` say, at any port unless they say one.
+    pub(crate) fn with(settings: Settings) -> Self {
+        let host = Arc::new(Synthetic::default());
+        Self::of(settings, Arc::clone(&host), host)
+    }
+
+    /// The same, but `backend` is asked in place of `host`.
+    pub(crate) fn of(
+        mut settings: Settings,
+        host: Arc<Synthetic>,
+        backend: Arc<dyn Backend>,
+    ) -> Self {
+        if settings.address == Settings::default().address {
+            settings.address.set_port(0);
+        }
+        let server = Server::listen(settings).expect("a server");
+        let (address, url) = (server.address(), server.url());
+        let (fingerprint, publisher) = (server.fingerprint(), server.publisher());
+        let (end, ended) = oneshot::channel();
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+        let runtime = runtime.expect("a runtime");
+        let handle = runtime.handle().clone();
+        let thread = std::thread::spawn(move || {
+            runtime.block_on(async {
+                tokio::select! {
+                    served = serve(server, backend) => served.expect("it serves"),
+                    _ended = ended => {}
+                }
+            });
+        });
+        let (end, thread) = (Some(end), Some(thread));
+        Self { address, url, fingerprint, publisher, host, runtime: handle, end, thread }
+    }
+
+    /// At any port of this machine.
+    pub(crate) fn new() -> Self {
+        Self::with(Settings::default())
+    }
+
+    /// The same with other limits.
+    pub(crate) fn within(limits: Limits) -> Self {
+        Self::with(Settings { limits, ..Settings::default() })
+    }
+
+    /// A client of ours that is in.
+    pub(crate) fn watcher(&self) -> Watcher {
+        let mut watcher = Watcher::new(Dial { address: self.url.clone(), ..Dial::default() });
+        watcher.connected();
+        watcher
+    }
+
+    /// A client that talks as it pleases, and has read nothing yet.
+    pub(crate) fn stranger(&self) -> Stranger {
+        Stranger::knock(self.address, "/", &[]).expect("a connection")
+    }
+
+    /// Publishes an overview again and again until `watcher`, who follows them, gets one.
+    pub(crate) fn meet(&self, watcher: &mut Watcher) {
+        watcher.follow(&[Topic::Overview]);
+        eventually("somebody follows", || self.publisher.is_followed(Topic::Overview));
+        self.publisher.publish(1, &synthetic::overview(7, 1));
+        watcher.update(|update| matches!(update, Update::Overview(_)).then_some(()));
+    }
+}
+
+impl Drop for Stage {
+    fn drop(&mut self) {
+        drop(self.end.take());
+        if let Some(thread) = self.thread.take() {
+            thread.join().expect("the server did not panic");
+        }
+    }
+}
+
+/// Waits until something is so.
+#[track_caller]
+pub(crate) fn eventually(what: &str, mut is_so: impl FnMut() -> bool) {
+    let begun = Instant::now();
+    while !is_so() {
+        assert!(begun.elapsed() < PATIENCE, "not even after {PATIENCE:?}: {what}");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
+
+/// A client of ours, which can be waited for.
+pub(crate) struct Watcher {
+    pub(crate) client: Client,
+    woken: Receiver<()>,
+}
+
+impl Watcher {
+    pub(crate) fn new(dial: Dial) -> Self {
+        let (wake, woken) = mpsc::channel();
+        let waker = Box::new(move || {
+            let _nobody_waits = wake.send(());
+        });
+        Self { client: Client::connect(dial, Some(waker)), woken }
+    }
+
+    /// Waits for what comes next.
+    #[track_caller]
+    pub(crate) fn next(&mut self) -> Arrival {
+        loop {
+            match self.client.next() {
+                Some(arrival) => return arrival,
+                None => self.woken.recv_timeout(PATIENCE).expect("something comes"),
+            }
+        }
+    }
+
+    /// Waits for a new connection.
+    #[track_caller]
+    pub(crate) fn connected(&mut self) {
+        while self.next() != Arrival::Anew {}
+    }
+
+    /// Waits for a message that `found` takes.
+    #[track_caller]
+    pub(crate) fn update<T>(&mut self, found: impl Fn(Update) -> Option<T>) -> T {
+        loop {
+            if let Arrival::Update { update, .. } = self.next()
+                && let Some(found) = found(*update)
+            {
+                return found;
+            }
+        }
+    }
+
+    /// Waits for the answer to `request`.
+    #[track_caller]
+    pub(crate) fn ask(&mut self, request: Request) -> Result<Reply, String> {
+        let ticket = self.client.ask(request);
+        self.reply(ticket)
+    }
+
+    /// Waits for an answer.
+    #[track_caller]
+    pub(crate) fn reply(&mut self, ticket: Ticket) -> Result<Reply, String> {
+        loop {
+            match self.next() {
+                Arrival::Reply { ticket: of, result } if of == ticket => return result,
+                Arrival::Reply { .. } | Arrival::Update { .. } | Arrival::Anew => {}
+            }
+        }
+    }
+
+    pub(crate) fn follow(&mut self, topics: &[Topic]) {
+        self.client.follow(&topics.iter().copied().collect());
+    }
+
+    /// Waits until it stands as `is_so` says.
+    #[track_caller]
+    pub(crate) fn stands(&mut self, is_so: impl Fn(&Standing) -> bool) -> Standing {
+        eventually("the standing", || is_so(&self.client.standing()));
+        self.client.standing()
+    }
+}
+
+/// A set of one of key 39's parameters.
+pub(crate) fn set(parameter: &str, value: f64) -> telemetry::request::Change {
+    telemetry::request::Change { key: 39, parameter: parameter.to_owned(), value }
+}
+
+/// A client that talks as it pleases.
+pub(crate) struct Stranger {
+    pub(crate) socket: WebSocket<TcpStream>,
+}
+
+impl Stranger {
+    /// Tries to come in, with more headers.
+    pub(crate) fn knock(
+        address: SocketAddr,
+        path: &str,
+        headers: &[(&str, &str)],
+    ) -> Result<Self, Box<Error>> {
+        let stream = TcpStream::connect(address).expect("a connection");
+        stream.set_read_timeout(Some(PATIENCE)).expect("a time limit");
+        let uri = format!("ws://{address}{path}").parse().expect("a URI");
+        let mut request = ClientRequestBuilder::new(uri).with_sub_protocol("foxglove.websocket.v1");
+        for (name, value) in headers {
+            request = request.with_header(*name, *value);
+        }
+        let config = Some(WebSocketConfig::default());
+        match client_with_config(request, stream, config) {
+            Ok((socket, _response)) => Ok(Self { socket }),
+            Err(error) => Err(Box::new(match error {
+                tokio_tungstenite::tungstenite::HandshakeError::Failure(error) => error,
+                tokio_tungstenite::tungstenite::HandshakeError::Interrupted(_) => {
+                    Error::ConnectionClosed
+                }
+            })),
+        }
+    }
+
+    pub(crate) fn say(&mut self, message: &FromClient) {
+        self.text(message.encode().expect("a text"));
+    }
+
+    pub(crate) fn text(&mut self, text: String) {
+        self.socket.send(Message::text(text)).expect("it is sent");
+    }
+
+    /// What the server says next.
+    pub(crate) fn hear(&mut self) -> Result<Message, Box<Error>> {
+        self.socket.read().map_err(Box::new)
+    }
+
+    /// The next text of the server's that `found` takes.
+    #[track_caller]
+    pub(crate) fn hear_text<T>(&mut self, found: impl Fn(FromServer) -> Option<T>) -> T {
+        loop {
+            if let Message::Text(text) = self.hear().expect("a message")
+                && let Some(found) = found(FromServer::decode(&text).expect("a text"))
+            {
+                return found;
+            }
+        }
+    }
+}

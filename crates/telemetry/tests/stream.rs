@@ -1,0 +1,451 @@
+//! Server and client: who sees what, who may do what, and what a slow one costs.
+
+#![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
+#![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
+
+mod stage;
+
+use std::net::{Ipv4Addr, SocketAddr};
+use std::sync::Arc;
+
+use stage::synthetic::{self, KEY};
+use stage::{Stage, Stranger, Watcher, eventually, set};
+use telemetry::stream::protocol::{
+    FromClient, FromServer, Level, Parameter, ServerFrame, Subscription, channel_id,
+};
+use telemetry::stream::server::{Limits, Tls, Token};
+use telemetry::stream::{Backend, Dial, Fingerprint, Role, Server, Settings, Value, Who};
+use telemetry::{Arrival, Reply, Request, Source as _, Standing, Topic, Update};
+use tokio_tungstenite::tungstenite::{Error, Message};
+
+fn done(text: &str) -> Reply {
+    Reply::Done { text: text.to_owned() }
+}
+
+fn dial(stage: &Stage) -> Dial {
+    Dial { address: stage.url.clone(), ..Dial::default() }
+}
+
+fn with_token(stage: &Stage, token: &str) -> Dial {
+    Dial { token: Some(token.to_owned()), ..dial(stage) }
+}
+
+fn guarded() -> Settings {
+    let token = |secret: &str, role| Token { secret: secret.to_owned(), role };
+    Settings {
+        tokens: vec![token("see", Role::Viewer), token("tune", Role::Tuner)],
+        origins: vec!["https://app.example".to_owned()],
+        ..Settings::default()
+    }
+}
+
+#[test]
+fn whoever_comes_late_gets_the_catalogue_and_the_last_voice_of_every_key() {
+    let stage = Stage::new();
+    stage.publisher.publish(1, &synthetic::catalogue());
+    for (key, revision) in [(39, 1), (39, 2), (40, 3)] {
+        stage.publisher.publish(2, &synthetic::voice(key, revision));
+    }
+    let mut watcher = stage.watcher();
+    watcher.follow(&[Topic::Catalogue, Topic::Voices]);
+    watcher.update(|update| (update == synthetic::catalogue()).then_some(()));
+    watcher.update(|update| (update == synthetic::voice(39, 2)).then_some(()));
+    watcher.update(|update| (update == synthetic::voice(40, 3)).then_some(()));
+    // What comes later comes too.
+    stage.publisher.publish(3, &synthetic::voice(39, 4));
+    let update = watcher.update(Some);
+    assert_eq!(update, synthetic::voice(39, 4));
+}
+
+#[test]
+fn a_voice_comes_before_the_rows_that_name_it() {
+    let stage = Stage::new();
+    let mut watcher = stage.watcher();
+    watcher.follow(&[Topic::Voices, Topic::Block(KEY)]);
+    eventually("both are followed", || {
+        stage.publisher.is_followed(Topic::Voices) && stage.publisher.is_followed(Topic::Block(KEY))
+    });
+    for revision in 1..=100 {
+        stage.publisher.publish(1, &synthetic::voice(39, revision));
+        stage.publisher.publish(1, &synthetic::block(revision.into(), 1));
+    }
+    for revision in 1..=100 {
+        assert_eq!(watcher.update(Some), synthetic::voice(39, revision));
+        assert_eq!(watcher.update(Some), synthetic::block(revision.into(), 1));
+    }
+}
+
+#[test]
+fn only_what_is_followed_is_asked_for() {
+    let stage = Stage::new();
+    assert!(!stage.publisher.is_followed(Topic::Block(KEY)));
+    let mut watcher = stage.watcher();
+    watcher.follow(&[Topic::Block(KEY), Topic::State(40), Topic::Events]);
+    eventually("two keys are followed", || stage.publisher.followed_blocks() == 1 << 39 | 1 << 40);
+    stage.publisher.publish(5, &synthetic::overview(1, 1));
+    stage.publisher.publish(6, &synthetic::block(100, 33));
+    let arrival = watcher.next();
+    assert_eq!(arrival, Arrival::Update { at: 6, update: Box::new(synthetic::block(100, 33)) });
+    watcher.follow(&[Topic::Block(KEY)]);
+    eventually("one key is followed", || stage.publisher.followed_blocks() == 1 << 39);
+    drop(watcher);
+    eventually("nobody follows", || stage.publisher.followed_blocks() == 0);
+}
+
+#[test]
+fn a_set_is_acknowledged_and_seen_by_others() {
+    let stage = Stage::new();
+    let mut other = stage.stranger();
+    other.say(&FromClient::SubscribeParameterUpdates { parameter_names: vec![] });
+    other.say(&FromClient::GetParameters { parameter_names: vec![], id: Some("now".to_owned()) });
+    let before = other.hear_text(|message| match message {
+        FromServer::ParameterValues { parameters, id, .. } if id.as_deref() == Some("now") => {
+            Some(parameters)
+        }
+        _ => None,
+    });
+    assert_eq!(before, [Parameter::new("/key/39/k2", 500.0), Parameter::new("/key/39/m", 0.1)]);
+
+    let mut watcher = stage.watcher();
+    let changes = vec![set("k2", 700.5), set("m", 0.3)];
+    assert_eq!(watcher.ask(Request::Set { changes }), Ok(done("2 set")));
+    assert_eq!((stage.host.value("k2"), stage.host.value("m")), (Some(700.5), Some(0.3)));
+    let after = other.hear_text(|message| match message {
+        FromServer::ParameterValues { parameters, id: None, .. } => Some(parameters),
+        _ => None,
+    });
+    assert_eq!(after, [Parameter::new("/key/39/k2", 700.5), Parameter::new("/key/39/m", 0.3)]);
+}
+
+#[test]
+fn a_set_with_one_mistake_is_refused_as_a_whole() {
+    let stage = Stage::new();
+    let mut watcher = stage.watcher();
+    let mut refused = |change, sentence: &str| {
+        let changes = vec![set("k2", 9.0), change];
+        assert_eq!(watcher.ask(Request::Set { changes }), Err(sentence.to_owned()));
+        assert_eq!(stage.host.value("k2"), Some(500.0));
+    };
+    refused(set("m", 2.0), "m is between 0.01 and 1 kg, and not 2");
+    refused(set("mass", 2.0), "key 39 has no parameter mass");
+    let no_number = "the value for \"/key/39/m\" is no finite number: \
+                     send a number in the parameter's unit";
+    refused(set("m", f64::NAN), no_number);
+    refused(set("m", f64::INFINITY), no_number);
+    assert_eq!(
+        watcher.ask(Request::Set { changes: vec![] }),
+        Err("nothing was set: name at least one parameter".to_owned())
+    );
+    assert_eq!(watcher.ask(Request::Set { changes: vec![set("k2", 9.0)] }), Ok(done("1 set")));
+}
+
+#[test]
+fn whoever_is_refused_learns_what_is_the_case() {
+    let stage = Stage::new();
+    let mut other = stage.stranger();
+    let text =
+        r#"{"op":"setParameters","id":"x","parameters":[{"name":"/key/39/k2","value":"a"}]}"#;
+    other.text(text.to_owned());
+    let status = other.hear_text(|message| match message {
+        FromServer::Status { level, id, .. } => Some((level, id)),
+        _ => None,
+    });
+    assert_eq!(status, (Level::Error, Some("x".to_owned())));
+    let values = other.hear_text(|message| match message {
+        FromServer::ParameterValues { parameters, .. } => Some(parameters),
+        _ => None,
+    });
+    assert_eq!(values, [Parameter::new("/key/39/k2", 500.0)]);
+}
+
+#[test]
+fn services_are_answered_or_refused() {
+    let stage = Stage::new();
+    let mut watcher = stage.watcher();
+    let press = Request::Press { key: 39, newtons: 2.5 };
+    assert_eq!(watcher.ask(press), Ok(done("key 39 feels 2.5 N")));
+    let scene = Ok(Reply::Scene { toml: "tick_hz = 1000\n".to_owned() });
+    assert_eq!(watcher.ask(Request::Scene {}), scene);
+    let refused = watcher.ask(Request::Identify { line: 0, board: 0 });
+    assert_eq!(refused, Err("a synthetic host has neither boards nor files".to_owned()));
+    let (_, who) = stage.host.asked().pop().expect("it was asked");
+    assert_eq!(who.role, Role::Owner);
+}
+
+#[test]
+fn a_stop_overtakes_what_takes_long() {
+    let stage = Stage::new();
+    let mut watcher = stage.watcher();
+    let workshop = stage.host.workshop.lock().expect("nobody is in it");
+    let slow = Request::UseInstrument { instrument: "grand".to_owned(), keys: None };
+    let slow = watcher.client.ask(slow);
+    assert_eq!(watcher.ask(Request::Stop {}), Ok(done("no force on any key")));
+    drop(workshop);
+    assert_eq!(watcher.reply(slow), Ok(done("every key is played by grand")));
+}
+
+/// A host with a mistake in it.
+struct Fragile;
+
+impl Backend for Fragile {
+    fn parameters(&self, _names: Option<&[String]>) -> Vec<Value> {
+        Vec::new()
+    }
+
+    fn ask(&self, request: Request, _who: &Who) -> Result<Reply, String> {
+        match request {
+            Request::Scene {} => Ok(done("still here")),
+            other => panic!("{other:?} was not thought of"),
+        }
+    }
+}
+
+#[test]
+fn a_host_that_fails_over_a_request_goes_on() {
+    let settings = Settings::default();
+    let stage = Stage::of(settings, Arc::default(), Arc::new(Fragile));
+    let mut watcher = stage.watcher();
+    let unknown = "the host failed over this request: whether it was done is not known";
+    let press = Request::Press { key: 39, newtons: 1.0 };
+    assert_eq!(watcher.ask(press), Err(unknown.to_owned()));
+    assert_eq!(
+        watcher.ask(Request::Set { changes: vec![set("k2", 1.0)] }),
+        Err(unknown.to_owned())
+    );
+    assert_eq!(watcher.ask(Request::Scene {}), Ok(done("still here")));
+}
+
+#[test]
+fn a_token_is_asked_for_and_makes_the_role() {
+    let stage = Stage::with(guarded());
+    for dial in [dial(&stage), with_token(&stage, "sea")] {
+        let mut watcher = Watcher::new(dial);
+        let standing = watcher.stands(|standing| *standing != Standing::Connecting);
+        let Standing::Refused(text) = standing else { panic!("{standing:?}") };
+        assert_eq!(text, "this host asks for a token: give it as ?token=... or as a Bearer");
+    }
+    let mut tuner = Watcher::new(with_token(&stage, "tune"));
+    tuner.connected();
+    assert_eq!(tuner.ask(Request::Set { changes: vec![set("k2", 9.0)] }), Ok(done("1 set")));
+    assert_eq!(
+        tuner.ask(Request::Stop {}),
+        Err("a tuner may not do this: connect with a token of the role owner".to_owned())
+    );
+}
+
+#[test]
+fn a_viewer_watches_and_may_not_set() {
+    let stage = Stage::with(guarded());
+    let mut viewer = Watcher::new(with_token(&stage, "see"));
+    viewer.connected();
+    assert_eq!(
+        viewer.ask(Request::Set { changes: vec![set("k2", 9.0)] }),
+        Err("a viewer may not do this: connect with a token of the role tuner".to_owned())
+    );
+    assert!(viewer.ask(Request::Press { key: 39, newtons: 1.0 }).is_err());
+    assert_eq!(stage.host.value("k2"), Some(500.0));
+    assert!(stage.host.asked().is_empty());
+    stage.meet(&mut viewer);
+}
+
+#[test]
+fn a_foreign_page_is_answered_with_403() {
+    let stage = Stage::with(guarded());
+    let knock = |origin| {
+        let error = Stranger::knock(stage.address, "/?token=tune", &[("Origin", origin)]).err()?;
+        match *error {
+            Error::Http(response) => Some(response.status().as_u16()),
+            other => panic!("{other}"),
+        }
+    };
+    assert_eq!(knock("https://app.example"), None);
+    assert_eq!(knock("https://evil.example"), Some(403));
+    assert_eq!(knock("null"), Some(403));
+}
+
+#[test]
+fn beyond_this_machine_only_with_token_and_tls() {
+    let address = SocketAddr::from((Ipv4Addr::UNSPECIFIED, 0));
+    let refused = Server::listen(Settings { address, ..guarded() }).expect_err("no TLS");
+    assert_eq!(
+        refused.to_string(),
+        "the stream would listen at 0.0.0.0:0 without TLS: \
+         give it a certificate, or listen at 127.0.0.1"
+    );
+}
+
+/// Messages to the slow client, and their rows, which are 28 bytes each: more than any buffer of
+/// the system's holds.
+const MESSAGES: u64 = 4000;
+const ROWS: u32 = 500;
+
+/// Reads messages of the only subscription until tick `last`; how many, and how many were dropped.
+fn read_until(stranger: &mut Stranger, last: u64) -> (u64, u64) {
+    let (mut came, mut dropped) = (0, 0);
+    let mut is_last = false;
+    while !is_last || came + dropped < MESSAGES {
+        match stranger.hear().expect("a message") {
+            Message::Binary(bytes) => {
+                let Ok(ServerFrame::Message { at, .. }) = ServerFrame::decode(&bytes) else {
+                    panic!("nothing else was subscribed to");
+                };
+                came += 1;
+                is_last |= at == last;
+            }
+            Message::Text(text) => dropped += dropped_in(&text),
+            Message::Ping(_) | Message::Pong(_) | Message::Close(_) | Message::Frame(_) => {}
+        }
+    }
+    (came, dropped)
+}
+
+fn dropped_in(text: &str) -> u64 {
+    match FromServer::decode(text).expect("a text") {
+        FromServer::Status { level: Level::Warning, message, .. } => {
+            let count = message
+                .strip_suffix(" messages were dropped: they come faster than they are taken");
+            count.expect("a count").parse().expect("a number")
+        }
+        _ => 0,
+    }
+}
+
+#[test]
+fn a_slow_client_loses_data_and_a_fast_one_nothing() {
+    // However slow this machine is, nobody is cut.
+    let (stall, idle) = (stage::PATIENCE, stage::PATIENCE);
+    let stage = Stage::within(Limits { data_bytes: 1 << 18, stall, idle, ..Limits::default() });
+    let mut slow = stage.stranger();
+    let subscription = Subscription { id: 5, channel_id: channel_id(Topic::Block(KEY)) };
+    slow.say(&FromClient::Subscribe { subscriptions: vec![subscription] });
+    eventually("it follows", || stage.publisher.is_followed(Topic::Block(KEY)));
+    let mut fast = stage.watcher();
+    fast.follow(&[Topic::Block(KEY), Topic::Overview]);
+    eventually("both follow", || stage.publisher.is_followed(Topic::Overview));
+
+    for tick in 1..=MESSAGES {
+        stage.publisher.publish(tick, &synthetic::block(tick, ROWS));
+        // Nothing is lost on the way to whoever takes each before the next is made.
+        let got = fast.update(|update| match update {
+            Update::Block(block) => Some(block.tick),
+            other => panic!("nothing else was published: {other:?}"),
+        });
+        assert_eq!(got, tick);
+    }
+    assert_eq!(stage.publisher.lost(), 0);
+    let (came, dropped) = read_until(&mut slow, MESSAGES);
+    assert!(dropped > 0, "the system's buffers held everything");
+    assert_eq!(came + dropped, MESSAGES);
+}
+
+#[test]
+fn publishing_waits_for_nobody() {
+    let stage = Stage::new();
+    let mut watcher = stage.watcher();
+    stage.meet(&mut watcher);
+    // The server's only thread stands still.
+    let (go_on, held) = std::sync::mpsc::channel::<()>();
+    let (stand, stands) = std::sync::mpsc::channel();
+    stage.runtime.spawn(async move {
+        stand.send(()).expect("somebody waits");
+        let _gone = held.recv();
+    });
+    stands.recv().expect("it stands still");
+    for tick in 0..20_000 {
+        stage.publisher.publish(tick, &synthetic::overview(tick, 1));
+        stage.publisher.publish(tick, &synthetic::voice(39, 1));
+    }
+    assert!(stage.publisher.lost() > 0);
+    drop(go_on);
+    assert!(watcher.ask(Request::Scene {}).is_ok());
+}
+
+#[test]
+fn a_client_connects_again_when_its_host_is_back() {
+    let first = Stage::new();
+    let mut watcher = first.watcher();
+    first.meet(&mut watcher);
+    let address = first.address;
+    drop(first);
+    watcher.stands(|standing| matches!(standing, Standing::Lost(_)));
+    assert_eq!(
+        watcher.ask(Request::Stop {}),
+        Err("no host is connected: wait until one is, and ask again".to_owned())
+    );
+    let second = Stage::with(Settings { address, ..Settings::default() });
+    watcher.connected();
+    eventually("it follows what it did", || second.publisher.is_followed(Topic::Overview));
+    second.publisher.publish(9, &synthetic::overview(9, 1));
+    watcher.update(|update| (update == synthetic::overview(9, 1)).then_some(()));
+    assert_eq!(watcher.client.standing(), Standing::Live);
+}
+
+#[test]
+fn what_was_asked_of_a_host_that_goes_is_answered() {
+    let stage = Stage::new();
+    let mut watcher = stage.watcher();
+    let host = Arc::clone(&stage.host);
+    let workshop = host.workshop.lock().expect("nobody is in it");
+    let slow = Request::UseInstrument { instrument: "grand".to_owned(), keys: None };
+    let slow = watcher.client.ask(slow);
+    eventually("it is asked", || !stage.host.asked().is_empty());
+    // The runtime waits for what it has begun; the connections are gone before.
+    let gone = std::thread::spawn(move || drop(stage));
+    let refused = watcher.reply(slow).expect_err("the host is gone");
+    assert!(refused.starts_with("the connection was lost before the host answered"), "{refused}");
+    drop(workshop);
+    gone.join().expect("it went");
+}
+
+fn self_made() -> Settings {
+    let names = vec!["localhost".to_owned(), "127.0.0.1".to_owned()];
+    Settings { tls: Some(Tls::SelfMade { names, folder: None }), ..guarded() }
+}
+
+#[test]
+fn a_self_made_certificate_is_recognised_by_its_fingerprint() {
+    let stage = Stage::with(self_made());
+    let pin = stage.fingerprint;
+    assert!(pin.is_some() && stage.url.starts_with("wss://"));
+    let mut watcher = Watcher::new(Dial { pin, ..with_token(&stage, "tune") });
+    watcher.connected();
+    assert_eq!(watcher.ask(Request::Set { changes: vec![set("k2", 9.0)] }), Ok(done("1 set")));
+    stage.meet(&mut watcher);
+}
+
+#[test]
+fn a_host_with_another_certificate_is_refused() {
+    let stage = Stage::with(self_made());
+    let shown = stage.fingerprint.expect("a certificate").to_string();
+    let refusal = |dial: Dial| match Watcher::new(dial)
+        .stands(|standing| *standing != Standing::Connecting)
+    {
+        Standing::Refused(text) | Standing::Lost(text) => text,
+        standing => panic!("{standing:?}"),
+    };
+    let wrong = Dial { pin: Some(Fingerprint([7; 32])), ..with_token(&stage, "tune") };
+    let text = refusal(wrong);
+    assert!(text.contains("another certificate") && text.contains(&shown), "{text}");
+    let text = refusal(with_token(&stage, "tune"));
+    assert!(text.starts_with("wss:// needs the fingerprint"), "{text}");
+    let plain = stage.url.replace("wss://", "ws://");
+    let text = refusal(Dial { address: plain, ..with_token(&stage, "tune") });
+    assert!(text.contains("speaks no WebSocket"), "{text}");
+}
+
+#[test]
+fn a_certificate_that_is_kept_is_the_same_tomorrow() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join(format!("certificate-{}", std::process::id()));
+    let settings = || {
+        let tls =
+            Tls::SelfMade { names: vec!["localhost".to_owned()], folder: Some(folder.clone()) };
+        let address = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
+        Settings { address, tls: Some(tls), ..Settings::default() }
+    };
+    let first = Server::listen(settings()).expect("a server").fingerprint();
+    let second = Server::listen(settings()).expect("a server").fingerprint();
+    assert!(first.is_some());
+    assert_eq!(first, second);
+    std::fs::remove_dir_all(&folder).expect("it was kept there");
+}
