@@ -27,8 +27,12 @@ pub struct Entry {
     pub presets: &'static [Preset],
     /// Names of its state's entries.
     pub states: &'static [&'static str],
+    /// SI unit of each of them.
+    pub state_units: &'static [&'static str],
     /// Names of its outputs.
     pub outputs: &'static [&'static str],
+    /// SI unit of each of them.
+    pub output_units: &'static [&'static str],
 }
 
 macro_rules! catalogue {
@@ -55,7 +59,9 @@ const fn entry<M: Playable>() -> Entry {
         parameters: M::PARAMETERS,
         presets: M::PRESETS,
         states: M::STATES,
+        state_units: M::STATE_UNITS,
         outputs: M::OUTPUTS,
+        output_units: M::OUTPUT_UNITS,
     }
 }
 

@@ -98,6 +98,8 @@ pub trait Described:
     const SUMMARY: &'static str;
     /// Names of the state's entries.
     const STATES: &'static [&'static str];
+    /// SI unit of each of them.
+    const STATE_UNITS: &'static [&'static str];
     /// Every mode with its name.
     const MODES: &'static [(Self::Mode, &'static str)];
     /// The parameters, in the order of [`Described::with_values`].
@@ -106,6 +108,8 @@ pub trait Described:
     const PRESETS: &'static [Preset];
     /// Names of what [`Described::outputs`] writes.
     const OUTPUTS: &'static [&'static str];
+    /// SI unit of each of them.
+    const OUTPUT_UNITS: &'static [&'static str];
 
     /// The model with one value per parameter; a missing one is taken from the default
     /// preset.

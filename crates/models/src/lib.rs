@@ -1,7 +1,8 @@
 //! The instruments: what each key can be.
 //!
 //! One folder per model: `mod.rs` (parameters with units, names, presets),
-//! `equations.rs` (the equations themselves, in the form that generated ones will take)
+//! `equations.rs` (the equations themselves, in the form that generated ones will take),
+//! `drawing.rs` (what it looks like from the side, to scale)
 //! and `README.md` (coordinates, modes and guards, source, where it stops being true).
 //! [`catalogue`] is the only file that knows all models; to add one, copy
 //! `bouncing_ball/` and add a line there.
@@ -14,6 +15,7 @@
 
 mod describe;
 mod impact;
+mod shapes;
 
 pub mod bouncing_ball;
 pub mod cart_pendulum;

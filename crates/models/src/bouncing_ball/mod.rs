@@ -1,10 +1,12 @@
 //! A ball that bounces on a floor which the key moves. See README.md.
 
+mod drawing;
 mod equations;
 
 use pode::{GuardId, Motion};
 
 use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::draw::Sketch;
 
 /// A ball above a floor (`flight`) or on it (`rest`).
 ///
@@ -49,6 +51,7 @@ impl Described for BouncingBall {
     const NAME: &'static str = "bouncing-ball";
     const SUMMARY: &'static str = "a ball bouncing on a floor that the key moves";
     const STATES: &'static [&'static str] = &["y", "v"];
+    const STATE_UNITS: &'static [&'static str] = &["m", "m/s"];
     const MODES: &'static [(Mode, &'static str)] =
         &[(Mode::Flight, "flight"), (Mode::Rest, "rest")];
     const PARAMETERS: &'static [Parameter] = &PARAMETERS;
@@ -65,6 +68,7 @@ impl Described for BouncingBall {
         },
     ];
     const OUTPUTS: &'static [&'static str] = &["F", "gap"];
+    const OUTPUT_UNITS: &'static [&'static str] = &["N", "m"];
 
     fn with_values(values: &[f64]) -> Self {
         let [g, restitution, mass, y0, scale] = filled::<_, Self>(values);
@@ -89,5 +93,9 @@ impl Playable for BouncingBall {
     /// Nothing: how hard the ball met the floor depends on the floor's speed too.
     fn sounding(&self, _guard: GuardId, _before: &[f64; 2]) -> Option<Sounding> {
         None
+    }
+
+    fn draw(&self, sketch: &mut dyn Sketch) {
+        self.sketch(sketch);
     }
 }

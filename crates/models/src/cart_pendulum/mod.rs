@@ -1,10 +1,12 @@
 //! A cart with a pendulum between two walls, pulled by a spring. See README.md.
 
+mod drawing;
 mod equations;
 
 use pode::{GuardId, Motion};
 
 use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::draw::Sketch;
 
 /// The cart between the walls (`free`) or held against one (`left`, `right`).
 ///
@@ -70,6 +72,7 @@ impl Described for CartPendulum {
     const NAME: &'static str = "cart-pendulum";
     const SUMMARY: &'static str = "a cart with a pendulum between two walls, pulled by a spring";
     const STATES: &'static [&'static str] = &["x", "theta", "x_dot", "theta_dot"];
+    const STATE_UNITS: &'static [&'static str] = &["m", "rad", "m/s", "rad/s"];
     const MODES: &'static [(Mode, &'static str)] =
         &[(Mode::Free, "free"), (Mode::Left, "left"), (Mode::Right, "right")];
     const PARAMETERS: &'static [Parameter] = &PARAMETERS;
@@ -86,6 +89,7 @@ impl Described for CartPendulum {
         },
     ];
     const OUTPUTS: &'static [&'static str] = &["F", "N"];
+    const OUTPUT_UNITS: &'static [&'static str] = &["N", "N"];
 
     fn with_values(values: &[f64]) -> Self {
         let [cart_mass, bob_mass, length, inertia, g, k, b, left, right, restitution, scale] =
@@ -118,5 +122,9 @@ impl Playable for CartPendulum {
     /// Both walls sound.
     fn sounding(&self, guard: GuardId, before: &[f64; 4]) -> Option<Sounding> {
         equations::is_wall(guard).then(|| Sounding { speed: before[2].abs() })
+    }
+
+    fn draw(&self, sketch: &mut dyn Sketch) {
+        self.sketch(sketch);
     }
 }

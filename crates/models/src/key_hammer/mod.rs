@@ -4,6 +4,7 @@
 //! P1 = (0, 0), the hammer H at P2 = (L3, L4). The slider pivots on K at the distance L1
 //! from P1 and slides along H. `s` is the key's angle; a pressed key has a larger one.
 
+pub(crate) mod drawing;
 mod parameters;
 mod presets;
 

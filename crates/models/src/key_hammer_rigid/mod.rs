@@ -1,10 +1,12 @@
 //! The paper's model A: key and hammer, rigid contact. See README.md.
 
+mod drawing;
 mod equations;
 
 use pode::{GuardId, Motion};
 
 use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::draw::Sketch;
 use crate::key_hammer::{Coupled, PARAMETERS, PRESETS, Values, gap};
 
 /// Key and hammer in rigid contact (A1) or apart (A2).
@@ -29,10 +31,12 @@ impl Described for KeyHammerRigid {
     const NAME: &'static str = "key-hammer-rigid";
     const SUMMARY: &'static str = "the paper's model A: key and hammer in rigid contact";
     const STATES: &'static [&'static str] = &["theta_h", "theta_h_dot"];
+    const STATE_UNITS: &'static [&'static str] = &["rad", "rad/s"];
     const MODES: &'static [(Mode, &'static str)] = &[(Mode::A1, "A1"), (Mode::A2, "A2")];
     const PARAMETERS: &'static [Parameter] = &PARAMETERS;
     const PRESETS: &'static [Preset] = &PRESETS;
     const OUTPUTS: &'static [&'static str] = &["F_KH", "T_KU", "gap"];
+    const OUTPUT_UNITS: &'static [&'static str] = &["N", "N·m", "m"];
 
     fn with_values(values: &[f64]) -> Self {
         Self { values: Values::from_array(&filled::<_, Self>(values)) }
@@ -57,5 +61,9 @@ impl Playable for KeyHammerRigid {
 
     fn sounding(&self, guard: GuardId, before: &[f64; 2]) -> Option<Sounding> {
         (guard == equations::STRING).then(|| Sounding { speed: self.values.l2 * before[1].abs() })
+    }
+
+    fn draw(&self, sketch: &mut dyn Sketch) {
+        self.sketch(sketch);
     }
 }

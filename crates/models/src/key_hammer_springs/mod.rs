@@ -1,10 +1,12 @@
 //! The paper's model B: key and hammer, springs in every contact. See README.md.
 
+mod drawing;
 mod equations;
 
 use pode::{GuardId, Motion};
 
 use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::draw::Sketch;
 use crate::key_hammer::{PARAMETERS, PRESETS, Values};
 
 /// Key and hammer coupled by springs (B1) or apart (B2).
@@ -44,10 +46,12 @@ impl Described for KeyHammerSprings {
     const SUMMARY: &'static str =
         "the paper's model B: key and hammer with springs in the contacts";
     const STATES: &'static [&'static str] = &["theta_h", "theta_k", "theta_h_dot", "theta_k_dot"];
+    const STATE_UNITS: &'static [&'static str] = &["rad", "rad", "rad/s", "rad/s"];
     const MODES: &'static [(Mode, &'static str)] = &[(Mode::B1, "B1"), (Mode::B2, "B2")];
     const PARAMETERS: &'static [Parameter] = &PARAMETERS;
     const PRESETS: &'static [Preset] = &PRESETS;
     const OUTPUTS: &'static [&'static str] = &["F_KH", "T_KU", "gap", "q4", "q3"];
+    const OUTPUT_UNITS: &'static [&'static str] = &["N", "N·m", "m", "m", "m"];
 
     fn with_values(values: &[f64]) -> Self {
         let values = Values::from_array(&filled::<_, Self>(values));
@@ -81,5 +85,9 @@ impl Playable for KeyHammerSprings {
 
     fn sounding(&self, guard: GuardId, before: &[f64; 4]) -> Option<Sounding> {
         (guard == equations::STRING).then(|| Sounding { speed: self.values.l2 * before[2].abs() })
+    }
+
+    fn draw(&self, sketch: &mut dyn Sketch) {
+        self.sketch(sketch);
     }
 }

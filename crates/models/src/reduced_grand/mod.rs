@@ -1,5 +1,6 @@
 //! A reduced grand action with let-off, check and repetition: model C. See README.md.
 
+mod drawing;
 mod energy;
 mod forces;
 mod geometry;
@@ -17,6 +18,7 @@ pub use parameters::Values;
 use pode::{GuardId, Motion};
 
 use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::draw::Sketch;
 use geometry::LetOff;
 use steps::LongestSteps;
 
@@ -70,6 +72,7 @@ impl Described for ReducedGrand {
     const SUMMARY: &'static str =
         "a grand's key and hammer with let-off, check and repetition, reduced to two coordinates";
     const STATES: &'static [&'static str] = &["y", "z", "u", "w"];
+    const STATE_UNITS: &'static [&'static str] = &["m", "m", "m/s", "m/s"];
     const MODES: &'static [(Mode, &'static str)] = &[
         (Mode::Acc, "ACC"),
         (Mode::Lo, "LO"),
@@ -86,6 +89,7 @@ impl Described for ReducedGrand {
     const PARAMETERS: &'static [Parameter] = &parameters::PARAMETERS;
     const PRESETS: &'static [Preset] = &presets::PRESETS;
     const OUTPUTS: &'static [&'static str] = &["F_KU", "F_jack", "F_lever", "F_string"];
+    const OUTPUT_UNITS: &'static [&'static str] = &["N", "N", "N", "N"];
 
     fn with_values(values: &[f64]) -> Self {
         let values = Values::from_array(&filled::<_, Self>(values));
@@ -117,5 +121,9 @@ impl Playable for ReducedGrand {
 
     fn sounding(&self, guard: GuardId, before: &[f64; 4]) -> Option<Sounding> {
         (guard == guards::STRING_ON).then(|| Sounding { speed: before[3].abs() })
+    }
+
+    fn draw(&self, sketch: &mut dyn Sketch) {
+        self.sketch(sketch);
     }
 }

@@ -1,10 +1,12 @@
 //! A spring and a damper behind a wall: the calibration feel. See README.md.
 
+mod drawing;
 mod equations;
 
 use pode::{GuardId, Motion};
 
 use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::draw::Sketch;
 
 /// Nothing before the wall (`free`), a spring and a damper behind it (`contact`).
 ///
@@ -41,6 +43,7 @@ impl Described for SpringWall {
     const NAME: &'static str = "spring-wall";
     const SUMMARY: &'static str = "a spring and a damper behind a wall: the calibration feel";
     const STATES: &'static [&'static str] = &[];
+    const STATE_UNITS: &'static [&'static str] = &[];
     const MODES: &'static [(Mode, &'static str)] =
         &[(Mode::Free, "free"), (Mode::Contact, "contact")];
     const PARAMETERS: &'static [Parameter] = &PARAMETERS;
@@ -50,6 +53,7 @@ impl Described for SpringWall {
         value: |parameter, _key| DEFAULT[parameter],
     }];
     const OUTPUTS: &'static [&'static str] = &["F", "depth"];
+    const OUTPUT_UNITS: &'static [&'static str] = &["N", "m"];
 
     fn with_values(values: &[f64]) -> Self {
         let [stiffness, damping, wall] = filled::<_, Self>(values);
@@ -74,5 +78,9 @@ impl Playable for SpringWall {
     /// Nothing.
     fn sounding(&self, _guard: GuardId, _before: &[f64; 0]) -> Option<Sounding> {
         None
+    }
+
+    fn draw(&self, sketch: &mut dyn Sketch) {
+        self.sketch(sketch);
     }
 }

@@ -1,0 +1,235 @@
+//! What the models draw: complete, named, and in view whatever happens.
+
+#![expect(
+    clippy::disallowed_macros,
+    clippy::expect_used,
+    reason = "helpers of tests, outside #[test]: on the heap, and fail aloud"
+)]
+
+mod sketch;
+mod stroke;
+
+use models::catalogue::{self, Visitor};
+use models::{Described as _, Playable, Preset, ReducedGrand, SpringWall};
+use sketch::play::{Moment, film};
+use sketch::svg::picture;
+use sketch::{Drawing, Part, Point};
+use stroke::preset;
+
+/// Does `check` with every preset of every model, for the lowest and the highest key.
+macro_rules! with_all {
+    ($check:ident) => {{
+        struct Check;
+        impl Visitor for Check {
+            type Output = ();
+            fn visit<M: Playable>(self) {
+                for Preset { name, .. } in M::PRESETS {
+                    for key in [0, 87] {
+                        $check(
+                            &format!("{} {name} key {key}", M::NAME),
+                            preset::<M>(name, key, &[]),
+                        );
+                    }
+                }
+            }
+        }
+        for entry in catalogue::ENTRIES {
+            catalogue::visit(entry.name, Check).expect("what is listed can be visited");
+        }
+    }};
+}
+
+#[test]
+fn every_signal_has_a_unit() {
+    for entry in catalogue::ENTRIES {
+        assert_eq!(entry.states.len(), entry.state_units.len(), "{}: states", entry.name);
+        assert_eq!(entry.outputs.len(), entry.output_units.len(), "{}: outputs", entry.name);
+        let units = ["m", "m/s", "rad", "rad/s", "N", "N·m"];
+        let all = entry.state_units.iter().chain(entry.output_units);
+        assert!(all.into_iter().all(|unit| units.contains(unit)), "{}: a new unit", entry.name);
+        let forces = entry.outputs.iter().zip(entry.output_units);
+        for (name, unit) in forces {
+            let first = name.chars().next().expect("a name");
+            let by_name = if first == 'T' { "N·m" } else { "N" };
+            assert!(!first.is_uppercase() || *unit == by_name, "{}: {name}", entry.name);
+        }
+    }
+}
+
+#[test]
+fn a_drawing_names_only_what_its_model_has() {
+    with_all!(names_are_known);
+}
+
+fn names_are_known<M: Playable>(label: &str, model: M) {
+    let drawing = Drawing::of(&model);
+    assert_eq!(drawing.views.len(), 1, "{label}: views");
+    assert!(drawing.parts.len() > 2, "{label}: parts");
+    let known =
+        |name: &str| name == "position" || M::STATES.contains(&name) || M::OUTPUTS.contains(&name);
+    for part in &drawing.parts {
+        assert!(!part.outlines.is_empty(), "{label}: {} has no shape", part.name);
+        assert!(part.outlines.iter().all(|it| it.points.len() > 1), "{label}: {}", part.name);
+        let mut signals = part.pose.iter().filter_map(|it| it.signal);
+        assert!(signals.all(known), "{label}: {} follows what is not", part.name);
+    }
+    for spring in &drawing.springs {
+        assert!(spring.ends.iter().all(|end| end.0 < drawing.parts.len()), "{label}: ends");
+        let [from, to] = spring.ends.map(|end| &drawing.parts[end.0]);
+        let is_shown =
+            |modes: &[u8]| modes.is_empty() || spring.modes.iter().all(|mode| modes.contains(mode));
+        assert!(is_shown(&from.modes) && is_shown(&to.modes), "{label}: {} hangs", spring.name);
+    }
+    let modes = drawing.parts.iter().map(|it| &it.modes);
+    let mut modes = modes.chain(drawing.springs.iter().map(|it| &it.modes)).flatten();
+    assert!(modes.all(|mode| usize::from(*mode) < M::MODES.len()), "{label}: modes");
+    let mut moves = drawing.parts.iter().flat_map(|it| it.pose).filter_map(|it| it.signal);
+    assert!(moves.any(|name| name == "position"), "{label}: no finger");
+}
+
+#[test]
+fn a_drawing_is_finite_whatever_the_values() {
+    with_all!(is_finite);
+}
+
+fn is_finite<M: Playable>(label: &str, _model: M) {
+    let values: Vec<f64> =
+        (0..M::PARAMETERS.len()).map(|index| (M::PRESETS[0].value)(index, 0)).collect();
+    for (index, parameter) in M::PARAMETERS.iter().enumerate() {
+        for value in [parameter.range.0, 0.0_f64.max(parameter.range.0), parameter.range.1] {
+            let mut values = values.clone();
+            values[index] = value;
+            let drawing = Drawing::of(&M::with_values(&values));
+            let what = format!("{label}, {} = {value}", parameter.name);
+            let [left, bottom, right, top] = drawing.views[0];
+            assert!(left < right && bottom < top, "{what}: {:?}", drawing.views[0]);
+            assert!((right - left + top - bottom).is_finite(), "{what}: the view");
+            let follows = drawing.parts.iter().flat_map(|it| it.pose);
+            let numbers = follows.flat_map(|it| [it.offset, it.scale]);
+            let lines = drawing.parts.iter().flat_map(|it| &it.outlines);
+            let points = lines.flat_map(|it| it.points.iter().flatten().copied());
+            assert!(numbers.chain(points).all(f64::is_finite), "{what}: a number");
+        }
+    }
+}
+
+#[test]
+fn each_part_is_shown_once_in_every_mode() {
+    with_all!(parts_are_single);
+}
+
+fn parts_are_single<M: Playable>(label: &str, model: M) {
+    let drawing = Drawing::of(&model);
+    let mut moment = Moment::at_rest(&model, 0.0);
+    for mode in 0..M::MODES.len() {
+        moment.mode = mode;
+        for part in &drawing.parts {
+            let twins = drawing.parts.iter().filter(|it| it.name == part.name);
+            let shown = twins.filter(|it| it.is_shown(&moment)).count();
+            assert_eq!(shown, 1, "{label}: {} in mode {mode}", part.name);
+        }
+    }
+}
+
+#[test]
+fn everything_stays_in_view_along_a_stroke() {
+    with_all!(stays_in_view);
+}
+
+fn stays_in_view<M: Playable>(label: &str, model: M) {
+    let drawing = Drawing::of(&model);
+    let [left, bottom, right, top] = drawing.views[0];
+    assert!(left < right && bottom < top, "{label}: {:?}", drawing.views[0]);
+    let still = (0_u8..=10).map(|down| Moment::at_rest(&model, 1e-3 * f64::from(down)));
+    let moments = still.chain(film(model).into_iter().map(|it| it.1));
+    for moment in moments {
+        for part in drawing.parts.iter().filter(|it| it.is_shown(&moment)) {
+            for [x, y] in part.points(&moment) {
+                let is_in = (left..=right).contains(&x) && (bottom..=top).contains(&y);
+                assert!(
+                    is_in,
+                    "{label}: {} at {x}, {y}, {:?}, {moment:?}",
+                    part.name, drawing.views
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_key_s_front_goes_down_by_the_position() {
+    with_all!(front_follows);
+}
+
+fn front_follows<M: Playable>(label: &str, model: M) {
+    let drawing = Drawing::of(&model);
+    let Some(key) = drawing.parts.iter().find(|it| it.name == "key") else { return };
+    // Its front is 97 mm from a pivot in a stick of 4 m, which is thicker than that.
+    if label.contains("literal") {
+        return;
+    }
+    // The paper's lever of 97 mm turns by 3° at 5 mm.
+    let farthest = if label.contains("paper") { 0.005 } else { 0.01 };
+    let up = pressed(&model, 0.0);
+    for down in [0.002, 0.005, farthest] {
+        let moment = pressed(&model, down);
+        let sunk = front(key, &up) - front(key, &moment);
+        assert!((sunk / down - 1.0).abs() < 0.02, "{label}: {sunk} m for {down} m");
+        let finger = |moment| drawing.part("finger", moment).points(moment)[0][1];
+        let sunk = finger(&up) - finger(&moment);
+        assert!((sunk - down).abs() < 1e-12, "{label}: the finger sinks {sunk} m");
+    }
+}
+
+/// With the key's own signals at `down` [m] and all others at rest, so that no spring counts.
+fn pressed<M: Playable>(model: &M, down: f64) -> Moment {
+    let mut moment = Moment::at_rest(model, 0.0);
+    for (name, value) in &mut moment.signals {
+        match *name {
+            "position" | "y" => *value = down,
+            "theta_k" => *value = down * model.input_per_metre(),
+            _ => {}
+        }
+    }
+    moment
+}
+
+/// Height of the upper corner of a key's front.
+fn front(key: &Part, moment: &Moment) -> f64 {
+    let own = key.outlines.iter().flat_map(|it| &it.points).copied();
+    let before = |a: Point, b: Point| if (b[0], -b[1]) < (a[0], -a[1]) { b } else { a };
+    key.place(moment, own.reduce(before).expect("points"))[1]
+}
+
+#[test]
+fn modes_are_numbered_as_they_are_listed() {
+    let grand = ReducedGrand::MODES.iter().map(|it| it.0 as usize);
+    assert!(grand.eq(0..ReducedGrand::MODES.len()));
+    let wall = SpringWall::MODES.iter().map(|it| it.0 as usize);
+    assert!(wall.eq(0..SpringWall::MODES.len()));
+}
+
+#[test]
+fn pictures_are_written_to_be_looked_at() {
+    with_all!(is_pictured);
+}
+
+fn is_pictured<M: Playable>(label: &str, model: M) {
+    let drawing = Drawing::of(&model);
+    let film = film(model);
+    let half = film.iter().position(|it| it.1.signal("position") > 0.005).expect("half way");
+    let strike = film.iter().position(|it| it.0.starts_with("string")).unwrap_or(160);
+    let named = [("rest", 0), ("half", half), ("strike", strike), ("held", 320)];
+    let of_mode = |(mode, (_, name)): (usize, &(M::Mode, &'static str))| {
+        film.iter().position(|it| it.1.mode == mode).map(|index| (*name, index))
+    };
+    for (what, index) in named.into_iter().chain(M::MODES.iter().enumerate().filter_map(of_mode)) {
+        let (event, moment) = &film[index.min(film.len() - 1)];
+        let mode = M::MODES[moment.mode].1;
+        let text = picture(&drawing, moment, &format!("{label}, {what}: {event} {mode}"));
+        assert!(text.ends_with("</svg>") && !text.contains("NaN"), "{label}: {what}");
+        let name = format!("{}-{what}.svg", label.replace(' ', "-"));
+        let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+        std::fs::write(folder.join(name), text).expect("a folder for pictures");
+    }
+}
