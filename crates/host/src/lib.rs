@@ -18,6 +18,7 @@ mod names;
 pub mod observe;
 pub mod realtime;
 pub mod rehearsal;
+pub mod replay;
 pub mod report;
 pub mod session;
 pub mod simulate;

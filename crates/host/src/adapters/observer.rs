@@ -61,6 +61,11 @@ impl Publisher {
         Self { ring, bell, counters, pedals, next_pedal: 0, period }
     }
 
+    /// Plays `pedals` from now on: when [s], and how deep, in order of time.
+    pub fn set_pedals(&mut self, pedals: Box<[(f64, f64)]>) {
+        (self.pedals, self.next_pedal) = (pedals, 0);
+    }
+
     fn publish(&mut self, event: MidiEvent) {
         if self.ring.push(event).is_err() {
             self.counters.dropped.fetch_add(1, Ordering::Relaxed);

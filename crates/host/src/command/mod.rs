@@ -1,4 +1,4 @@
-//! What people type: `letoff run`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
+//! What people type: `letoff run`, `dash`, `record`, `replay`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
 //! `instruments`, `stop`, `lab`.
 //!
 //! Exit codes: 0 done, 1 something failed while running, 2 wrong usage or file.
@@ -8,14 +8,18 @@ mod ask;
 mod board;
 mod calibrate;
 mod check;
+mod dash;
 mod devices;
 mod instruments;
 mod lab;
 mod live;
 mod plan;
+mod record;
+mod replay;
 mod run;
 mod signals;
 mod stop;
+mod streaming;
 mod target;
 
 use std::io::{self, Write};
@@ -39,6 +43,12 @@ pub struct Letoff {
 pub enum Command {
     /// Runs the host; without a scene, 88 simulated keys and a virtual pianist.
     Run(run::RunArgs),
+    /// Opens the window: keys, scopes, sliders, recordings.
+    Dash(dash::DashArgs),
+    /// Runs the host, and records everything that it does.
+    Record(Box<record::RecordArgs>),
+    /// Runs a recording again, and says the first bit that differs.
+    Replay(replay::ReplayArgs),
     /// Simulates one key offline and writes its trajectory and events.
     Simulate(Box<SimulateArgs>),
     /// Simulated boards on pseudo-terminals or CAN, for developing without hardware.
@@ -111,6 +121,9 @@ fn tell(text: &str) {
 fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
         Command::Run(args) => run::run(args, out),
+        Command::Dash(args) => dash::run(args, out),
+        Command::Record(args) => record::run(args, out),
+        Command::Replay(args) => replay::run(args, out),
         Command::Simulate(args) => simulate(args, out),
         Command::Board(args) => board::run(args, out),
         Command::Check(args) => check::run(args, out),

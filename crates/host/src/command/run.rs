@@ -1,6 +1,7 @@
 //! `letoff run [SCENE]`: the host.
 
 use std::io::Write;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -8,10 +9,12 @@ use clap::Args;
 
 use super::arguments::seconds;
 use super::signals::Signals;
+use super::streaming::StreamArgs;
 use super::target::Target;
 use super::{Failure, live, print_json, system, tell};
 use crate::config::{Override, Scene};
-use crate::control::{Clients, Server, Switchboard, serve, socket_path};
+use crate::control::{Clients, Server, StreamSink, Studio, Switchboard, serve, socket_path};
+use crate::observe::{BlackBoxSink, Recording};
 use crate::report::Report;
 use crate::session::{Options, Session, SessionError};
 
@@ -39,6 +42,16 @@ pub struct RunArgs {
     /// Where strikes go: a port's name, `virtual`, a file, or `none`.
     #[arg(long, value_name = "PORT|virtual|FILE.mid|none")]
     pub midi: Option<String>,
+    /// Records everything into a file of MCAP, from before the first tick on.
+    #[arg(long, value_name = "FILE.mcap")]
+    pub record: Option<PathBuf>,
+    /// Where the last seconds are written when a voice fails; the user's own folder for what
+    /// programs leave behind if none is given.
+    #[arg(long, value_name = "FOLDER|none")]
+    pub black_box: Option<PathBuf>,
+    /// To whom it tells what it does.
+    #[command(flatten)]
+    pub stream: StreamArgs,
     /// As fast as it goes, with the same bits every time.
     #[arg(long)]
     pub virtual_time: bool,
@@ -71,11 +84,14 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let scene = Scene::load_as_typed(args.scene(), &args.overrides())
         .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
     let options = Options { duration: args.duration, virtual_time: args.virtual_time };
-    let report = perform(&scene, options)?;
+    let report = perform(&scene, options, args)?;
     if args.json {
         print_json(&report, out)?;
     } else {
         write!(out, "{report}")?;
+    }
+    if let Some(trouble) = report.recording.as_ref().and_then(|it| it.trouble.clone()) {
+        return Err(Failure::Running(trouble));
     }
     match &report.midi.trouble {
         Some(trouble) if report.midi.failed > 0 => Err(Failure::Running(trouble.clone())),
@@ -84,18 +100,22 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 /// Rehearses, runs until the end or a signal, and reports.
-fn perform(scene: &Scene, options: Options) -> Result<Box<Report>, Failure> {
+fn perform(scene: &Scene, options: Options, args: &RunArgs) -> Result<Box<Report>, Failure> {
     let rehearsal = live::Rehearsal::new();
     let session = Session::prepare(scene, options, &|progress| rehearsal.show(progress))
         .map_err(|error| failure(&error))?;
     rehearsal.finish();
+    let recording = args.record.as_deref().map(|file| record(&session, file)).transpose()?;
+    if !options.virtual_time {
+        keep_black_box(&session, args.black_box.as_deref());
+    }
     let stop = Arc::new(AtomicBool::new(false));
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     let runtime = runtime.map_err(system)?;
     runtime.block_on(async {
         let counters = session.counters();
         let line = live::Line::new(session.tick_hz(), session.ticks());
-        let clients = listen(scene, options, &session);
+        let clients = listen(scene, options, &session, &args.stream)?;
         let its_stop = Arc::clone(&stop);
         let _stops = StopOnDrop(Arc::clone(&stop));
         let mut running = tokio::task::spawn_blocking(move || session.run(&its_stop).map(Box::new));
@@ -106,7 +126,10 @@ fn perform(scene: &Scene, options: Options) -> Result<Box<Report>, Failure> {
                 done = &mut running => {
                     line.finish();
                     clients.leave().await;
-                    return done.map_err(|panic| Failure::Running(panic.to_string()))?.map_err(|error| failure(&error));
+                    let done = done.map_err(|panic| Failure::Running(panic.to_string()))?;
+                    let mut report = done.map_err(|error| failure(&error))?;
+                    report.recording = recording.map(|it| it.report());
+                    return Ok(report);
                 }
                 () = signals.next() => stop.store(true, Ordering::Release),
                 _ = every.tick() => line.show(&counters),
@@ -115,27 +138,78 @@ fn perform(scene: &Scene, options: Options) -> Result<Box<Report>, Failure> {
     })
 }
 
-/// Listens for `letoff instruments use`; in virtual time there is nobody to talk to.
-fn listen(scene: &Scene, options: Options, session: &Session) -> Clients {
+/// Records all that the session will do into `file`.
+fn record(session: &Session, file: &Path) -> Result<Recording, Failure> {
+    let begun = Recording::begin(file).map_err(|error| Failure::Usage(error.to_string()))?;
+    let (recording, sink) = begun;
+    session.observe(sink);
+    Ok(recording)
+}
+
+/// Keeps the last seconds for when a voice fails.
+fn keep_black_box(session: &Session, folder: Option<&Path>) {
+    let folder = match folder {
+        Some(folder) if folder == Path::new("none") => return,
+        Some(folder) => folder.to_owned(),
+        None => state_folder(),
+    };
+    session.observe(Box::new(BlackBoxSink::new(folder, tell)));
+}
+
+/// The user's own folder for what programs leave behind, or one among temporary files.
+fn state_folder() -> PathBuf {
+    let home = || std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".local/state"));
+    let state = std::env::var_os("XDG_STATE_HOME").map(PathBuf::from).or_else(home);
+    state.unwrap_or_else(std::env::temp_dir).join("letoff")
+}
+
+/// Listens for whoever asks; in virtual time there is nobody to talk to.
+fn listen(
+    scene: &Scene,
+    options: Options,
+    session: &Session,
+    args: &StreamArgs,
+) -> Result<Clients, Failure> {
     let clients = Clients::default();
     if options.virtual_time {
-        return clients;
+        return Ok(clients);
     }
+    let switchboard = Arc::new(Switchboard::new(scene.clone(), session.patchbay()));
+    stream(scene, session, args, &switchboard)?;
     let path = socket_path();
     match Server::listen(&path) {
         Ok(server) => {
-            let switchboard = Switchboard::new(scene.clone(), session.patchbay());
             // Ends with the runtime, and takes the socket with it.
-            tokio::spawn(serve(server, Arc::new(switchboard), clients.clone()));
+            tokio::spawn(serve(server, switchboard, clients.clone()));
         }
         // A second host, or a machine without a place for sockets, runs all the same.
         Err(error) => tell(&format!(
-            "`letoff stop` and `letoff instruments use` do not reach this host: {}: {error}; give \
+            "`letoff stop`, `dash` and `instruments use` do not reach this host: {}: {error}; give \
              it a place of its own with LETOFF_SOCKET",
             path.display()
         )),
     }
-    clients
+    Ok(clients)
+}
+
+/// Streams to dashboards and viewers, and hears what they ask.
+fn stream(
+    scene: &Scene,
+    session: &Session,
+    args: &StreamArgs,
+    switchboard: &Arc<Switchboard>,
+) -> Result<(), Failure> {
+    let server = args.server(&scene.name, &state_folder()).map_err(Failure::Usage)?;
+    let Some(server) = server else { return Ok(()) };
+    if let Some(fingerprint) = server.fingerprint() {
+        tell(&format!("the stream's certificate is {fingerprint}: give it to `letoff dash`"));
+    }
+    switchboard.streams_at(server.url(), args.owner());
+    session.observe(Box::new(StreamSink(server.publisher())));
+    let studio = Arc::new(Studio(Arc::clone(switchboard)));
+    // Ends with the runtime.
+    tokio::spawn(telemetry::stream::serve(server, studio));
+    Ok(())
 }
 
 /// Ends the run when this thread unwinds: notes off, forces down.

@@ -127,6 +127,15 @@ impl Scene {
         Self::check(&source, overrides)
     }
 
+    /// The scene that `text` says, called `name`; relative paths are to the working directory.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with it.
+    pub fn from_text(name: &str, text: String) -> Result<Self, Diagnostics> {
+        Self::check(&Source::from_bytes(Path::new(name), text.into_bytes())?, &[])
+    }
+
     /// Reads a scene from `source`.
     pub(super) fn check(source: &Source, overrides: &[Override]) -> Result<Self, Diagnostics> {
         let mut report = Report::new(source, overrides);

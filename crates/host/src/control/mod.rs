@@ -13,12 +13,14 @@
 mod client;
 mod patchbay;
 mod server;
+mod stream;
 mod switchboard;
 mod tuning;
 
 pub use client::{ControlError, send};
 pub use patchbay::Patchbay;
 pub use server::{Clients, Server, serve};
+pub use stream::{StreamSink, Studio};
 pub use switchboard::Switchboard;
 
 use std::path::PathBuf;

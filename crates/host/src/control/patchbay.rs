@@ -8,7 +8,7 @@ use pode::EnergyAudit;
 use rtrb::Producer;
 
 use crate::adapters::audit::AuditCell;
-use crate::observe::Told;
+use crate::observe::{Recording, Told};
 use crate::realtime::pool::{BoxedVoice, VoiceSwaps, Way};
 
 /// Off the tick on both sides; the tick itself only sees the rings behind it.
@@ -24,6 +24,8 @@ pub struct Patchbay {
     stopped: AtomicBool,
     /// To the fingers of a simulated keybed.
     weights: Mutex<Option<Producer<(KeyIndex, f64)>>>,
+    /// What is being recorded since somebody asked for it.
+    recording: Mutex<Option<Recording>>,
     /// Voices so far.
     voices: AtomicU32,
     /// To whoever observes.
@@ -99,8 +101,20 @@ impl Patchbay {
     /// # Errors
     /// Why it cannot, in a sentence.
     pub fn record(&self, file: Option<&str>) -> Result<String, String> {
-        let _ = file;
-        Err("not yet".into())
+        let mut recording = lock(&self.recording);
+        let Some(file) = file else {
+            let going = recording.take().ok_or("nothing is recorded that could be ended")?;
+            going.stop();
+            return Ok(format!("{} is complete in a moment", going.report().file));
+        };
+        if let Some(going) = recording.as_ref().filter(|it| it.report().trouble.is_none()) {
+            return Err(format!("{} is being recorded: end it first", going.report().file));
+        }
+        let begun = Recording::begin(std::path::Path::new(file));
+        let (begun, sink) = begun.map_err(|error| error.to_string())?;
+        *recording = Some(begun);
+        self.tell(Told::Sink(sink));
+        Ok(format!("{file} is being recorded"))
     }
 
     /// Lets weights be laid on simulated keys.

@@ -7,7 +7,7 @@ use super::Eye;
 use crate::adapters::tap::{KeyRow, Stands};
 
 /// Bits of `KeyBlock.flags`.
-pub(super) mod flag {
+pub(crate) mod flag {
     pub(crate) const IDLE: u8 = 1;
     pub(crate) const LATE: u8 = 2;
     pub(crate) const FRESH: u8 = 4;

@@ -87,6 +87,11 @@ pub(super) fn miss(pulse: &PulseRow) -> Option<Event> {
     words(pulse.outcome).map(|text| of_none(Kind::Miss, pulse.tick, text.to_owned()))
 }
 
+/// The sustain pedal will move at `at` [s] to `depth`, 0 to 1.
+pub fn pedal((at, depth): (f64, f64)) -> Event {
+    Event { at, speed: depth, ..of_none(Kind::Pedal, 0, String::new()) }
+}
+
 /// Ticks that were not run before `tick`.
 pub(super) fn skip(tick: u64, skipped: u64) -> Event {
     of_none(Kind::Skip, tick, format!("{skipped} ticks before this one were not run"))

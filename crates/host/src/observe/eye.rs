@@ -59,13 +59,15 @@ impl Visitor for Named {
             kind: kind.into(),
             modes: Vec::new(),
         };
-        let states = M::STATES.iter().map(|name| of(name, "", signal::Kind::State));
+        let states = M::STATES.iter().zip(M::STATE_UNITS);
+        let states = states.map(|(name, unit)| of(name, unit, signal::Kind::State));
         let watched = guards::<M>();
         let guards = watched.iter().map(|guard| Signal {
             modes: guard.modes.iter().map(|mode| u32::from(*mode)).collect(),
             ..of(guard.name, "", signal::Kind::Guard)
         });
-        let outputs = M::OUTPUTS.iter().map(|name| of(name, "", signal::Kind::Output));
+        let outputs = M::OUTPUTS.iter().zip(M::OUTPUT_UNITS);
+        let outputs = outputs.map(|(name, unit)| of(name, unit, signal::Kind::Output));
         states.chain(guards).chain(outputs).collect()
     }
 }

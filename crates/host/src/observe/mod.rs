@@ -17,12 +17,21 @@ mod eye;
 mod overview;
 mod pulses;
 mod pump;
+mod record;
 mod ticks;
 mod voice;
 
+pub(crate) use block::flag;
 pub use catalogue::catalogue;
-pub use events::NO_KEY;
+pub use events::{NO_KEY, pedal};
 pub use eye::{Eye, eye, modes, signals};
 pub use pulses::{PulseRow, Pulses};
-pub use pump::{Pump, Sink, Told};
+pub use pump::{Attention, Pump, Sink, Told};
+pub use record::{BlackBoxSink, Recording, RecordingReport};
 pub use voice::{Origin, voice};
+
+/// A name for what this process records: when, and by whom.
+fn run_id() -> String {
+    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    format!("{}-{}", now.map_or(0, |it| it.as_secs()), std::process::id())
+}

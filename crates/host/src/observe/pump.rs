@@ -7,6 +7,7 @@ use std::sync::mpsc;
 use rtrb::Consumer;
 use scheduler::motion::KEYS;
 use scheduler::voice::VoiceFault;
+use telemetry::event::Kind;
 use telemetry::{Catalogue, Topic, Update, Voice};
 
 use super::block::{BlockBuilder, flag, flags, states};
@@ -25,6 +26,22 @@ pub trait Sink: Send {
 
     /// Whether messages of `topic` are of use to it.
     fn wants(&self, topic: Topic) -> bool;
+
+    /// Looks after what it holds, a few times a second; `now` is [ns since 1970]. Says whether it
+    /// will take more.
+    fn attend(&mut self, now: u64) -> Attention {
+        let _ = now;
+        Attention::Goes
+    }
+}
+
+/// Whether a sink takes more.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Attention {
+    /// It does.
+    Goes,
+    /// It is over, and may be dropped.
+    Over,
 }
 
 /// What the pump is told of by others than the tick.
@@ -55,6 +72,8 @@ pub struct Pump {
     sinks: Vec<Box<dyn Sink>>,
     /// What whoever comes later must know: the catalogue, and the voice of each key.
     latched: BTreeMap<Option<u32>, Update>,
+    /// Moves of the pedal, which are told beforehand.
+    pedals: Vec<Update>,
     /// Of each revision.
     eyes: BTreeMap<u32, Box<dyn Eye>>,
     /// Time at tick 0 [ns since 1970], and that of a tick [ns].
@@ -106,6 +125,7 @@ impl Pump {
             told,
             sinks: Vec::new(),
             latched: BTreeMap::new(),
+            pedals: Vec::new(),
             eyes: BTreeMap::new(),
             time: (0, period),
             keys: (0..KEYS).map(|_| Key::default()).collect(),
@@ -126,16 +146,15 @@ impl Pump {
         self.time.0 = began;
         catalogue.began = began;
         catalogue.run = format!("{began}-{}", catalogue.version);
+        // Before anybody is welcome: what is told of voices means nothing without it.
+        self.latched.insert(None, Update::Catalogue(catalogue));
         self.hear();
-        let catalogue = Update::Catalogue(catalogue);
-        self.give(&catalogue);
-        self.latched.insert(None, catalogue);
     }
 
     /// Moves all that is there.
     pub fn pump(&mut self) {
         // Counted first: a voice is told of before the first row that it makes.
-        let rows = self.tapped.rows.slots();
+        let rows = self.whole_ticks();
         self.hear();
         self.note_gap();
         for _ in 0..rows {
@@ -146,13 +165,26 @@ impl Pump {
             }
         }
         self.flush_keys();
-        while let Ok(happening) = self.tapped.happenings.pop() {
+        while self.tapped.happenings.peek().is_ok_and(|it| it.tick <= self.now) {
+            let Ok(happening) = self.tapped.happenings.pop() else { break };
             self.happening(&happening);
         }
         if let Some(ticks) = self.ticks.take() {
             self.give(&Update::Ticks(ticks));
         }
         self.sum_up();
+        let now = self.at(self.now);
+        self.sinks.retain_mut(|sink| sink.attend(now) == Attention::Goes);
+    }
+
+    /// Rows of ticks that are there as a whole.
+    fn whole_ticks(&mut self) -> usize {
+        let rows = &mut self.tapped.rows;
+        let Ok(chunk) = rows.read_chunk(rows.slots()) else { return 0 };
+        let (first, second) = chunk.as_slices();
+        let is_tick = |row: &Row| matches!(row, Row::Tick(_));
+        let last = second.iter().rposition(is_tick).map(|place| first.len() + place);
+        last.or_else(|| first.iter().rposition(is_tick)).map_or(0, |place| place + 1)
     }
 
     /// Takes what others tell.
@@ -166,7 +198,10 @@ impl Pump {
                     self.give(&voice);
                     self.latched.insert(Some(key), voice);
                 }
-                Told::Update(update) => self.give(&update),
+                Told::Update(update) => {
+                    self.give(&update);
+                    self.pedals.extend(Some(*update).filter(is_pedal));
+                }
                 Told::Sink(sink) => self.welcome(sink),
             }
         }
@@ -175,7 +210,7 @@ impl Pump {
     /// Tells one who came later what it must know.
     fn welcome(&mut self, mut sink: Box<dyn Sink>) {
         let at = self.at(self.now);
-        self.latched.values().for_each(|update| sink.take(at, update));
+        self.latched.values().chain(&self.pedals).for_each(|update| sink.take(at, update));
         self.sinks.push(sink);
     }
 
@@ -307,6 +342,10 @@ impl Pump {
             sink.take(at, update);
         }
     }
+}
+
+fn is_pedal(update: &Update) -> bool {
+    matches!(update, Update::Event(event) if event.kind() == Kind::Pedal)
 }
 
 impl std::fmt::Debug for Pump {

@@ -59,6 +59,8 @@ pub struct Report {
     pub energy_audit: AuditReport,
     /// What became of the MIDI output.
     pub midi: MidiReport,
+    /// What was recorded, if anything was.
+    pub recording: Option<crate::observe::RecordingReport>,
 }
 
 /// What the system granted.

@@ -23,6 +23,11 @@ impl Output for Nowhere {
     }
 }
 
+/// An output that sends nothing anywhere.
+pub(crate) fn nowhere() -> AnyOutput {
+    Box::new(Nowhere)
+}
+
 /// The output, and what a report says of it.
 ///
 /// A machine without MIDI is no error: the run goes on, and the report says what to do.

@@ -25,14 +25,16 @@ use crate::bell::Bell;
 use crate::config::{Lanes, Links as SceneLinks, Scene};
 use crate::control::Patchbay;
 use crate::desk::{Desk, Played};
-use crate::observe::{Sink, Told};
+use crate::observe::{self, Sink, Told};
 use crate::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use crate::realtime::thread::DEFAULT_PRIORITY;
 use crate::report::{Deadline, Evaluations, MidiReport, Notes, Realtime, Report};
 use bed::{Bed, Bus};
 use measured::Measured;
-use observed::{Observed, Watchers};
-use overheard::Overheard;
+pub(crate) use midi_out::nowhere;
+use observed::Observed;
+pub(crate) use observed::Watchers;
+pub(crate) use overheard::Overheard;
 
 pub use pianist::PianistProgress;
 
@@ -188,6 +190,10 @@ impl Session {
         let desk = Box::new(Desk::new(consumer, output, scene.midi.curve));
         let (bell, counters) = (Arc::new(Bell::new()?), Arc::new(LiveCounters::default()));
         let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
+        for pedal in &pedals {
+            let event = telemetry::Update::Event(observe::pedal(*pedal));
+            patchbay.tell(Told::Update(Box::new(event)));
+        }
         let publisher = Publisher::new(
             producer,
             Arc::clone(&bell),
@@ -301,6 +307,7 @@ impl Stage {
                 trouble: played.trouble.or_else(|| self.midi.trouble.clone()),
                 ..self.midi.clone()
             },
+            recording: None,
         }
     }
 }

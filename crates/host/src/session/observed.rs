@@ -19,9 +19,9 @@ use crate::observe::{self, Origin, Pulses, Pump, Told};
 const LOOK: Duration = Duration::from_millis(16);
 
 /// Both who watch the tick.
-pub(super) struct Watchers {
-    pub(super) publisher: Publisher,
-    pub(super) tap: Tap,
+pub(crate) struct Watchers {
+    pub(crate) publisher: Publisher,
+    pub(crate) tap: Tap,
 }
 
 impl TickObserver for Watchers {

@@ -9,9 +9,9 @@ use crate::desk::AnyOutput;
 use crate::observe::Told;
 
 /// An output, overheard.
-pub(super) struct Overheard {
-    pub(super) output: AnyOutput,
-    pub(super) told: mpsc::Sender<Told>,
+pub(crate) struct Overheard {
+    pub(crate) output: AnyOutput,
+    pub(crate) told: mpsc::Sender<Told>,
 }
 
 impl Output for Overheard {

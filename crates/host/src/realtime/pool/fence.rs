@@ -14,13 +14,14 @@ pub type BoxedVoice = Box<dyn Voice + Send>;
 ///
 /// A panic is a bug, so unlike a model that diverged it is not tried again: its key stays at
 /// the safe force until another voice is put in.
-pub(super) struct Fenced {
+pub struct Fenced {
     voice: BoxedVoice,
     panicked: bool,
 }
 
 impl Fenced {
-    pub(super) fn new(voice: BoxedVoice) -> Self {
+    /// Around `voice`.
+    pub fn new(voice: BoxedVoice) -> Self {
         Self { voice, panicked: false }
     }
 

@@ -35,13 +35,12 @@ use scheduler::slot::{Slot, lane_of};
 use scheduler::time::Nanos;
 use scheduler::voice::{Turn, VoiceFault};
 
-pub use fence::BoxedVoice;
+pub use fence::{BoxedVoice, Fenced};
 pub use latecomers::LaneCounters;
 pub use swap::{Refused, VoiceSwaps, Way};
 
 use super::clock;
 use super::thread::Standing;
-use fence::Fenced;
 use latecomers::Latecomers;
 use worker::{Lane, Remote, Shared};
 

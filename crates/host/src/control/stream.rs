@@ -1,0 +1,60 @@
+//! The stream's two ends in the host: what it tells, and what it is asked.
+
+use std::sync::Arc;
+
+use telemetry::request::Change;
+use telemetry::stream::{Backend, Publisher, Value, Who};
+use telemetry::{Reply, Request, Topic, Update};
+
+use super::Switchboard;
+use crate::observe::Sink;
+
+/// Gives what the pump makes to those who follow.
+#[derive(Debug)]
+pub struct StreamSink(pub Publisher);
+
+impl Sink for StreamSink {
+    fn take(&mut self, at: u64, update: &Update) {
+        self.0.publish(at, update);
+        if let Update::Voice(voice) = update {
+            self.0.parameters_changed(&values_of(voice));
+        }
+    }
+
+    fn wants(&self, topic: Topic) -> bool {
+        // Kept for whoever comes later.
+        matches!(topic, Topic::Catalogue | Topic::Voices) || self.0.is_followed(topic)
+    }
+}
+
+/// The values of a voice as the stream's parameters.
+fn values_of(voice: &telemetry::Voice) -> Vec<Value> {
+    let Some(model) = models::catalogue::find(&voice.model) else { return Vec::new() };
+    let key = u8::try_from(voice.key).unwrap_or(u8::MAX);
+    let value = |(parameter, value): (&models::Parameter, &f64)| {
+        let change = Change { key, parameter: parameter.name.to_owned(), value: *value };
+        Value { name: change.name(), value: *value }
+    };
+    model.parameters.iter().zip(&voice.values).map(value).collect()
+}
+
+/// Answers what clients of the stream ask.
+#[derive(Debug)]
+pub struct Studio(pub Arc<Switchboard>);
+
+impl Backend for Studio {
+    fn parameters(&self, names: Option<&[String]>) -> Vec<Value> {
+        let all = self.0.values();
+        let value = |it: &Change| Value { name: it.name(), value: it.value };
+        let Some(names) = names else { return all.iter().map(value).collect() };
+        let wanted = names.iter().filter_map(|name| Change::named(name, 0.0));
+        let find = |wanted: Change| {
+            all.iter().find(|it| it.key == wanted.key && it.parameter == wanted.parameter)
+        };
+        wanted.filter_map(find).map(value).collect()
+    }
+
+    fn ask(&self, request: Request, who: &Who) -> Result<Reply, String> {
+        self.0.answer(&request, &who.to_string())
+    }
+}

@@ -1,0 +1,203 @@
+//! Sinks that keep what they are given: a recording, and the black box.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use serde::Serialize;
+use telemetry::event::Kind;
+use telemetry::recording::{BlackBox, RecordError, Recorded, Recorder, Settings};
+use telemetry::{Topic, Update};
+
+use super::pump::{Attention, Sink};
+
+/// What became of a recording.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize)]
+pub struct RecordingReport {
+    /// Its first file.
+    pub file: String,
+    /// Files that it takes.
+    pub files: u64,
+    /// Messages in it.
+    pub messages: u64,
+    /// Bytes of all files.
+    pub bytes: u64,
+    /// Why it ended early, in a sentence.
+    pub trouble: Option<String>,
+}
+
+/// A recording that goes on elsewhere.
+#[derive(Clone, Debug)]
+pub struct Recording {
+    report: Arc<Mutex<RecordingReport>>,
+    stop: Arc<AtomicBool>,
+}
+
+impl Recording {
+    /// Begins to record into `file`; the sink is to be given to a pump.
+    ///
+    /// # Errors
+    /// Why it cannot, in a sentence.
+    pub fn begin(file: &Path) -> Result<(Self, Box<dyn Sink>), RecordError> {
+        let recorder = Recorder::create(Settings::new(file, super::run_id()))?;
+        let file = file.display().to_string();
+        let report = Arc::new(Mutex::new(RecordingReport { file, ..RecordingReport::default() }));
+        let it = Self { report, stop: Arc::default() };
+        let sink = RecordSink { recorder: Some(recorder), recording: it.clone() };
+        Ok((it, Box::new(sink)))
+    }
+
+    /// Ends it with what the pump gives next.
+    pub fn stop(&self) {
+        self.stop.store(true, Ordering::Release);
+    }
+
+    /// What became of it so far.
+    pub fn report(&self) -> RecordingReport {
+        self.report.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+}
+
+struct RecordSink {
+    recorder: Option<Recorder>,
+    recording: Recording,
+}
+
+impl RecordSink {
+    fn note(&mut self, result: Result<(), RecordError>) {
+        let Err(error) = result else { return };
+        if matches!(error, RecordError::NoSuchKey { .. }) {
+            return;
+        }
+        self.finish();
+        let mut report = self.recording.report.lock().unwrap_or_else(PoisonError::into_inner);
+        report.trouble.get_or_insert_with(|| error.to_string());
+    }
+
+    fn finish(&mut self) {
+        let Some(recorder) = self.recorder.take() else { return };
+        let finished = recorder.finish();
+        let mut report = self.recording.report.lock().unwrap_or_else(PoisonError::into_inner);
+        match finished {
+            Ok(Recorded { files, bytes, messages, .. }) => {
+                (report.files, report.bytes, report.messages) =
+                    (u64::try_from(files.len()).unwrap_or(u64::MAX), bytes, messages);
+            }
+            Err(error) => {
+                report.trouble.get_or_insert_with(|| error.to_string());
+            }
+        }
+    }
+}
+
+impl Sink for RecordSink {
+    fn take(&mut self, at: u64, update: &Update) {
+        if let Some(recorder) = &mut self.recorder {
+            let written = recorder.write(at, update);
+            self.note(written);
+        }
+    }
+
+    fn wants(&self, topic: Topic) -> bool {
+        // Single values are in the blocks.
+        !matches!(topic, Topic::State(_))
+    }
+
+    fn attend(&mut self, now: u64) -> Attention {
+        if self.recording.stop.load(Ordering::Acquire) {
+            self.finish();
+        } else if let Some(recorder) = &mut self.recorder {
+            let attended = recorder.attend(now);
+            self.note(attended);
+        }
+        if self.recorder.is_some() { Attention::Goes } else { Attention::Over }
+    }
+}
+
+impl Drop for RecordSink {
+    fn drop(&mut self) {
+        self.finish();
+    }
+}
+
+/// What the black box keeps.
+const KEPT: Duration = Duration::from_secs(30);
+
+/// Most memory of the black box [bytes].
+const MOST_BYTES: usize = 64 << 20;
+
+/// How long after a fault it is written, so that what followed is in it [ns].
+const AFTER: u64 = 2_000_000_000;
+
+/// Boxes that one run writes at most: a fault that comes again tells nothing new.
+const MOST_BOXES: u32 = 5;
+
+/// Keeps the last seconds, and writes them down when a voice fails.
+pub struct BlackBoxSink {
+    kept: BlackBox,
+    folder: PathBuf,
+    due: Option<u64>,
+    written: u32,
+    say: fn(&str),
+}
+
+impl std::fmt::Debug for BlackBoxSink {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("BlackBoxSink").field("folder", &self.folder).finish_non_exhaustive()
+    }
+}
+
+impl BlackBoxSink {
+    /// Writes into `folder`, which is made when it is needed, and says so by `say`.
+    pub fn new(folder: PathBuf, say: fn(&str)) -> Self {
+        Self { kept: BlackBox::new(KEPT, MOST_BYTES), folder, due: None, written: 0, say }
+    }
+
+    fn write(&mut self) {
+        self.due = None;
+        self.written += 1;
+        let run = super::run_id();
+        let path = self.folder.join(format!("black-box-{run}-{}.mcap", self.written));
+        let made = std::fs::create_dir_all(&self.folder).map_err(|error| error.to_string());
+        let dumped =
+            made.and_then(|()| self.kept.dump(&path, &run).map_err(|error| error.to_string()));
+        (self.say)(&match dumped {
+            Ok(_bytes) => format!(
+                "a voice failed; the seconds around it are in {}: see `letoff dash`",
+                path.display()
+            ),
+            Err(error) => format!("a voice failed, and the black box cannot be written: {error}"),
+        });
+    }
+}
+
+impl Sink for BlackBoxSink {
+    fn take(&mut self, at: u64, update: &Update) {
+        // What is too large for it is left out, and the rest is kept.
+        let _left_out = self.kept.keep(at, update);
+        let is_fault = matches!(update, Update::Event(event) if event.kind() == Kind::Fault);
+        if is_fault && self.due.is_none() && self.written < MOST_BOXES {
+            self.due = Some(at.saturating_add(AFTER));
+        }
+    }
+
+    fn wants(&self, topic: Topic) -> bool {
+        !matches!(topic, Topic::State(_))
+    }
+
+    fn attend(&mut self, now: u64) -> Attention {
+        if self.due.is_some_and(|due| due <= now) {
+            self.write();
+        }
+        Attention::Goes
+    }
+}
+
+impl Drop for BlackBoxSink {
+    fn drop(&mut self) {
+        if self.due.is_some() {
+            self.write();
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! Messages of the run beside those of its replay.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use firmware_protocol::key::KeyIndex;
+use hardware::refusal::KeyName;
+use serde::Serialize;
+use telemetry::event::Kind;
+use telemetry::{KeyBlock, Topic, Update};
+
+use crate::observe::Sink;
+
+/// Where a replay and its recording are not the same.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+pub struct Difference {
+    /// In which tick.
+    pub tick: u64,
+    /// In a sentence.
+    pub text: String,
+}
+
+impl std::fmt::Display for Difference {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "tick {}: {}", self.tick, self.text)
+    }
+}
+
+/// What the replay said and nobody has compared yet.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Said(Arc<Mutex<VecDeque<Update>>>);
+
+impl Said {
+    fn lock(&self) -> MutexGuard<'_, VecDeque<Update>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// What is compared: what follows from what decided, and no times of clocks.
+pub(super) fn is_compared(update: &Update) -> bool {
+    match update {
+        Update::Block(_) | Update::Midi(_) => true,
+        Update::Event(event) => matches!(
+            event.kind(),
+            Kind::Switch
+                | Kind::Strike
+                | Kind::DamperLift
+                | Kind::DamperFall
+                | Kind::Fault
+                | Kind::Recovery
+        ),
+        Update::Catalogue(_)
+        | Update::Voice(_)
+        | Update::Overview(_)
+        | Update::State(..)
+        | Update::Ticks(_)
+        | Update::Deadlines(_)
+        | Update::Links(_)
+        | Update::Log(_) => false,
+    }
+}
+
+impl Sink for Said {
+    fn take(&mut self, _at: u64, update: &Update) {
+        if is_compared(update) {
+            self.lock().push_back(update.clone());
+        }
+    }
+
+    fn wants(&self, topic: Topic) -> bool {
+        !matches!(topic, Topic::State(_))
+    }
+}
+
+/// Compares message with message, each kind in its own order.
+#[derive(Debug, Default)]
+pub(super) struct Comparison {
+    recorded: VecDeque<Update>,
+    midi: VecDeque<Update>,
+    said_midi: VecDeque<Update>,
+    pub(super) compared: u64,
+    pub(super) first: Option<Difference>,
+    pub(super) different: u64,
+}
+
+impl Comparison {
+    /// One more message of the recording.
+    pub(super) fn expect(&mut self, update: Update) {
+        if matches!(update, Update::Midi(_)) {
+            self.midi.push_back(update);
+        } else if is_compared(&update) {
+            self.recorded.push_back(update);
+        }
+    }
+
+    /// Compares what both said up to `tick`.
+    pub(super) fn window(&mut self, tick: u64, said: &Said) {
+        let mut said = std::mem::take(&mut *said.lock());
+        let (midi, mut rest): (VecDeque<_>, VecDeque<_>) =
+            said.drain(..).partition(|it| matches!(it, Update::Midi(_)));
+        self.said_midi.extend(midi);
+        while let Some(recorded) = self.recorded.pop_front() {
+            let replayed = rest.pop_front();
+            self.pair(tick, &recorded, replayed.as_ref());
+        }
+        for extra in rest {
+            self.note(tick, &format!("the replay also says {}", short(&extra)));
+        }
+    }
+
+    /// What was sent so far.
+    pub(super) fn n_sent(&self) -> usize {
+        self.said_midi.len()
+    }
+
+    /// Compares what was sent to the synthesizer: the first `timed` messages with their times.
+    /// When a run ends, and with it the notes that are held, only a clock knows.
+    pub(super) fn finish(&mut self, tick: u64, timed: usize) {
+        let mut n = 0;
+        while let Some(mut recorded) = self.midi.pop_front() {
+            let replayed = self.said_midi.pop_front();
+            if let (true, Update::Midi(recorded), Some(Update::Midi(replayed))) =
+                (timed <= n, &mut recorded, &replayed)
+            {
+                recorded.at = replayed.at;
+            }
+            self.pair(tick, &recorded, replayed.as_ref());
+            n += 1;
+        }
+        for extra in std::mem::take(&mut self.said_midi) {
+            self.note(tick, &format!("the replay also sends {}", short(&extra)));
+        }
+    }
+
+    fn pair(&mut self, tick: u64, recorded: &Update, replayed: Option<&Update>) {
+        self.compared += 1;
+        let Some(replayed) = replayed else {
+            return self.note(tick, &format!("the replay does not say {}", short(recorded)));
+        };
+        // As bytes: what is no number is equal to itself.
+        if recorded.encode() == replayed.encode() {
+            return;
+        }
+        if let (Update::Block(recorded), Update::Block(replayed)) = (recorded, replayed) {
+            let (tick, text) = blocks(recorded, replayed);
+            return self.note(tick, &text);
+        }
+        let text = format!("{} was recorded, {} is replayed", short(recorded), short(replayed));
+        self.note(tick, &text);
+    }
+
+    fn note(&mut self, tick: u64, text: &str) {
+        self.different += 1;
+        self.first.get_or_insert_with(|| Difference { tick, text: text.to_owned() });
+    }
+}
+
+/// The first difference of two blocks.
+fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
+    let rows = recorded.after.len().min(replayed.after.len());
+    let key = u8::try_from(recorded.key).ok().and_then(KeyIndex::new);
+    let key = key.map_or_else(|| recorded.key.to_string(), |key| KeyName(key).to_string());
+    for row in 0..rows {
+        let (a, b) = (&recorded.after[row], &replayed.after[row]);
+        let tick = recorded.tick + u64::from(*a);
+        let other = replayed.tick + u64::from(*b);
+        if tick != other || recorded.key != replayed.key {
+            return (tick.min(other), format!("key {key}: rows of tick {tick} and {other}"));
+        }
+        let columns: [(&str, &[f64], &[f64]); 3] = [
+            ("position", &recorded.position, &replayed.position),
+            ("force", &recorded.force, &replayed.force),
+            ("sent force", &recorded.sent, &replayed.sent),
+        ];
+        for (name, was, is) in columns {
+            let (was, is) = (was.get(row), is.get(row));
+            if was.map(|it| it.to_bits()) != is.map(|it| it.to_bits()) {
+                let show =
+                    |it: Option<&f64>| it.map_or("nothing".to_owned(), |it| format!("{it:?}"));
+                let text = format!(
+                    "key {key}: {name} {} was recorded, {} is replayed",
+                    show(was),
+                    show(is)
+                );
+                return (tick, text);
+            }
+        }
+    }
+    let (was, is) = (recorded.after.len(), replayed.after.len());
+    (
+        recorded.tick,
+        format!(
+            "key {key}: {was} rows were recorded, {is} are replayed, or modes, flags or signals differ"
+        ),
+    )
+}
+
+/// A message in a line.
+fn short(update: &Update) -> String {
+    match update {
+        Update::Block(block) => format!("rows of key {} from tick {}", block.key, block.tick),
+        Update::Event(event) => format!(
+            "{:?} of key {} at tick {} + {:?}",
+            event.kind(),
+            event.key,
+            event.tick,
+            event.theta
+        ),
+        Update::Midi(midi) => format!("{} at {:?} s", midi.text, midi.at),
+        other @ (Update::Catalogue(_)
+        | Update::Voice(_)
+        | Update::Overview(_)
+        | Update::State(..)
+        | Update::Ticks(_)
+        | Update::Deadlines(_)
+        | Update::Links(_)
+        | Update::Log(_)) => other.topic().map_or_else(String::new, |topic| topic.to_string()),
+    }
+}

@@ -1,0 +1,158 @@
+//! What decided in each tick, out of a recording's messages.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use scheduler::motion::{KEYS, KeySample};
+use telemetry::event::Kind;
+use telemetry::{Event, KeyBlock, Ticks};
+
+use crate::observe::flag;
+
+/// A key in a tick.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Fed {
+    pub(super) sample: KeySample,
+    /// Which voice it was of; 0 if that is not known.
+    pub(super) revision: u32,
+    pub(super) lane: Lane,
+    /// Key events that were told of.
+    pub(super) events: u32,
+}
+
+/// How the key's lane was.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Lane {
+    /// Done in time, and not run in these of the last ticks: bit 1 is the one before.
+    Done { unrun: u32 },
+    /// Not done.
+    Late,
+}
+
+/// Whether voices are felt.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Arm {
+    On,
+    Off,
+}
+
+/// Rows of all keys that wait for their tick.
+#[derive(Debug)]
+pub(super) struct Feed {
+    rows: Vec<VecDeque<(u64, Fed)>>,
+    /// As each key was last.
+    last: Vec<Fed>,
+    /// Ticks from which voices are felt or not.
+    arms: BTreeMap<u64, Arm>,
+    /// The first tick before which rows are missing.
+    gap: Option<u64>,
+}
+
+impl Feed {
+    pub(super) fn new() -> Self {
+        let nothing = Fed {
+            sample: KeySample::default(),
+            revision: 0,
+            lane: Lane::Done { unrun: 0 },
+            events: 0,
+        };
+        Self {
+            rows: vec![VecDeque::new(); KEYS],
+            last: vec![nothing; KEYS],
+            arms: BTreeMap::new(),
+            gap: None,
+        }
+    }
+
+    /// Takes the rows of a block; columns that are too short end it.
+    pub(super) fn block(&mut self, block: &KeyBlock) {
+        let Some(rows) = usize::try_from(block.key).ok().and_then(|key| self.rows.get_mut(key))
+        else {
+            return;
+        };
+        for row in 0..block.after.len() {
+            let Some((tick, fed, flags)) = self::row(block, row) else { return };
+            if flags & flag::GAP != 0 {
+                self.gap = self.gap.or(Some(tick));
+            }
+            rows.push_back((tick, fed));
+        }
+    }
+
+    /// Takes what happened, as far as it decides.
+    pub(super) fn event(&mut self, event: &Event) {
+        let arm = match event.kind() {
+            Kind::Arm => Arm::On,
+            Kind::Disarm => Arm::Off,
+            Kind::Unknown
+            | Kind::Switch
+            | Kind::Strike
+            | Kind::DamperLift
+            | Kind::DamperFall
+            | Kind::Fault
+            | Kind::Recovery
+            | Kind::Miss
+            | Kind::Skip
+            | Kind::Board
+            | Kind::Change
+            | Kind::Pedal => return,
+        };
+        self.arms.insert(event.tick, arm);
+    }
+
+    /// Whether voices are felt or not from `tick` on, if that changes there.
+    pub(super) fn arm(&mut self, tick: u64) -> Option<Arm> {
+        self.arms.remove(&tick)
+    }
+
+    /// Whether the first rows of keys say that they were run before `tick`.
+    pub(super) fn begins_late(&self, tick: u64) -> bool {
+        let of = |rows: &VecDeque<(u64, Fed)>| rows.front().copied();
+        self.rows.iter().filter_map(of).any(|(at, fed)| match fed.lane {
+            // A voice that was never run before says so of all ticks before.
+            Lane::Done { unrun } => at == tick && unrun != u32::MAX - 1,
+            Lane::Late => false,
+        })
+    }
+
+    /// The first tick before which rows are missing, if there is one.
+    pub(super) const fn gap(&self) -> Option<u64> {
+        self.gap
+    }
+
+    /// All keys in `tick`.
+    pub(super) fn tick(&mut self, tick: u64) -> Vec<Fed> {
+        for (rows, last) in self.rows.iter_mut().zip(&mut self.last) {
+            while rows.front().is_some_and(|(at, _fed)| *at < tick) {
+                rows.pop_front();
+            }
+            let now = rows.front().filter(|(at, _fed)| *at == tick).map(|(_at, fed)| *fed);
+            *last = now.unwrap_or(Fed {
+                sample: KeySample::fresh(last.sample.position),
+                lane: Lane::Done { unrun: 0 },
+                events: 0,
+                revision: last.revision,
+            });
+        }
+        self.last.clone()
+    }
+}
+
+/// The ticks that a message tells of.
+pub(super) fn ticks(message: &Ticks) -> impl Iterator<Item = u64> {
+    message.after.iter().map(|after| message.tick.saturating_add(u64::from(*after)))
+}
+
+/// One row with its flags, if all columns have it.
+fn row(block: &KeyBlock, row: usize) -> Option<(u64, Fed, u8)> {
+    let tick = block.tick.checked_add(u64::from(*block.after.get(row)?))?;
+    let flags = *block.flags.get(row)?;
+    let sample = KeySample {
+        position: *block.position.get(row)?,
+        age: *block.age.get(row)?,
+        taken: *block.taken.get(row)?,
+    };
+    let unrun = *block.unrun.get(row)?;
+    let lane = if flags & flag::LATE == 0 { Lane::Done { unrun } } else { Lane::Late };
+    let (revision, events) = (*block.revision.get(row)?, *block.events.get(row)?);
+    Some((tick, Fed { sample, revision, lane, events }, flags))
+}

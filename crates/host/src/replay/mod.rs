@@ -1,0 +1,44 @@
+//! A recording, run again: the same voices on the same samples, compared to the last bit.
+//!
+//! ```text
+//! recording ─▶ Feed: samples, lateness, voices of each tick ─▶ Scheduler ─▶ Tap ─▶ Pump
+//!     └──────────────── messages ──────────▶ Comparison ◀────────── messages ─────────┘
+//! ```
+//!
+//! What decided in the run is in the recording: which ticks were run, what sensors said and how
+//! old it was, which lane was late, when a voice was put in or retuned, when voices were
+//! disarmed. All else follows, and is made again by the code that made it.
+
+mod compare;
+mod feed;
+mod lanes;
+mod run;
+
+pub use compare::Difference;
+pub use run::{Replayed, replay};
+
+/// Why a recording cannot be run again.
+#[derive(Debug, thiserror::Error)]
+pub enum ReplayError {
+    /// Nothing says what was run.
+    #[error(
+        "the recording has no catalogue, so nobody knows what was run: it can only be looked at"
+    )]
+    NoCatalogue,
+    /// It began later than the run.
+    #[error(
+        "the recording begins at tick {0}, in the middle of a run, and what its voices were like \
+         then is not in it: it can be looked at, but only a run that was recorded from its \
+         beginning (`letoff record`) can be run again"
+    )]
+    Middle(u64),
+    /// Its scene is of another time.
+    #[error("the scene in the recording is not understood by this version: {0}")]
+    Scene(String),
+    /// A voice cannot be built.
+    #[error("a voice of the recording cannot be built: {0}")]
+    Voice(String),
+    /// The recording cannot be read.
+    #[error("{0}")]
+    Read(String),
+}

@@ -1,0 +1,262 @@
+//! A recording through the scheduler.
+
+use std::sync::mpsc;
+
+use models::catalogue;
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::time::{Nanos, Period, Timetable};
+use serde::Serialize;
+use telemetry::event::Kind;
+use telemetry::{Catalogue, Update, Voice};
+
+use super::ReplayError;
+use super::compare::{Comparison, Difference, Said};
+use super::feed::{Arm, Feed, ticks};
+use super::lanes::{Part, ReplayBus, ReplayLanes};
+use crate::adapters::observer::{LiveCounters, Publisher};
+use crate::adapters::tap::Tap;
+use crate::bell::Bell;
+use crate::config::{KeyVoice, Scene};
+use crate::desk::Desk;
+use crate::observe::{Origin, Pulses, Pump, Told, voice};
+use crate::realtime::run::scheduler;
+use crate::session::{Overheard, Watchers, nowhere, whole};
+
+/// What a replay came to.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct Replayed {
+    /// The scene's name.
+    pub scene: String,
+    /// Ticks that were run again.
+    pub ticks: u64,
+    /// Messages that were compared: rows, events, MIDI.
+    pub compared: u64,
+    /// Of these, how many are not the same.
+    pub different: u64,
+    /// The first of them.
+    pub first_difference: Option<Difference>,
+    /// The tick from which on rows are missing, so that nothing could be compared.
+    pub incomplete_from: Option<u64>,
+    /// Faults of voices.
+    pub faults: u64,
+    /// Strikes.
+    pub strikes: u64,
+}
+
+/// Runs what `messages` recorded, in their order, and compares.
+///
+/// # Errors
+/// If it cannot be run; a difference is none.
+pub fn replay(
+    messages: impl Iterator<Item = Result<Update, String>>,
+    mut progress: impl FnMut(u64),
+) -> Result<Replayed, ReplayError> {
+    let mut replay: Option<Box<Replay>> = None;
+    for message in messages {
+        let message = message.map_err(ReplayError::Read)?;
+        match (&mut replay, message) {
+            (None, Update::Catalogue(catalogue)) => replay = Some(Replay::begin(&catalogue)?),
+            (None, _too_early) => {}
+            (Some(replay), message) => {
+                replay.take(message)?;
+                progress(replay.ticks);
+            }
+        }
+        if replay.as_ref().is_some_and(|it| it.feed.gap().is_some()) {
+            break;
+        }
+    }
+    Ok(replay.ok_or(ReplayError::NoCatalogue)?.finish())
+}
+
+struct Replay {
+    scene: Scene,
+    scheduler: Box<scheduler::tick::Scheduler>,
+    timetable: Timetable,
+    feed: Feed,
+    bus: ReplayBus,
+    lanes: ReplayLanes,
+    watchers: Watchers,
+    pump: Box<Pump>,
+    desk: Desk,
+    told: mpsc::Sender<Told>,
+    said: Said,
+    comparison: Comparison,
+    pedals: Vec<(f64, f64)>,
+    is_running: bool,
+    ticks: u64,
+    last: u64,
+    faults: u64,
+    strikes: u64,
+}
+
+/// Key events between two windows; a second of all keys.
+const RING: usize = 1 << 16;
+
+impl Replay {
+    #[expect(clippy::large_stack_frames, reason = "once, at set-up, on its way to the heap")]
+    fn begin(catalogue: &Catalogue) -> Result<Box<Self>, ReplayError> {
+        let scene = Scene::from_text("recording", catalogue.scene_text.clone())
+            .map_err(|wrong| ReplayError::Scene(wrong.to_string()))?;
+        let period = Period::from_hz(scene.tick_hz)
+            .ok_or_else(|| ReplayError::Scene(format!("no tick has {} Hz", scene.tick_hz)))?;
+        let timetable = Timetable::new(Nanos::ZERO, period);
+        let (tap, tapped) = Tap::new();
+        let (_no_times, times) = Pulses::new();
+        let (told, hear) = mpsc::channel();
+        let system = |error: String| ReplayError::Read(error);
+        let pump = Pump::new(tapped, times, hear, whole(period.as_secs_f64() * 1e9));
+        let mut pump = pump.map_err(|error| system(error.to_string()))?;
+        pump.begin(catalogue.began, catalogue.clone());
+        let said = Said::default();
+        // Whoever hears is there as long as this is.
+        let _heard = told.send(Told::Sink(Box::new(said.clone())));
+        let (ring, events) = rtrb::RingBuffer::new(RING);
+        let bell = Bell::new().map_err(|error| system(error.to_string()))?;
+        let counters = std::sync::Arc::<LiveCounters>::default();
+        let publisher = Publisher::new(
+            ring,
+            std::sync::Arc::new(bell),
+            counters,
+            Box::default(),
+            period.as_secs_f64(),
+        );
+        let output = Box::new(Overheard { output: nowhere(), told: told.clone() });
+        let desk = Desk::new(events, output, scene.midi.curve);
+        Ok(Box::new(Self {
+            scheduler: scheduler(timetable),
+            timetable,
+            feed: Feed::new(),
+            bus: ReplayBus { samples: [KeySample::default(); KEYS] },
+            lanes: ReplayLanes::new(scene.clone()),
+            scene,
+            watchers: Watchers { publisher, tap },
+            pump,
+            desk,
+            told,
+            said,
+            comparison: Comparison::default(),
+            pedals: Vec::new(),
+            is_running: false,
+            ticks: 0,
+            last: 0,
+            faults: 0,
+            strikes: 0,
+        }))
+    }
+
+    fn take(&mut self, message: Update) -> Result<(), ReplayError> {
+        match &message {
+            Update::Voice(voice) => self.voice(voice)?,
+            Update::Block(block) => self.feed.block(block),
+            Update::Event(event) => {
+                self.feed.event(event);
+                match event.kind() {
+                    Kind::Pedal => self.pedals.push((event.at, event.speed)),
+                    Kind::Fault => self.faults += 1,
+                    Kind::Strike => self.strikes += 1,
+                    Kind::Unknown
+                    | Kind::Switch
+                    | Kind::DamperLift
+                    | Kind::DamperFall
+                    | Kind::Recovery
+                    | Kind::Miss
+                    | Kind::Skip
+                    | Kind::Board
+                    | Kind::Change
+                    | Kind::Disarm
+                    | Kind::Arm => {}
+                }
+            }
+            Update::Ticks(message) => {
+                for tick in ticks(message) {
+                    self.tick(tick)?;
+                }
+                self.pump.pump();
+                self.comparison.window(self.last, &self.said);
+            }
+            Update::Catalogue(_)
+            | Update::Overview(_)
+            | Update::State(..)
+            | Update::Deadlines(_)
+            | Update::Links(_)
+            | Update::Midi(_)
+            | Update::Log(_) => {}
+        }
+        self.comparison.expect(message);
+        Ok(())
+    }
+
+    /// Learns of a voice, and tells the pump, so that it sees with the same eyes.
+    fn voice(&mut self, message: &Voice) -> Result<(), ReplayError> {
+        let model = catalogue::find(&message.model).ok_or_else(|| {
+            ReplayError::Voice(format!("there is no model {:?} in this version", message.model))
+        })?;
+        let played = KeyVoice { model, values: message.values.clone() };
+        let origin = Origin {
+            revision: message.revision,
+            instrument: Some(&message.instrument),
+            writer: &message.writer,
+            kept: message.kept,
+        };
+        let key = u8::try_from(message.key).unwrap_or(u8::MAX);
+        // Whoever hears is there as long as this is.
+        let _heard = self.told.send(voice(key, &played, origin));
+        let part = Part { voice: played, kept: message.kept };
+        self.lanes.learn(message.key, message.revision, part)
+    }
+
+    fn tick(&mut self, tick: u64) -> Result<(), ReplayError> {
+        if !self.is_running {
+            if 0 < tick && self.feed.begins_late(tick) {
+                return Err(ReplayError::Middle(tick));
+            }
+            self.watchers.publisher.set_pedals(std::mem::take(&mut self.pedals).into());
+            self.is_running = true;
+        }
+        match self.feed.arm(tick) {
+            Some(Arm::Off) => self.scheduler.disarm(),
+            Some(Arm::On) => self.scheduler.arm(),
+            None => {}
+        }
+        let fed = self.feed.tick(tick);
+        for (sample, fed) in self.bus.samples.iter_mut().zip(&fed) {
+            *sample = fed.sample;
+        }
+        self.lanes.feed(fed);
+        let now = self.timetable.due(tick);
+        let done = self.scheduler.poll(now, &mut self.bus, &mut self.lanes, &mut self.watchers);
+        if let Some(failed) = self.lanes.failed.take() {
+            return Err(failed);
+        }
+        self.desk.drain();
+        self.ticks += u64::from(done.is_some());
+        self.last = tick;
+        Ok(())
+    }
+
+    fn finish(mut self) -> Replayed {
+        self.pump.pump();
+        self.comparison.window(self.last, &self.said);
+        let timed = self.comparison.n_sent();
+        // Ends the notes, as the run did.
+        drop(self.desk.close(None));
+        self.pump.pump();
+        self.comparison.window(self.last, &self.said);
+        let incomplete_from = self.feed.gap();
+        if incomplete_from.is_none() {
+            self.comparison.finish(self.last, timed);
+        }
+        let Comparison { compared, different, first, .. } = self.comparison;
+        Replayed {
+            scene: self.scene.name,
+            ticks: self.ticks,
+            compared,
+            different,
+            first_difference: first,
+            incomplete_from,
+            faults: self.faults,
+            strikes: self.strikes,
+        }
+    }
+}
