@@ -20,6 +20,7 @@ use criterion::{BatchSize, Criterion};
 use haptics::RigParameters;
 use hardware::sim::key::SimulatedKey;
 use host::adapters::observer::{LiveCounters, Publisher};
+use host::adapters::tap::{Tap, Tapped};
 use host::adapters::voice::RehearsableVoice;
 use host::assemble::Assembler;
 use host::bell::Bell;
@@ -78,6 +79,7 @@ impl KeyBus for Held {
 struct Published {
     publisher: Publisher,
     ring: rtrb::Consumer<midi::KeyEvent>,
+    tap: Option<(Tap, Tapped)>,
 }
 
 impl Published {
@@ -86,20 +88,40 @@ impl Published {
         let bell = Arc::new(Bell::new().expect("a descriptor"));
         let counters = Arc::new(LiveCounters::default());
         let publisher = Publisher::new(producer, bell, counters, Box::default(), 1e-3);
-        Self { publisher, ring }
+        Self { publisher, ring, tap: Some(Tap::new()) }
+    }
+
+    /// Without telemetry, to see what that costs.
+    fn untapped() -> Self {
+        Self { tap: None, ..Self::new() }
     }
 }
 
 impl TickObserver for Published {
     fn observe(&mut self, seen: &Seen<'_>) {
         self.publisher.observe(seen);
+        let Some((tap, tapped)) = &mut self.tap else { return };
+        tap.observe(seen);
+        // As the pump does on its own thread, or the rings would be full and nothing pushed.
+        if let Ok(rows) = tapped.rows.read_chunk(tapped.rows.slots()) {
+            rows.commit_all();
+        }
+        if let Ok(happenings) = tapped.happenings.read_chunk(tapped.happenings.slots()) {
+            happenings.commit_all();
+        }
     }
 }
 
 /// Ticks of the whole host side, voices on one lane as a session has them.
-fn ticks(criterion: &mut Criterion, name: &str, positions: Vec<[f64; TICKS]>, idle: usize) {
+fn ticks(
+    criterion: &mut Criterion,
+    name: &str,
+    positions: Vec<[f64; TICKS]>,
+    idle: usize,
+    published: Published,
+) {
     let bus = Tables { positions, next: 0 };
-    let mut stage = Stage::new(&scene("default", &[]), bus).watched_by(Published::new());
+    let mut stage = Stage::new(&scene("default", &[]), bus).watched_by(published);
     for _ in 0..8 * TICKS {
         stage.tick();
     }
@@ -109,13 +131,17 @@ fn ticks(criterion: &mut Criterion, name: &str, positions: Vec<[f64; TICKS]>, id
 }
 
 fn idle(criterion: &mut Criterion) {
-    ticks(criterion, "tick_88_voices/idle", vec![[0.0; TICKS]; KEYS], KEYS);
+    let still = || vec![[0.0; TICKS]; KEYS];
+    ticks(criterion, "tick_88_voices/idle", still(), KEYS, Published::new());
+    ticks(criterion, "tick_88_voices/idle_untapped", still(), KEYS, Published::untapped());
 }
 
 fn active(criterion: &mut Criterion) {
     let quantum = RigParameters::default().quantum;
     let swings = (0..KEYS).map(|key| swing(key as f64 / KEYS as f64, quantum));
-    ticks(criterion, "tick_88_voices/active", swings.collect(), 0);
+    let swings: Vec<_> = swings.collect();
+    ticks(criterion, "tick_88_voices/active", swings.clone(), 0, Published::new());
+    ticks(criterion, "tick_88_voices/active_untapped", swings, 0, Published::untapped());
 }
 
 /// A voice that can be put back to where it was.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use host::adapters::observer::{LiveCounters, Publisher};
+use host::adapters::tap::{Tap, Tapped};
 use host::bell::Bell;
 use host::config::Scene;
 use host::realtime::run::{Assembly, Timings, Until};
@@ -28,6 +29,9 @@ pub(crate) const WATCHED: Range<u64> = WARM_UP..WARM_UP + 3000;
 /// What the tick publishes to, and what every key has done.
 pub(crate) struct Audience {
     publisher: Publisher,
+    /// What telemetry takes; nobody empties its rings, so that they are also seen full.
+    tap: Tap,
+    tapped: Tapped,
     pub(crate) ring: Consumer<MidiEvent>,
     pub(crate) counters: Arc<LiveCounters>,
     /// Ticks in which each key's equations were run, and reset maps applied.
@@ -43,13 +47,15 @@ impl Audience {
         let counters = Arc::new(LiveCounters::default());
         let pedals = (0..100).map(|n| (0.03 * f64::from(n), f64::from(n % 2))).collect();
         let publisher = Publisher::new(producer, bell, Arc::clone(&counters), pedals, 1e-3);
-        Self { publisher, ring, counters, active: [0; KEYS], events: [0; KEYS] }
+        let (tap, tapped) = Tap::new();
+        Self { publisher, tap, tapped, ring, counters, active: [0; KEYS], events: [0; KEYS] }
     }
 }
 
 impl TickObserver for Audience {
     fn observe(&mut self, seen: &Seen<'_>) {
         self.publisher.observe(seen);
+        self.tap.observe(seen);
         for (key, turn) in seen.turns.iter().enumerate() {
             self.active[key] += u32::from(!turn.idle);
             self.events[key] += turn.work.events;
@@ -87,6 +93,8 @@ fn check(scene: &Scene, n_lanes: usize) -> Audience {
     let audience = stage.observer;
     assert!(audience.active.iter().all(|ticks| 100 < *ticks), "every key was played");
     assert!(audience.ring.slots() > KEYS, "key events were published");
+    assert!(KEYS < audience.tapped.rows.slots(), "rows were told");
+    assert!(0 < audience.tapped.dropped.load(Relaxed));
     assert_eq!(audience.counters.dropped.load(Relaxed), 0);
     audience
 }

@@ -2,9 +2,11 @@
 
 use std::fs::File;
 use std::io::Write as _;
+use std::ops::RangeInclusive;
 
 use eframe::egui::{
-    Button, ComboBox, Context, DragValue, RichText, ScrollArea, Slider, TextEdit, Ui, Window,
+    Button, ComboBox, Context, DragValue, RichText, ScrollArea, Slider, SliderClamping, TextEdit,
+    Ui, Window,
 };
 use serde::{Deserialize, Serialize};
 use telemetry::{Parameter, Request};
@@ -147,7 +149,9 @@ fn parameter_ui(ui: &mut Ui, desk: &mut Desk, key: u8, parameter: &Parameter) {
             ui.allocate_exact_size(eframe::egui::vec2(70.0, 18.0), eframe::egui::Sense::hover());
         let label = eframe::egui::Label::new(name).truncate().halign(eframe::egui::Align::Min);
         ui.put(rect, label).on_hover_text(&parameter.doc);
-        let moved = ui.add_enabled_ui(!is_locked, |ui| value_ui(ui, parameter, value)).inner;
+        let moved = ui
+            .add_enabled_ui(!is_locked, |ui| value_ui(ui, parameter, value, usual.unwrap_or(value)))
+            .inner;
         let reset = ui.add_enabled(is_changed && !is_locked, Button::new("Reset").small());
         let reset = reset.accessible_name(format!("reset {}", parameter.name));
         let hint = usual.map(|it| unit::text(it, &parameter.unit)).unwrap_or_default();
@@ -167,15 +171,34 @@ fn parameter_ui(ui: &mut Ui, desk: &mut Desk, key: u8, parameter: &Parameter) {
     });
 }
 
+/// How many times larger or smaller than usual a slider makes a value.
+const REACH: f64 = 8.0;
+
+/// Where a slider goes: what a model can stand is far more than a hand wants, which is near what
+/// is usual. Any value of the parameter's own range can be typed.
+fn travel(parameter: &Parameter, usual: f64) -> RangeInclusive<f64> {
+    let Parameter { min, max, .. } = *parameter;
+    if usual == 0.0 || !usual.is_finite() {
+        return min.max(-1.0)..=max.min(1.0).max(min);
+    }
+    let (near, far) = (usual / REACH, usual * REACH);
+    // Ratios have their own ends near by.
+    let low = if max <= 1.0 && 0.0 <= min { min } else { near.min(far).max(min) };
+    low..=near.max(far).min(max)
+}
+
 /// The slider, and the value as a number to type.
-fn value_ui(ui: &mut Ui, parameter: &Parameter, value: f64) -> Option<f64> {
+fn value_ui(ui: &mut Ui, parameter: &Parameter, value: f64, usual: f64) -> Option<f64> {
     let mut value = value;
     let range = parameter.min..=parameter.max;
-    let is_wide = 0.0 < parameter.min && DECADES < parameter.max / parameter.min;
+    let travel = travel(parameter, usual);
+    let is_wide = 0.0 < *travel.start() && DECADES < travel.end() / travel.start();
     ui.spacing_mut().slider_width = (ui.available_width() - 208.0).clamp(60.0, 260.0);
-    let slider = Slider::new(&mut value, range.clone()).show_value(false).logarithmic(is_wide);
+    let slider = Slider::new(&mut value, travel.clone()).show_value(false).logarithmic(is_wide);
+    // A value that was typed beyond the slider's end stays what it is.
+    let slider = slider.clamping(SliderClamping::Edits);
     let slid = ui.add(slider).accessible_name(&parameter.name).changed();
-    let speed = (parameter.max - parameter.min) / 500.0;
+    let speed = (travel.end() - travel.start()) / 500.0;
     let drag = DragValue::new(&mut value).range(range).speed(speed);
     let drag = drag.custom_formatter(|value, _| unit::digits(value)).suffix(suffix(parameter));
     let drag = drag.update_while_editing(false);
@@ -276,5 +299,26 @@ fn write_ui(ui: &mut Ui, desk: &mut Desk, text: &str) {
     }
     if ui.button("Copy").clicked() {
         ui.ctx().copy_text(text.to_owned());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slider_stays_near_what_is_usual() {
+        let parameter = |min: f64, max: f64| Parameter { min, max, ..Parameter::default() };
+        let is = |(min, max): (f64, f64), usual: f64, wanted: (f64, f64)| {
+            let travel = travel(&parameter(min, max), usual);
+            let is_near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
+            let is_it = is_near(*travel.start(), wanted.0) && is_near(*travel.end(), wanted.1);
+            assert!(is_it, "{min}..{max} around {usual}: {travel:?}");
+        };
+        is((-100.0, 100.0), 0.125, (0.125 / 8.0, 1.0));
+        is((-100.0, 100.0), -0.5, (-4.0, -0.0625));
+        is((0.0, 10.0), 5.0, (0.625, 10.0));
+        is((0.0, 1.0), 0.1, (0.0, 0.8));
+        is((-100.0, 100.0), 0.0, (-1.0, 1.0));
     }
 }

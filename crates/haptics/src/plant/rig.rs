@@ -216,6 +216,28 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_weight_presses_the_key_down_until_it_is_taken_away() {
+        let mut rig = KeyRig::new(RigParameters::default());
+        let live = |rig: &mut KeyRig, ticks: u32| {
+            for tick in 0..ticks {
+                rig.advance(f64::from(tick) * 1e-3, 1e-3, 0.4, None);
+            }
+        };
+        live(&mut rig, 200);
+        let up = rig.position();
+        rig.lay(3.0);
+        live(&mut rig, 1000);
+        assert!(rig.position() - up > 8e-3, "the key lies on its bed: {}", rig.position());
+        assert!((rig.finger_force() - 3.0).abs() < 1e-12 && rig.is_still());
+        rig.lay(0.0);
+        live(&mut rig, 1000);
+        assert!((rig.position() - up).abs() < 1e-4, "{}", rig.position());
+        rig.lay(f64::NAN);
+        live(&mut rig, 10);
+        assert!(rig.position().is_finite());
+    }
+
+    #[test]
     fn a_tick_has_no_more_substeps_than_it_needs() {
         for (h, count) in [(1e-3, 20), (5e-4, 10), (1e-4, 2), (5e-5, 1), (1e-6, 1), (1.01e-4, 3)] {
             assert_eq!(substeps(h), count, "{h}");

@@ -171,7 +171,7 @@ impl Tap {
             look: self.known[key].look,
             fault: turn.fault,
             stands: Stands { idle: turn.idle, late: turn.late, fresh: turn.fresh },
-            ran: if turn.idle && !turn.late { 1 } else { turn.ran },
+            ran: turn.ran,
             events: u8::try_from(turn.events.as_slice().len()).unwrap_or(u8::MAX),
         }
     }

@@ -82,12 +82,14 @@ fn print(it: &Replayed, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 fn export(recording: &Recording, folder: &Path, out: &mut dyn Write) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Failure::Usage(format!("{}: {error}", folder.display())))?;
     let exported = export_csv(recording, folder, &Selection::default());
     let exported = exported.map_err(|error| Failure::Running(error.to_string()))?;
     for wrong in &exported.wrong {
         tell(wrong);
     }
-    let (files, rows, events) = (exported.files, exported.rows, exported.events);
-    writeln!(out, "{}: {files:?} files, {rows} rows, {events} events", folder.display())?;
+    let (files, rows, events) = (exported.files.len(), exported.rows, exported.events);
+    writeln!(out, "{}: {files} files, {rows} rows, {events} events", folder.display())?;
     Ok(())
 }

@@ -8,6 +8,8 @@ use clap::Args;
 use telemetry::stream::server::{Tls, Token};
 use telemetry::stream::{Role, Server, Settings};
 
+use super::tell;
+
 /// Where and to whom the host streams.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Stream to dashboards and viewers")]
@@ -57,15 +59,22 @@ impl StreamArgs {
             insecure: self.insecure,
             ..Settings::default()
         };
-        match Server::listen(settings.clone()) {
+        let is_usual = self.listen == DEFAULT && self.tokens.is_none() && self.tls.is_none();
+        let listened = match Server::listen(settings.clone()) {
             // Another host has the usual port; who looks for this one asks it.
-            Err(error) if error.kind() == io::ErrorKind::AddrInUse && self.listen == DEFAULT => {
+            Err(error) if error.kind() == io::ErrorKind::AddrInUse && is_usual => {
                 Server::listen(Settings { address: SocketAddr::new(address.ip(), 0), ..settings })
             }
             listened => listened,
+        };
+        match listened {
+            // Nobody asked for it: a machine without a network plays all the same.
+            Err(error) if is_usual => {
+                tell(&format!("nothing is streamed: {error}"));
+                Ok(None)
+            }
+            listened => listened.map(Some).map_err(|error| error.to_string()),
         }
-        .map(Some)
-        .map_err(|error| error.to_string())
     }
 
     /// The secret of an owner, if there are secrets.

@@ -29,7 +29,7 @@ pub struct Switchboard {
 impl Switchboard {
     /// For the host that runs `scene` and opens `patchbay` while it does.
     pub fn new(scene: Scene, patchbay: Arc<Patchbay>) -> Self {
-        let playing = Mutex::new(Playing { keys: scene.keys.clone() });
+        let playing = Mutex::new(Playing::new(scene.keys.clone()));
         Self { scene, patchbay, playing, stream: Mutex::default() }
     }
 
@@ -142,16 +142,19 @@ impl Switchboard {
             let (revision, cell) = (self.patchbay.new_revision(), self.patchbay.new_cell());
             let made = assembler.numbered(voice, cell, revision);
             built.push((usize::from(*key), made.map_err(|it| it.to_string())?));
-            let kept = way == Way::Retune;
-            told.push(observe::voice(
-                *key,
-                voice,
-                Origin { revision, instrument, writer: who, kept },
-            ));
+            // Values that are changed are still that instrument's.
+            let before = playing.instruments[usize::from(*key)].as_deref();
+            let instrument = instrument.or(before);
+            let origin = Origin { revision, instrument, writer: who, kept: way == Way::Retune };
+            told.push(observe::voice(*key, voice, origin));
         }
         self.patchbay.send(built, way, told)?;
         for (key, voice) in voices {
-            playing.keys[usize::from(key)] = Some(voice);
+            let key = usize::from(key);
+            playing.keys[key] = Some(voice);
+            if let Some(name) = instrument {
+                playing.instruments[key] = Some(name.to_owned());
+            }
         }
         Ok(())
     }

@@ -7,17 +7,27 @@ use telemetry::request::Change;
 
 use crate::config::KeyVoice;
 use crate::names::{choice, quoted};
+use crate::observe::instrument_of;
 
 /// What plays on each key now.
 #[derive(Clone, Debug)]
 pub(super) struct Playing {
     pub(super) keys: Vec<Option<KeyVoice>>,
+    /// The instruments that they came from, as far as that is known.
+    pub(super) instruments: Vec<Option<String>>,
 }
 
 /// Mistakes that are told at once.
 const MOST_TOLD: usize = 5;
 
 impl Playing {
+    /// As a scene begins.
+    pub(super) fn new(keys: Vec<Option<KeyVoice>>) -> Self {
+        let of = |(key, voice): (u8, &Option<KeyVoice>)| instrument_of(key, voice.as_ref()?);
+        let instruments = (0..).zip(&keys).map(of).collect();
+        Self { keys, instruments }
+    }
+
     /// The voices of all keys that `changes` touch, with all of them.
     ///
     /// # Errors
@@ -70,7 +80,7 @@ mod tests {
     use crate::config::Scene;
 
     fn playing() -> Playing {
-        Playing { keys: Scene::load("default", &[]).expect("the default scene").keys }
+        Playing::new(Scene::load("default", &[]).expect("the default scene").keys)
     }
 
     fn change(key: u8, parameter: &str, value: f64) -> Change {

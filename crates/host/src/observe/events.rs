@@ -1,7 +1,5 @@
 //! What happened, as messages.
 
-use firmware_protocol::key::KeyIndex;
-use hardware::refusal::KeyName;
 use scheduler::look::Switch;
 use scheduler::motion::{KeyEvent, Moment};
 use scheduler::voice::VoiceFault;
@@ -44,9 +42,7 @@ pub(super) fn trust(row: &KeyRow, before: Option<VoiceFault>) -> Option<Event> {
     let start = Moment { tick: row.tick, theta: 0.0 };
     match (before, row.fault) {
         (_, Some(now)) if before.map(kind) != Some(kind(now)) => {
-            let name =
-                KeyIndex::new(row.key).map_or_else(String::new, |it| KeyName(it).to_string());
-            let text = format!("{name}: {}", explained(now));
+            let text = explained(now);
             Some(Event { text, ..at(Kind::Fault, row.key, start) })
         }
         (Some(_), None) => Some(at(Kind::Recovery, row.key, start)),

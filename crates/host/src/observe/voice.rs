@@ -1,5 +1,7 @@
 //! A voice as a message, with what it is seen by.
 
+use std::sync::OnceLock;
+
 use telemetry::Voice;
 
 use super::{Told, eye};
@@ -36,10 +38,13 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> Told {
 }
 
 /// The embedded instrument that sounds like `voice` on `key`.
-fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
+pub fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
+    static ALL: OnceLock<Vec<Instrument>> = OnceLock::new();
+    let all = ALL.get_or_init(|| {
+        instruments().iter().filter_map(|info| Instrument::load(&info.name).ok()).collect()
+    });
     let bits = |values: &[f64]| values.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
-    let of_its_model = instruments().into_iter().filter(|info| info.model == voice.model.name);
-    of_its_model.map(|info| info.name).find(|name| {
-        Instrument::load(name).is_ok_and(|it| bits(&it.values(key)) == bits(&voice.values))
-    })
+    let wanted = bits(&voice.values);
+    let of_its_model = all.iter().filter(|it| it.model().name == voice.model.name);
+    of_its_model.filter(|it| bits(&it.values(key)) == wanted).map(|it| it.name.clone()).next()
 }

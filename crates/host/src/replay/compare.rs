@@ -157,42 +157,56 @@ impl Comparison {
 
 /// The first difference of two blocks.
 fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
-    let rows = recorded.after.len().min(replayed.after.len());
     let key = u8::try_from(recorded.key).ok().and_then(KeyIndex::new);
     let key = key.map_or_else(|| recorded.key.to_string(), |key| KeyName(key).to_string());
-    for row in 0..rows {
-        let (a, b) = (&recorded.after[row], &replayed.after[row]);
-        let tick = recorded.tick + u64::from(*a);
-        let other = replayed.tick + u64::from(*b);
-        if tick != other || recorded.key != replayed.key {
-            return (tick.min(other), format!("key {key}: rows of tick {tick} and {other}"));
+    let tick = |block: &KeyBlock, row: usize| {
+        block.after.get(row).map(|after| block.tick + u64::from(*after))
+    };
+    for row in 0..recorded.after.len() {
+        let (was, is) = (tick(recorded, row), tick(replayed, row));
+        let at = was.unwrap_or(recorded.tick);
+        if was != is {
+            return (at, format!("key {key}: the replay has a row of {is:?} instead"));
         }
-        let columns: [(&str, &[f64], &[f64]); 3] = [
-            ("position", &recorded.position, &replayed.position),
-            ("force", &recorded.force, &replayed.force),
-            ("sent force", &recorded.sent, &replayed.sent),
-        ];
-        for (name, was, is) in columns {
-            let (was, is) = (was.get(row), is.get(row));
-            if was.map(|it| it.to_bits()) != is.map(|it| it.to_bits()) {
-                let show =
-                    |it: Option<&f64>| it.map_or("nothing".to_owned(), |it| format!("{it:?}"));
-                let text = format!(
-                    "key {key}: {name} {} was recorded, {} is replayed",
-                    show(was),
-                    show(is)
-                );
-                return (tick, text);
+        for (name, cell) in COLUMNS {
+            let (was, is) = (cell(recorded, row), cell(replayed, row));
+            if was != is {
+                return (at, format!("key {key}: {name} {was} was recorded, {is} is replayed"));
             }
         }
     }
-    let (was, is) = (recorded.after.len(), replayed.after.len());
-    (
-        recorded.tick,
-        format!(
-            "key {key}: {was} rows were recorded, {is} are replayed, or modes, flags or signals differ"
-        ),
-    )
+    (recorded.tick, format!("key {key}: the replay has rows beyond the recorded ones"))
+}
+
+/// What a column has in a row, as text that two values share only if all their bits are the same.
+type Cell = fn(&KeyBlock, usize) -> String;
+
+/// Every column.
+const COLUMNS: [(&str, Cell); 12] = [
+    ("position", |it, row| bits(&it.position, row)),
+    ("age", |it, row| cell(&it.age, row)),
+    ("taken", |it, row| bits(&it.taken, row)),
+    ("force", |it, row| bits(&it.force, row)),
+    ("sent force", |it, row| bits(&it.sent, row)),
+    ("mode", |it, row| cell(&it.mode, row)),
+    ("flags", |it, row| cell(&it.flags, row)),
+    ("fault", |it, row| cell(&it.fault, row)),
+    ("revision", |it, row| cell(&it.revision, row)),
+    ("ticks not run", |it, row| cell(&it.unrun, row)),
+    ("number of events", |it, row| cell(&it.events, row)),
+    ("signals", |it, row| {
+        let width = (it.signals.len() / it.after.len().max(1)).max(1);
+        it.signals.chunks(width).nth(row).map_or_else(String::new, |them| format!("{them:?}"))
+    }),
+];
+
+fn cell<T: std::fmt::Debug>(column: &[T], row: usize) -> String {
+    column.get(row).map_or_else(|| "nothing".to_owned(), |value| format!("{value:?}"))
+}
+
+fn bits(column: &[f64], row: usize) -> String {
+    let show = |value: &f64| format!("{value:?} ({:016x})", value.to_bits());
+    column.get(row).map_or_else(|| "nothing".to_owned(), show)
 }
 
 /// A message in a line.
