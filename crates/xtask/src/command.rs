@@ -12,7 +12,18 @@ pub(crate) fn cargo<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> 
     let program = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(program);
     command.args(arguments).current_dir(root());
+    for (name, _value) in env::vars_os() {
+        if is_of_our_build(&name) {
+            command.env_remove(name);
+        }
+    }
     command
+}
+
+/// Whether cargo set this for us: build scripts of others look at it, and would run again.
+fn is_of_our_build(name: &OsStr) -> bool {
+    name.to_str()
+        .is_some_and(|name| name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST_"))
 }
 
 /// The workspace's root: two folders above this crate.
