@@ -4,6 +4,7 @@ use models::catalogue::{ENTRIES, Entry};
 use scheduler::motion::KEYS;
 use telemetry::{Catalogue, Instrument, Model, Parameter};
 
+use super::embedded;
 use super::eye::{modes, signals};
 use crate::config::{self, Links, Scene};
 
@@ -45,15 +46,14 @@ fn parameter(it: &models::Parameter) -> Parameter {
 
 /// Every embedded instrument, with its values on every key.
 fn instruments() -> Vec<Instrument> {
-    let names = config::instruments().into_iter().map(|info| info.name);
-    let loaded = names.filter_map(|name| config::Instrument::load(&name).ok());
     let keys = || (0..=u8::MAX).take(KEYS);
-    loaded
+    embedded()
+        .iter()
         .map(|it| Instrument {
             values: keys().flat_map(|key| it.values(key)).collect(),
             model: it.model().name.to_owned(),
-            doc: it.doc,
-            name: it.name,
+            doc: it.doc.clone(),
+            name: it.name.clone(),
         })
         .collect()
 }

@@ -6,6 +6,7 @@ use telemetry::{Deadlines, Spread};
 
 use super::pulses::PulseRow;
 use crate::realtime::run::{CreationError, histogram};
+use crate::report::Quantiles;
 
 /// Sums up ticks.
 #[derive(Debug)]
@@ -61,17 +62,10 @@ impl DeadlinesBuilder {
 
 /// A histogram with edges that double, of the times up to its largest [us].
 fn spread(histogram: &Histogram<u64>) -> Spread {
-    let quantile = |q: f64| histogram.value_at_quantile(q) as f64 / 1e3;
+    let Quantiles { p50, p99, p99_9, max } = Quantiles::of(histogram);
     let bins = histogram.iter_log(1_000, 2.0);
     let (edge, count) = bins
         .map(|bin| (bin.value_iterated_to() as f64 / 1e3, bin.count_since_last_iteration()))
         .unzip();
-    Spread {
-        p50: quantile(0.5),
-        p99: quantile(0.99),
-        p999: quantile(0.999),
-        max: histogram.max() as f64 / 1e3,
-        edge,
-        count,
-    }
+    Spread { p50, p99, p999: p99_9, max, edge, count }
 }

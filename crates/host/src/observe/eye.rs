@@ -9,6 +9,8 @@ use pode::Motion;
 use scheduler::look::Look;
 use telemetry::{Drawing, Follower, Outline, Signal, outline, signal};
 
+use super::short;
+
 /// A model with values, seen from outside.
 pub trait Eye: Send {
     /// Appends the signals in the order of [`signals`]: states, guards, outputs. A guard that is
@@ -43,7 +45,10 @@ impl Visitor for Opened<'_> {
     type Output = Box<dyn Eye>;
 
     fn visit<M: Playable>(self) -> Self::Output {
-        Box::new(ModelEye { model: M::with_values(self.0), guards: guards::<M>() })
+        let model = M::with_values(self.0);
+        // Only its shape counts; to find a rest may cost more than all signals of a row.
+        let (_mode, shape) = model.at_rest(&Motion::default());
+        Box::new(ModelEye { model, shape, guards: guards::<M>() })
     }
 }
 
@@ -104,8 +109,10 @@ fn guards<M: Playable>() -> Vec<Watched> {
     all
 }
 
-struct ModelEye<M> {
+struct ModelEye<M: Playable> {
     model: M,
+    /// A state to write others into.
+    shape: M::State,
     guards: Vec<Watched>,
 }
 
@@ -127,7 +134,7 @@ impl<M: Playable> Eye for ModelEye<M> {
         };
         let [position, rate, acceleration, jerk] = look.input;
         let input = Motion { position, rate, acceleration, jerk };
-        let (_, mut state) = self.model.at_rest(&Motion::default());
+        let mut state = self.shape;
         for (entry, shown) in state.as_mut().iter_mut().zip(look.state) {
             *entry = shown;
         }
@@ -152,12 +159,6 @@ impl<M: Playable> Eye for ModelEye<M> {
         self.model.draw(&mut drawn);
         drawn.0
     }
-}
-
-/// For the eye, not for a replay.
-#[expect(clippy::cast_possible_truncation, reason = "seven digits are enough to look at")]
-const fn short(value: f64) -> f32 {
-    value as f32
 }
 
 /// A drawing as a message.

@@ -21,6 +21,10 @@ mod record;
 mod ticks;
 mod voice;
 
+use std::sync::OnceLock;
+
+use crate::config::{Instrument, instruments};
+
 pub(crate) use block::flag;
 pub use catalogue::catalogue;
 pub use events::{NO_KEY, pedal};
@@ -34,4 +38,18 @@ pub use voice::{Origin, instrument_of, voice};
 fn run_id() -> String {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     format!("{}-{}", now.map_or(0, |it| it.as_secs()), std::process::id())
+}
+
+/// For the eye, not for a replay.
+#[expect(clippy::cast_possible_truncation, reason = "seven digits are enough to look at")]
+const fn short(value: f64) -> f32 {
+    value as f32
+}
+
+/// Every embedded instrument, read once.
+fn embedded() -> &'static [Instrument] {
+    static ALL: OnceLock<Vec<Instrument>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        instruments().iter().filter_map(|info| Instrument::load(&info.name).ok()).collect()
+    })
 }

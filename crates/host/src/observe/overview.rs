@@ -4,6 +4,7 @@ use scheduler::motion::KEYS;
 use telemetry::Overview;
 
 use super::block::{fault_number, flag};
+use super::short;
 use crate::adapters::tap::KeyRow;
 
 /// One key since the last look.
@@ -93,9 +94,4 @@ impl OverviewBuilder {
         self.ticks = 0;
         Some(overview)
     }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "seven digits are enough to look at")]
-const fn short(value: f64) -> f32 {
-    value as f32
 }

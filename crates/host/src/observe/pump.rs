@@ -75,7 +75,7 @@ pub struct Pump {
     /// Moves of the pedal, which are told beforehand.
     pedals: Vec<Update>,
     /// Of each revision.
-    eyes: BTreeMap<u32, Box<dyn Eye>>,
+    eyes: BTreeMap<u32, Seen>,
     /// Time at tick 0 [ns since 1970], and that of a tick [ns].
     time: (u64, u64),
     keys: Vec<Key>,
@@ -93,9 +93,14 @@ pub struct Pump {
     summed: u64,
 }
 
+/// What a voice is seen with, and on which key.
+type Seen = (u32, Box<dyn Eye>);
+
 /// What is known of a key.
 #[derive(Debug, Default)]
 struct Key {
+    /// Of the voice that its last row was of.
+    revision: u32,
     builder: BlockBuilder,
     fault: Option<VoiceFault>,
     /// What its next row is marked with.
@@ -176,6 +181,7 @@ impl Pump {
             self.give(&Update::Ticks(ticks));
         }
         self.sum_up();
+        self.forget_eyes();
         let now = self.at(self.now);
         self.sinks.retain_mut(|sink| sink.attend(now) == Attention::Goes);
     }
@@ -183,12 +189,24 @@ impl Pump {
     /// Nobody wants to know: what is there is passed over, and costs next to nothing.
     fn pass_over(&mut self, rows: usize) {
         for _ in 0..rows {
-            if let Ok(Row::Tick(row)) = self.tapped.rows.pop() {
-                (self.now, self.armed) = (row.tick, row.armed);
+            match self.tapped.rows.pop() {
+                Ok(Row::Key(row)) => self.keys[usize::from(row.key)].revision = row.look.revision,
+                Ok(Row::Tick(row)) => (self.now, self.armed) = (row.tick, row.armed),
+                Err(_empty) => break,
             }
         }
         while self.tapped.happenings.pop().is_ok() {}
         while self.pulses.pop().is_ok() {}
+        self.forget_eyes();
+    }
+
+    /// Drops what saw voices that do not play any more: a slider makes many in a second.
+    fn forget_eyes(&mut self) {
+        let keys = &self.keys;
+        let playing = |key: u32| usize::try_from(key).ok().and_then(|key| keys.get(key));
+        self.eyes.retain(|revision, (key, _eye)| {
+            playing(*key).is_none_or(|key| key.revision <= *revision)
+        });
     }
 
     /// Rows of ticks that are there as a whole.
@@ -206,7 +224,7 @@ impl Pump {
         while let Ok(told) = self.told.try_recv() {
             match told {
                 Told::Voice(voice, eye) => {
-                    self.eyes.extend(eye.map(|eye| (voice.revision, eye)));
+                    self.eyes.extend(eye.map(|eye| (voice.revision, (voice.key, eye))));
                     let key = voice.key;
                     let voice = Update::Voice(*voice);
                     self.give(&voice);
@@ -243,8 +261,9 @@ impl Pump {
             let done = key.builder.take();
             self.give_block(done);
         }
-        let eye = self.eyes.get(&row.look.revision).map(AsRef::as_ref);
+        let eye = self.eyes.get(&row.look.revision).map(|(_key, eye)| eye.as_ref());
         let Some(key) = self.keys.get_mut(usize::from(row.key)) else { return };
+        key.revision = row.look.revision;
         let flags = flags(row.stands) | std::mem::take(&mut key.mark);
         key.builder.push(row, flags, eye);
         self.overview.push(row, flags, if eye.is_some() { row.look.mode } else { u8::MAX });
@@ -293,7 +312,7 @@ impl Pump {
     fn happening(&mut self, it: &Happening) {
         let event = match &it.what {
             What::Switch(revision, switch) => {
-                let eye = self.eyes.get(revision).map(AsRef::as_ref);
+                let eye = self.eyes.get(revision).map(|(_key, eye)| eye.as_ref());
                 events::switch(it.tick, it.key, switch, eye)
             }
             What::Note(moment, event) => events::note(it.key, *moment, *event),

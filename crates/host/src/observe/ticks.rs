@@ -3,6 +3,7 @@
 use telemetry::Ticks;
 
 use super::pulses::{PulseRow, number};
+use super::short;
 
 /// Collects ticks, and their times where those are known.
 #[derive(Debug, Default)]
@@ -32,7 +33,6 @@ impl TicksBuilder {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "seven digits are enough to look at")]
 fn microseconds(nanoseconds: u64) -> f32 {
-    (nanoseconds as f64 / 1e3) as f32
+    short(nanoseconds as f64 / 1e3)
 }

@@ -1,11 +1,9 @@
 //! A voice as a message, with what it is seen by.
 
-use std::sync::OnceLock;
-
 use telemetry::Voice;
 
-use super::{Told, eye};
-use crate::config::{Instrument, KeyVoice, instruments};
+use super::{Told, embedded, eye};
+use crate::config::KeyVoice;
 
 /// Where a voice comes from.
 #[derive(Clone, Copy, Debug)]
@@ -39,12 +37,8 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> Told {
 
 /// The embedded instrument that sounds like `voice` on `key`.
 pub fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
-    static ALL: OnceLock<Vec<Instrument>> = OnceLock::new();
-    let all = ALL.get_or_init(|| {
-        instruments().iter().filter_map(|info| Instrument::load(&info.name).ok()).collect()
-    });
     let bits = |values: &[f64]| values.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
     let wanted = bits(&voice.values);
-    let of_its_model = all.iter().filter(|it| it.model().name == voice.model.name);
+    let of_its_model = embedded().iter().filter(|it| it.model().name == voice.model.name);
     of_its_model.filter(|it| bits(&it.values(key)) == wanted).map(|it| it.name.clone()).next()
 }
