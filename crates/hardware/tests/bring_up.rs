@@ -13,6 +13,8 @@ use firmware_protocol::key::KeyIndex;
 use haptics::plant::{Gesture, Touch};
 use hardware::keybed::{Armed, Keybed, Line, Offline, Terms, Wanted};
 use hardware::refusal::Refusal;
+use hardware::rt::glance::Glance;
+use hardware::rt::steward::{Bar, Stage};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus as _;
 
@@ -66,6 +68,42 @@ fn two_boards_are_found_armed_and_take_forces() {
         assert!(counts.oldest_us <= 100_000, "{counts:?}");
         assert_eq!(report.condition.armings, 1, "{report:?}");
     }
+}
+
+#[test]
+fn one_board_shows_its_light_while_all_render_and_each_is_seen() {
+    let (offline, mut boards) = keybed(&[2, 5]);
+    let mut keybed = armed(offline);
+    exchange(&mut keybed, 0, 50, 0.0);
+    keybed.light(1);
+    exchange(&mut keybed, 50, 100, 0.0);
+    let care = |place| match keybed.glance(place) {
+        Some(Glance::Board(board, it)) => (board, it.care.expect("it is looked after")),
+        it => panic!("no board at {place}: {it:?}"),
+    };
+    assert!(matches!(keybed.glance(1), Some(Glance::Line(1, _))));
+    for (place, board) in [(2, 0), (3, 1)] {
+        let (index, care) = care(place);
+        assert_eq!((index, care.stage, care.armings), (board, Stage::Armed, 1));
+        assert!(care.round_trip_us.is_some_and(|it| 0 < it), "{care:?}");
+    }
+    assert_eq!(keybed.glance(4), None);
+    let lit: Vec<_> = boards.drain(..).map(|board| board.stop().is_lit()).collect();
+    assert_eq!(lit, [false, true]);
+}
+
+#[test]
+fn a_board_that_was_stopped_shows_its_light_all_the_same() {
+    let (offline, mut boards) = keybed(&[0]);
+    let mut keybed = armed(offline);
+    exchange(&mut keybed, 0, 50, 0.0);
+    keybed.stop(1);
+    exchange(&mut keybed, 50, 200, 0.0);
+    keybed.light(0);
+    exchange(&mut keybed, 250, 100, 0.0);
+    let report = keybed.board_reports().remove(0);
+    assert!(matches!(report.condition.stage, Stage::Barred(Bar::Latched(_))), "{report:?}");
+    assert!(boards.remove(0).stop().is_lit());
 }
 
 #[test]

@@ -1,62 +1,16 @@
 //! The commands that speak with boards, against simulated ones behind pseudo-terminals.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
+mod common;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread::JoinHandle;
 
-use firmware_protocol::key::BoardId;
-use haptics::RigParameters;
 use hardware::calibration::file;
-use hardware::refusal::Uid;
 use hardware::sim::board::BoardMake;
-use host::simulated::{Living, Place, live, place};
 use serde_json::Value;
 
-/// A simulated board behind a port.
-struct Board {
-    port: PathBuf,
-    uid: Uid,
-    stop: Arc<AtomicBool>,
-    thread: Option<JoinHandle<Living>>,
-}
-
-impl Board {
-    fn start(make: BoardMake) -> Self {
-        let placed = place(make.id, &Place::Pty).expect("a pseudo-terminal");
-        let port = placed.address.name().into();
-        let mut living = Living::new(make, placed, 0.0, Vec::new()).expect("a possible board");
-        let stop = Arc::new(AtomicBool::new(false));
-        let its_stop = Arc::clone(&stop);
-        let thread = std::thread::spawn(move || {
-            live(std::slice::from_mut(&mut living), None, &its_stop);
-            living
-        });
-        Self { port, uid: Uid(make.uid()), stop, thread: Some(thread) }
-    }
-
-    fn link(&self) -> String {
-        format!("serial:{}", self.port.display())
-    }
-
-    fn stop(mut self) -> Living {
-        self.stop.store(true, Ordering::Release);
-        self.thread.take().expect("it lives").join().expect("it lives well")
-    }
-}
-
-impl Drop for Board {
-    fn drop(&mut self) {
-        self.stop.store(true, Ordering::Release);
-    }
-}
-
-fn make(number: u8, n_keys: usize) -> BoardMake {
-    let id = BoardId::new(number).expect("a board");
-    BoardMake { n_keys, ..BoardMake::standard(id, 100e-6, RigParameters::default()) }
-}
+use common::{Board, make};
 
 fn letoff(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_letoff"));

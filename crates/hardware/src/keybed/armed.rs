@@ -15,6 +15,7 @@ use crate::plan::{Medium, Seen};
 use crate::refusal::{BoardName, Refusal};
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
 use crate::rt::bus::{Bus, LineStatistics};
+use crate::rt::glance::{BoardGlance, Glance};
 use crate::rt::lateness::Lateness;
 use crate::rt::steward::{Bar, Condition, Stage, Steward};
 use crate::topology::BoardPlace;
@@ -121,6 +122,26 @@ impl Keybed<Armed> {
                 steward.attend(index, bus, link);
             }
         }
+    }
+
+    /// The line or board at `place`, lines first, as it is now; nothing behind the last.
+    ///
+    /// # Real-time
+    /// Copies, and sorts 15 numbers; no heap.
+    pub fn glance(&self, place: usize) -> Option<Glance> {
+        let glance = self.stage.bus.glance(place)?;
+        Some(match glance {
+            Glance::Line(..) => glance,
+            Glance::Board(board, it) => {
+                let care = self.stage.steward.care(board);
+                Glance::Board(board, BoardGlance { care, ..it })
+            }
+        })
+    }
+
+    /// Lets a board show its light, as soon as it listens.
+    pub fn light(&mut self, board: usize) {
+        self.stage.steward.light(board);
     }
 
     /// Whether all boards render forces.

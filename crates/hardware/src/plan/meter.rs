@@ -38,6 +38,16 @@ impl Meter {
         self.most += self.medium.time(len, Stuffing::Most);
     }
 
+    /// What it saw since it was as `earlier`.
+    fn since(&self, earlier: &Self) -> Self {
+        Self {
+            medium: self.medium,
+            frames: self.frames.saturating_sub(earlier.frames),
+            least: self.least - earlier.least,
+            most: self.most - earlier.most,
+        }
+    }
+
     /// What was seen in `seconds`.
     fn seen(&self, seconds: f64) -> Seen {
         let share = |micros: f64| micros * 1e-6 / seconds;
@@ -77,6 +87,12 @@ impl LinkMeter {
     /// As [`Self::saw_down`].
     pub fn saw_up(&mut self, len: usize) {
         self.up.saw(len);
+    }
+
+    /// What it saw since it was as `earlier`.
+    #[must_use]
+    pub fn since(&self, earlier: &Self) -> Self {
+        Self { down: self.down.since(&earlier.down), up: self.up.since(&earlier.up) }
     }
 
     /// What was seen in `seconds`: of both directions together where they take turns, else of
@@ -126,6 +142,19 @@ mod tests {
         assert_eq!((seen.frames, seen.rate.round()), (6_000, 6_000.0));
         assert!((seen.most - plan.load()).abs() < 1e-9, "{seen:?}");
         assert!(seen.least < seen.most && 0.8 * seen.most < seen.least, "{seen:?}");
+    }
+
+    #[test]
+    fn a_window_does_not_know_what_was_before_it() {
+        let mut meter = LinkMeter::new(FD);
+        (0..1_000).for_each(|_| meter.saw_up(60));
+        let before = meter;
+        meter.saw_up(26);
+        let mut alone = LinkMeter::new(FD);
+        alone.saw_up(26);
+        let (seen, wanted) = (meter.since(&before).seen(1.0), alone.seen(1.0));
+        assert_eq!(seen.frames, 1);
+        assert!((seen.most - wanted.most).abs() < 1e-9, "{seen:?}");
     }
 
     #[test]

@@ -267,6 +267,11 @@ impl Bus {
         Some(self.lines.get(line)?.meter.as_ref()?.seen(seconds))
     }
 
+    /// What `line` has carried since it is metered, if its medium is known.
+    pub fn line_meter(&self, line: usize) -> Option<LinkMeter> {
+        self.lines.get(line)?.meter
+    }
+
     /// Forgets what came from the board with this index, which starts anew.
     pub fn forget(&mut self, board: usize) {
         if let Some(board) = self.boards.get_mut(board) {

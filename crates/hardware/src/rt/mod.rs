@@ -4,6 +4,7 @@
 
 pub mod board;
 pub mod bus;
+pub mod glance;
 pub mod lateness;
 pub mod loss;
 mod multicast;

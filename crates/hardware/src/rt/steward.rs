@@ -13,6 +13,7 @@
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
 use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::finger::{self, Finger};
+use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::acyclic::{Operation, Status};
@@ -22,6 +23,7 @@ use firmware_protocol::{Nothing, Record as _, schema};
 use haptics::plant::{Gesture, Touch};
 
 use super::bus::{Acyclic, Bus};
+use super::glance::Care;
 use super::trips::Trips;
 use crate::clock::{ClockModel, Told};
 use crate::courier::{Courier, Heard};
@@ -42,6 +44,8 @@ const AHEAD_US: u64 = 1_000_000;
 const AGAIN_US: u64 = 100_000;
 /// A board that renders no force for so long though it was armed has tripped [us].
 const FLAGGED_US: u64 = 5_000;
+/// How long a light shows which board it is on [s].
+pub const LIGHT_S: u8 = 10;
 /// A board that sent nothing for so long is gone [us].
 const SILENT_US: u64 = 100_000;
 
@@ -116,6 +120,8 @@ struct Charge {
     heard: u64,
     frames: u64,
     fingers: Fingers,
+    /// It shall show its light.
+    is_sought: bool,
 }
 
 /// Gestures that wait to be handed over, in the order of their starts.
@@ -199,7 +205,9 @@ impl Steward {
         let charges = self.charges.iter_mut().enumerate();
         for (board, charge) in charges.filter(|(_, it)| it.agreed.place.line == line) {
             charge.watch(now, board, bus);
-            if charge.courier.gave_up(now) {
+            let is_lost = charge.courier.gave_up(now);
+            // One that is barred goes on waiting for somebody, who will want to see its light.
+            if is_lost && !matches!(charge.stage, Stage::Barred(_)) {
                 charge.greet(now + AGAIN_US);
             }
             if charge.courier.is_free() && charge.rest_until <= now {
@@ -232,6 +240,23 @@ impl Steward {
     /// How long before the host's `at_us` the samples with this stamp were taken by a board [us].
     pub fn age_us(&self, board: usize, at_us: u64, stamp_us: u16) -> Option<i32> {
         self.charges.get(board)?.clock.age_us(at_us, stamp_us)
+    }
+
+    /// Lets a board show its light, as soon as it listens.
+    pub fn light(&mut self, board: usize) {
+        if let Some(charge) = self.charges.get_mut(board) {
+            charge.is_sought = true;
+        }
+    }
+
+    /// How a board is looked after.
+    ///
+    /// # Real-time
+    /// Sorts 15 numbers; no heap.
+    pub fn care(&self, board: usize) -> Option<Care> {
+        let it = self.charges.get(board)?;
+        let round_trip_us = it.trips.recent();
+        Some(Care { stage: it.stage, armings: it.armings, round_trip_us })
     }
 
     /// What a board is like.
@@ -306,6 +331,7 @@ impl Charge {
             heard: now,
             frames: 0,
             fingers: Fingers::default(),
+            is_sought: false,
         }
     }
 
@@ -358,6 +384,10 @@ impl Charge {
             Stage::Arming { nonce } => {
                 let (packing, valid_ms) = (terms.forces as u8, terms.valid_ms);
                 self.courier.ask(Operation::Arm, &Arm { nonce, packing, valid_ms });
+            }
+            Stage::Armed | Stage::Barred(_) if self.is_sought => {
+                self.is_sought = false;
+                self.courier.ask(Operation::Light, &Light { seconds: LIGHT_S });
             }
             Stage::Armed => self.run_errands(now, origin),
             Stage::Barred(_) => {}

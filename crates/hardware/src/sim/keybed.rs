@@ -15,6 +15,7 @@ use crate::link::framed::Framing;
 use crate::link::loopback::Loopback;
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
 use crate::rt::bus::{Bus, LineStatistics, Unread};
+use crate::rt::glance::Glance;
 use crate::topology;
 
 /// Frames that a wire holds: those of one tick, and what faults repeat or delay into it.
@@ -88,6 +89,11 @@ impl SimulatedKeybed {
     /// Whether the watchdog of `board` has tripped and it was not armed since.
     pub fn is_safe(&self, board: BoardId) -> bool {
         self.lines[board.index()].board.is_safe()
+    }
+
+    /// The line or board at `place`, lines first, as it is now; nothing behind the last.
+    pub fn glance(&self, place: usize) -> Option<Glance> {
+        self.bus.glance(place)
     }
 
     /// What the host has counted on the wire of `board`.

@@ -119,7 +119,7 @@ pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> 
         let its_stop = Arc::clone(&stop);
         let mut signals = Signals::new().map_err(system)?;
         let mut living = tokio::task::spawn_blocking(move || {
-            live(&mut boards, duration, &its_stop);
+            live(&mut boards, duration, &its_stop, &mut shine);
             boards
         });
         loop {
@@ -133,6 +133,11 @@ pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> 
     })?;
     let epitaphs: Vec<_> = boards.iter().map(Living::epitaph).collect();
     if args.json { print_json(&epitaphs, out) } else { Ok(write!(out, "{}", Table(&epitaphs))?) }
+}
+
+/// Says which board shows its light, for whoever looks for it.
+fn shine(board: &Living) {
+    let _nobody_reads = writeln!(io::stderr(), "{} shows its light", board.address());
 }
 
 /// The boards that are asked for, where they are asked for.

@@ -18,7 +18,7 @@ mod switchboard;
 mod tuning;
 
 pub use client::{ControlError, send};
-pub use patchbay::Patchbay;
+pub use patchbay::{Lights, Lit, Patchbay};
 pub use server::{Clients, Server, serve};
 pub use stream::{StreamSink, Studio};
 pub use switchboard::Switchboard;

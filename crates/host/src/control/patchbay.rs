@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
 use firmware_protocol::key::KeyIndex;
+use hardware::rt::steward::LIGHT_S;
 use pode::EnergyAudit;
 use rtrb::Producer;
 
@@ -17,19 +18,56 @@ pub struct Patchbay {
     /// The way into the lanes, while there are any.
     swaps: Mutex<Option<VoiceSwaps>>,
     /// The audits of all voices that ever played.
-    cells: Mutex<Vec<Arc<AuditCell>>>,
+    audits: Mutex<Audits>,
     /// Everything shall stop.
     alarm: AtomicBool,
     /// Every board was told to.
     stopped: AtomicBool,
     /// To the fingers of a simulated keybed.
     weights: Mutex<Option<Producer<(KeyIndex, f64)>>>,
+    /// Of boards.
+    lights: Mutex<Option<Lights>>,
     /// What is being recorded since somebody asked for it.
     recording: Mutex<Option<Recording>>,
     /// Voices so far.
     voices: AtomicU32,
     /// To whoever observes.
     told: Mutex<Option<mpsc::Sender<Told>>>,
+}
+
+/// What the voices of a run did with energy.
+#[derive(Debug, Default)]
+struct Audits {
+    /// Of voices that are gone.
+    settled: EnergyAudit,
+    /// Of those that somebody holds.
+    open: Vec<Arc<AuditCell>>,
+}
+
+/// The boards of a run, and the way to their lights.
+#[derive(Debug)]
+pub struct Lights {
+    /// In the order in which the bus has them.
+    pub boards: Vec<Lit>,
+    /// Takes a place among them.
+    pub sought: Producer<usize>,
+}
+
+/// A board that has a light.
+#[derive(Debug)]
+pub struct Lit {
+    /// Which link it is on.
+    pub line: u32,
+    /// What that is called.
+    pub name: String,
+    /// Its number there.
+    pub board: u32,
+}
+
+impl std::fmt::Display for Lit {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "board {} on {} (link {})", self.board, self.name, self.line)
+    }
 }
 
 impl Patchbay {
@@ -90,10 +128,16 @@ impl Patchbay {
     /// # Errors
     /// Why it cannot, in a sentence.
     pub fn identify(&self, line: u32, board: u32) -> Result<String, String> {
-        let _ = (line, board);
-        Err("the boards of a running host cannot show their lights yet: use `letoff devices \
-             --light` while it does not run"
-            .into())
+        let mut lights = lock(&self.lights);
+        let Lights { boards, sought } =
+            lights.as_mut().ok_or("these keys are simulated here, and have no lights")?;
+        let which = boards.iter().position(|it| (it.line, it.board) == (line, board));
+        let which = which.ok_or_else(|| {
+            let all: Vec<_> = boards.iter().map(Lit::to_string).collect();
+            format!("there is no board {board} on link {line}, but {}", all.join(", "))
+        })?;
+        sought.push(which).map_err(|_full| "too many lights are wanted at once; try again")?;
+        Ok(format!("{} is asked to show its light for {LIGHT_S} s", boards[which]))
     }
 
     /// Begins to record into `file`, or ends.
@@ -115,6 +159,11 @@ impl Patchbay {
         *recording = Some(begun);
         self.tell(Told::Sink(sink));
         Ok(format!("{file} is being recorded"))
+    }
+
+    /// Lets boards show their lights.
+    pub fn lend_lights(&self, lights: Lights) {
+        *lock(&self.lights) = Some(lights);
     }
 
     /// Lets weights be laid on simulated keys.
@@ -166,21 +215,71 @@ impl Patchbay {
     /// A place for one more voice's energy audit.
     pub fn new_cell(&self) -> Arc<AuditCell> {
         let cell = Arc::new(AuditCell::default());
-        lock(&self.cells).push(Arc::clone(&cell));
+        let mut audits = lock(&self.audits);
+        audits.settle();
+        audits.open.push(Arc::clone(&cell));
         cell
     }
 
     /// The audits of all voices together.
     pub fn energy(&self) -> EnergyAudit {
-        let mut sum = EnergyAudit::default();
-        for cell in lock(&self.cells).iter() {
-            sum.add(&cell.read());
-        }
+        let audits = lock(&self.audits);
+        let mut sum = audits.settled;
+        audits.open.iter().for_each(|cell| sum.add(&cell.read()));
         sum
+    }
+}
+
+impl Audits {
+    /// Sums up the voices that are gone: a slider leaves many behind in a second.
+    fn settle(&mut self) {
+        let settled = &mut self.settled;
+        self.open.retain(|cell| {
+            let plays = 1 < Arc::strong_count(cell);
+            if !plays {
+                settled.add(&cell.read());
+            }
+            plays
+        });
     }
 }
 
 /// What a panicking thread left behind is whole: every change is one assignment or push.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn voices_that_are_gone_stay_in_the_sum_and_take_no_room() {
+        let patchbay = Patchbay::default();
+        let audit = EnergyAudit { supplied: 1.0, ..EnergyAudit::default() };
+        for _ in 0..100 {
+            patchbay.new_cell().publish(&audit);
+        }
+        let plays = patchbay.new_cell();
+        plays.publish(&audit);
+        assert_eq!(patchbay.energy().supplied.to_bits(), 101.0_f64.to_bits());
+        assert_eq!(lock(&patchbay.audits).open.len(), 1);
+    }
+
+    #[test]
+    fn a_board_that_is_not_there_is_refused_with_those_that_are() {
+        let patchbay = Patchbay::default();
+        let refused = patchbay.identify(0, 3).unwrap_err();
+        assert!(refused.contains("simulated"), "{refused}");
+        let (sought, mut shown) = rtrb::RingBuffer::new(1);
+        let lit = |line, board| Lit { line, name: format!("can{line}"), board };
+        patchbay.lend_lights(Lights { boards: vec![lit(0, 3), lit(1, 3)], sought });
+        let refused = patchbay.identify(0, 4).unwrap_err();
+        assert!(refused.contains("board 3 on can1 (link 1)"), "{refused}");
+        assert_eq!(
+            patchbay.identify(1, 3).unwrap(),
+            "board 3 on can1 (link 1) is asked to show its light for 10 s"
+        );
+        assert_eq!(shown.pop(), Ok(1));
+    }
 }

@@ -93,6 +93,11 @@ pub(super) fn skip(tick: u64, skipped: u64) -> Event {
     of_none(Kind::Skip, tick, format!("{skipped} ticks before this one were not run"))
 }
 
+/// Something became of a board or a line.
+pub(super) fn board(tick: u64, text: String) -> Event {
+    of_none(Kind::Board, tick, text)
+}
+
 /// Voices are felt from this tick on, or not any more.
 pub(super) fn armed(row: &TickRow) -> Event {
     let (kind, text) =

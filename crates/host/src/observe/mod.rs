@@ -3,6 +3,7 @@
 //! ```text
 //! tick ─ Tap ─rings─▶ Pump ─▶ blocks, overview, events, ticks ─▶ sinks: stream, recording, black box
 //! loop ─ Pulses ─ring─▶ ┘
+//! keys ─ Lookout ─ring─▶ ┤
 //! desk, control ─channel─▶ ┘
 //! ```
 //!
@@ -14,6 +15,7 @@ mod catalogue;
 mod deadlines;
 mod events;
 mod eye;
+mod links;
 mod overview;
 mod pulses;
 mod pump;
@@ -29,6 +31,7 @@ pub(crate) use block::flag;
 pub use catalogue::catalogue;
 pub use events::{NO_KEY, pedal};
 pub use eye::{Eye, eye, modes, signals};
+pub use links::LinksWatch;
 pub use pulses::{PulseRow, Pulses};
 pub use pump::{Attention, Pump, Sink, Told};
 pub use record::{BlackBoxSink, Recording, RecordingReport};

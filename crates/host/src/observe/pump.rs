@@ -15,7 +15,7 @@ use super::deadlines::DeadlinesBuilder;
 use super::overview::OverviewBuilder;
 use super::pulses::PulseRow;
 use super::ticks::TicksBuilder;
-use super::{Eye, events};
+use super::{Eye, LinksWatch, events};
 use crate::adapters::tap::{Happening, KeyRow, Row, Tapped, TickRow, What};
 use crate::realtime::run::CreationError;
 
@@ -50,6 +50,8 @@ pub enum Told {
     Voice(Box<Voice>, Option<Box<dyn Eye>>),
     /// Another message.
     Update(Box<Update>),
+    /// Where lines and boards are seen.
+    Links(Box<LinksWatch>),
     /// One more who takes messages.
     Sink(Box<dyn Sink>),
 }
@@ -59,6 +61,7 @@ impl std::fmt::Debug for Told {
         match self {
             Self::Voice(voice, _eye) => f.debug_tuple("Voice").field(voice).finish(),
             Self::Update(update) => f.debug_tuple("Update").field(update).finish(),
+            Self::Links(links) => f.debug_tuple("Links").field(links).finish(),
             Self::Sink(_sink) => f.write_str("Sink(..)"),
         }
     }
@@ -82,6 +85,7 @@ pub struct Pump {
     overview: OverviewBuilder,
     ticks: TicksBuilder,
     deadlines: DeadlinesBuilder,
+    links: Option<Box<LinksWatch>>,
     /// Times that came before their tick.
     early: Option<PulseRow>,
     /// The last tick that was told of, and whether voices were felt then.
@@ -137,6 +141,7 @@ impl Pump {
             overview: OverviewBuilder::new(),
             ticks: TicksBuilder::default(),
             deadlines: DeadlinesBuilder::new()?,
+            links: None,
             early: None,
             now: 0,
             armed: true,
@@ -197,6 +202,8 @@ impl Pump {
         }
         while self.tapped.happenings.pop().is_ok() {}
         while self.pulses.pop().is_ok() {}
+        // Whoever comes will want the newest, and the ring holds the oldest.
+        let _unseen = self.links.as_mut().and_then(|links| links.look());
         self.forget_eyes();
     }
 
@@ -234,6 +241,7 @@ impl Pump {
                     self.give(&update);
                     self.pedals.extend(Some(*update).filter(is_pedal));
                 }
+                Told::Links(links) => self.links = Some(links),
                 Told::Sink(sink) => self.welcome(sink),
             }
         }
@@ -355,7 +363,18 @@ impl Pump {
             if 0 < deadlines.ticks {
                 self.give(&Update::Deadlines(deadlines));
             }
+            self.look_at_links();
         }
+    }
+
+    /// Tells how lines and boards are, and what became of them.
+    fn look_at_links(&mut self) {
+        let seen = self.links.as_mut().and_then(|links| links.look());
+        let Some((links, changes)) = seen else { return };
+        for text in changes {
+            self.give(&Update::Event(events::board(self.now, text)));
+        }
+        self.give(&Update::Links(links));
     }
 
     /// When `tick` was due [ns since 1970].

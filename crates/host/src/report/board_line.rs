@@ -105,7 +105,7 @@ impl BoardLine {
             clock_jumps: condition.jumps,
             declined: condition.declined,
             rearmed: condition.armings.saturating_sub(1),
-            state: state(condition.stage),
+            state: stage_words(condition.stage),
             counted: condition.counters.map(|it| Counted {
                 forces: it.forces,
                 corrupt: it.corrupt,
@@ -118,7 +118,7 @@ impl BoardLine {
 }
 
 /// How far a board has been brought up, in words.
-fn state(stage: Stage) -> String {
+pub(crate) fn stage_words(stage: Stage) -> String {
     match stage {
         Stage::Armed => "armed".into(),
         Stage::Greeting => "silent".into(),

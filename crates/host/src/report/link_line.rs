@@ -70,7 +70,7 @@ impl LinkLine {
             corrupt: statistics.corrupt,
             foreign: statistics.foreign,
             down: statistics.down,
-            state: state(health.state),
+            state: wire_words(health.state),
             transmit_errors: health.transmit_errors,
             receive_errors: health.receive_errors,
             reports: health.reports,
@@ -81,7 +81,8 @@ impl LinkLine {
     }
 }
 
-const fn state(state: WireState) -> &'static str {
+/// What a line's controller does, in a word.
+pub(crate) const fn wire_words(state: WireState) -> &'static str {
     match state {
         WireState::Active => "active",
         WireState::Warning => "warning",

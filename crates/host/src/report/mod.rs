@@ -12,7 +12,9 @@ mod board_line;
 mod link_line;
 
 pub use board_line::BoardLine;
+pub(crate) use board_line::stage_words;
 pub use link_line::LinkLine;
+pub(crate) use link_line::wire_words;
 
 /// The report of `letoff run`, as `--json` prints it.
 #[derive(Clone, Debug, Serialize)]

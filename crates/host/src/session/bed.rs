@@ -1,26 +1,17 @@
-//! The keys of a run: simulated in this process, or on boards.
+//! The keys before a run: simulated in this process, or on boards that were found.
 
-use firmware_protocol::key::BoardId;
-use hardware::keybed::{
-    Armed, BoardReport, Calibrated, Keybed, LineReport, Offline, Terms, Wanted,
-};
+use hardware::keybed::{Calibrated, Keybed, Offline, Terms, Wanted};
 use hardware::plan::{BusPlan, Verdict};
 use hardware::sim::keybed::SimulatedKeybed;
 use performance::Performance;
-use scheduler::motion::{KEYS, KeySample, KeySlope};
-use scheduler::port::KeyBus;
 use scheduler::time::Nanos;
 
+use super::bus::{Bus, Plans};
 use super::keys::Keys;
-use super::{SessionError, all_keys};
+use super::{SessionError, Stage, all_keys};
 use crate::boards::{PATIENCE_US, calibration, now_us, open_all, planning};
 use crate::config::{Boards, period_us};
-use crate::control::Patchbay;
 use crate::realtime::clock;
-use crate::report::{BoardLine, LinkLine, Links};
-
-/// Time between two looks at the boards before the first tick.
-const LOOK: Nanos = Nanos::from_millis(1);
 
 /// Weights that may wait to be laid on simulated keys.
 const WEIGHTS: usize = 256;
@@ -31,17 +22,6 @@ pub(super) enum Bed {
     Simulated(Box<SimulatedKeybed>),
     /// On boards that were found and may be armed.
     Boards(Box<Keybed<Calibrated>>, Terms, Plans),
-}
-
-/// What each line shall carry; none where times are not known.
-type Plans = Vec<Option<BusPlan>>;
-
-/// The keys in a run.
-pub(super) enum Bus {
-    /// Simulated in this process.
-    Simulated(Keys),
-    /// On armed boards, with what each line shall carry.
-    Boards(Box<Keybed<Armed>>, Plans),
 }
 
 /// Finds the boards that a scene at `tick_hz` asks for; they are not armed yet.
@@ -114,144 +94,27 @@ impl Bed {
         }
     }
 
-    /// Arms boards, hands them the performance's gestures, and says from when on they count.
-    pub(super) fn arm(
-        self,
-        performance: Option<&Performance>,
-        lead: Nanos,
-        patchbay: &Patchbay,
-    ) -> Result<(Bus, Nanos), SessionError> {
+    /// Arms boards, hands them the performance's gestures, and says from when on they count: not
+    /// before `lead` has passed.
+    pub(super) fn arm(self, stage: &Stage, lead: Nanos) -> Result<(Bus, Nanos), SessionError> {
         match self {
             Self::Simulated(keybed) => {
                 let (weights, laid) = rtrb::RingBuffer::new(WEIGHTS);
-                patchbay.lend_fingers(weights);
-                Ok((Bus::Simulated(Keys::new(*keybed, laid)), clock::monotonic().after(lead)))
+                stage.patchbay.lend_fingers(weights);
+                let start = clock::monotonic().after(lead);
+                Ok((Bus::simulated(Keys::new(*keybed, laid), stage), start))
             }
             Self::Boards(keybed, terms, plans) => {
-                let mut keybed = keybed.arm(terms, PATIENCE_US)?;
+                let mut keybed = Box::new(keybed.arm(terms, PATIENCE_US)?);
                 for (key, gestures) in
-                    performance.into_iter().flat_map(|it| all_keys().zip(&it.gestures))
+                    stage.performance.iter().flat_map(|it| all_keys().zip(&it.gestures))
                 {
                     keybed.play(key, gestures);
                 }
                 let start = clock::monotonic().after(lead);
                 keybed.begin_at(start.as_u64() / 1_000);
-                Ok((Bus::Boards(Box::new(keybed), plans), start))
+                Ok((Bus::on_boards(keybed, plans, stage), start))
             }
         }
     }
-}
-
-impl KeyBus for Bus {
-    fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
-        match self {
-            Self::Simulated(keys) => keys.receive(tick, samples),
-            Self::Boards(keybed, _) => keybed.receive(tick, samples),
-        }
-    }
-
-    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
-        match self {
-            Self::Simulated(keys) => keys.send(tick, forces),
-            Self::Boards(keybed, _) => keybed.send(tick, forces),
-        }
-    }
-
-    fn send_sloped(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
-        match self {
-            Self::Simulated(keys) => keys.send(tick, forces),
-            Self::Boards(keybed, _) => keybed.send_sloped(tick, forces, slopes),
-        }
-    }
-}
-
-impl Bus {
-    /// Takes what boards send until `start` is near, so that the first tick finds what is new.
-    pub(super) fn attend_until(&mut self, start: Nanos) {
-        let Self::Boards(keybed, _) = self else { return };
-        loop {
-            let next = clock::monotonic().after(LOOK);
-            if start <= next {
-                return;
-            }
-            keybed.attend();
-            clock::sleep_until(next);
-        }
-    }
-
-    /// Tells boards to render no force until they are seen to; a simulated keybed ends with the
-    /// run.
-    pub(super) fn stop(&mut self) {
-        /// Told so often, since nobody answers.
-        const TIMES: u8 = 3;
-        match self {
-            Self::Simulated(_) => {}
-            Self::Boards(keybed, _) => (0..TIMES).for_each(|_| keybed.stop(1)),
-        }
-    }
-
-    /// Tells boards to render no force; a simulated keybed ends with the run.
-    pub(super) fn disarm(&mut self) {
-        match self {
-            Self::Simulated(_) => {}
-            Self::Boards(keybed, _) => keybed.disarm(),
-        }
-    }
-
-    /// What happened on all links together.
-    pub(super) fn links(&self) -> Links {
-        match self {
-            Self::Simulated(keys) => simulated_links(keys),
-            Self::Boards(keybed, _) => board_links(keybed),
-        }
-    }
-
-    /// What became of each line; nothing of simulated ones.
-    pub(super) fn lines(&self, seconds: f64) -> Vec<LinkLine> {
-        match self {
-            Self::Simulated(_) => Vec::new(),
-            Self::Boards(keybed, plans) => {
-                let boards = keybed.board_reports();
-                let lines = keybed.line_reports();
-                let plans = plans.iter().map(Option::as_ref).chain(std::iter::repeat(None));
-                let lines = lines.iter().zip(plans);
-                lines.map(|(line, plan)| LinkLine::new(line, plan, &boards, seconds)).collect()
-            }
-        }
-    }
-
-    /// What became of each board in a run of `seconds`; nothing of simulated ones.
-    pub(super) fn boards(&self, seconds: f64) -> Vec<BoardLine> {
-        match self {
-            Self::Simulated(_) => Vec::new(),
-            Self::Boards(keybed, _) => {
-                keybed.board_reports().iter().map(|it| BoardLine::new(it, seconds)).collect()
-            }
-        }
-    }
-}
-
-fn simulated_links(keys: &Keys) -> Links {
-    let mut sum = Links { rearmed: keys.rearmed, ..Links::default() };
-    for board in BoardId::all() {
-        let (it, wire) = (keys.keybed.statistics(board), keys.keybed.wire(board));
-        sum.frames += it.samples.frames;
-        sum.gaps += it.samples.gaps;
-        sum.refused += wire.corrupt + wire.foreign + it.refused + wire.down;
-    }
-    sum
-}
-
-fn board_links(keybed: &Keybed<Armed>) -> Links {
-    let mut sum = Links::default();
-    for BoardReport { statistics, condition, .. } in keybed.board_reports() {
-        sum.frames += statistics.samples.frames;
-        sum.gaps += statistics.samples.gaps;
-        sum.refused += statistics.refused;
-        sum.rearmed += condition.armings.saturating_sub(1);
-    }
-    for LineReport { statistics, .. } in keybed.line_reports() {
-        sum.refused += statistics.corrupt + statistics.foreign;
-    }
-    sum
 }

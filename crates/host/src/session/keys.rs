@@ -1,6 +1,8 @@
 //! The simulated keybed as the tick's bus, with the host's answer to a tripped watchdog.
 
 use firmware_protocol::key::{BoardId, KeyIndex};
+use hardware::rt::glance::{BoardGlance, Care, Glance};
+use hardware::rt::steward::Stage;
 use hardware::sim::keybed::SimulatedKeybed;
 use rtrb::Consumer;
 use scheduler::motion::{KEYS, KeySample};
@@ -26,6 +28,20 @@ const MOST_WEIGHTS: usize = 16;
 impl Keys {
     pub(super) const fn new(keybed: SimulatedKeybed, weights: Consumer<(KeyIndex, f64)>) -> Self {
         Self { keybed, rearmed: 0, weights }
+    }
+
+    /// The line or board at `place`, lines first, as it is now; nothing behind the last.
+    pub(super) fn glance(&self, place: usize) -> Option<Glance> {
+        let glance = self.keybed.glance(place)?;
+        Some(match glance {
+            Glance::Line(..) => glance,
+            Glance::Board(board, it) => {
+                let (stage, armings) = (Stage::Armed, 1 + self.rearmed);
+                // Armed again within the tick in which they are found safe.
+                let care = Some(Care { stage, armings, round_trip_us: None });
+                Glance::Board(board, BoardGlance { care, ..it })
+            }
+        })
     }
 }
 

@@ -1,6 +1,7 @@
 //! One run of the host: prepared from a scene, run in real or virtual time, reported.
 
 mod bed;
+mod bus;
 mod keys;
 mod measured;
 mod midi_out;
@@ -29,7 +30,8 @@ use crate::observe::{self, Sink, Told};
 use crate::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use crate::realtime::thread::DEFAULT_PRIORITY;
 use crate::report::{Deadline, Evaluations, MidiReport, Notes, Realtime, Report};
-use bed::{Bed, Bus};
+use bed::Bed;
+use bus::Bus;
 use measured::Measured;
 pub(crate) use midi_out::nowhere;
 use observed::Observed;

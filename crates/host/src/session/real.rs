@@ -3,7 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::bed::{Bed, Bus};
+use super::bed::Bed;
+use super::bus::Bus;
 use super::measured::Measured;
 use super::observed::{Observed, Pumping};
 use super::{SessionError, Stage};
@@ -29,7 +30,7 @@ pub(super) fn run(
     stop: &AtomicBool,
 ) -> Result<Report, SessionError> {
     let locked = memory::lock();
-    let (mut bus, start) = bed.arm(stage.performance.as_ref(), LEAD, &stage.patchbay)?;
+    let (mut bus, start) = bed.arm(&stage, LEAD)?;
     let handover = histogram().map_err(std::io::Error::other)?;
     let (pulses, pump) = observed.begin(since_1970(start));
     let pumping = Pumping::start(pump)?;

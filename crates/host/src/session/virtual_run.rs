@@ -27,7 +27,7 @@ pub(super) fn run(
     let mut scheduler = scheduler(stage.timetable()?);
     let until = Until { stop, ticks: stage.ticks };
     let (mut ticks, mut skipped) = (0, 0);
-    let (mut bus, _start) = bed.arm(None, Nanos::ZERO, &stage.patchbay)?;
+    let (mut bus, _start) = bed.arm(&stage, Nanos::ZERO)?;
     // No clock decides anything: time begins when nobody knows.
     let (_no_clock, mut pump) = observed.begin(0);
     let mut assembly = Assembly {

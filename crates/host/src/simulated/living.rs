@@ -36,6 +36,8 @@ pub struct Living {
     quiet_after: Option<Nanos>,
     force_while_safe: f64,
     was_armed: bool,
+    was_lit: bool,
+    lights: u64,
     /// When it was last looked after, and the longest time between two such while armed.
     looked_after: Option<Nanos>,
     longest_gap: Nanos,
@@ -77,6 +79,8 @@ impl Living {
             quiet_after: None,
             force_while_safe: 0.0,
             was_armed: false,
+            was_lit: false,
+            lights: 0,
             looked_after: None,
             longest_gap: Nanos::ZERO,
         })
@@ -121,6 +125,14 @@ impl Living {
         }
         self.board.advance(ticks(passed / self.make.period), &mut link);
         self.watch(now);
+        let is_lit = self.board.is_lit();
+        self.lights += u64::from(is_lit && !self.was_lit);
+        self.was_lit = is_lit;
+    }
+
+    /// Times that its light went on.
+    pub const fn lights(&self) -> u64 {
+        self.lights
     }
 
     /// What is left to be said of it.
@@ -134,6 +146,7 @@ impl Living {
             quiet_after_ms: self.quiet_after.map(|it| it.as_secs_f64() * 1e3),
             force_while_safe_n: self.force_while_safe,
             longest_gap_ms: self.longest_gap.as_secs_f64() * 1e3,
+            lights: self.lights,
             counts: self.board.counts(),
         }
     }

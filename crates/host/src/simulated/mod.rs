@@ -44,18 +44,29 @@ pub struct Epitaph {
     /// Longest time that it was not looked after while it rendered forces [ms]: by nobody's
     /// fault but this machine's.
     pub longest_gap_ms: f64,
+    /// Times that its light went on.
+    pub lights: u64,
     /// What it counted.
     pub counts: BoardCounts,
 }
 
-/// Lets `boards` live until `stop`, or for `duration`.
-pub fn live(boards: &mut [Living], duration: Option<Nanos>, stop: &AtomicBool) {
+/// Lets `boards` live until `stop`, or for `duration`; `lit` hears of each whose light goes on.
+pub fn live(
+    boards: &mut [Living],
+    duration: Option<Nanos>,
+    stop: &AtomicBool,
+    lit: &mut dyn FnMut(&Living),
+) {
     let began = clock::monotonic();
     let is_over = |now: Nanos| duration.is_some_and(|duration| duration <= now.since(began));
     let (mut now, mut due) = (began, began);
     while !is_over(now) && !stop.load(Ordering::Acquire) {
         for board in boards.iter_mut() {
+            let lights = board.lights();
             board.live(now);
+            if lights < board.lights() {
+                lit(board);
+            }
         }
         // What was missed is not made up for: boards go by their clock.
         due = due.after(LOOK).max(now);

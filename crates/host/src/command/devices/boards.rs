@@ -11,6 +11,7 @@ use hardware::calibration::file;
 use hardware::keybed::{Found, Identified, Keybed, Offline};
 use hardware::link::address::Address;
 use hardware::refusal::{Refusal, reason_words};
+use hardware::rt::steward::LIGHT_S;
 use serde::Serialize;
 
 use super::DevicesArgs;
@@ -20,8 +21,6 @@ use crate::config::{BoardBus, Boards};
 
 /// How long the boards of one link may take to answer [us].
 const PATIENCE_US: u64 = 2_500_000;
-/// How long a light blinks [s].
-const LIGHT_S: u8 = 10;
 /// Lines of a log that are read at most.
 const MOST_LINES: u16 = 1_000;
 

@@ -1,0 +1,138 @@
+//! How long it takes from a slider to the key: a client of the stream sets a stiffness of a key
+//! that a finger holds down, and the first tick whose force is another one is looked for in
+//! what the host tells.
+//!
+//! `cargo run --release -p host --example slider_to_force`
+#![expect(clippy::expect_used, reason = "a measurement may stop here")]
+
+use std::collections::BTreeSet;
+use std::net::{Ipv4Addr, SocketAddr};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+use hdrhistogram::Histogram;
+use host::config::Scene;
+use host::control::{StreamSink, Studio, Switchboard};
+use host::session::{Options, Session};
+use telemetry::request::Change;
+use telemetry::stream::{Client, Dial, Server, Settings, serve};
+use telemetry::{Arrival, KeyBlock, Request, Source as _, Topic, Update};
+
+/// C4.
+const KEY: u8 = 39;
+/// Times that the slider is moved.
+const MOVES: u32 = 200;
+/// What a finger holds the key down with [N].
+const WEIGHT: f64 = 3.0;
+/// Longer than anything here takes.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+fn main() {
+    let silent = [("pianist.performance".to_owned(), "none".to_owned())];
+    let scene = Scene::load("default", &silent).expect("the default scene");
+    let session = Session::prepare(&scene, Options::default(), &|_| {}).expect("a session");
+    let switchboard = Arc::new(Switchboard::new(scene, session.patchbay()));
+    let mut runtime = tokio::runtime::Builder::new_multi_thread();
+    let runtime = runtime.worker_threads(1).enable_all().build().expect("a runtime");
+    let address = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
+    let server = {
+        let _inside = runtime.enter();
+        Server::listen(Settings { address, ..Settings::default() }).expect("a port")
+    };
+    let dial = Dial { address: server.url(), ..Dial::default() };
+    session.observe(Box::new(StreamSink(server.publisher())));
+    runtime.spawn(serve(server, Arc::new(Studio(switchboard))));
+    let stop = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        let host = scope.spawn(|| session.run(&stop));
+        let times = measure(&mut Client::connect(dial, None));
+        stop.store(true, Ordering::Release);
+        let report = host.join().expect("no panic").expect("a report");
+        let at = |quantile| times.value_at_quantile(quantile) as f64 / 1e3;
+        println!(
+            "slider to force, {MOVES} moves at {} Hz: p50 {:.2} ms, p99 {:.2} ms, longest {:.2} ms; \
+             {} of {} ticks late",
+            report.tick_hz,
+            at(0.5),
+            at(0.99),
+            times.max() as f64 / 1e3,
+            report.deadline.missed,
+            report.ticks,
+        );
+    });
+}
+
+/// Moves the slider to and fro [us].
+fn measure(client: &mut Client) -> Histogram<u64> {
+    client.follow(&BTreeSet::from([Topic::Catalogue, Topic::Voices, Topic::Block(KEY)]));
+    let (began, period) = wait(client, |update| {
+        let Update::Catalogue(it) = update else { return None };
+        Some((it.began, 1e9 / f64::from(it.tick_hz)))
+    });
+    client.ask(Request::Press { key: KEY, newtons: WEIGHT });
+    wait(client, |update| {
+        let Update::Block(block) = update else { return None };
+        block.position.last().filter(|it| 8e-3 < **it).map(|_| ())
+    });
+    let mut held = 0.0;
+    let mut times = Histogram::new(3).expect("a histogram");
+    for n in 0..MOVES {
+        // As a hand does, not in step with the ticks.
+        std::thread::sleep(Duration::from_micros(40_000 + u64::from(n) * 37 % 1_000));
+        let asked = SystemTime::now().duration_since(UNIX_EPOCH).expect("a clock").as_nanos();
+        let value = 20_000.0 + f64::from(n % 2) * 4_000.0;
+        let change = Change { key: KEY, parameter: "k1".into(), value };
+        client.ask(Request::Set { changes: vec![change] });
+        let tick = first_other_force(client, &mut held);
+        let felt = u128::from(began) + (tick as f64 * period) as u128;
+        times.saturating_record(u64::try_from(felt.saturating_sub(asked) / 1_000).unwrap_or(0));
+    }
+    times
+}
+
+/// The first tick of the next voice whose force is not the one before, `held`.
+fn first_other_force(client: &mut Client, held: &mut f64) -> u64 {
+    let mut voice = u32::MAX;
+    wait(client, |update| {
+        match update {
+            Update::Voice(it) if it.key == u32::from(KEY) => voice = it.revision,
+            Update::Block(block) => return changed(&block, voice, held),
+            _ => {}
+        }
+        None
+    })
+}
+
+/// The tick in which the voice of this revision first asks for another force than `held`; else
+/// that becomes the last one.
+fn changed(block: &KeyBlock, voice: u32, held: &mut f64) -> Option<u64> {
+    for ((force, after), revision) in block.sent.iter().zip(&block.after).zip(&block.revision) {
+        let is_other = force.to_bits() != held.to_bits();
+        *held = *force;
+        if voice <= *revision && is_other {
+            return Some(block.tick + u64::from(*after));
+        }
+    }
+    None
+}
+
+/// Waits for what `wanted` finds.
+fn wait<T>(client: &mut Client, mut wanted: impl FnMut(Update) -> Option<T>) -> T {
+    let end = Instant::now() + PATIENCE;
+    loop {
+        assert!(Instant::now() < end, "nothing came");
+        match client.next() {
+            Some(Arrival::Update { update, .. }) => {
+                if let Some(found) = wanted(*update) {
+                    return found;
+                }
+            }
+            Some(Arrival::Reply { result, .. }) => {
+                result.expect("a host that does as it is asked");
+            }
+            Some(Arrival::Anew) => {}
+            None => std::thread::sleep(Duration::from_micros(200)),
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! Lines and boards as a message, and what became of them in sentences.
+
+use hardware::rt::board::BoardStatistics;
+use hardware::rt::glance::{BoardGlance, Glance, LineGlance};
+use rtrb::Consumer;
+use telemetry::Links;
+
+use crate::adapters::lookout::Sighting;
+use crate::report::{stage_words, wire_words};
+
+/// What is known of lines and boards, and where more comes from.
+#[derive(Debug)]
+pub struct LinksWatch {
+    seen: Consumer<Sighting>,
+    /// Time of a tick [s].
+    period: f64,
+    links: Links,
+    /// Each line as it was seen last, and in which tick.
+    last: Vec<Option<(u64, LineGlance)>>,
+}
+
+impl LinksWatch {
+    /// Of lines and boards of which nothing was seen yet; ticks are `period` [s] apart.
+    pub fn new(seen: Consumer<Sighting>, links: Links, period: f64) -> Self {
+        let last = vec![None; links.lines.len()];
+        Self { seen, period, links, last }
+    }
+
+    /// Takes what was seen; returns how all of them are now, if any was seen, and a sentence on
+    /// each that is not as it was.
+    pub fn look(&mut self) -> Option<(Links, Vec<String>)> {
+        let mut changes = Vec::new();
+        let mut is_news = false;
+        while let Ok((tick, glance)) = self.seen.pop() {
+            is_news = true;
+            changes.extend(match glance {
+                Glance::Line(line, it) => self.line(line, tick, &it),
+                Glance::Board(board, it) => self.board(board, &it),
+            });
+        }
+        is_news.then(|| (self.links.clone(), changes))
+    }
+
+    fn line(&mut self, index: usize, tick: u64, it: &LineGlance) -> Option<String> {
+        let before = self.last.get_mut(index)?.replace((tick, *it));
+        let line = self.links.lines.get_mut(index)?;
+        let LineGlance { statistics, .. } = it;
+        let since = before.filter(|(last, _)| *last < tick);
+        let load = since.and_then(|(last, was)| {
+            let seconds = (tick - last) as f64 * self.period;
+            Some(it.meter?.since(&was.meter?).seen(seconds).most)
+        });
+        line.seen = load.unwrap_or(line.seen);
+        (line.corrupt, line.foreign) = (statistics.corrupt, statistics.foreign);
+        line.dropped = statistics.health.dropped;
+        let is_down = before.is_some_and(|(_, was)| was.statistics.down < statistics.down);
+        let state = if is_down { "down" } else { wire_words(statistics.health.state) };
+        let told = news(&line.state, state).then(|| format!("{} is {state} now", line.name));
+        line.state = state.into();
+        told
+    }
+
+    fn board(&mut self, index: usize, it: &BoardGlance) -> Option<String> {
+        let board = self.links.boards.get_mut(index)?;
+        let BoardStatistics { samples, refused, .. } = it.statistics;
+        (board.samples, board.gaps, board.refused) = (samples.frames, samples.gaps, refused);
+        let care = it.care?;
+        board.armings = care.armings;
+        board.round_trip = care.round_trip_us.map_or(f64::NAN, f64::from);
+        let state = stage_words(care.stage);
+        let line = usize::try_from(board.line).ok().and_then(|it| self.links.lines.get(it));
+        let line = line.map_or("", |line| line.name.as_str());
+        let told = news(&board.state, &state)
+            .then(|| format!("board {} on {line} is {state} now", board.id));
+        board.state = state;
+        told
+    }
+}
+
+/// Whether a state is another than before, and not the first.
+fn news(before: &str, now: &str) -> bool {
+    !before.is_empty() && before != now
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hardware::link::{Health, WireState};
+    use hardware::plan::{LinkMeter, Medium};
+    use hardware::rt::bus::LineStatistics;
+    use hardware::rt::glance::Care;
+    use hardware::rt::steward::Stage;
+    use rtrb::{Producer, RingBuffer};
+    use telemetry::{Board, Line};
+
+    /// One line with one board, in ticks of a millisecond.
+    fn watch() -> (Producer<Sighting>, LinksWatch) {
+        let (told, seen) = RingBuffer::new(16);
+        let line = Line { name: "can0".into(), planned: 0.25, seen: f64::NAN, ..Line::default() };
+        let board = Board { id: 3, first_key: 33, keys: 11, ..Board::default() };
+        let links = Links { lines: vec![line], boards: vec![board] };
+        (told, LinksWatch::new(seen, links, 1e-3))
+    }
+
+    fn line(state: WireState, meter: Option<LinkMeter>) -> Glance {
+        let health = Health { state, ..Health::default() };
+        let statistics = LineStatistics { health, ..LineStatistics::default() };
+        Glance::Line(0, LineGlance { statistics, meter })
+    }
+
+    fn board(stage: Stage) -> Glance {
+        let care = Some(Care { stage, armings: 2, round_trip_us: Some(990) });
+        Glance::Board(0, BoardGlance { statistics: BoardStatistics::default(), care })
+    }
+
+    #[test]
+    fn a_load_is_that_of_the_time_between_two_looks() {
+        let (mut told, mut watch) = watch();
+        let mut meter = LinkMeter::new(Medium::CanFd { nominal: 1_000_000, data: 5_000_000 });
+        (0..10_000).for_each(|_| meter.saw_up(26));
+        told.push((1_000, line(WireState::Active, Some(meter)))).unwrap();
+        let (links, _) = watch.look().unwrap();
+        assert!(links.lines[0].seen.is_nan(), "one look is no time");
+        (0..1_000).for_each(|_| meter.saw_up(26));
+        told.push((2_000, line(WireState::Active, Some(meter)))).unwrap();
+        let (links, _) = watch.look().unwrap();
+        // 104.8 us each, as the planner's tables have it.
+        assert!((links.lines[0].seen - 0.1048).abs() < 1e-6, "{links:?}");
+        assert_eq!(watch.look(), None, "nothing was seen");
+    }
+
+    #[test]
+    fn what_becomes_of_a_board_or_a_line_is_told_once() {
+        let (mut told, mut watch) = watch();
+        let mut look = |glance| {
+            told.push((0, glance)).unwrap();
+            watch.look().unwrap()
+        };
+        assert_eq!(look(board(Stage::Armed)).1, [""; 0], "it begins so");
+        assert_eq!(look(board(Stage::Greeting)).1, ["board 3 on can0 is silent now"]);
+        let (links, changes) = look(board(Stage::Greeting));
+        assert_eq!(changes, [""; 0]);
+        let it = &links.boards[0];
+        assert_eq!((it.state.as_str(), it.armings, it.round_trip), ("silent", 2, 990.0));
+        look(line(WireState::Active, None));
+        assert_eq!(look(line(WireState::Off, None)).1, ["can0 is off now"]);
+        let unplugged = LineStatistics { down: 900, ..LineStatistics::default() };
+        let glance = LineGlance { statistics: unplugged, meter: None };
+        assert_eq!(look(Glance::Line(0, glance)).1, ["can0 is down now"]);
+        assert_eq!(look(Glance::Line(0, glance)).1, ["can0 is active now"], "it was mended");
+    }
+}

@@ -1,0 +1,61 @@
+//! Simulated boards behind pseudo-terminals, as real ones in real time.
+#![allow(clippy::expect_used, clippy::missing_panics_doc, reason = "helpers of tests")]
+#![allow(dead_code, unreachable_pub, reason = "each test program uses its own part")]
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::JoinHandle;
+
+use firmware_protocol::key::BoardId;
+use haptics::RigParameters;
+use hardware::refusal::Uid;
+use hardware::sim::board::BoardMake;
+use host::simulated::{Living, Place, live, place};
+
+/// A simulated board behind a port.
+pub struct Board {
+    pub port: PathBuf,
+    pub uid: Uid,
+    stop: Arc<AtomicBool>,
+    thread: Option<JoinHandle<Living>>,
+}
+
+impl Board {
+    /// Sets one of this make going.
+    pub fn start(make: BoardMake) -> Self {
+        let placed = place(make.id, &Place::Pty).expect("a pseudo-terminal");
+        let port = placed.address.name().into();
+        let mut living = Living::new(make, placed, 0.0, Vec::new()).expect("a possible board");
+        let stop = Arc::new(AtomicBool::new(false));
+        let its_stop = Arc::clone(&stop);
+        let thread = std::thread::spawn(move || {
+            live(std::slice::from_mut(&mut living), None, &its_stop, &mut |_lit| {});
+            living
+        });
+        Self { port, uid: Uid(make.uid()), stop, thread: Some(thread) }
+    }
+
+    /// What a command takes for its link.
+    pub fn link(&self) -> String {
+        format!("serial:{}", self.port.display())
+    }
+
+    /// Stops it; returns what it has become.
+    pub fn stop(mut self) -> Living {
+        self.stop.store(true, Ordering::Release);
+        self.thread.take().expect("it lives").join().expect("it lives well")
+    }
+}
+
+impl Drop for Board {
+    fn drop(&mut self) {
+        self.stop.store(true, Ordering::Release);
+    }
+}
+
+/// A make of the standard compass.
+pub fn make(number: u8, n_keys: usize) -> BoardMake {
+    let id = BoardId::new(number).expect("a board");
+    BoardMake { n_keys, ..BoardMake::standard(id, 100e-6, RigParameters::default()) }
+}

@@ -1,0 +1,134 @@
+//! What is seen of lines and boards while a host runs, and the light of one of them.
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+
+mod common;
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::Duration;
+
+use common::{Board, make};
+use hardware::link::address::Address;
+use host::config::{Override, Scene, link_overrides};
+use host::control::Patchbay;
+use host::observe::Sink;
+use host::session::{Options, Session};
+use telemetry::event::Kind;
+use telemetry::{Links, Topic, Update};
+
+/// Long enough for any machine: it only ends what has failed.
+const PATIENCE: Duration = Duration::from_mins(1);
+
+/// Passes messages on.
+struct Ear(Sender<Update>);
+
+impl Sink for Ear {
+    fn take(&mut self, _at: u64, update: &Update) {
+        let _gone = self.0.send(update.clone());
+    }
+
+    fn wants(&self, topic: Topic) -> bool {
+        matches!(topic, Topic::Links | Topic::Events)
+    }
+}
+
+/// Runs a host that nobody plays on these links, or on simulated keys if there are none.
+fn beside_a_host(links: &[String], look: impl FnOnce(&Patchbay, &Receiver<Update>)) {
+    let parsed: Vec<_> = links.iter().map(|it| Address::parse(it).expect("a link")).collect();
+    let silent = Override::from(("pianist.performance".to_owned(), "none".to_owned()));
+    let overrides: Vec<_> = link_overrides(&parsed).into_iter().chain([silent]).collect();
+    let scene = Scene::load_as_typed("default", &overrides).expect("a scene");
+    let session = Session::prepare(&scene, Options::default(), &|_| {}).expect("a session");
+    let patchbay = session.patchbay();
+    let (tell, told) = channel();
+    session.observe(Box::new(Ear(tell)));
+    let stop = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        let host = scope.spawn(|| session.run(&stop));
+        let stops = Stop(&stop);
+        look(&patchbay, &told);
+        drop(stops);
+        host.join().expect("no panic").expect("a report");
+    });
+}
+
+/// The next message about links of which `is_it` holds.
+fn links(told: &Receiver<Update>, is_it: impl Fn(&Links) -> bool) -> Links {
+    loop {
+        if let Update::Links(it) = told.recv_timeout(PATIENCE).expect("links in time")
+            && is_it(&it)
+        {
+            return it;
+        }
+    }
+}
+
+/// What is told of boards and lines until `last` is said of one.
+fn told_until(told: &Receiver<Update>, last: &str) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    while all.last().is_none_or(|text| !text.contains(last)) {
+        if let Update::Event(it) = told.recv_timeout(PATIENCE).expect("an event in time")
+            && it.kind() == Kind::Board
+        {
+            all.push(it.text);
+        }
+    }
+    all
+}
+
+/// Ends the host also where a test fails.
+struct Stop<'a>(&'a AtomicBool);
+
+impl Drop for Stop<'_> {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Release);
+    }
+}
+
+#[test]
+fn boards_are_seen_show_their_light_and_are_missed_when_they_die() {
+    let boards = [3, 4].map(|number| Board::start(make(number, 11)));
+    let addresses = boards.each_ref().map(Board::link);
+    let [three, four] = boards;
+    beside_a_host(&addresses, |patchbay, told| {
+        let was_timed = |it: &Links| it.boards.iter().all(|board| !board.round_trip.is_nan());
+        let seen = links(told, was_timed);
+        assert_eq!(seen.lines.len(), 2);
+        let both = seen.lines.iter().zip(&seen.boards).zip(&addresses);
+        for (n, ((line, board), address)) in (0..).zip(both) {
+            assert!(address.ends_with(&line.name), "{line:?}");
+            assert_eq!(line.state, "active");
+            assert!(line.planned.is_nan(), "a pseudo-terminal has no load: {line:?}");
+            let place = (board.line, board.id, board.first_key, board.keys);
+            assert_eq!(place, (n, 3 + n, 33 + 11 * n, 11));
+            assert_eq!((board.state.as_str(), board.armings), ("armed", 1));
+            assert!(0.0 < board.round_trip && 0 < board.samples, "{board:?}");
+        }
+        let refused = patchbay.identify(0, 4).expect_err("it is on the other link");
+        assert!(refused.contains("but board 3"), "{refused}");
+        patchbay.identify(1, 4).expect("it is there");
+        let before = seen.boards[1].samples;
+        let later = links(told, |it| before + 1_500 < it.boards[1].samples);
+        assert_eq!(later.boards[1].armings, 1, "a light is no reason to be armed again");
+
+        // What becomes of a board is told.
+        assert_eq!((three.stop().lights(), patchbay.is_alarmed()), (0, false));
+        let all = told_until(told, "silent now");
+        let (line, board) = (" is down now", "board 3 on ");
+        assert!(all[0].ends_with(line) && all[1].starts_with(board), "{all:?}");
+        let lost = links(told, |it| it.boards[0].state == "silent");
+        assert_eq!(lost.boards[1].state, "armed");
+    });
+    assert_eq!(four.stop().lights(), 1);
+}
+
+#[test]
+fn simulated_boards_are_seen_and_have_no_lights() {
+    beside_a_host(&[], |patchbay, told| {
+        let seen = links(told, |it| it.boards.iter().all(|board| 500 < board.samples));
+        assert_eq!((seen.lines.len(), seen.boards.len()), (8, 8));
+        assert_eq!(seen.boards.iter().map(|it| it.keys).sum::<u32>(), 88);
+        let refused = patchbay.identify(0, 0).expect_err("nothing to be lit");
+        assert!(refused.contains("simulated"), "{refused}");
+    });
+}
