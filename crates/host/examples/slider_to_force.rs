@@ -3,7 +3,7 @@
 //! what the host tells.
 //!
 //! `cargo run --release -p host --example slider_to_force`
-#![expect(clippy::expect_used, reason = "a measurement may stop here")]
+#![expect(clippy::expect_used, clippy::print_stdout, reason = "a measurement")]
 
 use std::collections::BTreeSet;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -68,7 +68,7 @@ fn measure(client: &mut Client) -> Histogram<u64> {
     client.follow(&BTreeSet::from([Topic::Catalogue, Topic::Voices, Topic::Block(KEY)]));
     let (began, period) = wait(client, |update| {
         let Update::Catalogue(it) = update else { return None };
-        Some((it.began, 1e9 / f64::from(it.tick_hz)))
+        Some((it.began, 1_000_000_000 / u64::from(it.tick_hz)))
     });
     client.ask(Request::Press { key: KEY, newtons: WEIGHT });
     wait(client, |update| {
@@ -85,7 +85,7 @@ fn measure(client: &mut Client) -> Histogram<u64> {
         let change = Change { key: KEY, parameter: "k1".into(), value };
         client.ask(Request::Set { changes: vec![change] });
         let tick = first_other_force(client, &mut held);
-        let felt = u128::from(began) + (tick as f64 * period) as u128;
+        let felt = u128::from(began + tick * period);
         times.saturating_record(u64::try_from(felt.saturating_sub(asked) / 1_000).unwrap_or(0));
     }
     times
@@ -95,12 +95,13 @@ fn measure(client: &mut Client) -> Histogram<u64> {
 fn first_other_force(client: &mut Client, held: &mut f64) -> u64 {
     let mut voice = u32::MAX;
     wait(client, |update| {
-        match update {
-            Update::Voice(it) if it.key == u32::from(KEY) => voice = it.revision,
-            Update::Block(block) => return changed(&block, voice, held),
-            _ => {}
+        if let Update::Voice(it) = &update
+            && it.key == u32::from(KEY)
+        {
+            voice = it.revision;
         }
-        None
+        let Update::Block(block) = update else { return None };
+        changed(&block, voice, held)
     })
 }
 
