@@ -8,7 +8,8 @@ use telemetry::source::Ticket;
 use telemetry::{Arrival, Log, Reply, Request, Source, Standing, Topic, Update, log};
 
 use crate::names::LAST;
-use crate::panels::{deadlines, keyboard, midi, phase, tuning};
+use crate::panels::links::Light;
+use crate::panels::{deadlines, keyboard, links, midi, phase, tuning};
 use crate::scope::Scope;
 use crate::store::Store;
 use crate::tune::Tuner;
@@ -22,6 +23,11 @@ const MOST: usize = 20_000;
 enum Purpose {
     Tune,
     Tell,
+    /// A board's light.
+    Identify {
+        line: u32,
+        board: u32,
+    },
 }
 
 /// What panels remember of themselves.
@@ -36,6 +42,8 @@ pub(crate) struct Views {
     pub(crate) tuning: tuning::View,
     pub(crate) deadlines: deadlines::View,
     pub(crate) midi: midi::View,
+    #[serde(skip)]
+    pub(crate) links: links::View,
     #[serde(skip)]
     pub(crate) keyboard: keyboard::View,
     #[serde(skip)]
@@ -107,6 +115,7 @@ impl Desk {
         self.store.forget();
         self.tuner.forget();
         self.views.frozen = None;
+        self.views.links = links::View::default();
         self.asked.clear();
     }
 
@@ -114,6 +123,9 @@ impl Desk {
         let purpose = self.asked.remove(&ticket);
         if purpose == Some(Purpose::Tune) {
             self.tuner.answered(ticket, result.as_ref().map(|_| ()).map_err(String::as_str));
+        }
+        if let Some(Purpose::Identify { line, board }) = purpose {
+            self.views.links.lights.insert((line, board), Light::Answered(told(&result)));
         }
         let is_tuned = purpose == Some(Purpose::Tune) && result.is_ok();
         self.views.notice = match result {
@@ -136,6 +148,13 @@ impl Desk {
     pub(crate) fn ask(&mut self, request: Request) {
         let ticket = self.source.ask(request);
         self.asked.insert(ticket, Purpose::Tell);
+    }
+
+    /// A board shows its light; the answer is seen beside it too.
+    pub(crate) fn identify(&mut self, line: u32, board: u32) {
+        self.views.links.lights.insert((line, board), Light::Asked);
+        let ticket = self.source.ask(Request::Identify { line, board });
+        self.asked.insert(ticket, Purpose::Identify { line, board });
     }
 
     /// Sends values that were changed, and says which keys are looked at.
@@ -216,5 +235,15 @@ impl Desk {
     pub(crate) fn take_update(&mut self, at: u64, update: Update) {
         self.tuner.take(&update);
         self.store.take(at, update);
+    }
+}
+
+/// An answer in a sentence.
+fn told(result: &Result<Reply, String>) -> Result<String, String> {
+    match result {
+        Ok(Reply::Done { text }) => Ok(text.clone()),
+        // Another answer than it should be, but an answer.
+        Ok(Reply::Scene { .. } | Reply::Where { .. }) => Ok("done".to_owned()),
+        Err(text) => Err(text.clone()),
     }
 }

@@ -21,6 +21,7 @@ pub mod app;
 pub mod demo;
 mod desk;
 mod explain;
+mod fill;
 mod layout;
 mod look;
 pub mod names;

@@ -49,6 +49,21 @@ pub(crate) fn spacer(
     })
 }
 
+/// [`spacer`] for an axis of so many points across: where there is little room the lines are
+/// fewer, so that numbers still stand at them.
+pub(crate) fn spacer_across(
+    points: f32,
+) -> impl Fn(egui_plot::GridInput) -> Vec<egui_plot::GridMark> + 'static {
+    spacer(f64::from(points / 160.0).clamp(1.0, 4.0))
+}
+
+/// [`spacer_across`] for an axis of so many points up.
+pub(crate) fn spacer_up(
+    points: f32,
+) -> impl Fn(egui_plot::GridInput) -> Vec<egui_plot::GridMark> + 'static {
+    spacer(f64::from(points / 60.0).clamp(1.5, 3.0))
+}
+
 /// What is selected.
 pub(crate) const fn selected(visuals: &Visuals) -> Color32 {
     if visuals.dark_mode { YELLOW } else { BLUE }

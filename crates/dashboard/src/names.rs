@@ -4,8 +4,6 @@ use std::ops::RangeInclusive;
 
 use telemetry::KEYS;
 
-const NAMES: [&str; 12] = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
-
 /// Semitones of A0 above C0.
 const LOWEST: u8 = 9;
 
@@ -14,8 +12,7 @@ pub const LAST: u8 = 87;
 
 /// The name of `key`, as `C#4`.
 pub fn name(key: u8) -> String {
-    let semitones = key.saturating_add(LOWEST);
-    format!("{}{}", NAMES[usize::from(semitones % 12)], semitones / 12)
+    telemetry::key_name(key.into())
 }
 
 /// Whether `key` is a black one.

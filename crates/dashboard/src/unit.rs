@@ -61,6 +61,21 @@ pub(crate) fn seconds(seconds: f64) -> String {
     }
 }
 
+/// `unit` in brackets; nothing at all where there is none.
+pub(crate) fn bracketed(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!("[{unit}]") }
+}
+
+/// `name` with its unit in brackets behind it.
+pub(crate) fn named(name: &str, unit: &str) -> String {
+    join(name, &bracketed(unit))
+}
+
+/// `unit` behind a number.
+pub(crate) fn suffix(unit: &str) -> String {
+    join("", unit)
+}
+
 fn trimmed(digits: &str) -> String {
     if digits.contains('.') {
         digits.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -69,8 +84,8 @@ fn trimmed(digits: &str) -> String {
     }
 }
 
-fn join(digits: &str, unit: &str) -> String {
-    if unit.is_empty() { digits.to_owned() } else { format!("{digits} {unit}") }
+fn join(text: &str, unit: &str) -> String {
+    if unit.is_empty() { text.to_owned() } else { format!("{text} {unit}") }
 }
 
 #[cfg(test)]
@@ -85,6 +100,15 @@ mod tests {
         assert_eq!(text(5800.0, "N/m"), "5800 N/m");
         assert_eq!(text(1.2e-5, "kg m²"), "1.200e-5 kg m²");
         assert_eq!(text(0.0, ""), "0");
+    }
+
+    #[test]
+    fn where_there_is_no_unit_there_are_no_brackets() {
+        assert_eq!(named("lift", "N"), "lift [N]");
+        assert_eq!(named("lift", ""), "lift");
+        assert_eq!(bracketed(""), "");
+        assert_eq!(suffix("mm"), " mm");
+        assert_eq!(suffix(""), "");
     }
 
     #[test]

@@ -9,7 +9,7 @@ use dashboard::{Memory, Pane};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use telemetry::Request;
+use telemetry::{Catalogue, Model, Request, Signal, Update, signal};
 
 const C4: u8 = 39;
 
@@ -30,6 +30,11 @@ fn slide(stage: &mut Stage, name: &str, share: f32) {
 fn write(stage: &mut Stage, label: &str, text: &str) {
     stage.harness.get_by_label(label).click();
     stage.settle();
+    write_here(stage, text);
+}
+
+/// `text` replaces what stands where somebody writes.
+fn write_here(stage: &mut Stage, text: &str) {
     stage.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     stage.harness.event(egui::Event::Text(text.into()));
     stage.settle();
@@ -76,6 +81,45 @@ fn a_slider_is_dragged_and_the_host_is_asked() {
     assert!(stage.set(C4, "restitution").last().is_some_and(|it| near(*it, 0.4, 1e-9)));
     stage.click("Redo");
     assert!(stage.set(C4, "restitution").last().is_some_and(|it| near(*it, 0.76, 0.03)));
+}
+
+#[test]
+fn any_step_is_one_click_away() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    for value in ["7250", "8000", "9000"] {
+        write(&mut stage, "k2 value", value);
+    }
+    stage.click("History");
+    stage.click("k2 of C4: from 6000 to 7250 N/m");
+    assert_eq!(stage.set(C4, "k2").last(), Some(&7250.0));
+    // Steps that were taken back stay in the list.
+    stage.click("k2 of C4: from 8000 to 9000 N/m");
+    assert_eq!(stage.set(C4, "k2").last(), Some(&9000.0));
+    stage.click("as it was before");
+    assert_eq!(stage.set(C4, "k2").last(), Some(&6000.0));
+    let first = stage.harness.get_by_label("as it was before");
+    assert_eq!(first.accesskit_node().toggled(), Some(egui::accesskit::Toggled::True));
+}
+
+#[test]
+fn a_step_of_many_keys_says_which() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    stage.click("link");
+    stage.click("same value");
+    stage.click("All keys");
+    write(&mut stage, "m_h value", "0.02");
+    stage.click("Store A");
+    write(&mut stage, "m_h value", "0.01");
+    write(&mut stage, "k2 value", "9000");
+    stage.click("A");
+    stage.click("History");
+    for step in [
+        "m_h of A0..C8, same value: from 0.007..0.011 to 0.02 kg",
+        "k2 of A0..C8, same value: from 6000 to 9000 N/m",
+        "A: 176 values of A0..C8",
+    ] {
+        assert!(stage.has(step), "{step}");
+    }
 }
 
 #[test]
@@ -216,8 +260,17 @@ fn stop_is_one_click_away_in_every_panel() {
 #[test]
 fn a_board_shows_its_light() {
     let mut stage = stage(Pane::Links, Behind::Live);
-    stage.click("Identify 5");
+    stage.click("Identify board 5 of /dev/ttyACM0");
     assert_eq!(stage.asked().last(), Some(&Request::Identify { line: 1, board: 5 }));
+    // The answer stands in the bar, and beside the board.
+    assert_eq!(stage.harness.query_all_by_label("It shows its light.").count(), 2);
+}
+
+#[test]
+fn a_light_that_is_refused_says_why_beside_its_board() {
+    let mut stage = stage(Pane::Links, Behind::Recording);
+    stage.click("Identify board 2 of can0");
+    assert_eq!(stage.harness.query_all_by_label("A recording cannot be changed.").count(), 2);
 }
 
 #[test]
@@ -300,6 +353,96 @@ fn cursors_are_dragged_and_say_the_difference() {
     let moved = at(&stage, "cursor A in plot 2");
     assert!(moved < a - 0.15, "{a} {moved}");
     assert!(stage.says("Δt"));
+}
+
+#[test]
+fn several_keys_are_seen_in_one_scope() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    assert!(stage.has("position [mm]"));
+    stage.click("Compare");
+    stage.harness.get_by_role_and_label(Role::TextInput, "with").click();
+    stage.settle();
+    write_here(&mut stage, "E4, H9");
+    assert!(stage.says("write E4") && !stage.has("Remove E4"));
+    stage.harness.get_by_role_and_label(Role::TextInput, "with").click();
+    stage.settle();
+    write_here(&mut stage, "E4, G4");
+    assert!(stage.has("Remove E4") && stage.has("Remove G4"));
+    // Their rows are followed from now on.
+    stage.play_on(3.0, 4.5);
+    for title in ["C4 position [mm]", "E4 position [mm]", "G4 position [mm]"] {
+        assert!(stage.has(title), "{title}");
+    }
+    stage.click("Remove G4");
+    assert!(stage.has("E4 position [mm]") && !stage.has("G4 position [mm]"));
+    stage.click("Remove E4");
+    assert!(stage.has("position [mm]"));
+}
+
+#[test]
+fn a_signal_without_a_unit_has_no_brackets() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    let kind = signal::Kind::Guard.into();
+    let bare = Signal { name: "lift".into(), kind, ..Signal::default() };
+    let model =
+        Model { name: "key-hammer-springs".into(), signals: vec![bare], ..Model::default() };
+    let catalogue = Catalogue { models: vec![model], tick_hz: 1000, ..Catalogue::default() };
+    stage.harness.state_mut().take(0, Update::Catalogue(catalogue));
+    stage.settle();
+    assert!(stage.has("sent [N]") && stage.says("lift ×"));
+    stage.click("Channels");
+    assert!(stage.has("lift") && stage.has("speed [m/s]"));
+    assert!(!stage.says("[]"));
+}
+
+/// How much plot 1 shows of its values.
+fn height(stage: &Stage) -> f64 {
+    let axis = stage.harness.get_by_label("y axis of plot 1");
+    axis.accesskit_node().numeric_value().unwrap_or_default()
+}
+
+#[test]
+fn the_y_axis_is_dragged_and_fits_again() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    let all = height(&stage);
+    let axis = stage.rect("y axis of plot 1").center();
+    stage.drag(axis, axis - vec2(0.0, 80.0), PointerButton::Primary);
+    let zoomed = height(&stage);
+    assert!((0.35..0.65).contains(&(zoomed / all)), "{zoomed} of {all}");
+    // What was chosen stays while time goes by.
+    stage.play_on(3.0, 4.0);
+    assert!(near(height(&stage), zoomed, 1e-9));
+    stage.click("Fit y");
+    assert!(1.5 * zoomed < height(&stage));
+    stage.drag(axis, axis + vec2(0.0, 80.0), PointerButton::Primary);
+    assert!(1.5 * all < height(&stage));
+    for _ in 0..2 {
+        stage.press_at(axis);
+        stage.harness.drop_at(axis);
+        stage.harness.step();
+    }
+    stage.settle();
+    assert!(height(&stage) < 1.2 * all, "{} of {all}", height(&stage));
+}
+
+#[test]
+fn shift_and_the_wheel_zoom_in_values_and_not_in_time() {
+    let mut stage = stage(Pane::Scope(0), Behind::Live);
+    let all = height(&stage);
+    stage.harness.hover_at(egui::pos2(400.0, 300.0));
+    stage.harness.event(egui::Event::ModifiersChanged(Modifiers::SHIFT));
+    stage.harness.step();
+    stage.harness.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: vec2(0.0, 100.0),
+        modifiers: Modifiers::SHIFT,
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+    });
+    stage.harness.run_steps(20);
+    assert!(height(&stage) < 0.8 * all, "{} of {all}", height(&stage));
+    let window = stage.harness.get_by_label("window");
+    assert_eq!(window.accesskit_node().numeric_value(), Some(2.0));
 }
 
 #[test]
@@ -518,4 +661,34 @@ fn a_scope_is_popped_out_and_put_back() {
     assert!(stage.says("This scope is a window of its own."));
     stage.click("Put it back");
     assert!(stage.has("cursor A in plot 1"));
+}
+
+#[test]
+fn everything_is_within_reach_in_a_narrow_tile() {
+    let of_panes: [(Pane, &[&str]); 6] = [
+        (Pane::Deadlines, &["bare timer", "p50 116 µs", "most 308 µs", "0 skipped"]),
+        (
+            Pane::Tuning,
+            &["k2", "k2 value", "reset k2", "lock k2", "morph", "History", "Save preset"],
+        ),
+        (Pane::Midi, &["only with", "Clear"]),
+        (Pane::Timeline, &["Pause", "0.01×", "8×", "+ 1 s", "time line"]),
+        (Pane::Faults, &["F#4 is faulty now: capped", "Show F#4"]),
+        (Pane::Mechanism, &["mechanism of C4"]),
+    ];
+    for (pane, labels) in of_panes {
+        let others = [Pane::Log, Pane::Phase];
+        let behind = if pane == Pane::Timeline { Behind::Recording } else { Behind::Live };
+        let mut stage = stage_with(behind, None, move |app| {
+            app.show_row([pane].into_iter().chain(others).collect());
+        });
+        stage.harness.set_size(vec2(786.0, 420.0));
+        stage.play(3.0);
+        for label in labels {
+            for found in stage.harness.get_all_by_label(label) {
+                let rect = found.rect();
+                assert!(rect.right() <= 260.0, "{label} of {pane:?} ends at {}", rect.right());
+            }
+        }
+    }
 }

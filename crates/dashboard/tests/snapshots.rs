@@ -4,7 +4,7 @@ mod common;
 
 use common::snapshot::Canvas;
 use common::{Behind, Hand, source};
-use dashboard::{App, Pane};
+use dashboard::{App, Memory, Pane};
 use eframe::egui::{Event, Key, Modifiers, Theme};
 
 /// A canvas after `seconds` of the demonstration.
@@ -73,6 +73,31 @@ fn scope_with_cursors() {
 }
 
 #[test]
+fn scope_of_two_keys() {
+    let hand = Hand::default();
+    let mut canvas = Canvas::new([760, 420], Theme::Dark, |ctx| {
+        let window = |memory| {
+            let (source, _) = source(&hand, Behind::Live);
+            App::new(source, hand.clock(), memory, ctx)
+        };
+        let mut app = window(None);
+        app.show_only(Pane::Scope(0));
+        window(Some(compared(app.memory(ctx).text())))
+    });
+    canvas.play(&hand, 3.0);
+    canvas.check("scope_compared");
+}
+
+/// What a window would remember whose scope compares with E4.
+fn compared(memory: &str) -> Memory {
+    let mut memory: serde_json::Value = serde_json::from_str(memory).unwrap_or_default();
+    memory["views"]["scopes"] = serde_json::json!({
+        "0": { "compared": [43], "lanes": [["sent", "string"], ["position"]] }
+    });
+    Memory::read(memory.to_string())
+}
+
+#[test]
 fn phase() {
     check_panel(Pane::Phase, "phase");
 }
@@ -80,6 +105,19 @@ fn phase() {
 #[test]
 fn tuning() {
     check_panel(Pane::Tuning, "tuning");
+}
+
+#[test]
+fn tuning_with_its_steps() {
+    let set = |app: &mut App| app.show_only(Pane::Tuning);
+    let mut canvas = canvas([760, 420], Theme::Dark, Behind::Live, 3.0, set);
+    for (y, to) in [(147.0, 220.0), (172.0, 120.0), (247.0, 260.0)] {
+        canvas.drag([180.0, y], [to, y]);
+    }
+    // Undo, then the list.
+    canvas.drag([26.0, 90.0], [26.0, 90.0]);
+    canvas.drag([131.0, 90.0], [131.0, 90.0]);
+    canvas.check("tuning_steps");
 }
 
 #[test]
@@ -98,6 +136,14 @@ fn links() {
 }
 
 #[test]
+fn links_of_a_board_that_shows_its_light() {
+    let set = |app: &mut App| app.show_only(Pane::Links);
+    let mut canvas = canvas([860, 420], Theme::Light, Behind::Live, 3.0, set);
+    canvas.drag([80.0, 347.0], [80.0, 347.0]);
+    canvas.check("links_light");
+}
+
+#[test]
 fn midi() {
     check_panel(Pane::Midi, "midi");
 }
@@ -111,6 +157,27 @@ fn faults() {
 fn timeline() {
     let set = |app: &mut App| app.show_only(Pane::Timeline);
     canvas([760, 420], Theme::Dark, Behind::Recording, 3.0, set).check("timeline");
+}
+
+/// Three panels, each 260 points wide.
+fn check_narrow(panes: [Pane; 3], name: &str) {
+    let set = |app: &mut App| app.show_row(panes.to_vec());
+    canvas([786, 460], Theme::Dark, Behind::Recording, 3.0, set).check(name);
+}
+
+#[test]
+fn deadlines_links_and_tuning_in_narrow_tiles() {
+    check_narrow([Pane::Deadlines, Pane::Links, Pane::Tuning], "narrow_deadlines");
+}
+
+#[test]
+fn faults_midi_and_timeline_in_narrow_tiles() {
+    check_narrow([Pane::Faults, Pane::Midi, Pane::Timeline], "narrow_faults");
+}
+
+#[test]
+fn scope_mechanism_and_instruments_in_narrow_tiles() {
+    check_narrow([Pane::Scope(0), Pane::Mechanism, Pane::Instruments], "narrow_scope");
 }
 
 #[test]

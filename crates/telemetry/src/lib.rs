@@ -23,6 +23,7 @@
 
 #![forbid(unsafe_code)]
 
+mod keys;
 mod messages;
 pub mod recording;
 pub mod request;
@@ -30,10 +31,8 @@ pub mod source;
 pub mod stream;
 pub mod topic;
 
+pub use keys::{KEYS, key_name};
 pub use messages::*;
 pub use request::{Reply, Request};
 pub use source::{Arrival, Source, Standing, Timeline};
 pub use topic::{Topic, Update};
-
-/// Keys of a full compass: A0 to C8.
-pub const KEYS: usize = 88;

@@ -21,6 +21,8 @@ pub(super) fn help_ui(ctx: &Context, desk: &mut Desk) {
             ui.separator();
             ui.label("In a scope: drag moves, the wheel zooms, a drag with the right button");
             ui.label("zooms to what it covers, a double click follows again.");
+            ui.label("Shift and the wheel, or the y axis under the mouse, zoom in values;");
+            ui.label("a double click on the axis shows all of them again.");
             ui.label("Shift and a click on a key selects all keys up to it.");
         },
     );

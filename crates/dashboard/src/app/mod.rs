@@ -112,6 +112,11 @@ impl App {
         self.layout = Layout::new_grid(egui::Id::unique("panels"), panes);
     }
 
+    /// Shows these panels beside each other, from the left.
+    pub fn show_row(&mut self, panes: Vec<Pane>) {
+        self.layout = Layout::new_horizontal(egui::Id::unique("panels"), panes);
+    }
+
     /// Selects a key.
     pub fn select(&mut self, key: u8) {
         self.desk.select(key);

@@ -134,9 +134,24 @@ fn body(name: &str, place: [f64; 2], angle: Option<Follower>, outlines: Vec<Outl
     }
 }
 
+/// A clamp, open to the right, that holds the string's end at `place`.
+fn agraffe([x, y]: [f64; 2]) -> Outline {
+    const CLAMP: [[f64; 2]; 8] = [
+        [-0.018, -0.014],
+        [0.012, -0.014],
+        [0.012, -0.005],
+        [-0.006, -0.005],
+        [-0.006, 0.005],
+        [0.012, 0.005],
+        [0.012, 0.014],
+        [-0.018, 0.014],
+    ];
+    outline(outline::Kind::Metal, &CLAMP.map(|[across, up]| [x + across, y + up]))
+}
+
 /// The mechanism seen from the side: the key's front is at the left.
 fn drawing() -> Drawing {
-    use outline::Kind::{Felt, Finger, Ground, Metal, String, Wood};
+    use outline::Kind::{Felt, Finger, Ground, String, Wood};
     let axis = [0.115 + HAMMER, 0.055];
     let key =
         vec![bar(Wood, [-0.22, -0.012, 0.16, 0.010]), bar(Felt, [0.095, 0.010, 0.115, 0.020])];
@@ -178,7 +193,7 @@ fn drawing() -> Drawing {
             body("key", [0.0, 0.0], Some(follower(1.0, "theta_k")), key),
             body("hammer", axis, Some(follower(-1.0, "theta_h")), hammer),
             still("string", vec![bar(String, [-0.05, string_y, 0.28, string_y + 0.002])]),
-            still("agraffe", vec![bar(Metal, [-0.06, string_y - 0.012, -0.045, string_y + 0.012])]),
+            still("agraffe", vec![agraffe([-0.05, string_y + 0.001])]),
             finger,
         ],
         coils: vec![Coil {

@@ -1,11 +1,11 @@
 //! Whether ticks were in time: how long they took, and why some were late.
 
-use eframe::egui::{Color32, TextStyle, Ui};
+use eframe::egui::{Color32, RichText, TextStyle, Ui};
 use egui_plot::{Bar, BarChart, Corner, HLine, Legend, Line, Plot, PlotPoints, Points, VLine};
 use serde::{Deserialize, Serialize};
 use telemetry::{Deadlines, Spread};
 
-use super::nothing_ui;
+use super::{nothing_ui, piece_ui};
 use crate::desk::Desk;
 use crate::store::timing::{Cause, Timed};
 use crate::{look, unit};
@@ -59,15 +59,12 @@ pub(super) fn deadlines_ui(ui: &mut Ui, desk: &mut Desk) {
         return;
     };
     counts_ui(ui, &deadlines);
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for which in Which::ALL {
             ui.selectable_value(&mut desk.views.deadlines.which, which, which.text());
         }
         if let Some(spread) = desk.views.deadlines.which.of(&deadlines) {
-            ui.weak(format!(
-                "p50 {:.0} µs, p99 {:.0} µs, p99.9 {:.0} µs, most {:.0} µs",
-                spread.p50, spread.p99, spread.p999, spread.max
-            ));
+            quantiles_ui(ui, spread);
         }
     });
     let height = (ui.available_height() / 2.0 - 6.0).max(60.0);
@@ -79,7 +76,7 @@ pub(super) fn deadlines_ui(ui: &mut Ui, desk: &mut Desk) {
 
 fn counts_ui(ui: &mut Ui, deadlines: &Deadlines) {
     ui.horizontal_wrapped(|ui| {
-        ui.strong(format!("{} ticks", deadlines.ticks));
+        piece_ui(ui, RichText::new(format!("{} ticks", deadlines.ticks)).strong());
         let counts = [
             ("missed", deadlines.missed),
             ("own work", deadlines.own_work),
@@ -89,9 +86,17 @@ fn counts_ui(ui: &mut Ui, deadlines: &Deadlines) {
         ];
         for (name, count) in counts {
             let color = if count == 0 { ui.visuals().weak_text_color() } else { look::fault(ui) };
-            ui.colored_label(color, format!("{count} {name}"));
+            piece_ui(ui, RichText::new(format!("{count} {name}")).color(color));
         }
     });
+}
+
+fn quantiles_ui(ui: &mut Ui, spread: &Spread) {
+    let quantiles =
+        [("p50", spread.p50), ("p99", spread.p99), ("p99.9", spread.p999), ("most", spread.max)];
+    for (name, time) in quantiles {
+        piece_ui(ui, RichText::new(format!("{name} {time:.0} µs")).weak());
+    }
 }
 
 /// How many took how long, on a logarithm, so that a single one is seen.
@@ -110,10 +115,10 @@ fn histogram_ui(ui: &mut Ui, spread: &Spread, height: f32) {
     Plot::new("histogram")
         .grid_spacing(22.0..=220.0)
         .grid_color(look::grid(ui))
-        .x_grid_spacer(look::spacer(4.0))
+        .x_grid_spacer(look::spacer_across(ui.available_width()))
         .height(height)
         .allow_scroll(false)
-        .legend(Legend::default().text_style(TextStyle::Small).position(Corner::RightTop))
+        .legend(legend())
         .x_axis_label("time [µs]")
         .y_axis_label("ticks")
         .y_axis_formatter(|mark, _| unit::digits(10_f64.powf(mark.value).round()))
@@ -125,6 +130,11 @@ fn histogram_ui(ui: &mut Ui, spread: &Spread, height: f32) {
                 plot.vline(VLine::new(name, at).color(color).width(1.5));
             }
         });
+}
+
+/// What is behind it shines through: in a narrow tile it covers much.
+fn legend() -> Legend {
+    Legend::default().text_style(TextStyle::Small).position(Corner::RightTop).background_alpha(0.5)
 }
 
 const fn color(cause: Cause) -> Color32 {
@@ -154,16 +164,11 @@ fn timeline_ui(ui: &mut Ui, desk: &Desk, height: f32) {
     Plot::new("ticks")
         .grid_spacing(22.0..=220.0)
         .grid_color(look::grid(ui))
-        .x_grid_spacer(look::spacer(4.0))
-        .y_grid_spacer(look::spacer(3.0))
+        .x_grid_spacer(look::spacer_across(ui.available_width()))
+        .y_grid_spacer(look::spacer_up(height))
         .height(height)
         .allow_scroll(false)
-        .legend(
-            Legend::default()
-                .text_style(TextStyle::Small)
-                .position(Corner::RightTop)
-                .follow_insertion_order(true),
-        )
+        .legend(legend().follow_insertion_order(true))
         .x_axis_formatter(|mark, _| format!("{} s", unit::digits(mark.value)))
         .y_axis_label("due to done [µs]")
         .y_axis_formatter(|mark, _| unit::digits(mark.value))

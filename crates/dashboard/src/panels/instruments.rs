@@ -29,12 +29,7 @@ pub(super) fn instruments_ui(ui: &mut Ui, desk: &mut Desk) {
         }
         ui.separator();
         ui.strong("What plays now");
-        Grid::new("now").num_columns(3).striped(true).spacing([14.0, 3.0]).show(ui, |ui| {
-            for (range, instrument, model) in runs(desk) {
-                run_ui(ui, desk, &range, instrument, &model);
-                ui.end_row();
-            }
-        });
+        ScrollArea::horizontal().show(ui, |ui| runs_ui(ui, desk));
         ui.separator();
         ui.strong("Models");
         for model in &catalogue.models {
@@ -52,7 +47,7 @@ pub(super) fn instruments_ui(ui: &mut Ui, desk: &mut Desk) {
 fn range_ui(ui: &mut Ui, desk: &mut Desk) -> Option<RangeInclusive<u8>> {
     let selected = names::range_name(&desk.range());
     let mut text = desk.views.instruments.range.clone().unwrap_or_else(|| selected.clone());
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let label = ui.label("for keys");
         let edit = ui.add(TextEdit::singleline(&mut text).desired_width(90.0));
         if edit.labelled_by(label.id).changed() {
@@ -79,7 +74,7 @@ fn instrument_ui(
     instrument: &Instrument,
     range: Option<&RangeInclusive<u8>>,
 ) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let name = RichText::new(&instrument.name).strong();
         let button = eframe::egui::Button::new(name).min_size(eframe::egui::vec2(120.0, 0.0));
         let clicked = ui.add_enabled(range.is_some(), button).clicked();
@@ -93,6 +88,15 @@ fn instrument_ui(
         ui.label(RichText::new(&instrument.doc).small());
     }
     ui.add_space(2.0);
+}
+
+fn runs_ui(ui: &mut Ui, desk: &mut Desk) {
+    Grid::new("now").num_columns(3).striped(true).spacing([14.0, 3.0]).show(ui, |ui| {
+        for (range, instrument, model) in runs(desk) {
+            run_ui(ui, desk, &range, instrument, &model);
+            ui.end_row();
+        }
+    });
 }
 
 /// A stretch of keys; a click selects it.

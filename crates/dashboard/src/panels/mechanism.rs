@@ -3,13 +3,14 @@
 use std::f32::consts::TAU;
 
 use eframe::egui::{
-    Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, WidgetInfo,
+    Align2, Color32, FontId, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Role, pos2, vec2,
 };
 use telemetry::{Body, Coil, Drawing, Follower, Outline, outline};
 
 use super::nothing_ui;
 use crate::desk::Desk;
+use crate::fill::{self, Point};
 use crate::{look, names, number, unit};
 
 /// From the drawing [m] to the screen.
@@ -80,7 +81,7 @@ pub(super) fn mechanism_ui(ui: &mut Ui, desk: &mut Desk) {
     desk.want(key);
     let now = desk.now();
     let mode = mode(desk, key, now);
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.strong(desk.title(key));
         if let Some(mode) = mode {
             ui.colored_label(look::mode(mode), desk.store.mode_name(key, mode));
@@ -148,17 +149,37 @@ fn paint(
 
 fn paint_outline(painter: &Painter, outline: &Outline, pose: &Pose, scale: &Scale) {
     let pairs = outline.x.iter().zip(&outline.y);
-    let points: Vec<Pos2> = pairs.map(|(x, y)| scale.place(pose.point(*x, *y))).collect();
+    let corners: Vec<Point> = pairs.map(|(x, y)| [*x, *y]).collect();
+    let place = |[x, y]: &Point| scale.place(pose.point(*x, *y));
+    let points: Vec<Pos2> = corners.iter().map(place).collect();
     if !points.iter().all(|point| point.is_finite()) {
         return;
     }
     let color = color(outline.kind());
     let stroke = Stroke::new(1.2, look::blend(color, Color32::BLACK, 0.35));
-    if outline.closed {
+    if !outline.closed {
+        painter.add(Shape::line(points, Stroke::new(1.8, color)));
+    } else if fill::is_convex(&corners) {
         painter.add(Shape::convex_polygon(points, color, stroke));
     } else {
-        painter.add(Shape::line(points, Stroke::new(1.8, color)));
+        painter.add(filled(&corners, &points, color));
+        painter.add(Shape::closed_line(points, stroke));
     }
+}
+
+/// The inside of an outline that is not convex. It is cut in the body's own axes: however the
+/// body moves, the triangles stay the same and nothing flickers.
+fn filled(corners: &[Point], points: &[Pos2], color: Color32) -> Shape {
+    let mut mesh = Mesh::default();
+    for point in points {
+        mesh.colored_vertex(*point, color);
+    }
+    for triangle in fill::triangles(corners) {
+        // There are few: `fill` takes no outline of more.
+        let [a, b, c] = triangle.map(|corner| u32::try_from(corner).unwrap_or(0));
+        mesh.add_triangle(a, b, c);
+    }
+    Shape::mesh(mesh)
 }
 
 const fn color(kind: outline::Kind) -> Color32 {

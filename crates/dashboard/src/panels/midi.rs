@@ -1,10 +1,10 @@
 //! What was sent to a synthesizer.
 
-use eframe::egui::{ScrollArea, TextEdit, TextStyle, Ui};
+use eframe::egui::{RichText, ScrollArea, TextEdit, TextStyle, Ui};
 use serde::{Deserialize, Serialize};
 use telemetry::Midi;
 
-use super::nothing_ui;
+use super::{nothing_ui, piece_ui};
 use crate::desk::Desk;
 
 /// What the panel remembers.
@@ -17,14 +17,14 @@ pub(crate) struct View {
 
 /// Draws the panel.
 pub(super) fn midi_ui(ui: &mut Ui, desk: &mut Desk) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let label = ui.label("only with");
         let filter = TextEdit::singleline(&mut desk.views.midi.filter).desired_width(110.0);
         ui.add(filter.hint_text("note on")).labelled_by(label.id);
         if ui.button("Clear").clicked() {
             desk.store.midi.clear();
         }
-        ui.weak(format!("{} in all", desk.store.midi.count()));
+        piece_ui(ui, RichText::new(format!("{} in all", desk.store.midi.count())).weak());
     });
     let filter = desk.views.midi.filter.as_str();
     let shown: Vec<&Midi> =
@@ -34,10 +34,10 @@ pub(super) fn midi_ui(ui: &mut Ui, desk: &mut Desk) {
         return;
     }
     let height = ui.text_style_height(&TextStyle::Monospace);
-    let area = ScrollArea::vertical().auto_shrink(false).stick_to_bottom(true);
+    let area = ScrollArea::both().auto_shrink(false).stick_to_bottom(true);
     area.show_rows(ui, height, shown.len(), |ui, rows| {
         for midi in &shown[rows] {
-            ui.monospace(line(midi));
+            piece_ui(ui, RichText::new(line(midi)).monospace());
         }
     });
 }

@@ -5,7 +5,7 @@ pub(crate) mod deadlines;
 mod faults;
 pub(crate) mod instruments;
 pub(crate) mod keyboard;
-mod links;
+pub(crate) mod links;
 mod log;
 mod mechanism;
 pub(crate) mod midi;
@@ -15,7 +15,7 @@ pub(crate) mod scope;
 mod timeline;
 pub(crate) mod tuning;
 
-use eframe::egui::{Color32, ProgressBar, RichText, Ui};
+use eframe::egui::{Color32, Label, ProgressBar, Response, RichText, Ui};
 
 use crate::desk::Desk;
 use crate::layout::Pane;
@@ -44,12 +44,21 @@ fn nothing_ui(ui: &mut Ui, text: &str) {
     ui.centered_and_justified(|ui| ui.weak(text));
 }
 
-/// A share of a whole as a bar with its number.
+/// A few words that stay together: where a row has no room for them, they begin the next one.
+fn piece_ui(ui: &mut Ui, text: RichText) -> Response {
+    ui.add(Label::new(text).extend())
+}
+
+/// A share of a whole as a bar, with its number beside: on the bar it would not be read on light
+/// ground. One that is no number is not known.
 fn share_ui(ui: &mut Ui, share: f64, color: Color32) {
-    let share = if share.is_finite() { share } else { 0.0 };
-    let text = RichText::new(format!("{:.1} %", share * 100.0)).small();
-    let share = crate::number::f32(share.clamp(0.0, 1.0));
-    ui.add(
-        ProgressBar::new(share).desired_width(120.0).desired_height(14.0).text(text).fill(color),
-    );
+    if !share.is_finite() {
+        ui.weak("–").on_hover_text("not known: nothing tells how much it can carry");
+        return;
+    }
+    let part = crate::number::f32(share.clamp(0.0, 1.0));
+    ui.horizontal(|ui| {
+        ui.add(ProgressBar::new(part).desired_width(80.0).desired_height(12.0).fill(color));
+        ui.label(format!("{:.1} %", share * 100.0));
+    });
 }

@@ -78,8 +78,8 @@ pub(super) fn phase_ui(ui: &mut Ui, desk: &mut Desk) {
     let plot = Plot::new("phase")
         .grid_spacing(22.0..=220.0)
         .grid_color(look::grid(ui))
-        .x_grid_spacer(look::spacer(4.0))
-        .y_grid_spacer(look::spacer(3.0))
+        .x_grid_spacer(look::spacer_across(ui.available_width()))
+        .y_grid_spacer(look::spacer_up(ui.available_height()))
         .legend(
             Legend::default()
                 .text_style(TextStyle::Small)

@@ -1,12 +1,13 @@
 //! Where a recording is: a line to scrub, how fast it goes by, moments worth finding again.
 
 use eframe::egui::{
-    Color32, Rect, ScrollArea, Sense, Slider, Stroke, Ui, WidgetInfo, accesskit::Role, vec2,
+    Color32, Rect, RichText, ScrollArea, Sense, Slider, Stroke, Ui, WidgetInfo, accesskit::Role,
+    vec2,
 };
 use telemetry::Timeline;
 use telemetry::source::Mark;
 
-use super::nothing_ui;
+use super::{nothing_ui, piece_ui};
 use crate::desk::Desk;
 use crate::{look, number};
 
@@ -34,7 +35,7 @@ pub(super) fn timeline_ui(ui: &mut Ui, desk: &mut Desk) {
 }
 
 fn play_ui(ui: &mut Ui, timeline: &mut dyn Timeline, seconds: impl Fn(u64) -> f64) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let plays = 0.0 < timeline.speed();
         if ui.button(if plays { "Pause" } else { "Play" }).clicked() {
             timeline.set_speed(if plays { 0.0 } else { 1.0 });
@@ -52,7 +53,8 @@ fn play_ui(ui: &mut Ui, timeline: &mut dyn Timeline, seconds: impl Fn(u64) -> f6
             }
         }
         let (_, to) = timeline.span();
-        ui.weak(format!("{:.3} s of {:.1} s", seconds(timeline.at()), seconds(to)));
+        let place = format!("{:.3} s of {:.1} s", seconds(timeline.at()), seconds(to));
+        piece_ui(ui, RichText::new(place).weak());
     });
 }
 
@@ -101,7 +103,7 @@ fn marks_ui(ui: &mut Ui, timeline: &mut dyn Timeline, from: u64) {
         for mark in marks {
             let at = mark.at.saturating_sub(from) as f64 * 1e-9;
             let color = if mark.is_fault { look::fault(ui) } else { ui.visuals().text_color() };
-            let text = eframe::egui::RichText::new(format!("{at:8.3} s  {}", mark.text));
+            let text = RichText::new(format!("{at:8.3} s  {}", mark.text));
             if ui.link(text.monospace().color(color)).clicked() {
                 timeline.seek(mark.at);
             }

@@ -1,15 +1,22 @@
 //! What a scope shows: channels, a stretch of time, a trigger, two cursors. No drawing.
 
+pub mod heights;
 pub mod trigger;
+
+use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 use telemetry::signal::Kind;
 
 use crate::store::Store;
+use heights::Heights;
 use trigger::{Armed, On, Trigger};
 
 /// Shortest and longest window [s].
 const WINDOW: (f64, f64) = (2e-3, 600.0);
+
+/// Keys beside the scope's own that it shows at most: more could not be told apart.
+const COMPARED: usize = 4;
 
 /// How one scope is set.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -17,6 +24,8 @@ const WINDOW: (f64, f64) = (2e-3, 600.0);
 pub struct Scope {
     /// Which key; the selected one if none is named.
     pub key: Option<u8>,
+    /// Further keys whose channels are drawn beside its own.
+    pub compared: BTreeSet<u8>,
     /// Channels of each plot, from the top; the usual ones if there are none.
     pub lanes: Vec<Vec<String>>,
     /// How much time is seen [s].
@@ -33,6 +42,12 @@ pub struct Scope {
     /// Where the view ends [s]; it follows if that is nowhere.
     #[serde(skip)]
     pub pinned: Option<f64>,
+    /// How much of its values each plot shows.
+    #[serde(skip)]
+    pub heights: Heights,
+    /// Keys to compare with, while somebody writes them.
+    #[serde(skip)]
+    pub typed: String,
     /// Where a stretch begins that is being selected [s].
     #[serde(skip)]
     pub selects: Option<f64>,
@@ -45,6 +60,7 @@ impl Default for Scope {
     fn default() -> Self {
         Self {
             key: None,
+            compared: BTreeSet::new(),
             lanes: Vec::new(),
             window: 2.0,
             trigger: Trigger::default(),
@@ -52,6 +68,8 @@ impl Default for Scope {
             is_popped: false,
             cursors: [0.0; 2],
             pinned: None,
+            heights: Heights::default(),
+            typed: String::new(),
             selects: None,
             armed: Armed::default(),
         }
@@ -104,6 +122,22 @@ impl Scope {
         self.cursors = [start + (end - start) / 3.0, start + (end - start) * 2.0 / 3.0];
     }
 
+    /// The keys that are seen: `key` first, then those that are compared with it.
+    pub fn keys(&self, key: u8) -> Vec<u8> {
+        let is_other = |other: &u8| *other != key && usize::from(*other) < telemetry::KEYS;
+        let others = self.compared.iter().copied().filter(is_other);
+        std::iter::once(key).chain(others).collect()
+    }
+
+    /// Compares with further keys, as far as there is room for them.
+    pub fn compare(&mut self, keys: impl IntoIterator<Item = u8>) {
+        for key in keys {
+            if self.compared.len() < COMPARED {
+                self.compared.insert(key);
+            }
+        }
+    }
+
     /// The channels of each plot: as chosen, or as in the paper's figure 6.
     pub fn channels(&self, store: &Store, key: u8) -> Vec<Vec<String>> {
         if self.lanes.is_empty() { usual(store, key) } else { self.lanes.clone() }
@@ -120,6 +154,8 @@ impl Scope {
             shown.push(channel.to_owned());
         }
         self.lanes = lanes;
+        // What was chosen was for other values.
+        self.heights.fit(lane);
     }
 }
 
@@ -165,6 +201,16 @@ mod tests {
         sees(&scope, 10.0, 8.25, 9.25);
         scope.zoom(1e-9, 8.5, 10.0);
         assert!((scope.window - WINDOW.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_scope_shows_a_few_keys_and_each_once() {
+        let mut scope = Scope::default();
+        scope.compare([43, 39, 43, 46]);
+        assert_eq!(scope.keys(39), [39, 43, 46]);
+        assert_eq!(scope.keys(40), [40, 39, 43, 46]);
+        scope.compare(0..88);
+        assert_eq!(scope.compared.len(), COMPARED);
     }
 
     #[test]

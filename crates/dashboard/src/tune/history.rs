@@ -76,6 +76,11 @@ impl History {
         &self.done
     }
 
+    /// Steps taken back, the one that [`Self::redo`] would do again first.
+    pub fn undone(&self) -> impl Iterator<Item = &Step> {
+        self.undone.iter().rev()
+    }
+
     /// A value that was refused is no step.
     pub fn forget(&mut self, slots: &[Slot]) {
         for step in &mut self.done {

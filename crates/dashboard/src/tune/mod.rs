@@ -215,6 +215,16 @@ impl Tuner {
         }
     }
 
+    /// Goes to where `steps` steps are done, from the oldest on; as far as there are any.
+    pub fn go_to(&mut self, steps: usize) {
+        while steps < self.history.steps().len() {
+            self.undo();
+        }
+        while self.history.steps().len() < steps && self.history.next().is_some() {
+            self.redo();
+        }
+    }
+
     fn unlocked(&self, mut values: Values) -> Values {
         values.retain(|slot, value| self.limited(slot, *value).is_some());
         values

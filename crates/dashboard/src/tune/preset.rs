@@ -49,13 +49,21 @@ fn line(name: &str, unit: &str, values: &[f64]) -> Option<String> {
     let off = |(i, value): (usize, &f64)| {
         tolerance < (bass + slope * crate::number::f64(i) - value).abs()
     };
-    let note = if values.iter().enumerate().any(off) { ", not straight between" } else { "" };
+    let note = if values.iter().enumerate().any(off) { "not straight between" } else { "" };
     let value = if (treble - bass).abs() <= tolerance && note.is_empty() {
         format!("{bass:?}")
     } else {
         format!("{{ bass = {bass:?}, treble = {treble:?} }}")
     };
-    Some(format!("{name} = {value} # [{unit}]{note}\n"))
+    Some(format!("{name} = {value}{}\n", comment(unit, note)))
+}
+
+/// The unit and a note, as far as there are any.
+fn comment(unit: &str, note: &str) -> String {
+    let unit = crate::unit::bracketed(unit);
+    let parts = [unit.as_str(), note].into_iter().filter(|part| !part.is_empty());
+    let text = parts.collect::<Vec<_>>().join(", ");
+    if text.is_empty() { text } else { format!(" # {text}") }
 }
 
 fn quoted(text: &str) -> String {

@@ -151,6 +151,23 @@ fn steps_are_taken_back_and_done_again() {
 }
 
 #[test]
+fn one_goes_to_any_step_and_comes_back() {
+    let mut tuner = tuner();
+    for value in [20.0, 30.0, 40.0] {
+        edit(&mut tuner, value);
+    }
+    for (steps, value) in [(1, 20.0), (3, 40.0), (0, 10.0), (2, 30.0), (99, 40.0)] {
+        tuner.go_to(steps);
+        shows(&tuner, value);
+    }
+    tuner.go_to(1);
+    let undone: Vec<Option<f64>> =
+        tuner.history().undone().map(|step| step.after.values().next().copied()).collect();
+    assert_eq!(undone, [Some(30.0), Some(40.0)]);
+    assert_eq!(send(&mut tuner, 1), [20.0]);
+}
+
+#[test]
 fn a_range_is_taken_back_as_one() {
     let mut tuner = tuner();
     tuner.edit(&Slot::new(KEY, "k"), 40.0, (Link::Same, &(0..=87)), Some(1));

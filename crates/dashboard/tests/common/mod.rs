@@ -97,7 +97,12 @@ pub(crate) fn source(hand: &Hand, behind: Behind) -> (Box<dyn Source>, Asked) {
 impl Stage {
     /// Lets time go by until `seconds` after the beginning, a frame every tenth.
     pub(crate) fn play(&mut self, seconds: f64) {
-        let mut at = 0.0;
+        self.play_on(0.0, seconds);
+    }
+
+    /// [`Self::play`], from a time that it has been played to.
+    pub(crate) fn play_on(&mut self, from: f64, seconds: f64) {
+        let mut at = from;
         while at < seconds {
             at = f64::min(at + 0.1, seconds);
             self.hand.set(at);

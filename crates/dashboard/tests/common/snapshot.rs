@@ -80,6 +80,22 @@ impl Canvas {
         self.ctx.tessellate(output.shapes, 1.0)
     }
 
+    /// Drags the mouse from one place to another; it clicks where both are the same.
+    pub(crate) fn drag(&mut self, from: [f32; 2], to: [f32; 2]) {
+        let button = |pos: [f32; 2], pressed| egui::Event::PointerButton {
+            pos: pos.into(),
+            button: egui::PointerButton::Primary,
+            pressed,
+            modifiers: egui::Modifiers::NONE,
+        };
+        self.step(vec![egui::Event::PointerMoved(from.into())]);
+        self.step(vec![button(from, true)]);
+        self.step(vec![egui::Event::PointerMoved(to.into())]);
+        self.step(vec![button(to, false)]);
+        self.step(vec![egui::Event::PointerGone]);
+        self.step(Vec::new());
+    }
+
     /// What is seen now.
     pub(crate) fn picture(&mut self) -> Picture {
         let primitives = self.step(Vec::new());

@@ -6,7 +6,7 @@ use std::fmt;
 use super::reader::{Messages, Recording};
 use crate::event::Kind;
 use crate::source::Mark;
-use crate::{Event, Topic, Update};
+use crate::{Event, Topic, Update, key_name};
 
 /// Strikes, and ticks that were not in time, are marked once in so long [ns].
 const THINNED: u64 = 1_000_000_000;
@@ -38,10 +38,12 @@ impl Marks<'_> {
             is_far
         };
         let (text, is_fault) = match event.kind() {
-            Kind::Strike if is_far(&mut self.strike) => (format!("{} struck", key(event)), false),
+            Kind::Strike if is_far(&mut self.strike) => {
+                (format!("{} struck", key_name(event.key)), false)
+            }
             Kind::Miss if is_far(&mut self.miss) => (said("late", event), true),
-            Kind::Fault => (said(&format!("{}: fault", key(event)), event), true),
-            Kind::Recovery => (format!("{} recovered", key(event)), false),
+            Kind::Fault => (said(&format!("{}: fault", key_name(event.key)), event), true),
+            Kind::Recovery => (format!("{} recovered", key_name(event.key)), false),
             Kind::Board => (said("board", event), false),
             Kind::Disarm => ("all forces fade".to_owned(), false),
             Kind::Strike
@@ -80,25 +82,4 @@ impl fmt::Debug for Marks<'_> {
 
 fn said(what: &str, event: &Event) -> String {
     if event.text.is_empty() { what.to_owned() } else { format!("{what}: {}", event.text) }
-}
-
-/// The key's name, as `C4`.
-fn key(event: &Event) -> String {
-    const NAMES: [&str; 12] = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
-    // Key 0 is A0, the ninth semitone of octave 0.
-    let semitone = u64::from(event.key) + 9;
-    let name = NAMES.iter().cycle().nth(usize::try_from(semitone % 12).unwrap_or(0));
-    format!("{}{}", name.unwrap_or(&""), semitone / 12)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn keys_have_their_names() {
-        for (number, name) in [(0, "A0"), (3, "C1"), (39, "C4"), (48, "A4"), (87, "C8")] {
-            assert_eq!(key(&Event { key: number, ..Event::default() }), name);
-        }
-    }
 }

@@ -2,6 +2,7 @@
 
 use eframe::egui::{ComboBox, DragValue, Grid, Ui};
 
+use super::compare;
 use crate::desk::Desk;
 use crate::scope::Scope;
 use crate::scope::trigger::{Edge, On, Sweep, Trigger};
@@ -38,10 +39,21 @@ pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, desk: &mut Desk, key: 
             scope.place_cursors(now);
         }
         ui.menu_button("Channels", |ui| channels_ui(ui, scope, &desk.store, key));
+        compare::compare_ui(ui, scope, desk);
+        fit_ui(ui, scope);
         if ui.button("Pop out").clicked() {
             scope.is_popped = true;
         }
     });
+}
+
+/// The way back for somebody who has zoomed in values.
+fn fit_ui(ui: &mut Ui, scope: &mut Scope) {
+    let is_wanted = scope.heights.is_chosen();
+    let text = "All plots show all values again.";
+    if is_wanted && ui.button("Fit y").on_hover_text(text).clicked() {
+        scope.heights.fit_all();
+    }
 }
 
 /// Which channels are seen in which plot.
@@ -49,7 +61,7 @@ fn channels_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8) {
     let shown = scope.channels(store, key);
     Grid::new("channels").striped(true).show(ui, |ui| {
         for (name, unit) in store.channels(key) {
-            ui.label(format!("{name} [{unit}]"));
+            ui.label(unit::named(&name, &unit));
             let clicked = (0..=shown.len()).filter(|lane| channel_ui(ui, *lane, &name, &shown));
             for lane in clicked.collect::<Vec<_>>() {
                 scope.toggle(store, key, lane, &name);
@@ -59,6 +71,7 @@ fn channels_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8) {
     });
     if ui.button("As usual").clicked() {
         scope.lanes.clear();
+        scope.heights.fit_all();
     }
 }
 
@@ -103,7 +116,7 @@ fn level_ui(ui: &mut Ui, trigger: &mut Trigger, store: &Store, key: u8) {
     let unit = store.channel(key, &trigger.channel).map_or("", |(_, unit)| unit);
     let (factor, unit) = unit::shown(unit).map_or((1.0, unit), |it| (it.factor, it.unit));
     let mut level = trigger.level * factor;
-    let drag = DragValue::new(&mut level).speed(0.02).suffix(format!(" {unit}"));
+    let drag = DragValue::new(&mut level).speed(0.02).suffix(unit::suffix(unit));
     if ui.add(drag).accessible_name("level").changed() {
         trigger.level = level / factor;
     }

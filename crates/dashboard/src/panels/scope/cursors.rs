@@ -8,7 +8,7 @@ use egui_plot::PlotTransform;
 
 use crate::scope::Scope;
 use crate::store::Store;
-use crate::{look, unit};
+use crate::{look, names, unit};
 
 /// Points to each side within which a cursor is caught.
 const REACH: f32 = 5.0;
@@ -46,41 +46,57 @@ pub(super) fn cursors_ui(ui: &Ui, scope: &mut Scope, frames: &[PlotTransform]) {
     }
 }
 
-/// What the cursors say: times, differences, values.
-pub(super) fn table_ui(ui: &mut Ui, scope: &Scope, store: &Store, key: u8, lanes: &[Vec<String>]) {
+/// What the cursors say: times, differences, and values of each key's channels.
+pub(super) fn table_ui(
+    ui: &mut Ui,
+    scope: &Scope,
+    store: &Store,
+    keys: &[u8],
+    lanes: &[Vec<String>],
+) {
     let [a, b] = scope.cursors;
     let delta = b - a;
     let hertz = if delta.abs() < 1e-9 { "–".to_owned() } else { unit::digits(1.0 / delta.abs()) };
     ui.spacing_mut().item_spacing = vec2(14.0, 1.0);
     ui.label(format!("A {a:.5} s    B {b:.5} s    Δt {}    1/Δt {hertz} Hz", unit::seconds(delta)));
+    let channels = |key: u8| lanes.iter().flatten().map(move |channel| (key, channel.as_str()));
+    let columns: Vec<Column<'_>> = keys.iter().copied().flat_map(channels).collect();
     ScrollArea::horizontal().auto_shrink([false, true]).show(ui, |ui| {
         Grid::new("cursors").striped(true).show(ui, |ui| {
-            ui.weak("");
-            for channel in lanes.iter().flatten() {
-                ui.weak(channel);
-            }
-            ui.end_row();
-            let at = |channel: &str, at: f64| store.value(key, channel, at);
-            row_ui(ui, "A", (store, key), lanes, |channel| at(channel, a));
-            row_ui(ui, "B", (store, key), lanes, |channel| at(channel, b));
-            let delta = |channel: &str| Some(at(channel, b)? - at(channel, a)?);
-            row_ui(ui, "Δ", (store, key), lanes, delta);
+            heads_ui(ui, keys, &columns);
+            let at = |(key, channel): &Column<'_>, at: f64| store.value(*key, channel, at);
+            row_ui(ui, "A", store, &columns, |column| at(column, a));
+            row_ui(ui, "B", store, &columns, |column| at(column, b));
+            row_ui(ui, "Δ", store, &columns, |column| Some(at(column, b)? - at(column, a)?));
         });
     });
 }
 
-/// A value of each channel.
+/// A key and its channel.
+type Column<'a> = (u8, &'a str);
+
+/// The channels, with their keys where there are several.
+fn heads_ui(ui: &mut Ui, keys: &[u8], columns: &[Column<'_>]) {
+    ui.weak("");
+    for (key, channel) in columns {
+        let of = if keys.len() == 1 { String::new() } else { names::name(*key) + " " };
+        ui.weak(of + channel);
+    }
+    ui.end_row();
+}
+
+/// A value of each column.
 fn row_ui(
     ui: &mut Ui,
     name: &str,
-    (store, key): (&Store, u8),
-    lanes: &[Vec<String>],
-    value: impl Fn(&str) -> Option<f64>,
+    store: &Store,
+    columns: &[Column<'_>],
+    value: impl Fn(&Column<'_>) -> Option<f64>,
 ) {
     ui.weak(name);
-    for channel in lanes.iter().flatten() {
-        let unit = store.channel(key, channel).map_or("", |(_, unit)| unit);
-        ui.label(value(channel).map_or_else(|| "–".to_owned(), |it| unit::text(it, unit)));
+    for column in columns {
+        let unit = store.channel(column.0, column.1).map_or("", |(_, unit)| unit);
+        ui.label(value(column).map_or_else(|| "–".to_owned(), |it| unit::text(it, unit)));
     }
     ui.end_row();
 }

@@ -5,7 +5,7 @@ use telemetry::event::Kind;
 
 use crate::store::Store;
 use crate::store::trace::OWN;
-use crate::{number, unit};
+use crate::{names, number, unit};
 
 /// More epochs than this in a plot are a grey of their own: they are not drawn.
 const EPOCHS: usize = 160;
@@ -16,6 +16,9 @@ const BUCKET: f64 = 3.0;
 /// One line of a plot, ready to be drawn.
 pub(super) struct Trace {
     name: String,
+    key: u8,
+    /// Which of the scope's keys that is: its own is the first.
+    pub(super) place: usize,
     pub(super) points: Vec<[f64; 2]>,
     /// By how much its values were made larger or smaller to fit the plot.
     gain: f64,
@@ -32,35 +35,54 @@ pub(super) struct Shade {
 impl Trace {
     /// Its name, and by how much it was made larger to be seen beside the first.
     pub(super) fn title(&self) -> String {
+        let name = unit::named(&self.name, &self.unit);
         if (self.gain - 1.0).abs() < 1e-9 {
-            format!("{} [{}]", self.name, self.unit)
+            name
         } else {
-            format!("{} [{}] × {}", self.name, self.unit, unit::digits(self.gain))
+            format!("{name} × {}", unit::digits(self.gain))
         }
+    }
+
+    /// The same with its key, where there are several.
+    pub(super) fn title_with_key(&self) -> String {
+        format!("{} {}", names::name(self.key), self.title())
     }
 }
 
-/// The channels' points in the view, all in the first one's scale.
+/// The channels' points in the view, key by key, all in the scale of the first.
 pub(super) fn traces(
     store: &Store,
-    key: u8,
+    keys: &[u8],
     channels: &[String],
     view: (f64, f64),
     width: f32,
 ) -> Vec<Trace> {
-    let mut traces: Vec<Trace> =
-        channels.iter().filter_map(|name| trace(store, key, name, view, width)).collect();
+    let of_key = |(place, key): (usize, &u8)| {
+        let traces = channels.iter().filter_map(|name| trace(store, *key, name, view, width));
+        traces.map(|trace| Trace { place, ..trace }).collect::<Vec<_>>()
+    };
+    let mut traces: Vec<Trace> = keys.iter().enumerate().flat_map(of_key).collect();
     let Some((unit, size)) = traces.first().map(|it| (it.unit.clone(), size(&it.points))) else {
         return traces;
     };
-    for trace in &mut traces {
-        if trace.unit != unit {
-            trace.gain = number::round(size / self::size(&trace.points));
-            let gain = trace.gain;
-            trace.points.iter_mut().for_each(|point| point[1] *= gain);
-        }
+    for i in 0..traces.len() {
+        let gain = gain(&traces[i], &traces[..i], &unit, size);
+        let trace = &mut traces[i];
+        trace.gain = gain;
+        trace.points.iter_mut().for_each(|point| point[1] *= gain);
     }
     traces
+}
+
+/// By how much a trace is made larger to be seen beside the first, whose `unit` and `size` are
+/// given: as the same channel of a key before, so that keys are compared as they are.
+fn gain(trace: &Trace, before: &[Trace], unit: &str, size: f64) -> f64 {
+    let same = before.iter().find(|it| it.name == trace.name && it.unit == trace.unit);
+    match same {
+        _ if trace.unit == unit => 1.0,
+        Some(same) => same.gain,
+        None => number::round(size / self::size(&trace.points)),
+    }
 }
 
 /// The largest size of a value.
@@ -90,16 +112,22 @@ fn trace(store: &Store, key: u8, name: &str, view: (f64, f64), width: f32) -> Op
         points.push([view.1, value]);
     }
     let unit = shown.map_or(unit, |it| it.unit).to_owned();
-    Some(Trace { name: name.to_owned(), points, gain: 1.0, unit })
+    Some(Trace { name: name.to_owned(), key, place: 0, points, gain: 1.0, unit })
 }
 
-/// The view across, all values and zero up.
-pub(super) fn bounds(traces: &[Trace], view: (f64, f64)) -> PlotBounds {
+/// The view across; up what was chosen, or else all values and zero.
+pub(super) fn bounds(traces: &[Trace], view: (f64, f64), chosen: Option<(f64, f64)>) -> PlotBounds {
+    let (low, high) = chosen.unwrap_or_else(|| range(traces));
+    PlotBounds::from_min_max([view.0, low], [view.1, high])
+}
+
+/// All values and zero, with some room.
+fn range(traces: &[Trace]) -> (f64, f64) {
     let values = traces.iter().flat_map(|it| &it.points).map(|point| point[1]);
     let finite = values.filter(|value| value.is_finite());
     let (low, high) = finite.fold((0.0_f64, 0.0_f64), |(a, b), y| (a.min(y), b.max(y)));
     let room = if high - low < 1e-9 { 1.0 } else { 0.08 * (high - low) };
-    PlotBounds::from_min_max([view.0, low - room], [view.1, high + room])
+    (low - room, high + room)
 }
 
 /// Modes in the view: from one switch to the next, to the moment where it is known.

@@ -1,13 +1,14 @@
 //! The plots of a scope, from the top.
 
-use eframe::egui::{Align2, Color32, FontId, Id, Pos2, Response, Stroke, TextStyle, Ui};
+use eframe::egui::{Align2, FontId, Id, Pos2, Response, Stroke, TextStyle, Ui};
 use egui_plot::{
-    Corner, HoverPosition, Legend, Line, LineStyle, Plot, PlotPoints, PlotTransform, Span, VLine,
+    Corner, HoverPosition, Legend, Line, LineStyle, Plot, PlotBounds, PlotPoints, PlotTransform,
+    Span, VLine,
 };
 use telemetry::event::Kind;
 
 use super::data::{self, Shade, Trace};
-use super::{cursors, mouse};
+use super::{axis, cursors, mouse};
 use crate::scope::Scope;
 use crate::store::Store;
 use crate::{look, number, unit};
@@ -15,8 +16,20 @@ use crate::{look, number, unit};
 /// How high the table of the cursors is.
 const TABLE: f32 = 108.0;
 
-/// All plots, then the cursors over them.
-pub(super) fn lanes_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8, now: f64) {
+/// Points of the dashes of keys that are compared; the scope's own key has solid lines.
+const DASHES: [f32; 4] = [9.0, 4.0, 16.0, 2.5];
+
+/// What is drawn in one plot.
+struct Lane {
+    bounds: PlotBounds,
+    traces: Vec<Trace>,
+    /// When the scope's own key struck [s].
+    strikes: Vec<f64>,
+}
+
+/// All plots, then the cursors over them; the first of `keys` is the scope's own.
+pub(super) fn lanes_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, keys: &[u8], now: f64) {
+    let Some(key) = keys.first().copied() else { return };
     let lanes = scope.channels(store, key);
     let view = scope.view(now);
     let table = if scope.has_cursors { TABLE } else { 0.0 };
@@ -28,17 +41,20 @@ pub(super) fn lanes_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8, n
     for (i, channels) in lanes.iter().enumerate() {
         let is_last = i + 1 == lanes.len();
         let height = if is_last { height + 14.0 } else { height };
-        let traces = data::traces(store, key, channels, view, ui.available_width());
+        let traces = data::traces(store, keys, channels, view, ui.available_width());
         let unit = traces.first().map_or("", |it| it.unit.as_str());
         let plot = plot(ui, (i, lanes.len()), link, height, unit);
-        let shown = lane_ui(ui, plot, store, (key, view), &shades, traces);
-        mouse::handle(ui, scope, &shown.0, &shown.1, now);
+        let bounds = data::bounds(&traces, view, scope.heights.of(i));
+        let strikes = data::events(store, key, Kind::Strike, view);
+        let shown = lane_ui(ui, plot, &shades, Lane { bounds, traces, strikes });
+        mouse::handle(ui, scope, &shown.0, (i, &shown.1), now);
+        axis::axis_ui(ui, scope, i, &shown.1);
         frames.push(shown.1);
     }
     names_ui(ui, store, key, &shades, frames.first());
     if scope.has_cursors {
         cursors::cursors_ui(ui, scope, &frames);
-        cursors::table_ui(ui, scope, store, key, &lanes);
+        cursors::table_ui(ui, scope, store, keys, &lanes);
     }
 }
 
@@ -58,9 +74,9 @@ fn plot<'a>(ui: &Ui, (lane, of): (usize, usize), link: Id, height: f32, unit: &s
         .y_axis_min_width(54.0)
         .grid_spacing(22.0..=220.0)
         .grid_color(look::grid(ui))
-        .x_grid_spacer(look::spacer(4.0))
-        .y_grid_spacer(look::spacer(3.0))
-        .y_axis_label(format!("[{unit}]"))
+        .x_grid_spacer(look::spacer_across(ui.available_width()))
+        .y_grid_spacer(look::spacer_up(height))
+        .y_axis_label(unit::bracketed(unit))
         .y_axis_formatter(|mark, _| unit::digits(mark.value))
         .x_axis_formatter(|mark, _| format!("{} s", unit::digits(mark.value)))
         .legend(
@@ -82,18 +98,10 @@ fn label(hover: &HoverPosition<'_>) -> String {
     }
 }
 
-fn lane_ui(
-    ui: &mut Ui,
-    plot: Plot<'_>,
-    store: &Store,
-    (key, view): (u8, (f64, f64)),
-    shades: &[Shade],
-    traces: Vec<Trace>,
-) -> (Response, PlotTransform) {
-    let bounds = data::bounds(&traces, view);
-    let colors: Vec<Color32> = (0..traces.len()).map(|i| look::line(i, ui)).collect();
+fn lane_ui(ui: &mut Ui, plot: Plot<'_>, shades: &[Shade], lane: Lane) -> (Response, PlotTransform) {
+    let Lane { bounds, traces, strikes } = lane;
     let line = look::faint(ui.visuals().strong_text_color(), 0.55);
-    let strikes = data::events(store, key, Kind::Strike, view);
+    let lines = lines(ui, traces);
     let shown = plot.show(ui, move |plot| {
         plot.set_plot_bounds(bounds);
         for (i, shade) in shades.iter().enumerate() {
@@ -108,17 +116,27 @@ fn lane_ui(
             let style = LineStyle::dashed_dense();
             plot.vline(VLine::new("", at).stroke(stroke).style(style));
         }
-        for (trace, color) in traces.into_iter().zip(colors) {
-            let name = trace.title();
-            plot.line(
-                Line::new(name, PlotPoints::new(trace.points))
-                    .color(color)
-                    .width(1.5)
-                    .allow_band(false),
-            );
+        for line in lines {
+            plot.line(line);
         }
     });
     (shown.response, shown.transform)
+}
+
+/// Each trace as a line of its own colour, dashed as its key is.
+fn lines(ui: &Ui, traces: Vec<Trace>) -> Vec<Line<'static>> {
+    let has_others = traces.iter().any(|trace| 0 < trace.place);
+    let line = |(i, trace): (usize, Trace)| {
+        let name = if has_others { trace.title_with_key() } else { trace.title() };
+        let dash = trace.place.checked_sub(1).map(|other| DASHES[other % DASHES.len()]);
+        let style = dash.map_or(LineStyle::Solid, |length| LineStyle::Dashed { length });
+        Line::new(name, PlotPoints::new(trace.points))
+            .color(look::line(i, ui))
+            .style(style)
+            .width(1.5)
+            .allow_band(false)
+    };
+    traces.into_iter().enumerate().map(line).collect()
 }
 
 /// Names of the modes in the first plot, where there is room.

@@ -1,6 +1,8 @@
 //! A scope: plots over time, one above the other, with epochs shaded by mode and mode switches
 //! as vertical lines, as in the paper's figure 6.
 
+mod axis;
+mod compare;
 mod controls;
 mod cursors;
 mod data;
@@ -54,16 +56,20 @@ pub(crate) fn popped_ui(ctx: &Context, desk: &mut Desk) {
 fn body_ui(ui: &mut Ui, number: u8, desk: &mut Desk) {
     let mut scope = desk.views.scopes.remove(&number).unwrap_or_default();
     let key = scope.key.unwrap_or(desk.views.selected);
-    desk.want(key);
+    let keys = scope.keys(key);
+    for key in &keys {
+        desk.want(*key);
+    }
     let now = desk.now();
     controls::controls_ui(ui, &mut scope, desk, key, now);
     if scope.trigger.on != On::Nothing {
         controls::trigger_ui(ui, &mut scope, &desk.store, key);
     }
-    if desk.store.trace(key).is_none_or(|trace| trace.ticks().is_empty()) {
-        nothing_ui(ui, "Nothing has moved this key since it is looked at.");
+    let has_rows = |key: &u8| desk.store.trace(*key).is_some_and(|it| !it.ticks().is_empty());
+    if keys.iter().any(has_rows) {
+        lanes::lanes_ui(ui, &mut scope, &desk.store, &keys, now);
     } else {
-        lanes::lanes_ui(ui, &mut scope, &desk.store, key, now);
+        nothing_ui(ui, "Nothing has moved this key since it is looked at.");
     }
     desk.views.scopes.insert(number, scope);
 }

@@ -6,13 +6,16 @@ use egui_plot::PlotTransform;
 use crate::look;
 use crate::scope::Scope;
 
-/// A drag moves, the wheel zooms, the right button zooms to what it covers, a double click
-/// follows.
+/// Points of the wheel after which a plot shows 1/e as much.
+const WHEEL: f64 = 200.0;
+
+/// A drag moves, the wheel zooms in time, with Shift in values, the right button zooms to what it
+/// covers, a double click follows.
 pub(super) fn handle(
     ui: &Ui,
     scope: &mut Scope,
     response: &Response,
-    frame: &PlotTransform,
+    (lane, frame): (usize, &PlotTransform),
     now: f64,
 ) {
     let (start, end) = scope.view(now);
@@ -20,12 +23,16 @@ pub(super) fn handle(
     let time = |at: Pos2| start + f64::from(at.x - frame.frame().left()) * per_point;
     if response.dragged_by(PointerButton::Primary) {
         scope.pan(-f64::from(response.drag_delta().x) * per_point, now);
+        let high = f64::from(frame.frame().height().max(1.0));
+        let by = f64::from(response.drag_delta().y) * frame.bounds().height() / high;
+        scope.heights.pan(lane, by);
     }
-    if response.hovered() {
-        let wheel =
-            ui.input(|input| input.smooth_scroll_delta().y + 200.0 * input.zoom_delta().ln());
-        if let Some(at) = response.hover_pos().filter(|_| 0.5 < wheel.abs()) {
-            scope.zoom((-f64::from(wheel) / 200.0).exp(), time(at), now);
+    if let Some((at, turned)) = response.hover_pos().zip(wheel(ui)) {
+        if ui.input(|input| input.modifiers.shift) {
+            let about = frame.value_from_position(at).y;
+            scope.heights.zoom(lane, values(frame), factor(turned), about);
+        } else {
+            scope.zoom(factor(turned), time(at), now);
         }
     }
     let here = ui.input(|input| input.pointer.latest_pos());
@@ -38,6 +45,27 @@ pub(super) fn handle(
     if response.double_clicked() {
         scope.pinned = None;
     }
+}
+
+/// By how far the wheel was turned [points], if it was.
+pub(super) fn wheel(ui: &Ui) -> Option<f64> {
+    let turned = ui.input(|input| {
+        let scrolled = input.smooth_scroll_delta();
+        // With Shift it scrolls across, and with Control it zooms.
+        let across = if input.modifiers.shift { scrolled.x } else { 0.0 };
+        f64::from(scrolled.y + across) + WHEEL * f64::from(input.zoom_delta()).ln()
+    });
+    (0.5 < turned.abs()).then_some(turned)
+}
+
+/// How much more is seen after the wheel was turned so far [points].
+pub(super) fn factor(turned: f64) -> f64 {
+    (-turned / WHEEL).exp()
+}
+
+/// The smallest and the largest value that a plot shows.
+pub(super) fn values(frame: &PlotTransform) -> (f64, f64) {
+    (frame.bounds().min()[1], frame.bounds().max()[1])
 }
 
 /// The stretch that the right button covers: seen alone once it is let go.

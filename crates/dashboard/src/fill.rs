@@ -1,0 +1,222 @@
+//! Triangles that fill an outline of any shape, by cutting its ears.
+//!
+//! An ear is a corner whose two neighbours see each other through the outline's inside; every
+//! simple outline has one.
+//! Outlines that cross or touch themselves, and those of no area, come from others: they are
+//! filled as well as can be, in a bounded number of steps.
+//! No library: the one there is indexes unchecked, which is too much trust for what comes over a
+//! network, and an outline of two dozen points costs microseconds here.
+
+/// Outlines of more points than this are not filled: the work grows faster than their number.
+const MOST: usize = 256;
+
+/// A place, across and up.
+pub(crate) type Point = [f64; 2];
+
+/// Whether an outline turns always the same way, once around.
+pub(crate) fn is_convex(points: &[Point]) -> bool {
+    let all: Vec<usize> = (0..points.len()).collect();
+    let turns = (0..all.len()).map(|at| turn(points, around(&all, at)));
+    let (left, right) =
+        turns.fold((false, false), |(left, right), turn| (left || 0.0 < turn, right || turn < 0.0));
+    // A star also turns one way only, but it goes to and fro more than once.
+    !(left && right) && (0..2).all(|axis| reversals(points, axis) <= 2)
+}
+
+/// How often a walk along an outline turns back in one direction.
+fn reversals(points: &[Point], axis: usize) -> usize {
+    let next = points.iter().cycle().skip(1);
+    let steps = points.iter().zip(next).map(|(from, to)| to[axis] - from[axis]);
+    let goes_up: Vec<bool> = steps.filter(|step| *step != 0.0).map(|step| 0.0 < step).collect();
+    let next = goes_up.iter().cycle().skip(1);
+    goes_up.iter().zip(next).filter(|(a, b)| a != b).count()
+}
+
+/// The corners of triangles that together are an outline's inside, as indices into `points`.
+pub(crate) fn triangles(points: &[Point]) -> Vec<[usize; 3]> {
+    if MOST < points.len() || !points.iter().flatten().all(|it| it.is_finite()) {
+        return Vec::new();
+    }
+    let mut left: Vec<usize> = (0..points.len()).collect();
+    if doubled_area(points) < 0.0 {
+        left.reverse();
+    }
+    let mut triangles = Vec::with_capacity(points.len().saturating_sub(2));
+    while 3 <= left.len() {
+        let at = corner(points, &left);
+        let cut = around(&left, at);
+        if 0.0 < turn(points, cut) {
+            triangles.push(cut);
+        }
+        left.remove(at);
+    }
+    triangles
+}
+
+/// The corner to cut: one of no area, on an edge or at the end of a spike, else an ear, else any
+/// that points outwards.
+fn corner(points: &[Point], left: &[usize]) -> usize {
+    let turn = |at: usize| turn(points, around(left, at));
+    let all = 0..left.len();
+    let flat = all.clone().find(|at| turn(*at).abs() <= f64::MIN_POSITIVE);
+    let ear = || all.clone().find(|at| is_ear(points, left, *at));
+    let outward = || all.clone().find(|at| 0.0 < turn(*at));
+    flat.or_else(ear).or_else(outward).unwrap_or(0)
+}
+
+/// Whether nothing else of the outline is in the triangle of a corner that points outwards.
+fn is_ear(points: &[Point], left: &[usize], at: usize) -> bool {
+    let cut = around(left, at);
+    0.0 < turn(points, cut) && !(0..left.len()).any(|other| is_in_way(points, left, cut, other))
+}
+
+/// Whether the outline is in a triangle where it comes to its place `other`.
+fn is_in_way(points: &[Point], left: &[usize], cut: [usize; 3], other: usize) -> bool {
+    let [before, here, after] = around(left, other);
+    let is_here = |corner: &usize| distance(points[*corner], points[here]) <= 0.0;
+    match cut.iter().position(is_here) {
+        None => is_within(points, cut, here),
+        // The outline touches itself at a corner of the triangle: it may go in from there.
+        Some(corner) if cut[corner] != here => {
+            let cut = [cut[corner], cut[(corner + 1) % 3], cut[(corner + 2) % 3]];
+            leads_into(points, cut, before) || leads_into(points, cut, after)
+        }
+        Some(_) => false,
+    }
+}
+
+/// Whether the way from a triangle's first corner to `other` begins in the triangle.
+fn leads_into(points: &[Point], [corner, next, last]: [usize; 3], other: usize) -> bool {
+    0.0 < turn(points, [corner, next, other]) && 0.0 < turn(points, [corner, other, last])
+}
+
+/// A corner between its neighbours.
+fn around(left: &[usize], at: usize) -> [usize; 3] {
+    let of = left.len();
+    [left[(at + of - 1) % of], left[at], left[(at + 1) % of]]
+}
+
+/// How far two points are from each other, along the axes.
+fn distance(a: Point, b: Point) -> f64 {
+    (a[0] - b[0]).abs() + (a[1] - b[1]).abs()
+}
+
+/// Twice the area of a triangle; positive if it turns anticlockwise.
+fn turn(points: &[Point], [a, b, c]: [usize; 3]) -> f64 {
+    let [a, b, c] = [points[a], points[b], points[c]];
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/// Whether a point is in a triangle that turns anticlockwise, or on its edge.
+fn is_within(points: &[Point], [a, b, c]: [usize; 3], other: usize) -> bool {
+    [[a, b], [b, c], [c, a]].into_iter().all(|[from, to]| 0.0 <= turn(points, [from, to, other]))
+}
+
+/// Twice the area of an outline; positive if it turns anticlockwise.
+fn doubled_area(points: &[Point]) -> f64 {
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The triangles are of the outline's corners and have its area.
+    #[track_caller]
+    fn check(points: &[Point]) {
+        let mut turned: Vec<Point> = points.to_vec();
+        for _ in 0..points.len() {
+            turned.rotate_left(1);
+            check_as_given(&turned);
+            check_as_given(&turned.iter().rev().copied().collect::<Vec<_>>());
+        }
+    }
+
+    #[track_caller]
+    fn check_as_given(points: &[Point]) {
+        let triangles = triangles(points);
+        let filled: f64 = triangles.iter().map(|cut| turn(points, *cut)).map(f64::abs).sum();
+        let area = doubled_area(points).abs();
+        assert!((filled - area).abs() <= 1e-9 * area, "{filled} for {area}: {triangles:?}");
+    }
+
+    #[test]
+    fn concave_outlines_are_filled_and_nothing_beside_them() {
+        let hook = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]];
+        let comb = [
+            [0.0, 0.0],
+            [7.0, 0.0],
+            [7.0, 4.0],
+            [6.0, 4.0],
+            [5.0, 1.0],
+            [4.0, 4.0],
+            [3.0, 1.0],
+            [2.0, 4.0],
+            [1.0, 1.0],
+            [0.0, 4.0],
+        ];
+        let arrow = [[0.0, 0.0], [2.0, 2.0], [0.0, 4.0], [1.0, 2.0]];
+        for outline in [&hook[..], &comb, &arrow] {
+            check(outline);
+            assert!(!is_convex(outline));
+        }
+    }
+
+    #[test]
+    fn points_on_an_edge_change_nothing() {
+        check(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 1.0], [0.0, 2.0]]);
+        check(&[[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [2.0, 1.0], [1.0, 1.0], [0.0, 1.0]]);
+        check(&[[0.0, 0.0], [0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [3.0, 1.0], [0.0, 1.0]]);
+    }
+
+    #[test]
+    fn an_outline_may_touch_itself() {
+        // A frame: around the outside, over a bridge, around the inside, and back.
+        check_as_given(&[
+            [0.0, 0.0],
+            [4.0, 0.0],
+            [4.0, 4.0],
+            [0.0, 4.0],
+            [0.0, 0.0],
+            [1.0, 1.0],
+            [1.0, 3.0],
+            [3.0, 3.0],
+            [3.0, 1.0],
+            [1.0, 1.0],
+        ]);
+        // Two triangles that meet in a point.
+        check(&[[0.0, 0.0], [1.0, 1.0], [2.0, 0.0], [2.0, 3.0], [1.0, 1.0], [0.0, 3.0]]);
+    }
+
+    #[test]
+    fn what_is_no_outline_is_not_filled() {
+        let line = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [3.0, 3.0]];
+        let point = [[1.0, 1.0]; 5];
+        let foreign = [[0.0, 0.0], [f64::NAN, 1.0], [1.0, f64::INFINITY], [0.0, 1.0]];
+        let endless = vec![[0.0, 1.0]; MOST + 1];
+        for outline in [&[][..], &line[..1], &line[..2], &line, &point, &foreign, &endless] {
+            assert!(triangles(outline).is_empty(), "{outline:?}");
+        }
+    }
+
+    #[test]
+    fn an_outline_that_crosses_itself_ends() {
+        let bow = [[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]];
+        assert!(triangles(&bow).len() <= 2);
+        let far = [[-1e300, 0.0], [1e300, 1e300], [0.0, -1e300], [1e300, -1e300], [0.0, 1e300]];
+        assert!(triangles(&far).len() <= 3);
+        let wild: Vec<Point> =
+            (0..MOST).map(|i| [((i * 7919) % 1009) as f64, ((i * 104_729) % 997) as f64]).collect();
+        assert!(triangles(&wild).len() <= MOST - 2);
+    }
+
+    #[test]
+    fn only_what_turns_once_around_is_convex() {
+        let disc: Vec<Point> = (0..48).map(|i| (f64::from(i) * 0.1309).sin_cos().into()).collect();
+        assert!(is_convex(&disc));
+        let star: Vec<Point> = (0..5).map(|i| (f64::from(i) * 2.5133).sin_cos().into()).collect();
+        assert!(!is_convex(&star));
+        assert!(is_convex(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0]]));
+    }
+}

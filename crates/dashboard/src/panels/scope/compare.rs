@@ -1,0 +1,67 @@
+//! Further keys in the same plots.
+
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
+use eframe::egui::{Key, PopupCloseBehavior, TextEdit, Ui};
+
+use crate::desk::Desk;
+use crate::scope::Scope;
+use crate::{look, names};
+
+/// The menu of keys that are compared with the scope's own.
+pub(super) fn compare_ui(ui: &mut Ui, scope: &mut Scope, desk: &Desk) {
+    // It stays open, so that one can name one key after the other.
+    let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let menu = MenuButton::new("Compare").config(config);
+    let (button, _) = menu.ui(ui, |ui| {
+        typed_ui(ui, scope);
+        if ui.button(format!("Add {}", names::range_name(&desk.range()))).clicked() {
+            scope.compare(desk.range());
+        }
+        for key in scope.compared.clone() {
+            if ui.button(format!("Remove {}", names::name(key))).clicked() {
+                scope.compared.remove(&key);
+            }
+        }
+    });
+    button.on_hover_text("Further keys in the same plots.");
+}
+
+/// Keys by their names: Enter adds them.
+fn typed_ui(ui: &mut Ui, scope: &mut Scope) {
+    let is_entered = ui
+        .horizontal(|ui| {
+            let label = ui.label("with");
+            let edit = TextEdit::singleline(&mut scope.typed).desired_width(120.0);
+            let edit = ui.add(edit.hint_text("E4, G4..B4")).labelled_by(label.id);
+            edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
+        })
+        .inner;
+    let keys = keys(&scope.typed);
+    if keys.is_none() {
+        ui.colored_label(look::fault(ui), "write E4 or E4, G4..B4");
+    }
+    if is_entered && let Some(keys) = keys {
+        scope.compare(keys);
+        scope.typed.clear();
+    }
+}
+
+/// The keys that `text` names; none of them if any is unknown.
+fn keys(text: &str) -> Option<Vec<u8>> {
+    let words = text.split([',', ' ']).filter(|word| !word.is_empty());
+    let ranges: Option<Vec<_>> = words.map(names::range).collect();
+    ranges.map(|ranges| ranges.into_iter().flatten().collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_named_one_by_one_or_as_ranges() {
+        assert_eq!(keys("E4, G4..A4"), Some(vec![43, 46, 47, 48]));
+        assert_eq!(keys("C4 E4"), Some(vec![39, 43]));
+        assert_eq!(keys(" "), Some(Vec::new()));
+        assert_eq!(keys("C4, H9"), None);
+    }
+}

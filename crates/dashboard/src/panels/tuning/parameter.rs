@@ -1,0 +1,184 @@
+//! One parameter: its name, a slider, its value to type, the way back, a lock.
+
+use std::ops::RangeInclusive;
+
+use eframe::egui::{
+    Align, Button, DragValue, Label, Layout, RichText, Slider, SliderClamping, Ui, vec2,
+};
+use telemetry::Parameter;
+
+use crate::desk::Desk;
+use crate::tune::snapshot::Slot;
+use crate::{look, unit};
+
+/// Parameters over more decades than this move on a logarithm.
+const DECADES: f64 = 30.0;
+
+/// How many times larger or smaller than usual a slider makes a value.
+const REACH: f64 = 8.0;
+
+/// Points of a parameter's name; a longer one is cut.
+const NAME: f32 = 70.0;
+
+/// Points that everything beside the slider takes in one line.
+const BESIDE: f32 = 286.0;
+
+/// Points of the shortest slider.
+const SHORTEST: f32 = 60.0;
+
+/// A parameter of the selected key, as it is shown.
+struct Row<'a> {
+    parameter: &'a Parameter,
+    value: f64,
+    /// The instrument's value.
+    usual: Option<f64>,
+    is_changed: bool,
+    is_locked: bool,
+}
+
+impl<'a> Row<'a> {
+    fn new(desk: &Desk, key: u8, parameter: &'a Parameter) -> Option<Self> {
+        let value = desk.tuner.value(key, &parameter.name)?;
+        let usual = usual(desk, key, &parameter.name);
+        let is_changed = usual.is_some_and(|it| 1e-9 * it.abs().max(1e-9) < (it - value).abs());
+        let is_locked = desk.tuner.is_locked(&parameter.name);
+        Some(Self { parameter, value, usual, is_changed, is_locked })
+    }
+
+    /// Where the slider goes.
+    fn travel(&self) -> RangeInclusive<f64> {
+        travel(self.parameter, self.usual.unwrap_or(self.value))
+    }
+}
+
+/// Draws a parameter: in one line, or in two where there is no room for one.
+pub(super) fn parameter_ui(ui: &mut Ui, desk: &mut Desk, key: u8, parameter: &Parameter) {
+    let Some(row) = Row::new(desk, key, parameter) else { return };
+    let room = ui.available_width();
+    let is_narrow = room < BESIDE + SHORTEST;
+    let mut moved = None;
+    ui.horizontal(|ui| {
+        name_ui(ui, &row);
+        if !is_narrow {
+            moved = moved.or(slider_ui(ui, &row, room - BESIDE));
+        }
+        moved = moved.or(number_ui(ui, &row)).or(reset_ui(ui, &row));
+        if !is_narrow {
+            lock_ui(ui, desk, key, &parameter.name);
+        }
+    });
+    if is_narrow {
+        ui.horizontal(|ui| {
+            moved = moved.or(slider_ui(ui, &row, room - 70.0));
+            lock_ui(ui, desk, key, &parameter.name);
+        });
+    }
+    if let Some(value) = moved {
+        let gesture = super::gesture(ui, desk);
+        let link = desk.views.tuning.link;
+        let range = desk.range();
+        desk.tuner.edit(&Slot::new(key, &parameter.name), value, (link, &range), gesture);
+    }
+}
+
+fn name_ui(ui: &mut Ui, row: &Row<'_>) {
+    let mark = if row.is_changed { look::ORANGE } else { ui.visuals().text_color() };
+    let name = RichText::new(&row.parameter.name).color(mark).strong();
+    let layout = Layout::left_to_right(Align::Center);
+    let name = ui.allocate_ui_with_layout(vec2(NAME, 18.0), layout, |ui| {
+        ui.set_min_width(NAME);
+        ui.add(Label::new(name).truncate())
+    });
+    name.inner.on_hover_text(&row.parameter.doc);
+}
+
+fn slider_ui(ui: &mut Ui, row: &Row<'_>, width: f32) -> Option<f64> {
+    let mut value = row.value;
+    let travel = row.travel();
+    let is_wide = 0.0 < *travel.start() && DECADES < travel.end() / travel.start();
+    ui.spacing_mut().slider_width = width.clamp(SHORTEST, 260.0);
+    let slider = Slider::new(&mut value, travel).show_value(false).logarithmic(is_wide);
+    // A value that was typed beyond the slider's end stays what it is.
+    let slider = slider.clamping(SliderClamping::Edits);
+    let slid = ui.add_enabled(!row.is_locked, slider).accessible_name(&row.parameter.name);
+    slid.changed().then_some(value)
+}
+
+/// The value as a number to type.
+fn number_ui(ui: &mut Ui, row: &Row<'_>) -> Option<f64> {
+    let Parameter { name, unit, min, max, .. } = row.parameter;
+    let mut value = row.value;
+    let travel = row.travel();
+    let speed = (travel.end() - travel.start()) / 500.0;
+    let drag = DragValue::new(&mut value).range(*min..=*max).speed(speed);
+    let drag = drag.custom_formatter(|value, _| unit::digits(value)).suffix(unit::suffix(unit));
+    let drag = drag.update_while_editing(false);
+    let typed = ui.add_enabled_ui(!row.is_locked, |ui| ui.add_sized([86.0, 18.0], drag)).inner;
+    typed.accessible_name(format!("{name} value")).changed().then_some(value)
+}
+
+/// Back to what the instrument has.
+fn reset_ui(ui: &mut Ui, row: &Row<'_>) -> Option<f64> {
+    let can_go_back = row.is_changed && !row.is_locked;
+    let reset = ui.add_enabled(can_go_back, Button::new("Reset").small());
+    let reset = reset.accessible_name(format!("reset {}", row.parameter.name));
+    let hint = row.usual.map(|it| unit::text(it, &row.parameter.unit)).unwrap_or_default();
+    let reset = reset.on_hover_text(format!("As the instrument has it: {hint}"));
+    if reset.clicked() { row.usual } else { None }
+}
+
+/// Whether anything changes it, and whether an answer is on its way.
+fn lock_ui(ui: &mut Ui, desk: &mut Desk, key: u8, name: &str) {
+    let mut locked = desk.tuner.is_locked(name);
+    let lock = ui
+        .checkbox(&mut locked, RichText::new("lock").small())
+        .accessible_name(format!("lock {name}"));
+    if lock.on_hover_text("Locked: nothing changes it.").clicked() {
+        desk.tuner.toggle_lock(name);
+    }
+    if desk.tuner.is_asked(key, name) {
+        ui.weak("…");
+    }
+}
+
+/// Where a slider goes: what a model can stand is far more than a hand wants, which is near what
+/// is usual. Any value of the parameter's own range can be typed.
+fn travel(parameter: &Parameter, usual: f64) -> RangeInclusive<f64> {
+    let Parameter { min, max, .. } = *parameter;
+    if usual == 0.0 || !usual.is_finite() {
+        return min.max(-1.0)..=max.min(1.0).max(min);
+    }
+    let (near, far) = (usual / REACH, usual * REACH);
+    // Ratios have their own ends near by.
+    let low = if max <= 1.0 && 0.0 <= min { min } else { near.min(far).max(min) };
+    low..=near.max(far).min(max)
+}
+
+/// The instrument's value of a parameter.
+fn usual(desk: &Desk, key: u8, name: &str) -> Option<f64> {
+    let voice = desk.store.voice(key)?;
+    let values = desk.store.instrument_values(&voice.instrument, key)?;
+    let i = desk.store.parameters(key).iter().position(|it| it.name == name)?;
+    values.get(i).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slider_stays_near_what_is_usual() {
+        let parameter = |min: f64, max: f64| Parameter { min, max, ..Parameter::default() };
+        let is = |(min, max): (f64, f64), usual: f64, wanted: (f64, f64)| {
+            let travel = travel(&parameter(min, max), usual);
+            let is_near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
+            let is_it = is_near(*travel.start(), wanted.0) && is_near(*travel.end(), wanted.1);
+            assert!(is_it, "{min}..{max} around {usual}: {travel:?}");
+        };
+        is((-100.0, 100.0), 0.125, (0.125 / 8.0, 1.0));
+        is((-100.0, 100.0), -0.5, (-4.0, -0.0625));
+        is((0.0, 10.0), 5.0, (0.625, 10.0));
+        is((0.0, 1.0), 0.1, (0.0, 0.8));
+        is((-100.0, 100.0), 0.0, (-1.0, 1.0));
+    }
+}
