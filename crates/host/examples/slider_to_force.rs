@@ -41,7 +41,7 @@ fn main() {
         Server::listen(Settings { address, ..Settings::default() }).expect("a port")
     };
     let dial = Dial { address: server.url(), ..Dial::default() };
-    session.observe(Box::new(StreamSink(server.publisher())));
+    session.observe(Box::new(StreamSink::new(server.publisher())));
     runtime.spawn(serve(server, Arc::new(Studio(switchboard))));
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {

@@ -2,12 +2,15 @@
 
 #![expect(clippy::expect_used, reason = "helpers of tests")]
 
+mod common;
+
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
+use common::Stop;
 use host::config::Scene;
 use host::control::{Clients, ControlError, Reply, Request, Server, Switchboard, send, serve};
 use host::report::Report;
@@ -34,8 +37,9 @@ fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> Report {
     runtime.spawn(serve(server, switchboard, Clients::default()));
     std::thread::scope(|scope| {
         let host = scope.spawn(|| session.run(&stop));
+        let stops = Stop(&stop);
         clients(&path);
-        stop.store(true, Ordering::Release);
+        drop(stops);
         host.join().expect("no panic").expect("a report")
     })
 }

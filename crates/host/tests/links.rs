@@ -3,11 +3,11 @@
 
 mod common;
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use common::{Board, make};
+use common::{Board, Stop, make};
 use hardware::link::address::Address;
 use host::config::{Override, Scene, link_overrides};
 use host::control::Patchbay;
@@ -74,15 +74,6 @@ fn told_until(told: &Receiver<Update>, last: &str) -> Vec<String> {
         }
     }
     all
-}
-
-/// Ends the host also where a test fails.
-struct Stop<'a>(&'a AtomicBool);
-
-impl Drop for Stop<'_> {
-    fn drop(&mut self) {
-        self.0.store(true, Ordering::Release);
-    }
 }
 
 #[test]

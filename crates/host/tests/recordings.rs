@@ -1,46 +1,29 @@
-//! `letoff record`, `letoff replay` and `letoff dash`, as they are typed.
+//! `letoff record`, `letoff replay`, `letoff recover` and `letoff dash`, as they are typed.
 
 #![expect(clippy::expect_used, reason = "helpers of tests")]
 
-use std::path::{Path, PathBuf};
-use std::process::Command;
+mod typed;
 
-/// A folder of this test's own.
-fn folder(name: &str) -> PathBuf {
-    let folder = std::env::temp_dir().join(format!("letoff-typed-{}-{name}", std::process::id()));
-    std::fs::create_dir_all(&folder).expect("a folder");
-    folder
-}
-
-/// What a command said: its exit code, output and complaints.
-fn letoff(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_letoff"));
-    command.args(arguments).current_dir(folder);
-    // Nobody else's host, window or home.
-    command.env("LETOFF_SOCKET", folder.join("socket")).env("PATH", folder).env("HOME", folder);
-    let output = command.stdin(std::process::Stdio::null()).output().expect("a process");
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    (output.status.code(), text(&output.stdout), text(&output.stderr))
-}
+use typed::Folder;
 
 /// A recording of three seconds, in which the piece begins.
-fn recorded(folder: &Path) {
+fn recorded(folder: &Folder) {
     let arguments = ["record", "a.mcap", "--virtual-time", "--duration", "3"];
-    let (code, _out, err) = letoff(folder, &arguments);
+    let (code, _out, err) = folder.letoff(&arguments);
     assert_eq!(code, Some(0), "{err}");
 }
 
 #[test]
 fn a_run_is_recorded_replayed_and_exported() {
-    let folder = folder("whole");
+    let folder = Folder::new("whole");
     recorded(&folder);
-    let (code, out, err) = letoff(&folder, &["replay", "a.mcap"]);
+    let (code, out, err) = folder.letoff(&["replay", "a.mcap"]);
     assert_eq!(code, Some(0), "{err}");
     assert!(out.contains("the same to the last bit"), "{out}");
-    let (code, out, _err) = letoff(&folder, &["replay", "a.mcap", "--json"]);
+    let (code, out, _err) = folder.letoff(&["replay", "a.mcap", "--json"]);
     assert_eq!(code, Some(0));
     assert!(out.contains("\"different\": 0") && out.contains("\"ticks\": 3000"), "{out}");
-    let (code, _out, err) = letoff(&folder, &["replay", "a.mcap", "--export", "csv"]);
+    let (code, _out, err) = folder.letoff(&["replay", "a.mcap", "--export", "csv"]);
     assert_eq!(code, Some(0), "{err}");
     let events = std::fs::read_to_string(folder.join("csv/events.csv")).expect("events");
     assert!(events.contains("strike"), "{events}");
@@ -48,40 +31,133 @@ fn a_run_is_recorded_replayed_and_exported() {
 
 #[test]
 fn a_recording_is_not_written_over() {
-    let folder = folder("twice");
+    let folder = Folder::new("twice");
     recorded(&folder);
     let before = std::fs::read(folder.join("a.mcap")).expect("a recording");
-    let (code, _out, err) = letoff(&folder, &["record", "a.mcap", "--duration", "1"]);
+    let (code, _out, err) = folder.letoff(&["record", "a.mcap", "--duration", "1"]);
     assert_eq!((code, err.contains("a.mcap")), (Some(2), true), "{err}");
     assert_eq!(std::fs::read(folder.join("a.mcap")).expect("a recording"), before);
 }
 
 #[test]
 fn what_is_no_recording_is_refused_in_a_sentence() {
-    let folder = folder("bad");
-    std::fs::write(folder.join("text.mcap"), "once upon a time").expect("a file");
-    for file in ["text.mcap", "nothing.mcap"] {
-        let (code, out, err) = letoff(&folder, &["replay", file]);
-        assert_eq!((code, out.as_str()), (Some(2), ""), "{err}");
-        assert!(err.contains(file) && err.lines().count() == 1, "{err}");
+    let folder = Folder::new("bad");
+    folder.write("text.mcap", "once upon a time");
+    folder.write("empty.mcap", "");
+    for file in ["text.mcap", "empty.mcap", "nothing.mcap"] {
+        folder.refuses(&["replay", file], 2, &[file]);
+        folder.refuses(&["recover", file], 2, &[file]);
+        assert!(!folder.join(file.replace('.', "-recovered.")).exists(), "nothing is made of it");
     }
 }
 
 #[test]
 fn a_recording_that_was_cut_is_replayed_up_to_the_tear() {
-    let folder = folder("cut");
-    recorded(&folder);
-    let whole = std::fs::read(folder.join("a.mcap")).expect("a recording");
-    std::fs::write(folder.join("cut.mcap"), &whole[..whole.len() / 2]).expect("a part of it");
-    let (_code, out, err) = letoff(&folder, &["replay", "cut.mcap", "--json"]);
-    assert!(err.contains("cut.mcap"), "{err}");
+    let folder = Folder::new("cut");
+    cut(&folder);
+    let (_code, out, err) = folder.letoff(&["replay", "cut.mcap", "--json"]);
+    assert!(err.contains("cut.mcap breaks off"), "{err}");
+    assert!(err.contains("`letoff recover cut.mcap`"), "{err}");
     assert!(out.contains("\"ticks\": "), "{out}");
+}
+
+/// Records `a.mcap`, and makes `cut.mcap` of its first half.
+fn cut(folder: &Folder) {
+    recorded(folder);
+    let whole = std::fs::read(folder.join("a.mcap")).expect("a recording");
+    folder.write("cut.mcap", &whole[..whole.len() / 2]);
+}
+
+#[test]
+fn a_recording_that_was_cut_is_recovered_beside_it() {
+    let folder = Folder::new("recover");
+    cut(&folder);
+    let before = std::fs::read(folder.join("cut.mcap")).expect("it was cut");
+    let (code, out, err) = folder.letoff(&["recover", "cut.mcap"]);
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    let lines: Vec<_> = out.lines().collect();
+    assert_eq!(lines.len(), 3, "{out}");
+    assert!(lines[0].starts_with("cut-recovered.mcap: "), "{out}");
+    assert!(lines[0].contains(" messages of "), "{out}");
+    assert!(lines[1].contains("cut.mcap breaks off at byte "), "{out}");
+    assert!(lines[2].starts_with("  lost: ") && lines[2].contains(" bytes at the end"), "{out}");
+    assert_eq!(std::fs::read(folder.join("cut.mcap")).expect("the old one"), before);
+
+    // It is whole, and says what the cut one says.
+    let ticks = |file| {
+        let (_code, out, err) = folder.letoff(&["replay", file, "--json"]);
+        assert_eq!(err.contains("breaks off"), file == "cut.mcap", "{err}");
+        out
+    };
+    assert_eq!(ticks("cut-recovered.mcap"), ticks("cut.mcap"));
+}
+
+#[test]
+fn a_program_is_told_what_was_recovered() {
+    let folder = Folder::new("recover-json");
+    cut(&folder);
+    let (code, out, err) = folder.letoff(&["recover", "cut.mcap", "--into", "b.mcap", "--json"]);
+    assert_eq!(code, Some(0), "{err}");
+    let saved: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(saved["file"], "b.mcap");
+    assert!(0 < saved["messages"].as_u64().expect("a number"), "{out}");
+    let seconds = saved["seconds"].as_f64().expect("a number");
+    assert!((0.1..3.0).contains(&seconds), "{out}");
+    assert!(0 < saved["cut_bytes"].as_u64().expect("a number"), "{out}");
+    assert_eq!(saved["damaged"], 0);
+    assert_eq!(saved["wrong"].as_array().map(Vec::len), Some(1), "{out}");
+}
+
+#[test]
+fn a_whole_recording_is_copied_and_nothing_is_lost() {
+    let folder = Folder::new("recover-whole");
+    recorded(&folder);
+    let (code, out, err) = folder.letoff(&["recover", "a.mcap", "--into", "b.mcap"]);
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    assert!(out.contains("a.mcap was complete"), "{out}");
+    assert!(!out.contains("lost"), "{out}");
+    let (code, _out, err) = folder.letoff(&["replay", "b.mcap"]);
+    assert_eq!(code, Some(0), "{err}");
+}
+
+#[test]
+fn a_damaged_piece_is_left_out_and_counted() {
+    let folder = Folder::new("recover-hit");
+    recorded(&folder);
+    let mut bytes = std::fs::read(folder.join("a.mcap")).expect("a recording");
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 0xff;
+    folder.write("hit.mcap", &bytes);
+    let (code, out, err) = folder.letoff(&["recover", "hit.mcap"]);
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    assert!(out.contains("hit.mcap is damaged at byte "), "{out}");
+    assert!(out.contains("lost: a damaged piece"), "{out}");
+}
+
+#[test]
+fn only_what_is_named_is_overwritten_by_what_was_recovered() {
+    let folder = Folder::new("recover-over");
+    cut(&folder);
+    let before = std::fs::read(folder.join("cut.mcap")).expect("it was cut");
+    for into in ["cut.mcap", "a.mcap"] {
+        folder.refuses(&["recover", "cut.mcap", "--into", into], 2, &[into, "is there already"]);
+    }
+    folder.refuses(&["recover", "cut.mcap", "--into", "no/b.mcap"], 2, &["no/b.mcap"]);
+    assert_eq!(std::fs::read(folder.join("cut.mcap")).expect("the old one"), before);
+    // Told so, it takes even the old one's place, and leaves nothing else behind.
+    let over = ["recover", "cut.mcap", "--into", "cut.mcap", "--overwrite"];
+    let (code, _out, err) = folder.letoff(&over);
+    assert_eq!(code, Some(0), "{err}");
+    let (_code, out, _err) = folder.letoff(&["recover", "cut.mcap", "--into", "b.mcap"]);
+    assert!(out.contains("cut.mcap was complete"), "{out}");
+    let files = std::fs::read_dir(&*folder).expect("the folder").count();
+    assert_eq!(files, 3, "a, cut and b");
 }
 
 #[test]
 fn without_a_window_or_a_host_dash_says_what_to_do() {
-    let folder = folder("dash");
-    let (code, _out, err) = letoff(&folder, &["dash"]);
+    let folder = Folder::new("dash");
+    let (code, _out, err) = folder.letoff(&["dash"]);
     assert_eq!(code, Some(1));
     let is_said = err.contains("cargo build") || err.contains("letoff run");
     assert!(is_said && err.lines().count() == 1, "{err}");

@@ -2,23 +2,30 @@
 
 #![expect(clippy::expect_used, reason = "helpers of tests")]
 
+mod common;
+mod stranger;
+
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
+use common::Stop;
 use host::config::Scene;
 use host::control::{StreamSink, Studio, Switchboard};
 use host::session::{Options, Session};
+use stranger::Stranger;
 use telemetry::request::Change;
+use telemetry::stream::protocol::{FromClient, FromServer, Parameter};
 use telemetry::stream::{Client, Dial, Server, Settings, serve};
 use telemetry::{Arrival, Request, Source as _, Topic, Update, event};
 
 /// Long enough for any machine: it only ends what has failed.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// Runs a host on simulated keys that nobody plays, and a client of its stream.
-fn beside_a_host(client: impl FnOnce(&mut Client)) {
+/// Runs a host on simulated keys that nobody plays, and `clients` of its stream, who get its
+/// address, and what the control socket asks.
+fn beside_a_host(clients: impl FnOnce(&str, &Switchboard)) {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene = Scene::load("default", &silent).expect("the default scene");
     let session = Session::prepare(&scene, Options::default(), &|_| {}).expect("a session");
@@ -33,14 +40,15 @@ fn beside_a_host(client: impl FnOnce(&mut Client)) {
         let _inside = runtime.enter();
         Server::listen(Settings { address, ..Settings::default() }).expect("a port")
     };
-    let dial = Dial { address: server.url(), ..Dial::default() };
-    session.observe(Box::new(StreamSink(server.publisher())));
-    runtime.spawn(serve(server, Arc::new(Studio(switchboard))));
+    let address = server.url();
+    session.observe(Box::new(StreamSink::new(server.publisher())));
+    runtime.spawn(serve(server, Arc::new(Studio(Arc::clone(&switchboard)))));
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {
         let host = scope.spawn(|| session.run(&stop));
-        client(&mut Client::connect(dial, None));
-        stop.store(true, Ordering::Release);
+        let stopper = Stop(&stop);
+        clients(&address, &switchboard);
+        drop(stopper);
         host.join().expect("no panic").expect("a report");
     });
 }
@@ -67,7 +75,9 @@ fn update(arrival: Arrival) -> Option<Update> {
 
 #[test]
 fn a_client_sees_presses_and_tunes_a_key() {
-    beside_a_host(|client| {
+    beside_a_host(|address, _switchboard| {
+        let client =
+            &mut Client::connect(Dial { address: address.into(), ..Dial::default() }, None);
         let topics = [Topic::Catalogue, Topic::Voices, Topic::Events, Topic::Overview];
         let topics: BTreeSet<_> = topics.into_iter().chain([Topic::Block(39)]).collect();
         client.follow(&topics);
@@ -117,5 +127,85 @@ fn a_client_sees_presses_and_tunes_a_key() {
             (of == ticket).then_some(result)
         });
         assert!(refused.expect_err("wrong values").contains("k2"));
+    });
+}
+
+/// A client that follows all parameters, and is heard already.
+fn follower(address: &str) -> Stranger {
+    let mut follower = Stranger::knock(address, &[]).unwrap_or_else(|it| unreachable!("{it}"));
+    let parameter_names = Vec::new();
+    follower.say(&FromClient::SubscribeParameterUpdates { parameter_names });
+    get(&mut follower, "/key/39/k2");
+    follower
+}
+
+/// A parameter's value.
+fn get(client: &mut Stranger, name: &str) -> f64 {
+    let parameter_names = vec![name.to_owned()];
+    client.say(&FromClient::GetParameters { parameter_names, id: Some("now".into()) });
+    let values = client.hear(|message| values(message, Some("now")));
+    values.first().expect("the parameter").1
+}
+
+/// The values that `message` tells, if it is called so; updates have no name.
+fn values(message: FromServer, called: Option<&str>) -> Option<Vec<(String, f64)>> {
+    let FromServer::ParameterValues { parameters, id, .. } = message else { return None };
+    let value = |it: Parameter| (it.name, it.value.as_f64().unwrap_or(f64::NAN));
+    (id.as_deref() == called).then(|| parameters.into_iter().map(value).collect())
+}
+
+/// What `client` is told until `last` has its value, and that.
+fn told_until(client: &mut Stranger, last: (&str, f64)) -> Vec<(String, f64)> {
+    let mut told = Vec::new();
+    while !told.iter().any(|(name, value): &(String, f64)| (name.as_str(), *value) == last) {
+        told.extend(client.hear(|message| values(message, None)));
+    }
+    told
+}
+
+/// Asks as the control socket does, and again while the host does not run yet.
+fn ask(switchboard: &Switchboard, request: &Request) {
+    let end = Instant::now() + PATIENCE;
+    while let Err(why) = switchboard.answer(request, "letoff") {
+        assert!(why.contains("not running yet") && Instant::now() < end, "{why}");
+        std::thread::yield_now();
+    }
+}
+
+fn tune(key: u8, parameter: &str, value: f64) -> Request {
+    Request::Set { changes: vec![Change { key, parameter: parameter.into(), value }] }
+}
+
+#[test]
+fn each_change_is_told_once_whoever_made_it() {
+    beside_a_host(|address, switchboard| {
+        let (mut one, mut other) = (follower(address), follower(address));
+        // What plays at the beginning is told before this.
+        ask(switchboard, &tune(38, "g", 9.5));
+        told_until(&mut one, ("/key/38/g", 9.5));
+        told_until(&mut other, ("/key/38/g", 9.5));
+
+        // By a client of the stream, who gets an answer beside what all are told.
+        let parameters = vec![Parameter::new("/key/39/k2", 20_000.5)];
+        one.say(&FromClient::SetParameters { parameters, id: Some("x".into()) });
+        for client in [&mut one, &mut other] {
+            let told = told_until(client, ("/key/39/k2", 20_000.5));
+            assert_eq!(told, [("/key/39/k2".to_owned(), 20_000.5)]);
+        }
+        // By the control socket: only what is another value now, and nothing more of key 39.
+        ask(switchboard, &tune(40, "g", 8.5));
+        for client in [&mut one, &mut other] {
+            let told = told_until(client, ("/key/40/g", 8.5));
+            assert_eq!(told, [("/key/40/g".to_owned(), 8.5)]);
+        }
+        // And by another instrument.
+        let (instrument, keys) = ("grand-rigid".to_owned(), Some("41".to_owned()));
+        ask(switchboard, &Request::UseInstrument { instrument, keys });
+        ask(switchboard, &tune(42, "g", 8.5));
+        let told = told_until(&mut other, ("/key/42/g", 8.5));
+        let of_key = |key: &str| told.iter().filter(|(name, _)| name.starts_with(key)).count();
+        assert!(0 < of_key("/key/") && of_key("/key/42/") == 1, "{told:?}");
+        assert_eq!(of_key("/key/42/") + of_key("/key/20/"), told.len(), "{told:?}");
+        assert!((get(&mut one, "/key/39/k2") - 20_000.5).abs() < f64::EPSILON);
     });
 }

@@ -65,7 +65,7 @@ pub struct Turn {
     /// First turn after the voice was put in, reset or retuned: its force knows nothing of the
     /// last one.
     pub fresh: bool,
-    /// What the model is like at the end, for those who watch; of a voice at rest as it was.
+    /// What the model is like at the end, for those who watch; as it was if it was not run.
     pub look: Look,
     /// Changes of mode.
     pub switches: Switches,
@@ -74,21 +74,29 @@ pub struct Turn {
 }
 
 impl Turn {
-    /// A turn without a trusted force.
-    pub fn faulty(fault: VoiceFault) -> Self {
-        Self { fault: Some(fault), ..Self::default() }
-    }
-
-    /// Becomes the turn of a voice at rest that presses with `force`, up positive [N].
+    /// Becomes a turn in which nothing has happened yet; what the model is like stays as it was.
     ///
-    /// Touches a few words only: most keys are idle most of the time.
-    pub const fn rest_at(&mut self, force: f64) {
-        (self.force, self.slope) = (force, KeySlope::HELD);
+    /// Touches a few words only: the lists are long.
+    pub const fn begin(&mut self) {
+        (self.force, self.slope) = (0.0, KeySlope::HELD);
         self.events.clear();
         self.work = Work { derivatives: 0, guards: 0, events: 0 };
         self.fault = None;
-        (self.idle, self.late, self.fresh) = (true, false, false);
+        (self.idle, self.late, self.fresh) = (false, false, false);
         self.switches.clear();
+        self.ran = 0;
+    }
+
+    /// What follows without a trusted force.
+    #[must_use]
+    pub fn failed(&self, fault: VoiceFault) -> Self {
+        Self { fault: Some(fault), look: self.look, ..Self::default() }
+    }
+
+    /// Becomes the turn of a voice at rest that presses with `force`, up positive [N].
+    pub const fn rest_at(&mut self, force: f64) {
+        self.begin();
+        (self.force, self.idle) = (force, true);
     }
 
     /// What stands in for the next turn when the lane is not done: the force, marked late.
@@ -96,7 +104,8 @@ impl Turn {
     /// Events and work are left behind, since they have been counted once already.
     #[must_use]
     pub fn held(&self) -> Self {
-        Self { force: self.force, idle: self.idle, late: true, ..Self::default() }
+        let Self { force, idle, look, .. } = *self;
+        Self { force, idle, late: true, look, ..Self::default() }
     }
 }
 

@@ -87,7 +87,8 @@ pub enum Reply {
     },
     /// Where the host streams what it tells.
     Where {
-        /// Of its stream, as `ws://127.0.0.1:8765`.
+        /// Of its stream, as `ws://127.0.0.1:8765`; behind a `#` the fingerprint of its certificate,
+        /// if it has one.
         address: String,
         /// What it must be told to be heard.
         token: Option<String>,

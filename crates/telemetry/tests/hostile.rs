@@ -12,7 +12,7 @@ use std::time::Duration;
 use stage::synthetic::{self, KEY};
 use stage::{Stage, Stranger, Watcher, eventually, set};
 use telemetry::stream::protocol::{
-    ClientFrame, FromClient, FromServer, Level, Parameter, Subscription, channel_id,
+    ClientFrame, FromClient, FromServer, Level, Parameter, Subscription, Text as _, channel_id,
 };
 use telemetry::stream::server::{Limits, Tls};
 use telemetry::stream::{Dial, Settings};

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use stage::synthetic::{self, KEY};
 use stage::{Stage, Stranger, Watcher, eventually, set};
 use telemetry::stream::protocol::{
-    FromClient, FromServer, Level, Parameter, ServerFrame, Subscription, channel_id,
+    FromClient, FromServer, Level, Parameter, ServerFrame, Subscription, Text as _, channel_id,
 };
 use telemetry::stream::server::{Limits, Tls, Token};
 use telemetry::stream::{Backend, Dial, Fingerprint, Role, Server, Settings, Value, Who};
@@ -270,7 +270,7 @@ fn beyond_this_machine_only_with_token_and_tls() {
     assert_eq!(
         refused.to_string(),
         "the stream would listen at 0.0.0.0:0 without TLS: \
-         give it a certificate, or listen at 127.0.0.1"
+         give it both --tokens and --tls, or listen at 127.0.0.1"
     );
 }
 

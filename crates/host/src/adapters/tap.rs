@@ -116,7 +116,6 @@ struct Known {
     sent: u64,
     /// It lay still under a voice at rest.
     is_still: bool,
-    look: Look,
 }
 
 impl Tap {
@@ -154,13 +153,10 @@ impl Tap {
         let is_news = !(is_still && known.is_still && bits == was);
         [known.position, known.force, known.sent] = bits;
         known.is_still = is_still;
-        if !turn.idle && 0 < turn.look.revision {
-            known.look = turn.look;
-        }
         is_news
     }
 
-    fn row(&self, key: usize, seen: &Seen<'_>) -> KeyRow {
+    fn row(key: usize, seen: &Seen<'_>) -> KeyRow {
         let turn = &seen.turns[key];
         KeyRow {
             tick: seen.tick,
@@ -168,7 +164,7 @@ impl Tap {
             sample: seen.samples[key],
             force: turn.force,
             sent: seen.forces[key],
-            look: self.known[key].look,
+            look: turn.look,
             fault: turn.fault,
             stands: Stands { idle: turn.idle, late: turn.late, fresh: turn.fresh },
             ran: turn.ran,
@@ -177,7 +173,7 @@ impl Tap {
     }
 
     fn tell_of(&mut self, key: usize, tick: u64, turn: &Turn) {
-        let revision = self.known[key].look.revision;
+        let revision = turn.look.revision;
         let key = u8::try_from(key).unwrap_or(u8::MAX);
         for switch in turn.switches.as_slice() {
             let what = What::Switch(revision, *switch);
@@ -205,7 +201,7 @@ impl TickObserver for Tap {
         for (key, turn) in seen.turns.iter().enumerate() {
             if self.is_news(key, seen) {
                 self.tell_of(key, seen.tick, turn);
-                self.push(Row::Key(self.row(key, seen)));
+                self.push(Row::Key(Self::row(key, seen)));
             }
         }
         let Seen { tick, skipped, armed, .. } = *seen;

@@ -133,7 +133,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     }
 
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
-        *turn = Turn::default();
+        turn.begin();
         let Followed { signal, position, late } = self.input.follow(tick, sample);
         if let Some((at, event)) = self.damper.follow(tick, position, self.h) {
             turn.events.push(at, event);
@@ -184,7 +184,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         } else if sample.position.is_finite() && sample.taken.is_finite() {
             self.advance(tick, sample, turn);
         } else {
-            *turn = Turn::faulty(VoiceFault::BadSample);
+            *turn = turn.failed(VoiceFault::BadSample);
         }
     }
 

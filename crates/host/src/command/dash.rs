@@ -2,12 +2,14 @@
 
 use std::io::{self, IsTerminal as _, Write};
 use std::path::PathBuf;
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use clap::Args;
 
-use super::{Failure, tell};
+use super::owned::{Farewell, Owned};
+use super::signals::Signals;
+use super::{Failure, system, tell};
 use crate::control::{ControlError, Reply, Request, send, socket_path};
 
 /// What `letoff dash` takes.
@@ -35,37 +37,81 @@ const PROGRAM: &str = "letoff-dashboard";
 /// How long a host may take until it runs: it may have a piece to rehearse.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// Opens the window and waits until it is closed.
+/// Between two looks whether it does.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// What a window looks at.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Place {
+    /// An address or a recording.
+    target: String,
+    /// What a host must be told.
+    token: Option<String>,
+    /// What its certificate must be.
+    fingerprint: Option<String>,
+}
+
+/// Opens the window and waits until it is closed, or until a signal ends both.
 pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let mut window = Command::new(program()?);
+    let program = program()?;
+    let place = wanted(args, out)?;
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    runtime.map_err(system)?.block_on(async {
+        // Before anything is started: nothing of it is left behind.
+        let mut signals = Signals::new().map_err(system)?;
+        let (host, place) = match place {
+            Some(place) => (None, place),
+            None => match start(&mut signals).await? {
+                Some((host, place)) => (Some(host), place),
+                None => return Ok(()),
+            },
+        };
+        let shown = show(place.window(program), &mut signals).await;
+        // Ends with the window.
+        drop(host);
+        shown
+    })
+}
+
+/// What the window shall look at; none if a host is to be started for it.
+fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<Place>, Failure> {
     if let Some(target) = &args.target {
-        window.arg(target);
-        if let Some(fingerprint) = &args.fingerprint {
-            window.args(["--fingerprint", fingerprint]);
-        }
-        return show(window);
+        let (target, fingerprint) = (target.clone(), args.fingerprint.clone());
+        return Ok(Some(Place { target, token: None, fingerprint }));
     }
-    let (host, (address, token)) = match whereabouts() {
-        Ok(place) => (None, place),
-        Err(Absent::Nobody(why)) => {
-            if !args.start && !wants_one(&why, out)? {
-                return Err(Failure::Running(why));
-            }
-            let host = Started(start()?);
-            let place = wait()?;
-            (Some(host), place)
+    match whereabouts() {
+        Ok(place) => Ok(Some(place)),
+        Err(Absent::Nobody(why)) if !args.start && !wants_one(&why, out)? => {
+            Err(Failure::Running(why))
         }
-        Err(Absent::Refused(why)) => return Err(Failure::Running(why)),
-    };
-    window.arg(address);
-    if let Some(token) = token {
-        // Not as an argument, which everybody on the machine can read.
-        window.env("LETOFF_TOKEN", token);
+        Err(Absent::Nobody(_)) => Ok(None),
+        Err(Absent::Refused(why)) => Err(Failure::Running(why)),
     }
-    let shown = show(window);
-    // Ends with the window.
-    drop(host);
-    shown
+}
+
+impl Place {
+    /// Where a host says that it streams: its fingerprint, if it has one, stands behind a `#`.
+    fn said(address: &str, token: Option<String>) -> Self {
+        let (target, fingerprint) = match address.split_once('#') {
+            Some((target, fingerprint)) => (target, Some(fingerprint.to_owned())),
+            None => (address, None),
+        };
+        Self { target: target.to_owned(), token, fingerprint }
+    }
+
+    /// What opens a window onto it.
+    fn window(self, program: PathBuf) -> Command {
+        let mut window = Command::new(program);
+        window.arg(self.target);
+        if let Some(fingerprint) = self.fingerprint {
+            window.args(["--fingerprint", &fingerprint]);
+        }
+        if let Some(token) = self.token {
+            // Not as an argument, which everybody on the machine can read.
+            window.env("LETOFF_TOKEN", token);
+        }
+        window
+    }
 }
 
 /// Why there is no stream.
@@ -77,9 +123,9 @@ enum Absent {
 }
 
 /// Where the host that runs here streams, and what it must be told.
-fn whereabouts() -> Result<(String, Option<String>), Absent> {
+fn whereabouts() -> Result<Place, Absent> {
     match send(&socket_path(), &Request::Where {}) {
-        Ok(Ok(Reply::Where { address, token })) => Ok((address, token)),
+        Ok(Ok(Reply::Where { address, token })) => Ok(Place::said(&address, token)),
         Ok(Ok(Reply::Done { .. } | Reply::Scene { .. })) => {
             Err(Absent::Refused("the host that runs here said something else".into()))
         }
@@ -101,41 +147,39 @@ fn wants_one(why: &str, out: &mut dyn Write) -> Result<bool, Failure> {
     Ok(matches!(line.trim(), "" | "y" | "Y" | "yes"))
 }
 
-/// A host that ends when it is dropped.
-struct Started(Child);
-
-impl Drop for Started {
-    fn drop(&mut self) {
-        let id = i32::try_from(self.0.id()).ok().and_then(rustix::process::Pid::from_raw);
-        if let Some(id) = id {
-            // As Ctrl-C would: forces fade, notes end. One that is gone is as good.
-            let _gone = rustix::process::kill_process(id, rustix::process::Signal::INT);
-        }
-        let _ended = self.0.wait();
-    }
-}
-
-/// Starts a host on the simulated keybed, which nobody plays but the window.
-fn start() -> Result<Child, Failure> {
-    let own = std::env::current_exe().map_err(|error| Failure::Running(error.to_string()))?;
+/// Starts a host on the simulated keybed, which nobody plays but the window, and waits until it
+/// answers; nothing if a signal came before.
+async fn start(signals: &mut Signals) -> Result<Option<(Owned, Place)>, Failure> {
+    let failed = |error| Failure::Running(format!("the host cannot be started: {error}"));
+    let own = std::env::current_exe().map_err(failed)?;
     let mut host = Command::new(own);
     host.args(["run", "--performance", "none"]).stdin(Stdio::null()).stdout(Stdio::null());
     tell("starting a host on the simulated keybed");
-    host.spawn().map_err(|error| Failure::Running(format!("the host cannot be started: {error}")))
+    let mut host = Owned::start(&mut host, Farewell::Patient).map_err(failed)?;
+    let deadline = Instant::now() + PATIENCE;
+    let mut looks = tokio::time::interval(LOOK);
+    loop {
+        tokio::select! {
+            biased;
+            () = signals.next() => return Ok(None),
+            _now = looks.tick() => {}
+        }
+        if let Some(place) = look(deadline)? {
+            return Ok(Some((host, place)));
+        }
+        if let Some(status) = host.ended().map_err(failed)? {
+            // It has said why.
+            return Err(Failure::Running(format!("the host that was started ended: {status}")));
+        }
+    }
 }
 
-/// Waits until the host that was started answers.
-fn wait() -> Result<(String, Option<String>), Failure> {
-    let deadline = Instant::now() + PATIENCE;
-    loop {
-        match whereabouts() {
-            Ok(place) => return Ok(place),
-            Err(Absent::Refused(why)) => return Err(Failure::Running(why)),
-            Err(Absent::Nobody(why)) if deadline < Instant::now() => {
-                return Err(Failure::Running(why));
-            }
-            Err(Absent::Nobody(_)) => std::thread::sleep(Duration::from_millis(100)),
-        }
+/// Where the host that was started streams, if it answers by now.
+fn look(deadline: Instant) -> Result<Option<Place>, Failure> {
+    match whereabouts() {
+        Ok(place) => Ok(Some(place)),
+        Err(Absent::Nobody(_)) if Instant::now() < deadline => Ok(None),
+        Err(Absent::Nobody(why) | Absent::Refused(why)) => Err(Failure::Running(why)),
     }
 }
 
@@ -153,13 +197,32 @@ fn program() -> Result<PathBuf, Failure> {
     })
 }
 
-/// Shows the window until it is closed.
-fn show(mut window: Command) -> Result<(), Failure> {
-    let status = window.status();
-    match status {
-        Ok(status) if status.success() => Ok(()),
-        // It has said why.
-        Ok(status) => Err(Failure::Running(format!("the window ended: {status}"))),
-        Err(error) => Err(Failure::Running(format!("the window cannot be opened: {error}"))),
+/// Shows the window until it is closed, or a signal closes it.
+async fn show(mut window: Command, signals: &mut Signals) -> Result<(), Failure> {
+    let failed = |error| Failure::Running(format!("the window cannot be opened: {error}"));
+    let mut window = Owned::start(&mut window, Farewell::Brief).map_err(failed)?;
+    match window.end(signals).await.map_err(system)? {
+        Some(status) if !status.success() => {
+            // It has said why.
+            Err(Failure::Running(format!("the window ended: {status}")))
+        }
+        Some(_) | None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_host_s_fingerprint_stands_behind_its_address() {
+        let place = |target: &str, fingerprint: Option<&str>| Place {
+            target: target.to_owned(),
+            token: None,
+            fingerprint: fingerprint.map(str::to_owned),
+        };
+        assert_eq!(Place::said("ws://127.0.0.1:1", None), place("ws://127.0.0.1:1", None));
+        let said = Place::said("wss://[::1]:1#AB:CD", None);
+        assert_eq!(said, place("wss://[::1]:1", Some("AB:CD")));
     }
 }

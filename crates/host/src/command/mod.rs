@@ -1,4 +1,4 @@
-//! What people type: `letoff run`, `dash`, `record`, `replay`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
+//! What people type: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
 //! `instruments`, `stop`, `lab`.
 //!
 //! Exit codes: 0 done, 1 something failed while running, 2 wrong usage or file.
@@ -13,14 +13,17 @@ mod devices;
 mod instruments;
 mod lab;
 mod live;
+mod owned;
 mod plan;
 mod record;
+mod recover;
 mod replay;
 mod run;
 mod signals;
 mod stop;
 mod streaming;
 mod target;
+mod tokens;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -49,6 +52,8 @@ pub enum Command {
     Record(Box<record::RecordArgs>),
     /// Runs a recording again, and says the first bit that differs.
     Replay(replay::ReplayArgs),
+    /// Saves what can be read of a recording that breaks off.
+    Recover(recover::RecoverArgs),
     /// Simulates one key offline and writes its trajectory and events.
     Simulate(Box<SimulateArgs>),
     /// Simulated boards on pseudo-terminals or CAN, for developing without hardware.
@@ -124,6 +129,7 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Dash(args) => dash::run(args, out),
         Command::Record(args) => record::run(args, out),
         Command::Replay(args) => replay::run(args, out),
+        Command::Recover(args) => recover::run(args, out),
         Command::Simulate(args) => simulate(args, out),
         Command::Board(args) => board::run(args, out),
         Command::Check(args) => check::run(args, out),

@@ -9,7 +9,7 @@ use clap::Args;
 
 use super::arguments::seconds;
 use super::signals::Signals;
-use super::streaming::StreamArgs;
+use super::streaming::{self, StreamArgs};
 use super::target::Target;
 use super::{Failure, live, print_json, system, tell};
 use crate::config::{Override, Scene};
@@ -84,7 +84,9 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let scene = Scene::load_as_typed(args.scene(), &args.overrides())
         .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
     let options = Options { duration: args.duration, virtual_time: args.virtual_time };
-    let report = perform(&scene, options, args)?;
+    // A mistake is told before anything is rehearsed or recorded.
+    let stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;
+    let report = perform(&scene, options, args, stream.as_ref())?;
     if args.json {
         print_json(&report, out)?;
     } else {
@@ -100,7 +102,12 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 /// Rehearses, runs until the end or a signal, and reports.
-fn perform(scene: &Scene, options: Options, args: &RunArgs) -> Result<Box<Report>, Failure> {
+fn perform(
+    scene: &Scene,
+    options: Options,
+    args: &RunArgs,
+    wanted: Option<&streaming::Wanted>,
+) -> Result<Box<Report>, Failure> {
     let rehearsal = live::Rehearsal::new();
     let session = Session::prepare(scene, options, &|progress| rehearsal.show(progress))
         .map_err(|error| failure(&error))?;
@@ -115,7 +122,7 @@ fn perform(scene: &Scene, options: Options, args: &RunArgs) -> Result<Box<Report
     runtime.block_on(async {
         let counters = session.counters();
         let line = live::Line::new(session.tick_hz(), session.ticks());
-        let clients = listen(scene, options, &session, &args.stream)?;
+        let clients = listen(scene, options, &session, wanted)?;
         let its_stop = Arc::clone(&stop);
         let _stops = StopOnDrop(Arc::clone(&stop));
         let mut running = tokio::task::spawn_blocking(move || session.run(&its_stop).map(Box::new));
@@ -168,14 +175,16 @@ fn listen(
     scene: &Scene,
     options: Options,
     session: &Session,
-    args: &StreamArgs,
+    wanted: Option<&streaming::Wanted>,
 ) -> Result<Clients, Failure> {
     let clients = Clients::default();
     if options.virtual_time {
         return Ok(clients);
     }
     let switchboard = Arc::new(Switchboard::new(scene.clone(), session.patchbay()));
-    stream(scene, session, args, &switchboard)?;
+    if let Some(wanted) = wanted {
+        stream(session, wanted, &switchboard)?;
+    }
     let path = socket_path();
     match Server::listen(&path) {
         Ok(server) => {
@@ -194,18 +203,21 @@ fn listen(
 
 /// Streams to dashboards and viewers, and hears what they ask.
 fn stream(
-    scene: &Scene,
     session: &Session,
-    args: &StreamArgs,
+    wanted: &streaming::Wanted,
     switchboard: &Arc<Switchboard>,
 ) -> Result<(), Failure> {
-    let server = args.server(&scene.name, &state_folder()).map_err(Failure::Usage)?;
-    let Some(server) = server else { return Ok(()) };
+    let Some(server) = wanted.listen().map_err(Failure::Usage)? else { return Ok(()) };
+    let mut address = server.url();
     if let Some(fingerprint) = server.fingerprint() {
-        tell(&format!("the stream's certificate is {fingerprint}: give it to `letoff dash`"));
+        tell(&format!(
+            "the stream's certificate is {fingerprint}: elsewhere, give it to `letoff dash \
+             --fingerprint`"
+        ));
+        address = format!("{address}#{fingerprint}");
     }
-    switchboard.streams_at(server.url(), args.owner());
-    session.observe(Box::new(StreamSink(server.publisher())));
+    switchboard.streams_at(address, wanted.owner());
+    session.observe(Box::new(StreamSink::new(server.publisher())));
     let studio = Arc::new(Studio(Arc::clone(switchboard)));
     // Ends with the runtime.
     tokio::spawn(telemetry::stream::serve(server, studio));

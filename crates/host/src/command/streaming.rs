@@ -5,10 +5,10 @@ use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use telemetry::stream::server::{Tls, Token};
+use telemetry::stream::server::Tls;
 use telemetry::stream::{Role, Server, Settings};
 
-use super::tell;
+use super::{tell, tokens};
 
 /// Where and to whom the host streams.
 #[derive(Clone, Debug, Args)]
@@ -35,15 +35,20 @@ pub struct StreamArgs {
 /// What Foxglove's own viewers look for first.
 const DEFAULT: &str = "127.0.0.1:8765";
 
-/// Longest file of tokens [bytes].
-const LONGEST: u64 = 1 << 16;
+/// The stream that the options ask for.
+#[derive(Debug)]
+pub(super) struct Wanted {
+    settings: Settings,
+    /// Nobody asked for it: it is what is done without options.
+    is_usual: bool,
+}
 
 impl StreamArgs {
-    /// The server that the options ask for, if any; `folder` keeps a certificate of our own.
+    /// The stream that the options ask for, if any; `folder` keeps a certificate of our own.
     ///
     /// # Errors
-    /// What is wrong, in a sentence.
-    pub(super) fn server(&self, name: &str, folder: &Path) -> Result<Option<Server>, String> {
+    /// What is wrong with them, in a sentence.
+    pub(super) fn wanted(&self, name: &str, folder: &Path) -> Result<Option<Wanted>, String> {
         if self.listen == "none" {
             return Ok(None);
         }
@@ -54,22 +59,35 @@ impl StreamArgs {
             address,
             name: format!("letoff: {name}"),
             origins: self.origin.clone(),
-            tokens: self.tokens.as_deref().map_or_else(|| Ok(Vec::new()), tokens)?,
-            tls: self.tls.as_deref().map(|tls| certificate(tls, folder)),
+            tokens: self.tokens.as_deref().map_or_else(|| Ok(Vec::new()), tokens::read)?,
+            tls: self.tls.as_deref().map(|tls| certificate(tls, folder)).transpose()?,
             insecure: self.insecure,
             ..Settings::default()
         };
+        settings.check().map_err(|error| error.to_string())?;
         let is_usual = self.listen == DEFAULT && self.tokens.is_none() && self.tls.is_none();
+        Ok(Some(Wanted { settings, is_usual }))
+    }
+}
+
+impl Wanted {
+    /// Listens; nothing if it cannot and nobody asked for it.
+    ///
+    /// # Errors
+    /// Why it cannot, in a sentence.
+    pub(super) fn listen(&self) -> Result<Option<Server>, String> {
+        let Self { settings, is_usual } = self;
         let listened = match Server::listen(settings.clone()) {
             // Another host has the usual port; who looks for this one asks it.
-            Err(error) if error.kind() == io::ErrorKind::AddrInUse && is_usual => {
-                Server::listen(Settings { address: SocketAddr::new(address.ip(), 0), ..settings })
+            Err(error) if error.kind() == io::ErrorKind::AddrInUse && *is_usual => {
+                let address = SocketAddr::new(settings.address.ip(), 0);
+                Server::listen(Settings { address, ..settings.clone() })
             }
             listened => listened,
         };
         match listened {
-            // Nobody asked for it: a machine without a network plays all the same.
-            Err(error) if is_usual => {
+            // A machine without a network plays all the same.
+            Err(error) if *is_usual => {
                 tell(&format!("nothing is streamed: {error}"));
                 Ok(None)
             }
@@ -79,41 +97,19 @@ impl StreamArgs {
 
     /// The secret of an owner, if there are secrets.
     pub(super) fn owner(&self) -> Option<String> {
-        let tokens = tokens(self.tokens.as_deref()?).ok()?;
-        tokens.into_iter().find(|token| token.role == Role::Owner).map(|token| token.secret)
+        let owner = self.settings.tokens.iter().find(|token| token.role == Role::Owner)?;
+        Some(owner.secret.clone())
     }
 }
 
-fn certificate(text: &str, folder: &Path) -> Tls {
+fn certificate(text: &str, folder: &Path) -> Result<Tls, String> {
     match text.split_once(',') {
-        Some((chain, key)) => Tls::Files { chain: chain.into(), key: key.into() },
-        None => Tls::SelfMade { names: vec!["localhost".into()], folder: Some(folder.to_owned()) },
+        Some((chain, key)) => Ok(Tls::Files { chain: chain.into(), key: key.into() }),
+        None if text == "self-made" => {
+            Ok(Tls::SelfMade { names: vec!["localhost".into()], folder: Some(folder.to_owned()) })
+        }
+        None => Err(format!(
+            "--tls {text} names no key: write CHAIN.pem,KEY.pem with a comma between, or self-made"
+        )),
     }
-}
-
-/// Reads who may do what.
-fn tokens(file: &Path) -> Result<Vec<Token>, String> {
-    use std::io::Read as _;
-    let wrong = |what: &str| format!("{}: {what}", file.display());
-    let opened = std::fs::File::open(file).map_err(|error| wrong(&error.to_string()))?;
-    let mut text = String::new();
-    let read = opened.take(LONGEST).read_to_string(&mut text);
-    read.map_err(|error| wrong(&error.to_string()))?;
-    let lines = (1..).zip(text.lines().map(str::trim));
-    lines
-        .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'))
-        .map(|(n, line)| {
-            let (role, secret) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
-            let role =
-                [Role::Viewer, Role::Tuner, Role::Owner].into_iter().find(|it| it.name() == role);
-            match (role, secret.trim()) {
-                (Some(role), secret) if !secret.is_empty() => {
-                    Ok(Token { secret: secret.into(), role })
-                }
-                (Some(_) | None, _) => Err(wrong(&format!(
-                    "line {n} is not `viewer SECRET`, `tuner SECRET` or `owner SECRET`"
-                ))),
-            }
-        })
-        .collect()
 }

@@ -1,5 +1,6 @@
 //! The stream's two ends in the host: what it tells, and what it is asked.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use telemetry::request::Change;
@@ -11,19 +12,42 @@ use crate::observe::Sink;
 
 /// Gives what the pump makes to those who follow.
 #[derive(Debug)]
-pub struct StreamSink(pub Publisher);
+pub struct StreamSink {
+    publisher: Publisher,
+    /// The values of each key's voice, as those who follow parameters know them.
+    told: BTreeMap<u32, Vec<Value>>,
+}
+
+impl StreamSink {
+    /// For those who follow what `publisher` sends.
+    pub const fn new(publisher: Publisher) -> Self {
+        Self { publisher, told: BTreeMap::new() }
+    }
+
+    /// Tells which values are others now; whoever changed them, it comes by here once.
+    fn tell_changed(&mut self, voice: &telemetry::Voice) {
+        let values = values_of(voice);
+        let before = self.told.get(&voice.key);
+        let is_new = |value: &&Value| before.is_none_or(|before| !before.contains(value));
+        let changed: Vec<_> = values.iter().filter(is_new).cloned().collect();
+        if !changed.is_empty() {
+            self.publisher.parameters_changed(&changed);
+        }
+        self.told.insert(voice.key, values);
+    }
+}
 
 impl Sink for StreamSink {
     fn take(&mut self, at: u64, update: &Update) {
-        self.0.publish(at, update);
+        self.publisher.publish(at, update);
         if let Update::Voice(voice) = update {
-            self.0.parameters_changed(&values_of(voice));
+            self.tell_changed(voice);
         }
     }
 
     fn wants(&self, topic: Topic) -> bool {
         // Kept for whoever comes later.
-        matches!(topic, Topic::Catalogue | Topic::Voices) || self.0.is_followed(topic)
+        matches!(topic, Topic::Catalogue | Topic::Voices) || self.publisher.is_followed(topic)
     }
 }
 

@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::{KeyBus, Lanes};
 use scheduler::slot::Slot;
-use scheduler::voice::{Events, Turn};
+use scheduler::voice::Turn;
 
 use super::ReplayError;
 use super::feed::{Fed, Lane};
 use crate::assemble::{AnyVoice, Assembler};
 use crate::config::{KeyVoice, Scene};
-use crate::realtime::pool::Fenced;
+use crate::realtime::pool::{Fenced, Kept};
 
 /// A voice of the recording.
 #[derive(Clone, Debug)]
@@ -27,9 +27,10 @@ struct Desk {
     revision: u32,
     /// Ticks in which its lane was not done.
     pending: Vec<(u64, KeySample)>,
+    /// Its lane's own, from tick to tick.
+    turn: Turn,
     /// What was made in them.
-    late: Events,
-    is_fresh: bool,
+    late: Kept,
 }
 
 /// The voices of a recording.
@@ -61,8 +62,8 @@ impl ReplayLanes {
                 slot: Slot::new(key, Fenced::new(voice)),
                 revision,
                 pending: Vec::new(),
-                late: Events::default(),
-                is_fresh: false,
+                turn: Turn::default(),
+                late: Kept::default(),
             });
         }
         self.parts.insert(revision, part);
@@ -107,19 +108,15 @@ impl Desk {
                 *turn = turn.held();
                 if 0 < fed.events {
                     self.catch_up(|_late| true);
-                    turn.events = std::mem::take(&mut self.late);
+                    self.late.hand_over(turn);
                 }
                 self.pending.push((tick, fed.sample));
             }
             Lane::Done { unrun } => {
                 self.catch_up(|late| was_run(unrun, tick - late));
-                self.slot.tick(tick, &fed.sample, turn);
-                if !self.late.is_empty() {
-                    let mut events = std::mem::take(&mut self.late);
-                    events.extend(&turn.events);
-                    turn.events = events;
-                }
-                turn.fresh |= std::mem::take(&mut self.is_fresh);
+                self.slot.tick(tick, &fed.sample, &mut self.turn);
+                *turn = self.turn;
+                self.late.hand_over(turn);
             }
         }
     }
@@ -128,10 +125,8 @@ impl Desk {
     fn catch_up(&mut self, was_run: impl Fn(u64) -> bool) {
         for (tick, sample) in std::mem::take(&mut self.pending) {
             if was_run(tick) {
-                let mut turn = Turn::default();
-                self.slot.tick(tick, &sample, &mut turn);
-                self.late.extend(&turn.events);
-                self.is_fresh |= turn.fresh || turn.fault.is_some();
+                self.slot.tick(tick, &sample, &mut self.turn);
+                self.late.keep(&self.turn);
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Simulated boards behind pseudo-terminals, as real ones in real time.
+//! What tests of hosts share: an end to each, and simulated boards behind pseudo-terminals.
 #![allow(clippy::expect_used, clippy::missing_panics_doc, reason = "helpers of tests")]
 #![allow(dead_code, unreachable_pub, reason = "each test program uses its own part")]
 
@@ -58,4 +58,14 @@ impl Drop for Board {
 pub fn make(number: u8, n_keys: usize) -> BoardMake {
     let id = BoardId::new(number).expect("a board");
     BoardMake { n_keys, ..BoardMake::standard(id, 100e-6, RigParameters::default()) }
+}
+
+/// Ends the host also where a test fails.
+#[derive(Debug)]
+pub struct Stop<'a>(pub &'a AtomicBool);
+
+impl Drop for Stop<'_> {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Release);
+    }
 }

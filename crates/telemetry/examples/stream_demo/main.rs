@@ -29,6 +29,7 @@ async fn main() -> Result<(), Box<dyn Error>> {
     publisher.publish(now(), &synthetic::catalogue());
     publisher.publish(now(), &synthetic::voice(KEY.into(), 1));
     let host = Arc::new(Synthetic::default());
+    host.tell_by(publisher.clone());
     let backend = Arc::clone(&host);
     tokio::select! {
         served = serve(server, backend) => served?,

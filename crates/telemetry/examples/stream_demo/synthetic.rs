@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use telemetry::request::Change;
-use telemetry::stream::{Backend, Value, Who};
+use telemetry::stream::{Backend, Publisher, Value, Who};
 use telemetry::{
     Catalogue, KEYS, KeyBlock, Model, Overview, Parameter, Reply, Request, Signal, Update, Voice,
 };
@@ -27,6 +27,8 @@ const PARAMETERS: [(&str, &str, f64, f64, &str, f64); 2] = [
 pub(crate) struct Synthetic {
     values: Mutex<BTreeMap<String, f64>>,
     asked: Mutex<Vec<(Request, Who)>>,
+    /// Where changed values are told.
+    publisher: OnceLock<Publisher>,
     /// What another instrument waits for, as if it took long to build.
     pub(crate) workshop: Mutex<()>,
 }
@@ -37,6 +39,7 @@ impl Default for Synthetic {
         Self {
             values: Mutex::new(values.into()),
             asked: Mutex::default(),
+            publisher: OnceLock::new(),
             workshop: Mutex::new(()),
         }
     }
@@ -79,12 +82,21 @@ impl Synthetic {
         locked(&self.asked).clone()
     }
 
+    /// Tells changed values by `publisher`, from the first that is given on.
+    pub(crate) fn tell_by(&self, publisher: Publisher) {
+        self.publisher.get_or_init(|| publisher);
+    }
+
     fn set(&self, changes: &[Change]) -> Result<Reply, String> {
         let mut values = locked(&self.values);
         for change in changes {
             check(change)?;
         }
         values.extend(changes.iter().map(|change| (change.name(), change.value)));
+        if let Some(publisher) = self.publisher.get() {
+            let value = |it: &Change| Value { name: it.name(), value: it.value };
+            publisher.parameters_changed(&changes.iter().map(value).collect::<Vec<_>>());
+        }
         Ok(done(format!("{} set", changes.len())))
     }
 }

@@ -65,6 +65,10 @@ impl Labels {
     }
 }
 
+/// From these on the numbers of keys' topics lie, 100 for each.
+const BLOCKS: u16 = 100;
+const STATES: u16 = 200;
+
 /// Under which number a topic's messages lie; the same in every file that we write.
 pub(super) const fn channel(topic: Topic) -> u16 {
     match topic {
@@ -77,25 +81,18 @@ pub(super) const fn channel(topic: Topic) -> u16 {
         Topic::Links => 7,
         Topic::Midi => 8,
         Topic::Log => 9,
-        Topic::Block(key) => 100 + key as u16,
-        Topic::State(key) => 200 + key as u16,
+        Topic::Block(key) => BLOCKS + key as u16,
+        Topic::State(key) => STATES + key as u16,
     }
 }
 
 /// Number of a topic's schema; 0 would mean that there is none.
 pub(super) const fn schema(topic: Topic) -> u16 {
-    match topic {
-        Topic::Block(_) => 10,
-        Topic::State(_) => 11,
-        Topic::Catalogue
-        | Topic::Voices
-        | Topic::Overview
-        | Topic::Events
-        | Topic::Ticks
-        | Topic::Deadlines
-        | Topic::Links
-        | Topic::Midi
-        | Topic::Log => channel(topic),
+    match channel(topic) {
+        STATES.. => 11,
+        BLOCKS.. => 10,
+        // One topic, one type.
+        common => common,
     }
 }
 

@@ -30,12 +30,15 @@ pub struct Tear {
     pub path: PathBuf,
     /// Up to where it could be read [B].
     pub at: u64,
-    text: String,
+    /// What is wrong.
+    pub(super) what: String,
+    /// What is there all the same, and what to do.
+    advice: String,
 }
 
 impl fmt::Display for Tear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text)
+        write!(f, "{}{}", self.what, self.advice)
     }
 }
 
@@ -175,8 +178,8 @@ impl Recording {
 
     /// It does not go on in `next`, and why.
     fn lose(&mut self, next: PathBuf, why: &str) {
-        let text = format!("{why}; what was recorded before it is there");
-        self.tear.get_or_insert(Tear { path: next, at: 0, text });
+        let (what, advice) = (why.to_owned(), "; what was recorded before it is there".to_owned());
+        self.tear.get_or_insert(Tear { path: next, at: 0, what, advice });
     }
 
     /// Where the file would be that it goes on in `after` its last.
@@ -267,9 +270,9 @@ fn tear(part: &PartFile, scan: Scan) -> Tear {
             part.size()
         )
     };
-    let text = format!(
-        "{what}: everything before is there{damaged}, and `letoff recover` makes a complete file \
+    let advice = format!(
+        ": everything before is there{damaged}, and `letoff recover {path}` makes a complete file \
          of it"
     );
-    Tear { path: part.path.clone(), at: scan.up_to, text }
+    Tear { path: part.path.clone(), at: scan.up_to, what, advice }
 }

@@ -1,19 +1,27 @@
 //! Makes a complete file of one that breaks off.
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
-use super::error::{OpenError, RecordError};
+use super::error::{OpenError, ReadError, RecordError};
 use super::part::Part;
+use super::part_file::PartFile;
 use super::raw::Raw;
 use super::reader::Recording;
 use super::settings::Compression;
 
 /// What came of a file that was recovered.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Recovered {
     /// Messages in the new file.
     pub messages: u64,
-    /// What was wrong with the old one, a sentence each; nothing if it was complete.
+    /// When the first and the last of them were recorded [ns since 1970]; nothing without any.
+    pub span: Option<(u64, u64)>,
+    /// At the old file's end, where it breaks off, and of no use [B].
+    pub cut: u64,
+    /// Pieces of the old file that are damaged: up to a second each.
+    pub damaged: u64,
+    /// What was wrong with the old file, a sentence each; nothing if it was complete.
     pub wrong: Vec<String>,
 }
 
@@ -23,6 +31,9 @@ pub enum RecoverError {
     /// It is not opened.
     #[error(transparent)]
     Open(#[from] OpenError),
+    /// There is not one message in it.
+    #[error("{} has nothing in it that could be saved: no file is made of it", .0.display())]
+    Nothing(PathBuf),
     /// The new file is not written.
     #[error(transparent)]
     Record(#[from] RecordError),
@@ -30,25 +41,61 @@ pub enum RecoverError {
 
 /// Writes what can be read of the file `path` to the new file `to`, which is then complete.
 ///
-/// The old file is not touched.
+/// The old file is not touched; what could not be completed is not left behind.
 ///
 /// # Errors
-/// If `path` is no recording, or `to` is there already or cannot be written.
+/// If `path` is no recording or has nothing in it, or `to` is there already or cannot be written.
 pub fn recover(path: &Path, to: &Path) -> Result<Recovered, RecoverError> {
     let old = Recording::open_file(path)?;
-    let labels = &old.parts().first().ok_or_else(|| OpenError::Empty(path.to_owned()))?.labels;
-    let mut new = Part::create(to, labels, Compression::default())?;
-    let mut wrong: Vec<_> = old.tear().map(ToString::to_string).into_iter().collect();
+    let part = old.parts().first().ok_or_else(|| OpenError::Empty(path.to_owned()))?;
+    let new = Part::create(to, &part.labels, Compression::default())?;
+    let saved = save(&old, new, stock(part)).map_err(RecoverError::from).and_then(|saved| {
+        if saved.span.is_some() { Ok(saved) } else { Err(RecoverError::Nothing(path.to_owned())) }
+    });
+    if saved.is_err() {
+        // It was made a moment ago; one that cannot be removed is empty or breaks off.
+        let _left = fs::remove_file(to);
+    }
+    saved
+}
+
+/// What is known of the old file before it is read.
+fn stock(part: &PartFile) -> Recovered {
+    let Some(scan) = part.index.without_summary else { return Recovered::default() };
+    // Behind the end of the data there was nothing but the index.
+    let cut = if scan.has_end { 0 } else { part.size().saturating_sub(scan.up_to) };
+    Recovered { cut, damaged: scan.damaged.into(), ..Recovered::default() }
+}
+
+/// Moves every message of `old` that can be read to `new`, and completes that.
+fn save(old: &Recording, mut new: Part, stock: Recovered) -> Result<Recovered, RecordError> {
+    let mut saved = stock;
+    saved.wrong.extend(old.tear().map(|tear| tear.what.clone()));
     let mut messages = old.messages();
     while let Some(raw) = messages.next_raw() {
         match raw {
-            Ok(raw) => add(&mut new, &raw)?,
-            Err(error) => wrong.push(error.to_string()),
+            Ok(raw) => {
+                add(&mut new, &raw)?;
+                saved.note(raw.at);
+            }
+            Err(error) => saved.lose(&error),
         }
     }
-    let messages = new.messages();
+    saved.messages = new.messages();
     new.finish()?;
-    Ok(Recovered { messages, wrong })
+    Ok(saved)
+}
+
+impl Recovered {
+    fn note(&mut self, at: u64) {
+        let (first, last) = self.span.unwrap_or((at, at));
+        self.span = Some((first.min(at), last.max(at)));
+    }
+
+    fn lose(&mut self, error: &ReadError) {
+        self.damaged += 1;
+        self.wrong.push(error.to_string());
+    }
 }
 
 fn add(part: &mut Part, raw: &Raw) -> Result<(), RecordError> {

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 use synthetic::Synthetic;
 use telemetry::source::Ticket;
-use telemetry::stream::protocol::{FromClient, FromServer};
+use telemetry::stream::protocol::{FromClient, FromServer, Text as _};
 use telemetry::stream::server::Limits;
 use telemetry::stream::{Backend, Client, Dial, Fingerprint, Publisher, Server, Settings, serve};
 use telemetry::{Arrival, Reply, Request, Source as _, Standing, Topic, Update};
@@ -57,6 +57,7 @@ impl Stage {
         let server = Server::listen(settings).expect("a server");
         let (address, url) = (server.address(), server.url());
         let (fingerprint, publisher) = (server.fingerprint(), server.publisher());
+        host.tell_by(publisher.clone());
         let (end, ended) = oneshot::channel();
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         let runtime = runtime.expect("a runtime");

@@ -17,23 +17,46 @@ pub struct LaneCounters {
     pub passed: u64,
 }
 
-/// What must not be lost of turns that came too late to be felt.
+/// What must not be lost of a key's turns that came too late to be felt.
+#[derive(Clone, Debug, Default)]
+pub struct Kept {
+    events: Events,
+    fresh: bool,
+}
+
+impl Kept {
+    /// Keeps what `turn`, which came too late, says.
+    pub fn keep(&mut self, turn: &Turn) {
+        self.events.extend(&turn.events);
+        self.fresh |= turn.fresh || turn.fault.is_some();
+    }
+
+    /// Puts what was kept before the events of `turn`.
+    pub fn hand_over(&mut self, turn: &mut Turn) {
+        let mut events = std::mem::take(&mut self.events);
+        events.extend(&turn.events);
+        turn.events = events;
+        // A force that is held is the old one; the next that is not will be fresh.
+        turn.fresh |= self.fresh && !turn.late;
+        self.fresh &= turn.late;
+    }
+
+    fn is_empty(&self) -> bool {
+        !self.fresh && self.events.is_empty()
+    }
+}
+
+/// What is kept of all keys.
 #[derive(Debug)]
 pub(super) struct Latecomers {
-    events: Box<[Events; KEYS]>,
-    fresh: [bool; KEYS],
+    kept: Box<[Kept; KEYS]>,
     any: bool,
     pub(super) counters: LaneCounters,
 }
 
 impl Latecomers {
     pub(super) fn new() -> Self {
-        Self {
-            events: boxed_array(),
-            fresh: [false; KEYS],
-            any: false,
-            counters: LaneCounters::default(),
-        }
+        Self { kept: boxed_array(), any: false, counters: LaneCounters::default() }
     }
 
     /// Keeps what `batch`, which came back too late, says of `keys`.
@@ -47,10 +70,8 @@ impl Latecomers {
             Patience::Until { .. } | Patience::Endless => {}
         }
         for &key in keys {
-            let turn = &batch.turns[key];
-            self.events[key].extend(&turn.events);
-            self.fresh[key] |= turn.fresh || turn.fault.is_some();
-            self.any |= self.fresh[key] || !self.events[key].is_empty();
+            self.kept[key].keep(&batch.turns[key]);
+            self.any |= !self.kept[key].is_empty();
         }
     }
 
@@ -60,15 +81,9 @@ impl Latecomers {
             return;
         }
         self.any = false;
-        for (key, turn) in turns.iter_mut().enumerate() {
-            let mut events = std::mem::take(&mut self.events[key]);
-            events.extend(&turn.events);
-            turn.events = events;
-            // A force that is held is the old one; the next that is not will be fresh.
-            let fresh = self.fresh[key];
-            turn.fresh |= fresh && !turn.late;
-            self.fresh[key] = fresh && turn.late;
-            self.any |= self.fresh[key];
+        for (kept, turn) in self.kept.iter_mut().zip(turns) {
+            kept.hand_over(turn);
+            self.any |= !kept.is_empty();
         }
     }
 }

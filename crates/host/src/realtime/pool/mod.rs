@@ -36,7 +36,7 @@ use scheduler::time::Nanos;
 use scheduler::voice::{Turn, VoiceFault};
 
 pub use fence::{BoxedVoice, Fenced};
-pub use latecomers::LaneCounters;
+pub use latecomers::{Kept, LaneCounters};
 pub use swap::{Refused, VoiceSwaps, Way};
 
 use super::clock;
@@ -229,7 +229,7 @@ impl ThreadedLanes {
                     self.latecomers.counters.late += 1;
                     Turn::held
                 }
-                Stands::Lost => |_turn| Turn::faulty(VoiceFault::Panicked),
+                Stands::Lost => |turn| turn.failed(VoiceFault::Panicked),
             };
             for &key in &lane.remote.keys {
                 turns[key] = instead(&turns[key]);

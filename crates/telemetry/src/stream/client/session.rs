@@ -16,6 +16,7 @@ use crate::source::Ticket;
 use crate::stream::carrier::Boxed;
 use crate::stream::protocol::{
     ClientFrame, FromClient, FromServer, Level, Parameter, ServerFrame, Service, Subscription,
+    Text as _,
 };
 use crate::{Arrival, Log, Reply, Request, Topic, Update, log};
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{DecodeError, Parameter};
+use super::Parameter;
 
 /// A text from a client.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -59,26 +59,12 @@ pub struct Subscription {
     pub channel_id: u32,
 }
 
-impl FromClient {
-    /// Its text; `None` for [`FromClient::Other`], which has none.
-    pub fn encode(&self) -> Option<String> {
-        serde_json::to_string(self).ok()
-    }
-
-    /// What `text` says.
-    ///
-    /// # Errors
-    /// If it is nothing of the protocol's.
-    pub fn decode(text: &str) -> Result<Self, DecodeError> {
-        Ok(serde_json::from_str(text)?)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::stream::protocol::Text as _;
 
     #[test]
     fn texts_are_as_the_protocol_says() {
@@ -113,11 +99,6 @@ mod tests {
     }
 
     proptest! {
-        #[test]
-        fn any_text_is_read_or_refused(text: String) {
-            let _either = FromClient::decode(&text);
-        }
-
         #[test]
         fn a_value_that_is_set_comes_to_the_last_bit(value in prop::num::f64::NORMAL) {
             let parameters = vec![Parameter::new("/key/39/k2", value)];

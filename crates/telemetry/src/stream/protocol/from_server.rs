@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{AdvertisedService, Channel, DecodeError, Parameter};
+use super::{AdvertisedService, Channel, Parameter};
 use crate::Reply;
 
 /// A text from a server.
@@ -116,26 +116,10 @@ impl From<u8> for Level {
     }
 }
 
-impl FromServer {
-    /// Its text; `None` for [`FromServer::Other`], which has none.
-    pub fn encode(&self) -> Option<String> {
-        serde_json::to_string(self).ok()
-    }
-
-    /// What `text` says.
-    ///
-    /// # Errors
-    /// If it is nothing of the protocol's.
-    pub fn decode(text: &str) -> Result<Self, DecodeError> {
-        Ok(serde_json::from_str(text)?)
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use proptest::prelude::*;
-
     use super::*;
+    use crate::stream::protocol::Text as _;
 
     #[track_caller]
     fn check(message: &FromServer, text: &str) {
@@ -173,12 +157,5 @@ mod tests {
         assert!(matches!(FromServer::decode(text), Ok(FromServer::ServerInfo { .. })));
         let text = r#"{"op":"connectionGraphUpdate","publishedTopics":[]}"#;
         assert!(matches!(FromServer::decode(text), Ok(FromServer::Other)));
-    }
-
-    proptest! {
-        #[test]
-        fn any_text_is_read_or_refused(text: String) {
-            let _either = FromServer::decode(&text);
-        }
     }
 }

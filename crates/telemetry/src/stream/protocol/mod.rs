@@ -13,6 +13,7 @@ mod from_server;
 mod parameter;
 mod schema;
 mod service;
+mod text;
 
 pub use binary::{ClientFrame, ServerFrame};
 pub(crate) use channel::place;
@@ -23,6 +24,7 @@ pub use from_server::{FromServer, Level};
 pub use parameter::{Parameter, Refusal};
 pub use schema::schema;
 pub use service::{AdvertisedService, Form, Service};
+pub use text::Text;
 
 /// Names that the protocol goes by, the present one first.
 pub const SUBPROTOCOLS: [&str; 2] = ["foxglove.sdk.v1", "foxglove.websocket.v1"];

@@ -34,7 +34,7 @@ pub use accept::serve;
 pub use backend::{Backend, Value, Who};
 pub use publisher::Publisher;
 pub use role::Role;
-pub use settings::{Limits, Settings, Tls, Token};
+pub use settings::{Limits, Settings, Tls, Token, Unsafe};
 
 use super::Fingerprint;
 

@@ -9,7 +9,7 @@ use tokio_tungstenite::tungstenite::Message;
 use super::Limits;
 use super::sample::Sample;
 use crate::stream::backlog::{Backlog, Worth};
-use crate::stream::protocol::{FromServer, Level, ServerFrame};
+use crate::stream::protocol::{FromServer, Level, ServerFrame, Text as _};
 
 /// What waits for a client.
 #[derive(Debug)]

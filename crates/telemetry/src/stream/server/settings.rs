@@ -52,6 +52,14 @@ pub struct Token {
     pub role: Role,
 }
 
+impl Token {
+    /// Whether its secret can stand in an address as it is.
+    pub fn is_plain(&self) -> bool {
+        let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~".contains(&byte);
+        !self.secret.is_empty() && self.secret.bytes().all(is_plain)
+    }
+}
+
 impl std::fmt::Debug for Token {
     /// Without the secret, which must not get into a log.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -125,15 +133,13 @@ impl Default for Limits {
 
 /// Why a server does not listen as it is told.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
-pub(super) enum Unsafe {
-    /// Beyond this machine, without a token.
-    #[error("the stream would listen at {0} without a token: give it one, or listen at 127.0.0.1")]
-    NoToken(SocketAddr),
-    /// Beyond this machine, without TLS.
+pub enum Unsafe {
+    /// Beyond this machine, without what keeps others out.
     #[error(
-        "the stream would listen at {0} without TLS: give it a certificate, or listen at 127.0.0.1"
+        "the stream would listen at {0} without {1}: give it both --tokens and --tls, or listen at \
+         127.0.0.1"
     )]
-    NoTls(SocketAddr),
+    Open(SocketAddr, &'static str),
     /// A token that cannot stand in an address.
     #[error("a token of the stream is empty, or has other than letters, digits and -._~ in it")]
     Token,
@@ -145,30 +151,43 @@ pub(super) enum Unsafe {
 }
 
 impl Settings {
-    /// Whether they are safe.
-    pub(super) fn check(&self) -> Result<(), Unsafe> {
+    /// Whether they are safe; a server that is not does not listen.
+    ///
+    /// # Errors
+    /// If not: why, in a sentence.
+    pub fn check(&self) -> Result<(), Unsafe> {
         let is_open = !self.address.ip().is_loopback() && !self.insecure;
-        if is_open && self.tokens.is_empty() {
-            return Err(Unsafe::NoToken(self.address));
+        if let Some(lack) = self.lack().filter(|_lack| is_open) {
+            return Err(Unsafe::Open(self.address, lack));
         }
-        if is_open && self.tls.is_none() {
-            return Err(Unsafe::NoTls(self.address));
-        }
-        if !self.tokens.iter().all(|token| is_plain(&token.secret)) {
+        if !self.tokens.iter().all(Token::is_plain) {
             return Err(Unsafe::Token);
         }
-        // Every sandboxed frame has the origin "null", whoever it is of.
-        match self.origins.iter().find(|origin| !origin.contains("://")) {
+        match self.origins.iter().find(|origin| !is_origin(origin)) {
             Some(origin) => Err(Unsafe::Origin(origin.clone())),
             None => Ok(()),
         }
     }
+
+    /// Of what keeps others out, what is not there.
+    const fn lack(&self) -> Option<&'static str> {
+        match (self.tokens.is_empty(), self.tls.is_none()) {
+            (true, true) => Some("tokens and TLS"),
+            (true, false) => Some("tokens"),
+            (false, true) => Some("TLS"),
+            (false, false) => None,
+        }
+    }
 }
 
-/// Whether a token can stand in an address as it is.
-fn is_plain(secret: &str) -> bool {
-    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~".contains(&byte);
-    !secret.is_empty() && secret.bytes().all(is_plain)
+/// Whether a web page can be of this origin: a scheme and a name, without a path.
+///
+/// Every sandboxed frame has the origin "null", whoever it is of.
+fn is_origin(text: &str) -> bool {
+    let parts = text.split_once("://");
+    parts.is_some_and(|(scheme, name)| {
+        !scheme.is_empty() && !name.is_empty() && !name.contains(['/', '*', ' '])
+    })
 }
 
 #[cfg(test)]
@@ -186,10 +205,12 @@ mod tests {
     #[test]
     fn other_machines_need_a_token_and_tls() {
         assert_eq!(Settings::default().check(), Ok(()));
-        assert_eq!(open().check(), Err(Unsafe::NoToken(open().address)));
+        let open_without = |lack| Err(Unsafe::Open(open().address, lack));
+        assert_eq!(open().check(), open_without("tokens and TLS"));
         let with_token = Settings { tokens: token("secret"), ..open() };
-        assert_eq!(with_token.check(), Err(Unsafe::NoTls(open().address)));
+        assert_eq!(with_token.check(), open_without("TLS"));
         let tls = Some(Tls::SelfMade { names: vec![], folder: None });
+        assert_eq!(Settings { tls: tls.clone(), ..open() }.check(), open_without("tokens"));
         assert_eq!(Settings { tls, ..with_token }.check(), Ok(()));
         assert_eq!(Settings { insecure: true, ..open() }.check(), Ok(()));
     }
@@ -200,8 +221,12 @@ mod tests {
             let settings = Settings { tokens: token(secret), ..Settings::default() };
             assert_eq!(settings.check(), Err(Unsafe::Token), "{secret}");
         }
-        let settings = Settings { origins: vec!["null".to_owned()], ..Settings::default() };
-        assert_eq!(settings.check(), Err(Unsafe::Origin("null".to_owned())));
+        for origin in ["null", "", "*", "https://", "https://app.example/", "https://*.example"] {
+            let settings = Settings { origins: vec![origin.to_owned()], ..Settings::default() };
+            assert_eq!(settings.check(), Err(Unsafe::Origin(origin.to_owned())), "{origin}");
+        }
+        let origins = vec!["https://app.example:8443".to_owned()];
+        assert_eq!(Settings { origins, ..Settings::default() }.check(), Ok(()));
     }
 
     #[test]

@@ -66,9 +66,17 @@ fn kept(names: &[String], folder: &Path) -> io::Result<Identity> {
     let (chain, key) = (folder.join("certificate.pem"), folder.join("key.pem"));
     if !(chain.exists() && key.exists()) {
         let (chain_text, key_text) = make(names)?;
-        fs::create_dir_all(folder)?;
-        write_secret(&key, &key_text)?;
-        fs::write(&chain, chain_text)?;
+        let kept = fs::create_dir_all(folder)
+            .and_then(|()| write_secret(&key, &key_text))
+            .and_then(|()| fs::write(&chain, chain_text));
+        kept.map_err(|error| {
+            let text = format!(
+                "the certificate cannot be kept in {}: {error}; let this user write there, or \
+                 give a certificate's files",
+                folder.display()
+            );
+            io::Error::new(error.kind(), text)
+        })?;
     }
     read(&chain, &key)
 }

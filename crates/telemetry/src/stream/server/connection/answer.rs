@@ -125,10 +125,7 @@ impl Parts {
         let values = self.house.backend.parameters(Some(&names));
         let is_named = matches!(receipt, Receipt::Parameters(Some(_)));
         let reply = match result {
-            Ok(reply) => {
-                self.house.publisher.parameters_changed(&values);
-                Some(reply)
-            }
+            Ok(reply) => Some(reply),
             Err(refusal) => {
                 receipt.clone().refuse(&self.outbox, refusal);
                 None

@@ -21,7 +21,7 @@ use super::hub::Command;
 use super::outbox::Outbox;
 use super::{Publisher, Role, Settings, Who};
 use crate::stream::carrier::Boxed;
-use crate::stream::protocol::{FromServer, Service, channels};
+use crate::stream::protocol::{FromServer, Service, Text as _, channels};
 
 /// Requests of a client that wait for those before; more are refused.
 const WAITING: usize = 64;

@@ -15,7 +15,7 @@ use super::answer::{Job, Receipt, Wish};
 use super::bucket::Bucket;
 use crate::Request;
 use crate::stream::carrier::Boxed;
-use crate::stream::protocol::{ClientFrame, FromClient, Level, Service};
+use crate::stream::protocol::{ClientFrame, FromClient, Level, Service, Text as _};
 use crate::stream::server::accept::House;
 use crate::stream::server::hub::Command;
 use crate::stream::server::outbox::Outbox;

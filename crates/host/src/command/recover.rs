@@ -1,0 +1,173 @@
+//! `letoff recover FILE`: a recording that breaks off, made whole in another file.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde::Serialize;
+use telemetry::recording::{RecordError, RecoverError, Recovered, recover};
+
+use super::{Failure, print_json};
+
+/// What `letoff recover` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Examples:
+  letoff recover take1.mcap                   makes take1-recovered.mcap of what can be read
+  letoff recover take1.mcap --into whole.mcap
+  letoff recover take1.mcap --into take1.mcap --overwrite")]
+pub struct RecoverArgs {
+    /// The recording that breaks off; if it has several files, the one that does.
+    #[arg(value_name = "FILE.mcap")]
+    pub file: PathBuf,
+    /// Where to; FILE-recovered.mcap without.
+    #[arg(long, value_name = "OUT.mcap")]
+    pub into: Option<PathBuf>,
+    /// Takes the place of a file that is there, once it is complete.
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Prints what was saved as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What was saved, for a program.
+#[derive(Debug, Serialize)]
+struct Saved {
+    /// The new file.
+    file: String,
+    /// Messages in it.
+    messages: u64,
+    /// From the first to the last of them [s].
+    seconds: f64,
+    /// At the old file's end, and of no use [B].
+    cut_bytes: u64,
+    /// Pieces that are damaged, up to a second each.
+    damaged: u64,
+    /// What was wrong, a sentence each.
+    wrong: Vec<String>,
+}
+
+/// Saves what can be read of a recording.
+pub(super) fn run(args: &RecoverArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let into = args.into.clone().unwrap_or_else(|| beside(&args.file, "-recovered"));
+    let recovered = if args.overwrite {
+        replace(&args.file, &into)?
+    } else {
+        recover(&args.file, &into).map_err(|error| failure(&error))?
+    };
+    let saved = Saved::new(&into, recovered);
+    if args.json { print_json(&saved, out) } else { print(&saved, &args.file, out) }
+}
+
+/// `take1-recovered.mcap` of `take1.mcap`.
+fn beside(file: &Path, suffix: &str) -> PathBuf {
+    let mut name = file.file_stem().unwrap_or_default().to_owned();
+    name.push(suffix);
+    name.push(".");
+    name.push(file.extension().unwrap_or_else(|| "mcap".as_ref()));
+    file.with_file_name(name)
+}
+
+/// Puts what can be read of `file` in the place of `into`, whatever is there: even `file` itself,
+/// which is gone only when the new one is complete and on the disk.
+fn replace(file: &Path, into: &Path) -> Result<Recovered, Failure> {
+    let unfinished = beside(into, "-unfinished");
+    let recovered = recover(file, &unfinished).map_err(|error| failure(&error))?;
+    fs::rename(&unfinished, into).map_err(|error| {
+        Failure::Running(format!(
+            "{} cannot take the place of {}: {error}; move it there yourself",
+            unfinished.display(),
+            into.display()
+        ))
+    })?;
+    Ok(recovered)
+}
+
+fn failure(error: &RecoverError) -> Failure {
+    let text = error.to_string();
+    match error {
+        RecoverError::Open(_)
+        | RecoverError::Nothing(_)
+        | RecoverError::Record(RecordError::Exists(_) | RecordError::Create { .. }) => {
+            Failure::Usage(text)
+        }
+        RecoverError::Record(
+            RecordError::Write { .. }
+            | RecordError::Remove { .. }
+            | RecordError::LowDisk { .. }
+            | RecordError::NoSuchKey { .. }
+            | RecordError::Ended,
+        ) => Failure::Running(text),
+    }
+}
+
+impl Saved {
+    fn new(file: &Path, recovered: Recovered) -> Self {
+        let Recovered { messages, span, cut, damaged, wrong } = recovered;
+        let nanos = span.map_or(0, |(first, last)| last - first);
+        Self {
+            file: file.display().to_string(),
+            messages,
+            seconds: nanos as f64 / 1e9,
+            cut_bytes: cut,
+            damaged,
+            wrong,
+        }
+    }
+
+    /// What was lost; nothing if everything was saved.
+    fn losses(&self) -> Vec<String> {
+        let pieces = match self.damaged {
+            0 => None,
+            1 => Some("a damaged piece, of up to a second".to_owned()),
+            several => Some(format!("{several} damaged pieces, of up to a second each")),
+        };
+        let end = (0 < self.cut_bytes)
+            .then(|| format!("{} bytes at the end, and what came after them", self.cut_bytes));
+        pieces.into_iter().chain(end).collect()
+    }
+}
+
+fn print(it: &Saved, old: &Path, out: &mut dyn Write) -> Result<(), Failure> {
+    writeln!(out, "{}: {} messages of {:.1} s", it.file, it.messages, it.seconds)?;
+    for wrong in &it.wrong {
+        writeln!(out, "  {wrong}")?;
+    }
+    let losses = it.losses();
+    if it.wrong.is_empty() && losses.is_empty() {
+        writeln!(out, "  {} was complete, and this is a copy of it", old.display())?;
+    } else if losses.is_empty() {
+        writeln!(out, "  nothing of what it had was lost")?;
+    } else {
+        writeln!(out, "  lost: {}", losses.join("; "))?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_recovered_file_lies_beside_the_old_one() {
+        let name = |file: &str| beside(Path::new(file), "-recovered");
+        assert_eq!(name("takes/one.mcap"), Path::new("takes/one-recovered.mcap"));
+        assert_eq!(name("one"), Path::new("one-recovered.mcap"));
+        assert_eq!(name("take.1.mcap"), Path::new("take.1-recovered.mcap"));
+    }
+
+    #[test]
+    fn what_was_lost_is_said_in_pieces_and_bytes() {
+        let of = |cut, damaged| {
+            let recovered = Recovered { cut, damaged, ..Recovered::default() };
+            Saved::new(Path::new("a"), recovered).losses().join("; ")
+        };
+        assert_eq!(of(0, 0), "");
+        assert_eq!(of(0, 1), "a damaged piece, of up to a second");
+        assert_eq!(
+            of(7, 2),
+            "2 damaged pieces, of up to a second each; 7 bytes at the end, and what came after them"
+        );
+    }
+}

@@ -1,0 +1,123 @@
+//! The file that says who may do what on the stream.
+
+use std::fs::File;
+use std::io::{self, Read as _};
+use std::os::unix::fs::PermissionsExt as _;
+use std::path::Path;
+
+use telemetry::stream::Role;
+use telemetry::stream::server::Token;
+
+use super::tell;
+
+/// Longest file [bytes].
+const LONGEST: u64 = 1 << 16;
+
+/// Of a file's mode: others may read, or write.
+const OTHERS: u32 = 0o006;
+
+/// Mistakes that are told at once.
+const MOST_TOLD: usize = 10;
+
+/// Reads who may do what; says so if others on this machine may read it too, or even write.
+///
+/// # Errors
+/// All that is wrong with it, in a sentence without a secret.
+pub(super) fn read(file: &Path) -> Result<Vec<Token>, String> {
+    let wrong = |what: &str| format!("{}: {what}", file.display());
+    let (text, mode) = text(file).map_err(|error| wrong(&error.to_string()))?;
+    if u64::try_from(text.len()).is_ok_and(|length| LONGEST < length) {
+        return Err(wrong("it is longer than 64 KiB, which no file of tokens is"));
+    }
+    let tokens = parse(&text).map_err(|mistakes| wrong(&mistakes))?;
+    if mode & OTHERS != 0 {
+        let file = file.display();
+        tell(&format!(
+            "everybody on this machine can read or change the tokens in {file}: `chmod 600 {file}`"
+        ));
+    }
+    Ok(tokens)
+}
+
+/// What is in the file, and who may read it.
+fn text(file: &Path) -> io::Result<(String, u32)> {
+    let opened = File::open(file)?;
+    let mode = opened.metadata()?.permissions().mode();
+    let mut text = String::new();
+    opened.take(LONGEST + 1).read_to_string(&mut text)?;
+    Ok((text, mode))
+}
+
+fn parse(text: &str) -> Result<Vec<Token>, String> {
+    let mut tokens = Vec::new();
+    let mut wrong = Vec::new();
+    let lines = (1..).zip(text.lines().map(str::trim));
+    for (n, line) in lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#')) {
+        match token(line, &tokens) {
+            Ok(token) => tokens.push(token),
+            Err(what) => wrong.push(format!("line {n} {what}")),
+        }
+    }
+    let more = wrong.len().saturating_sub(MOST_TOLD);
+    wrong.truncate(MOST_TOLD);
+    if 0 < more {
+        wrong.push(format!("and {more} more"));
+    }
+    if !wrong.is_empty() {
+        return Err(wrong.join("; "));
+    }
+    if tokens.is_empty() {
+        // Without tokens everybody would be an owner, which nobody means who names a file.
+        return Err("nobody is named in it: write lines as `owner SECRET`".to_owned());
+    }
+    Ok(tokens)
+}
+
+/// The token that `line` is, if its secret is not one of those `before`.
+fn token(line: &str, before: &[Token]) -> Result<Token, &'static str> {
+    let (role, secret) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+    let role = [Role::Viewer, Role::Tuner, Role::Owner].into_iter().find(|it| it.name() == role);
+    let token = role.map(|role| Token { secret: secret.trim().to_owned(), role });
+    let token = token.filter(|token| !token.secret.is_empty());
+    let token = token.ok_or("is not `viewer SECRET`, `tuner SECRET` or `owner SECRET`")?;
+    if !token.is_plain() {
+        return Err("has a secret with other than letters, digits and -._~ in it");
+    }
+    if before.iter().any(|it| it.secret == token.secret) {
+        return Err("has the secret of a line before it");
+    }
+    Ok(token)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_name_roles_and_secrets() {
+        let tokens = parse("# ours\n\nviewer see\n  tuner\ttune \r\nowner own").expect("tokens");
+        let roles: Vec<_> = tokens.iter().map(|it| (it.role, it.secret.as_str())).collect();
+        let expected = [(Role::Viewer, "see"), (Role::Tuner, "tune"), (Role::Owner, "own")];
+        assert_eq!(roles, expected);
+    }
+
+    #[test]
+    fn all_mistakes_are_told_and_no_secret() {
+        let text = "viewer see\nadmin aaaa\nowner\ntuner bb&bb\nowner see\nowner two words";
+        let said = parse(text).expect_err("mistakes");
+        for line in ["line 2 is not", "line 3 is not", "line 4 has a", "line 5 has the", "line 6"] {
+            assert!(said.contains(line), "{line}: {said}");
+        }
+        for secret in ["aaaa", "bb&bb", "see", "two words"] {
+            assert!(!said.contains(secret), "{said}");
+        }
+        assert!(parse(&"x\n".repeat(50)).expect_err("mistakes").ends_with("and 40 more"));
+    }
+
+    #[test]
+    fn a_file_without_anybody_is_refused() {
+        for text in ["", "# viewer see\n"] {
+            assert!(parse(text).expect_err("nobody").contains("nobody is named"));
+        }
+    }
+}

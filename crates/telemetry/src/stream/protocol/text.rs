@@ -1,0 +1,41 @@
+//! What both sides' texts have in common: they are JSON.
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use super::{DecodeError, FromClient, FromServer};
+
+/// A text of the protocol: a JSON object with an `op`.
+pub trait Text: Serialize + DeserializeOwned {
+    /// How it is written; `None` for an `op` that is only read, as `Other`.
+    fn encode(&self) -> Option<String> {
+        serde_json::to_string(self).ok()
+    }
+
+    /// What `text` says.
+    ///
+    /// # Errors
+    /// If it is nothing of the protocol's.
+    fn decode(text: &str) -> Result<Self, DecodeError> {
+        Ok(serde_json::from_str(text)?)
+    }
+}
+
+impl Text for FromClient {}
+
+impl Text for FromServer {}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn any_text_is_read_or_refused(text: String) {
+            let _either = FromClient::decode(&text);
+            let _either = FromServer::decode(&text);
+        }
+    }
+}
