@@ -49,6 +49,19 @@ pub(crate) fn digits(value: f64) -> String {
     }
 }
 
+/// A number in five digits, for where it can be typed: what is read there is what is meant.
+pub(crate) fn exact(value: f64) -> String {
+    let size = value.abs();
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    if !(1e-3..1e6).contains(&size) {
+        return if size < 1e-300 { "0".to_owned() } else { format!("{value:.4e}") };
+    }
+    let places = [1e-2, 1e-1, 1.0, 1e1, 1e2, 1e3, 1e4].iter().filter(|it| size < **it).count();
+    trimmed(&format!("{value:.places$}"))
+}
+
 /// A time or a length of time in words.
 pub(crate) fn seconds(seconds: f64) -> String {
     let size = seconds.abs();
@@ -63,7 +76,7 @@ pub(crate) fn seconds(seconds: f64) -> String {
 
 /// `unit` in brackets; nothing at all where there is none.
 pub(crate) fn bracketed(unit: &str) -> String {
-    if unit.is_empty() { String::new() } else { format!("[{unit}]") }
+    if is_none(unit) { String::new() } else { format!("[{unit}]") }
 }
 
 /// `name` with its unit in brackets behind it.
@@ -84,8 +97,13 @@ fn trimmed(digits: &str) -> String {
     }
 }
 
+/// Whether a quantity has no unit: models write 1 for it.
+fn is_none(unit: &str) -> bool {
+    unit.is_empty() || unit == "1"
+}
+
 fn join(text: &str, unit: &str) -> String {
-    if unit.is_empty() { text.to_owned() } else { format!("{text} {unit}") }
+    if is_none(unit) { text.to_owned() } else { format!("{text} {unit}") }
 }
 
 #[cfg(test)]
@@ -109,6 +127,18 @@ mod tests {
         assert_eq!(bracketed(""), "");
         assert_eq!(suffix("mm"), " mm");
         assert_eq!(suffix(""), "");
+        assert_eq!(suffix("1"), "");
+        assert_eq!(text(0.1, "1"), "0.1");
+    }
+
+    #[test]
+    fn what_can_be_typed_has_five_digits() {
+        let values = [0.0, 0.1385, 0.213_336, 24_000.0, 300.0, 9.81, -0.010_346_2, 123_456.7];
+        let texts = values.map(exact);
+        let wanted = ["0", "0.1385", "0.21334", "24000", "300", "9.81", "-0.010346", "123457"];
+        assert_eq!(texts, wanted);
+        assert_eq!(exact(1.618_33e-4), "1.6183e-4");
+        assert_eq!(exact(f64::NAN), "–");
     }
 
     #[test]

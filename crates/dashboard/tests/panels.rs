@@ -123,6 +123,19 @@ fn a_step_of_many_keys_says_which() {
 }
 
 #[test]
+fn a_field_that_is_left_as_it_was_changes_nothing() {
+    let mut stage = stage(Pane::Tuning, Behind::Live);
+    // More digits than it shows.
+    write(&mut stage, "m_h value", "0.01234567");
+    let before = stage.set(C4, "m_h");
+    stage.harness.get_by_label("m_h value").click();
+    stage.settle();
+    stage.harness.key_press(Key::Enter);
+    stage.settle();
+    assert_eq!((before.last(), stage.set(C4, "m_h")), (Some(&0.012_345_67), before.clone()));
+}
+
+#[test]
 fn a_value_is_typed_and_taken_back_with_the_keyboard() {
     let mut stage = stage(Pane::Tuning, Behind::Live);
     write(&mut stage, "k2 value", "7250");

@@ -111,10 +111,12 @@ fn number_ui(ui: &mut Ui, row: &Row<'_>) -> Option<f64> {
     let travel = row.travel();
     let speed = (travel.end() - travel.start()) / 500.0;
     let drag = DragValue::new(&mut value).range(*min..=*max).speed(speed);
-    let drag = drag.custom_formatter(|value, _| unit::digits(value)).suffix(unit::suffix(unit));
+    let drag = drag.custom_formatter(|value, _| unit::exact(value)).suffix(unit::suffix(unit));
     let drag = drag.update_while_editing(false);
     let typed = ui.add_enabled_ui(!row.is_locked, |ui| ui.add_sized([86.0, 18.0], drag)).inner;
-    typed.accessible_name(format!("{name} value")).changed().then_some(value)
+    let is_changed = typed.accessible_name(format!("{name} value")).changed();
+    // Whoever leaves the field as it was has not typed the digits that it does not show.
+    (is_changed && unit::exact(value) != unit::exact(row.value)).then_some(value)
 }
 
 /// Back to what the instrument has.

@@ -80,7 +80,7 @@ fn keys(values: &Values) -> String {
 
 /// The smallest and the largest of some values; one where they are the same.
 fn span(values: &Values) -> String {
-    let low = unit::digits(values.values().copied().fold(f64::INFINITY, f64::min));
-    let high = unit::digits(values.values().copied().fold(f64::NEG_INFINITY, f64::max));
+    let low = unit::exact(values.values().copied().fold(f64::INFINITY, f64::min));
+    let high = unit::exact(values.values().copied().fold(f64::NEG_INFINITY, f64::max));
     if low == high { low } else { format!("{low}..{high}") }
 }
