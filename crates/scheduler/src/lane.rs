@@ -79,7 +79,7 @@ mod tests {
     impl Voice for Parity {
         fn tick(&mut self, _tick: u64, sample: &KeySample) -> Turn {
             if sample.position < 0.0 {
-                return Turn::default().failed(VoiceFault::Capped { handled: 3 });
+                return Turn::faulty(VoiceFault::Capped { handled: 3 });
             }
             let idle = sample.position % 2.0 == 0.0;
             let derivatives = if idle { 0 } else { 10 * sample.age };

@@ -77,7 +77,7 @@ impl<V: Voice> Slot<V> {
             }
             self.voice.tick_into(tick, sample, turn);
         } else {
-            *turn = turn.failed(VoiceFault::BadSample);
+            *turn = Turn::faulty(VoiceFault::BadSample);
         }
         if turn.fault.is_none() && !turn.force.is_finite() {
             turn.fault = Some(VoiceFault::NotFinite);

@@ -65,7 +65,7 @@ pub struct Turn {
     /// First turn after the voice was put in, reset or retuned: its force knows nothing of the
     /// last one.
     pub fresh: bool,
-    /// What the model is like at the end, for those who watch; as it was if it was not run.
+    /// What the model is like at the end, for those who watch; means nothing if it was not run.
     pub look: Look,
     /// Changes of mode.
     pub switches: Switches,
@@ -74,7 +74,8 @@ pub struct Turn {
 }
 
 impl Turn {
-    /// Becomes a turn in which nothing has happened yet; what the model is like stays as it was.
+    /// Becomes a turn in which nothing has happened yet; what the model is like stays what it was
+    /// in these words, and is for whoever runs it to say.
     ///
     /// Touches a few words only: the lists are long.
     pub const fn begin(&mut self) {
@@ -87,10 +88,9 @@ impl Turn {
         self.ran = 0;
     }
 
-    /// What follows without a trusted force.
-    #[must_use]
-    pub fn failed(&self, fault: VoiceFault) -> Self {
-        Self { fault: Some(fault), look: self.look, ..Self::default() }
+    /// A turn without a trusted force.
+    pub fn faulty(fault: VoiceFault) -> Self {
+        Self { fault: Some(fault), ..Self::default() }
     }
 
     /// Becomes the turn of a voice at rest that presses with `force`, up positive [N].
@@ -104,8 +104,7 @@ impl Turn {
     /// Events and work are left behind, since they have been counted once already.
     #[must_use]
     pub fn held(&self) -> Self {
-        let Self { force, idle, look, .. } = *self;
-        Self { force, idle, late: true, look, ..Self::default() }
+        Self { force: self.force, idle: self.idle, late: true, ..Self::default() }
     }
 }
 

@@ -111,11 +111,9 @@ pub struct Tap {
 /// A key as it was told of last.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 struct Known {
-    position: u64,
-    force: u64,
-    sent: u64,
-    /// It lay still under a voice at rest.
-    is_still: bool,
+    /// Position, force and force sent, if it lay still under a voice at rest.
+    still: Option<[u64; 3]>,
+    look: Look,
 }
 
 impl Tap {
@@ -146,17 +144,26 @@ impl Tap {
     /// Whether anything of `key` is not as it was; notes how it is.
     fn is_news(&mut self, key: usize, seen: &Seen<'_>) -> bool {
         let (turn, sample) = (&seen.turns[key], &seen.samples[key]);
+        let still = is_still(turn, sample)
+            .then(|| [sample.position, turn.force, seen.forces[key]].map(f64::to_bits));
         let known = &mut self.known[key];
-        let bits = [sample.position, turn.force, seen.forces[key]].map(f64::to_bits);
-        let is_still = is_still(turn, sample);
-        let was = [known.position, known.force, known.sent];
-        let is_news = !(is_still && known.is_still && bits == was);
-        [known.position, known.force, known.sent] = bits;
-        known.is_still = is_still;
+        let is_news = still.is_none() || still != known.still;
+        known.still = still;
         is_news
     }
 
-    fn row(key: usize, seen: &Seen<'_>) -> KeyRow {
+    /// What the model of `key` was like when it was run last.
+    ///
+    /// A lane's words may be those of an earlier tick, if the voice was not run in this one.
+    fn look(&mut self, key: usize, turn: &Turn) -> Look {
+        if turn.idle || turn.look.revision == 0 {
+            return self.known[key].look;
+        }
+        self.known[key].look = turn.look;
+        turn.look
+    }
+
+    fn row(&mut self, key: usize, seen: &Seen<'_>) -> KeyRow {
         let turn = &seen.turns[key];
         KeyRow {
             tick: seen.tick,
@@ -164,7 +171,7 @@ impl Tap {
             sample: seen.samples[key],
             force: turn.force,
             sent: seen.forces[key],
-            look: turn.look,
+            look: self.look(key, turn),
             fault: turn.fault,
             stands: Stands { idle: turn.idle, late: turn.late, fresh: turn.fresh },
             ran: turn.ran,
@@ -172,8 +179,8 @@ impl Tap {
         }
     }
 
-    fn tell_of(&mut self, key: usize, tick: u64, turn: &Turn) {
-        let revision = turn.look.revision;
+    /// Tells what happened to a key whose voice has this revision.
+    fn tell_of(&mut self, key: usize, revision: u32, tick: u64, turn: &Turn) {
         let key = u8::try_from(key).unwrap_or(u8::MAX);
         for switch in turn.switches.as_slice() {
             let what = What::Switch(revision, *switch);
@@ -200,8 +207,9 @@ impl TickObserver for Tap {
     fn observe(&mut self, seen: &Seen<'_>) {
         for (key, turn) in seen.turns.iter().enumerate() {
             if self.is_news(key, seen) {
-                self.tell_of(key, seen.tick, turn);
-                self.push(Row::Key(Self::row(key, seen)));
+                let row = self.row(key, seen);
+                self.tell_of(key, row.look.revision, seen.tick, turn);
+                self.push(Row::Key(row));
             }
         }
         let Seen { tick, skipped, armed, .. } = *seen;
@@ -249,6 +257,37 @@ mod tests {
         assert_eq!(told(6), [0]);
         let ticks = rows.iter().filter(|row| matches!(row, Row::Tick(_))).count();
         assert_eq!(ticks, 5, "each tick is told of");
+    }
+
+    #[test]
+    fn a_key_at_rest_is_shown_as_it_was_when_it_was_run_last() {
+        let (mut tap, mut tapped) = Tap::new();
+        let run =
+            Turn { look: Look { revision: 7, mode: 2, ..Look::default() }, ..Turn::default() };
+        // A lane has several lists of turns: that of a voice at rest may never have been shown.
+        let rest = Turn { idle: true, ..Turn::default() };
+        for (tick, turn) in (0..).zip([run, run.held(), rest, rest.held(), rest]) {
+            let mut turns = vec![Turn::default(); KEYS];
+            turns[5] = turn;
+            let turns = turns.as_slice().try_into().expect("all turns");
+            tap.observe(&Seen {
+                tick,
+                skipped: 0,
+                armed: true,
+                samples: &[KeySample::fresh(0.0); KEYS],
+                turns,
+                forces: &[0.0; KEYS],
+            });
+        }
+        let mut seen = Vec::new();
+        while let Ok(row) = tapped.rows.pop() {
+            if let Row::Key(row) = row
+                && row.key == 5
+            {
+                seen.push((row.tick, row.look.revision, row.look.mode));
+            }
+        }
+        assert_eq!(seen, [(0, 7, 2), (1, 7, 2), (2, 7, 2), (3, 7, 2), (4, 7, 2)]);
     }
 
     #[test]

@@ -184,7 +184,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         } else if sample.position.is_finite() && sample.taken.is_finite() {
             self.advance(tick, sample, turn);
         } else {
-            *turn = turn.failed(VoiceFault::BadSample);
+            *turn = Turn::faulty(VoiceFault::BadSample);
         }
     }
 

@@ -27,8 +27,6 @@ struct Desk {
     revision: u32,
     /// Ticks in which its lane was not done.
     pending: Vec<(u64, KeySample)>,
-    /// Its lane's own, from tick to tick.
-    turn: Turn,
     /// What was made in them.
     late: Kept,
 }
@@ -62,7 +60,6 @@ impl ReplayLanes {
                 slot: Slot::new(key, Fenced::new(voice)),
                 revision,
                 pending: Vec::new(),
-                turn: Turn::default(),
                 late: Kept::default(),
             });
         }
@@ -114,8 +111,7 @@ impl Desk {
             }
             Lane::Done { unrun } => {
                 self.catch_up(|late| was_run(unrun, tick - late));
-                self.slot.tick(tick, &fed.sample, &mut self.turn);
-                *turn = self.turn;
+                self.slot.tick(tick, &fed.sample, turn);
                 self.late.hand_over(turn);
             }
         }
@@ -125,8 +121,9 @@ impl Desk {
     fn catch_up(&mut self, was_run: impl Fn(u64) -> bool) {
         for (tick, sample) in std::mem::take(&mut self.pending) {
             if was_run(tick) {
-                self.slot.tick(tick, &sample, &mut self.turn);
-                self.late.keep(&self.turn);
+                let mut turn = Turn::default();
+                self.slot.tick(tick, &sample, &mut turn);
+                self.late.keep(&turn);
             }
         }
     }

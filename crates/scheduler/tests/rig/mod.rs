@@ -38,7 +38,7 @@ impl Voice for Spring {
         let work = Work { derivatives: 4, guards: 1, events: 0 };
         match self.fails {
             Some((from, until, failure)) if (from..until).contains(&tick) => match failure {
-                Failure::Reported => Turn::default().failed(VoiceFault::Capped { handled: 9 }),
+                Failure::Reported => Turn::faulty(VoiceFault::Capped { handled: 9 }),
                 Failure::Unnoticed => Turn { force: f64::NAN, ..Turn::default() },
             },
             Some(_) | None => Turn { force, work, ..Turn::default() },

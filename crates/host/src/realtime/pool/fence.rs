@@ -44,7 +44,7 @@ impl Voice for Fenced {
             self.panicked = catch_unwind(run).is_err();
         }
         if self.panicked {
-            *turn = turn.failed(VoiceFault::Panicked);
+            *turn = Turn::faulty(VoiceFault::Panicked);
         }
     }
 

@@ -229,7 +229,7 @@ impl ThreadedLanes {
                     self.latecomers.counters.late += 1;
                     Turn::held
                 }
-                Stands::Lost => |turn| turn.failed(VoiceFault::Panicked),
+                Stands::Lost => |_turn| Turn::faulty(VoiceFault::Panicked),
             };
             for &key in &lane.remote.keys {
                 turns[key] = instead(&turns[key]);
