@@ -60,6 +60,23 @@ fn a_piece_on_five_models_comes_out_the_same() {
 }
 
 #[test]
+fn a_recording_that_breaks_off_is_the_same_as_far_as_it_goes() {
+    let file = folder("torn").join("a.mcap");
+    record(&scene(), FOUR_SECONDS, &file);
+    let all = messages(&file);
+    let mut noticed = 0;
+    for cut in [5, 6, 7].into_iter().flat_map(|part| (0..4).map(move |more| (part, more))) {
+        let (part, more) = cut;
+        let rest = all.iter().take(all.len() * part / 8 + more).cloned();
+        let replayed = replay(rest, |_| {}).expect("a replay");
+        assert_eq!(replayed.first_difference, None, "{cut:?}");
+        assert!((1_000..16_000).contains(&replayed.ticks), "{cut:?}: {replayed:?}");
+        noticed += u32::from(replayed.incomplete_from == Some(replayed.ticks));
+    }
+    assert!(6 < noticed, "most cuts are between rows and their ticks, but {noticed} of 12 were");
+}
+
+#[test]
 fn a_changed_bit_is_found_where_it_is() {
     let file = folder("bit").join("a.mcap");
     record(&scene(), FOUR_SECONDS, &file);

@@ -108,6 +108,27 @@ impl Comparison {
         }
     }
 
+    /// Forgets what was recorded after the last ticks, which nobody can run again; says whether
+    /// there was anything, as only in a recording that breaks off.
+    pub(super) fn forget_unrun(&mut self) -> bool {
+        let is_torn = !self.recorded.is_empty();
+        self.recorded.clear();
+        is_torn
+    }
+
+    /// Whether the replay ended notes that the recording does not end, after it had sent `timed`
+    /// messages: then that breaks off before.
+    pub(super) fn lacks_end(&self, timed: usize) -> bool {
+        self.midi.len() <= timed && timed < self.said_midi.len()
+    }
+
+    /// Forgets what only one of both has sent: of a recording that breaks off nobody knows more.
+    pub(super) fn tear(&mut self, timed: usize) {
+        let both = self.midi.len().min(timed);
+        self.midi.truncate(both);
+        self.said_midi.truncate(both);
+    }
+
     /// What was sent so far.
     pub(super) fn n_sent(&self) -> usize {
         self.said_midi.len()

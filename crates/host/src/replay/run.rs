@@ -237,16 +237,22 @@ impl Replay {
 
     fn finish(mut self) -> Replayed {
         self.pump.pump();
+        let mut is_torn = self.comparison.forget_unrun();
         self.comparison.window(self.last, &self.said);
         let timed = self.comparison.n_sent();
         // Ends the notes, as the run did.
         drop(self.desk.close(None));
         self.pump.pump();
         self.comparison.window(self.last, &self.said);
-        let incomplete_from = self.feed.gap();
-        if incomplete_from.is_none() {
+        is_torn |= self.comparison.lacks_end(timed);
+        if is_torn {
+            self.comparison.tear(timed);
+        }
+        let gap = self.feed.gap();
+        if gap.is_none() {
             self.comparison.finish(self.last, timed);
         }
+        let incomplete_from = gap.or_else(|| is_torn.then_some(self.last + 1));
         let Comparison { compared, different, first, .. } = self.comparison;
         Replayed {
             scene: self.scene.name,
