@@ -21,10 +21,10 @@ const REACH: f64 = 8.0;
 const NAME: f32 = 70.0;
 
 /// Points that everything beside the slider takes in one line.
-const BESIDE: f32 = 304.0;
+const BESIDE: f32 = 292.0;
 
 /// Points of the shortest slider.
-const SHORTEST: f32 = 60.0;
+const SHORTEST: f32 = 54.0;
 
 /// A parameter of the selected key, as it is shown.
 struct Row<'a> {
@@ -113,7 +113,7 @@ fn number_ui(ui: &mut Ui, row: &Row<'_>) -> Option<f64> {
     let drag = DragValue::new(&mut value).range(*min..=*max).speed(speed);
     let drag = drag.custom_formatter(|value, _| unit::exact(value)).suffix(unit::suffix(unit));
     let drag = drag.update_while_editing(false);
-    let typed = ui.add_enabled_ui(!row.is_locked, |ui| ui.add_sized([104.0, 18.0], drag)).inner;
+    let typed = ui.add_enabled_ui(!row.is_locked, |ui| ui.add_sized([92.0, 18.0], drag)).inner;
     let is_changed = typed.accessible_name(format!("{name} value")).changed();
     // Whoever leaves the field as it was has not typed the digits that it does not show.
     (is_changed && unit::exact(value) != unit::exact(row.value)).then_some(value)
