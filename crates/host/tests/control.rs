@@ -8,9 +8,8 @@ use std::io::{BufRead as _, BufReader, Write as _};
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
-use common::Stop;
+use common::run_while;
 use host::config::Scene;
 use host::control::{Clients, ControlError, Reply, Request, Server, Switchboard, send, serve};
 use host::report::Report;
@@ -24,7 +23,6 @@ fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> Report {
     let session = Session::prepare(&scene, Options::default(), &|_| {}).expect("a session");
     let switchboard = Arc::new(Switchboard::new(scene, session.patchbay()));
     let path = socket(name);
-    let stop = AtomicBool::new(false);
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(1)
         .enable_all()
@@ -35,13 +33,7 @@ fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> Report {
         Server::listen(&path).expect("a socket")
     };
     runtime.spawn(serve(server, switchboard, Clients::default()));
-    std::thread::scope(|scope| {
-        let host = scope.spawn(|| session.run(&stop));
-        let stops = Stop(&stop);
-        clients(&path);
-        drop(stops);
-        host.join().expect("no panic").expect("a report")
-    })
+    run_while(session, || clients(&path))
 }
 
 fn socket(name: &str) -> PathBuf {

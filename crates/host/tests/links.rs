@@ -3,11 +3,10 @@
 
 mod common;
 
-use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use common::{Board, Stop, make};
+use common::{Board, make, run_while};
 use hardware::link::address::Address;
 use host::config::{Override, Scene, link_overrides};
 use host::control::Patchbay;
@@ -42,14 +41,7 @@ fn beside_a_host(links: &[String], look: impl FnOnce(&Patchbay, &Receiver<Update
     let patchbay = session.patchbay();
     let (tell, told) = channel();
     session.observe(Box::new(Ear(tell)));
-    let stop = AtomicBool::new(false);
-    std::thread::scope(|scope| {
-        let host = scope.spawn(|| session.run(&stop));
-        let stops = Stop(&stop);
-        look(&patchbay, &told);
-        drop(stops);
-        host.join().expect("no panic").expect("a report");
-    });
+    run_while(session, || look(&patchbay, &told));
 }
 
 /// The next message about links of which `is_it` holds.

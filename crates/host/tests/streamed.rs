@@ -7,10 +7,9 @@ mod stranger;
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use common::Stop;
+use common::run_while;
 use host::config::Scene;
 use host::control::{StreamSink, Studio, Switchboard};
 use host::session::{Options, Session};
@@ -43,14 +42,7 @@ fn beside_a_host(clients: impl FnOnce(&str, &Switchboard)) {
     let address = server.url();
     session.observe(Box::new(StreamSink::new(server.publisher())));
     runtime.spawn(serve(server, Arc::new(Studio(Arc::clone(&switchboard)))));
-    let stop = AtomicBool::new(false);
-    std::thread::scope(|scope| {
-        let host = scope.spawn(|| session.run(&stop));
-        let stopper = Stop(&stop);
-        clients(&address, &switchboard);
-        drop(stopper);
-        host.join().expect("no panic").expect("a report");
-    });
+    run_while(session, || clients(&address, &switchboard));
 }
 
 /// Waits for what `wanted` finds.

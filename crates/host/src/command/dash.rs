@@ -159,10 +159,8 @@ async fn start(signals: &mut Signals) -> Result<Option<(Owned, Place)>, Failure>
     let deadline = Instant::now() + PATIENCE;
     let mut looks = tokio::time::interval(LOOK);
     loop {
-        tokio::select! {
-            biased;
-            () = signals.next() => return Ok(None),
-            _now = looks.tick() => {}
+        if signals.come_before(&mut looks).await {
+            return Ok(None);
         }
         if let Some(place) = look(deadline)? {
             return Ok(Some((host, place)));

@@ -45,11 +45,9 @@ impl Owned {
     pub(super) async fn end(&mut self, signals: &mut Signals) -> io::Result<Option<ExitStatus>> {
         let mut looks = tokio::time::interval(LOOK);
         loop {
-            tokio::select! {
-                // Ctrl-C is for both, and then nothing went wrong with the other.
-                biased;
-                () = signals.next() => return Ok(None),
-                _now = looks.tick() => {}
+            // Ctrl-C is for both, and then nothing went wrong with the other.
+            if signals.come_before(&mut looks).await {
+                return Ok(None);
             }
             if let Some(status) = self.ended()? {
                 return Ok(Some(status));

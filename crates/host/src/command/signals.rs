@@ -18,6 +18,15 @@ impl Signals {
         })
     }
 
+    /// Waits for the next of `looks`; says whether a signal came first.
+    pub(super) async fn come_before(&mut self, looks: &mut tokio::time::Interval) -> bool {
+        tokio::select! {
+            biased;
+            () = self.next() => true,
+            _now = looks.tick() => false,
+        }
+    }
+
     /// Waits for the next.
     pub(super) async fn next(&mut self) {
         tokio::select! {

@@ -26,9 +26,13 @@ impl LinksWatch {
         Self { seen, period, links, last }
     }
 
-    /// Takes what was seen; returns how all of them are now, if any was seen, and a sentence on
-    /// each that is not as it was.
-    pub fn look(&mut self) -> Option<(Links, Vec<String>)> {
+    /// All of them as they were seen last.
+    pub const fn links(&self) -> &Links {
+        &self.links
+    }
+
+    /// Takes what was seen, if anything was; returns a sentence on each that is not as it was.
+    pub fn look(&mut self) -> Option<Vec<String>> {
         let mut changes = Vec::new();
         let mut is_news = false;
         while let Ok((tick, glance)) = self.seen.pop() {
@@ -38,7 +42,7 @@ impl LinksWatch {
                 Glance::Board(board, it) => self.board(board, &it),
             });
         }
-        is_news.then(|| (self.links.clone(), changes))
+        is_news.then_some(changes)
     }
 
     fn line(&mut self, index: usize, tick: u64, it: &LineGlance) -> Option<String> {
@@ -119,11 +123,12 @@ mod tests {
         let mut meter = LinkMeter::new(Medium::CanFd { nominal: 1_000_000, data: 5_000_000 });
         (0..10_000).for_each(|_| meter.saw_up(26));
         told.push((1_000, line(WireState::Active, Some(meter)))).unwrap();
-        let (links, _) = watch.look().unwrap();
-        assert!(links.lines[0].seen.is_nan(), "one look is no time");
+        watch.look().unwrap();
+        assert!(watch.links().lines[0].seen.is_nan(), "one look is no time");
         (0..1_000).for_each(|_| meter.saw_up(26));
         told.push((2_000, line(WireState::Active, Some(meter)))).unwrap();
-        let (links, _) = watch.look().unwrap();
+        watch.look().unwrap();
+        let links = watch.links();
         // 104.8 us each, as the planner's tables have it.
         assert!((links.lines[0].seen - 0.1048).abs() < 1e-6, "{links:?}");
         assert_eq!(watch.look(), None, "nothing was seen");
@@ -134,7 +139,8 @@ mod tests {
         let (mut told, mut watch) = watch();
         let mut look = |glance| {
             told.push((0, glance)).unwrap();
-            watch.look().unwrap()
+            let changes = watch.look().unwrap();
+            (watch.links().clone(), changes)
         };
         assert_eq!(look(board(Stage::Armed)).1, [""; 0], "it begins so");
         assert_eq!(look(board(Stage::Greeting)).1, ["board 3 on can0 is silent now"]);

@@ -369,12 +369,13 @@ impl Pump {
 
     /// Tells how lines and boards are, and what became of them.
     fn look_at_links(&mut self) {
-        let seen = self.links.as_mut().and_then(|links| links.look());
-        let Some((links, changes)) = seen else { return };
+        let Some(watch) = &mut self.links else { return };
+        let Some(changes) = watch.look() else { return };
+        let links = Update::Links(watch.links().clone());
         for text in changes {
             self.give(&Update::Event(events::board(self.now, text)));
         }
-        self.give(&Update::Links(links));
+        self.give(&links);
     }
 
     /// When `tick` was due [ns since 1970].

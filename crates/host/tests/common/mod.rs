@@ -11,6 +11,8 @@ use firmware_protocol::key::BoardId;
 use haptics::RigParameters;
 use hardware::refusal::Uid;
 use hardware::sim::board::BoardMake;
+use host::report::Report;
+use host::session::Session;
 use host::simulated::{Living, Place, live, place};
 
 /// A simulated board behind a port.
@@ -60,9 +62,20 @@ pub fn make(number: u8, n_keys: usize) -> BoardMake {
     BoardMake { n_keys, ..BoardMake::standard(id, 100e-6, RigParameters::default()) }
 }
 
+/// Runs `session` while `look` looks; returns its report.
+pub fn run_while(session: Session, look: impl FnOnce()) -> Report {
+    let stop = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        let host = scope.spawn(|| session.run(&stop));
+        let stops = Stop(&stop);
+        look();
+        drop(stops);
+        host.join().expect("no panic").expect("a report")
+    })
+}
+
 /// Ends the host also where a test fails.
-#[derive(Debug)]
-pub struct Stop<'a>(pub &'a AtomicBool);
+struct Stop<'a>(&'a AtomicBool);
 
 impl Drop for Stop<'_> {
     fn drop(&mut self) {
