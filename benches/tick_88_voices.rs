@@ -35,6 +35,9 @@ use stage::{Stage, scene, stroke};
 
 const HZ: u32 = 1000;
 
+/// Slew limit of a scene that says nothing else [N/s].
+const SLEW: f64 = 20e3;
+
 fn main() {
     let mut criterion = setting::criterion();
     idle(&mut criterion);
@@ -201,7 +204,7 @@ impl Lanes for Copies {
 /// A scheduler whose next tick is `tick`.
 fn scheduler_at(tick: u64) -> Box<Scheduler> {
     let period = Period::from_hz(HZ).expect("a rate that can be kept");
-    let mut scheduler = host::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period));
+    let mut scheduler = host::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), SLEW);
     let (due, mut nothing) = (scheduler.timetable().due(tick - 1), Copies(Vec::new()));
     scheduler.poll(due, &mut Held(0.0), &mut nothing, &mut stage::Nobody);
     scheduler

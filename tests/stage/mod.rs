@@ -111,14 +111,24 @@ impl<B: KeyBus> Stage<B, Nobody> {
 
     /// The same on `n_lanes`.
     pub fn on_lanes(scene: &Scene, bus: B, n_lanes: usize) -> Self {
-        Self::of(voices(scene), scene.tick_hz, bus, n_lanes)
+        Self::limited(voices(scene), (scene.tick_hz, scene.render.slew_limit), bus, n_lanes)
     }
 
-    /// With voices of any kind.
+    /// With voices of any kind, whose forces are sent however fast they change.
     pub fn of(voices: Vec<(usize, BoxedVoice)>, tick_hz: u32, bus: B, n_lanes: usize) -> Self {
+        Self::limited(voices, (tick_hz, f64::INFINITY), bus, n_lanes)
+    }
+
+    /// The same, with a slew limit [N/s].
+    fn limited(
+        voices: Vec<(usize, BoxedVoice)>,
+        (tick_hz, slew): (u32, f64),
+        bus: B,
+        n_lanes: usize,
+    ) -> Self {
         let (lanes, swaps) = lanes(voices, n_lanes);
         let period = Period::from_hz(tick_hz).expect("a rate that can be kept");
-        let scheduler = host::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period));
+        let scheduler = host::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), slew);
         Self { scheduler, bus, lanes, swaps, observer: Nobody }
     }
 

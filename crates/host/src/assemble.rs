@@ -108,7 +108,8 @@ impl<'a> Assembler<'a> {
     pub fn rehearsed(&self, key: usize, voice: &KeyVoice) -> Result<RehearsedKey, AssembleError> {
         let voice = self.voice(voice, Arc::default())?;
         let sim = SimulatedKey::new(self.period.as_secs_f64(), self.rig)?;
-        Ok(RehearsedKey::new(key, sim, voice, self.period))
+        let slew = self.scene.render.slew_limit;
+        Ok(RehearsedKey::new(key, sim, voice, (self.period, slew)))
     }
 }
 

@@ -45,17 +45,17 @@ impl Voice for Copied {
 }
 
 impl RehearsedKey {
-    /// A key at rest before tick 0.
+    /// A key at rest before tick 0, in ticks of a period and with a slew limit [N/s].
     pub fn new(
         number: usize,
         key: SimulatedKey,
         voice: Box<dyn RehearsableVoice>,
-        period: Period,
+        (period, slew): (Period, f64),
     ) -> Self {
         Self {
             key,
             slot: Slot::new(number, Copied(voice)),
-            gate: KeyGate::new(period),
+            gate: KeyGate::new(period, slew),
             tick: 0,
             period: period.as_secs_f64(),
         }

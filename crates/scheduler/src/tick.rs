@@ -38,13 +38,14 @@ pub struct Scheduler {
 }
 
 impl Scheduler {
-    /// A scheduler whose first tick is due at the timetable's start.
+    /// A scheduler whose first tick is due at the timetable's start, and whose forces change by
+    /// at most `slew` [N/s] on their way to a voice.
     #[expect(
         clippy::large_stack_frames,
         clippy::large_stack_arrays,
         reason = "once, at set-up; without a heap the memory comes from the caller"
     )]
-    pub fn new(timetable: Timetable) -> Self {
+    pub fn new(timetable: Timetable, slew: f64) -> Self {
         Self {
             timetable,
             next: 0,
@@ -52,7 +53,7 @@ impl Scheduler {
             turns: [Turn::default(); KEYS],
             forces: [SAFE_FORCE; KEYS],
             slopes: [KeySlope::HELD; KEYS],
-            safety: Safety::new(timetable.period()),
+            safety: Safety::new(timetable.period(), slew),
         }
     }
 

@@ -117,10 +117,11 @@ pub(crate) fn histogram() -> Result<Histogram<u64>, CreationError> {
     Histogram::new_with_bounds(1, LONGEST, DIGITS)
 }
 
-/// A scheduler on the heap, since it is large; before the tick.
+/// A scheduler on the heap, since it is large, whose forces change by at most `slew` [N/s] on
+/// their way to a voice; before the tick.
 #[expect(clippy::large_stack_frames, reason = "once, at set-up, on its way to the heap")]
-pub fn scheduler(timetable: Timetable) -> Box<Scheduler> {
-    Box::new(Scheduler::new(timetable))
+pub fn scheduler(timetable: Timetable, slew: f64) -> Box<Scheduler> {
+    Box::new(Scheduler::new(timetable, slew))
 }
 
 /// Runs ticks as they become due, the next one at `start`, and hands each to `watch`.

@@ -60,7 +60,7 @@ fn with_assembly(
     let voices = (0..KEYS).map(|key| (key, Box::new(Spring) as BoxedVoice)).collect();
     let n_lanes = NonZeroUsize::new(n_lanes).unwrap();
     let (mut lanes, _swaps) = ThreadedLanes::start(voices, n_lanes, None).unwrap();
-    let mut scheduler = super::run::scheduler(timetable(Nanos::ZERO));
+    let mut scheduler = super::run::scheduler(timetable(Nanos::ZERO), f64::INFINITY);
     let mut bus = HeldKeys { sent: Vec::new() };
     test(&mut Assembly {
         scheduler: &mut scheduler,

@@ -124,7 +124,7 @@ impl Replay {
         let output = Box::new(Overheard { output: nowhere(), told: told.clone() });
         let desk = Desk::new(events, output, scene.midi.curve);
         Ok(Box::new(Self {
-            scheduler: scheduler(timetable),
+            scheduler: scheduler(timetable, scene.render.slew_limit),
             timetable,
             feed: Feed::new(),
             bus: ReplayBus { samples: [KeySample::default(); KEYS] },

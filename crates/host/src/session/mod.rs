@@ -133,6 +133,8 @@ pub struct Session {
 struct Stage {
     name: String,
     tick_hz: u32,
+    /// Fastest change of a force towards a voice [N/s].
+    slew_limit: f64,
     n_voices: usize,
     n_lanes: NonZeroUsize,
     ticks: Option<u64>,
@@ -206,6 +208,7 @@ impl Session {
         let stage = Stage {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
+            slew_limit: scene.render.slew_limit,
             n_voices: voices.len(),
             n_lanes: lanes(scene.lanes),
             ticks: seconds.map(|seconds| whole(seconds / period)),

@@ -71,7 +71,7 @@ fn tick(
     memory::prefault_stack();
     let (mut lanes, swaps) = stage.start_lanes()?;
     stage.patchbay.open(swaps);
-    let mut scheduler = scheduler(stage.timetable()?);
+    let mut scheduler = scheduler(stage.timetable()?, stage.slew_limit);
     let mut timings = Timings::new().map_err(std::io::Error::other)?;
     let until = Until { stop, ticks: stage.ticks };
     let counters = Arc::clone(&stage.counters);

@@ -24,7 +24,7 @@ pub(super) fn run(
     stop: &AtomicBool,
 ) -> Result<Report, SessionError> {
     let (mut lanes, _swaps) = stage.start_lanes()?;
-    let mut scheduler = scheduler(stage.timetable()?);
+    let mut scheduler = scheduler(stage.timetable()?, stage.slew_limit);
     let until = Until { stop, ticks: stage.ticks };
     let (mut ticks, mut skipped) = (0, 0);
     let (mut bus, _start) = bed.arm(&stage, Nanos::ZERO)?;

@@ -14,6 +14,10 @@
 //! A tick that was skipped is an outage of every key. A key begins as after a long outage,
 //! so that power-up has no force step either.
 //!
+//! Towards a voice a force never changes faster than the slew limit, whatever it did before:
+//! a voice's own gate does not know what was sent instead of its force. The way to zero has
+//! its own time, [`FADE`].
+//!
 //! How large a force may be is not decided here: the voice has passed its own force gate.
 //! NaN never passes.
 
@@ -93,8 +97,9 @@ impl KeySafety {
         sent: SAFE_FORCE,
     };
 
-    /// One row of the table; returns the force to send [N].
-    fn step(&mut self, trust: Trust, force: f64, fade_ticks: u32) -> f64 {
+    /// One row of the table; returns the force to send [N], `ticks` after the last one.
+    fn step(&mut self, trust: Trust, force: f64, ramps: Ramps, ticks: f64) -> f64 {
+        let Ramps { fade_ticks, reach } = ramps;
         self.state = match trust {
             Trust::Trusted => self.trusted(fade_ticks),
             Trust::Fresh => self.fresh(fade_ticks),
@@ -102,12 +107,13 @@ impl KeySafety {
             Trust::Fault => self.fault(),
         };
         let force = match self.state {
-            State::Following => force,
+            State::Following => towards(self.sent, force, reach * ticks),
             State::Outage { held, ticks, .. } | State::Condemned { held, ticks } => {
                 faded(held, ticks, fade_ticks)
             }
             State::Returning { from, done, of } => {
-                from + (force - from) * f64::from(done) / f64::from(of)
+                let blend = from + (force - from) * f64::from(done) / f64::from(of);
+                towards(self.sent, blend, reach * ticks)
             }
         };
         // The last gate: a blend of huge forces can overflow, and `f64::clamp` lets NaN through.
@@ -156,9 +162,10 @@ impl KeySafety {
         }
     }
 
-    /// How the force just sent goes on: as its voice says, if that is followed.
+    /// How the force just sent goes on: as its voice says, if that is what was sent.
     fn slope(&self, turn: &Turn) -> KeySlope {
-        let is_followed = self.state == State::Following && turn.slope.is_finite();
+        let is_sent = self.sent.to_bits() == turn.force.to_bits();
+        let is_followed = self.state == State::Following && is_sent && turn.slope.is_finite();
         if is_followed { turn.slope } else { KeySlope::HELD }
     }
 
@@ -188,33 +195,50 @@ fn faded(held: f64, ticks: u32, fade_ticks: u32) -> f64 {
     held * (f64::from(fade_ticks + 1 - ticks) / f64::from(fade_ticks))
 }
 
+/// The force nearest to `wanted` [N] that is at most `reach` [N] from `sent` [N].
+fn towards(sent: f64, wanted: f64, reach: f64) -> f64 {
+    let change = wanted - sent;
+    if change.abs() <= reach { wanted } else { sent + reach.copysign(change) }
+}
+
+/// How fast a force may change.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Ramps {
+    /// Ticks that fit into [`FADE`], at least 1.
+    fade_ticks: u32,
+    /// Largest change towards a voice in a tick [N].
+    reach: f64,
+}
+
+impl Ramps {
+    fn new(period: Period, slew: f64) -> Self {
+        let fade_ticks = u32::try_from(period.ticks_in(FADE)).unwrap_or(u32::MAX - 1).max(1);
+        Self { fade_ticks, reach: slew * period.as_secs_f64() }
+    }
+}
+
 /// The last gate before the bus, for one key: what a rehearsal of that key goes through.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeyGate {
     safety: KeySafety,
-    fade_ticks: u32,
+    ramps: Ramps,
 }
 
 impl KeyGate {
-    /// A silent, armed key, for ticks of `period`.
-    pub fn new(period: Period) -> Self {
-        Self { safety: KeySafety::SILENT, fade_ticks: fade_ticks(period) }
+    /// A silent, armed key, for ticks of `period`, whose force changes by at most `slew` [N/s].
+    pub fn new(period: Period, slew: f64) -> Self {
+        Self { safety: KeySafety::SILENT, ramps: Ramps::new(period, slew) }
     }
 
     /// What is sent to the key [N], after a tick without a gap.
     pub fn apply(&mut self, turn: &Turn, sample: &KeySample) -> f64 {
-        self.safety.step(Trust::of(turn, sample), turn.force, self.fade_ticks)
+        self.safety.step(Trust::of(turn, sample), turn.force, self.ramps, 1.0)
     }
 
     /// How what was sent last goes on.
     pub fn slope(&self, turn: &Turn) -> KeySlope {
         self.safety.slope(turn)
     }
-}
-
-/// Ticks of `period` that fit into [`FADE`], at least 1.
-fn fade_ticks(period: Period) -> u32 {
-    u32::try_from(period.ticks_in(FADE)).unwrap_or(u32::MAX - 1).max(1)
 }
 
 /// How many keys do not simply feel their voice.
@@ -240,15 +264,15 @@ impl SafetyReport {
 #[derive(Clone, Debug)]
 pub struct Safety {
     keys: [KeySafety; KEYS],
-    /// Ticks that fit into [`FADE`].
-    fade_ticks: u32,
+    ramps: Ramps,
     armed: bool,
 }
 
 impl Safety {
-    /// All keys silent and armed, for ticks of `period`.
-    pub fn new(period: Period) -> Self {
-        Self { keys: [KeySafety::SILENT; KEYS], fade_ticks: fade_ticks(period), armed: true }
+    /// All keys silent and armed, for ticks of `period`, whose forces change by at most `slew`
+    /// [N/s] on their way to a voice.
+    pub fn new(period: Period, slew: f64) -> Self {
+        Self { keys: [KeySafety::SILENT; KEYS], ramps: Ramps::new(period, slew), armed: true }
     }
 
     /// Lets voices be felt (the state at the beginning).
@@ -275,6 +299,7 @@ impl Safety {
         forces: &mut [f64; KEYS],
     ) -> SafetyReport {
         let missing = u32::try_from(skipped).unwrap_or(u32::MAX);
+        let ticks = 1.0 + f64::from(missing);
         let mut report = SafetyReport::default();
         for (key, force) in forces.iter_mut().enumerate() {
             let safety = &mut self.keys[key];
@@ -285,7 +310,7 @@ impl Safety {
                 Trust::Trusted | Trust::Fresh if !self.armed => Trust::NotThere,
                 known @ (Trust::Trusted | Trust::Fresh | Trust::NotThere | Trust::Fault) => known,
             };
-            *force = safety.step(trust, turns[key].force, self.fade_ticks);
+            *force = safety.step(trust, turns[key].force, self.ramps, ticks);
             report.count(safety.state);
         }
         report

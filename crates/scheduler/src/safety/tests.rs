@@ -9,9 +9,12 @@ use proptest::prelude::*;
 /// Ticks of the fade in these tests: 20 ms at 200 Hz.
 const N: u32 = 4;
 
+/// A fade of [`N`] ticks, and no limit to how fast a voice may be followed.
+const RAMPS: Ramps = Ramps { fade_ticks: N, reach: f64::INFINITY };
+
 /// Steps a key through `ticks` of (trust, voice's force) and returns what was sent.
 fn sent<const T: usize>(mut key: KeySafety, ticks: [(Trust, f64); T]) -> [f64; T] {
-    ticks.map(|(trust, force)| key.step(trust, force, N))
+    ticks.map(|(trust, force)| key.step(trust, force, RAMPS, 1.0))
 }
 
 /// A key that follows its voice and was last sent `force` [N].
@@ -88,6 +91,17 @@ fn trouble_on_the_way_back_starts_from_what_is_felt() {
 }
 
 #[test]
+fn a_voice_that_moved_on_during_an_outage_is_met_at_the_slew_limit() {
+    // The voice went from 10 N to -25 N, 20 N a tick, while one sample was missing: half-way
+    // back is 17.5 N away, and the rest must not come in one tick with the voice's own change.
+    let ramps = Ramps { fade_ticks: N, reach: 20.0 };
+    let mut key = following(25.0);
+    let ticks = [(NotThere, 5.0), (Trusted, -15.0), (Trusted, -25.0), (Trusted, -25.0)];
+    let sent = ticks.map(|(trust, force)| key.step(trust, force, ramps, 1.0));
+    assert_eq!(sent.map(f64::to_bits), [25.0, 5.0, -15.0, -25.0].map(f64::to_bits), "{sent:?}");
+}
+
+#[test]
 fn a_return_that_was_cut_short_goes_on_no_faster() {
     let back = KeySafety { state: State::Returning { from: 0.0, done: 1, of: 4 }, sent: 2.0 };
     let ticks = [(NotThere, 8.0), (Trusted, 8.0), (Trusted, 8.0), (Trusted, 8.0)];
@@ -100,7 +114,7 @@ fn forces_too_large_to_blend_become_the_safe_force() {
 }
 
 fn safety() -> Safety {
-    Safety::new(Period::from_hz(200).unwrap())
+    Safety::new(Period::from_hz(200).unwrap(), f64::INFINITY)
 }
 
 /// The force sent to key 7 for `turn` and a sample of `age`, after it followed 4 N.
@@ -186,28 +200,26 @@ proptest! {
         let mut key = KeySafety::SILENT;
         for (trust, force) in ticks {
             let trust = if force.is_finite() { trust } else { Fault };
-            let sent = key.step(trust, force, N);
+            let sent = key.step(trust, force, RAMPS, 1.0);
             assert!(sent.is_finite());
             // Two roundings of a blend may leave the range by as many units in the last place.
             assert!(sent.abs() <= LIMIT * (1.0 + 2.0 * f64::EPSILON));
         }
     }
 
-    /// The voice moves by at most `slew` in a tick. What safety adds is at most one share of
-    /// the way between two forces within the limit, and on the way back from `k` ticks the
-    /// voice's own change over them, which is another `slew`.
+    /// Whatever the voice does, and however often it fails and comes back: towards it the force
+    /// moves by the slew limit at most, and away from it by a share of the fade.
     #[test]
-    fn trouble_adds_no_force_step(
-        ticks in prop::collection::vec((any_trust(), -1.0..1.0_f64), 1..200),
-        slew in 0.01..2.0_f64,
+    fn no_trouble_makes_the_force_faster_than_the_slew_limit_or_the_fade(
+        ticks in prop::collection::vec((any_trust(), -LIMIT..LIMIT), 1..200),
+        reach in 0.01..5.0_f64,
         fade_ticks in 2..40_u32,
     ) {
         let mut key = KeySafety::SILENT;
-        let (mut voice, mut last) = (0.0_f64, 0.0);
-        for (trust, change) in ticks {
-            voice = (voice + change * slew).clamp(-LIMIT, LIMIT);
-            let sent = key.step(trust, voice, fade_ticks);
-            let allowed = 2.0 * slew + 2.0 * LIMIT / f64::from(fade_ticks);
+        let mut last = 0.0;
+        for (trust, force) in ticks {
+            let sent = key.step(trust, force, Ramps { fade_ticks, reach }, 1.0);
+            let allowed = reach.max(LIMIT / f64::from(fade_ticks));
             assert!((sent - last).abs() <= allowed + 1e-12, "{last} N to {sent} N, allowed {allowed} N");
             last = sent;
         }
@@ -220,17 +232,18 @@ proptest! {
         fault_first in any::<bool>(),
     ) {
         let period = Period::from_hz(hz).unwrap();
-        let fade_ticks = Safety::new(period).fade_ticks;
+        let ramps = Ramps::new(period, 1e3);
+        let fade_ticks = ramps.fade_ticks;
         assert!(period.span(u64::from(fade_ticks)) <= FADE);
         let mut key = KeySafety::SILENT;
         for (trust, force) in before {
-            key.step(trust, force, fade_ticks);
+            key.step(trust, force, ramps, 1.0);
         }
         for tick in 0..fade_ticks {
             let fault = fault_first != (tick % 3 == 2);
-            key.step(if fault { Fault } else { NotThere }, 5.0, fade_ticks);
+            key.step(if fault { Fault } else { NotThere }, 5.0, ramps, 1.0);
         }
-        let sent = key.step(NotThere, 5.0, fade_ticks);
+        let sent = key.step(NotThere, 5.0, ramps, 1.0);
         assert!(sent.abs() == 0.0, "{sent} N after the fade");
     }
 }

@@ -131,7 +131,7 @@ impl Rig {
     pub fn new() -> Self {
         let period = Period::from_hz(HZ).unwrap();
         Self {
-            scheduler: Scheduler::new(Timetable::new(Nanos::ZERO, period)),
+            scheduler: Scheduler::new(Timetable::new(Nanos::ZERO, period), f64::INFINITY),
             bus: MemoryBus::new(),
             slots: springs(),
             observer: CountingObserver::default(),
