@@ -37,10 +37,20 @@ pub(crate) const fn fault(code: u8) -> Option<Explained> {
             "The model made energy out of nothing, so its force cannot be trusted.",
             "Take the last change back; with rigid contacts, raise the tick rate or filter less.",
         ),
-        _ => (
+        5 => (
             "panicked",
             "The model's program failed. Its voice is not run until it is replaced.",
             "Use another instrument on this key, and report what was changed before.",
+        ),
+        6 => (
+            "makes energy",
+            "The key gave back more energy than was put into it, as an unstable loop does. It is muted.",
+            "Raise the tick rate, lower jerk_density, or make stiff springs softer.",
+        ),
+        _ => (
+            "muted",
+            "The key made energy or failed again and again. It feels no force.",
+            "Change its values or its instrument: it is tried again then.",
         ),
     };
     Some(Explained { name, what, advice })
@@ -92,7 +102,7 @@ mod tests {
     #[test]
     fn every_fault_is_explained() {
         assert_eq!(fault(0), None);
-        for code in 1..=5 {
+        for code in 1..=7 {
             let explained = fault(code).expect("a fault");
             assert!(explained.what.ends_with('.') && explained.advice.ends_with('.'));
         }

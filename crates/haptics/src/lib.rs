@@ -1,7 +1,7 @@
 //! What the hand feels, seen from both sides of the key.
 //!
 //! [`estimate`] turns quantised positions into motion, [`limits`] is the last gate a force
-//! passes, and [`plant`] is the other side: a simulated key with its encoder, its motor and
+//! passes, [`passivity`] tells a key that makes energy, and [`plant`] is the other side: a simulated key with its encoder, its motor and
 //! a finger, for running without hardware and for rehearsing a performance.
 //!
 //! **Signs.** A position is the displacement of the key's front [m], *down positive*, zero
@@ -26,10 +26,12 @@
 
 pub mod estimate;
 pub mod limits;
+pub mod passivity;
 pub mod plant;
 
 pub use estimate::{BackwardDifference, Estimator, Kalman, Motion};
 pub use limits::{ForceGate, Gated, LimitError};
+pub use passivity::{EnergyBound, PassivityObserver};
 pub use plant::{
     Encoder, Felt, Finger, FingerParameters, Gesture, Key, KeyParameters, KeyRig, Motor,
     MotorParameters, RigParameters, Touch,

@@ -1,4 +1,5 @@
-//! A voice's place in a lane: which key it plays, and whether it must be reset first.
+//! A voice's place in a lane: which key it plays, whether it must be reset first, and whether
+//! it is still called.
 
 use crate::motion::{KEYS, KeySample};
 use crate::voice::{Turn, Voice, VoiceFault};
@@ -17,6 +18,43 @@ pub const fn lane_of(key: usize, n_lanes: usize) -> usize {
     (key + key / OCTAVE) % n_lanes
 }
 
+/// Faults, each after a recovery, that are too many if they come close together.
+const MOST_FAULTS: u32 = 5;
+
+/// Ticks after which a fault is forgotten: a second at 1 kHz. A fault with its fade and the way
+/// back takes 40 ms, so a voice that flips between the two is muted within half of that.
+const FORGOTTEN: u32 = 1000;
+
+/// Counts a voice's faults, so that one that flips between fault and recovery is not felt as a
+/// buzz for ever.
+#[derive(Clone, Copy, Debug, Default)]
+struct Lockout {
+    /// Faults that are not forgotten yet [ticks].
+    level: u32,
+    /// The last turn was a fault: the same one goes on.
+    failing: bool,
+    muted: bool,
+}
+
+impl Lockout {
+    /// Takes note of a turn that came `passed` ticks after the last one.
+    ///
+    /// A sensor that fails is not the voice's fault, and its voice is back when it is.
+    fn note(&mut self, fault: Option<VoiceFault>, passed: u32) {
+        self.level = self.level.saturating_sub(passed);
+        let is_new = !self.failing;
+        self.failing = fault.is_some();
+        match fault {
+            None | Some(VoiceFault::BadSample | VoiceFault::Panicked) => {}
+            Some(VoiceFault::MakesEnergy | VoiceFault::Muted) => self.muted = true,
+            Some(VoiceFault::NotFinite | VoiceFault::Capped { .. } | VoiceFault::Diverged) => {
+                self.level += if is_new { FORGOTTEN } else { 0 };
+                self.muted |= MOST_FAULTS * FORGOTTEN < self.level;
+            }
+        }
+    }
+}
+
 /// One key's voice, in the order in which its lane runs it.
 #[derive(Clone, Debug)]
 pub struct Slot<V> {
@@ -26,6 +64,7 @@ pub struct Slot<V> {
     fresh: bool,
     /// The voice was retuned since its last tick.
     retuned: bool,
+    lockout: Lockout,
     /// In which of the ticks up to `last` it was run: that one is bit 0.
     ran: u32,
     last: u64,
@@ -38,7 +77,8 @@ impl<V> Slot<V> {
     /// If there is no such key.
     pub const fn new(key: usize, voice: V) -> Self {
         assert!(key < KEYS, "no such key");
-        Self { key, voice, fresh: true, retuned: false, ran: 0, last: 0 }
+        let lockout = Lockout { level: 0, failing: false, muted: false };
+        Self { key, voice, fresh: true, retuned: false, lockout, ran: 0, last: 0 }
     }
 
     /// The key that the voice plays.
@@ -49,6 +89,7 @@ impl<V> Slot<V> {
     /// Puts `voice` in and hands the old one out.
     pub const fn replace(&mut self, voice: V) -> V {
         self.fresh = true;
+        self.lockout = Lockout { level: 0, failing: false, muted: false };
         core::mem::replace(&mut self.voice, voice)
     }
 }
@@ -57,10 +98,13 @@ impl<V: Voice> Slot<V> {
     /// Gives the voice the values of `donor`, a voice of the same kind, or else puts `donor` in;
     /// hands out what is left over.
     ///
-    /// A voice that was retuned goes on in its state, and says that its force is fresh.
+    /// A voice that was retuned goes on in its state, and says that its force is fresh; one that
+    /// was muted begins anew at rest.
     pub fn retune(&mut self, mut donor: V) -> V {
         if donor.as_donor().is_some_and(|donor| self.voice.retune(donor)) {
             self.retuned = true;
+            self.fresh |= self.lockout.muted;
+            self.lockout = Lockout::default();
             donor
         } else {
             self.replace(donor)
@@ -69,9 +113,12 @@ impl<V: Voice> Slot<V> {
 
     /// Runs the voice for `tick`; a force that is not finite becomes a fault here.
     ///
-    /// A voice that failed is reset at the next sample, and says that its force is fresh.
+    /// A voice that failed is reset at the next sample, and says that its force is fresh; one
+    /// that made energy or fails again and again is muted.
     pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
-        if sample.position.is_finite() {
+        if self.lockout.muted {
+            *turn = Turn::faulty(VoiceFault::Muted);
+        } else if sample.position.is_finite() {
             if self.fresh {
                 self.voice.reset(sample);
             }
@@ -85,12 +132,14 @@ impl<V: Voice> Slot<V> {
         turn.fresh = self.fresh || self.retuned;
         self.retuned = false;
         self.fresh = turn.fault.is_some();
-        turn.ran = self.note_run(tick);
+        let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
+        self.lockout.note(turn.fault, passed);
+        turn.ran = self.note_run(tick, passed);
     }
 
-    /// Notes that the voice was run in `tick`; returns in which of the last ones it was.
-    fn note_run(&mut self, tick: u64) -> u32 {
-        let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
+    /// Notes that the voice was run in `tick`, `passed` after the last one; returns in which of
+    /// the last ones it was.
+    fn note_run(&mut self, tick: u64, passed: u32) -> u32 {
         self.ran = self.ran.checked_shl(passed).unwrap_or(0) | 1;
         self.last = tick;
         self.ran
@@ -180,6 +229,74 @@ mod tests {
             slot.tick(tick, &at(0.0), &mut turn);
             assert_eq!(turn.ran, ran, "tick {tick}");
         }
+    }
+
+    /// Fails where it is told to, and counts how often it is called.
+    struct Failing {
+        fails: fn(u64) -> bool,
+        calls: u64,
+    }
+
+    impl Voice for Failing {
+        fn tick(&mut self, tick: u64, _sample: &KeySample) -> Turn {
+            self.calls += 1;
+            Turn { force: if (self.fails)(tick) { f64::NAN } else { 1.0 }, ..Turn::default() }
+        }
+
+        fn reset(&mut self, _sample: &KeySample) {}
+    }
+
+    /// How often a voice that fails in the ticks for which `fails` is true is called in `ticks`.
+    fn calls(ticks: u64, fails: fn(u64) -> bool) -> u64 {
+        let mut slot = Slot::new(3, Failing { fails, calls: 0 });
+        let mut turn = Turn::default();
+        for tick in 0..ticks {
+            let before = slot.voice.calls;
+            slot.tick(tick, &at(0.0), &mut turn);
+            let was_called = before < slot.voice.calls;
+            assert_eq!(!was_called, turn.fault == Some(VoiceFault::Muted), "tick {tick}");
+        }
+        slot.voice.calls
+    }
+
+    #[test]
+    fn a_voice_that_flips_between_fault_and_recovery_is_muted() {
+        // A fault, 20 ms of fading, 20 ms of return, and so on: 250 of them in 10 s.
+        let called = calls(10_000, |tick| tick % 40 == 0);
+        assert!((160..=400).contains(&called), "called {called} times");
+        // Every other tick.
+        assert!(calls(1000, |tick| tick % 2 == 0) <= 12);
+    }
+
+    #[test]
+    fn a_voice_that_fails_now_and_then_or_once_for_long_is_not_muted() {
+        assert_eq!(calls(20_000, |tick| tick % 1000 == 0), 20_000);
+        assert_eq!(calls(20_000, |tick| (100..9_000).contains(&tick)), 20_000);
+    }
+
+    #[test]
+    fn a_muted_voice_is_called_again_when_it_is_changed_or_replaced() {
+        let mut slot = Slot::new(3, Tunable { value: 1.0, ticks: 0 });
+        slot.lockout.muted = true;
+        let mut turn = Turn::default();
+        slot.tick(0, &at(0.0), &mut turn);
+        assert_eq!((turn.fault, slot.voice.ticks), (Some(VoiceFault::Muted), 0));
+        slot.retune(Tunable { value: 2.0, ticks: 70 });
+        slot.tick(1, &at(0.0), &mut turn);
+        assert_eq!((turn.fault, turn.fresh, slot.voice.ticks), (None, true, 1));
+        slot.lockout.muted = true;
+        slot.replace(Tunable { value: 3.0, ticks: 70 });
+        slot.tick(2, &at(0.0), &mut turn);
+        assert_eq!((turn.fault, turn.fresh, slot.voice.ticks), (None, true, 1));
+    }
+
+    #[test]
+    fn a_sensor_that_fails_again_and_again_mutes_nobody() {
+        let mut slot = Slot::new(3, Spy { fails_at: u64::MAX, ..Spy::default() });
+        for tick in 0..2000 {
+            turn_of(&mut slot, tick, if tick % 2 == 0 { f64::NAN } else { 0.0 });
+        }
+        assert_eq!(turn_of(&mut slot, 2001, 0.0).fault, None);
     }
 
     /// Its force is its value; it counts its ticks.

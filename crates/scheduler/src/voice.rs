@@ -159,6 +159,11 @@ pub enum VoiceFault {
     Diverged,
     /// The voice panicked and is not called again.
     Panicked,
+    /// The voice gave back more energy than was put into it; it is muted.
+    MakesEnergy,
+    /// The voice made energy, or failed again and again; it is not called until its values are
+    /// changed or another voice is put in.
+    Muted,
 }
 
 /// A short list of key events with a fixed capacity.

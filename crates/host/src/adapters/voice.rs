@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::sync::Arc;
 
-use haptics::ForceGate;
+use haptics::{EnergyBound, ForceGate, PassivityObserver};
 use models::Playable;
 use pode::{Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch};
 use scheduler::look::{Look, Switch, Switches};
@@ -29,6 +29,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     damper: Damper,
     rest: Rest,
     audit: EnergyAudit,
+    passivity: PassivityObserver,
     cell: Arc<AuditCell>,
     /// Tick [s].
     h: f64,
@@ -79,13 +80,15 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     pub fn new(model: M, stepper: T, fittings: Fittings) -> Self {
         let Fittings { input, gate, limits, cell, h, slopes, revision } = fittings;
         let (mode, state) = model.at_rest(&Motion::default());
+        let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit()), h);
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
             input,
             gate,
             damper: Damper::new(0.0),
-            rest: Rest::default(),
+            rest: Rest::new(h),
             audit: EnergyAudit::default(),
+            passivity,
             cell,
             h,
             slopes,
@@ -134,6 +137,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
 
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
         turn.begin();
+        let is_passive = self.passivity.is_passive(tick, sample.position);
         let Followed { signal, position, late } = self.input.follow(tick, sample);
         if let Some((at, event)) = self.damper.follow(tick, position, self.h) {
             turn.events.push(at, event);
@@ -158,15 +162,16 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             guards: done.work.guards,
             events: done.work.events,
         };
-        turn.fault = fault(done.advance, done.work.events);
-        if turn.fault.is_none() && self.is_explained(&audit) {
+        turn.fault = fault(done.advance, done.work.events)
+            .or_else(|| (!self.is_explained(&audit)).then_some(VoiceFault::Diverged))
+            .or((!is_passive).then_some(VoiceFault::MakesEnergy));
+        if turn.fault.is_none() {
             (self.audit, turn.events) = (audit, events);
             self.cell.publish(&self.audit);
-        } else if turn.fault.is_none() {
-            turn.fault = Some(VoiceFault::Diverged);
+            self.passivity.hold(tick, sample.position, turn.force);
         }
-        let moved = largest_change::<M>(&before, self.simulator.state());
-        self.rest.observe(sample.position, turn.force, moved);
+        let moves = moves::<M>(&before, self.simulator.state(), self.h);
+        self.rest.observe(sample.position, turn.force, moves);
     }
 }
 
@@ -193,7 +198,8 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         let (mode, state) = self.simulator.model().at_rest(&input);
         self.simulator.place(mode, state);
         self.damper = Damper::new(sample.position);
-        self.rest = Rest::default();
+        self.passivity.reset();
+        self.rest = Rest::new(self.h);
     }
 
     fn retune(&mut self, donor: &mut dyn Any) -> bool {
@@ -202,8 +208,9 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.simulator.set_model(its);
         donor.simulator.set_model(mine);
         std::mem::swap(&mut self.revision, &mut donor.revision);
-        // What was at rest may not be any more.
-        self.rest = Rest::default();
+        // What was at rest may not be any more, and what was stored is another amount.
+        self.rest = Rest::new(self.h);
+        self.passivity.reset();
         true
     }
 
@@ -223,33 +230,61 @@ where
 }
 
 /// Whether a voice has come to rest, so that its equations can be skipped.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Rest {
     position: f64,
     force: f64,
     /// Ticks for which neither key nor model has moved.
     still: u32,
+    /// So many of them are rest.
+    patience: u32,
 }
 
 impl Rest {
-    /// Ticks without any movement after which a voice sleeps.
-    const PATIENCE: u32 = 20;
-    /// State change in a tick that counts as none: of a hammer it means 0.1 mN at the
-    /// finger, a tenth of what the wire resolves.
-    const STILL: f64 = 2e-5;
+    /// Time without any movement after which a voice sleeps [s].
+    const PATIENCE: f64 = 20e-3;
 
-    fn observe(&mut self, position: f64, force: f64, moved: f64) {
+    /// Nothing is known to be still; ticks take `h` [s].
+    fn new(h: f64) -> Self {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "2 to 200")]
+        let patience = (Self::PATIENCE / h).round().clamp(1.0, 1e6) as u32;
+        Self { position: 0.0, force: 0.0, still: 0, patience }
+    }
+
+    fn observe(&mut self, position: f64, force: f64, moves: bool) {
         // Bits, not a tolerance: the encoder says whether the key has moved.
-        let same = self.position.to_bits() == position.to_bits() && moved < Self::STILL;
+        let same = self.position.to_bits() == position.to_bits() && !moves;
         self.still = if same { self.still.saturating_add(1) } else { 0 };
         (self.position, self.force) = (position, force);
     }
 
     /// The force to hold if the voice sleeps and the key is still at `position` [m].
     fn force_at(&self, position: f64) -> Option<f64> {
-        let asleep = self.still >= Self::PATIENCE;
+        let asleep = self.still >= self.patience;
         (asleep && self.position.to_bits() == position.to_bits()).then_some(self.force)
     }
+}
+
+/// Speed of a coordinate that counts as none [m/s or rad/s]: a millimetre takes two seconds.
+///
+/// A part that swings at 5 Hz is this fast where its acceleration is [`STILL_ACCELERATION`].
+const STILL_SPEED: f64 = 5e-4;
+
+/// Rate of a speed that counts as none [m/s² or rad/s²]: of a hammer it means 0.1 mN at the
+/// finger, a tenth of what the wire resolves.
+const STILL_ACCELERATION: f64 = 2e-2;
+
+/// Whether a coordinate or a speed changed from `before` to `after`, `h` [s] later, by what
+/// counts as motion.
+///
+/// Both are asked by their rate: how far something moves in a tick says nothing of how fast it
+/// moves. One that is at the end of a swing has no speed, and one in the middle no acceleration.
+fn moves<M: Playable>(before: &M::State, after: &M::State, h: f64) -> bool {
+    use pode::State as _;
+    let pairs = before.entries().iter().zip(after.entries()).enumerate();
+    let limit = |index| if index < M::COORDS { STILL_SPEED } else { STILL_ACCELERATION };
+    // What is no number counts as motion.
+    pairs.map(|(index, (a, b))| (b - a).abs() <= limit(index) * h).any(|is_still| !is_still)
 }
 
 /// The number of `mode` among the model's; 255 if it is not among them.
@@ -293,8 +328,58 @@ const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {
     }
 }
 
-fn largest_change<M: Playable>(before: &M::State, after: &M::State) -> f64 {
-    use pode::State as _;
-    let pairs = before.entries().iter().zip(after.entries());
-    pairs.fold(0.0, |most, (a, b)| (a - b).abs().max(most))
+#[cfg(test)]
+mod tests {
+    use haptics::Kalman;
+    use models::BouncingBall;
+
+    use super::super::input::AnyEstimator;
+    use super::*;
+
+    #[test]
+    fn slow_motion_is_no_rest_at_any_rate() {
+        for h in [1e-2, 1e-3, 1e-4] {
+            let after = |speed: f64, acceleration: f64| {
+                moves::<BouncingBall>(&[0.0, speed], &[speed * h, speed + acceleration * h], h)
+            };
+            assert!(after(20e-3, 0.0), "20 mm/s in ticks of {h} s");
+            assert!(after(1e-3, 0.0), "1 mm/s in ticks of {h} s");
+            assert!(after(0.0, 0.05), "0.05 m/s² in ticks of {h} s");
+            assert!(!after(1e-4, 0.01), "0.1 mm/s in ticks of {h} s");
+            assert!(after(f64::NAN, 0.0));
+        }
+    }
+
+    /// A ball that weighs nothing, on a key that is not touched.
+    fn weightless(h: f64) -> RenderedKey<BouncingBall, pode::stepper::Rk4> {
+        let estimator = AnyEstimator::Kalman(Kalman::new(h, 1e-6, 10.0));
+        let fittings = Fittings {
+            input: InputPath::new(estimator, None, -5.0, h),
+            gate: ForceGate::new(25.0, 2e4).unwrap(),
+            limits: Limits::default(),
+            cell: Arc::default(),
+            h,
+            slopes: Slopes::Unused,
+            revision: 0,
+        };
+        let model = BouncingBall { g: 0.0, restitution: 0.5, mass: 0.01, y0: 0.1, scale: -5.0 };
+        let mut voice = RenderedKey::new(model, pode::stepper::Rk4, fittings);
+        voice.reset(&KeySample::fresh(0.0));
+        voice
+    }
+
+    #[test]
+    fn a_ball_that_hovers_sleeps_after_20_ms_and_one_that_drifts_never_does() {
+        for hz in [1000_u32, 10_000] {
+            let h = 1.0 / f64::from(hz);
+            let idle = |voice: &mut RenderedKey<_, _>| {
+                (0..u64::from(hz)).find(|tick| voice.tick(*tick, &KeySample::fresh(0.0)).idle)
+            };
+            assert_eq!(idle(&mut weightless(h)), Some(u64::from(hz) / 50), "{hz} Hz");
+            let mut drifting = weightless(h);
+            let mode = drifting.simulator.mode();
+            drifting.simulator.place(mode, [0.1, 20e-3]);
+            assert_eq!(idle(&mut drifting), None, "{hz} Hz");
+        }
+    }
 }

@@ -30,6 +30,8 @@ pub(super) const fn fault_number(fault: Option<VoiceFault>) -> u8 {
         Some(VoiceFault::Capped { .. }) => 3,
         Some(VoiceFault::Diverged) => 4,
         Some(VoiceFault::Panicked) => 5,
+        Some(VoiceFault::MakesEnergy) => 6,
+        Some(VoiceFault::Muted) => 7,
     }
 }
 

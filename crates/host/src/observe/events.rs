@@ -75,6 +75,12 @@ fn explained(fault: VoiceFault) -> String {
         VoiceFault::Panicked => {
             "its voice panicked, which is a bug: put in another instrument, and report it".into()
         }
+        VoiceFault::MakesEnergy => "it gave back more energy than was put into it, so the key is \
+            muted; take a faster tick, a slower estimator (jerk_density) or softer springs"
+            .into(),
+        VoiceFault::Muted => "it made energy or failed again and again, so the key is muted until \
+            its values are changed or another instrument is put in"
+            .into(),
     }
 }
 

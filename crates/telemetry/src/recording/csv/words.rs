@@ -14,7 +14,8 @@ const COLUMNS: [&str; 8] =
 const FLAGS: [&str; 8] = ["asleep", "late", "fresh", "not run", "other tick", "32", "64", "128"];
 
 /// What each value of `KeyBlock.fault` means.
-const FAULTS: [&str; 6] = ["", "not finite", "bad sample", "capped", "diverged", "panicked"];
+const FAULTS: [&str; 8] =
+    ["", "not finite", "bad sample", "capped", "diverged", "panicked", "makes energy", "muted"];
 
 pub(super) fn header(model: &Model) -> Vec<String> {
     let signals = model.signals.iter().map(|signal| match signal.unit.as_str() {

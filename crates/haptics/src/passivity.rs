@@ -1,0 +1,175 @@
+//! Whether a key gives back more energy than a hand put into it.
+
+/// What a voice may give back of the energy that it took, and how fast it may give more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyBound {
+    /// Energy that an action may store and return \[J\].
+    pub stored: f64,
+    /// Power that sampling and rounding may add without being felt \[W\].
+    pub leak: f64,
+}
+
+impl EnergyBound {
+    /// Way of a key's front from rest to bottom \[m\].
+    const DIP: f64 = 10e-3;
+
+    /// Power that sampling and rounding may make at a key \[W\].
+    ///
+    /// Instruments that come to rest make less than 5 mW for as long as they are played
+    /// (measured, 500 Hz to 10 kHz); the slowest loop that did not makes 30 mW.
+    const LEAK: f64 = 20e-3;
+
+    /// The bound of a key whose force is at most `limit` \[N\]: what it does over the whole dip.
+    pub fn of_force_limit(limit: f64) -> Self {
+        Self { stored: limit * Self::DIP, leak: Self::LEAK }
+    }
+}
+
+/// Adds up the energy that flows through a key's port, force held and position sampled.
+///
+/// Between two samples the force is constant, so its work is exact whatever the key did in
+/// between: force times displacement. The largest fall of that sum since any earlier time is
+/// what the voice gave back; a passive action never gives back more than it stores, whoever
+/// or whatever moves the key. Without a finger the motor alone moves it, and what a loop of
+/// estimator, model and motor makes shows here.
+///
+/// # References
+///
+/// `[HR02]` eq. 5, for one port, without the controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PassivityObserver {
+    /// Energy that may be given back \[J\].
+    stored: f64,
+    /// Energy that may be made in a tick \[J\].
+    leak: f64,
+    /// Fall of the sum below its highest value, less the leak \[J\].
+    returned: f64,
+    /// The last tick, and position \[m\] and force \[N\] from then on.
+    last: Option<(u64, f64, f64)>,
+}
+
+impl PassivityObserver {
+    /// Creates an observer of ticks of `period` \[s\] that has seen nothing yet.
+    pub const fn new(bound: EnergyBound, period: f64) -> Self {
+        Self { stored: bound.stored, leak: bound.leak * period, returned: 0.0, last: None }
+    }
+
+    /// Returns whether all energy that was given back until `tick`, when the key is at
+    /// `position` \[m\], can have been put in before.
+    ///
+    /// Counts the work since the tick before, if [`Self::hold`] told its force; nothing is known
+    /// of the force in ticks that were skipped.
+    ///
+    /// # Real-time
+    ///
+    /// Six operations.
+    pub fn is_passive(&mut self, tick: u64, position: f64) -> bool {
+        if let Some((_, before, force)) = self.last.filter(|(last, ..)| last + 1 == tick) {
+            // Up is positive for forces, down for positions: work on the voice.
+            let supplied = force * (position - before);
+            self.returned = (self.returned - supplied - self.leak).max(0.0);
+        }
+        self.returned <= self.stored
+    }
+
+    /// Notes that `force` \[N\] is held over `tick`, at whose start the key is at `position` \[m\].
+    pub const fn hold(&mut self, tick: u64, position: f64, force: f64) {
+        self.last = Some((tick, position, force));
+    }
+
+    /// Forgets all that was seen: another action, another finger, or a gap.
+    pub const fn reset(&mut self) {
+        (self.returned, self.last) = (0.0, None);
+    }
+
+    /// Energy given back beyond what was put in since \[J\].
+    pub const fn returned(&self) -> f64 {
+        self.returned
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const H: f64 = 1e-3;
+
+    /// An observer that lets no energy be made, but lets `stored` \[J\] come back.
+    fn observer(stored: f64) -> PassivityObserver {
+        PassivityObserver::new(EnergyBound { stored, leak: 0.0 }, H)
+    }
+
+    /// 3 Hz, 5 mm to both sides of 5 mm.
+    fn swinging(tick: u64) -> f64 {
+        5e-3 - 5e-3 * (OMEGA * tick as f64 * H).cos()
+    }
+
+    const OMEGA: f64 = 18.85;
+
+    #[test]
+    fn a_spring_gives_back_what_it_took_and_a_little_more_because_it_is_held() {
+        const STIFFNESS: f64 = 500.0;
+        let mut observer = observer(1.0);
+        for tick in 0..1000 {
+            let x = swinging(tick);
+            assert!(observer.is_passive(tick, x));
+            observer.hold(tick, x, STIFFNESS * x);
+        }
+        // Held over H, it is late by H / 2 and gives back K H / 2 times the integral of v^2,
+        // which is A^2 W pi in each of three periods. Rounded up for what it stores at the end.
+        let per_period = 0.5 * STIFFNESS * H * 25e-6 * OMEGA * core::f64::consts::PI;
+        let returned = observer.returned();
+        let stored = 0.5 * STIFFNESS * 1e-4;
+        assert!((2.9 * per_period..stored + 3.1 * per_period).contains(&returned), "{returned} J");
+    }
+
+    #[test]
+    fn a_damper_gives_nothing_back() {
+        let mut observer = observer(1.0);
+        let mut last = 0.0;
+        for tick in 0..3000 {
+            let x = swinging(tick);
+            assert!(observer.is_passive(tick, x));
+            observer.hold(tick, x, 0.5 * (x - last) / H);
+            last = x;
+        }
+        // It turns round within one tick, and that is all it is late.
+        assert!(observer.returned() < 1e-5, "{} J", observer.returned());
+    }
+
+    #[test]
+    fn a_key_that_its_motor_bangs_is_caught_within_a_stroke() {
+        let mut observer = PassivityObserver::new(EnergyBound::of_force_limit(25.0), H);
+        let mut position = 0.0;
+        // 25 N along with the motion: 10 Hz over 10 mm.
+        let caught = (0..2000).find(|&tick| {
+            let is_passive = observer.is_passive(tick, position);
+            let down = tick / 50 % 2 == 0;
+            observer.hold(tick, position, if down { -25.0 } else { 25.0 });
+            position += if down { 0.2e-3 } else { -0.2e-3 };
+            !is_passive
+        });
+        // 0.25 J are there after the first stroke down, the leak is 2.5 mJ by then.
+        assert!(caught.is_some_and(|tick| tick <= 52), "{caught:?}");
+    }
+
+    #[test]
+    fn what_a_finger_gave_long_ago_is_no_credit() {
+        let mut observer = observer(0.1);
+        observer.hold(0, 0.0, 20.0);
+        assert!(observer.is_passive(1, 1.0), "20 J were put in");
+        observer.hold(1, 1.0, 20.0);
+        assert!(!observer.is_passive(2, 0.99), "0.2 J of them came back");
+    }
+
+    #[test]
+    fn ticks_that_were_skipped_and_actions_that_were_replaced_are_not_counted() {
+        let mut observer = observer(0.1);
+        observer.hold(0, 0.01, 25.0);
+        assert!(observer.is_passive(2, 0.0));
+        observer.hold(2, 0.01, 25.0);
+        observer.reset();
+        assert!(observer.is_passive(3, 0.0));
+        assert!(observer.returned() == 0.0);
+    }
+}
