@@ -191,7 +191,7 @@ fn each_change_is_told_once_whoever_made_it() {
             assert_eq!(told, [("/key/40/g".to_owned(), 8.5)]);
         }
         // And by another instrument.
-        let (instrument, keys) = ("grand-rigid".to_owned(), Some("41".to_owned()));
+        let (instrument, keys) = ("grand-reduced".to_owned(), Some("41".to_owned()));
         ask(switchboard, &Request::UseInstrument { instrument, keys });
         ask(switchboard, &tune(42, "g", 8.5));
         let told = told_until(&mut other, ("/key/42/g", 8.5));

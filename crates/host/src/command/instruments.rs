@@ -107,6 +107,9 @@ pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Fai
         writeln!(out, "Instruments (a scene's `instrument = \"…\"`):")?;
         for it in &instruments {
             writeln!(out, "  {:16} {} ({}, {})", it.name, it.title, it.model, it.preset)?;
+            if let Some(needs) = &it.needs {
+                writeln!(out, "  {:16} needs {needs}", "")?;
+            }
         }
         writeln!(out, "\nModels (`letoff instruments MODEL` shows parameters):")?;
     }

@@ -24,7 +24,7 @@ use crate::session::{Options, Session, SessionError};
   letoff run                                  the default scene, until its piece is over
   letoff run --duration 30 --json             half a minute, with a report for a program
   letoff run bach --virtual-time --midi bach-played.mid
-  letoff run --set tick_hz=4000 --set keys.0.instrument=grand-rigid
+  letoff run --set tick_hz=4000 --set keys.0.instrument=grand-reduced
   letoff run --link serial:/dev/ttyACM0 --link can:can0 --performance none")]
 pub struct RunArgs {
     /// What shall be run.

@@ -2,12 +2,14 @@
 
 use std::path::Path;
 
+use models::Preset;
 use models::catalogue::Entry;
 use serde::Serialize;
 
 use super::diagnostic::Diagnostics;
 use super::document;
 use super::embedded::INSTRUMENTS;
+use super::needs::Needs;
 use super::read::Reader;
 use super::report::Report;
 use super::source::{Missing, Source, refuse};
@@ -22,6 +24,8 @@ pub struct Instrument {
     pub title: String,
     /// What it is, in a sentence or two; may be empty.
     pub doc: String,
+    /// What a scene must have for it to be stable.
+    pub needs: Needs,
     pub(super) voicing: Voicing,
 }
 
@@ -71,14 +75,26 @@ impl Instrument {
         if reader.take("model").is_none() {
             report.miss(reader.place, "the instrument has no model", "add model = \"…\"");
         }
+        let needs = Needs::read(report, reader);
         let voicing = Voicing::read(report, reader);
         let Some(mut voicing) = voicing else {
             reader.take("parameters");
             return None;
         };
         voicing.read_parameters(report, reader);
-        Some(Self { name: source.name.clone(), title, doc, voicing })
+        Some(Self { name: source.name.clone(), title, doc, needs, voicing })
     }
+}
+
+/// The embedded instrument that has `model` with `preset`; the first with that model, if none
+/// has both or no preset is named, since the parameters may be anybody's then.
+///
+/// What is known of an instrument's stability is known of its model, too.
+pub(super) fn known_as(model: &Entry, preset: Option<&Preset>) -> Option<Instrument> {
+    let all = || INSTRUMENTS.names().filter_map(|name| Instrument::load(name).ok());
+    let of_model = |it: &Instrument| it.voicing.model.name == model.name;
+    let same = |it: &Instrument| preset.is_some_and(|preset| it.voicing.preset.name == preset.name);
+    all().find(|it| of_model(it) && same(it)).or_else(|| all().find(of_model))
 }
 
 /// What is listed of an embedded instrument.
@@ -92,17 +108,20 @@ pub struct InstrumentInfo {
     pub model: &'static str,
     /// Name of its preset.
     pub preset: &'static str,
+    /// What a scene must have for it to be stable.
+    pub needs: Option<String>,
 }
 
 /// Every embedded instrument, in the order in which they are listed to people.
 pub fn instruments() -> Vec<InstrumentInfo> {
     let loaded = INSTRUMENTS.names().filter_map(|name| Instrument::load(name).ok());
     loaded
-        .map(|Instrument { name, title, voicing, .. }| InstrumentInfo {
+        .map(|Instrument { name, title, needs, voicing, .. }| InstrumentInfo {
             name,
             title,
             model: voicing.model.name,
             preset: voicing.preset.name,
+            needs: needs.summary(),
         })
         .collect()
 }

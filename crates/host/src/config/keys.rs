@@ -4,7 +4,8 @@ use models::catalogue::Entry;
 
 use super::document::{Node, Value};
 use super::embedded::INSTRUMENTS;
-use super::instrument::Instrument;
+use super::instrument::{Instrument, known_as};
+use super::needs::Loop;
 use super::range::{KeyRange, Refusal};
 use super::read::{self, Reader};
 use super::report::{Place, Report};
@@ -25,7 +26,13 @@ pub struct KeyVoice {
 const KEYS: usize = midi::KEYS as usize;
 
 /// Reads the key ranges; one entry per key, none where it is silent.
-pub(super) fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Vec<Option<KeyVoice>> {
+///
+/// Refuses instruments that are not stable `in_loop`, if there is one.
+pub(super) fn read(
+    report: &mut Report<'_>,
+    reader: &mut Reader<'_>,
+    in_loop: Option<Loop<'_>>,
+) -> Vec<Option<KeyVoice>> {
     let mut voices = vec![None; KEYS];
     let Some(entry) = reader.take("keys") else {
         let help = "add [[keys]] with a range and an instrument";
@@ -42,7 +49,8 @@ pub(super) fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Vec<Opti
     }
     let mut taken = Vec::new();
     for node in ranges {
-        let Some((range, voicing)) = read_range(report, node, &mut taken) else { continue };
+        let read = read_range(report, node, &mut taken, in_loop);
+        let Some((range, voicing)) = read else { continue };
         for key in range.first..=range.last {
             let voice = KeyVoice { model: voicing.model, values: voicing.values(key) };
             voices[usize::from(key)] = Some(voice);
@@ -59,6 +67,7 @@ fn read_range(
     report: &mut Report<'_>,
     node: &Node,
     taken: &mut Vec<Taken>,
+    in_loop: Option<Loop<'_>>,
 ) -> Option<(KeyRange, Voicing)> {
     let mut reader = Reader::new(report, "[keys]", node)?;
     let range = read_bounds(report, &mut reader);
@@ -66,7 +75,7 @@ fn read_range(
         refuse_overlap(report, range, taken);
         taken.push(range);
     }
-    let voicing = read_voicing(report, &mut reader);
+    let voicing = read_voicing(report, &mut reader, in_loop);
     let voicing = if let Some(mut voicing) = voicing {
         voicing.read_parameters(report, &mut reader);
         Some(voicing)
@@ -126,7 +135,11 @@ fn refuse_overlap(report: &mut Report<'_>, (range, place): Taken, taken: &[Taken
 }
 
 /// Reads `instrument`, or `model` and `preset`.
-fn read_voicing(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Voicing> {
+fn read_voicing(
+    report: &mut Report<'_>,
+    reader: &mut Reader<'_>,
+    in_loop: Option<Loop<'_>>,
+) -> Option<Voicing> {
     let model = reader.take("model");
     let preset = reader.take("preset");
     let Some(entry) = reader.take("instrument") else {
@@ -134,7 +147,12 @@ fn read_voicing(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Voic
             let help = "add instrument = \"grand-springs\", or a model and a preset";
             report.miss(reader.place, "these keys have no instrument", help);
         }
-        return Voicing::read(report, reader);
+        let voicing = Voicing::read(report, reader)?;
+        let named = preset.map(|_entry| voicing.preset);
+        if let (Some(entry), Some(known)) = (model, known_as(voicing.model, named)) {
+            refuse_unstable(report, entry.node.place, &known, in_loop);
+        }
+        return Some(voicing);
     };
     for extra in [model, preset].into_iter().flatten() {
         let message =
@@ -142,10 +160,15 @@ fn read_voicing(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Voic
         report.say(extra.place, message, "keep one of the two");
     }
     let name = read::text(report, "instrument", &entry.node)?;
-    read_instrument(report, entry.node.place, &name)
+    read_instrument(report, entry.node.place, &name, in_loop)
 }
 
-fn read_instrument(report: &mut Report<'_>, place: Place, name: &str) -> Option<Voicing> {
+fn read_instrument(
+    report: &mut Report<'_>,
+    place: Place,
+    name: &str,
+    in_loop: Option<Loop<'_>>,
+) -> Option<Voicing> {
     let found = match Source::find(&INSTRUMENTS, name, report.folder(place)) {
         Ok(source) => Instrument::check(&source),
         Err(Missing::Unreadable(diagnostics)) => Err(diagnostics),
@@ -155,10 +178,26 @@ fn read_instrument(report: &mut Report<'_>, place: Place, name: &str) -> Option<
         }
     };
     match found {
-        Ok(instrument) => Some(instrument.voicing),
+        Ok(instrument) => {
+            refuse_unstable(report, place, &instrument, in_loop);
+            Some(instrument.voicing)
+        }
         Err(diagnostics) => {
             report.absorb(diagnostics);
             None
         }
+    }
+}
+
+/// Reports an instrument at `place` that makes energy in the scene's loop.
+fn refuse_unstable(
+    report: &mut Report<'_>,
+    place: Place,
+    instrument: &Instrument,
+    in_loop: Option<Loop<'_>>,
+) {
+    let Some(Loop { tick_hz, render }) = in_loop else { return };
+    if let Some(unmet) = instrument.needs.unmet(&instrument.name, tick_hz, render) {
+        report.say(place, unmet.lacks, unmet.help);
     }
 }

@@ -15,7 +15,7 @@ use super::source::Source;
 const SCENE: [&str; 7] = ["tick_hz", "lanes", "render", "keys", "links", "midi", "pianist"];
 
 /// Names that only an instrument has.
-const INSTRUMENT: [&str; 4] = ["doc", "model", "preset", "parameters"];
+const INSTRUMENT: [&str; 6] = ["doc", "model", "preset", "offline", "stable", "parameters"];
 
 /// What a file is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]

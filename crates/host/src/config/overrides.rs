@@ -38,7 +38,7 @@ pub(super) fn apply(report: &mut Report<'_>, root: &mut Node, overrides: &[Overr
         let place = Place::Override(index);
         let steps: Vec<&str> = name.split('.').map(str::trim).collect();
         if steps.iter().any(|step| step.is_empty()) || DEEPEST < steps.len() {
-            let help = "write it as render.stepper=heun or keys.0.instrument=grand-rigid";
+            let help = "write it as render.stepper=heun or keys.0.instrument=grand-reduced";
             report.say(place, format!("{} is no name of a value", quoted(name)), help);
             continue;
         }

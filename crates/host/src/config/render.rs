@@ -17,7 +17,7 @@ const ERROR_BUDGET: Quantity = Quantity { unit: "1", range: (1e-9, 0.1) };
 const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
 
 /// From a key that hardly moves to one that is hammered.
-const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1e-3, 1e12) };
+pub(super) const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1e-3, 1e12) };
 
 /// A finger holds about 100 N for a moment, and no keyboard needs it to.
 const FORCE_LIMIT: Quantity = Quantity { unit: "N", range: (0.1, 100.0) };

@@ -9,6 +9,7 @@ use super::document::{self, Value};
 use super::embedded::{PERFORMANCES, SCENES};
 use super::keys::{self, KeyVoice};
 use super::links::{self, Links, Rate};
+use super::needs::Loop;
 use super::overrides::{self, Override};
 use super::quantity::Quantity;
 use super::read::{self, Reader};
@@ -20,7 +21,7 @@ use crate::names::{choice, quoted};
 /// The tick's rate on hardware [Hz].
 const DEFAULT_TICK_HZ: u32 = 1000;
 
-const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
+pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
 
 const LANES: Quantity = Quantity { unit: "1", range: (1.0, 16.0) };
 
@@ -96,11 +97,20 @@ impl std::fmt::Debug for PerformanceSource {
     }
 }
 
+/// Whether instruments must be stable in a scene's loop.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Stability {
+    /// Hands and motors are in the loop.
+    Required,
+    /// It has run before, and is looked at again.
+    Recorded,
+}
+
 impl Scene {
     /// Loads the embedded scene of that name, or the file at that path, with `overrides`.
     ///
     /// An override is the dotted path of a value and what it becomes: `tick_hz` and `4000`,
-    /// `keys.0.instrument` and `grand-rigid`, `keys.parameters.restitution` and `0.2`
+    /// `keys.0.instrument` and `grand-reduced`, `keys.parameters.restitution` and `0.2`
     /// (of all key ranges).
     ///
     /// # Errors
@@ -127,23 +137,35 @@ impl Scene {
         Self::check(&source, overrides)
     }
 
-    /// The scene that `text` says, called `name`; relative paths are to the working directory.
+    /// The recorded scene that `text` says, called `name`; relative paths are to the working
+    /// directory.
+    ///
+    /// What was recorded is run again without a hand or a motor, whether it is stable or not.
     ///
     /// # Errors
     ///
     /// All that is wrong with it.
     pub fn from_text(name: &str, text: String) -> Result<Self, Diagnostics> {
-        Self::check(&Source::from_bytes(Path::new(name), text.into_bytes())?, &[])
+        let source = Source::from_bytes(Path::new(name), text.into_bytes())?;
+        Self::read_from(&source, &[], Stability::Recorded)
     }
 
     /// Reads a scene from `source`.
     pub(super) fn check(source: &Source, overrides: &[Override]) -> Result<Self, Diagnostics> {
+        Self::read_from(source, overrides, Stability::Required)
+    }
+
+    fn read_from(
+        source: &Source,
+        overrides: &[Override],
+        stability: Stability,
+    ) -> Result<Self, Diagnostics> {
         let mut report = Report::new(source, overrides);
         let root = document::parse(&mut report);
         let read = root.and_then(|mut root| {
             overrides::apply(&mut report, &mut root, overrides);
             let mut reader = Reader::new(&mut report, &source.name, &root)?;
-            let scene = Self::read(&mut report, &mut reader);
+            let scene = Self::read(&mut report, &mut reader, stability);
             reader.finish(&mut report);
             Some(scene)
         });
@@ -151,14 +173,18 @@ impl Scene {
     }
 
     /// Reads everything, with a default for what is missing or wrong.
-    fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Self {
+    fn read(report: &mut Report<'_>, reader: &mut Reader<'_>, stability: Stability) -> Self {
         let name = report.source().name.clone();
         let title = reader.text(report, "title").map_or_else(|| name.clone(), |(title, _)| title);
         let rate = read_tick_hz(report, reader);
         let tick_hz = rate.map_or(DEFAULT_TICK_HZ, |rate| rate.hz);
         let lanes = read_lanes(report, reader).unwrap_or(Lanes::Auto);
         let render = render::read(report, reader, tick_hz);
-        let keys = keys::read(report, reader);
+        let in_loop = match stability {
+            Stability::Required => Some(Loop { tick_hz, render: &render }),
+            Stability::Recorded => None,
+        };
+        let keys = keys::read(report, reader, in_loop);
         let links = links::read(report, reader, rate);
         let midi = read_midi(report, reader);
         let performance = read_pianist(report, reader);

@@ -115,6 +115,10 @@ impl Switchboard {
 
     fn switch(&self, name: &str, keys: Option<&str>, who: &str) -> Result<String, String> {
         let instrument = Instrument::load(name).map_err(|it| it.to_string())?;
+        let Scene { tick_hz, render, .. } = &self.scene;
+        if let Some(unmet) = instrument.needs.unmet(&instrument.name, *tick_hz, render) {
+            return Err(format!("{}; {}", unmet.lacks, unmet.help));
+        }
         let range = keys_named(keys.unwrap_or("A0..C8"))?;
         let mut playing = self.playing.lock().unwrap_or_else(PoisonError::into_inner);
         let sounding = range.filter(|key| playing.keys[usize::from(*key)].is_some());

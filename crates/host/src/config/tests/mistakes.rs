@@ -121,14 +121,14 @@ fn a_scene_without_keys_is_refused() {
 
 #[test]
 fn a_step_that_no_tick_can_afford_is_refused() {
-    let text = format!("tick_hz = 100\n[render]\nlongest_step = \"2 us\"\n{MINIMAL}");
+    let text = format!("tick_hz = 500\n[render]\nlongest_step = \"2 us\"\n{MINIMAL}");
     check(
         &text,
         &[],
-        "scene.toml:3:16: \"longest_step\" is 2e-6 s, but a tick at 100 Hz may take 992 steps at \
-         most; give at least 10.1 us, or a faster tick",
+        "scene.toml:3:16: \"longest_step\" is 2e-6 s, but a tick at 500 Hz may take 992 steps at \
+         most; give at least 2.1 us, or a faster tick",
     );
-    check(&text.replace("2 us", "10.1 us"), &[], "nothing is wrong");
+    check(&text.replace("2 us", "2.1 us"), &[], "nothing is wrong");
 }
 
 #[test]

@@ -14,10 +14,10 @@ use super::*;
 /// A scene that says no more than it must.
 const MINIMAL: &str = "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-springs\"\n";
 
-/// A rigid model with the paper's parameters below middle C, a grand from there on.
+/// A model with the paper's parameters below middle C, a grand from there on.
 const TWO_RANGES: &str = "[[keys]]
 range = \"A0..B3\"
-model = \"key-hammer-rigid\"
+model = \"key-hammer-springs\"
 preset = \"paper\"
 [[keys]]
 range = \"C4..C8\"

@@ -33,7 +33,7 @@ fn a_scene_of_three_lines_has_a_default_for_all_else() {
 
 #[test]
 fn keys_outside_every_range_are_silent() {
-    let scene = load("[[keys]]\nrange = 60\nmodel = \"key-hammer-rigid\"\n", &[]);
+    let scene = load("[[keys]]\nrange = 60\nmodel = \"key-hammer-springs\"\n", &[]);
     let sounding: Vec<usize> = (0..88).filter(|key| scene.keys[*key].is_some()).collect();
     assert_eq!(sounding, [39]);
     // No preset is named: the first, with the paper's ideal string.
@@ -104,7 +104,7 @@ fn the_last_override_of_a_name_wins_over_the_file() {
     assert_eq!(load(&text, &[("tick_hz", "4000")]).tick_hz, 4000);
     assert_eq!(load(&text, &[("tick_hz", "4000"), ("tick_hz", "5 kHz")]).tick_hz, 5000);
     // What the file says wrongly does not matter then.
-    assert_eq!(load(&text.replace("2000", "2"), &[("tick_hz", "300")]).tick_hz, 300);
+    assert_eq!(load(&text.replace("2000", "2"), &[("tick_hz", "600")]).tick_hz, 600);
 }
 
 #[test]
@@ -142,9 +142,11 @@ fn an_override_of_a_numbered_range_reaches_it_alone() {
 
 #[test]
 fn a_new_voice_replaces_what_the_file_says_of_the_old_one() {
-    let scene = load(TWO_RANGES, &[("keys.0.instrument", "paper-springs")]);
-    check_models(&scene, "key-hammer-springs", "key-hammer-springs");
-    let overrides = [("keys.model", "key-hammer-rigid"), ("keys.preset", "literal")];
+    let scene = load(TWO_RANGES, &[("keys.0.instrument", "cart-pendulum")]);
+    check_models(&scene, "cart-pendulum", "key-hammer-springs");
+    let stable = [("tick_hz", "4000"), ("render.jerk_density", "10")];
+    let model = [("keys.model", "key-hammer-rigid"), ("keys.preset", "literal")];
+    let overrides = [stable, model].concat();
     let scene = load(TWO_RANGES, &overrides);
     check_models(&scene, "key-hammer-rigid", "key-hammer-rigid");
     check_value(&scene, 0, "L1", 4.0);

@@ -1,0 +1,177 @@
+//! `[[stable]]`: with which rate and estimator an instrument is stable in a loop with its key.
+
+use super::document::Node;
+use super::quantity::number;
+use super::read::{self, Reader};
+use super::render::{EstimatorName, JERK_DENSITY, Reconstruction, Render};
+use super::report::Report;
+use super::scene::TICK_HZ;
+
+/// What a scene must have for an instrument to be quiet when its keys are left alone.
+///
+/// It is measured, not derived: `tests/quiet.rs` plays every instrument and leaves it alone. A
+/// key whose loop makes energy is muted while it runs, see [`haptics::PassivityObserver`]; a
+/// scene that is known to end so is refused beforehand.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Needs {
+    /// Why it is for `letoff simulate` only, if it is.
+    offline: Option<String>,
+    /// Rates and estimators with which it is stable, if not with all.
+    stable: Vec<Stable>,
+}
+
+/// Rates and estimators with which an instrument is stable.
+#[derive(Clone, PartialEq, Debug)]
+struct Stable {
+    /// Slowest tick \[Hz\].
+    min_tick_hz: Option<u32>,
+    estimator: Option<EstimatorName>,
+    reconstruction: Option<Reconstruction>,
+    /// Slowest Kalman filter \[m²/s⁵\].
+    min_jerk_density: Option<f64>,
+    /// Quickest Kalman filter \[m²/s⁵\].
+    max_jerk_density: Option<f64>,
+}
+
+/// What a scene lacks, and what would put it right.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Unmet {
+    /// What is needed, and what there is instead.
+    pub lacks: String,
+    /// What to do.
+    pub help: String,
+}
+
+impl Needs {
+    /// Reads `offline` and the tables `stable` of an instrument, of which one must be met.
+    pub(super) fn read(report: &mut Report<'_>, instrument: &mut Reader<'_>) -> Self {
+        let offline = instrument.text(report, "offline").map(|(why, _place)| why);
+        let Some(entry) = instrument.take("stable") else {
+            return Self { offline, stable: Vec::new() };
+        };
+        let tables = read::tables(report, "stable", &entry.node);
+        let stable = tables.iter().filter_map(|node| Stable::read(report, node)).collect();
+        Self { offline, stable }
+    }
+
+    /// What ticks at `tick_hz` with `render` lack for the instrument `name`; nothing if it is
+    /// stable so.
+    pub fn unmet(&self, name: &str, tick_hz: u32, render: &Render) -> Option<Unmet> {
+        if let Some(why) = &self.offline {
+            return Some(Unmet {
+                lacks: format!("{name} is for letoff simulate only: {why}"),
+                help: "choose another instrument".to_owned(),
+            });
+        }
+        let lacking = self.stable.iter().map(|it| it.lacking(tick_hz, render));
+        let nearest = lacking.min_by_key(Vec::len).filter(|lacking| !lacking.is_empty())?;
+        let list = |part: fn(&Lack) -> String| nearest.iter().map(part).collect::<Vec<_>>();
+        let (needed, settings) = (list(|it| it.needed.clone()), list(|it| it.setting.clone()));
+        Some(Unmet {
+            lacks: format!(
+                "{name} needs {}, or its keys make energy when they are left alone",
+                needed.join(", and ")
+            ),
+            help: format!(
+                "set {} for the whole scene, or choose another instrument",
+                settings.join(" and ")
+            ),
+        })
+    }
+
+    /// The same in a few words for lists; nothing if nothing is needed.
+    pub fn summary(&self) -> Option<String> {
+        if let Some(why) = &self.offline {
+            return Some(format!("letoff simulate only: {why}"));
+        }
+        let all: Vec<_> = self.stable.iter().map(Stable::summary).collect();
+        (!all.is_empty()).then(|| all.join("; or "))
+    }
+}
+
+impl Stable {
+    fn read(report: &mut Report<'_>, node: &Node) -> Option<Self> {
+        let mut reader = Reader::new(report, "[stable]", node)?;
+        let estimators = EstimatorName::ALL.map(|all| (all.name(), all));
+        let reconstructions = Reconstruction::ALL.map(|all| (all.name(), all));
+        let stable = Self {
+            min_tick_hz: reader.whole(report, "min_tick_hz", TICK_HZ),
+            estimator: reader.choice(report, "estimator", "there is no estimator", &estimators),
+            reconstruction: reader.choice(
+                report,
+                "reconstruction",
+                "there is no reconstruction",
+                &reconstructions,
+            ),
+            min_jerk_density: reader.number(report, "min_jerk_density", JERK_DENSITY),
+            max_jerk_density: reader.number(report, "max_jerk_density", JERK_DENSITY),
+        };
+        reader.finish(report);
+        Some(stable)
+    }
+
+    fn lacking(&self, tick_hz: u32, render: &Render) -> Vec<Lack> {
+        let kalman = render.estimator == EstimatorName::Kalman;
+        let rate = self.min_tick_hz.filter(|least| tick_hz < *least).map(|least| Lack {
+            needed: format!("tick_hz of at least {least}, not {tick_hz}"),
+            setting: format!("tick_hz={least}"),
+        });
+        let estimator = self.estimator.filter(|it| *it != render.estimator).map(|it| Lack {
+            needed: format!("estimator {}, not {}", it.name(), render.estimator.name()),
+            setting: format!("render.estimator={}", it.name()),
+        });
+        let reconstruction =
+            self.reconstruction.filter(|it| *it != render.reconstruction).map(|it| Lack {
+                needed: format!(
+                    "reconstruction {}, not {}",
+                    it.name(),
+                    render.reconstruction.name()
+                ),
+                setting: format!("render.reconstruction={}", it.name()),
+            });
+        let density = |limit: f64, word: &str| Lack {
+            needed: format!(
+                "jerk_density of at {word} {}, not {}",
+                number(limit),
+                number(render.jerk_density)
+            ),
+            setting: format!("render.jerk_density={}", number(limit)),
+        };
+        let slow = self.min_jerk_density.filter(|least| kalman && render.jerk_density < *least);
+        let quick = self.max_jerk_density.filter(|most| kalman && *most < render.jerk_density);
+        [
+            rate,
+            estimator,
+            reconstruction,
+            slow.map(|least| density(least, "least")),
+            quick.map(|most| density(most, "most")),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
+    fn summary(&self) -> String {
+        let parts = [
+            self.min_tick_hz.map(|it| format!("tick_hz >= {it}")),
+            self.estimator.map(|it| format!("estimator {}", it.name())),
+            self.reconstruction.map(|it| format!("reconstruction {}", it.name())),
+            self.min_jerk_density.map(|it| format!("jerk_density >= {}", number(it))),
+            self.max_jerk_density.map(|it| format!("jerk_density <= {}", number(it))),
+        ];
+        parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// One thing that a scene lacks.
+struct Lack {
+    needed: String,
+    setting: String,
+}
+
+/// Tick rates and estimators of a scene that its instruments are compared with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Loop<'a> {
+    pub(super) tick_hz: u32,
+    pub(super) render: &'a Render,
+}
