@@ -2,7 +2,7 @@
 //!
 //! A tick is in time if its forces are out by its deadline. One that is not has exactly one
 //! cause. With `slack = deadline - due`, the time between due and finished is split into
-//! waking up (`woken - due`), work (the CPU time it needed) and what was stolen in between
+//! waking up (`woken - due`), work (the CPU time it took) and what was stolen in between
 //! (`finished - woken - work`):
 //!
 //! | condition | cause |
@@ -10,6 +10,10 @@
 //! | work alone is longer than the slack | own work: no machine state would have saved it |
 //! | otherwise, waking up took at least as long as was stolen | woken late |
 //! | otherwise | preempted |
+//!
+//! Work is never less than the clock says, whatever other ticks took: what the kernel knows that
+//! a hypervisor stole is not in a thread's CPU time where the kernel accounts for it, and counts
+//! as own work where it does not, rather than that own work is ever called another's.
 //!
 //! A tick that begins late because the one before it was still running did not oversleep: its
 //! lateness has that tick's cause. A tick that was skipped missed its deadline like any other,
@@ -28,8 +32,8 @@ pub struct TickTimes {
     pub woken: Nanos,
     /// When its forces were out.
     pub finished: Nanos,
-    /// CPU time that it needed: the tick's own thread without waiting, and its slowest lane;
-    /// where a hypervisor may steal, what [`crate::pace::Pace`] leaves of it.
+    /// CPU time that it took by its threads' clocks: the tick's own thread without waiting, and
+    /// its slowest lane. Exchange with boards, observation and page faults are part of it.
     pub work: Nanos,
 }
 

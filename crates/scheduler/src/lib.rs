@@ -24,7 +24,6 @@ pub mod deadline;
 pub mod lane;
 pub mod look;
 pub mod motion;
-pub mod pace;
 pub mod port;
 pub mod safety;
 pub mod slot;

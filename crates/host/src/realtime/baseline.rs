@@ -12,6 +12,7 @@ use hdrhistogram::Histogram;
 use scheduler::time::{Nanos, Timetable};
 
 use super::run;
+use super::stolen::stolen;
 use super::thread::{Standing, ask_for_fifo};
 use super::{clock, memory};
 
@@ -20,6 +21,8 @@ use super::{clock, memory};
 pub struct Baseline {
     stop: Arc<AtomicBool>,
     thread: JoinHandle<Measured>,
+    /// Time stolen from all processors before it began [s].
+    stolen: Option<f64>,
 }
 
 /// What the bare timer saw.
@@ -29,6 +32,8 @@ pub struct Measured {
     pub lateness: Histogram<u64>,
     /// How the thread was scheduled.
     pub standing: Standing,
+    /// Time that a hypervisor took from all processors meanwhile, if the kernel counts it [s].
+    pub stolen: Option<f64>,
 }
 
 impl Baseline {
@@ -44,9 +49,10 @@ impl Baseline {
             std::thread::Builder::new().name("letoff-baseline".into()).spawn(move || {
                 let standing = ask_for_fifo(priority);
                 memory::prefault_stack();
-                Measured { lateness: measure(timetable, lateness, &asked), standing }
+                let lateness = measure(timetable, lateness, &asked);
+                Measured { lateness, standing, stolen: None }
             })?;
-        Ok(Self { stop, thread })
+        Ok(Self { stop, thread, stolen: stolen() })
     }
 
     /// Stops the thread, within a period, and returns what it saw.
@@ -54,7 +60,9 @@ impl Baseline {
     /// `None` if it panicked.
     pub fn stop(self) -> Option<Measured> {
         self.stop.store(true, Ordering::Release);
-        self.thread.join().ok()
+        let measured = self.thread.join().ok()?;
+        let stolen = stolen().zip(self.stolen).map(|(after, before)| after - before);
+        Some(Measured { stolen, ..measured })
     }
 }
 

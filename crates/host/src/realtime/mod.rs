@@ -7,6 +7,7 @@
 //! | [`pool`] | voices on one or several threads |
 //! | [`run`] | the loop in real time; [`virtual_time`] the same as fast as it will go |
 //! | [`baseline`] | what the machine does to a thread that does nothing |
+//! | [`stolen`] | what a hypervisor takes from the machine |
 //!
 //! Once a loop runs, its system calls are `clock_gettime`, `clock_nanosleep`, and with several
 //! lanes `futex` and `sched_yield`; nothing here allocates, locks or logs in a tick.
@@ -16,6 +17,7 @@ pub mod clock;
 pub mod memory;
 pub mod pool;
 pub mod run;
+pub mod stolen;
 pub mod thread;
 pub mod virtual_time;
 

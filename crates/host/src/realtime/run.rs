@@ -4,7 +4,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use hdrhistogram::Histogram;
 use scheduler::deadline::{Counters, Ledger, Outcome, TickTimes};
-use scheduler::pace::Pace;
 use scheduler::port::{KeyBus, TickObserver};
 use scheduler::safety::FADE;
 use scheduler::tick::{Scheduler, TickReport};
@@ -76,7 +75,6 @@ pub struct Timings {
     /// Voices' turns that were not ready in time and were held.
     pub late_turns: u64,
     ledger: Ledger,
-    pace: Box<Pace>,
 }
 
 impl Timings {
@@ -91,7 +89,6 @@ impl Timings {
             work: histogram()?,
             late_turns: 0,
             ledger: Ledger::default(),
-            pace: Box::default(),
         })
     }
 
@@ -106,9 +103,7 @@ impl Timings {
         self.turnaround.saturating_record(times.turnaround().as_u64());
         self.work.saturating_record(times.work.as_u64());
         self.late_turns += u64::from(report.voices.late);
-        let work = report.voices.work;
-        let needed = self.pace.needed(work.derivatives + work.guards, times.work);
-        self.ledger.enter(&TickTimes { work: needed, ..*times }, report.skipped)
+        self.ledger.enter(times, report.skipped)
     }
 }
 
@@ -181,4 +176,34 @@ const fn patience(timetable: Timetable, deadline: Nanos) -> Patience {
     let period = timetable.period().span(1);
     let reserve = Nanos::new(period.as_u64() / RESERVE);
     Patience::Until { time: deadline.before(reserve), share: period.since(reserve) }
+}
+
+#[cfg(test)]
+mod tests {
+    use scheduler::lane::LaneReport;
+    use scheduler::safety::SafetyReport;
+    use scheduler::voice::Work;
+
+    use super::*;
+
+    /// Links, telemetry and page faults take time that no evaluation explains.
+    #[test]
+    fn a_tick_that_worked_too_long_is_own_work_however_quick_as_many_evaluations_once_were() {
+        let mut timings = Timings::new().unwrap();
+        let mut enter = |tick: u64, work: u64| {
+            let due = Nanos::from_millis(tick);
+            let finished = due.after(Nanos::from_micros(work));
+            let deadline = due.after(Nanos::from_millis(1));
+            let times =
+                TickTimes { due, deadline, woken: due, finished, work: Nanos::from_micros(work) };
+            let work = Work { derivatives: 400, guards: 100, events: 0 };
+            let voices = LaneReport { work, ..LaneReport::default() };
+            let safety = SafetyReport::default();
+            let report = TickReport { tick, due, deadline, skipped: 0, voices, safety };
+            timings.enter(Nanos::ZERO, &report, &times)
+        };
+        assert_eq!(enter(0, 30), Outcome::Met);
+        assert_eq!(enter(1, 1500), Outcome::Missed(scheduler::deadline::Cause::OwnWork));
+        assert_eq!(timings.counters().missed_own_work, 1);
+    }
 }

@@ -87,6 +87,9 @@ pub struct Deadline {
     pub missed_woken_late: u64,
     /// Of these, because the system took the processor away.
     pub missed_preempted: u64,
+    /// Time that a hypervisor took from all processors during the run, as the kernel counts it
+    /// [s]; none where it does not.
+    pub stolen_s: Option<f64>,
     /// Woken − due.
     pub lateness_us: Quantiles,
     /// CPU time of a tick.
@@ -242,6 +245,12 @@ impl Deadline {
             "  deadlines   {} missed: {} own work, {} woken late, {} preempted; {skipped} of these never run",
             self.missed, self.missed_own_work, self.missed_woken_late, self.missed_preempted
         )?;
+        if let Some(stolen) = self.stolen_s {
+            writeln!(
+                f,
+                "              {stolen:.2} s were stolen from the processors, by the kernel's count"
+            )?;
+        }
         writeln!(f, "              [us]        p50      p99    p99.9      max")?;
         for (name, q) in [
             ("lateness", &self.lateness_us),

@@ -29,6 +29,7 @@ impl Measured {
             missed_own_work: counters.missed_own_work,
             missed_woken_late: counters.missed_woken_late,
             missed_preempted: counters.missed_preempted,
+            stolen_s: baseline.and_then(|it| it.stolen),
             lateness_us: Quantiles::of(&timings.lateness),
             work_us: Quantiles::of(&timings.work),
             turnaround_us: Quantiles::of(&timings.turnaround),
