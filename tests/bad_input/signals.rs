@@ -25,7 +25,8 @@ fn interrupted_it_ends_all_notes_and_reports() {
 #[track_caller]
 fn check_stopped_by(name: &str, signal: Signal) {
     let folder = folder(name);
-    let arguments = ["run", "bach", "--duration", "60", "--midi", "played.mid", "--json"];
+    let arguments =
+        ["run", "bach", "--duration", "60", "--midi", "played.mid", "--json", "--quiet"];
     // Nothing of an earlier run may be taken for this one's.
     fs::write(folder.join("played.mid"), []).expect("an empty file");
     let mut child = start(&folder, &arguments);

@@ -10,13 +10,17 @@ use crate::rig::{
     run, wait_for,
 };
 
-/// A host in `folder` in the middle of its piece: it listens once it has rehearsed.
+/// A host in `folder` in the middle of its piece: its tick's thread is there once it has rehearsed.
 fn playing(folder: &Path, links: &[String]) -> Child {
-    let socket = folder.join("socket");
-    // One that was killed leaves it behind.
-    let _none = std::fs::remove_file(&socket);
     let host = letoff::start(folder, &arguments(links, &["--duration", "20"]));
-    wait_for("the host's socket", || socket.exists());
+    let tasks = format!("/proc/{}/task", host.id());
+    let is_tick = |task: std::io::Result<std::fs::DirEntry>| {
+        let name = task.and_then(|task| std::fs::read_to_string(task.path().join("comm")));
+        name.is_ok_and(|name| name.trim() == "letoff-tick")
+    };
+    wait_for("the host's tick", || {
+        std::fs::read_dir(&tasks).is_ok_and(|mut tasks| tasks.any(is_tick))
+    });
     std::thread::sleep(Duration::from_secs(3));
     host
 }

@@ -134,7 +134,8 @@ impl Desk {
                 None
             }
             Ok(Reply::Done { .. }) if is_tuned => None,
-            Ok(Reply::Done { text }) => Some(Ok(text)),
+            Ok(Reply::Stopped { text, told, boards }) if told < boards => Some(Err(text)),
+            Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => Some(Ok(text)),
             Ok(Reply::Where { address, token: _ }) => Some(Ok(address)),
             Err(text) => {
                 let level = log::Level::Error.into();
@@ -241,7 +242,7 @@ impl Desk {
 /// An answer in a sentence.
 fn told(result: &Result<Reply, String>) -> Result<String, String> {
     match result {
-        Ok(Reply::Done { text }) => Ok(text.clone()),
+        Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => Ok(text.clone()),
         // Another answer than it should be, but an answer.
         Ok(Reply::Scene { .. } | Reply::Where { .. }) => Ok("done".to_owned()),
         Err(text) => Err(text.clone()),

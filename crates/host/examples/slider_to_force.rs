@@ -13,7 +13,7 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use hdrhistogram::Histogram;
 use host::config::Scene;
-use host::control::{StreamSink, Studio, Switchboard};
+use host::control::{Folders, StreamSink, Studio, Switchboard};
 use host::session::{Options, Session};
 use telemetry::request::Change;
 use telemetry::stream::{Client, Dial, Server, Settings, serve};
@@ -42,7 +42,7 @@ fn main() {
     };
     let dial = Dial { address: server.url(), ..Dial::default() };
     session.observe(Box::new(StreamSink::new(server.publisher())));
-    runtime.spawn(serve(server, Arc::new(Studio(switchboard))));
+    runtime.spawn(serve(server, Arc::new(Studio::new(switchboard, Folders::default()))));
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {
         let host = scope.spawn(|| session.run(&stop));

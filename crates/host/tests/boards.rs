@@ -2,15 +2,20 @@
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod common;
+mod typed;
 
+use std::fs::File;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 
 use hardware::calibration::file;
 use hardware::sim::board::BoardMake;
 use serde_json::Value;
 
 use common::{Board, make};
+use firmware_protocol::frame::hello::safe_reason;
+use rustix::process::{Pid, Signal, kill_process};
+use typed::{Folder, eventually};
 
 fn letoff(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_letoff"));
@@ -178,5 +183,61 @@ fn all_links_that_cannot_be_opened_are_said_at_once() {
         let err = text(&said.stderr);
         assert_eq!(said.status.code(), Some(1), "{err}");
         assert!(err.contains("no-such-1") && err.contains("no-such-2"), "{err}");
+    }
+}
+
+/// Starts `letoff` in `folder`; what it complains of is in the file `complaints`.
+fn start(folder: &Folder, arguments: &[&str]) -> Child {
+    let mut command = folder.command(Path::new(env!("CARGO_BIN_EXE_letoff")), arguments);
+    command.stdout(Stdio::null()).stderr(File::create(folder.join("complaints")).expect("a file"));
+    command.spawn().expect("a process")
+}
+
+#[test]
+fn a_headless_host_says_what_becomes_of_its_boards_and_who_stops_it() {
+    let (board, folder) = (Board::start(make(2, 11)), Folder::new("headless"));
+    let link = board.link();
+    let listen = ["--listen", "127.0.0.1:0", "--black-box", "none"];
+    let run = ["run", "--link", &link, "--performance", "none", "--midi", "none"];
+    let mut host = start(&folder, &[&run[..], &listen].concat());
+    let complaints = || folder.read("complaints");
+    let says = |words: &str| eventually(words, || complaints().contains(words).then_some(()));
+    says("letoff: plays \"default\": 88 voices at 1000 Hz on boards on 1 links; MIDI: none\n");
+    says("letoff: streams at ws://127.0.0.1:");
+    says(&format!("letoff: board 2 on {}, G2 to F3: armed\n", board.port.display()));
+    let (code, out, err) = folder.letoff(&["stop"]);
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    assert!(out.starts_with("stopped: 1 of 1 boards were told"), "{out}");
+    assert!(host.wait().expect("it ends").success(), "{}", complaints());
+    says("letoff: stop asked for by `letoff stop`\n");
+    assert!(complaints().lines().all(|line| line.starts_with("letoff: ")), "{}", complaints());
+    assert_eq!(board.stop().board().safe_reason(), safe_reason::EMERGENCY_STOP);
+}
+
+#[test]
+fn calibration_is_stopped_as_a_run_is() {
+    let ends = [(None, safe_reason::EMERGENCY_STOP), (Some(Signal::TERM), safe_reason::DISARMED)];
+    for (signal, reason) in ends {
+        let (board, folder) = (Board::start(make(3, 2)), Folder::new("calibrate-stopped"));
+        let (link, files) = (board.link(), folder.display().to_string());
+        let mut calibrate = start(&folder, &["calibrate", "--link", &link, "--folder", &files]);
+        eventually("a socket", || folder.socket().exists().then_some(()));
+        // Forces go out from here on; how far it is by then does not matter.
+        eventually("it is armed", || board.is_armed().then_some(()));
+        match signal {
+            None => {
+                let (code, out, err) = folder.letoff(&["stop"]);
+                assert_eq!((code, err.as_str()), (Some(0), ""));
+                assert!(out.starts_with("stopped: 1 of 1 boards"), "{out}");
+            }
+            Some(signal) => {
+                let id = i32::try_from(calibrate.id()).ok().and_then(Pid::from_raw);
+                kill_process(id.expect("a process"), signal).expect("it is there");
+            }
+        }
+        assert_eq!(calibrate.wait().expect("it ends").code(), Some(1));
+        assert!(folder.read("complaints").contains("stopped at board 3"), "{signal:?}");
+        assert!(!file::path(&folder, board.uid).exists());
+        assert_eq!(board.stop().board().safe_reason(), reason, "{signal:?}");
     }
 }

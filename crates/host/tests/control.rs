@@ -4,14 +4,19 @@
 
 mod common;
 
+use std::fs::{self, Permissions};
 use std::io::{BufRead as _, BufReader, Write as _};
-use std::os::unix::net::UnixStream;
+use std::os::unix::fs::PermissionsExt as _;
+use std::os::unix::net::{UnixListener, UnixStream};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
 use common::run_while;
 use host::config::Scene;
-use host::control::{Clients, ControlError, Reply, Request, Server, Switchboard, send, serve};
+use host::control::{
+    Clients, ControlError, Reply, Request, Server, Switchboard, send, send_within, serve,
+};
 use host::report::Report;
 use host::session::{Options, Session};
 use telemetry::request::Change;
@@ -51,7 +56,7 @@ fn ask(path: &Path, request: &Request) -> Result<String, String> {
             Err(why) if why.contains("not running yet") => std::thread::yield_now(),
             Err(why) => return Err(why),
             Ok(Reply::Done { text }) => return Ok(text),
-            Ok(reply @ (Reply::Scene { .. } | Reply::Where { .. })) => {
+            Ok(reply @ (Reply::Stopped { .. } | Reply::Scene { .. } | Reply::Where { .. })) => {
                 return Err(format!("{reply:?}"));
             }
         }
@@ -133,6 +138,69 @@ fn a_second_host_does_not_take_the_socket_and_an_old_one_is_replaced() {
     drop(first);
     assert!(matches!(send(&path, &request("x", None)), Err(ControlError::NoHost { .. })));
     // As after SIGKILL: the file is there, nobody listens.
-    drop(std::os::unix::net::UnixListener::bind(&path).expect("a left-over"));
+    drop(UnixListener::bind(&path).expect("a left-over"));
     assert!(Server::listen(&path).is_ok());
+}
+
+/// A runtime in which a socket is listened at.
+fn runtime() -> tokio::runtime::Runtime {
+    tokio::runtime::Builder::new_current_thread().enable_all().build().expect("a runtime")
+}
+
+/// Why nobody may listen at `path`.
+fn refused(path: &Path) -> String {
+    Server::listen(path).expect_err("it is refused").to_string()
+}
+
+#[test]
+fn what_is_no_socket_of_this_user_s_is_left_alone() {
+    let (path, runtime) = (socket("left-alone"), runtime());
+    let _inside = runtime.enter();
+    let folder = path.parent().expect("a folder");
+    fs::create_dir_all(folder).expect("a folder");
+    fs::set_permissions(folder, Permissions::from_mode(0o700)).expect("a folder");
+    let file = folder.join("precious");
+    fs::write(&file, "a year's work").expect("a file");
+    assert!(refused(&file).contains("no socket, and is left alone"), "{}", refused(&file));
+    std::os::unix::fs::symlink(&file, &path).expect("a link");
+    assert!(refused(&path).contains("no socket"), "{}", refused(&path));
+    assert_eq!(fs::read_to_string(&file).expect("the file"), "a year's work");
+    fs::remove_file(&path).expect("the link");
+    // Nor is what somebody put there meanwhile taken away at the end.
+    let server = Server::listen(&path).expect("a socket");
+    let mode = fs::metadata(&path).expect("a socket").permissions().mode();
+    assert_eq!(mode & 0o777, 0o600);
+    fs::remove_file(&path).expect("the socket");
+    fs::write(&path, "another's").expect("a file");
+    drop(server);
+    assert!(path.exists());
+}
+
+#[test]
+fn a_folder_in_which_others_can_put_a_socket_is_refused_and_none_is_made_out_of_nothing() {
+    let (path, runtime) = (socket("others"), runtime());
+    let _inside = runtime.enter();
+    let folder = path.parent().expect("a folder");
+    fs::create_dir_all(folder).expect("a folder");
+    fs::set_permissions(folder, Permissions::from_mode(0o777)).expect("a folder");
+    assert!(refused(&path).contains("others can write into"), "{}", refused(&path));
+    fs::set_permissions(folder, Permissions::from_mode(0o700)).expect("a folder");
+    assert!(Server::listen(&path).is_ok());
+    let nowhere = folder.join("no/such/folder/sock");
+    assert!(refused(&nowhere).contains("there is no folder"), "{}", refused(&nowhere));
+    assert!(!folder.join("no").exists());
+}
+
+#[test]
+fn a_host_that_hangs_is_named_by_its_process_with_what_to_do() {
+    let path = socket("hangs");
+    fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+    let _left_over = fs::remove_file(&path);
+    let _hangs = UnixListener::bind(&path).expect("a socket");
+    let said = send_within(Duration::from_millis(50), &path, &Request::Stop {});
+    let said = said.expect_err("nobody answers").to_string();
+    let own = std::process::id();
+    for words in [&format!("(process {own})"), "watchdogs", &format!("`kill -KILL {own}`")] {
+        assert!(said.contains(words), "{said}");
+    }
 }

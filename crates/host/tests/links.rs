@@ -85,7 +85,7 @@ fn boards_are_seen_show_their_light_and_are_missed_when_they_die() {
         links(told, |it| before + 1_500 < it.boards[1].samples && is_well(&it.boards[1]));
 
         // What becomes of a board is told; a busy machine may tell of the other one too.
-        assert_eq!((three.stop().lights(), patchbay.is_alarmed()), (0, false));
+        assert_eq!((three.stop().lights(), patchbay.emergency.is_asked()), (0, false));
         let port = &seen.lines[0].name;
         told_until(told, &format!("{port} is down now"));
         told_until(told, &format!("board 3 on {port} is silent now"));

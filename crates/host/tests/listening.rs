@@ -7,12 +7,15 @@ mod stranger;
 mod typed;
 
 use std::fs::{File, Permissions};
+use std::io::{Read as _, Write as _};
 use std::os::unix::fs::PermissionsExt as _;
+use std::os::unix::net::UnixListener;
+use std::os::unix::process::CommandExt as _;
 use std::path::Path;
-use std::process::Child;
+use std::process::{Child, Command, Stdio};
 
-use host::control::{Reply, Request, send};
-use rustix::process::{Pid, Signal, kill_process};
+use host::control::{ControlError, Reply, Request, send};
+use rustix::process::{Pid, Signal, getuid, kill_process};
 use stranger::Stranger;
 use telemetry::request::Change;
 use telemetry::stream::{Client, Dial, Fingerprint};
@@ -86,23 +89,33 @@ fn refusal(dial: Dial) -> String {
     why
 }
 
-/// What becomes of setting a value of key 39, once the host runs.
-fn set(dial: Dial) -> Result<(), String> {
+/// A client that is in.
+fn connected(dial: Dial) -> Client {
     let mut client = Client::connect(dial, None);
     eventually("a connection", || (client.next() == Some(Arrival::Anew)).then_some(()));
-    let changes = vec![Change { key: 39, parameter: "k2".into(), value: 900.0 }];
-    let mut ticket = client.ask(Request::Set { changes: changes.clone() });
+    client
+}
+
+/// What becomes of `request`, once the host runs.
+fn asked(client: &mut Client, request: &Request) -> Result<Reply, String> {
+    let mut ticket = client.ask(request.clone());
     eventually("an answer", || match client.next()? {
         Arrival::Reply { ticket: of, result } if of == ticket => {
             // It listens before its first tick.
             let is_early = result.as_ref().is_err_and(|why| why.contains("not running yet"));
             if is_early {
-                ticket = client.ask(Request::Set { changes: changes.clone() });
+                ticket = client.ask(request.clone());
             }
-            (!is_early).then(|| result.map(drop))
+            (!is_early).then_some(result)
         }
         Arrival::Reply { .. } | Arrival::Update { .. } | Arrival::Anew => None,
     })
+}
+
+/// What becomes of setting a value of key 39, once the host runs.
+fn set(dial: Dial) -> Result<(), String> {
+    let changes = vec![Change { key: 39, parameter: "k2".into(), value: 900.0 }];
+    asked(&mut connected(dial), &Request::Set { changes }).map(drop)
 }
 
 const LOOPBACK: [&str; 2] = ["--listen", "127.0.0.1:0"];
@@ -191,7 +204,11 @@ fn only_pages_that_are_named_may_connect() {
     let folder = Folder::new("origin");
     let ours = "https://app.example";
     let host = Host::start(&folder, &[&LOOPBACK[..], &["--origin", ours]].concat());
-    let knock = |headers: &[(&str, &str)]| Stranger::knock(&host.address, headers).err();
+    let bearer = format!("Bearer {}", host.token.as_deref().expect("a secret of this run"));
+    let knock = |headers: &[(&str, &str)]| {
+        let headers = [&[("Authorization", bearer.as_str())], headers].concat();
+        Stranger::knock(&host.address, &headers).err()
+    };
     assert_eq!(knock(&[]), None, "a program, which is of no page");
     assert_eq!(knock(&[("Origin", ours)]), None);
     for foreign in ["https://evil.example", "http://app.example", "null"] {
@@ -245,4 +262,177 @@ fn a_certificate_that_cannot_be_had_is_refused_in_a_sentence() {
     // Its folder cannot be made.
     folder.write(".local", "a file");
     refused("self-made", &["cannot be kept in", ".local/state/letoff"]);
+}
+
+#[test]
+fn a_client_names_files_in_its_folders_only_and_reads_no_others() {
+    let folder = Folder::new("files");
+    std::fs::create_dir(folder.join("instruments")).expect("a folder");
+    folder.write("instruments/broken.toml", "model = \"no-such-model\"\n");
+    folder.write("secret", "passphrase = \"open sesame\"\n");
+    let folders = ["--recordings", "takes", "--instruments", "instruments"];
+    let host = Host::start(&folder, &[&LOOPBACK[..], &folders].concat());
+    let mut client = connected(host.dial(host.token.as_deref()));
+    let mut ask = |request| asked(&mut client, &request);
+    let uses =
+        |instrument: &str| Request::UseInstrument { instrument: instrument.into(), keys: None };
+    let secret = folder.join("secret").display().to_string();
+    for foreign in [secret.as_str(), "secret", "../secret", "/etc/passwd"] {
+        let refused = ask(uses(foreign)).expect_err(foreign);
+        assert!(
+            refused.contains("no instrument") && refused.contains("in instruments"),
+            "{refused}"
+        );
+        assert!(!refused.contains("sesame") && !refused.contains("root"), "{refused}");
+    }
+    assert!(ask(uses("broken")).expect_err("no good file").contains("no-such-model"));
+    assert!(ask(uses("spring-wall")).is_ok());
+    let records = |file: &str| Request::Record { file: Some(file.into()) };
+    let elsewhere = folder.join("elsewhere.mcap").display().to_string();
+    for foreign in [elsewhere.as_str(), "../elsewhere.mcap", "a/elsewhere.mcap", "authorized_keys"]
+    {
+        let refused = ask(records(foreign)).expect_err(foreign);
+        assert!(refused.contains("recordings go into takes"), "{refused}");
+    }
+    assert!(ask(records("one.mcap")).is_ok());
+    assert!(ask(Request::Record { file: None }).is_ok());
+    assert!(folder.join("takes/one.mcap").exists() && !folder.join("elsewhere.mcap").exists());
+}
+
+#[test]
+fn whoever_watches_may_stop_and_hears_what_was_done_before_the_stream_ends() {
+    let folder = Folder::new("stop-stream");
+    tokens(&folder, "viewer see\nowner own\n");
+    let mut host = Host::start(&folder, &[&LOOPBACK[..], &["--tokens", "tokens"]].concat());
+    let mut viewer = connected(host.dial(Some("see")));
+    let other = connected(host.dial(Some("own")));
+    let reply = asked(&mut viewer, &Request::Stop {});
+    let Ok(Reply::Stopped { told, boards, .. }) = reply else { unreachable!("{reply:?}") };
+    // By either way it is said how many; before the first tick none was armed.
+    assert!(told == boards && (boards == 8 || boards == 0), "{told} of {boards}");
+    for client in [&viewer, &other] {
+        let why = eventually("the end", || {
+            if let Standing::Lost(why) = client.standing() { Some(why) } else { None }
+        });
+        assert!(why.contains("the host was stopped"), "{why}");
+    }
+    assert!(host.child.wait().expect("it ends").success());
+}
+
+#[test]
+fn a_stop_while_a_piece_is_rehearsed_is_heard_at_once_and_nothing_is_played() {
+    let folder = Folder::new("stop-early");
+    let letoff = Path::new(env!("CARGO_BIN_EXE_letoff"));
+    let run = ["run", "bach", "--midi", "none", "--listen", "none", "--json"];
+    let mut host = folder.command(letoff, &run);
+    host.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let host = host.spawn().expect("a process");
+    eventually("a socket", || folder.socket().exists().then_some(()));
+    let (code, out, err) = folder.letoff(&["stop"]);
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    assert_eq!(out, "stopped before any board was armed: nothing will play\n");
+    let ended = host.wait_with_output().expect("it ends");
+    assert_eq!(ended.status.code(), Some(0));
+    assert_eq!(String::from_utf8_lossy(&ended.stdout), "");
+    let said = String::from_utf8_lossy(&ended.stderr).into_owned();
+    assert_eq!(said, "letoff: stopped before it began to play\n");
+    assert!(!folder.socket().exists());
+}
+
+#[test]
+fn an_address_that_is_taken_may_be_free_later() {
+    let folder = Folder::new("taken");
+    let taken = std::net::TcpListener::bind("127.0.0.1:0").expect("a port");
+    let address = taken.local_addr().expect("an address").to_string();
+    let run = ["run", "--performance", "none", "--midi", "none", "--listen", &address];
+    folder.refuses(&run, 1, &["cannot listen", &address]);
+}
+
+/// The least of all users.
+const NOBODY: u32 = 65_534;
+
+/// Says to the process of [`the_other_user`] where the host is that it is to try.
+const VICTIM: &str = "LETOFF_TEST_VICTIM";
+
+/// What another user of the machine tries, in a process of their own; nothing in any other.
+#[test]
+fn the_other_user() {
+    let Ok(victim) = std::env::var(VICTIM) else { return };
+    let (address, rest) = victim.split_once(' ').expect("an address");
+    let (socket, tmp) = rest.split_once(' ').expect("paths");
+    let dial = |token: Option<&str>| Dial {
+        address: address.into(),
+        token: token.map(str::to_owned),
+        pin: None,
+    };
+    // Not in, nothing is read, recorded, changed or stopped; by the socket neither.
+    for token in [None, Some(""), Some("owner"), Some("own")] {
+        assert!(refusal(dial(token)).contains("asks for a token"), "{token:?}");
+    }
+    for request in [Request::Where {}, Request::Stop {}, Request::Record { file: None }] {
+        let refused = send(Path::new(socket), &request).expect_err("another user's host");
+        assert!(matches!(refused, ControlError::NotYours { .. }), "{refused}");
+    }
+    // In the place where root's host would listen without a runtime folder.
+    let folder = Path::new(tmp).join("letoff-0");
+    std::fs::create_dir(&folder).expect("the sticky folder is everybody's");
+    std::fs::set_permissions(&folder, Permissions::from_mode(0o777)).expect("a folder");
+    let path = folder.join("letoff.sock");
+    let listener = UnixListener::bind(&path).expect("a socket");
+    std::fs::set_permissions(&path, Permissions::from_mode(0o777)).expect("a socket");
+    std::fs::write(Path::new(tmp).join("tried"), "").expect("a file");
+    for stream in listener.incoming() {
+        let mut stream = stream.expect("a client");
+        let _sent = stream.write_all(b"{\"Ok\":{\"reply\":\"done\",\"text\":\"stopped\"}}\n");
+        let mut heard = String::new();
+        let _ended = stream.read_to_string(&mut heard);
+        std::fs::write(Path::new(tmp).join("heard"), heard).expect("a file");
+    }
+}
+
+#[test]
+fn another_user_of_this_machine_reads_writes_changes_and_stops_nothing() {
+    if !getuid().is_root() {
+        println!("SKIPPED: only root can try it as another user");
+        return;
+    }
+    let folder = Folder::shared("other-user");
+    let mut host = Host::start(&folder, &LOOPBACK);
+    let tmp = folder.join("tmp");
+    std::fs::create_dir(&tmp).expect("a folder");
+    std::fs::set_permissions(&tmp, Permissions::from_mode(0o1777)).expect("a folder");
+    let own = std::env::current_exe().expect("this test");
+    std::fs::copy(own, folder.join("test")).expect("a copy that others may run");
+    let victim = format!("{} {} {}", host.address, folder.socket().display(), tmp.display());
+    let mut other = Command::new(folder.join("test"));
+    other.args(["--exact", "the_other_user", "--nocapture"]).env(VICTIM, victim);
+    other.current_dir(&tmp).uid(NOBODY).gid(NOBODY).stdin(Stdio::null());
+    other.stdout(Stdio::null()).stderr(File::create(folder.join("tried")).expect("a file"));
+    let mut other = other.spawn().expect("another user");
+    eventually("all is tried", || {
+        let ended = other.try_wait().expect("a process");
+        assert!(ended.is_none(), "it got through: {}", folder.read("tried"));
+        tmp.join("tried").exists().then_some(())
+    });
+    // Root does not believe them, and listens nowhere where they could answer.
+    let letoff = |arguments: &[&str]| {
+        let mut command = folder.command(Path::new(env!("CARGO_BIN_EXE_letoff")), arguments);
+        command.env_remove("LETOFF_SOCKET").env_remove("XDG_RUNTIME_DIR").env("TMPDIR", &tmp);
+        let output = command.output().expect("a process");
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let (code, err) = letoff(&["stop"]);
+    assert!(code == Some(1) && err.contains("user 65534's and no host of yours"), "{err}");
+    let run = ["run", "--performance", "none", "--midi", "none", "--duration", "0.1"];
+    let (_code, err) = letoff(&[&run[..], &LOOPBACK].concat());
+    assert!(err.contains("belongs to user 65534"), "{err}");
+    other.kill().and_then(|()| other.wait()).expect("it ends");
+    let heard = std::fs::read_to_string(tmp.join("heard")).unwrap_or_default();
+    assert_eq!(heard, "", "not even a request was told to them");
+    // The host is as it was, and its own user does all of it.
+    let mut owner = connected(host.dial(host.token.as_deref()));
+    let changes = vec![Change { key: 39, parameter: "k2".into(), value: 901.0 }];
+    assert!(asked(&mut owner, &Request::Set { changes }).is_ok());
+    assert!(asked(&mut owner, &Request::Stop {}).is_ok());
+    assert!(host.child.wait().expect("it ends").success());
 }

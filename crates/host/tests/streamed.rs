@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use common::run_while;
 use host::config::Scene;
-use host::control::{StreamSink, Studio, Switchboard};
+use host::control::{Folders, StreamSink, Studio, Switchboard};
 use host::session::{Options, Session};
 use stranger::Stranger;
 use telemetry::request::Change;
@@ -41,7 +41,8 @@ fn beside_a_host(clients: impl FnOnce(&str, &Switchboard)) {
     };
     let address = server.url();
     session.observe(Box::new(StreamSink::new(server.publisher())));
-    runtime.spawn(serve(server, Arc::new(Studio(Arc::clone(&switchboard)))));
+    runtime
+        .spawn(serve(server, Arc::new(Studio::new(Arc::clone(&switchboard), Folders::default()))));
     run_while(session, || clients(&address, &switchboard));
 }
 
@@ -199,5 +200,25 @@ fn each_change_is_told_once_whoever_made_it() {
         assert!(0 < of_key("/key/") && of_key("/key/42/") == 1, "{told:?}");
         assert_eq!(of_key("/key/42/") + of_key("/key/20/"), told.len(), "{told:?}");
         assert!((get(&mut one, "/key/39/k2") - 20_000.5).abs() < f64::EPSILON);
+    });
+}
+
+#[test]
+fn a_key_comes_up_when_the_client_that_pressed_it_goes() {
+    beside_a_host(|address, _switchboard| {
+        let dial = || Dial { address: address.into(), ..Dial::default() };
+        let (mut presses, mut watches) =
+            (Client::connect(dial(), None), Client::connect(dial(), None));
+        watches.follow(&BTreeSet::from([Topic::Block(39)]));
+        // Not before it runs.
+        wait(&mut watches, update);
+        presses.ask(Request::Press { key: 39, newtons: 3.0 });
+        let is_at = |arrival, there: &dyn Fn(f64) -> bool| {
+            let Update::Block(block) = update(arrival)? else { return None };
+            block.position.last().copied().filter(|position| there(*position)).map(drop)
+        };
+        wait(&mut watches, |arrival| is_at(arrival, &|position| 8e-3 < position));
+        drop(presses);
+        wait(&mut watches, |arrival| is_at(arrival, &|position| position < 1e-3));
     });
 }

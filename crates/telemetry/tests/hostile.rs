@@ -222,6 +222,8 @@ fn a_flood_of_which_nothing_is_read() {
         }
         scene.is_served();
     }
+    // Whoever is cut takes its fingers from the keys.
+    eventually("the host hears of all three", || scene.stage.host.gone().len() == 3);
 }
 
 #[test]
@@ -276,6 +278,7 @@ fn a_client_that_is_gone_without_a_word_is_forgotten() {
     eventually("it follows", || stage.publisher.is_followed(Topic::Block(KEY)));
     // Its connection stays open, but it answers no ping.
     eventually("it is forgotten", || !stage.publisher.is_followed(Topic::Block(KEY)));
+    eventually("the host hears of it", || !stage.host.gone().is_empty());
     while stranger.hear().is_ok() {}
 }
 

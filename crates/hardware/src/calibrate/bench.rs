@@ -49,16 +49,29 @@ impl Resting {
 
     const fn outcome(self) -> Result<Rested, Fault> {
         match self {
-            Self::At(_) => Err(Self::SILENT),
+            Self::At(_) => Err(Fault::Stopped),
             Self::Done(outcome) => outcome,
         }
     }
 }
 
+/// How measurements are ended from outside.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Ending {
+    /// The push on the key is taken back gently.
+    Gently,
+    /// The boards were told to render no force.
+    AtOnce,
+}
+
+/// Looks whether measurements are to end, before each exchange.
+type Watch = Box<dyn FnMut(&mut Keybed<Armed>) -> Option<Ending>>;
+
 /// Armed boards whose keys are measured; all but the one at work feel no force.
-#[derive(Debug)]
 pub struct Bench {
     keybed: Keybed<Armed>,
+    watch: Watch,
+    ending: Option<Ending>,
     samples: [KeySample; KEYS],
     /// What is asked of the motors [N, up positive].
     forces: [f64; KEYS],
@@ -67,12 +80,37 @@ pub struct Bench {
     due: u64,
 }
 
+impl std::fmt::Debug for Bench {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { keybed, ending, .. } = self;
+        f.debug_struct("Bench")
+            .field("keybed", keybed)
+            .field("ending", ending)
+            .finish_non_exhaustive()
+    }
+}
+
 impl Bench {
     /// A bench for boards that were armed as if they were nominal.
     pub fn new(keybed: Keybed<Armed>) -> Self {
+        Self::watched(keybed, |_keybed| None)
+    }
+
+    /// The same, with `watch` to end what is measured: it is asked before each exchange, and for
+    /// [`Ending::AtOnce`] it has told the boards already.
+    pub fn watched(
+        keybed: Keybed<Armed>,
+        watch: impl FnMut(&mut Keybed<Armed>) -> Option<Ending> + 'static,
+    ) -> Self {
         let due = keybed.now_us();
         let samples = [KeySample::default(); KEYS];
-        Self { keybed, samples, forces: [0.0; KEYS], tick: 0, due }
+        let (watch, ending) = (Box::new(watch), None);
+        Self { keybed, watch, ending, samples, forces: [0.0; KEYS], tick: 0, due }
+    }
+
+    /// How measurements were ended, if they were; from then on none is made.
+    pub const fn ending(&self) -> Option<Ending> {
+        self.ending
     }
 
     /// The boards again, without forces.
@@ -90,7 +128,7 @@ impl Bench {
     pub fn rests(&mut self, keys: &[KeyIndex]) -> Vec<Result<Rested, Fault>> {
         let mut rests = vec![Resting::At(Rest::default()); keys.len()];
         let began = self.keybed.now_us();
-        while rests.iter().any(|it| matches!(it, Resting::At(_))) {
+        while self.ending.is_none() && rests.iter().any(|it| matches!(it, Resting::At(_))) {
             self.exchange();
             let t = self.seconds();
             let is_late = began + 2 * SILENT_US < self.keybed.now_us();
@@ -127,9 +165,9 @@ impl Bench {
         self.work(key, |t, position| balance.advance(t, position))
     }
 
-    /// Keeps the boards armed, without forces, until `is_over`.
+    /// Keeps the boards armed, without forces, until `is_over` or the end of measurements.
     pub fn wait(&mut self, mut is_over: impl FnMut() -> bool) {
-        while !is_over() {
+        while self.ending.is_none() && !is_over() {
             self.exchange();
         }
     }
@@ -144,6 +182,9 @@ impl Bench {
         let mut heard = self.keybed.now_us();
         let outcome = loop {
             self.exchange();
+            if self.ending.is_some() {
+                break Err(Fault::Stopped);
+            }
             let now = self.keybed.now_us();
             if armings.is_none() || self.keybed.armings(key) != armings {
                 break Err(Fault::Interrupted);
@@ -177,7 +218,8 @@ impl Bench {
     /// Waits until the board of `key` renders forces, and says how often it was armed.
     fn armings(&mut self, key: KeyIndex) -> Option<u64> {
         let until = self.keybed.now_us() + 2 * SILENT_US;
-        while self.keybed.armings(key).is_none() && self.keybed.now_us() < until {
+        let is_over = |it: &Self| it.ending.is_some() || until <= it.keybed.now_us();
+        while self.keybed.armings(key).is_none() && !is_over(self) {
             self.exchange();
         }
         self.keybed.armings(key)
@@ -189,6 +231,12 @@ impl Bench {
         let now = self.keybed.now_us();
         if now < self.due {
             pause(Duration::from_micros(self.due - now));
+        }
+        if self.ending != Some(Ending::AtOnce) {
+            self.ending = (self.watch)(&mut self.keybed).or(self.ending);
+        }
+        if self.ending == Some(Ending::AtOnce) {
+            self.forces = [0.0; KEYS];
         }
         // What was missed is not made up.
         self.due = self.due.max(now.saturating_sub(period)) + period;

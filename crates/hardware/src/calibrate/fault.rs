@@ -4,6 +4,8 @@
 #[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
 #[expect(missing_docs, reason = "the sentences say it")]
 pub enum Fault {
+    #[error("it was stopped")]
+    Stopped,
     #[error("no samples came for {seconds} s; see its board's cable")]
     Silent { seconds: f64 },
     #[error(

@@ -24,7 +24,7 @@ use firmware_protocol::acyclic::calibration as wire;
 use crate::calibration::KeyCalibration;
 
 pub use balance::Balance;
-pub use bench::Bench;
+pub use bench::{Bench, Ending};
 pub use fault::Fault;
 pub use rest::{Rest, Rested};
 pub use trip::{Travelled, Trip};

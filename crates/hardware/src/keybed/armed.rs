@@ -195,14 +195,20 @@ impl Keybed<Armed> {
         }
     }
 
-    /// Tells all boards to render no force until they are seen to.
-    pub fn stop(&mut self, reason: u8) {
+    /// Tells all boards to render no force until they are seen to; returns how many are on lines
+    /// that took it. The others are safe when their forces expire.
+    pub fn stop(&mut self, reason: u8) -> usize {
         let mut frame = [0; broadcast::MAX_LEN];
         let len = Broadcast::EmergencyStop { reason }.encode(&mut frame);
-        for line in &mut self.lines {
-            // Boards that do not hear it are safe when their forces expire.
-            let _lost = line.link.try_send(&frame[..len]);
+        let Self { lines, stage: Armed { bus, .. }, .. } = self;
+        let mut told = 0;
+        for (index, line) in lines.iter_mut().enumerate() {
+            if line.link.try_send(&frame[..len]).is_ok() {
+                let boards = bus.boards().iter().map(|board| board.terms().place);
+                told += boards.filter(|place| place.line == index).count();
+            }
         }
+        told
     }
 
     /// Tells every board that it shall render no force; does not wait for answers.

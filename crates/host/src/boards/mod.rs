@@ -7,15 +7,17 @@ use std::path::PathBuf;
 use firmware_protocol::frame::hello::feature;
 use firmware_protocol::key::PerKey;
 use hardware::calibration::{KeyCalibration, file};
-use hardware::keybed::{Found, Line};
+use hardware::keybed::{Armed, Found, Keybed, Line};
 use hardware::link::address::Address;
 use hardware::link::can::{CanMode, Side};
 use hardware::link::lasting::Lasting;
 use hardware::plan::Medium;
 use hardware::plan::uart::Wiring;
 use hardware::refusal::{BoardName, Refusal};
+use scheduler::time::Nanos;
 
 use crate::config::{BoardBus, Boards};
+use crate::control::BoardsTold;
 use crate::realtime::clock;
 
 /// How long boards may take to answer, and to be armed [us].
@@ -108,6 +110,25 @@ pub(crate) fn calibration(
             Err(Refusal::NotCalibrated { board: board(), link, file })
         }
     }
+}
+
+/// Tells all boards to render no force until they are seen to, several times since none answers.
+pub(crate) fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
+    /// How often a board is told that may not have heard it.
+    const TIMES: u8 = 3;
+    /// How often a line is tried that has no room yet, and how long it is given meanwhile.
+    const TRIES: u8 = 20;
+    const PAUSE: Nanos = Nanos::from_millis(1);
+    let boards = keybed.terms().count();
+    let mut told = 0;
+    for n in 0..TRIES {
+        told = told.max(keybed.stop(1));
+        if TIMES <= n + 1 && told == boards {
+            break;
+        }
+        clock::sleep_until(clock::monotonic().after(PAUSE));
+    }
+    BoardsTold { told, boards }
 }
 
 /// Keys that read as their board says.

@@ -14,7 +14,8 @@ pub(super) fn ask(
     let answer = send(&socket_path(), request);
     let answer = answer.map_err(|error| Failure::Running(error.to_string()))?;
     match answer.map_err(refused)? {
-        Reply::Done { text } => writeln!(out, "{text}")?,
+        Reply::Stopped { text, told, boards } if told < boards => return Err(refused(text)),
+        Reply::Done { text } | Reply::Stopped { text, .. } => writeln!(out, "{text}")?,
         Reply::Scene { toml } => write!(out, "{toml}")?,
         Reply::Where { address, token: _ } => writeln!(out, "{address}")?,
     }

@@ -18,6 +18,7 @@ use crate::control::{ControlError, Reply, Request, send, socket_path};
   letoff dash                        the host that runs here; offers to start one if none does
   letoff dash --start                starts one on the simulated keybed, and ends it with the window
   letoff dash take1.mcap             a recording
+  letoff dash --print                the address for Foxglove and other viewers, with its secret
   letoff dash wss://piano.local:8765 --fingerprint AB:CD:…   a host elsewhere, LETOFF_TOKEN has its token")]
 pub struct DashArgs {
     /// A host's address, or a recording; the host that runs here without.
@@ -26,6 +27,10 @@ pub struct DashArgs {
     /// Starts a host on the simulated keybed if none runs here, without asking.
     #[arg(long, conflicts_with = "target")]
     pub start: bool,
+    /// Prints where the host that runs here streams, with the secret that lets another viewer in,
+    /// and opens no window. Whoever has the secret is the host's owner.
+    #[arg(long, conflicts_with_all = ["target", "start"])]
+    pub print: bool,
     /// What the certificate of a host elsewhere must be, as it printed it.
     #[arg(long, requires = "target")]
     pub fingerprint: Option<String>,
@@ -53,6 +58,9 @@ struct Place {
 
 /// Opens the window and waits until it is closed, or until a signal ends both.
 pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    if args.print {
+        return print(out);
+    }
     let program = program()?;
     let place = wanted(args, out)?;
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
@@ -71,6 +79,20 @@ pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
         drop(host);
         shown
     })
+}
+
+/// Prints where other people's viewers find the host that runs here.
+fn print(out: &mut dyn Write) -> Result<(), Failure> {
+    let place = whereabouts();
+    let Place { target, token, fingerprint } = place.map_err(|absent| match absent {
+        Absent::Nobody(why) | Absent::Refused(why) => Failure::Running(why),
+    })?;
+    let token = token.map_or_else(String::new, |token| format!("/?token={token}"));
+    writeln!(out, "{target}{token}")?;
+    if let Some(fingerprint) = fingerprint {
+        writeln!(out, "its certificate is {fingerprint}")?;
+    }
+    Ok(())
 }
 
 /// What the window shall look at; none if a host is to be started for it.
@@ -126,7 +148,7 @@ enum Absent {
 fn whereabouts() -> Result<Place, Absent> {
     match send(&socket_path(), &Request::Where {}) {
         Ok(Ok(Reply::Where { address, token })) => Ok(Place::said(&address, token)),
-        Ok(Ok(Reply::Done { .. } | Reply::Scene { .. })) => {
+        Ok(Ok(Reply::Done { .. } | Reply::Stopped { .. } | Reply::Scene { .. })) => {
             Err(Absent::Refused("the host that runs here said something else".into()))
         }
         Ok(Err(why)) => Err(Absent::Refused(why)),

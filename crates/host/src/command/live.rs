@@ -15,7 +15,7 @@ use crate::session::PianistProgress;
 pub(super) const REFRESH: Duration = Duration::from_millis(200);
 
 /// The rehearsal of a performance.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Rehearsal(ProgressBar);
 
 impl Rehearsal {
@@ -65,6 +65,11 @@ impl Line {
 
     pub(super) fn finish(&self) {
         self.bar.finish_and_clear();
+    }
+
+    /// What is drawn.
+    pub(super) fn bar(&self) -> ProgressBar {
+        self.bar.clone()
     }
 }
 

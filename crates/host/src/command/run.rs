@@ -8,13 +8,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 
 use super::arguments::seconds;
+use super::log::Log;
+use super::reach::Reach;
 use super::signals::Signals;
 use super::streaming::{self, StreamArgs};
 use super::target::Target;
 use super::{Failure, live, print_json, system, tell};
-use crate::config::{Override, Scene};
-use crate::control::{Clients, Server, StreamSink, Studio, Switchboard, serve, socket_path};
-use crate::observe::{BlackBoxSink, Recording};
+use crate::config::{Links, Override, Scene};
+use crate::control::{BoardsTold, Patchbay};
+use crate::observe::{BlackBoxSink, LogSink, Recording};
 use crate::report::Report;
 use crate::session::{Options, Session, SessionError};
 
@@ -58,6 +60,9 @@ pub struct RunArgs {
     /// Prints the report as JSON.
     #[arg(long)]
     pub json: bool,
+    /// Logs nothing on stderr: boards and clients that come and go, changes, stops.
+    #[arg(long)]
+    pub quiet: bool,
 }
 
 impl RunArgs {
@@ -86,7 +91,10 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let options = Options { duration: args.duration, virtual_time: args.virtual_time };
     // A mistake is told before anything is rehearsed or recorded.
     let stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;
-    let report = perform(&scene, options, args, stream.as_ref())?;
+    let Some(report) = perform(&scene, options, args, stream)? else {
+        tell("stopped before it began to play");
+        return Ok(());
+    };
     if args.json {
         print_json(&report, out)?;
     } else {
@@ -101,48 +109,115 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     }
 }
 
-/// Rehearses, runs until the end or a signal, and reports.
+/// Rehearses, runs until the end or a signal, and reports; nothing if it was stopped before it
+/// began.
 fn perform(
     scene: &Scene,
     options: Options,
     args: &RunArgs,
-    wanted: Option<&streaming::Wanted>,
-) -> Result<Box<Report>, Failure> {
-    let rehearsal = live::Rehearsal::new();
-    let session = Session::prepare(scene, options, &|progress| rehearsal.show(progress))
-        .map_err(|error| failure(&error))?;
-    rehearsal.finish();
+    wanted: Option<streaming::Wanted>,
+) -> Result<Option<Box<Report>>, Failure> {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    let runtime = runtime.map_err(system)?;
+    let ended = runtime.block_on(host(scene, options, args, wanted));
+    if let Ok(None) = ended {
+        // What still rehearses is not waited for: no board is armed, and no note has sounded.
+        runtime.shutdown_background();
+    }
+    ended
+}
+
+async fn host(
+    scene: &Scene,
+    options: Options,
+    args: &RunArgs,
+    wanted: Option<streaming::Wanted>,
+) -> Result<Option<Box<Report>>, Failure> {
+    let mut signals = Signals::new().map_err(system)?;
+    let is_quiet = args.quiet || options.virtual_time;
+    let log = if is_quiet { Log::quiet() } else { Log::start().map_err(system)? };
+    let patchbay = Arc::new(Patchbay::default());
+    // In virtual time there is nobody to talk to.
+    let reach = if options.virtual_time {
+        Reach::default()
+    } else {
+        Reach::open(scene, &patchbay, wanted)?
+    };
+    let Some(session) = prepare(scene, options, &patchbay, &mut signals).await? else {
+        reach.leave("the host was stopped before it began to play").await;
+        return Ok(None);
+    };
     let recording = args.record.as_deref().map(|file| record(&session, file)).transpose()?;
     if !options.virtual_time {
         keep_black_box(&session, args.black_box.as_deref());
+        let lines = log.lines();
+        let sink = LogSink::new(Box::new(move |it| lines.say(it)));
+        let has_boards = matches!(scene.links, Links::Boards(_));
+        session.observe(Box::new(if has_boards { sink.naming_boards() } else { sink }));
     }
+    reach.observe(&session);
+    let counters = session.counters();
+    let line = live::Line::new(session.tick_hz(), session.ticks());
+    log.draw_above(line.bar());
+    let mut news = Some(reach.news(scene, &session));
     let stop = Arc::new(AtomicBool::new(false));
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-    let runtime = runtime.map_err(system)?;
-    runtime.block_on(async {
-        let counters = session.counters();
-        let line = live::Line::new(session.tick_hz(), session.ticks());
-        let clients = listen(scene, options, &session, wanted)?;
-        let its_stop = Arc::clone(&stop);
-        let _stops = StopOnDrop(Arc::clone(&stop));
-        let mut running = tokio::task::spawn_blocking(move || session.run(&its_stop).map(Box::new));
-        let mut signals = Signals::new().map_err(system)?;
-        let mut every = tokio::time::interval(live::REFRESH);
-        loop {
-            tokio::select! {
-                done = &mut running => {
-                    line.finish();
-                    clients.leave().await;
-                    let done = done.map_err(|panic| Failure::Running(panic.to_string()))?;
-                    let mut report = done.map_err(|error| failure(&error))?;
-                    report.recording = recording.map(|it| it.report());
-                    return Ok(report);
+    let its_stop = Arc::clone(&stop);
+    let _stops = StopOnDrop(Arc::clone(&stop));
+    let mut running = tokio::task::spawn_blocking(move || session.run(&its_stop).map(Box::new));
+    let mut every = tokio::time::interval(live::REFRESH);
+    loop {
+        tokio::select! {
+            done = &mut running => {
+                line.finish();
+                let why = patchbay.emergency.answered().map_or("the run is over", |_| STOPPED);
+                reach.leave(why).await;
+                let done = done.map_err(|panic| Failure::Running(panic.to_string()))?;
+                let mut report = done.map_err(|error| failure(&error))?;
+                report.recording = recording.map(|it| it.report());
+                return Ok(Some(report));
+            }
+            () = signals.next() => {
+                stop.store(true, Ordering::Release);
+                log.say("a signal ends the run: forces fade, notes end".to_owned());
+            }
+            _ = every.tick() => {
+                line.show(&counters);
+                if 0 < counters.ticks.load(Ordering::Relaxed) {
+                    news.take().into_iter().flatten().for_each(|text| log.say(text));
                 }
-                () = signals.next() => stop.store(true, Ordering::Release),
-                _ = every.tick() => line.show(&counters),
             }
         }
-    })
+    }
+}
+
+/// What clients are told of a host that was stopped.
+const STOPPED: &str = "the host was stopped: no board renders a force until it is started anew";
+
+/// Prepares the run; nothing if a stop or a signal comes before it is ready.
+async fn prepare(
+    scene: &Scene,
+    options: Options,
+    patchbay: &Arc<Patchbay>,
+    signals: &mut Signals,
+) -> Result<Option<Session>, Failure> {
+    let rehearsal = live::Rehearsal::new();
+    let (scene, its_patchbay, shown) = (scene.clone(), Arc::clone(patchbay), rehearsal.clone());
+    let preparing = tokio::task::spawn_blocking(move || {
+        Session::prepare_behind(its_patchbay, &scene, options, &|progress| shown.show(progress))
+    });
+    let prepared = tokio::select! {
+        biased;
+        () = patchbay.emergency.asked() => None,
+        () = signals.next() => None,
+        prepared = preparing => Some(prepared),
+    };
+    rehearsal.finish();
+    let Some(prepared) = prepared.filter(|_| !patchbay.emergency.is_asked()) else {
+        patchbay.emergency.answer(BoardsTold::NONE_ARMED);
+        return Ok(None);
+    };
+    let prepared = prepared.map_err(|panic| Failure::Running(panic.to_string()))?;
+    prepared.map(Some).map_err(|error| failure(&error))
 }
 
 /// Records all that the session will do into `file`.
@@ -165,63 +240,7 @@ fn keep_black_box(session: &Session, folder: Option<&Path>) {
 
 /// The user's own folder for what programs leave behind, or one among temporary files.
 fn state_folder() -> PathBuf {
-    let home = || std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".local/state"));
-    let state = std::env::var_os("XDG_STATE_HOME").map(PathBuf::from).or_else(home);
-    state.unwrap_or_else(std::env::temp_dir).join("letoff")
-}
-
-/// Listens for whoever asks; in virtual time there is nobody to talk to.
-fn listen(
-    scene: &Scene,
-    options: Options,
-    session: &Session,
-    wanted: Option<&streaming::Wanted>,
-) -> Result<Clients, Failure> {
-    let clients = Clients::default();
-    if options.virtual_time {
-        return Ok(clients);
-    }
-    let switchboard = Arc::new(Switchboard::new(scene.clone(), session.patchbay()));
-    if let Some(wanted) = wanted {
-        stream(session, wanted, &switchboard)?;
-    }
-    let path = socket_path();
-    match Server::listen(&path) {
-        Ok(server) => {
-            // Ends with the runtime, and takes the socket with it.
-            tokio::spawn(serve(server, switchboard, clients.clone()));
-        }
-        // A second host, or a machine without a place for sockets, runs all the same.
-        Err(error) => tell(&format!(
-            "`letoff stop`, `dash` and `instruments use` do not reach this host: {}: {error}; give \
-             it a place of its own with LETOFF_SOCKET",
-            path.display()
-        )),
-    }
-    Ok(clients)
-}
-
-/// Streams to dashboards and viewers, and hears what they ask.
-fn stream(
-    session: &Session,
-    wanted: &streaming::Wanted,
-    switchboard: &Arc<Switchboard>,
-) -> Result<(), Failure> {
-    let Some(server) = wanted.listen().map_err(Failure::Usage)? else { return Ok(()) };
-    let mut address = server.url();
-    if let Some(fingerprint) = server.fingerprint() {
-        tell(&format!(
-            "the stream's certificate is {fingerprint}: elsewhere, give it to `letoff dash \
-             --fingerprint`"
-        ));
-        address = format!("{address}#{fingerprint}");
-    }
-    switchboard.streams_at(address, wanted.owner());
-    session.observe(Box::new(StreamSink::new(server.publisher())));
-    let studio = Arc::new(Studio(Arc::clone(switchboard)));
-    // Ends with the runtime.
-    tokio::spawn(telemetry::stream::serve(server, studio));
-    Ok(())
+    streaming::own_state_folder().unwrap_or_else(|| std::env::temp_dir().join("letoff"))
 }
 
 /// Ends the run when this thread unwinds: notes off, forces down.

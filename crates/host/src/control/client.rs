@@ -1,45 +1,204 @@
 //! The command's end: one request, one reply.
 
+use std::fmt;
 use std::io::{self, BufRead as _, BufReader, Write as _};
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::{Answer, Request};
+use rustix::net::sockopt::{Timeout, set_socket_timeout, socket_peercred};
+use rustix::net::{AddressFamily, SocketAddrUnix, SocketFlags, SocketType};
 
-/// Longest time that a host is waited for.
+use super::{Answer, Request, place};
+
+/// Longest time that a host is waited for, if nobody says another.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Why there was no reply.
 #[derive(Debug, thiserror::Error)]
 pub enum ControlError {
-    /// Nobody listens.
-    #[error("no host is running here ({path}): start one with `letoff run`", path = .path.display())]
+    /// No host listens there.
+    #[error(
+        "no host is running here ({path}){elsewhere}",
+        path = .path.display()
+    )]
     NoHost {
         /// Where it was looked for.
         path: PathBuf,
+        /// Hosts that listen elsewhere, and how to ask them.
+        elsewhere: Elsewhere,
     },
-    /// The host went away or did not answer.
+    /// The host there is another user's.
+    #[error(
+        "the host at {path} is {owner}, and does not listen to you: \
+         `sudo LETOFF_SOCKET={path} {command}`",
+        path = .path.display()
+    )]
+    NotYours {
+        /// Where it listens.
+        path: PathBuf,
+        /// Whose it is, in words.
+        owner: String,
+        /// What was typed.
+        command: &'static str,
+    },
+    /// What listens there was started by somebody who could not be trusted with it.
+    #[error(
+        "what listens at {path} is user {uid}'s and no host of yours: nothing was asked; see what \
+         it is, and give LETOFF_SOCKET the path of your own",
+        path = .path.display()
+    )]
+    Impostor {
+        /// Where it listens.
+        path: PathBuf,
+        /// Who started it.
+        uid: u32,
+    },
+    /// The host took the request, or not even that, and says nothing.
+    #[error(
+        "the host{} gave no answer within {} s: it hangs. Boards that hear nothing from it take \
+         their forces away by themselves (their watchdogs, within some milliseconds); end it with \
+         {}, and cut the boards' power if a force stays",
+        .pid.map_or_else(String::new, |pid| format!(" (process {pid})")),
+        .patience.as_secs_f64(),
+        .pid.map_or_else(|| "`pkill -KILL letoff`".to_owned(), |pid| format!("`kill -KILL {pid}`"))
+    )]
+    Hung {
+        /// Its process, if it came so far.
+        pid: Option<i32>,
+        /// How long it was waited for.
+        patience: Duration,
+    },
+    /// The host went away or the connection failed.
     #[error("the host did not answer: {0}")]
-    Silent(#[from] io::Error),
-    /// Somebody else answered.
+    Silent(io::Error),
+    /// Something else answered.
     #[error("what answered is no host of this version: {0}")]
     Foreign(#[from] serde_json::Error),
+}
+
+/// Hosts that listen elsewhere than where one was looked for.
+#[derive(Debug)]
+pub struct Elsewhere {
+    /// Where, and whose they are as far as that can be seen.
+    hosts: Vec<(PathBuf, Option<u32>)>,
+    command: &'static str,
+}
+
+impl fmt::Display for Elsewhere {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.hosts.is_empty() {
+            return f.write_str(": start one with `letoff run`");
+        }
+        for (path, uid) in &self.hosts {
+            let sudo = if *uid == Some(place::user()) { "" } else { "sudo " };
+            let (owner, path) = (whose(path, *uid), path.display());
+            write!(
+                f,
+                "; {owner} listens at {path}: `{sudo}LETOFF_SOCKET={path} {}`",
+                self.command
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// Whose the host at `path` is.
+fn whose(path: &Path, uid: Option<u32>) -> String {
+    match uid {
+        _ if place::is_service(path) => "a service's host".to_owned(),
+        Some(uid) if uid == place::user() => "another host of yours".to_owned(),
+        Some(uid) => format!("user {uid}'s host"),
+        None => "another user's host".to_owned(),
+    }
+}
+
+/// What is typed to ask for `request`.
+const fn command(request: &Request) -> &'static str {
+    match request {
+        Request::Stop {} => "letoff stop",
+        Request::UseInstrument { .. } => "letoff instruments use NAME",
+        Request::Where {}
+        | Request::Set { .. }
+        | Request::Press { .. }
+        | Request::Identify { .. }
+        | Request::Scene {}
+        | Request::Record { .. } => "letoff dash",
+    }
 }
 
 /// Sends `request` to the host at `path` and waits for its reply.
 ///
 /// # Errors
-/// If there is no host, or it does not answer within seconds.
+/// If there is no host that can be trusted, or it does not answer within seconds.
 pub fn send(path: &Path, request: &Request) -> Result<Answer, ControlError> {
-    let mut stream = UnixStream::connect(path)
-        .map_err(|_nobody| ControlError::NoHost { path: path.to_owned() })?;
-    stream.set_read_timeout(Some(PATIENCE))?;
-    stream.set_write_timeout(Some(PATIENCE))?;
+    send_within(PATIENCE, path, request)
+}
+
+/// The same, with another `patience` than five seconds.
+///
+/// # Errors
+/// As [`send`].
+pub fn send_within(
+    patience: Duration,
+    path: &Path,
+    request: &Request,
+) -> Result<Answer, ControlError> {
+    let command = command(request);
+    let mut stream = connect(path, patience).map_err(|error| {
+        if is_late(&error) {
+            return ControlError::Hung { pid: None, patience };
+        }
+        absent(path, command, error)
+    })?;
+    let peer = socket_peercred(&stream).map_err(|error| ControlError::Silent(error.into()))?;
+    let (uid, pid) = (peer.uid.as_raw(), peer.pid.as_raw_nonzero().get());
+    let is_ours = uid == place::user() || uid == 0 || place::is_allowed_to_root(path);
+    if !is_ours {
+        return Err(ControlError::Impostor { path: path.to_owned(), uid });
+    }
+    let failed = |error: io::Error| {
+        if is_late(&error) {
+            return ControlError::Hung { pid: Some(pid), patience };
+        }
+        ControlError::Silent(error)
+    };
+    stream.set_read_timeout(Some(patience)).map_err(ControlError::Silent)?;
     let mut text = serde_json::to_string(request)?;
     text.push('\n');
-    stream.write_all(text.as_bytes())?;
+    stream.write_all(text.as_bytes()).map_err(failed)?;
     let mut line = String::new();
-    BufReader::new(stream).read_line(&mut line)?;
+    BufReader::new(stream).read_line(&mut line).map_err(failed)?;
     Ok(serde_json::from_str(&line)?)
+}
+
+/// Connects, and waits no longer than for an answer: a host that hangs takes nobody in.
+fn connect(path: &Path, patience: Duration) -> io::Result<UnixStream> {
+    let (family, flags) = (AddressFamily::UNIX, SocketFlags::CLOEXEC);
+    let socket = rustix::net::socket_with(family, SocketType::STREAM, flags, None)?;
+    set_socket_timeout(&socket, Timeout::Send, Some(patience))?;
+    rustix::net::connect(&socket, &SocketAddrUnix::new(path)?)?;
+    Ok(UnixStream::from(socket))
+}
+
+/// Why nobody answers at `path`.
+fn absent(path: &Path, command: &'static str, error: io::Error) -> ControlError {
+    if error.kind() == io::ErrorKind::PermissionDenied {
+        let owner = place::owner(path);
+        return ControlError::NotYours {
+            path: path.to_owned(),
+            owner: whose(path, owner),
+            command,
+        };
+    }
+    if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::ConnectionRefused) {
+        let elsewhere = Elsewhere { hosts: place::others(path), command };
+        return ControlError::NoHost { path: path.to_owned(), elsewhere };
+    }
+    ControlError::Silent(error)
+}
+
+/// Whether the other side took too long.
+fn is_late(error: &io::Error) -> bool {
+    matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut)
 }

@@ -1,13 +1,15 @@
 //! What a run shares with those who switch its voices: the way in, and the audits.
 
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
 use firmware_protocol::key::KeyIndex;
 use hardware::rt::steward::LIGHT_S;
 use pode::EnergyAudit;
 use rtrb::Producer;
+use telemetry::{Log, Update, log};
 
+use super::{Connection, EmergencyStop, Fingers};
 use crate::adapters::audit::AuditCell;
 use crate::observe::{Recording, Told};
 use crate::realtime::pool::{BoxedVoice, VoiceSwaps, Way};
@@ -20,11 +22,9 @@ pub struct Patchbay {
     /// The audits of all voices that ever played.
     audits: Mutex<Audits>,
     /// Everything shall stop.
-    alarm: AtomicBool,
-    /// Every board was told to.
-    stopped: AtomicBool,
-    /// To the fingers of a simulated keybed.
-    weights: Mutex<Option<Producer<(KeyIndex, f64)>>>,
+    pub emergency: EmergencyStop,
+    /// The fingers of a simulated keybed.
+    fingers: Mutex<Option<Fingers>>,
     /// Of boards.
     lights: Mutex<Option<Lights>>,
     /// What is being recorded since somebody asked for it.
@@ -34,6 +34,9 @@ pub struct Patchbay {
     /// To whoever observes.
     told: Mutex<Option<mpsc::Sender<Told>>>,
 }
+
+/// What is said of a host that is being prepared, or has ended.
+const NOT_RUNNING: &str = "the host is not running yet, or not any more";
 
 /// What the voices of a run did with energy.
 #[derive(Debug, Default)]
@@ -94,6 +97,12 @@ impl Patchbay {
         }
     }
 
+    /// Writes a sentence into the host's log.
+    pub fn log(&self, text: String) {
+        let entry = Log { level: log::Level::Info.into(), text };
+        self.tell(Told::Update(Box::new(Update::Log(entry))));
+    }
+
     /// A number for one more voice, from 1.
     pub fn new_revision(&self) -> u32 {
         self.voices.fetch_add(1, Ordering::Relaxed) + 1
@@ -110,7 +119,7 @@ impl Patchbay {
         told: Vec<Told>,
     ) -> Result<usize, String> {
         let mut swaps = lock(&self.swaps);
-        let swaps = swaps.as_mut().ok_or("the host is not running yet, or not any more")?;
+        let swaps = swaps.as_mut().ok_or(NOT_RUNNING)?;
         let n = voices.len();
         let keys: Vec<_> = voices.iter().map(|(key, _voice)| *key).collect();
         swaps.refuse_without_room(&keys)?;
@@ -129,8 +138,9 @@ impl Patchbay {
     /// Why it cannot, in a sentence.
     pub fn identify(&self, line: u32, board: u32) -> Result<String, String> {
         let mut lights = lock(&self.lights);
-        let Lights { boards, sought } =
-            lights.as_mut().ok_or("these keys are simulated here, and have no lights")?;
+        let Lights { boards, sought } = lights
+            .as_mut()
+            .ok_or_else(|| self.lack("these keys are simulated here, and have no lights"))?;
         let which = boards.iter().position(|it| (it.line, it.board) == (line, board));
         let which = which.ok_or_else(|| {
             let all: Vec<_> = boards.iter().map(Lit::to_string).collect();
@@ -146,6 +156,9 @@ impl Patchbay {
     /// Why it cannot, in a sentence.
     pub fn record(&self, file: Option<&str>) -> Result<String, String> {
         let mut recording = lock(&self.recording);
+        if lock(&self.told).is_none() {
+            return Err(NOT_RUNNING.to_owned());
+        }
         let Some(file) = file else {
             let going = recording.take().ok_or("nothing is recorded that could be ended")?;
             going.stop();
@@ -168,14 +181,14 @@ impl Patchbay {
 
     /// Lets weights be laid on simulated keys.
     pub fn lend_fingers(&self, weights: Producer<(KeyIndex, f64)>) {
-        *lock(&self.weights) = Some(weights);
+        *lock(&self.fingers) = Some(Fingers::new(weights));
     }
 
-    /// Presses a simulated key with `newtons`; 0 lets go.
+    /// Presses a simulated key with `newtons` for `by`; 0 lets go.
     ///
     /// # Errors
     /// If there is no such key, or it is a real one, or too much is waiting, in a sentence.
-    pub fn press(&self, key: u8, newtons: f64) -> Result<(), String> {
+    pub fn press(&self, key: u8, newtons: f64, by: Connection) -> Result<(), String> {
         /// A finger's weight and a blow with it [N].
         const HARDEST: f64 = 50.0;
         let key =
@@ -183,33 +196,23 @@ impl Patchbay {
         if !(0.0..=HARDEST).contains(&newtons) {
             return Err(format!("a key is pressed with 0 to {HARDEST} N, not {newtons}"));
         }
-        let mut weights = lock(&self.weights);
-        let weights = weights.as_mut().ok_or("these keys are real: press them yourself")?;
-        let pushed = weights.push((key, newtons));
-        pushed.map_err(|_full| "too many keys are pressed at once; try again".to_owned())
+        let mut fingers = lock(&self.fingers);
+        let fingers = fingers.as_mut();
+        let fingers =
+            fingers.ok_or_else(|| self.lack("these keys are real: press them yourself"))?;
+        fingers.press(key, newtons, by)
     }
 
-    /// Ends the run with the next tick, without a ramp.
-    pub fn sound_alarm(&self) {
-        self.alarm.store(true, Ordering::Release);
+    /// Lets go of all keys that the client with this connection has pressed.
+    pub fn leave(&self, connection: u64) {
+        if let Some(fingers) = lock(&self.fingers).as_mut() {
+            fingers.leave(connection);
+        }
     }
 
-    /// Whether everything shall stop.
-    ///
-    /// # Real-time
-    /// One load.
-    pub fn is_alarmed(&self) -> bool {
-        self.alarm.load(Ordering::Acquire)
-    }
-
-    /// Says that every board was told to render no force.
-    pub fn note_stopped(&self) {
-        self.stopped.store(true, Ordering::Release);
-    }
-
-    /// Whether every board was told to render no force until it is seen to.
-    pub fn is_stopped(&self) -> bool {
-        self.stopped.load(Ordering::Acquire)
+    /// Why something is not there: `why`, or that the host does not run.
+    fn lack(&self, why: &'static str) -> &'static str {
+        if lock(&self.swaps).is_some() { why } else { NOT_RUNNING }
     }
 
     /// A place for one more voice's energy audit.
@@ -270,7 +273,7 @@ mod tests {
     fn a_board_that_is_not_there_is_refused_with_those_that_are() {
         let patchbay = Patchbay::default();
         let refused = patchbay.identify(0, 3).unwrap_err();
-        assert!(refused.contains("simulated"), "{refused}");
+        assert!(refused.contains("not running yet"), "{refused}");
         let (sought, mut shown) = rtrb::RingBuffer::new(1);
         let lit = |line, board| Lit { line, name: format!("can{line}"), board };
         patchbay.lend_lights(Lights { boards: vec![lit(0, 3), lit(1, 3)], sought });

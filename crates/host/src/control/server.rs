@@ -2,16 +2,18 @@
 
 use std::fs;
 use std::io;
-use std::os::unix::fs::{DirBuilderExt as _, PermissionsExt as _};
+use std::os::unix::fs::MetadataExt as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
+use rustix::fs::Mode;
+use rustix::process::umask;
 use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
 use tokio::net::{UnixListener, UnixStream};
 use tokio::sync::Semaphore;
 
-use super::{Answer, Request, Switchboard};
+use super::{Answer, Request, Switchboard, place};
 
 /// Longest request in bytes; a sentence would do.
 const MAX_REQUEST: u64 = 4096;
@@ -22,38 +24,61 @@ const MOST_CLIENTS: u32 = 64;
 /// Longest time that one client is listened to.
 const PATIENCE: Duration = Duration::from_secs(2);
 
+/// What answers the control socket.
+pub trait Answers: Send + Sync + 'static {
+    /// Does what is asked, and returns when it is done; it may block.
+    ///
+    /// # Errors
+    /// If it is refused; a sentence.
+    fn reply_to(&self, request: &Request) -> Answer;
+}
+
+impl Answers for Switchboard {
+    fn reply_to(&self, request: &Request) -> Answer {
+        let who = if matches!(request, Request::Stop {}) { "`letoff stop`" } else { "letoff" };
+        self.answer(request, who)
+    }
+}
+
 /// A socket that is removed when the host ends.
 #[derive(Debug)]
 pub struct Server {
     listener: UnixListener,
     path: PathBuf,
+    /// The file that was made: its device and number.
+    made: (u64, u64),
 }
 
 impl Server {
-    /// Listens at `path`, for this user only; a socket that a killed host left is replaced.
+    /// Listens at `path`, for this user only; a socket that a killed host of this user left is
+    /// replaced, and anything else that is there is left alone.
     ///
     /// # Errors
-    /// If another host listens there, or the socket cannot be made.
+    /// If another host listens there, something else lies there, or others could put a socket of
+    /// theirs there; a sentence.
     pub fn listen(path: &Path) -> io::Result<Self> {
-        if let Some(folder) = path.parent() {
-            fs::DirBuilder::new().recursive(true).mode(0o700).create(folder)?;
-        }
-        if std::os::unix::net::UnixStream::connect(path).is_ok() {
-            return Err(io::Error::new(io::ErrorKind::AddrInUse, "another host is running"));
-        }
-        if path.exists() {
-            fs::remove_file(path)?;
-        }
-        let listener = UnixListener::bind(path)?;
-        fs::set_permissions(path, fs::Permissions::from_mode(0o600))?;
-        Ok(Self { listener, path: path.to_owned() })
+        place::prepare_folder(path)?;
+        place::clear(path)?;
+        // The socket is nobody else's from the first moment on.
+        let before = umask(Mode::RWXG | Mode::RWXO | Mode::XUSR);
+        let bound = UnixListener::bind(path);
+        umask(before);
+        Ok(Self { listener: bound?, path: path.to_owned(), made: file(path)? })
     }
+}
+
+/// Which file is there: its device and number.
+fn file(path: &Path) -> io::Result<(u64, u64)> {
+    let found = fs::symlink_metadata(path)?;
+    Ok((found.dev(), found.ino()))
 }
 
 impl Drop for Server {
     fn drop(&mut self) {
-        // Somebody may have removed it already, which is as good.
-        let _gone = fs::remove_file(&self.path);
+        // Somebody may have removed it already, and put something else there.
+        if file(&self.path).is_ok_and(|there| there == self.made) {
+            let _gone = fs::remove_file(&self.path);
+        }
     }
 }
 
@@ -79,30 +104,35 @@ impl Clients {
 
 /// Answers clients, so many at once, until it is dropped.
 #[expect(clippy::infinite_loop, reason = "whoever spawned it ends it")]
-pub async fn serve(server: Server, switchboard: Arc<Switchboard>, clients: Clients) {
+pub async fn serve<A: Answers>(server: Server, answers: Arc<A>, clients: Clients) {
+    /// How long to wait when the system has no more descriptors.
+    const PAUSE: Duration = Duration::from_millis(50);
     loop {
-        let Ok((client, _address)) = server.listener.accept().await else { continue };
+        let Ok((client, _address)) = server.listener.accept().await else {
+            tokio::time::sleep(PAUSE).await;
+            continue;
+        };
         // One that finds no place goes away unheard, so that whoever has one may come in time.
         if let Ok(place) = Arc::clone(&clients.0).try_acquire_owned() {
-            let switchboard = Arc::clone(&switchboard);
+            let answers = Arc::clone(&answers);
             tokio::spawn(async move {
                 // A client that fails, stalls or talks nonsense is dropped.
-                let _served = tokio::time::timeout(PATIENCE, converse(client, &switchboard)).await;
+                let _served = tokio::time::timeout(PATIENCE, converse(client, &answers)).await;
                 drop(place);
             });
         }
     }
 }
 
-async fn converse(client: UnixStream, switchboard: &Arc<Switchboard>) -> io::Result<()> {
+async fn converse<A: Answers>(client: UnixStream, answers: &Arc<A>) -> io::Result<()> {
     let (reader, mut writer) = client.into_split();
     let mut line = String::new();
     BufReader::new(reader.take(MAX_REQUEST)).read_line(&mut line).await?;
     let reply: Answer = match serde_json::from_str::<Request>(&line) {
         // Building a keyboard of voices may take a while: not on the thread that hears signals.
         Ok(request) => {
-            let switchboard = Arc::clone(switchboard);
-            let answer = move || switchboard.answer(&request, "letoff");
+            let answers = Arc::clone(answers);
+            let answer = move || answers.reply_to(&request);
             let answered = tokio::task::spawn_blocking(answer).await;
             answered.unwrap_or_else(|panic| Err(panic.to_string()))
         }

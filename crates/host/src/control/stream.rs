@@ -1,13 +1,14 @@
 //! The stream's two ends in the host: what it tells, and what it is asked.
 
 use std::collections::BTreeMap;
+use std::net::SocketAddr;
 use std::sync::Arc;
 
 use telemetry::request::Change;
 use telemetry::stream::{Backend, Publisher, Value, Who};
 use telemetry::{Reply, Request, Topic, Update};
 
-use super::Switchboard;
+use super::{Folders, Switchboard};
 use crate::observe::Sink;
 
 /// Gives what the pump makes to those who follow.
@@ -64,11 +65,40 @@ fn values_of(voice: &telemetry::Voice) -> Vec<Value> {
 
 /// Answers what clients of the stream ask.
 #[derive(Debug)]
-pub struct Studio(pub Arc<Switchboard>);
+pub struct Studio {
+    switchboard: Arc<Switchboard>,
+    folders: Folders,
+}
+
+impl Studio {
+    /// Asks `switchboard`; files that clients name are in `folders`.
+    pub const fn new(switchboard: Arc<Switchboard>, folders: Folders) -> Self {
+        Self { switchboard, folders }
+    }
+
+    /// What `request` asks of the host itself: with files that the client may name.
+    fn confined(&self, request: Request) -> Result<Request, String> {
+        Ok(match request {
+            Request::UseInstrument { instrument, keys } => {
+                Request::UseInstrument { instrument: self.folders.instrument(&instrument)?, keys }
+            }
+            Request::Record { file: Some(file) } => {
+                Request::Record { file: Some(self.folders.recording(&file)?) }
+            }
+            Request::Record { file: None }
+            | Request::Set { .. }
+            | Request::Stop {}
+            | Request::Press { .. }
+            | Request::Identify { .. }
+            | Request::Scene {}
+            | Request::Where {} => request,
+        })
+    }
+}
 
 impl Backend for Studio {
     fn parameters(&self, names: Option<&[String]>) -> Vec<Value> {
-        let all = self.0.values();
+        let all = self.switchboard.values();
         let value = |it: &Change| Value { name: it.name(), value: it.value };
         let Some(names) = names else { return all.iter().map(value).collect() };
         let wanted = names.iter().filter_map(|name| Change::named(name, 0.0));
@@ -79,6 +109,26 @@ impl Backend for Studio {
     }
 
     fn ask(&self, request: Request, who: &Who) -> Result<Reply, String> {
-        self.0.answer(&request, &who.to_string())
+        let request = self.confined(request)?;
+        if let Request::Press { key, newtons } = request {
+            let text = self.switchboard.press(key, newtons, Some(who.number))?;
+            return Ok(Reply::Done { text });
+        }
+        self.switchboard.answer(&request, &who.to_string())
+    }
+
+    fn connected(&self, who: &Who) {
+        self.switchboard.patchbay().log(format!("{who} has come"));
+    }
+
+    fn disconnected(&self, who: &Who) {
+        let patchbay = self.switchboard.patchbay();
+        patchbay.leave(who.number);
+        patchbay.log(format!("{who} has gone"));
+    }
+
+    fn refused(&self, address: SocketAddr, why: &str) {
+        let text = format!("a client at {} was turned away: {why}", address.ip());
+        self.switchboard.patchbay().log(text);
     }
 }

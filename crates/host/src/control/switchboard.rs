@@ -6,14 +6,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use telemetry::request::Change;
 use telemetry::{Event, Reply, Request, Update, event};
 
-use super::Patchbay;
 use super::tuning::Playing;
+use super::{Connection, Patchbay};
 use crate::assemble::Assembler;
 use crate::config::{Instrument, KeyVoice, Scene, keys_named, written};
 use crate::observe::{self, Origin, Told};
-use crate::realtime::clock;
 use crate::realtime::pool::{BoxedVoice, Way};
-use scheduler::time::Nanos;
 
 /// Builds voices for a running scene and hands them to its lanes.
 #[derive(Debug)]
@@ -48,11 +46,8 @@ impl Switchboard {
             Request::UseInstrument { instrument, keys } => {
                 self.switch(instrument, keys.as_deref(), who)?
             }
-            Request::Stop {} => self.stop()?,
-            Request::Press { key, newtons } => {
-                self.patchbay.press(*key, *newtons)?;
-                format!("key {key} is pressed with {newtons} N")
-            }
+            Request::Stop {} => return self.stop(who),
+            Request::Press { key, newtons } => self.press(*key, *newtons, None)?,
             Request::Identify { line, board } => self.patchbay.identify(*line, *board)?,
             Request::Scene {} => return Ok(Reply::Scene { toml: self.written() }),
             Request::Where {} => return self.whereabouts(),
@@ -90,19 +85,25 @@ impl Switchboard {
         Ok(Reply::Where { address, token })
     }
 
+    /// Presses a simulated key for `by`.
+    ///
+    /// # Errors
+    /// Why it is not pressed, in a sentence.
+    pub(super) fn press(&self, key: u8, newtons: f64, by: Connection) -> Result<String, String> {
+        self.patchbay.press(key, newtons, by)?;
+        Ok(format!("key {key} is pressed with {newtons} N"))
+    }
+
+    /// What it puts voices, fingers and stops into.
+    pub(super) fn patchbay(&self) -> &Patchbay {
+        &self.patchbay
+    }
+
     /// Ends the run, and waits until every board was told.
-    fn stop(&self) -> Result<String, String> {
-        /// Looks, and the time between two.
-        const LOOKS: u32 = 200;
-        const LOOK: Nanos = Nanos::from_millis(5);
-        self.patchbay.sound_alarm();
-        for _ in 0..LOOKS {
-            if self.patchbay.is_stopped() {
-                return Ok("stopped: no board renders a force until it is started anew".into());
-            }
-            clock::sleep_until(clock::monotonic().after(LOOK));
-        }
-        Err("the host has not told its boards to stop within a second: cut their power".into())
+    fn stop(&self, who: &str) -> Result<Reply, String> {
+        self.patchbay.emergency.ask();
+        self.patchbay.log(format!("stop asked for by {who}"));
+        self.patchbay.emergency.ask_and_wait()
     }
 
     fn set(&self, changes: &[Change], who: &str) -> Result<String, String> {

@@ -1,7 +1,7 @@
 //! What is observed, from the tick's rings to whoever wants it.
 //!
 //! ```text
-//! tick ─ Tap ─rings─▶ Pump ─▶ blocks, overview, events, ticks ─▶ sinks: stream, recording, black box
+//! tick ─ Tap ─rings─▶ Pump ─▶ blocks, overview, events, ticks ─▶ sinks: stream, recording, black box, log
 //! loop ─ Pulses ─ring─▶ ┘
 //! keys ─ Lookout ─ring─▶ ┤
 //! desk, control ─channel─▶ ┘
@@ -16,6 +16,7 @@ mod deadlines;
 mod events;
 mod eye;
 mod links;
+mod log;
 mod overview;
 mod pulses;
 mod pump;
@@ -32,6 +33,7 @@ pub use catalogue::catalogue;
 pub use events::{NO_KEY, pedal};
 pub use eye::{Eye, eye, modes, signals};
 pub use links::LinksWatch;
+pub use log::{Line, LogSink};
 pub use pulses::{PulseRow, Pulses};
 pub use pump::{Attention, Pump, Sink, Told};
 pub use record::{BlackBoxSink, Recording, RecordingReport};

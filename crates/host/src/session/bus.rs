@@ -13,7 +13,8 @@ use telemetry::{Board, Line};
 use super::Stage;
 use super::keys::Keys;
 use crate::adapters::lookout::Lookout;
-use crate::control::{Lights, Lit};
+use crate::boards::stop_all;
+use crate::control::{BoardsTold, Lights, Lit};
 use crate::observe::{LinksWatch, Told};
 use crate::realtime::clock;
 use crate::report::{BoardLine, LinkLine, Links};
@@ -149,12 +150,13 @@ impl Bus {
 
     /// Tells boards to render no force until they are seen to; a simulated keybed ends with the
     /// run.
-    pub(super) fn stop(&mut self) {
-        /// Told so often, since nobody answers.
-        const TIMES: u8 = 3;
+    pub(super) fn stop(&mut self) -> BoardsTold {
         match &mut self.bed {
-            Playing::Simulated(_) => {}
-            Playing::Boards(keybed, ..) => (0..TIMES).for_each(|_| keybed.stop(1)),
+            Playing::Simulated(_) => {
+                let boards = standard().len();
+                BoardsTold { told: boards, boards }
+            }
+            Playing::Boards(keybed, ..) => stop_all(keybed),
         }
     }
 

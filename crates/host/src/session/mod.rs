@@ -164,6 +164,20 @@ impl Session {
         options: Options,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
+        Self::prepare_behind(Arc::default(), scene, options, progress)
+    }
+
+    /// The same, behind a `patchbay` by which it is stopped, and by which others reach it once it
+    /// runs.
+    ///
+    /// # Errors
+    /// As [`Self::prepare`].
+    pub fn prepare_behind(
+        patchbay: Arc<Patchbay>,
+        scene: &Scene,
+        options: Options,
+        progress: &(dyn Fn(PianistProgress) + Sync),
+    ) -> Result<Self, SessionError> {
         let assembler = Assembler::new(scene)?;
         let period = assembler.period().as_secs_f64();
         // What is missing is said before anybody rehearses.
@@ -179,7 +193,6 @@ impl Session {
         if let Some(performance) = &performance {
             bed.seat(performance);
         }
-        let patchbay = Arc::new(Patchbay::default());
         let (tap, observed) = observed::connect(scene, period, &patchbay)?;
         let mut voices = Vec::new();
         for (key, voice) in assembler.keys() {
@@ -227,6 +240,17 @@ impl Session {
     /// Ticks that the run will take; `None` until it is stopped.
     pub const fn ticks(&self) -> Option<u64> {
         self.stage.ticks
+    }
+
+    /// Keys with a voice.
+    pub const fn n_voices(&self) -> usize {
+        self.stage.n_voices
+    }
+
+    /// Where notes go, or why they go nowhere, in words.
+    pub fn midi(&self) -> String {
+        let MidiReport { output, trouble, .. } = &self.stage.midi;
+        trouble.as_ref().map_or_else(|| output.clone(), |why| format!("none, since {why}"))
     }
 
     /// Ticks per second.
@@ -289,7 +313,7 @@ impl Stage {
             ticks,
             skipped: measured.skipped,
             duration_s: duration,
-            stopped: self.patchbay.is_stopped(),
+            stopped: self.patchbay.emergency.answered().is_some(),
             lanes: self.n_lanes.get(),
             realtime: measured.realtime,
             deadline: measured.deadline,

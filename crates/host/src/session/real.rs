@@ -30,7 +30,13 @@ pub(super) fn run(
     stop: &AtomicBool,
 ) -> Result<Report, SessionError> {
     let locked = memory::lock();
-    let (mut bus, start) = bed.arm(&stage, LEAD)?;
+    let patchbay = Arc::clone(&stage.patchbay);
+    let emergency = &patchbay.emergency;
+    let (mut bus, start) = emergency.while_arming(|| bed.arm(&stage, LEAD))?;
+    if emergency.is_asked() {
+        // Not a single tick; boards that were just armed are told below.
+        stop.store(true, Ordering::Release);
+    }
     let handover = histogram().map_err(std::io::Error::other)?;
     let (pulses, pump) = observed.begin(since_1970(start));
     let pumping = Pumping::start(pump)?;
@@ -46,12 +52,10 @@ pub(super) fn run(
     let baseline = baseline.stop();
     let played = attended.finish().map_err(|_panic| SessionError::Panicked("MIDI"))?;
     // Also after a panic, and for an alarm that came when the last tick was over.
-    let is_alarmed = stage.patchbay.is_alarmed();
-    if is_alarmed {
-        bus.stop();
-        stage.patchbay.note_stopped();
-    } else {
+    if !emergency.is_asked() {
         bus.disarm();
+    } else if emergency.answered().is_none() {
+        emergency.answer(bus.stop());
     }
     pumping.finish().map_err(|_panic| SessionError::Panicked("telemetry"))?;
     let (timings, standing) = ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
@@ -86,13 +90,12 @@ fn tick(
     ticks::run(&mut assembly, start, until, &mut timings, |pulse| {
         count(&counters, pulse);
         pulses.take(pulse);
-        if patchbay.is_alarmed() {
+        if patchbay.emergency.is_asked() {
             stop.store(true, Ordering::Release);
         }
     });
-    if patchbay.is_alarmed() {
-        assembly.bus.stop();
-        patchbay.note_stopped();
+    if patchbay.emergency.is_asked() {
+        patchbay.emergency.answer(assembly.bus.stop());
     } else {
         ramp_down(&mut assembly);
     }

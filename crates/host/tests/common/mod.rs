@@ -14,12 +14,17 @@ use hardware::sim::board::BoardMake;
 use host::report::Report;
 use host::session::Session;
 use host::simulated::{Living, Place, live, place};
+use scheduler::time::Nanos;
+
+/// Time between two looks whether a board is armed.
+const LOOK: Nanos = Nanos::from_millis(10);
 
 /// A simulated board behind a port.
 pub struct Board {
     pub port: PathBuf,
     pub uid: Uid,
     stop: Arc<AtomicBool>,
+    is_armed: Arc<AtomicBool>,
     thread: Option<JoinHandle<Living>>,
 }
 
@@ -30,12 +35,23 @@ impl Board {
         let port = placed.address.name().into();
         let mut living = Living::new(make, placed, 0.0, Vec::new()).expect("a possible board");
         let stop = Arc::new(AtomicBool::new(false));
-        let its_stop = Arc::clone(&stop);
+        let is_armed = Arc::new(AtomicBool::new(false));
+        let (its_stop, its_armed) = (Arc::clone(&stop), Arc::clone(&is_armed));
+        let look = move |living: &mut Living| {
+            live(std::slice::from_mut(living), Some(LOOK), &its_stop, &mut |_lit| {});
+            its_armed.store(!living.board().is_safe(), Ordering::Release);
+            !its_stop.load(Ordering::Acquire)
+        };
         let thread = std::thread::spawn(move || {
-            live(std::slice::from_mut(&mut living), None, &its_stop, &mut |_lit| {});
+            while look(&mut living) {}
             living
         });
-        Self { port, uid: Uid(make.uid()), stop, thread: Some(thread) }
+        Self { port, uid: Uid(make.uid()), stop, is_armed, thread: Some(thread) }
+    }
+
+    /// Whether it renders forces.
+    pub fn is_armed(&self) -> bool {
+        self.is_armed.load(Ordering::Acquire)
     }
 
     /// What a command takes for its link.

@@ -20,6 +20,16 @@ impl Folder {
         Self(folder)
     }
 
+    /// The same among temporary files, where every user of the machine may look.
+    pub(crate) fn shared(name: &str) -> Self {
+        use std::os::unix::fs::PermissionsExt as _;
+        let folder = std::env::temp_dir().join(format!("letoff-{}-{name}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let everybody = std::fs::Permissions::from_mode(0o755);
+        std::fs::set_permissions(&folder, everybody).expect("a folder");
+        Self(folder)
+    }
+
     /// Writes a file, and says where it is.
     pub(crate) fn write(&self, name: &str, text: impl AsRef<[u8]>) -> PathBuf {
         let path = self.join(name);
@@ -38,6 +48,7 @@ impl Folder {
         command.args(arguments).current_dir(&self.0).stdin(Stdio::null());
         command.env("LETOFF_SOCKET", self.socket()).env("PATH", &self.0).env("HOME", &self.0);
         command.env_remove("XDG_STATE_HOME").env_remove("LETOFF_TOKEN");
+        command.env_remove("XDG_CONFIG_HOME");
         command
     }
 

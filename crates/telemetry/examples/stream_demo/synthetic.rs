@@ -29,6 +29,8 @@ pub(crate) struct Synthetic {
     asked: Mutex<Vec<(Request, Who)>>,
     /// Where changed values are told.
     publisher: OnceLock<Publisher>,
+    /// Clients that have gone.
+    gone: Mutex<Vec<u64>>,
     /// What another instrument waits for, as if it took long to build.
     pub(crate) workshop: Mutex<()>,
 }
@@ -39,6 +41,7 @@ impl Default for Synthetic {
         Self {
             values: Mutex::new(values.into()),
             asked: Mutex::default(),
+            gone: Mutex::default(),
             publisher: OnceLock::new(),
             workshop: Mutex::new(()),
         }
@@ -69,6 +72,10 @@ impl Backend for Synthetic {
             }
         }
     }
+
+    fn disconnected(&self, who: &Who) {
+        locked(&self.gone).push(who.number);
+    }
 }
 
 impl Synthetic {
@@ -80,6 +87,12 @@ impl Synthetic {
     /// What was asked so far, and by whom.
     pub(crate) fn asked(&self) -> Vec<(Request, Who)> {
         locked(&self.asked).clone()
+    }
+
+    /// Clients that have gone so far.
+    #[cfg_attr(not(test), expect(dead_code, reason = "tests ask"))]
+    pub(crate) fn gone(&self) -> Vec<u64> {
+        locked(&self.gone).clone()
     }
 
     /// Tells changed values by `publisher`, from the first that is given on.

@@ -15,7 +15,9 @@ use synthetic::Synthetic;
 use telemetry::source::Ticket;
 use telemetry::stream::protocol::{FromClient, FromServer, Text as _};
 use telemetry::stream::server::Limits;
-use telemetry::stream::{Backend, Client, Dial, Fingerprint, Publisher, Server, Settings, serve};
+use telemetry::stream::{
+    Backend, Client, Closer, Dial, Fingerprint, Publisher, Server, Settings, serve,
+};
 use telemetry::{Arrival, Reply, Request, Source as _, Standing, Topic, Update};
 use tokio::runtime::Handle;
 use tokio::sync::oneshot;
@@ -34,6 +36,7 @@ pub(crate) struct Stage {
     pub(crate) publisher: Publisher,
     pub(crate) host: Arc<Synthetic>,
     pub(crate) runtime: Handle,
+    pub(crate) closer: Closer,
     end: Option<oneshot::Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
@@ -58,6 +61,7 @@ impl Stage {
         let (address, url) = (server.address(), server.url());
         let (fingerprint, publisher) = (server.fingerprint(), server.publisher());
         host.tell_by(publisher.clone());
+        let closer = server.closer();
         let (end, ended) = oneshot::channel();
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         let runtime = runtime.expect("a runtime");
@@ -71,7 +75,7 @@ impl Stage {
             });
         });
         let (end, thread) = (Some(end), Some(thread));
-        Self { address, url, fingerprint, publisher, host, runtime: handle, end, thread }
+        Self { address, url, fingerprint, publisher, host, runtime: handle, closer, end, thread }
     }
 
     /// At any port of this machine.

@@ -6,9 +6,10 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use hardware::calibrate::Bench;
 use hardware::calibration::file;
-use hardware::keybed::{Found, Keybed, Offline, Terms, Wanted};
+use hardware::keybed::{Calibrated, Found, Keybed, Offline, Terms, Wanted};
 use hardware::refusal::{BoardName, Refusals};
 
+use super::Endings;
 use super::operator::Operator;
 use crate::boards::{PATIENCE_US, folder, nominal, now_us, open_all};
 use crate::command::Failure;
@@ -27,13 +28,19 @@ pub(super) struct Board {
     pub(super) file: PathBuf,
 }
 
-/// Finds and arms the boards that are meant, after the operator has agreed to the files.
-pub(super) fn arm(
+/// Boards that are meant, and not armed yet.
+pub(super) struct Ready {
+    pub(super) boards: Vec<Board>,
+    pub(super) keybed: Keybed<Calibrated>,
+}
+
+/// Finds the boards that are meant, until the operator has agreed to the files.
+pub(super) fn find(
     target: &Target,
     only: Option<u8>,
     chosen: Option<PathBuf>,
     operator: &Operator,
-) -> Result<(Vec<Board>, Box<Bench>), Failure> {
+) -> Result<Ready, Failure> {
     let (_tick_hz, scene) = target.boards()?;
     let folder = chosen.or_else(|| folder(&scene)).ok_or_else(|| {
         Failure::Usage("there is no home for calibration files; give --folder".into())
@@ -63,14 +70,21 @@ pub(super) fn arm(
     operator.may_overwrite(&there)?;
     let wanted = Wanted { hz: HZ, ..Wanted::default() };
     let keybed = keybed.calibrate(&wanted, |found, _name| Ok(nominal(found))).map_err(refused)?;
+    Ok(Ready { boards, keybed })
+}
+
+/// Arms `keybed`, whose measurements end as `endings` say.
+pub(super) fn arm(keybed: Keybed<Calibrated>, endings: &Endings) -> Result<Box<Bench>, Failure> {
     let terms = Terms {
         period_us: u16::try_from(1_000_000 / HZ).unwrap_or(u16::MAX),
         samples: SamplePacking::default(),
         forces: ForcePacking::default(),
         valid_ms: VALID_MS,
     };
-    let keybed = keybed.arm(terms, PATIENCE_US).map_err(refused)?;
-    Ok((boards, Box::new(Bench::new(keybed))))
+    let armed = endings.emergency.while_arming(|| keybed.arm(terms, PATIENCE_US));
+    let endings = endings.clone();
+    let bench = Bench::watched(armed.map_err(refused)?, move |keybed| endings.look(keybed));
+    Ok(Box::new(bench))
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "fits map_err")]

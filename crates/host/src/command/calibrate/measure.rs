@@ -1,7 +1,7 @@
 //! All keys of all boards, one after the other.
 
 use firmware_protocol::key::KeyIndex;
-use hardware::calibrate::{Bench, Fault, Rested, calibrated};
+use hardware::calibrate::{Bench, Ending, Fault, Rested, calibrated};
 use hardware::calibration::KeyCalibration;
 use hardware::keybed::{Armed, Keybed};
 use hardware::refusal::{KeyName, Refusal};
@@ -22,7 +22,7 @@ pub(super) enum Outcome {
     All(Vec<(KeyIndex, KeyCalibration)>),
     /// Why some of them could not be measured, of so many.
     Faults(Vec<Refusal>, usize),
-    /// The operator stopped.
+    /// The operator stopped, or somebody else did.
     Stopped,
 }
 
@@ -35,18 +35,18 @@ enum Missed {
 
 impl From<Fault> for Missed {
     fn from(fault: Fault) -> Self {
-        Self::Fault(fault)
+        if fault == Fault::Stopped { Self::Stopped } else { Self::Fault(fault) }
     }
 }
 
-/// Measures all keys, and records those of each board at once, until the operator stops;
-/// returns the boards without forces.
+/// Measures all keys, and records those of each board at once, until somebody stops it; returns
+/// the boards without forces, and how they were ended if they were.
 pub(super) fn all(
     boards: &[Board],
     mut bench: Box<Bench>,
     grams: Option<f64>,
     record: &mut Record,
-) -> Keybed<Armed> {
+) -> (Keybed<Armed>, Option<Ending>) {
     let n_keys: usize = boards.iter().map(|it| keys(it).len()).sum();
     let bar = live::keys(n_keys);
     for board in boards {
@@ -62,7 +62,8 @@ pub(super) fn all(
         }
     }
     bar.finish_and_clear();
-    bench.release()
+    let ending = bench.ending();
+    (bench.release(), ending)
 }
 
 /// The keys of a board.

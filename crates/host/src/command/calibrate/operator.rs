@@ -52,13 +52,13 @@ impl Operator {
     }
 
     /// Asks for something to be done, and keeps the boards armed until it is; says whether to go
-    /// on.
+    /// on, which nobody does who was stopped meanwhile.
     pub(super) fn wait_for(bench: &mut Bench, what: &str) -> bool {
         tell(&format!("{what}, then press Enter (Ctrl-D stops) "));
         // It ends with the line, or with the program.
         let reader = std::thread::spawn(|| is_line(&mut io::stdin().lock()));
         bench.wait(|| reader.is_finished());
-        reader.join().unwrap_or(false)
+        reader.is_finished() && reader.join().unwrap_or(false)
     }
 }
 

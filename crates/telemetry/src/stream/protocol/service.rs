@@ -157,8 +157,10 @@ fn reply() -> Value {
     json!({
         "type": "object",
         "properties": {
-            "reply": {"type": "string", "enum": ["done", "scene"]},
+            "reply": {"type": "string", "enum": ["done", "stopped", "scene"]},
             "text": {"type": "string", "description": "what was done"},
+            "told": {"type": "integer", "description": "boards that were told to stop"},
+            "boards": {"type": "integer", "description": "boards that were armed"},
             "toml": {"type": "string", "description": "the scene as a file"},
         },
         "required": ["reply"],

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use tokio::net::{TcpListener, TcpStream};
-use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use tokio::task::JoinSet;
 use tokio_rustls::TlsAcceptor;
 use tokio_tungstenite::tungstenite::Message;
@@ -31,14 +31,35 @@ pub(super) struct House {
     acceptor: Option<TlsAcceptor>,
     places: Arc<Semaphore>,
     count: AtomicU64,
+    /// Why the server closes, once it does.
+    closing: watch::Receiver<Option<String>>,
 }
 
-/// Answers clients, until it is dropped; with it go all connections.
+/// Closes a server: what was asked is answered, and each client is told why.
+#[derive(Clone, Debug)]
+pub struct Closer(watch::Sender<Option<String>>);
+
+impl Default for Closer {
+    fn default() -> Self {
+        Self(watch::Sender::new(None))
+    }
+}
+
+impl Closer {
+    /// Lets [`serve`] answer what was asked already, tell every client `why`, and return.
+    pub fn close(&self, why: String) {
+        self.0.send_replace(Some(why));
+    }
+}
+
+/// Answers clients, until its [`Closer`] closes it or it is dropped; with it go all connections.
 ///
 /// # Errors
 /// If the runtime cannot use the listening socket.
 pub async fn serve(server: Server, backend: Arc<dyn Backend>) -> io::Result<()> {
-    let Server { listener, settings, tls, publisher, hub, .. } = server;
+    /// Longest time from the closing to the end.
+    const CLOSING: Duration = Duration::from_secs(3);
+    let Server { listener, settings, tls, publisher, hub, closer, .. } = server;
     let listener = TcpListener::from_std(listener)?;
     let handshakes = Arc::new(Semaphore::new(settings.limits.handshakes.max(1)));
     let house = Arc::new(House {
@@ -46,17 +67,36 @@ pub async fn serve(server: Server, backend: Arc<dyn Backend>) -> io::Result<()> 
         advertised: connection::advertised(),
         acceptor: tls.map(|armour| armour.acceptor),
         count: AtomicU64::new(0),
+        closing: closer.0.subscribe(),
         settings,
         publisher,
         backend,
     });
+    // Hands out until the last connection is over.
+    let mut hands_out = JoinSet::new();
+    hands_out.spawn(hub.run());
     let mut tasks = JoinSet::new();
-    tasks.spawn(hub.run());
+    tokio::select! {
+        () = house.closing() => {}
+        () = receive_all(&house, listener, &handshakes, &mut tasks) => {}
+    }
+    let ends = async { while tasks.join_next().await.is_some() {} };
+    let _in_time = tokio::time::timeout(CLOSING, ends).await;
+    Ok(())
+}
+
+/// Receives whoever comes, until it is dropped.
+async fn receive_all(
+    house: &Arc<House>,
+    listener: TcpListener,
+    handshakes: &Arc<Semaphore>,
+    tasks: &mut JoinSet<()>,
+) {
     loop {
         // Those that find no place wait in the system's queue, and come in as others time out.
-        let Ok(step) = Arc::clone(&handshakes).acquire_owned().await else { return Ok(()) };
-        let (stream, address) = next(&listener, &mut tasks).await;
-        let house = Arc::clone(&house);
+        let Ok(step) = Arc::clone(handshakes).acquire_owned().await else { return };
+        let (stream, address) = next(&listener, tasks).await;
+        let house = Arc::clone(house);
         tasks.spawn(async move { house.receive(stream, address, step).await });
     }
 }
@@ -92,7 +132,11 @@ impl House {
     ) {
         let entry =
             tokio::time::timeout(self.settings.limits.handshake, self.enter(stream, address));
-        let Ok(Some(guest)) = entry.await else { return };
+        let entry = tokio::select! {
+            entry = entry => entry,
+            () = self.closing() => return,
+        };
+        let Ok(Some(guest)) = entry else { return };
         drop(step);
         connection::hold(&self, guest.socket, guest.who).await;
     }
@@ -111,7 +155,10 @@ impl House {
                 admitted = Some((role, place));
                 Ok(spoken(response, protocol))
             }
-            Err(closed) => Err::<_, ErrorResponse>(closed.response()),
+            Err(closed) => {
+                self.backend.refused(address, closed.text());
+                Err::<_, ErrorResponse>(closed.response())
+            }
         };
         let socket = Box::pin(accept_hdr_async_with_config(carrier, decide, Some(self.config())))
             .await
@@ -119,6 +166,18 @@ impl House {
         let (role, place) = admitted?;
         let number = self.count.fetch_add(1, Ordering::Relaxed) + 1;
         Some(Guest { socket, who: Who { number, address, role }, _place: place })
+    }
+
+    /// Waits until the server closes.
+    pub(super) async fn closing(&self) {
+        if self.closing.clone().wait_for(Option::is_some).await.is_err() {
+            std::future::pending::<()>().await;
+        }
+    }
+
+    /// Why the server closes; nothing as long as it does not.
+    pub(super) fn reason(&self) -> String {
+        self.closing.borrow().clone().unwrap_or_default()
     }
 
     fn admit(

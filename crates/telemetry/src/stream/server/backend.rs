@@ -22,6 +22,24 @@ pub trait Backend: Send + Sync {
     /// # Errors
     /// If it is refused; a sentence.
     fn ask(&self, request: Request, who: &Who) -> Result<Reply, String>;
+
+    /// Hears that `who` has come in.
+    fn connected(&self, who: &Who) {
+        let _ = who;
+    }
+
+    /// Hears that the connection of `who` is over, however it ended: what it had pressed is to
+    /// be let go. No press of this client is asked for afterwards.
+    ///
+    /// It is called on the runtime's thread and must not wait.
+    fn disconnected(&self, who: &Who) {
+        let _ = who;
+    }
+
+    /// Hears that somebody at `address` was turned away, and why.
+    fn refused(&self, address: SocketAddr, why: &str) {
+        let _ = (address, why);
+    }
 }
 
 /// A parameter's value.

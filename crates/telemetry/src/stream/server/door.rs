@@ -30,13 +30,17 @@ impl Closed {
         }
     }
 
-    const fn text(self) -> &'static str {
+    /// What is said of it.
+    pub(super) const fn text(self) -> &'static str {
         match self {
             Self::Origin => {
                 "this web page may not connect: add its origin to those that the host lets in"
             }
             Self::Protocol => "this host speaks foxglove.sdk.v1: ask for it as the subprotocol",
-            Self::Token => "this host asks for a token: give it as ?token=... or as a Bearer",
+            Self::Token => {
+                "this host asks for a token: give it as ?token=... or as a Bearer; `letoff dash \
+                 --print` on its machine tells it to its user"
+            }
             Self::Full => "this host has as many clients as it takes: close one of them",
         }
     }

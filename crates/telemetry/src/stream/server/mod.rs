@@ -9,7 +9,8 @@
 //!
 //! A browser sends where its page comes from, a program does not: only listed origins are let in,
 //! or any page that is open on the machine could move motors.
-//! Loopback is open to this machine's programs; anything else needs a token and TLS.
+//! Any user of a machine reaches its loopback: a server gives every client that should come in a
+//! token ([`Token::random`] makes one for a run), and beyond loopback it needs TLS as well.
 
 mod accept;
 mod backend;
@@ -30,7 +31,7 @@ use std::net::{SocketAddr, TcpListener};
 
 use hub::Hub;
 
-pub use accept::serve;
+pub use accept::{Closer, serve};
 pub use backend::{Backend, Value, Who};
 pub use publisher::Publisher;
 pub use role::Role;
@@ -47,6 +48,7 @@ pub struct Server {
     tls: Option<tls::Armour>,
     publisher: Publisher,
     hub: Hub,
+    closer: Closer,
 }
 
 impl Server {
@@ -68,7 +70,8 @@ impl Server {
         listener.set_nonblocking(true)?;
         let address = listener.local_addr()?;
         let (publisher, hub) = publisher::pair();
-        Ok(Self { listener, address, settings, tls, publisher, hub })
+        let closer = Closer::default();
+        Ok(Self { listener, address, settings, tls, publisher, hub, closer })
     }
 
     /// Where it listens; with the port that was found if port 0 was asked for.
@@ -85,6 +88,11 @@ impl Server {
     /// What its certificate is recognised by, if it has one.
     pub fn fingerprint(&self) -> Option<Fingerprint> {
         self.tls.as_ref().map(|armour| armour.fingerprint)
+    }
+
+    /// Returns what ends [`serve`] in good order.
+    pub fn closer(&self) -> Closer {
+        self.closer.clone()
     }
 
     /// Where messages are handed in.

@@ -1,6 +1,6 @@
 //! What waits for a client: a queue that is never dropped, and one of which it may miss something.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use tokio::sync::{Notify, mpsc};
@@ -21,6 +21,9 @@ pub(super) struct Outbox {
     data: Mutex<Backlog<Letter>>,
     is_data: Notify,
     is_cut: Notify,
+    /// Whether nothing more is added.
+    is_finished: AtomicBool,
+    finishes: Notify,
 }
 
 /// A sample for a subscription.
@@ -41,6 +44,8 @@ impl Outbox {
             data: Mutex::new(Backlog::new(limits.data_bytes)),
             is_data: Notify::new(),
             is_cut: Notify::new(),
+            is_finished: AtomicBool::new(false),
+            finishes: Notify::new(),
         };
         (outbox, receiver)
     }
@@ -68,6 +73,19 @@ impl Outbox {
     /// Counts that `message` of the control queue does not wait any more.
     pub(super) fn taken(&self, message: &Message) {
         self.control_bytes.fetch_sub(message.len(), Ordering::Relaxed);
+    }
+
+    /// Says that nothing more is added.
+    pub(super) fn finish(&self) {
+        self.is_finished.store(true, Ordering::Release);
+        self.finishes.notify_one();
+    }
+
+    /// Waits until nothing more is added.
+    pub(super) async fn finished(&self) {
+        while !self.is_finished.load(Ordering::Acquire) {
+            self.finishes.notified().await;
+        }
     }
 
     /// Waits until the client is to be cut.

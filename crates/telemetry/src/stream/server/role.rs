@@ -3,30 +3,38 @@
 use serde::{Deserialize, Serialize};
 
 use crate::Request;
+use crate::stream::protocol::Service;
 
 /// What somebody may do; each may do what those before may.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
-    /// Watches.
+    /// Watches, and may take all forces away.
     Viewer,
     /// Changes how keys feel.
     Tuner,
-    /// Stops, and writes files.
+    /// Writes files, and reads the scene.
     Owner,
 }
 
 impl Role {
     /// Who may ask for `request`, at least.
     pub const fn for_request(request: &Request) -> Self {
-        match request {
-            Request::Set { .. }
-            | Request::UseInstrument { .. }
-            | Request::Press { .. }
-            | Request::Identify { .. } => Self::Tuner,
-            Request::Stop {} | Request::Scene {} | Request::Where {} | Request::Record { .. } => {
-                Self::Owner
-            }
+        match Service::of(request) {
+            Some(service) => Self::for_service(service),
+            None if matches!(request, Request::Set { .. }) => Self::Tuner,
+            None => Self::Owner,
+        }
+    }
+
+    /// Returns the least role that may ask for `service`.
+    ///
+    /// A stop needs the least of all: whoever sees that something goes wrong may end it.
+    pub const fn for_service(service: Service) -> Self {
+        match service {
+            Service::Stop => Self::Viewer,
+            Service::UseInstrument | Service::Press | Service::Identify => Self::Tuner,
+            Service::Scene | Service::Record => Self::Owner,
         }
     }
 
@@ -61,13 +69,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_viewer_only_watches_and_only_an_owner_stops() {
+    fn every_role_may_stop_and_a_viewer_changes_nothing_else() {
         let set = Request::Set { changes: vec![] };
         let refused = "a viewer may not do this: connect with a token of the role tuner";
         assert_eq!(Role::Viewer.check(&set), Err(refused.to_owned()));
         assert_eq!(Role::Tuner.check(&set), Ok(()));
         assert_eq!(Role::Owner.check(&set), Ok(()));
-        assert!(Role::Tuner.check(&Request::Stop {}).is_err());
-        assert_eq!(Role::Owner.check(&Request::Stop {}), Ok(()));
+        assert!(Role::Tuner.check(&Request::Scene {}).is_err());
+        for role in [Role::Viewer, Role::Tuner, Role::Owner] {
+            assert_eq!(role.check(&Request::Stop {}), Ok(()));
+        }
     }
 }

@@ -1,8 +1,11 @@
 //! How a server listens, and what it puts up with.
 
+use std::io;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::time::Duration;
+
+use ring::rand::SecureRandom as _;
 
 use super::Role;
 
@@ -53,6 +56,19 @@ pub struct Token {
 }
 
 impl Token {
+    /// Makes a token of `role` with a secret of 256 random bits.
+    ///
+    /// # Errors
+    /// If the system gives no random numbers.
+    pub fn random(role: Role) -> io::Result<Self> {
+        let mut bytes = [0; 32];
+        let filled = ring::rand::SystemRandom::new().fill(&mut bytes);
+        filled.map_err(|_none| io::Error::other("the system gives no random numbers"))?;
+        let digits = bytes.into_iter().flat_map(|byte| [byte >> 4, byte & 0xf]);
+        let secret = digits.filter_map(|digit| char::from_digit(digit.into(), 16)).collect();
+        Ok(Self { secret, role })
+    }
+
     /// Whether its secret can stand in an address as it is.
     pub fn is_plain(&self) -> bool {
         let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~".contains(&byte);
@@ -227,6 +243,13 @@ mod tests {
         }
         let origins = vec!["https://app.example:8443".to_owned()];
         assert_eq!(Settings { origins, ..Settings::default() }.check(), Ok(()));
+    }
+
+    #[test]
+    fn a_random_secret_is_another_each_time_and_can_stand_in_an_address() {
+        let one = Token::random(Role::Owner).expect("random numbers");
+        let other = Token::random(Role::Owner).expect("random numbers");
+        assert!(one.is_plain() && one.secret.len() == 64 && one.secret != other.secret);
     }
 
     #[test]

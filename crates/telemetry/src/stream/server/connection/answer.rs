@@ -1,6 +1,6 @@
 //! What is asked of the host, and answered beside the runtime's thread.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::mpsc;
 use tokio_tungstenite::tungstenite::Message;
@@ -82,12 +82,25 @@ struct Parts {
     house: Arc<House>,
     outbox: Arc<Outbox>,
     who: Who,
+    /// Whether the client is gone; held while a key is pressed.
+    is_gone: Mutex<bool>,
 }
 
 impl Answerer {
     /// Of `who`, by `outbox`.
     pub(super) fn new(house: Arc<House>, outbox: Arc<Outbox>, who: Who) -> Self {
-        Self(Arc::new(Parts { house, outbox, who }))
+        Self(Arc::new(Parts { house, outbox, who, is_gone: Mutex::new(false) }))
+    }
+
+    /// Tells the backend that the client is there.
+    pub(super) fn arrive(&self) {
+        self.0.house.backend.connected(&self.0.who);
+    }
+
+    /// Tells the backend that the client is gone: what it had pressed is let go.
+    pub(super) fn leave(&self) {
+        *self.0.is_gone.lock().unwrap_or_else(PoisonError::into_inner) = true;
+        self.0.house.backend.disconnected(&self.0.who);
     }
 
     /// Answers one job after the other.
@@ -148,6 +161,14 @@ impl Parts {
 
     fn ask(&self, request: Request) -> Result<Reply, String> {
         self.who.role.check(&request)?;
+        if !matches!(request, Request::Press { .. }) {
+            return self.house.backend.ask(request, &self.who);
+        }
+        // Held until it is done: a key that is pressed after its client has gone stays pressed.
+        let is_gone = self.is_gone.lock().unwrap_or_else(PoisonError::into_inner);
+        if *is_gone {
+            return Err("the key was not pressed: its client is gone".to_owned());
+        }
         self.house.backend.ask(request, &self.who)
     }
 }

@@ -6,10 +6,13 @@ mod read;
 mod write;
 
 use std::collections::BTreeMap;
+use std::pin::pin;
 use std::sync::Arc;
+use std::time::Duration;
 
 use futures_util::StreamExt as _;
 use tokio::sync::mpsc;
+use tokio::time::timeout;
 use tokio_tungstenite::WebSocketStream;
 use tokio_tungstenite::tungstenite::Message;
 
@@ -23,6 +26,9 @@ use super::{Publisher, Role, Settings, Who};
 use crate::stream::carrier::Boxed;
 use crate::stream::protocol::{FromServer, Service, Text as _, channels};
 
+/// Longest time for the last answers of a server that closes, and for the client to hear them.
+const CLOSING: Duration = Duration::from_secs(1);
+
 /// Requests of a client that wait for those before; more are refused.
 const WAITING: usize = 64;
 
@@ -33,23 +39,57 @@ pub(super) async fn hold(house: &Arc<House>, socket: WebSocketStream<Boxed>, who
     let outbox = Arc::new(outbox);
     outbox.tell(&information(&house.settings, who.role));
     outbox.send(house.advertised.clone());
-    if who.role > Role::Viewer {
-        outbox.tell(&services());
-    }
+    outbox.tell(&services(who.role));
     let _member = Membership::join(&house.publisher, who, &outbox);
-    let (mut sink, stream) = socket.split();
+    let (mut sink, mut stream) = socket.split();
     let (asked, to_answer) = mpsc::channel(WAITING);
     let (urgent, to_answer_first) = mpsc::channel(WAITING);
     let answerer = Answerer::new(Arc::clone(house), Arc::clone(&outbox), who);
+    let presence = Presence::begin(&answerer);
     let mut reader = Reader::new(house, Arc::clone(&outbox), who, asked, urgent);
+    let mut writing = Box::pin(write::run(&mut sink, control, &outbox, limits));
+    let mut answering =
+        pin!(async { tokio::join!(answerer.run(to_answer), answerer.run(to_answer_first)) });
     let end = tokio::select! {
-        end = reader.run(stream) => end,
-        end = write::run(&mut sink, control, &outbox, limits) => end,
-        () = answerer.run(to_answer) => End::Left,
-        () = answerer.run(to_answer_first) => End::Left,
+        end = reader.run(&mut stream) => end,
+        end = &mut writing => end,
+        _ended = &mut answering => End::Left,
         () = outbox.cut() => End::Stalled,
+        () = house.closing() => End::Over,
     };
-    write::bid_farewell(&mut sink, end).await;
+    // Nothing more is taken from the client: the answers come to their end.
+    drop(reader);
+    if end == End::Over {
+        let last_words = async {
+            answering.await;
+            outbox.finish();
+            writing.as_mut().await
+        };
+        let _sent = timeout(CLOSING, last_words).await;
+    }
+    drop(writing);
+    drop(presence);
+    write::bid_farewell(&mut sink, end, &house.reason()).await;
+    if end == End::Over {
+        // A client that is still heard reads what was sent; one that is not might lose it.
+        let _gone = timeout(CLOSING, async { while stream.next().await.is_some() {} }).await;
+    }
+}
+
+/// The backend knows that a client is there as long as this is.
+struct Presence(Answerer);
+
+impl Presence {
+    fn begin(answerer: &Answerer) -> Self {
+        answerer.arrive();
+        Self(answerer.clone())
+    }
+}
+
+impl Drop for Presence {
+    fn drop(&mut self) {
+        self.0.leave();
+    }
 }
 
 /// How a conversation ended.
@@ -63,6 +103,8 @@ pub(super) enum End {
     Silent,
     /// It sent more at once than is taken.
     TooLarge,
+    /// The server closes.
+    Over,
 }
 
 /// That somebody is there, as long as this is.
@@ -86,10 +128,7 @@ impl Drop for Membership {
 
 /// Who we are, and what somebody in this role can ask.
 fn information(settings: &Settings, role: Role) -> FromServer {
-    let mut capabilities = vec!["parameters", "parametersSubscribe"];
-    if role > Role::Viewer {
-        capabilities.push("services");
-    }
+    let capabilities = ["parameters", "parametersSubscribe", "services"];
     FromServer::ServerInfo {
         name: settings.name.clone(),
         capabilities: capabilities.into_iter().map(str::to_owned).collect(),
@@ -105,7 +144,9 @@ pub(super) fn advertised() -> Message {
     Message::text(advertise.encode().unwrap_or_default())
 }
 
-fn services() -> FromServer {
-    let services = Service::ALL.into_iter().map(Service::advertised).collect();
+/// What somebody in this role can ask for.
+fn services(role: Role) -> FromServer {
+    let may_ask = |service: &Service| Role::for_service(*service) <= role;
+    let services = Service::ALL.into_iter().filter(may_ask).map(Service::advertised).collect();
     FromServer::AdvertiseServices { services }
 }

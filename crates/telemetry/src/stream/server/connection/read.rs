@@ -60,7 +60,7 @@ impl Reader {
     }
 
     /// Reads until the client has nothing more to say, or nothing is heard of it.
-    pub(super) async fn run(&mut self, mut stream: SplitStream<WebSocketStream<Boxed>>) -> End {
+    pub(super) async fn run(&mut self, stream: &mut SplitStream<WebSocketStream<Boxed>>) -> End {
         loop {
             let message = match timeout(self.idle, stream.next()).await {
                 Ok(Some(Ok(message))) => message,

@@ -24,7 +24,7 @@ const PINGS: u32 = 3;
 /// Shortest time between two sentences on what was dropped.
 const BETWEEN_WARNINGS: Duration = Duration::from_secs(1);
 
-/// Sends what waits, control first, until the client takes no more.
+/// Sends what waits, control first, until the client takes no more or all is sent.
 pub(super) async fn run(
     sink: &mut Sink,
     mut control: mpsc::Receiver<Message>,
@@ -46,6 +46,7 @@ pub(super) async fn run(
                 continue;
             }
             message = outbox.sample() => message,
+            () = outbox.finished() => return End::Over,
         };
         // Whoever takes nothing for so long is gone, or will not catch up.
         match timeout(limits.stall, sink.send(next)).await {
@@ -57,16 +58,21 @@ pub(super) async fn run(
 }
 
 /// Says why it is over, if the client may still hear it.
-pub(super) async fn bid_farewell(sink: &mut Sink, end: End) {
+///
+/// `closing` is why the server closes, if it does.
+pub(super) async fn bid_farewell(sink: &mut Sink, end: End, closing: &str) {
     /// Longest time for a last word.
     const GRACE: Duration = Duration::from_secs(1);
+    /// Longest reason that a close frame carries [bytes].
+    const LONGEST: usize = 123;
     let (code, reason) = match end {
         End::Left => return,
         End::Stalled => (CloseCode::Policy, "you do not take what is sent to you"),
         End::Silent => (CloseCode::Policy, "nothing was heard of you, not even a pong"),
         End::TooLarge => (CloseCode::Size, "your message is larger than this host takes"),
+        End::Over => (CloseCode::Away, &closing[..closing.floor_char_boundary(LONGEST)]),
     };
-    let frame = CloseFrame { code, reason: Utf8Bytes::from_static(reason) };
+    let frame = CloseFrame { code, reason: Utf8Bytes::from(reason) };
     let _heard = timeout(GRACE, sink.send(Message::Close(Some(frame)))).await;
 }
 

@@ -1,0 +1,109 @@
+//! Simulated fingers on keys, and whose they are: they go with the connection that put them there.
+
+use std::collections::BTreeMap;
+
+use firmware_protocol::key::KeyIndex;
+use rtrb::Producer;
+
+/// The connection of a client of the stream; none for the control socket, where each request is a
+/// connection of its own and a key stays pressed until it is let go.
+pub type Connection = Option<u64>;
+
+/// Simulated fingers, on their way into the tick.
+///
+/// Of the ring's places one is always kept free for each key that is pressed, so that letting go
+/// never fails.
+#[derive(Debug)]
+pub struct Fingers {
+    weights: Producer<(KeyIndex, f64)>,
+    /// The keys that are pressed, and by whom last.
+    pressed: BTreeMap<u8, (KeyIndex, Connection)>,
+}
+
+impl Fingers {
+    /// Nothing is pressed.
+    pub const fn new(weights: Producer<(KeyIndex, f64)>) -> Self {
+        Self { weights, pressed: BTreeMap::new() }
+    }
+
+    /// Presses `key` with `newtons` for `by`; 0 lets go.
+    ///
+    /// # Errors
+    /// If too much is waiting, in a sentence.
+    pub fn press(&mut self, key: KeyIndex, newtons: f64, by: Connection) -> Result<(), String> {
+        if newtons == 0.0 {
+            self.let_go(key);
+            return Ok(());
+        }
+        let others = self.pressed.len() - usize::from(self.pressed.contains_key(&key.number()));
+        if self.weights.slots() < others + 2 || self.weights.push((key, newtons)).is_err() {
+            return Err("too many keys are pressed at once; try again".to_owned());
+        }
+        self.pressed.insert(key.number(), (key, by));
+        Ok(())
+    }
+
+    /// Lets go of all keys that `connection` pressed last.
+    pub fn leave(&mut self, connection: u64) {
+        let its = |(_, by): &&(KeyIndex, Connection)| *by == Some(connection);
+        let keys: Vec<_> = self.pressed.values().filter(its).map(|(key, _)| *key).collect();
+        for key in keys {
+            self.let_go(key);
+        }
+    }
+
+    /// Lets go of `key`; nothing if nobody presses it.
+    fn let_go(&mut self, key: KeyIndex) {
+        if self.pressed.remove(&key.number()).is_some() {
+            // Its place was kept free; and without a run nobody feels it.
+            let _kept = self.weights.push((key, 0.0));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rtrb::{Consumer, RingBuffer};
+
+    fn fingers(room: usize) -> (Fingers, Consumer<(KeyIndex, f64)>) {
+        let (weights, laid) = RingBuffer::new(room);
+        (Fingers::new(weights), laid)
+    }
+
+    fn key(number: u8) -> KeyIndex {
+        KeyIndex::new(number).expect("a key")
+    }
+
+    fn all(laid: &mut Consumer<(KeyIndex, f64)>) -> Vec<(u8, f64)> {
+        std::iter::from_fn(|| laid.pop().ok()).map(|(key, n)| (key.number(), n)).collect()
+    }
+
+    #[test]
+    fn the_fingers_of_a_client_that_goes_are_taken_away_and_no_others() {
+        let (mut fingers, mut laid) = fingers(16);
+        for (number, by) in [(1, Some(7)), (2, Some(8)), (3, None), (4, Some(7)), (4, Some(8))] {
+            fingers.press(key(number), 2.0, by).expect("room");
+        }
+        all(&mut laid);
+        fingers.leave(7);
+        assert_eq!(all(&mut laid), [(1, 0.0)], "key 4 is client 8's by now");
+        fingers.leave(7);
+        assert_eq!(all(&mut laid), []);
+        fingers.leave(8);
+        assert_eq!(all(&mut laid), [(2, 0.0), (4, 0.0)]);
+    }
+
+    #[test]
+    fn there_is_always_room_to_let_go() {
+        let (mut fingers, mut laid) = fingers(8);
+        let pressed = (0..8).filter(|n| fingers.press(key(*n), 1.0, Some(1)).is_ok()).count();
+        assert_eq!(pressed, 4, "half of the ring is kept for letting go");
+        for _ in 0..100 {
+            fingers.press(key(9), 0.0, Some(2)).expect("nobody presses it");
+        }
+        fingers.leave(1);
+        let all = all(&mut laid);
+        assert_eq!(all[4..], [(0, 0.0), (1, 0.0), (2, 0.0), (3, 0.0)]);
+    }
+}

@@ -1,0 +1,136 @@
+//! Files that clients of the stream name: only in folders that the host's owner has named.
+
+use std::fs::{self, DirBuilder};
+use std::os::unix::fs::DirBuilderExt as _;
+use std::path::{Component, Path, PathBuf};
+
+use crate::config::instruments;
+use crate::names::{choice, quoted};
+
+/// Folders in which clients of the stream may name files; without one they may name none.
+#[derive(Clone, Debug, Default)]
+pub struct Folders {
+    /// Where recordings go that a client begins.
+    pub recordings: Option<PathBuf>,
+    /// Where instruments are that clients may use beside the embedded ones.
+    pub instruments: Option<PathBuf>,
+}
+
+impl Folders {
+    /// Where a recording goes that a client calls `name`; its folder is made if need be.
+    ///
+    /// # Errors
+    /// If it may not be there, in a sentence.
+    pub(super) fn recording(&self, name: &str) -> Result<String, String> {
+        let folder = self.recordings.as_deref();
+        let folder =
+            folder.ok_or("this host lets no client record: give it --recordings FOLDER")?;
+        let file = file_in(folder, name).filter(|file| has_ending(file, "mcap")).ok_or_else(|| {
+            let (name, folder) = (quoted(name), folder.display());
+            format!(
+                "recordings go into {folder} on the host's machine: give a file's name without a \
+                 folder and with .mcap, not {name}"
+            )
+        })?;
+        let made = DirBuilder::new().recursive(true).mode(0o700).create(folder);
+        made.map_err(|error| format!("the folder {} cannot be made: {error}", folder.display()))?;
+        Ok(file.display().to_string())
+    }
+
+    /// What a client means by the instrument `name`: an embedded one, or a file's path.
+    ///
+    /// # Errors
+    /// If there is none that a client may use, in a sentence with nothing of any file.
+    pub(super) fn instrument(&self, name: &str) -> Result<String, String> {
+        let embedded: Vec<_> = instruments().into_iter().map(|it| it.name).collect();
+        if embedded.iter().any(|it| it == name) {
+            return Ok(name.to_owned());
+        }
+        let folder = self.instruments.as_deref();
+        let found = folder.and_then(|folder| {
+            let file = file_in(folder, name)?;
+            let file =
+                if has_ending(&file, "toml") { file } else { file.with_added_extension("toml") };
+            // Where a symbolic link leads may be anywhere.
+            let file = fs::canonicalize(file).ok().filter(|file| file.is_file())?;
+            file.starts_with(fs::canonicalize(folder).ok()?).then_some(file)
+        });
+        found.map(|file| file.display().to_string()).ok_or_else(|| {
+            let own = folder.map_or_else(String::new, |folder| {
+                format!(", or a file in {} on the host's machine", folder.display())
+            });
+            let (wanted, choice) = (quoted(name), choice(name, &embedded));
+            format!("there is no instrument {wanted} for clients: {choice}{own}")
+        })
+    }
+}
+
+/// The file called `name` in `folder`; none if it would be elsewhere, or hidden.
+fn file_in(folder: &Path, name: &str) -> Option<PathBuf> {
+    let name = Path::new(name);
+    let name = name.strip_prefix(folder).unwrap_or(name);
+    let mut parts = name.components();
+    let (Some(Component::Normal(file)), None) = (parts.next(), parts.next()) else { return None };
+    let text = file.to_str()?;
+    let is_plain =
+        !text.starts_with('.') && !text.contains(char::is_control) && file == name.as_os_str();
+    is_plain.then(|| folder.join(file))
+}
+
+fn has_ending(file: &Path, ending: &str) -> bool {
+    file.extension().is_some_and(|it| it == ending)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_files_in_the_folder_are_named() {
+        let folder = Path::new("/var/lib/x");
+        for good in ["a.mcap", "/var/lib/x/a.mcap"] {
+            assert_eq!(file_in(folder, good), Some(folder.join("a.mcap")), "{good}");
+        }
+        for bad in [
+            "",
+            ".",
+            "..",
+            "../a.mcap",
+            "/a.mcap",
+            "b/a.mcap",
+            "./a.mcap",
+            ".a.mcap",
+            "a.mcap/",
+            "/var/lib/x/../a.mcap",
+            "/var/lib/x",
+            "a\nb.mcap",
+            "/var/lib/x/y/a.mcap",
+        ] {
+            assert_eq!(file_in(folder, bad), None, "{bad:?}");
+        }
+    }
+
+    #[test]
+    fn a_client_reads_no_file_that_is_no_instrument_of_its_folder() {
+        let folder = folder();
+        fs::write(folder.join("mine.toml"), "").expect("a file");
+        std::os::unix::fs::symlink("/etc/passwd", folder.join("link.toml")).expect("a link");
+        let folders = Folders { recordings: None, instruments: Some(folder.clone()) };
+        assert_eq!(folders.instrument("grand-springs"), Ok("grand-springs".to_owned()));
+        let mine = fs::canonicalize(folder.join("mine.toml")).expect("the file");
+        assert_eq!(folders.instrument("mine"), Ok(mine.display().to_string()));
+        for foreign in ["/etc/passwd", "../mine.toml", "link.toml", "no", "Cargo.toml"] {
+            let refused = folders.instrument(foreign).expect_err(foreign);
+            assert!(refused.contains("no instrument") && !refused.contains("root:"), "{refused}");
+        }
+        assert!(Folders::default().instrument("mine").is_err());
+        assert!(Folders::default().recording("a.mcap").is_err());
+        fs::remove_dir_all(folder).expect("the folder");
+    }
+
+    fn folder() -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("letoff-folders-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        folder
+    }
+}

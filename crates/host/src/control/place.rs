@@ -1,0 +1,174 @@
+//! Where the control socket lies, and whose it is.
+//!
+//! Whoever may connect to it is the host's owner, and whoever listens there is believed: so it
+//! lies in a folder that nobody else can write, and each side looks who the other one is.
+
+use std::fs;
+use std::io;
+use std::os::unix::fs::{DirBuilderExt as _, FileTypeExt as _, MetadataExt as _};
+use std::path::{Path, PathBuf};
+
+use rustix::process::getuid;
+
+/// Where the socket of a host is that the shipped unit starts.
+const SERVICE: &str = "/run/letoff/letoff.sock";
+
+/// Of a folder's mode: others may write.
+const OTHERS_WRITE: u32 = 0o022;
+/// Of a folder's mode: only owners remove their files.
+const STICKY: u32 = 0o1000;
+
+/// Where a host of this user listens: where `LETOFF_SOCKET` says, in the runtime directory if that
+/// is this user's, or else beside other temporary files, in a folder of the user's own.
+pub fn socket_path() -> PathBuf {
+    if let Some(path) = chosen() {
+        return path;
+    }
+    let runtime = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from);
+    // Who becomes another user may keep the first one's.
+    let folder = runtime
+        .filter(|folder| owner(folder) == Some(user()))
+        .unwrap_or_else(|| std::env::temp_dir().join(format!("letoff-{}", user())));
+    folder.join("letoff.sock")
+}
+
+/// What `LETOFF_SOCKET` says.
+pub(super) fn chosen() -> Option<PathBuf> {
+    std::env::var_os("LETOFF_SOCKET").map(PathBuf::from)
+}
+
+/// This user's number.
+pub(super) fn user() -> u32 {
+    getuid().as_raw()
+}
+
+/// Whose a file is; none if it cannot be seen.
+pub(super) fn owner(path: &Path) -> Option<u32> {
+    Some(fs::metadata(path).ok()?.uid())
+}
+
+/// Makes the folder of the socket at `path`, for this user only, if it is not there; its own
+/// folder must be.
+///
+/// # Errors
+/// If it cannot be made, or another user could put a socket of theirs there; a sentence.
+pub(super) fn prepare_folder(path: &Path) -> io::Result<()> {
+    let folder = folder(path);
+    match fs::DirBuilder::new().mode(0o700).create(folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            let above = folder.parent().unwrap_or(folder).display();
+            let text = format!("there is no folder {above} (make it first, or correct TMPDIR)");
+            return Err(io::Error::new(error.kind(), text));
+        }
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => return Err(error),
+        Ok(()) | Err(_) => {}
+    }
+    check_folder(path)
+}
+
+/// Refuses a folder in which another user could put a socket of theirs.
+///
+/// # Errors
+/// If it is one; a sentence.
+pub(super) fn check_folder(path: &Path) -> io::Result<()> {
+    let folder = folder(path);
+    let is_trusted = |uid: u32| uid == user() || uid == 0;
+    // Whoever owns a symbolic link says where it leads.
+    let (link, target) = (fs::symlink_metadata(folder)?, fs::metadata(folder)?);
+    let stranger =
+        [&link, &target].into_iter().map(fs::Metadata::uid).find(|uid| !is_trusted(*uid));
+    if let Some(uid) = stranger {
+        return refuse(format!(
+            "the folder {} belongs to user {uid}, who could answer in a host's place",
+            folder.display()
+        ));
+    }
+    let mode = target.mode();
+    if mode & OTHERS_WRITE != 0 && mode & STICKY == 0 {
+        return refuse(format!(
+            "others can write into {0} and could answer in a host's place (`chmod go-w {0}`)",
+            folder.display()
+        ));
+    }
+    Ok(())
+}
+
+/// Whether root has named this path, as it does to ask the host of another user.
+pub(super) fn is_allowed_to_root(path: &Path) -> bool {
+    user() == 0 && chosen().is_some_and(|chosen| chosen == path)
+}
+
+/// Takes away the socket that a host of this user left at `path`; anything else stays.
+///
+/// # Errors
+/// If there is something else, or a host listens; a sentence.
+pub(super) fn clear(path: &Path) -> io::Result<()> {
+    let found = match fs::symlink_metadata(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        found => found?,
+    };
+    if !found.file_type().is_socket() {
+        return refuse("what is there is no socket, and is left alone".to_owned());
+    }
+    if found.uid() != user() {
+        return refuse(format!("the socket there is user {}'s, and is left alone", found.uid()));
+    }
+    match std::os::unix::net::UnixStream::connect(path) {
+        Ok(_host) => Err(io::Error::new(io::ErrorKind::AddrInUse, "another host is running")),
+        Err(error) if error.kind() == io::ErrorKind::ConnectionRefused => fs::remove_file(path),
+        Err(error) => Err(error),
+    }
+}
+
+/// Sockets at which hosts listen elsewhere on this machine, with their owners as far as those can
+/// be seen; `path` is left out.
+pub(super) fn others(path: &Path) -> Vec<(PathBuf, Option<u32>)> {
+    let listed = fs::read_to_string("/proc/net/unix").unwrap_or_default();
+    let mut others: Vec<PathBuf> = listening(&listed).filter(|other| other != path).collect();
+    others.sort();
+    others.dedup();
+    others.into_iter().map(|other| (owner(&other), other)).map(|(uid, it)| (it, uid)).collect()
+}
+
+/// The sockets called as a host's that listen, of the system's list.
+fn listening(listed: &str) -> impl Iterator<Item = PathBuf> {
+    /// The flag of a socket that listens.
+    const LISTENS: &str = "00010000";
+    listed.lines().filter_map(|line| {
+        let mut words = line.split_whitespace();
+        let flags = words.nth(3)?;
+        let path = PathBuf::from(words.nth(3)?);
+        let is_host = flags == LISTENS && path.file_name()? == "letoff.sock";
+        is_host.then_some(path)
+    })
+}
+
+/// Whether `path` is where the shipped unit's host listens.
+pub(super) fn is_service(path: &Path) -> bool {
+    path == Path::new(SERVICE)
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|it| !it.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+fn refuse<T>(text: String) -> io::Result<T> {
+    Err(io::Error::new(io::ErrorKind::PermissionDenied, text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hosts_are_found_in_the_system_s_list() {
+        let listed = "\
+Num       RefCount Protocol Flags    Type St Inode Path
+0000000000000000: 00000002 00000000 00010000 0001 01 17 /run/letoff/letoff.sock
+0000000000000000: 00000003 00000000 00000000 0001 03 18 /run/user/7/letoff.sock
+0000000000000000: 00000002 00000000 00010000 0001 01 19 /run/systemd/private
+0000000000000000: 00000002 00000000 00010000 0001 01 20
+0000000000000000: 00000002 00000000 00010000 0001 01 21 @letoff.sock\n";
+        assert_eq!(listening(listed).collect::<Vec<_>>(), [Path::new(SERVICE)]);
+    }
+}

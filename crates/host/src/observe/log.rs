@@ -1,0 +1,300 @@
+//! What becomes of a run, in sentences for the host's log.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use firmware_protocol::key::KeyIndex;
+use hardware::refusal::KeyName;
+use telemetry::event::Kind;
+use telemetry::{Event, Links, Topic, Update};
+
+use super::pump::{Attention, Sink};
+
+/// What takes a line of the log; it must not wait for a disk or a terminal.
+pub type Line = Box<dyn FnMut(String) + Send>;
+
+/// Time for which changes of values are put together [ns].
+const CHANGES: u64 = 2_000_000_000;
+
+/// Writes down boards, clients, changes, faults and lost notes: few lines, however much happens.
+pub struct LogSink {
+    line: Line,
+    limit: Limit,
+    /// Keys whose values were changed since then, by whom.
+    changed: BTreeMap<String, BTreeSet<u32>>,
+    since: u64,
+    /// Whether boards are still to be named.
+    is_naming: bool,
+}
+
+impl std::fmt::Debug for LogSink {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("LogSink").field("changed", &self.changed).finish_non_exhaustive()
+    }
+}
+
+impl LogSink {
+    /// Hands lines to `line`.
+    pub fn new(line: Line) -> Self {
+        let (limit, changed) = (Limit::default(), BTreeMap::new());
+        Self { line, limit, changed, since: 0, is_naming: false }
+    }
+
+    /// The same, which names each board once; those that are simulated need it not.
+    #[must_use]
+    pub fn naming_boards(mut self) -> Self {
+        self.is_naming = true;
+        self
+    }
+
+    fn say(&mut self, at: u64, subject: Subject, text: String) {
+        if self.limit.has_room(at, subject) {
+            (self.line)(text);
+        }
+    }
+
+    fn event(&mut self, at: u64, event: &Event) {
+        match event.kind() {
+            Kind::Board => self.say(at, Subject::Boards, event.text.clone()),
+            Kind::Change => self.say(at, Subject::Changes, event.text.clone()),
+            Kind::Fault => {
+                let text = format!("{}: {}", key(event.key), event.text);
+                self.say(at, Subject::Voices, text);
+            }
+            Kind::Recovery => {
+                let text = format!("{}: its voice is felt again", key(event.key));
+                self.say(at, Subject::Voices, text);
+            }
+            Kind::Unknown
+            | Kind::Switch
+            | Kind::Strike
+            | Kind::DamperLift
+            | Kind::DamperFall
+            | Kind::Miss
+            | Kind::Skip
+            | Kind::Disarm
+            | Kind::Arm
+            | Kind::Pedal => {}
+        }
+    }
+
+    /// Says once how each board begins; from then on there are events.
+    fn boards(&mut self, links: &Links) {
+        for board in &links.boards {
+            let line = usize::try_from(board.line).ok().and_then(|it| links.lines.get(it));
+            let line = line.map_or("", |line| line.name.as_str());
+            let last = board.first_key + board.keys.saturating_sub(1);
+            let (first, last) = (key(board.first_key), key(last));
+            (self.line)(format!(
+                "board {} on {line}, {first} to {last}: {}",
+                board.id, board.state
+            ));
+        }
+    }
+
+    fn flush_changes(&mut self, at: u64) {
+        for (writer, keys) in std::mem::take(&mut self.changed) {
+            let (first, last) = (keys.first().copied(), keys.last().copied());
+            let (first, last) = (key(first.unwrap_or_default()), key(last.unwrap_or_default()));
+            let text = match keys.len() {
+                1 => format!("{writer} changed values of {first}"),
+                n => format!("{writer} changed values of {n} keys between {first} and {last}"),
+            };
+            self.say(at, Subject::Changes, text);
+        }
+    }
+}
+
+impl Sink for LogSink {
+    fn take(&mut self, at: u64, update: &Update) {
+        match update {
+            Update::Log(log) => self.say(at, Subject::Clients, log.text.clone()),
+            Update::Event(event) => self.event(at, event),
+            Update::Voice(voice) if voice.kept => {
+                if self.changed.is_empty() {
+                    self.since = at;
+                }
+                self.changed.entry(voice.writer.clone()).or_default().insert(voice.key);
+            }
+            Update::Links(links) if std::mem::take(&mut self.is_naming) => self.boards(links),
+            Update::Midi(midi) if midi.text.contains("lost: ") => {
+                self.say(at, Subject::Notes, format!("MIDI: {}", midi.text));
+            }
+            Update::Voice(_)
+            | Update::Links(_)
+            | Update::Midi(_)
+            | Update::Catalogue(_)
+            | Update::Overview(_)
+            | Update::Block(_)
+            | Update::State(..)
+            | Update::Ticks(_)
+            | Update::Deadlines(_) => {}
+        }
+    }
+
+    fn wants(&self, topic: Topic) -> bool {
+        let wanted = [Topic::Log, Topic::Events, Topic::Voices, Topic::Links, Topic::Midi];
+        wanted.contains(&topic)
+    }
+
+    fn attend(&mut self, now: u64) -> Attention {
+        if !self.changed.is_empty() && self.since.saturating_add(CHANGES) <= now {
+            self.flush_changes(now);
+        }
+        for (subject, n) in self.limit.held_back(now) {
+            (self.line)(format!("and {n} more lines on {} within {} s", subject.words(), SPAN_S));
+        }
+        Attention::Goes
+    }
+}
+
+impl Drop for LogSink {
+    fn drop(&mut self) {
+        self.flush_changes(u64::MAX);
+        for (subject, n) in self.limit.held_back(u64::MAX) {
+            (self.line)(format!("and {n} more lines on {}", subject.words()));
+        }
+    }
+}
+
+/// A key's name.
+fn key(number: u32) -> String {
+    let key = u8::try_from(number).ok().and_then(KeyIndex::new);
+    key.map_or_else(|| format!("key {number}"), |key| KeyName(key).to_string())
+}
+
+/// What a line is on; each has room of its own.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Subject {
+    Clients,
+    Boards,
+    Changes,
+    Voices,
+    Notes,
+}
+
+impl Subject {
+    const fn words(self) -> &'static str {
+        match self {
+            Self::Clients => "clients",
+            Self::Boards => "boards and links",
+            Self::Changes => "changes",
+            Self::Voices => "voices that failed",
+            Self::Notes => "MIDI messages that were lost",
+        }
+    }
+}
+
+/// A span of time in which so many lines on a subject are written [s].
+const SPAN_S: u64 = 10;
+const SPAN: u64 = SPAN_S * 1_000_000_000;
+const LINES: u32 = 10;
+
+/// Counts lines, and those that are held back.
+#[derive(Debug, Default)]
+struct Limit(BTreeMap<Subject, Span>);
+
+#[derive(Debug)]
+struct Span {
+    began: u64,
+    written: u32,
+    held: u64,
+}
+
+impl Limit {
+    /// Whether one more line may be written at `now` [ns].
+    fn has_room(&mut self, now: u64, subject: Subject) -> bool {
+        let fresh = Span { began: now, written: 0, held: 0 };
+        let span = self.0.entry(subject).or_insert(fresh);
+        if span.held == 0 && span.began.saturating_add(SPAN) <= now {
+            (span.began, span.written) = (now, 0);
+        }
+        let has_room = span.written < LINES;
+        span.written += u32::from(has_room);
+        span.held += u64::from(!has_room);
+        has_room
+    }
+
+    /// Takes out how many lines were held back in spans that are over at `now` [ns].
+    fn held_back(&mut self, now: u64) -> Vec<(Subject, u64)> {
+        let is_over = |span: &Span| 0 < span.held && span.began.saturating_add(SPAN) <= now;
+        let over = self.0.iter().filter(|(_, span)| is_over(span));
+        let over: Vec<_> = over.map(|(subject, span)| (*subject, span.held)).collect();
+        for (subject, _) in &over {
+            self.0.remove(subject);
+        }
+        over
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::mpsc;
+    use telemetry::{Log, Voice};
+
+    const SECOND: u64 = 1_000_000_000;
+
+    fn sink() -> (LogSink, mpsc::Receiver<String>) {
+        let (sender, lines) = mpsc::channel();
+        let line = move |text| drop(sender.send(text));
+        (LogSink::new(Box::new(line)).naming_boards(), lines)
+    }
+
+    fn lines(lines: &mpsc::Receiver<String>) -> Vec<String> {
+        lines.try_iter().collect()
+    }
+
+    fn board(text: &str) -> Update {
+        Update::Event(Event { kind: Kind::Board.into(), text: text.into(), ..Event::default() })
+    }
+
+    #[test]
+    fn a_board_that_flickers_is_told_of_ten_times_and_then_counted() {
+        let (mut sink, said) = sink();
+        for n in 0..1000 {
+            sink.take(n * SECOND / 200, &board("board 3 on can0 is silent now"));
+            sink.attend(n * SECOND / 200);
+        }
+        sink.take(5 * SECOND, &Update::Log(Log { text: "a client".into(), ..Log::default() }));
+        assert_eq!(lines(&said).len(), 11, "each subject has its own room");
+        sink.attend(10 * SECOND);
+        assert_eq!(lines(&said), ["and 990 more lines on boards and links within 10 s"]);
+        sink.take(11 * SECOND, &board("board 3 on can0 is armed now"));
+        assert_eq!(lines(&said), ["board 3 on can0 is armed now"]);
+    }
+
+    #[test]
+    fn a_slider_makes_one_line() {
+        let (mut sink, said) = sink();
+        for n in 0..120 {
+            let voice = Voice {
+                key: 39 + n % 2,
+                kept: true,
+                writer: "client 2".into(),
+                ..Voice::default()
+            };
+            sink.take(u64::from(n) * SECOND / 60, &Update::Voice(voice));
+            sink.attend(u64::from(n) * SECOND / 60);
+        }
+        assert_eq!(lines(&said), [""; 0]);
+        sink.attend(2 * SECOND);
+        assert_eq!(lines(&said), ["client 2 changed values of 2 keys between C4 and C#4"]);
+    }
+
+    #[test]
+    fn each_board_is_named_once_with_its_keys() {
+        let (mut sink, said) = sink();
+        let line = telemetry::Line { name: "can0".into(), ..telemetry::Line::default() };
+        let board = telemetry::Board {
+            id: 3,
+            first_key: 39,
+            keys: 12,
+            state: "armed".into(),
+            ..telemetry::Board::default()
+        };
+        let links = Update::Links(Links { lines: vec![line], boards: vec![board] });
+        sink.take(0, &links);
+        sink.take(SECOND, &links);
+        assert_eq!(lines(&said), ["board 3 on can0, C4 to B4: armed"]);
+    }
+}
