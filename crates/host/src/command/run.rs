@@ -14,7 +14,7 @@ use super::target::Target;
 use super::{Failure, live, print_json, system, tell};
 use crate::config::{Override, Scene};
 use crate::control::{Clients, Server, StreamSink, Studio, Switchboard, serve, socket_path};
-use crate::observe::{BlackBoxSink, Recording};
+use crate::observe::{BlackBoxSink, BoardTeller, Recording};
 use crate::report::Report;
 use crate::session::{Options, Session, SessionError};
 
@@ -92,6 +92,11 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     } else {
         write!(out, "{report}")?;
     }
+    let troubles = report.board_troubles();
+    if report.misses_a_board() {
+        return Err(Failure::Running(troubles.join("\nletoff: ")));
+    }
+    troubles.iter().for_each(|trouble| tell(trouble));
     if let Some(trouble) = report.recording.as_ref().and_then(|it| it.trouble.clone()) {
         return Err(Failure::Running(trouble));
     }
@@ -112,8 +117,10 @@ fn perform(
     let session = Session::prepare(scene, options, &|progress| rehearsal.show(progress))
         .map_err(|error| failure(&error))?;
     rehearsal.finish();
+    session.notices().iter().for_each(|notice| tell(notice));
     let recording = args.record.as_deref().map(|file| record(&session, file)).transpose()?;
     if !options.virtual_time {
+        session.observe(Box::new(BoardTeller(tell)));
         keep_black_box(&session, args.black_box.as_deref());
     }
     let stop = Arc::new(AtomicBool::new(false));

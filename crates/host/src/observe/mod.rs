@@ -34,7 +34,7 @@ pub use eye::{Eye, eye, modes, signals};
 pub use links::LinksWatch;
 pub use pulses::{PulseRow, Pulses};
 pub use pump::{Attention, Pump, Sink, Told};
-pub use record::{BlackBoxSink, Recording, RecordingReport};
+pub use record::{BlackBoxSink, BoardTeller, Recording, RecordingReport};
 pub use voice::{Origin, instrument_of, voice};
 
 /// A name for what this process records: when, and by whom.

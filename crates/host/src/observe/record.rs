@@ -201,3 +201,21 @@ impl Drop for BlackBoxSink {
         }
     }
 }
+
+/// Says what becomes of boards and lines while a run goes on.
+#[derive(Clone, Copy, Debug)]
+pub struct BoardTeller(pub fn(&str));
+
+impl Sink for BoardTeller {
+    fn take(&mut self, _at: u64, update: &Update) {
+        if let Update::Event(event) = update
+            && event.kind() == Kind::Board
+        {
+            self.0(&event.text);
+        }
+    }
+
+    fn wants(&self, topic: Topic) -> bool {
+        topic == Topic::Events
+    }
+}

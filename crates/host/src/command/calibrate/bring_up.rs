@@ -10,7 +10,7 @@ use hardware::keybed::{Found, Keybed, Offline, Terms, Wanted};
 use hardware::refusal::{BoardName, Refusals};
 
 use super::operator::Operator;
-use crate::boards::{PATIENCE_US, folder, nominal, now_us, open_all};
+use crate::boards::{PATIENCE_US, folder, now_us, open_all, unmeasured};
 use crate::command::Failure;
 use crate::command::target::Target;
 
@@ -62,7 +62,8 @@ pub(super) fn arm(
     let there: Vec<_> = boards.iter().map(|it| it.file.clone()).filter(|it| it.exists()).collect();
     operator.may_overwrite(&there)?;
     let wanted = Wanted { hz: HZ, ..Wanted::default() };
-    let keybed = keybed.calibrate(&wanted, |found, _name| Ok(nominal(found))).map_err(refused)?;
+    let keybed =
+        keybed.calibrate(&wanted, |found, _name| Ok(unmeasured(found))).map_err(refused)?;
     let terms = Terms {
         period_us: u16::try_from(1_000_000 / HZ).unwrap_or(u16::MAX),
         samples: SamplePacking::default(),
