@@ -356,7 +356,7 @@ fn a_board_that_renders_no_force_in_a_run_is_sent_none_and_armed_a_few_times_onl
 }
 
 #[test]
-fn a_board_that_is_well_again_is_armed_after_a_while_and_its_keys_strike() {
+fn a_board_that_is_well_again_is_armed_after_a_while() {
     let mut stage = gone_wrong(Wrong::KeyLess);
     WRONG.set(Wrong::Nothing);
     run(&mut stage, 10_500);
