@@ -130,7 +130,7 @@ impl Keybed<Armed> {
             }
         }
         for board in 0..bus.boards().len() {
-            bus.withhold(board, !steward.renders(board));
+            bus.limit_share(board, if steward.renders(board) { 1.0 } else { 0.0 });
         }
     }
 

@@ -61,10 +61,9 @@ pub struct BoardEnd {
     /// Which of its readings can be those of keys, and which of the newest were used.
     checks: [KeyCheck; MOST_KEYS],
     used: [bool; MOST_KEYS],
-    /// Whether somebody has found that it shall render no force.
-    is_withheld: bool,
-    /// Share of the forces that it is sent, `0 ..= 1`.
+    /// Share of the forces that it is sent, and the largest that it shall be, `0 ..= 1`.
     share: f64,
+    most_share: f64,
 }
 
 impl BoardEnd {
@@ -77,8 +76,8 @@ impl BoardEnd {
             newest: None,
             checks: Default::default(),
             used: [false; MOST_KEYS],
-            is_withheld: false,
             share: 1.0,
+            most_share: 1.0,
         }
     }
 
@@ -119,16 +118,15 @@ impl BoardEnd {
         self.statistics.muted = Default::default();
     }
 
-    /// Withholds all forces from the board, or does so no longer.
-    pub(super) const fn withhold(&mut self, is_withheld: bool) {
-        self.is_withheld = is_withheld;
+    /// Limits the share of the forces that the board is sent to `most`, `0 ..= 1`.
+    pub(super) const fn limit_share(&mut self, most: f64) {
+        self.most_share = most;
     }
 
     /// Moves the share of the forces that the board is sent by `step` at most: to none for one
-    /// that renders none, to all for any other.
+    /// that says that it renders none, to its limit for any other.
     pub(super) fn move_share(&mut self, step: f64) {
-        let is_silent = self.is_withheld || self.statistics.is_safe;
-        let wanted = if is_silent { 0.0 } else { 1.0 };
+        let wanted = if self.statistics.is_safe { 0.0 } else { self.most_share };
         self.share += (wanted - self.share).clamp(-step, step);
     }
 
@@ -206,9 +204,7 @@ impl BoardEnd {
             let answered = (keys.clone()).zip(self.terms.calibration.as_slice()).enumerate().map(
                 |(slot, (key, calibration))| {
                     let here = Self::measured(slot, newest, calibration);
-                    // A force goes on only from where its key really is.
-                    let goes_on = self.used[slot] && 1.0 <= share;
-                    let slope = if goes_on { slopes[key] } else { KeySlope::HELD };
+                    let slope = self.slope(slot, &slopes[key]);
                     calibration.sloped(share * forces[key], &slope, here)
                 },
             );
@@ -223,6 +219,12 @@ impl BoardEnd {
         let mut bytes = [0; key_forces::MAX_LEN];
         let len = frame.encode(&mut bytes);
         Some((bytes, len))
+    }
+
+    /// How the force on a key goes on: as `slope` says if it is sent whole, and answers where the
+    /// key really is.
+    fn slope(&self, slot: usize, slope: &KeySlope) -> KeySlope {
+        if self.used[slot] && 1.0 <= self.share { *slope } else { KeySlope::HELD }
     }
 
     /// Counts a force frame that the link took, or did not take.

@@ -143,10 +143,10 @@ impl Bus {
         self.share_step = 1.0 / f64::from(ticks.max(1));
     }
 
-    /// Withholds all forces from the board with this index, or does so no longer.
-    pub fn withhold(&mut self, board: usize, is_withheld: bool) {
+    /// Limits the share of the forces that the board with this index is sent to `most`, `0 ..= 1`.
+    pub fn limit_share(&mut self, board: usize, most: f64) {
         if let Some(board) = self.boards.get_mut(board) {
-            board.withhold(is_withheld);
+            board.limit_share(most);
         }
     }
 

@@ -409,8 +409,7 @@ impl Charge {
         }
         let statistics = bus.statistics(board);
         let frames = statistics.samples.frames;
-        let has_news = frames != self.frames;
-        if has_news {
+        if frames != self.frames {
             (self.frames, self.heard) = (frames, now);
             if !statistics.is_safe {
                 self.clear = now;
@@ -422,7 +421,7 @@ impl Charge {
             self.bar(Bar::Clock(millionths(self.clock.drift_ppm())), now);
             self.lets_go = true;
         } else if self.stage == Stage::Confirming {
-            self.confirm(now, has_news, &statistics);
+            self.confirm(now, &statistics);
         } else if matches!(self.stage, Stage::Arming { .. }) {
             self.refused = statistics.refused;
         } else if self.stage == Stage::Armed {
@@ -433,8 +432,7 @@ impl Charge {
                 bus.forget(board);
             }
             if is_silent || is_flagged {
-                let was_short = now < self.since + SHORT_US;
-                self.greet(now + if was_short { AGAIN_US } else { 0 });
+                self.greet(self.next_attempt(now));
             }
         } else if matches!(self.stage, Stage::Barred(bar) if bar.ends()) && self.barred_until <= now
         {
@@ -443,9 +441,14 @@ impl Charge {
         }
     }
 
+    /// When a board that renders no force any more may be armed again: at once if it did for long.
+    const fn next_attempt(&self, now: u64) -> u64 {
+        if self.since + SHORT_US <= now { now } else { now + AGAIN_US }
+    }
+
     /// Looks whether a board that says that it is armed sends samples that say so too.
-    fn confirm(&mut self, now: u64, has_news: bool, statistics: &BoardStatistics) {
-        if has_news && !statistics.is_safe {
+    fn confirm(&mut self, now: u64, statistics: &BoardStatistics) {
+        if self.heard == now && !statistics.is_safe {
             self.stage = Stage::Armed;
             self.armings += 1;
             (self.since, self.attempts) = (now, 0);
