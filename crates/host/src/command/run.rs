@@ -96,7 +96,9 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if report.misses_a_board() {
         return Err(Failure::Running(troubles.join("\nletoff: ")));
     }
-    troubles.iter().for_each(|trouble| tell(trouble));
+    for trouble in &troubles {
+        tell(trouble);
+    }
     if let Some(trouble) = report.recording.as_ref().and_then(|it| it.trouble.clone()) {
         return Err(Failure::Running(trouble));
     }
