@@ -1,5 +1,6 @@
 //! Boards with clocks, sensors or firmware that are not as they should be, on the host's own way
 //! to them, in virtual time.
+#![allow(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod stage;
 
@@ -75,7 +76,7 @@ fn now_us() -> u64 {
 /// The host's end of a wire behind which a board lives by a clock of its own.
 struct Wire {
     board: SimulatedBoard,
-    wire: Loopback,
+    loopback: Loopback,
     /// The host's time until which the board has lived, and its own [us].
     looked: u64,
     lived: f64,
@@ -95,7 +96,7 @@ impl Wire {
             stroke(start, start + 0.2, touch, 0.3 + 0.1 * f64::from(n))
         });
         board.play(PLAYED.1, strokes.collect());
-        Self { board, wire: Loopback::new(256), looked: NOW.get(), lived: 0.0, chance: 1 }
+        Self { board, loopback: Loopback::new(256), looked: NOW.get(), lived: 0.0, chance: 1 }
     }
 
     fn live(&mut self) {
@@ -107,7 +108,7 @@ impl Wire {
         if WRONG.get() == Wrong::KeyFault {
             self.board.fail(safe_reason::KEY_FAULT);
         }
-        self.board.advance(tick, &mut self.wire.board_end());
+        self.board.advance(tick, &mut self.loopback.board_end());
     }
 
     /// Samples as they leave a board with which something is wrong.
@@ -156,12 +157,12 @@ impl Link for Wire {
             }
             _ => {}
         }
-        self.wire.host_end().try_send(frame)
+        self.loopback.host_end().try_send(frame)
     }
 
     fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
         self.live();
-        let len = self.wire.host_end().try_recv(buffer)?;
+        let len = self.loopback.host_end().try_recv(buffer)?;
         let Some(len) = len.filter(|len| Kind::of(&buffer[..*len]) == Some(Kind::KeySamples))
         else {
             return Ok(len);
