@@ -81,6 +81,19 @@ fn a_port_behind_which_nobody_speaks_the_protocol() {
 }
 
 #[test]
+fn a_clock_that_runs_too_fast() {
+    let _machine = machine();
+    let folder = letoff::folder("refused-drift");
+    let boards = Boards::start(&folder, 1, &["--drift", "50000"]);
+    let links = boards.links();
+    let said = letoff::run(&folder, &arguments(&links, &["--performance", "none"]));
+    assert_eq!(said.code, Some(1), "{said:?}");
+    letoff::check_words(&said, &["board 0 on", "% too fast, and at most 3 % is accepted"]);
+    // It had to be armed before its clock could be read, and was given no force.
+    assert_eq!(boards.stop()[0]["counts"]["forces"], 0);
+}
+
+#[test]
 fn a_port_that_is_not_there() {
     let folder = letoff::folder("refused-missing");
     let words = ["/no/such/port", "letoff devices"];

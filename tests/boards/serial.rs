@@ -7,7 +7,7 @@ use std::time::Duration;
 use crate::letoff;
 use crate::rig::{
     Boards, arguments, check_exchange, count, had_time, judged, machine, number, print_figures,
-    run, wait_for,
+    report, run, wait_for,
 };
 
 /// A host in `folder` in the middle of its piece: its tick's thread is there once it has rehearsed.
@@ -139,9 +139,17 @@ fn a_board_that_is_stopped_stays_stopped() {
     let _machine = machine();
     let folder = letoff::folder("boards-fault");
     let boards = Boards::start(&folder, 2, &["--fate", "1@1:key-fault"]);
-    let report = run(&folder, &boards.links(), &["--duration", "4", "--performance", "none"]);
+    let links = boards.links();
+    let more = ["--duration", "4", "--performance", "none"];
+    let said = letoff::run(&folder, &arguments(&links, &more));
+    let report = report(&said);
     assert_eq!(report["boards"][1]["state"], "a key, motor or sensor failed", "{report}");
     assert_eq!(report["boards"][0]["state"], "armed", "{report}");
+    // It is said when it happens, and in the end.
+    let sentence = format!("board 1 on {}: a key,", links[3].trim_start_matches("serial:"));
+    assert_eq!(said.err.matches(&sentence).count(), 2, "{said:?}");
+    assert_eq!(report["boards"][0]["calibrated"], false, "{report}");
+    letoff::check_words(&said, &["no calibration file: board 0 on", "`letoff calibrate --link"]);
     let told = boards.stop();
     assert_eq!(count(&told[1], "/counts/armings"), 1, "{told:?}");
     assert!(number(&told[1], "/force_while_safe_n") < 1e-3, "{told:?}");

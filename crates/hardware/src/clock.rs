@@ -3,17 +3,24 @@
 //! A round trip tells the board's time to within half its length, so the shortest round trips
 //! tell it best: through the last 64 a line is laid, in which each counts by the inverse square
 //! of its length (least squares, with the length as the error that it has).
+//! A line through trips that are close together says nothing of the rate, and a rate that is
+//! wrong by 2 % makes a time wrong by 1 ms after 50 ms: before the rate is known, no age of a
+//! sample is told. What was learned of the rate outlasts a clock that is set anew, since the
+//! oscillator is the same.
 //! Times are microseconds; the host's never wrap, the board's do.
 
 /// Round trips that are remembered.
 const WINDOW: usize = 64;
 
-/// How long round trips must have been spread, as a standard deviation, before a rate is told
-/// apart from noise [us].
-const LONG_ENOUGH: f64 = 150e3;
+/// Error of the rate below which it counts as known [1]: 0.15 ms between two round trips.
+const RATE_ERROR: f64 = 3e-3;
 
-/// Fastest drift that is believed [1]: worse quartzes than any, and emulated ones.
-const MOST_DRIFT: f64 = 0.1;
+/// Largest drift of a board's clock that is accepted, faster or slower [1]: RC oscillators without
+/// trimming keep to it.
+pub const MOST_DRIFT: f64 = 0.03;
+
+/// Largest drift that a clock which was not set anew is believed to have [1].
+const MOST_BELIEVED: f64 = 0.1;
 
 /// One round trip.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -50,6 +57,8 @@ pub struct ClockModel {
     middle: f64,
     /// Rate of the board's clock minus 1.
     drift: f64,
+    /// How wrong that may be; infinite as long as nothing is known.
+    drift_error: f64,
 }
 
 impl Default for ClockModel {
@@ -62,6 +71,7 @@ impl Default for ClockModel {
             offset: 0.0,
             middle: 0.0,
             drift: 0.0,
+            drift_error: f64::INFINITY,
         }
     }
 }
@@ -86,7 +96,7 @@ impl ClockModel {
             length,
         };
         if self.is_jump(&trip) {
-            *self = Self::default();
+            *self = self.set_anew();
             return Told::Jumped;
         }
         self.newest = board;
@@ -96,9 +106,27 @@ impl ClockModel {
         Told::News
     }
 
-    /// Whether the board's time can be told.
+    /// The same oscillator with another time, of which nothing is known yet.
+    #[must_use]
+    pub fn set_anew(&self) -> Self {
+        let Self { drift, drift_error, .. } = *self;
+        Self { drift, drift_error, ..Self::default() }
+    }
+
+    /// Whether the board's time can be told, now and until the next round trip.
     pub const fn is_known(&self) -> bool {
-        0 < self.n
+        0 < self.n && self.is_rate_known()
+    }
+
+    /// Whether it is known how fast the board's clock runs.
+    const fn is_rate_known(&self) -> bool {
+        self.drift_error <= RATE_ERROR
+    }
+
+    /// Whether the board's clock runs so much faster or slower than the host's that the board
+    /// cannot be used.
+    pub fn is_beyond_tolerance(&self) -> bool {
+        self.is_rate_known() && MOST_DRIFT + self.drift_error < self.drift.abs()
     }
 
     /// The board's time at the host's `host_us` [us], low half.
@@ -114,10 +142,13 @@ impl ClockModel {
 
     /// How long ago, at the host's `now_us`, the board's clock showed a time whose low 16 bits
     /// are `stamp_us` [us]; at most 65 ms can be told apart, 5 ms of them in the future.
+    ///
+    /// None before the rate of the board's clock is known.
     pub fn age_us(&self, now_us: u64, stamp_us: u16) -> Option<i32> {
         /// How far in the future a stamp is taken for what it says, not for an old one [us].
         const FUTURE: u16 = 5_000;
-        let [low, high, ..] = self.board_us(now_us)?.to_le_bytes();
+        let told = self.board_us(now_us).filter(|_| self.is_rate_known())?;
+        let [low, high, ..] = told.to_le_bytes();
         let age = u16::from_le_bytes([low, high]).wrapping_sub(stamp_us);
         Some(i32::from(age.wrapping_add(FUTURE)) - i32::from(FUTURE))
     }
@@ -138,7 +169,7 @@ impl ClockModel {
         }
         let newest = self.trips[(self.n - 1) % WINDOW];
         let passed = trip.host - newest.host;
-        let allowed = MOST_DRIFT * passed.abs() + trip.length + newest.length + 1e3;
+        let allowed = MOST_BELIEVED * passed.abs() + trip.length + newest.length + 1e3;
         allowed < (trip.board - newest.board - passed).abs()
     }
 
@@ -153,10 +184,14 @@ impl ClockModel {
         let offset = sum(&|trip| trip.board - trip.host) / all;
         let spread = sum(&|trip| (trip.host - middle).powi(2));
         let covariance = sum(&|trip| (trip.host - middle) * (trip.board - trip.host - offset));
-        let is_long_enough = LONG_ENOUGH.powi(2) <= spread / all;
-        let drift = if is_long_enough { covariance / spread } else { 0.0 };
         (self.middle, self.offset) = (middle, offset);
-        self.drift = drift.clamp(-MOST_DRIFT, MOST_DRIFT);
+        // No trip is wrong by more than half its length, so this is on the safe side.
+        let error = spread.sqrt().recip();
+        // What was known before a clock was set anew holds until it is known as well again.
+        if error <= RATE_ERROR {
+            self.drift = (covariance / spread).clamp(-MOST_BELIEVED, MOST_BELIEVED);
+            self.drift_error = error;
+        }
     }
 }
 
@@ -192,6 +227,16 @@ mod tests {
 
     /// Learns `n` round trips, 20 ms apart, of a clock at `rate` from `board_us` on.
     fn learned(n: u64, rate: f64, board_us: u32) -> (ClockModel, impl Fn(u64) -> u32) {
+        learned_every(20_000, n, rate, board_us)
+    }
+
+    /// The same, `every` [us].
+    fn learned_every(
+        every: u64,
+        n: u64,
+        rate: f64,
+        board_us: u32,
+    ) -> (ClockModel, impl Fn(u64) -> u32) {
         let board = move |host: u64| {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "low half")]
             let passed = (host as f64 * rate) as u64 as u32;
@@ -200,7 +245,7 @@ mod tests {
         let mut clock = ClockModel::default();
         for i in 0..n {
             let (there, back) = way(i);
-            let sent = 1_000_000 + 20_000 * i;
+            let sent = 1_000_000 + every * i;
             assert_eq!(clock.learn(sent, board(sent + there), sent + there + back), Told::News);
         }
         (clock, board)
@@ -237,6 +282,45 @@ mod tests {
         assert!(!clock.is_known());
         assert_eq!(clock.learn(now, before, now + 300), Told::News);
         assert_eq!(clock.board_us(now + 150), Some(before));
+    }
+
+    #[test]
+    fn a_clock_that_was_set_anew_runs_as_fast_as_before() {
+        let (mut clock, board) = learned(100, 0.98, 5_000_000);
+        let now = 1_000_000 + 20_000 * 100;
+        let set = |host| board(host).wrapping_sub(3_000_000);
+        assert_eq!(clock.learn(now, set(now + 150), now + 300), Told::Jumped);
+        clock.learn(now, set(now + 150), now + 300);
+        assert!(clock.is_known());
+        let later = now + 300_000;
+        let error = clock.board_us(later).unwrap().wrapping_sub(set(later)).cast_signed();
+        assert!(error.abs() < 100, "{error} us");
+    }
+
+    #[test]
+    fn no_age_is_told_before_the_rate_is_known() {
+        for n in 1..60 {
+            let (clock, board) = learned_every(5_000, n, 1.03, 77);
+            let now = 1_000_000 + 5_000 * n + 50_000;
+            let [low, high, ..] = board(now).to_le_bytes();
+            let Some(age) = clock.age_us(now, u16::from_le_bytes([low, high])) else {
+                assert!(n < 50, "still not known");
+                continue;
+            };
+            // Half a trip, and what the rate may be wrong by over 50 ms.
+            assert!(8 < n && age.abs() < 300, "{age} us after {n} trips");
+        }
+    }
+
+    #[test]
+    fn a_clock_is_beyond_the_tolerance_when_that_is_sure() {
+        for (rate, is_beyond) in
+            [(1.0, false), (1.0295, false), (0.9705, false), (1.032, true), (0.968, true)]
+        {
+            let (clock, _board) = learned(200, rate, 0);
+            assert_eq!(clock.is_beyond_tolerance(), is_beyond, "{} ppm", clock.drift_ppm());
+        }
+        assert!(!learned(2, 1.05, 0).0.is_beyond_tolerance(), "two trips say nothing");
     }
 
     #[test]

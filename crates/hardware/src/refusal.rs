@@ -8,6 +8,7 @@ use firmware_protocol::key::KeyIndex;
 use firmware_protocol::version::PROTOCOL_VERSION;
 
 use crate::calibrate::Fault;
+use crate::clock::MOST_DRIFT;
 
 /// A board as it is called in sentences.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -107,6 +108,26 @@ pub enum Refusal {
     Missing { board: BoardName },
     #[error("{board} is another board than before, or has other firmware; start the host again")]
     Exchanged { board: BoardName },
+    #[error(
+        "{board}: {}; see to its oscillator, and to the constant from which its firmware \
+         counts microseconds", clock_words(*ppm)
+    )]
+    Clock { board: BoardName, ppm: i32 },
+    #[error(
+        "{board} says that it is armed, and sends no samples; see that its firmware sends them, \
+         and that its link carries so many"
+    )]
+    NoSamples { board: BoardName },
+    #[error(
+        "{board} says that it is armed, and its samples are none of {n_keys} keys; see that it \
+         sends as many as its hello says, packed as it was asked"
+    )]
+    Unreadable { board: BoardName, n_keys: usize },
+    #[error(
+        "{board} says that it is armed, and its samples say that it renders no force; see to \
+         its firmware"
+    )]
+    StaysSafe { board: BoardName },
     #[error("{board} cannot {what}; {instead}")]
     Unable { board: BoardName, what: &'static str, instead: String },
     #[error("{board} did not answer {asked:?} for {seconds} s; it was there before: see its cable")]
@@ -163,6 +184,14 @@ const fn status_words(status: Status) -> &'static str {
         Status::WrongNonce => "wrong nonce",
         Status::Impossible => "impossible",
     }
+}
+
+/// What is wrong with a clock that runs so much too fast [1e-6], in words.
+pub fn clock_words(ppm: i32) -> String {
+    let percent = f64::from(ppm.abs()) * 1e-4;
+    let how = if ppm < 0 { "slow" } else { "fast" };
+    let most = MOST_DRIFT * 1e2;
+    format!("its clock runs {percent:.1} % too {how}, and at most {most:.0} % is accepted")
 }
 
 /// Why a board is safe, in words.
@@ -222,6 +251,14 @@ mod tests {
         assert!(declined.to_string().contains("devices --boards --link can:can0 --log`"));
         let refusal = Refusal::NotCalibrated { board, link, file };
         assert!(refusal.to_string().contains("calibrate --link can:can0 --board 3`"));
+    }
+
+    #[test]
+    fn a_clock_that_is_refused_is_named_with_its_drift_and_the_tolerance() {
+        let board = BoardName { line: "can0".into(), number: 3 };
+        let sentence = Refusal::Clock { board, ppm: -48_300 }.to_string();
+        let start = "board 3 on can0: its clock runs 4.8 % too slow, and at most 3 % is accepted";
+        assert!(sentence.starts_with(start), "{sentence}");
     }
 
     #[test]

@@ -88,7 +88,7 @@ fn boards_are_seen_show_their_light_and_are_missed_when_they_die() {
         assert_eq!((three.stop().lights(), patchbay.emergency.is_asked()), (0, false));
         let port = &seen.lines[0].name;
         told_until(told, &format!("{port} is down now"));
-        told_until(told, &format!("board 3 on {port} is silent now"));
+        told_until(told, &format!("board 3 on {port}: silent"));
         links(told, |it| it.boards[0].state == "silent" && is_well(&it.boards[1]));
     });
     assert_eq!(four.stop().lights(), 1);

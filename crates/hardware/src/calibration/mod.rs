@@ -47,7 +47,19 @@ impl KeyCalibration {
         Self { rest, quantum, gain: 1.0, bottom, friction: 0.0 }
     }
 
-    /// How far the key goes down [m].
+    /// Whether nobody has measured it.
+    pub fn is_nominal(&self) -> bool {
+        let nominal = Self::nominal(self.quantum);
+        *self == nominal || *self == nominal.unmeasured()
+    }
+
+    /// The same of which not even that is known, how far it goes down: it may be anywhere.
+    #[must_use]
+    pub const fn unmeasured(self) -> Self {
+        Self { bottom: self.rest, ..self }
+    }
+
+    /// How far the key goes down [m]; 0 if that is not known.
     pub fn travel(&self) -> f64 {
         self.position(self.bottom)
     }

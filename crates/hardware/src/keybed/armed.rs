@@ -20,6 +20,9 @@ use crate::rt::lateness::Lateness;
 use crate::rt::steward::{Bar, Condition, Stage, Steward};
 use crate::topology::BoardPlace;
 
+/// Time in which the forces of a board grow once it renders them, and fade once it does not [us].
+const FADE_US: u64 = 20_000;
+
 /// Armed boards.
 #[derive(Debug)]
 pub struct Armed {
@@ -45,6 +48,8 @@ pub struct BoardReport {
     pub name: BoardName,
     /// Where it is, and its keys.
     pub place: BoardPlace,
+    /// Whether somebody has measured how its keys read.
+    pub is_calibrated: bool,
     /// What it has sent and was sent.
     pub statistics: BoardStatistics,
     /// Frames of samples and of forces since the beginning.
@@ -71,7 +76,9 @@ impl Armed {
         let before = vec![(0, 0); names.len()];
         let since_us = steward.now();
         let lateness = vec![Lateness::default(); names.len()];
-        let (bus, first_us) = (Box::new(bus), None);
+        let (mut bus, first_us) = (Box::new(bus), None);
+        let fade_ticks = FADE_US / period_us.max(1);
+        bus.fade_over(u32::try_from(fade_ticks).unwrap_or(u32::MAX));
         Self { bus, steward, names, period_us, before, since_us, lateness, first_us }
     }
 
@@ -87,7 +94,7 @@ impl Armed {
             let Some(newest) = newest.filter(|_| self.bus.has_news(board)) else { continue };
             let stamp_us = newest.header.stamp_us;
             let Some(age_us) = self.steward.age_us(board, due_us, stamp_us) else { continue };
-            lateness.learn(age_us);
+            lateness.learn(age_us, period_us);
             self.bus.date(board, lateness.of(age_us) / period_us as f64);
         }
     }
@@ -122,6 +129,9 @@ impl Keybed<Armed> {
                 steward.attend(index, bus, link);
             }
         }
+        for board in 0..bus.boards().len() {
+            bus.limit_share(board, if steward.renders(board) { 1.0 } else { 0.0 });
+        }
     }
 
     /// The line or board at `place`, lines first, as it is now; nothing behind the last.
@@ -147,6 +157,11 @@ impl Keybed<Armed> {
     /// Whether all boards render forces.
     pub fn is_ready(&self) -> bool {
         self.stage.steward.is_ready()
+    }
+
+    /// Whether every board renders forces, or may not be armed.
+    pub(super) fn is_settled(&self) -> bool {
+        self.stage.steward.is_settled()
     }
 
     /// Plays `gestures` on `key`, in time from [`Self::begin_at`] on.
@@ -239,6 +254,7 @@ impl Keybed<Armed> {
             Some(BoardReport {
                 name: name.clone(),
                 place: board.terms().place,
+                is_calibrated: board.terms().is_calibrated(),
                 statistics: board.statistics(),
                 exchanged: (came - before, went - already),
                 condition: steward.condition(index)?,
@@ -273,11 +289,19 @@ impl Keybed<Armed> {
                     Some(Refusal::Declined { board, link, asked, status })
                 }
                 Stage::Barred(Bar::Exchanged) => Some(Refusal::Exchanged { board }),
+                Stage::Barred(Bar::Clock(ppm)) => Some(Refusal::Clock { board, ppm }),
+                Stage::Barred(Bar::NoSamples) => Some(Refusal::NoSamples { board }),
+                Stage::Barred(Bar::Unreadable) => {
+                    let n_keys = report.place.n_keys;
+                    Some(Refusal::Unreadable { board, n_keys })
+                }
+                Stage::Barred(Bar::StaysSafe) => Some(Refusal::StaysSafe { board }),
                 Stage::Armed if self.stage.steward.is_board_ready(index) => None,
                 Stage::Greeting
                 | Stage::Streaming
                 | Stage::Disarming
                 | Stage::Arming { .. }
+                | Stage::Confirming
                 | Stage::Armed => {
                     let asked = self.stage.steward.asked(index).unwrap_or(Operation::Hello);
                     Some(Refusal::NoAnswer { board, asked, seconds })

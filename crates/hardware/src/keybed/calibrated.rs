@@ -41,6 +41,15 @@ impl Keybed<Calibrated> {
         self.stage.boards.iter().map(|board| &board.place)
     }
 
+    /// The boards that nobody has calibrated, and what a command takes for their links.
+    pub fn uncalibrated(&self) -> impl Iterator<Item = (BoardName, &str)> {
+        let boards = self.stage.boards.iter().filter(|it| !it.is_calibrated());
+        boards.map(|it| {
+            let Line { name, address, .. } = &self.lines[it.place.line];
+            (BoardName { line: name.clone(), number: it.place.board.number() }, address.as_str())
+        })
+    }
+
     /// Whether all boards have simulated fingers.
     pub fn has_fingers(&self) -> bool {
         self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
@@ -79,8 +88,10 @@ impl Keybed<Calibrated> {
         let mut keybed = Keybed { lines, stage: armed, clock };
         while !keybed.is_ready() {
             let now = clock();
-            if start + patience_us <= now {
-                let refusals = keybed.refusals(patience_us as f64 * 1e-6);
+            // Those that may not be armed will not be ready, however long that takes.
+            if start + patience_us <= now || keybed.is_settled() {
+                let seconds = (now.saturating_sub(start) / 100_000) as f64 * 0.1;
+                let refusals = keybed.refusals(seconds);
                 keybed.disarm();
                 return Err(Refusals(refusals));
             }

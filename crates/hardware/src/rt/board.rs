@@ -3,10 +3,11 @@
 use firmware_protocol::frame::Header;
 use firmware_protocol::frame::key_forces::{self, ForceLayout, ForcePacking, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout};
-use firmware_protocol::key::PerKey;
+use firmware_protocol::key::{MOST_KEYS, PerKey};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 
 use super::loss::{Loss, LossCounts};
+use super::plausible::{Implausible, KeyCheck};
 use crate::calibration::{self, KeyCalibration};
 use crate::topology::BoardPlace;
 
@@ -23,6 +24,13 @@ pub struct BoardTerms {
     pub calibration: PerKey<KeyCalibration>,
 }
 
+impl BoardTerms {
+    /// Whether somebody has measured how its keys read.
+    pub fn is_calibrated(&self) -> bool {
+        !self.calibration.as_slice().iter().all(KeyCalibration::is_nominal)
+    }
+}
+
 /// What one board has sent and was sent.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct BoardStatistics {
@@ -36,6 +44,10 @@ pub struct BoardStatistics {
     pub unsent: u64,
     /// Its newest frame said that it renders no force.
     pub is_safe: bool,
+    /// Readings of keys that were not used, since no key can be there.
+    pub implausible: u64,
+    /// What each of its keys was muted for, by slot.
+    pub muted: [Option<Implausible>; MOST_KEYS],
 }
 
 /// The host's end of one board.
@@ -44,15 +56,29 @@ pub struct BoardEnd {
     terms: BoardTerms,
     loss: Loss,
     statistics: BoardStatistics,
-    /// The newest samples, which the next forces answer.
-    newest: Option<KeySamples>,
+    /// The newest samples, which the next forces answer, and the tick in which they came.
+    newest: Option<(KeySamples, u64)>,
+    /// Which of its readings can be those of keys, and which of the newest were used.
+    checks: [KeyCheck; MOST_KEYS],
+    used: [bool; MOST_KEYS],
+    /// Share of the forces that it is sent, and the largest that it shall be, `0 ..= 1`.
+    share: f64,
+    most_share: f64,
 }
 
 impl BoardEnd {
     /// An end that has heard nothing.
     pub fn new(terms: BoardTerms) -> Self {
-        let (loss, statistics) = (Loss::default(), BoardStatistics::default());
-        Self { terms, loss, statistics, newest: None }
+        Self {
+            terms,
+            loss: Loss::default(),
+            statistics: BoardStatistics::default(),
+            newest: None,
+            checks: Default::default(),
+            used: [false; MOST_KEYS],
+            share: 1.0,
+            most_share: 1.0,
+        }
     }
 
     /// What was agreed with the board.
@@ -71,8 +97,13 @@ impl BoardEnd {
     }
 
     /// The newest samples as they came.
-    pub const fn newest(&self) -> Option<&KeySamples> {
-        self.newest.as_ref()
+    pub fn newest(&self) -> Option<&KeySamples> {
+        self.newest.as_ref().map(|(newest, _tick)| newest)
+    }
+
+    /// Whether samples have come in `tick`.
+    pub(super) fn has_news(&self, tick: u64) -> bool {
+        self.newest.as_ref().is_some_and(|(_, came)| *came == tick)
     }
 
     /// Forgets what came, for a board that starts anew; the counts stay.
@@ -81,27 +112,78 @@ impl BoardEnd {
         self.newest = None;
     }
 
+    /// Gives the keys that were muted another chance, for a board that was switched on anew.
+    pub fn unmute(&mut self) {
+        self.checks = Default::default();
+        self.statistics.muted = Default::default();
+    }
+
+    /// Limits the share of the forces that the board is sent to `most`, `0 ..= 1`.
+    pub(super) const fn limit_share(&mut self, most: f64) {
+        self.most_share = most;
+    }
+
+    /// Moves the share of the forces that the board is sent by `step` at most: to none for one
+    /// that says that it renders none, to its limit for any other.
+    pub(super) fn move_share(&mut self, step: f64) {
+        let wanted = if self.statistics.is_safe { 0.0 } else { self.most_share };
+        self.share += (wanted - self.share).clamp(-step, step);
+    }
+
+    /// Share of the forces that the board is sent.
+    pub(super) const fn share(&self) -> f64 {
+        self.share
+    }
+
     /// Takes a frame of samples; says whether it was newer than all before.
     pub fn hear(&mut self, frame: &[u8], tick: u64) -> bool {
         let Ok(samples) = KeySamples::decode(frame, self.terms.samples) else {
             self.statistics.refused += 1;
             return false;
         };
+        let elapsed = self.elapsed(&samples, tick);
         let news = self.loss.accept(samples.header.sequence, tick);
         if news {
             self.statistics.is_safe = samples.header.flag;
-            self.newest = Some(samples);
+            self.newest = Some((samples, tick));
+            self.check(&samples, elapsed);
         }
         news
     }
 
-    /// Writes the newest samples into their keys' places, as if they had just been taken.
+    /// How long `samples` were taken after the newest before them by the board's clock [s], if
+    /// they are the next.
+    fn elapsed(&self, samples: &KeySamples, tick: u64) -> Option<f64> {
+        let (newest, _tick) = self.newest.as_ref()?;
+        let is_next = self.loss.is_next(samples.header.sequence, tick);
+        let us = samples.header.stamp_us.wrapping_sub(newest.header.stamp_us);
+        // A clock that stands still tells nothing.
+        (is_next && 0 < us).then(|| f64::from(us) * 1e-6)
+    }
+
+    /// Looks which of the readings can be those of keys.
+    fn check(&mut self, samples: &KeySamples, elapsed: Option<f64>) {
+        let readings =
+            samples.positions.as_slice().iter().zip(self.terms.calibration.as_slice()).enumerate();
+        for (slot, (counts, calibration)) in readings {
+            let (check, position) = (&mut self.checks[slot], calibration.position(*counts));
+            let is_used = check.accept(position, elapsed, calibration);
+            self.used[slot] = is_used;
+            self.statistics.implausible += u64::from(!is_used);
+            self.statistics.muted[slot] = check.muted();
+        }
+    }
+
+    /// Writes the newest samples into their keys' places, as if they had just been taken; what
+    /// no key can have is not written.
     pub fn publish(&self, samples: &mut [KeySample; KEYS]) {
-        let Some(newest) = &self.newest else { return };
-        let places = samples[self.terms.place.keys()].iter_mut();
+        let Some((newest, _tick)) = &self.newest else { return };
+        let places = samples[self.terms.place.keys()].iter_mut().zip(self.used);
         let readings = newest.positions.as_slice().iter().zip(self.terms.calibration.as_slice());
-        for (sample, (counts, calibration)) in places.zip(readings) {
-            *sample = KeySample::fresh(calibration.position(*counts));
+        for ((sample, is_used), (counts, calibration)) in places.zip(readings) {
+            if is_used {
+                *sample = KeySample::fresh(calibration.position(*counts));
+            }
         }
     }
 
@@ -111,8 +193,8 @@ impl BoardEnd {
         forces: &[f64; KEYS],
         slopes: &[KeySlope; KEYS],
     ) -> Option<([u8; key_forces::MAX_LEN], usize)> {
-        let newest = self.newest.as_ref()?;
-        let keys = self.terms.place.keys();
+        let (newest, _tick) = self.newest.as_ref()?;
+        let (keys, share) = (self.terms.place.keys(), self.share);
         let mut frame = KeyForces {
             header: Header { flag: false, ..newest.header },
             forces: PerKey::default(),
@@ -122,7 +204,8 @@ impl BoardEnd {
             let answered = (keys.clone()).zip(self.terms.calibration.as_slice()).enumerate().map(
                 |(slot, (key, calibration))| {
                     let here = Self::measured(slot, newest, calibration);
-                    calibration.sloped(forces[key], &slopes[key], here)
+                    let slope = self.slope(slot, &slopes[key]);
+                    calibration.sloped(share * forces[key], &slope, here)
                 },
             );
             let answered: PerKey<_> = PerKey::collect(answered);
@@ -130,11 +213,18 @@ impl BoardEnd {
             frame.slopes = PerKey::collect(answered.as_slice().iter().map(|(_, slopes)| *slopes));
         } else {
             let pairs = forces[keys].iter().zip(self.terms.calibration.as_slice());
-            frame.forces = PerKey::collect(pairs.map(|(force, it)| it.millinewtons(*force)));
+            frame.forces =
+                PerKey::collect(pairs.map(|(force, it)| it.millinewtons(share * *force)));
         }
         let mut bytes = [0; key_forces::MAX_LEN];
         let len = frame.encode(&mut bytes);
         Some((bytes, len))
+    }
+
+    /// How the force on a key goes on: as `slope` says if it is sent whole, and answers where the
+    /// key really is.
+    fn slope(&self, slot: usize, slope: &KeySlope) -> KeySlope {
+        if self.used[slot] && 1.0 <= self.share { *slope } else { KeySlope::HELD }
     }
 
     /// Counts a force frame that the link took, or did not take.

@@ -51,6 +51,8 @@ pub struct Bus {
     samples: [KeySample; KEYS],
     boards: Vec<BoardEnd>,
     lines: Vec<LineEnd>,
+    /// By how much the share of its forces that a board is sent moves in a tick.
+    share_step: f64,
 }
 
 /// What the host remembers of one line.
@@ -131,6 +133,20 @@ impl Bus {
             samples: [KeySample { age: NEVER, ..KeySample::fresh(0.0) }; KEYS],
             boards: boards.iter().copied().map(BoardEnd::new).collect(),
             lines,
+            share_step: 1.0,
+        }
+    }
+
+    /// Lets forces grow over `ticks` when a board renders them again, and fade over as many when
+    /// it does so no longer; without it, at once.
+    pub fn fade_over(&mut self, ticks: u32) {
+        self.share_step = 1.0 / f64::from(ticks.max(1));
+    }
+
+    /// Limits the share of the forces that the board with this index is sent to `most`, `0 ..= 1`.
+    pub fn limit_share(&mut self, board: usize, most: f64) {
+        if let Some(board) = self.boards.get_mut(board) {
+            board.limit_share(most);
         }
     }
 
@@ -195,15 +211,17 @@ impl Bus {
 
     /// Whether samples of the board with this index have come in this tick.
     pub fn has_news(&self, board: usize) -> bool {
-        let Some(end) = self.boards.get(board) else { return false };
-        self.samples.get(end.terms().place.keys().start).is_some_and(|it| it.age == 0)
+        let tick = self.tick.unwrap_or_default();
+        self.boards.get(board).is_some_and(|it| it.has_news(tick))
     }
 
     /// Says how long before this tick the newest samples of a board were taken [ticks], as in
     /// [`KeySample::taken`].
     pub fn date(&mut self, board: usize, taken: f64) {
         let Some(end) = self.boards.get(board) else { return };
-        for sample in &mut self.samples[end.terms().place.keys()] {
+        let samples = self.samples[end.terms().place.keys()].iter_mut();
+        // Those that are older were not used this time.
+        for sample in samples.filter(|it| it.age == 0) {
             sample.taken = taken;
         }
     }
@@ -216,7 +234,7 @@ impl Bus {
     /// Sends the boards on `line` their shares of the forces [N, up positive] at `now_us`.
     ///
     /// A board that was never heard is sent nothing, unless it takes what is for all: there is
-    /// nothing to answer.
+    /// nothing to answer. One that renders no force, or shall not, is sent none.
     ///
     /// # Real-time
     /// One frame for each board, or four for a line with multicast; no heap.
@@ -231,9 +249,16 @@ impl Bus {
         let end = &mut self.lines[line];
         let numbers = end.boards;
         let of_line = || numbers.iter().flatten().copied();
+        for index in of_line() {
+            self.boards[index].move_share(self.share_step);
+        }
         if of_line().any(|index| self.boards[index].takes_multicast()) {
+            let mut forces = *forces;
+            for board in of_line().map(|index| &self.boards[index]) {
+                forces[board.terms().place.keys()].iter_mut().for_each(|it| *it *= board.share());
+            }
             let mut terms = of_line().map(|index| self.boards[index].terms());
-            let is_whole = end.send_to_all(now_us, &mut terms, forces, link);
+            let is_whole = end.send_to_all(now_us, &mut terms, &forces, link);
             for index in of_line() {
                 self.boards[index].count_sent(is_whole);
             }
@@ -276,6 +301,13 @@ impl Bus {
     pub fn forget(&mut self, board: usize) {
         if let Some(board) = self.boards.get_mut(board) {
             board.forget();
+        }
+    }
+
+    /// Gives the muted keys of the board with this index another chance.
+    pub fn unmute(&mut self, board: usize) {
+        if let Some(board) = self.boards.get_mut(board) {
+            board.unmute();
         }
     }
 

@@ -57,6 +57,12 @@ impl Loss {
         news
     }
 
+    /// Whether a frame that comes in `tick` follows on the newest.
+    pub fn is_next(&self, sequence: Sequence, tick: u64) -> bool {
+        let arrival = self.remembered(tick).map(|newest| sequence.after(newest));
+        matches!(arrival, Some(Arrival::Newer { missing: 0 }))
+    }
+
     /// The counts so far.
     pub const fn counts(&self) -> LossCounts {
         self.counts

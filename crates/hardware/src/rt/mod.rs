@@ -8,5 +8,6 @@ pub mod glance;
 pub mod lateness;
 pub mod loss;
 mod multicast;
+pub mod plausible;
 pub mod steward;
 mod trips;

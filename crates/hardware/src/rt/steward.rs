@@ -2,13 +2,17 @@
 //! asked for its time and its counts, and its simulated fingers are moved.
 //!
 //! ```text
-//! Greeting ─ hello ─▶ Streaming ─ done ─▶ Disarming ─ nonce ─▶ Arming ─ done ─▶ Armed
-//!    ▲                                                                           │
-//!    └── it fell silent, started anew, or renders no force and did not say why ◀─┘
+//! Greeting ─ hello ─▶ Streaming ─ done ─▶ Disarming ─ nonce ─▶ Arming ─ done ─▶ Confirming ─▶ Armed
+//!    ▲                                                                              │           │
+//!    └── it fell silent, started anew, or renders no force and did not say why ◀────┴───────────┘
 //! ```
 //!
 //! A board that tripped over silence is armed again. One that was stopped, or whose key
 //! failed, stays as it is until somebody has seen to it.
+//!
+//! A board that says that it is armed is believed when samples come that can be read and say so
+//! too. One that does not get there in five attempts is left alone for ten seconds, or until it
+//! says hello anew. One whose clock runs too fast or too slow is disarmed until it starts anew.
 
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
 use firmware_protocol::acyclic::counters::Counters;
@@ -22,6 +26,7 @@ use firmware_protocol::frame::hello::{Hello, Introduction, safe_reason};
 use firmware_protocol::{Nothing, Record as _, schema};
 use haptics::plant::{Gesture, Touch};
 
+use super::board::BoardStatistics;
 use super::bus::{Acyclic, Bus};
 use super::glance::Care;
 use super::trips::Trips;
@@ -32,8 +37,8 @@ use crate::topology::BoardPlace;
 
 /// Round trips at the start, to learn a board's clock from.
 const QUICK_PINGS: u32 = 8;
-/// Time between two of them [us].
-const QUICK_PING_US: u64 = 5_000;
+/// Time between two of them, and between more until the clock's rate is known [us].
+const QUICK_PING_US: u64 = 10_000;
 /// Time between two round trips afterwards [us].
 const PING_US: u64 = 50_000;
 /// Time between two looks at a board's counts [us].
@@ -48,6 +53,12 @@ const FLAGGED_US: u64 = 5_000;
 pub const LIGHT_S: u8 = 10;
 /// A board that sent nothing for so long is gone [us].
 const SILENT_US: u64 = 100_000;
+/// A board that was armed for a shorter time than this is not armed again at once [us].
+const SHORT_US: u64 = 1_000_000;
+/// Attempts to arm a board until it is left alone.
+const MOST_ATTEMPTS: u8 = 5;
+/// For so long [us].
+const LEFT_ALONE_US: u64 = 10_000_000;
 
 /// What is agreed with one board.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -76,6 +87,8 @@ pub enum Stage {
         /// What it said.
         nonce: u32,
     },
+    /// It says that it renders forces; samples that say so too are waited for.
+    Confirming,
     /// It renders forces.
     Armed,
     /// It may not be armed: somebody has to see to it.
@@ -91,6 +104,24 @@ pub enum Bar {
     Declined(Operation, Status),
     /// Another board has taken its place, or its firmware was changed.
     Exchanged,
+    /// Its clock runs too fast by so much [1e-6], more than is accepted.
+    Clock(i32),
+    /// It said that it was armed, and sent no samples.
+    NoSamples,
+    /// It said that it was armed, and sent samples that cannot be read.
+    Unreadable,
+    /// It said that it was armed, and its samples that it renders no force.
+    StaysSafe,
+}
+
+impl Bar {
+    /// Whether it is tried again after a while.
+    const fn ends(self) -> bool {
+        match self {
+            Self::Declined(..) | Self::NoSamples | Self::Unreadable | Self::StaysSafe => true,
+            Self::Latched(_) | Self::Exchanged | Self::Clock(_) => false,
+        }
+    }
 }
 
 /// The care of one board.
@@ -119,6 +150,15 @@ struct Charge {
     clear: u64,
     heard: u64,
     frames: u64,
+    /// Since when it is armed, or said so [us], and how many frames had been refused by then.
+    since: u64,
+    refused: u64,
+    /// Attempts to arm it since it was armed last.
+    attempts: u8,
+    /// Until when it is left alone after too many [us].
+    barred_until: u64,
+    /// It shall be told to let go of all forces.
+    lets_go: bool,
     fingers: Fingers,
     /// It shall show its light.
     is_sought: bool,
@@ -231,6 +271,16 @@ impl Steward {
         self.charges.get(board).is_some_and(Charge::is_ready)
     }
 
+    /// Whether a board renders forces now.
+    pub fn renders(&self, board: usize) -> bool {
+        self.charges.get(board).is_some_and(|it| it.stage == Stage::Armed)
+    }
+
+    /// Whether there is nothing to wait for: every board is ready, or may not be armed.
+    pub fn is_settled(&self) -> bool {
+        self.charges.iter().all(|it| it.is_ready() || matches!(it.stage, Stage::Barred(_)))
+    }
+
     /// Whether a board was stopped or has failed, and somebody has to see to it.
     pub fn is_latched(&self, board: usize) -> bool {
         let stage = self.charges.get(board).map(|it| it.stage);
@@ -288,7 +338,7 @@ impl Steward {
             Stage::Streaming => Operation::Stream,
             Stage::Disarming => Operation::Disarm,
             Stage::Arming { .. } => Operation::Arm,
-            Stage::Armed => Operation::Ping,
+            Stage::Confirming | Stage::Armed => Operation::Ping,
             Stage::Barred(_) => return None,
         })
     }
@@ -330,6 +380,11 @@ impl Charge {
             clear: now,
             heard: now,
             frames: 0,
+            since: now,
+            refused: 0,
+            attempts: 0,
+            barred_until: 0,
+            lets_go: false,
             fingers: Fingers::default(),
             is_sought: false,
         }
@@ -350,6 +405,7 @@ impl Charge {
     fn watch(&mut self, now: u64, board: usize, bus: &mut Bus) {
         if std::mem::take(&mut self.is_anew) {
             bus.forget(board);
+            bus.unmute(board);
         }
         let statistics = bus.statistics(board);
         let frames = statistics.samples.frames;
@@ -359,19 +415,76 @@ impl Charge {
                 self.clear = now;
             }
         }
-        let is_silent = self.heard + SILENT_US < now;
-        let is_flagged = self.clear + FLAGGED_US < self.heard;
-        if self.stage == Stage::Armed && (is_silent || is_flagged) {
+        if matches!(self.stage, Stage::Confirming | Stage::Armed)
+            && self.clock.is_beyond_tolerance()
+        {
+            self.bar(Bar::Clock(millionths(self.clock.drift_ppm())), now);
+            self.lets_go = true;
+        } else if self.stage == Stage::Confirming {
+            self.confirm(now, &statistics);
+        } else if matches!(self.stage, Stage::Arming { .. }) {
+            self.refused = statistics.refused;
+        } else if self.stage == Stage::Armed {
+            let is_silent = self.heard + SILENT_US < now;
+            let is_flagged = self.clear + FLAGGED_US < self.heard;
             if is_silent {
                 // Its numbers may begin anew.
                 bus.forget(board);
             }
+            if is_silent || is_flagged {
+                self.greet(self.next_attempt(now));
+            }
+        } else if matches!(self.stage, Stage::Barred(bar) if bar.ends()) && self.barred_until <= now
+        {
+            self.attempts = MOST_ATTEMPTS - 1;
             self.greet(now);
         }
     }
 
+    /// When a board that renders no force any more may be armed again: at once if it did for long.
+    const fn next_attempt(&self, now: u64) -> u64 {
+        if self.since + SHORT_US <= now { now } else { now + AGAIN_US }
+    }
+
+    /// Looks whether a board that says that it is armed sends samples that say so too.
+    fn confirm(&mut self, now: u64, statistics: &BoardStatistics) {
+        if self.heard == now && !statistics.is_safe {
+            self.stage = Stage::Armed;
+            self.armings += 1;
+            (self.since, self.attempts) = (now, 0);
+        } else if self.since + SILENT_US < now {
+            let why = if self.since < self.heard {
+                Bar::StaysSafe
+            } else if self.refused < statistics.refused {
+                Bar::Unreadable
+            } else {
+                Bar::NoSamples
+            };
+            self.has_failed(why, now);
+        }
+    }
+
+    /// Ends an attempt to arm the board: there is another one, unless there were too many.
+    const fn has_failed(&mut self, why: Bar, now: u64) {
+        if self.attempts < MOST_ATTEMPTS {
+            self.greet(now + AGAIN_US);
+        } else {
+            self.bar(why, now);
+        }
+    }
+
+    /// Arms the board no more, for some time or for good.
+    const fn bar(&mut self, why: Bar, now: u64) {
+        self.stage = Stage::Barred(why);
+        self.barred_until = now + LEFT_ALONE_US;
+    }
+
     /// Asks what comes next.
     fn go_on(&mut self, now: u64, origin: Option<u64>) {
+        if std::mem::take(&mut self.lets_go) {
+            self.courier.ask(Operation::Disarm, &Nothing);
+            return;
+        }
         let terms = self.agreed.terms;
         match self.stage {
             Stage::Greeting => self.courier.ask(Operation::Hello, &Nothing),
@@ -390,14 +503,14 @@ impl Charge {
                 self.courier.ask(Operation::Light, &Light { seconds: LIGHT_S });
             }
             Stage::Armed => self.run_errands(now, origin),
-            Stage::Barred(_) => {}
+            Stage::Confirming | Stage::Barred(_) => {}
         }
     }
 
     /// What an armed board is asked beside.
     fn run_errands(&mut self, now: u64, origin: Option<u64>) {
         if self.next_ping <= now {
-            let quick = self.n_pings < QUICK_PINGS;
+            let quick = self.n_pings < QUICK_PINGS || !self.clock.is_known();
             self.next_ping = now + if quick { QUICK_PING_US } else { PING_US };
             self.courier.ask(Operation::Ping, &Nothing);
         } else if let Some(finger) = self.next_finger(now, origin) {
@@ -435,8 +548,10 @@ impl Charge {
     fn was_introduced(&mut self, frame: &[u8], now: u64) {
         let Ok(it) = Introduction::decode(frame) else { return };
         if it.hello.uid == self.agreed.uid && it.hello.safe_reason == safe_reason::NEVER_ARMED {
-            self.clock = ClockModel::default();
-            (self.n_pings, self.is_anew) = (0, true);
+            let is_clock_to_blame = matches!(self.stage, Stage::Barred(Bar::Clock(_)));
+            self.clock =
+                if is_clock_to_blame { ClockModel::default() } else { self.clock.set_anew() };
+            (self.n_pings, self.is_anew, self.attempts) = (0, true, 0);
             self.greet(now);
         }
     }
@@ -453,16 +568,14 @@ impl Charge {
                 self.stage = Hello::take(reply.record)
                     .map_or(Stage::Greeting, |hello| next_stage(&hello, &self.agreed));
             }
-            (Operation::Stream, Stage::Streaming) => self.stage = Stage::Disarming,
+            (Operation::Stream, Stage::Streaming) => self.attempt(),
             (Operation::Disarm, Stage::Disarming) => {
                 if let Some(Disarmed { nonce }) = Disarmed::take(reply.record) {
                     self.stage = Stage::Arming { nonce };
                 }
             }
             (Operation::Arm, Stage::Arming { .. }) => {
-                self.stage = Stage::Armed;
-                self.armings += 1;
-                (self.clear, self.heard) = (now, now);
+                (self.stage, self.since) = (Stage::Confirming, now);
             }
             (Operation::Ping, _) => {
                 if let Some(Pong { board_us }) = Pong::take(reply.record) {
@@ -476,8 +589,19 @@ impl Charge {
         }
     }
 
+    /// Begins to arm the board.
+    const fn attempt(&mut self) {
+        self.stage = Stage::Disarming;
+        self.attempts = self.attempts.saturating_add(1);
+    }
+
     /// Hears that the board does not do what it was asked.
     fn was_declined(&mut self, operation: Operation, status: Status, now: u64) {
+        if matches!(self.stage, Stage::Barred(_)) {
+            self.declined += 1;
+            return;
+        }
+        let declined = Bar::Declined(operation, status);
         let nonce_is_old = status == Status::WrongNonce
             || operation == Operation::Arm && status == Status::WrongState;
         let brings_up = matches!(
@@ -486,11 +610,11 @@ impl Charge {
         );
         if operation == Operation::Disarm && status == Status::WrongState {
             // It was stopped, or has failed, since it said hello: the next one says which.
-            self.greet(now);
-        } else if brings_up && nonce_is_old {
-            self.stage = Stage::Disarming;
+            self.has_failed(declined, now);
+        } else if brings_up && nonce_is_old && self.attempts < MOST_ATTEMPTS {
+            self.attempt();
         } else if brings_up {
-            self.stage = Stage::Barred(Bar::Declined(operation, status));
+            self.bar(declined, now);
         } else if operation == Operation::Finger && status == Status::WrongState {
             // As many gestures wait there as it can hold: again, a little later.
             self.rest_until = now + AGAIN_US;
@@ -532,6 +656,12 @@ fn next_stage(hello: &Hello, agreed: &Agreed) -> Stage {
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn microseconds(seconds: f64) -> u64 {
     (seconds * 1e6).round() as u64
+}
+
+/// Whole millionths.
+#[expect(clippy::cast_possible_truncation, reason = "saturates")]
+const fn millionths(ppm: f64) -> i32 {
+    ppm.round() as i32
 }
 
 /// A value of the wire.

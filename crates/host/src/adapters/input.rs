@@ -70,7 +70,7 @@ pub struct Followed {
 /// Samples closer than this are one and the same [ticks].
 const NEWS: f64 = 1e-3;
 
-/// How far motion is continued from a sample [ticks].
+/// How far motion is continued from a sample, or taken back from one that was early [ticks].
 const MOST_AHEAD: f64 = 1.0;
 
 /// After so long without a sample nothing is known of a key's motion [s]: a stroke takes as long.
@@ -116,6 +116,11 @@ impl InputPath {
         is_news.then_some(elapsed)
     }
 
+    /// How long after the newest sample the tick begins, as far as motion is continued [s].
+    const fn ahead(&self) -> f64 {
+        self.since.clamp(-MOST_AHEAD, MOST_AHEAD) * self.h
+    }
+
     /// Takes a position [m] that was taken `elapsed` [s] after the one before.
     fn learn(&mut self, position: f64, elapsed: f64) {
         self.last = if FORGOTTEN.max(1.5 * self.h) < elapsed {
@@ -134,7 +139,7 @@ impl InputPath {
         let (motion, position) = if self.since == 0.0 {
             (self.last, sample.position)
         } else {
-            let motion = self.last.after(self.since.min(MOST_AHEAD) * self.h);
+            let motion = self.last.after(self.ahead());
             // What goes on, and for how long, is the same here as in `scheduler::safety`.
             let is_over = MAX_EXTRAPOLATED < sample.age;
             let motion = if is_over { KeyMotion::at_rest(motion.position) } else { motion };
@@ -149,7 +154,7 @@ impl InputPath {
             ),
             Continuation::Samples(_, reconstructor) => reconstructor.push(position * self.scale),
         };
-        Followed { signal, position, late: self.since.min(MOST_AHEAD) * self.h }
+        Followed { signal, position, late: self.ahead() }
     }
 }
 
@@ -202,6 +207,16 @@ mod tests {
             assert!(after.rate == 0.0, "{after:?}");
             assert!((after.position - moved_on.position).abs() == 0.0, "{after:?}");
         }
+    }
+
+    #[test]
+    fn a_sample_that_is_dated_far_in_the_future_is_taken_back_by_a_tick_at_most() {
+        let mut path = path();
+        moved(&mut path, 0.5, 100, 0.0);
+        let position = 0.5 * 100.0 * H;
+        let seen = path.follow(100, &KeySample { taken: -20.0, ..KeySample::fresh(position) });
+        let back = position - seen.position;
+        assert!((0.0..=1.1 * 0.5 * H).contains(&back), "{back} m");
     }
 
     #[test]

@@ -132,9 +132,19 @@ pub(crate) fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
 }
 
 /// Keys that read as their board says.
-pub(crate) fn nominal(found: &Found) -> PerKey<KeyCalibration> {
-    let n_keys = usize::from(found.hello.n_keys);
-    PerKey::collect(std::iter::repeat_n(found.nominal(), n_keys))
+fn nominal(found: &Found) -> PerKey<KeyCalibration> {
+    alike(found, found.nominal())
+}
+
+/// Keys that are to be measured: how they read is as their board says, where they are may be
+/// anywhere.
+pub(crate) fn unmeasured(found: &Found) -> PerKey<KeyCalibration> {
+    alike(found, found.nominal().unmeasured())
+}
+
+/// Keys that all read in the same way.
+fn alike(found: &Found, calibration: KeyCalibration) -> PerKey<KeyCalibration> {
+    PerKey::collect(std::iter::repeat_n(calibration, usize::from(found.hello.n_keys)))
 }
 
 #[cfg(test)]

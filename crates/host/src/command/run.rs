@@ -100,6 +100,13 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     } else {
         write!(out, "{report}")?;
     }
+    let troubles = report.board_troubles();
+    if report.misses_a_board() {
+        return Err(Failure::Running(troubles.join("\nletoff: ")));
+    }
+    for trouble in &troubles {
+        tell(trouble);
+    }
     if let Some(trouble) = report.recording.as_ref().and_then(|it| it.trouble.clone()) {
         return Err(Failure::Running(trouble));
     }
@@ -147,6 +154,7 @@ async fn host(
         reach.leave("the host was stopped before it began to play").await;
         return Ok(None);
     };
+    session.notices().iter().for_each(|notice| tell(notice));
     let recording = args.record.as_deref().map(|file| record(&session, file)).transpose()?;
     if !options.virtual_time {
         keep_black_box(&session, args.black_box.as_deref());

@@ -6,7 +6,7 @@ use rtrb::Consumer;
 use telemetry::Links;
 
 use crate::adapters::lookout::Sighting;
-use crate::report::{stage_words, wire_words};
+use crate::report::{muted_keys, stage_words, wire_words};
 
 /// What is known of lines and boards, and where more comes from.
 #[derive(Debug)]
@@ -71,11 +71,14 @@ impl LinksWatch {
         let care = it.care?;
         board.armings = care.armings;
         board.round_trip = care.round_trip_us.map_or(f64::NAN, f64::from);
-        let state = stage_words(care.stage);
+        let first_key = u8::try_from(board.first_key).unwrap_or(u8::MAX);
+        let muted = muted_keys(first_key, &it.statistics.muted);
+        let muted = muted.iter().map(|key| format!("; {key}"));
+        let state: String = std::iter::once(stage_words(care.stage)).chain(muted).collect();
         let line = usize::try_from(board.line).ok().and_then(|it| self.links.lines.get(it));
         let line = line.map_or("", |line| line.name.as_str());
-        let told = news(&board.state, &state)
-            .then(|| format!("board {} on {line} is {state} now", board.id));
+        let told =
+            news(&board.state, &state).then(|| format!("board {} on {line}: {state}", board.id));
         board.state = state;
         told
     }
@@ -89,10 +92,12 @@ fn news(before: &str, now: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use firmware_protocol::key::MOST_KEYS;
     use hardware::link::{Health, WireState};
     use hardware::plan::{LinkMeter, Medium};
     use hardware::rt::bus::LineStatistics;
     use hardware::rt::glance::Care;
+    use hardware::rt::plausible::Implausible;
     use hardware::rt::steward::Stage;
     use rtrb::{Producer, RingBuffer};
     use telemetry::{Board, Line};
@@ -113,8 +118,13 @@ mod tests {
     }
 
     fn board(stage: Stage) -> Glance {
+        with_muted(stage, [None; MOST_KEYS])
+    }
+
+    fn with_muted(stage: Stage, muted: [Option<Implausible>; MOST_KEYS]) -> Glance {
         let care = Some(Care { stage, armings: 2, round_trip_us: Some(990) });
-        Glance::Board(0, BoardGlance { statistics: BoardStatistics::default(), care })
+        let statistics = BoardStatistics { muted, ..BoardStatistics::default() };
+        Glance::Board(0, BoardGlance { statistics, care })
     }
 
     #[test]
@@ -143,11 +153,18 @@ mod tests {
             (watch.links().clone(), changes)
         };
         assert_eq!(look(board(Stage::Armed)).1, [""; 0], "it begins so");
-        assert_eq!(look(board(Stage::Greeting)).1, ["board 3 on can0 is silent now"]);
+        assert_eq!(look(board(Stage::Greeting)).1, ["board 3 on can0: silent"]);
         let (links, changes) = look(board(Stage::Greeting));
         assert_eq!(changes, [""; 0]);
         let it = &links.boards[0];
         assert_eq!((it.state.as_str(), it.armings, it.round_trip), ("silent", 2, 990.0));
+        let mut muted = [None; MOST_KEYS];
+        muted[6] = Some(Implausible::Noisy);
+        let told = look(with_muted(Stage::Armed, muted)).1;
+        assert!(
+            told[0].starts_with("board 3 on can0: armed; C4 is muted: its readings"),
+            "{told:?}"
+        );
         look(line(WireState::Active, None));
         assert_eq!(look(line(WireState::Off, None)).1, ["can0 is off now"]);
         let unplugged = LineStatistics { down: 900, ..LineStatistics::default() };

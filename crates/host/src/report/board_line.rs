@@ -2,8 +2,10 @@
 
 use std::fmt;
 
+use firmware_protocol::key::{KeyIndex, MOST_KEYS};
 use hardware::keybed::BoardReport;
-use hardware::refusal::{KeyRange, reason_words};
+use hardware::refusal::{KeyName, KeyRange, clock_words, reason_words};
+use hardware::rt::plausible::Implausible;
 use hardware::rt::steward::{Bar, Stage};
 use serde::Serialize;
 
@@ -44,8 +46,23 @@ pub struct BoardLine {
     pub rearmed: u64,
     /// Whether it renders forces, or why not.
     pub state: String,
+    /// Whether its keys read as its calibration file says, and not as it describes them itself.
+    pub calibrated: bool,
+    /// Readings of keys that were not used, since no key can be there.
+    pub implausible: u64,
+    /// Keys that are not played any more since their readings cannot be trusted.
+    pub muted: Vec<MutedKey>,
     /// What the board itself has counted, a second before the end.
     pub counted: Option<Counted>,
+}
+
+/// A key whose readings cannot be trusted.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+pub struct MutedKey {
+    /// Its name, as C4.
+    pub key: String,
+    /// What is wrong with its readings.
+    pub reason: &'static str,
 }
 
 /// Round trips of requests [us].
@@ -77,7 +94,8 @@ pub struct Counted {
 impl BoardLine {
     /// Of `report`, after `seconds`.
     pub fn new(report: &BoardReport, seconds: f64) -> Self {
-        let BoardReport { name, place, statistics, exchanged: (came, went), condition } = report;
+        let BoardReport { name, place, statistics, .. } = report;
+        let (condition, (came, went)) = (&report.condition, report.exchanged);
         let keys = KeyRange {
             first: place.first_key.number(),
             n: u8::try_from(place.n_keys).unwrap_or(u8::MAX),
@@ -88,8 +106,8 @@ impl BoardLine {
             link: name.line.clone(),
             number: name.number,
             keys: keys.to_string(),
-            samples_hz: rate(*came),
-            forces_hz: rate(*went),
+            samples_hz: rate(came),
+            forces_hz: rate(went),
             frames: samples.frames,
             gaps: samples.gaps,
             missing: samples.missing,
@@ -106,6 +124,9 @@ impl BoardLine {
             declined: condition.declined,
             rearmed: condition.armings.saturating_sub(1),
             state: stage_words(condition.stage),
+            calibrated: report.is_calibrated,
+            implausible: statistics.implausible,
+            muted: muted_keys(place.first_key.number(), &statistics.muted),
             counted: condition.counters.map(|it| Counted {
                 forces: it.forces,
                 corrupt: it.corrupt,
@@ -122,10 +143,46 @@ pub(crate) fn stage_words(stage: Stage) -> String {
     match stage {
         Stage::Armed => "armed".into(),
         Stage::Greeting => "silent".into(),
-        Stage::Streaming | Stage::Disarming | Stage::Arming { .. } => "being brought up".into(),
-        Stage::Barred(Bar::Latched(reason)) => reason_words(reason).into(),
-        Stage::Barred(Bar::Declined(asked, _)) => format!("it declined {asked:?}"),
-        Stage::Barred(Bar::Exchanged) => "another board is in its place".into(),
+        Stage::Streaming | Stage::Disarming | Stage::Arming { .. } | Stage::Confirming => {
+            "being brought up".into()
+        }
+        Stage::Barred(bar) => bar_words(bar),
+    }
+}
+
+/// Why a board may not be armed, in words.
+fn bar_words(bar: Bar) -> String {
+    match bar {
+        Bar::Latched(reason) => reason_words(reason).into(),
+        Bar::Declined(asked, _) => format!("it declined {asked:?}"),
+        Bar::Exchanged => "another board is in its place".into(),
+        Bar::Clock(ppm) => format!("disarmed: {}", clock_words(ppm)),
+        Bar::NoSamples => "left alone: it says that it is armed, and sends no samples".into(),
+        Bar::Unreadable => {
+            "left alone: it says that it is armed, and its samples cannot be read".into()
+        }
+        Bar::StaysSafe => "left alone: it says that it is armed, and renders no force".into(),
+    }
+}
+
+/// The keys of a board from `first_key` on that were muted.
+pub(crate) fn muted_keys(first_key: u8, muted: &[Option<Implausible>; MOST_KEYS]) -> Vec<MutedKey> {
+    let keys = (first_key..).map_while(KeyIndex::new).zip(muted);
+    let key = |(key, muted): (KeyIndex, &Option<Implausible>)| {
+        let reason = match (*muted)? {
+            Implausible::Beyond => "its readings lie far beyond its rest and its bottom",
+            Implausible::Jumping => "its readings jump farther than a key can move",
+            Implausible::Noisy => "its readings go to and fro faster than a key can",
+        };
+        Some(MutedKey { key: KeyName(key).to_string(), reason })
+    };
+    keys.filter_map(key).collect()
+}
+
+impl fmt::Display for MutedKey {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { key, reason } = self;
+        write!(f, "{key} is muted: {reason}; see to its sensor, then start its board anew")
     }
 }
 
@@ -154,6 +211,20 @@ pub(super) fn fmt_table(boards: &[BoardLine], f: &mut fmt::Formatter<'_>) -> fmt
 }
 
 impl BoardLine {
+    /// What is wrong with it in the end, a sentence on each.
+    pub fn troubles(&self) -> Vec<String> {
+        let name = format!("board {} on {}", self.number, self.link);
+        let state = (self.state != "armed").then(|| format!("{name}: {}", self.state));
+        let never = self.was_never_heard().then(|| format!("{name} sent no sample in the run"));
+        let muted = self.muted.iter().map(|it| format!("{name}: {it}"));
+        state.into_iter().chain(never).chain(muted).collect()
+    }
+
+    /// Whether no sample of it came in the run.
+    pub fn was_never_heard(&self) -> bool {
+        self.samples_hz <= 0.0
+    }
+
     fn fmt_row(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = format!("{} {}", self.link, self.number);
         let trip = |value: fn(&RoundTrips) -> u32| {
@@ -176,6 +247,10 @@ impl BoardLine {
             counted(|it| it.stale.to_string()),
             counted(|it| it.trips.to_string()),
             if self.state == "armed" { String::new() } else { format!("  {}", self.state) },
-        )
+        )?;
+        if !self.calibrated {
+            writeln!(f, "                {name} has no calibration file")?;
+        }
+        self.muted.iter().try_for_each(|muted| writeln!(f, "                {name}: {muted}"))
     }
 }

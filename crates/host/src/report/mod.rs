@@ -12,7 +12,7 @@ mod board_line;
 mod link_line;
 
 pub use board_line::BoardLine;
-pub(crate) use board_line::stage_words;
+pub(crate) use board_line::{muted_keys, stage_words};
 pub use link_line::LinkLine;
 pub(crate) use link_line::wire_words;
 
@@ -63,6 +63,20 @@ pub struct Report {
     pub midi: MidiReport,
     /// What was recorded, if anything was.
     pub recording: Option<crate::observe::RecordingReport>,
+}
+
+impl Report {
+    /// What is wrong with boards when all is over, a sentence on each; nothing after
+    /// `letoff stop`, which is why they render no force then.
+    pub fn board_troubles(&self) -> Vec<String> {
+        let boards = self.boards.iter().filter(|_| !self.stopped);
+        boards.flat_map(BoardLine::troubles).collect()
+    }
+
+    /// Whether a board that was armed for this run never took part in it.
+    pub fn misses_a_board(&self) -> bool {
+        0 < self.ticks && self.boards.iter().any(BoardLine::was_never_heard)
+    }
 }
 
 /// What the system granted.

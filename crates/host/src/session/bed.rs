@@ -77,6 +77,26 @@ impl Bed {
         }
     }
 
+    /// What is to be said of the keys before a run, a sentence on each.
+    pub(super) fn notices(&self) -> Vec<String> {
+        let Self::Boards(keybed, ..) = self else { return Vec::new() };
+        let (boards, links): (Vec<_>, Vec<_>) = keybed
+            .uncalibrated()
+            .map(|(name, link)| (name.to_string(), format!(" --link {link}")))
+            .unzip();
+        if boards.is_empty() {
+            return Vec::new();
+        }
+        let mut links = links;
+        links.dedup();
+        vec![format!(
+            "no calibration file: {}; with simulated fingers, they are taken as they describe \
+             themselves: `letoff calibrate{}` measures them",
+            boards.join(", "),
+            links.concat()
+        )]
+    }
+
     /// Whether there are fingers that can play.
     pub(super) fn has_fingers(&self) -> bool {
         match self {

@@ -268,6 +268,11 @@ impl Session {
         Arc::clone(&self.stage.patchbay)
     }
 
+    /// What is to be said of its keys before it runs, a sentence on each.
+    pub fn notices(&self) -> Vec<String> {
+        self.bed.notices()
+    }
+
     /// Who hears of everything that the run does, from before its first tick on.
     pub fn observe(&self, sink: Box<dyn Sink>) {
         self.stage.patchbay.tell(Told::Sink(sink));

@@ -11,7 +11,7 @@ use hardware::refusal::{BoardName, Refusals};
 
 use super::Endings;
 use super::operator::Operator;
-use crate::boards::{PATIENCE_US, folder, nominal, now_us, open_all};
+use crate::boards::{PATIENCE_US, folder, now_us, open_all, unmeasured};
 use crate::command::Failure;
 use crate::command::target::Target;
 
@@ -69,7 +69,8 @@ pub(super) fn find(
     let there: Vec<_> = boards.iter().map(|it| it.file.clone()).filter(|it| it.exists()).collect();
     operator.may_overwrite(&there)?;
     let wanted = Wanted { hz: HZ, ..Wanted::default() };
-    let keybed = keybed.calibrate(&wanted, |found, _name| Ok(nominal(found))).map_err(refused)?;
+    let keybed =
+        keybed.calibrate(&wanted, |found, _name| Ok(unmeasured(found))).map_err(refused)?;
     Ok(Ready { boards, keybed })
 }
 

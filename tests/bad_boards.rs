@@ -1,0 +1,413 @@
+//! Boards with clocks, sensors or firmware that are not as they should be, on the host's own way
+//! to them, in virtual time.
+#![allow(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+
+mod stage;
+
+use std::cell::Cell;
+
+use firmware_protocol::acyclic::Operation;
+use firmware_protocol::frame::Kind;
+use firmware_protocol::frame::hello::safe_reason;
+use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces};
+use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
+use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
+use firmware_protocol::quantity::Counts;
+use haptics::{RigParameters, Touch};
+use hardware::keybed::{Armed, Keybed, Line, Offline, Terms, Wanted};
+use hardware::link::loopback::Loopback;
+use hardware::link::{Link, RecvError, SendError};
+use hardware::refusal::Refusals;
+use hardware::rt::plausible::Implausible;
+use hardware::rt::steward::{Bar, Stage as BoardStage};
+use hardware::sim::board::{BoardMake, SimulatedBoard};
+use scheduler::motion::KeyEvent;
+use scheduler::port::{Seen, TickObserver};
+use stage::{Stage, scene, stroke};
+
+/// A tick [us].
+const TICK_US: u64 = 1_000;
+/// How often a board looks after its link [us], as `letoff board` does.
+const LOOK_US: u64 = 500;
+/// How much later it is whenever somebody asks for the time while boards are brought up [us].
+const ASKED_US: u64 = 250;
+/// Ticks of a run.
+const TICKS: u64 = 3_000;
+/// Largest force on a key that nobody touches [N].
+const NONE: f64 = 0.5;
+/// The key of board 3 that is played: C4, and its place on the board.
+const PLAYED: (usize, usize) = (39, 6);
+
+thread_local! {
+    /// What time it is on this thread [us], and how much later it is whenever it is asked for.
+    static NOW: Cell<u64> = const { Cell::new(1_000_000) };
+    static LATER: Cell<u64> = const { Cell::new(ASKED_US) };
+    /// How much too fast the boards of this thread live.
+    static DRIFT: Cell<f64> = const { Cell::new(0.0) };
+    /// What is wrong with them.
+    static WRONG: Cell<Wrong> = const { Cell::new(Wrong::Nothing) };
+    /// Largest force of each key that they were sent last [mN], and how often they were told to
+    /// render forces.
+    static SENT: Cell<[u16; KEYS_PER_BOARD]> = const { Cell::new([0; KEYS_PER_BOARD]) };
+    static ARMINGS: Cell<u32> = const { Cell::new(0) };
+}
+
+/// What may be wrong with a board beside its clock.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Wrong {
+    Nothing,
+    /// Its samples say that it renders no force.
+    Flag,
+    /// Its samples are those of a key less.
+    KeyLess,
+    /// A key has failed, as its hello says.
+    KeyFault,
+    /// The key that is played reads so much more [um].
+    Elsewhere(i32),
+    /// The key that is played reads up to so much more or less, by chance [um].
+    Noise(i32),
+}
+
+fn now_us() -> u64 {
+    NOW.set(NOW.get() + LATER.get());
+    NOW.get()
+}
+
+/// The host's end of a wire behind which a board lives by a clock of its own.
+struct Wire {
+    board: SimulatedBoard,
+    loopback: Loopback,
+    /// The host's time until which the board has lived, and its own [us].
+    looked: u64,
+    lived: f64,
+    /// A number of chance.
+    chance: u64,
+}
+
+impl Wire {
+    /// Board 3, on which [`PLAYED`] is struck `n_strokes` times from its second second on.
+    fn new(n_strokes: u32) -> Self {
+        let id = BoardId::new(3).expect("a board");
+        let make = BoardMake::standard(id, 100e-6, RigParameters::default());
+        let mut board = SimulatedBoard::new(make).expect("a possible board");
+        let strokes = (0..n_strokes).map(|n| {
+            let start = 2.0 + 0.4 * f64::from(n);
+            let touch = if n % 2 == 0 { Touch::Struck } else { Touch::Pressed };
+            stroke(start, start + 0.2, touch, 0.3 + 0.1 * f64::from(n))
+        });
+        board.play(PLAYED.1, strokes.collect());
+        Self { board, loopback: Loopback::new(256), looked: NOW.get(), lived: 0.0, chance: 1 }
+    }
+
+    fn live(&mut self) {
+        let now = NOW.get() / LOOK_US * LOOK_US;
+        self.lived += now.saturating_sub(self.looked) as f64 * (1.0 + DRIFT.get());
+        self.looked = now.max(self.looked);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "short")]
+        let tick = (self.lived / 100.0) as u64;
+        if WRONG.get() == Wrong::KeyFault {
+            self.board.fail(safe_reason::KEY_FAULT);
+        }
+        self.board.advance(tick, &mut self.loopback.board_end());
+    }
+
+    /// Samples as they leave a board with which something is wrong.
+    fn distorted(&mut self, samples: KeySamples) -> KeySamples {
+        let mut distorted = samples;
+        let noise = |most: i32, chance: u64| {
+            let span = u64::try_from(2 * most + 1).expect("positive");
+            i32::try_from((chance >> 33) % span).expect("small") - most
+        };
+        let beside = match WRONG.get() {
+            Wrong::Flag => {
+                distorted.header.flag = true;
+                0
+            }
+            Wrong::KeyLess => {
+                let fewer = samples.positions.as_slice().iter().skip(1).copied();
+                distorted.positions = PerKey::collect(fewer);
+                0
+            }
+            Wrong::Elsewhere(it) => it,
+            Wrong::Noise(most) => {
+                self.chance = self.chance.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                noise(most, self.chance)
+            }
+            Wrong::Nothing | Wrong::KeyFault => 0,
+        };
+        if let Some(played) = distorted.positions.as_mut_slice().get_mut(PLAYED.1) {
+            *played = Counts::saturating(played.get() + beside);
+        }
+        distorted
+    }
+}
+
+impl Link for Wire {
+    fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        let layout = ForceLayout { packing: ForcePacking::Force16, n_keys: KEYS_PER_BOARD };
+        match Kind::of(frame) {
+            Some(Kind::KeyForces) => {
+                let sent = KeyForces::decode(frame, layout).expect("forces");
+                let forces: Vec<_> =
+                    sent.forces.as_slice().iter().map(|it| it.get().unsigned_abs()).collect();
+                SENT.set(forces.try_into().expect("all keys"));
+            }
+            Some(Kind::Request) if frame.get(2) == Some(&(Operation::Arm as u8)) => {
+                ARMINGS.set(ARMINGS.get() + 1);
+            }
+            _ => {}
+        }
+        self.loopback.host_end().try_send(frame)
+    }
+
+    fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
+        self.live();
+        let len = self.loopback.host_end().try_recv(buffer)?;
+        let Some(len) = len.filter(|len| Kind::of(&buffer[..*len]) == Some(Kind::KeySamples))
+        else {
+            return Ok(len);
+        };
+        let packing = SamplePacking::default();
+        let layout = SampleLayout { packing, n_keys: KEYS_PER_BOARD };
+        let samples = KeySamples::decode(&buffer[..len], layout).expect("samples");
+        let mut bytes = [0; firmware_protocol::frame::key_samples::MAX_LEN];
+        let len = self.distorted(samples).encode(packing, &mut bytes);
+        buffer[..len].copy_from_slice(&bytes[..len]);
+        Ok(Some(len))
+    }
+}
+
+/// Brings up board 3, whose clock runs too fast by `drift`.
+fn armed(drift: f64, n_strokes: u32) -> Result<Keybed<Armed>, Refusals> {
+    const PATIENCE: u64 = 4_000_000;
+    DRIFT.set(drift);
+    LATER.set(ASKED_US);
+    let line = Line::new("wire", Box::new(Wire::new(n_strokes)));
+    let keybed = Keybed::<Offline>::new(vec![line], now_us).identify(PATIENCE)?;
+    let wanted = Wanted { hz: 1_000, ..Wanted::default() };
+    let keybed = keybed.calibrate(&wanted, |found, _name| {
+        Ok(PerKey::collect(std::iter::repeat_n(found.nominal(), found.hello.n_keys.into())))
+    })?;
+    let terms = Terms {
+        period_us: 1_000,
+        samples: SamplePacking::default(),
+        forces: ForcePacking::default(),
+        valid_ms: 20,
+    };
+    keybed.arm(terms, PATIENCE)
+}
+
+/// What all voices did.
+#[derive(Default)]
+struct Heard {
+    strikes: u32,
+    faults: u32,
+    /// Largest force that was sent [N].
+    force: f64,
+}
+
+impl TickObserver for Heard {
+    fn observe(&mut self, seen: &Seen<'_>) {
+        for turn in seen.turns {
+            self.faults += u32::from(turn.fault.is_some());
+            let events = turn.events.as_slice().iter();
+            let strikes = events.filter(|(_, it)| matches!(it, KeyEvent::Strike { .. })).count();
+            self.strikes += u32::try_from(strikes).expect("few");
+        }
+        self.force = seen.forces.iter().fold(self.force, |most, it| it.abs().max(most));
+    }
+}
+
+/// The voices of the default scene on the keys of `keybed`.
+fn staged(keybed: Keybed<Armed>) -> Stage<Keybed<Armed>, Heard> {
+    LATER.set(0);
+    // Every tick is a little late, as any is.
+    NOW.set(NOW.get() + 137);
+    Stage::new(&scene("default", &[]), keybed).watched_by(Heard::default())
+}
+
+/// Runs `ticks` more.
+fn run(stage: &mut Stage<Keybed<Armed>, Heard>, ticks: u64) {
+    for _ in 0..ticks {
+        NOW.set(NOW.get() + TICK_US);
+        stage.tick();
+    }
+}
+
+/// Does the same at every drift in parts of a hundred, each on a thread and a clock of its own.
+fn at_every_drift(check: impl Fn(f64) + Sync) {
+    let drifts = [-5.0, -3.3, -3.0, -2.0, -1.0, -0.02, 0.0, 0.02, 1.0, 1.5, 2.0, 3.0, 3.3, 5.0];
+    std::thread::scope(|scope| {
+        for drift in drifts {
+            let check = &check;
+            scope.spawn(move || check(drift * 1e-2));
+        }
+    });
+}
+
+/// Whether a clock that is so much too fast is to be accepted.
+fn is_tolerable(drift: f64) -> bool {
+    drift.abs() <= 0.03
+}
+
+#[test]
+fn keys_that_nobody_touches_are_quiet_at_every_drift_or_their_board_is_refused_by_name() {
+    at_every_drift(|drift| match armed(drift, 0) {
+        Ok(keybed) => {
+            assert!(is_tolerable(drift), "{drift} was accepted");
+            let mut stage = staged(keybed);
+            run(&mut stage, TICKS);
+            let Heard { strikes, faults, force } = stage.observer;
+            assert_eq!((strikes, faults), (0, 0), "drift {drift}");
+            assert!(force < NONE, "drift {drift}: {force} N");
+            let report = stage.bus.board_reports().remove(0);
+            let known = report.condition.drift_ppm * 1e-6;
+            assert!((known - drift).abs() < 1e-3, "{known} for {drift}");
+            assert_eq!((report.condition.armings, report.statistics.implausible), (1, 0));
+        }
+        Err(refusals) => {
+            assert!(!is_tolerable(drift), "drift {drift}: {refusals}");
+            let how = if drift < 0.0 { "slow" } else { "fast" };
+            let clock = format!("its clock runs {:.1} % too {how}", drift.abs() * 1e2);
+            let sentence = refusals.to_string();
+            for words in ["board 3 on wire", &clock, "at most 3 % is accepted"] {
+                assert!(sentence.contains(words), "no `{words}` in: {sentence}");
+            }
+        }
+    });
+}
+
+#[test]
+fn a_key_that_is_played_strikes_as_often_at_every_drift() {
+    at_every_drift(|drift| {
+        let Ok(keybed) = armed(drift, 6) else { return };
+        let mut stage = staged(keybed);
+        run(&mut stage, 5_000);
+        let Heard { strikes, faults, .. } = stage.observer;
+        assert_eq!((strikes, faults), (6, 0), "drift {drift}");
+        assert_eq!(stage.bus.board_reports()[0].statistics.implausible, 0, "drift {drift}");
+    });
+}
+
+#[test]
+fn a_board_whose_clock_leaves_the_tolerance_in_a_run_is_disarmed_and_renders_nothing() {
+    let mut stage = staged(armed(0.0, 6).expect("a good clock"));
+    run(&mut stage, TICKS / 2);
+    DRIFT.set(0.045);
+    run(&mut stage, 2 * TICKS);
+    let report = stage.bus.board_reports().remove(0);
+    let BoardStage::Barred(Bar::Clock(ppm)) = report.condition.stage else {
+        panic!("it is used as if nothing was: {report:?}");
+    };
+    // As soon as that is sure, and before it is known exactly.
+    assert!((30_000..46_000).contains(&ppm), "{ppm}");
+    assert_eq!(SENT.get(), [0; KEYS_PER_BOARD]);
+}
+
+/// Brings up board 3 with which something is wrong, and returns why it is refused, and after how
+/// long [s].
+fn refused(wrong: Wrong) -> (String, f64) {
+    WRONG.set(wrong);
+    let start = NOW.get();
+    let sentence = armed(0.0, 0).expect_err("it is refused").to_string();
+    (sentence, (NOW.get() - start) as f64 * 1e-6)
+}
+
+#[test]
+fn a_board_that_cannot_be_armed_is_refused_after_few_attempts_with_what_is_wrong() {
+    for (wrong, words) in [
+        (Wrong::Flag, "its samples say that it renders no force"),
+        (Wrong::KeyLess, "its samples are none of 11 keys"),
+        (Wrong::KeyFault, "a key, motor or sensor failed"),
+    ] {
+        ARMINGS.set(0);
+        let (sentence, seconds) = refused(wrong);
+        assert!(sentence.contains("board 3 on wire") && sentence.contains(words), "{sentence}");
+        assert!(ARMINGS.get() <= 5 && seconds < 4.0, "{} in {seconds} s", ARMINGS.get());
+    }
+}
+
+/// What became of board 3 if this goes wrong with it while its keys are played.
+fn gone_wrong(wrong: Wrong) -> Stage<Keybed<Armed>, Heard> {
+    let mut stage = staged(armed(0.0, 20).expect("a good board"));
+    run(&mut stage, TICKS / 2);
+    ARMINGS.set(0);
+    WRONG.set(wrong);
+    run(&mut stage, TICKS / 2);
+    stage
+}
+
+#[test]
+fn a_board_that_renders_no_force_in_a_run_is_sent_none_and_armed_a_few_times_only() {
+    for (wrong, bar) in [
+        (Wrong::Flag, Bar::StaysSafe),
+        (Wrong::KeyLess, Bar::Unreadable),
+        (Wrong::KeyFault, Bar::Latched(safe_reason::KEY_FAULT)),
+    ] {
+        WRONG.set(Wrong::Nothing);
+        let mut stage = gone_wrong(wrong);
+        for _ in 0..TICKS {
+            run(&mut stage, 1);
+            assert_eq!(SENT.get(), [0; KEYS_PER_BOARD], "{wrong:?}");
+        }
+        let report = stage.bus.board_reports().remove(0);
+        assert_eq!(report.condition.stage, BoardStage::Barred(bar), "{wrong:?}");
+        assert!(ARMINGS.get() <= 5, "{wrong:?}: {} times", ARMINGS.get());
+    }
+}
+
+#[test]
+fn a_board_that_is_well_again_is_armed_after_a_while() {
+    let mut stage = gone_wrong(Wrong::KeyLess);
+    WRONG.set(Wrong::Nothing);
+    run(&mut stage, 10_500);
+    let report = stage.bus.board_reports().remove(0);
+    assert_eq!((report.condition.stage, report.condition.armings), (BoardStage::Armed, 2));
+}
+
+/// Asserts that a key which reads nonsense is sent nothing after some `ticks`, and never more than
+/// `most` [N]; and that its neighbours go on.
+#[track_caller]
+fn check_muted(wrong: Wrong, reason: Implausible, ticks: u64, most: f64) {
+    WRONG.set(Wrong::Nothing);
+    let mut stage = staged(armed(0.0, 0).expect("a good board"));
+    run(&mut stage, 500);
+    WRONG.set(wrong);
+    run(&mut stage, ticks);
+    for _ in 0..1_000 {
+        run(&mut stage, 1);
+        let sent = SENT.get();
+        assert!(sent[PLAYED.1] == 0 && 0 < sent[PLAYED.1 + 1], "{wrong:?}: {sent:?}");
+    }
+    let report = stage.bus.board_reports().remove(0);
+    let mut muted = [None; MOST_KEYS];
+    muted[PLAYED.1] = Some(reason);
+    assert_eq!(report.statistics.muted, muted, "{wrong:?}");
+    assert_eq!(report.condition.stage, BoardStage::Armed, "{wrong:?}");
+    assert_eq!((stage.observer.strikes, stage.observer.faults), (0, 0), "{wrong:?}");
+    assert!(stage.observer.force < most, "{wrong:?}: {} N", stage.observer.force);
+}
+
+#[test]
+fn a_key_that_reads_what_no_key_can_is_muted_and_strikes_nothing() {
+    // 30 mm of 10.16, and a third of a millimetre to and fro: a dozen of the latter are used.
+    check_muted(Wrong::Elsewhere(30_000), Implausible::Beyond, 40, NONE);
+    check_muted(Wrong::Noise(300), Implausible::Noisy, 120, 15.0);
+}
+
+#[test]
+fn one_sample_that_cannot_be_is_as_if_it_had_been_lost() {
+    let mut stage = staged(armed(0.0, 0).expect("a good board"));
+    run(&mut stage, 500);
+    for _ in 0..20 {
+        WRONG.set(Wrong::Elsewhere(30_000));
+        run(&mut stage, 1);
+        WRONG.set(Wrong::Nothing);
+        run(&mut stage, 99);
+    }
+    let report = stage.bus.board_reports().remove(0);
+    assert_eq!((stage.observer.strikes, stage.observer.faults), (0, 0));
+    assert!(stage.observer.force < NONE, "{} N", stage.observer.force);
+    assert_eq!(report.statistics.muted, [None; MOST_KEYS]);
+    assert!((15..=40).contains(&report.statistics.implausible), "{report:?}");
+}
