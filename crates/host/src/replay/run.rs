@@ -244,6 +244,7 @@ impl Replay {
         drop(self.desk.close(None));
         self.pump.pump();
         self.comparison.window(self.last, &self.said);
+        self.comparison.sort_sent(timed);
         is_torn |= self.comparison.lacks_end(timed);
         if is_torn {
             self.comparison.tear(timed);
