@@ -12,19 +12,27 @@ use crate::{Topic, Voice};
 pub(super) struct Latest {
     catalogue: Option<Raw>,
     voices: BTreeMap<u32, Raw>,
+    bytes: usize,
 }
 
 impl Latest {
     /// Remembers `raw` if it is one of these.
     pub(super) fn note(&mut self, raw: &Raw) {
         if raw.topic == Topic::Catalogue {
-            self.catalogue = Some(raw.clone());
+            let old = self.catalogue.replace(raw.clone());
+            self.change(raw, old);
         }
         if raw.topic == Topic::Voices
             && let Ok(voice) = Voice::decode(raw.bytes.as_slice())
         {
-            self.voices.insert(voice.key, raw.clone());
+            let old = self.voices.insert(voice.key, raw.clone());
+            self.change(raw, old);
         }
+    }
+
+    fn change(&mut self, new: &Raw, old: Option<Raw>) {
+        self.bytes += new.bytes.len();
+        self.bytes -= old.map_or(0, |old| old.bytes.len());
     }
 
     /// They, said again at `at` [ns since 1970].
@@ -33,7 +41,7 @@ impl Latest {
     }
 
     /// How much it holds [B].
-    pub(super) fn bytes(&self) -> usize {
-        self.catalogue.iter().chain(self.voices.values()).map(|raw| raw.bytes.len()).sum()
+    pub(super) const fn bytes(&self) -> usize {
+        self.bytes
     }
 }
