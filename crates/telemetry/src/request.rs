@@ -80,6 +80,15 @@ pub enum Reply {
         /// What was done, in a sentence.
         text: String,
     },
+    /// All forces were taken away, and the run ends.
+    Stopped {
+        /// What was done, in a sentence.
+        text: String,
+        /// Boards that were told to render no force.
+        told: u32,
+        /// Boards that were armed; where fewer were told, cut the power of the others.
+        boards: u32,
+    },
     /// The scene as it sounds now.
     Scene {
         /// As a file.

@@ -15,6 +15,8 @@ pub(super) fn ask(
     let answer = answer.map_err(|error| Failure::Running(error.to_string()))?;
     match answer.map_err(refused)? {
         Reply::Done { text } => writeln!(out, "{text}")?,
+        Reply::Stopped { text, told, boards } if told < boards => return Err(refused(text)),
+        Reply::Stopped { text, .. } => writeln!(out, "{text}")?,
         Reply::Scene { toml } => write!(out, "{toml}")?,
         Reply::Where { address, token: _ } => writeln!(out, "{address}")?,
     }

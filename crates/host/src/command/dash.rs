@@ -126,7 +126,7 @@ enum Absent {
 fn whereabouts() -> Result<Place, Absent> {
     match send(&socket_path(), &Request::Where {}) {
         Ok(Ok(Reply::Where { address, token })) => Ok(Place::said(&address, token)),
-        Ok(Ok(Reply::Done { .. } | Reply::Scene { .. })) => {
+        Ok(Ok(Reply::Done { .. } | Reply::Stopped { .. } | Reply::Scene { .. })) => {
             Err(Absent::Refused("the host that runs here said something else".into()))
         }
         Ok(Err(why)) => Err(Absent::Refused(why)),

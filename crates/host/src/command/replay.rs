@@ -9,7 +9,7 @@ use telemetry::Update;
 use telemetry::recording::{Recording, Selection, export_csv};
 
 use super::{Failure, print_json, tell};
-use crate::replay::{Replayed, replay};
+use crate::replay::{Missing, Replayed, replay};
 
 /// What `letoff replay` takes.
 #[derive(Clone, Debug, Args)]
@@ -72,13 +72,33 @@ fn print(it: &Replayed, out: &mut dyn Write) -> Result<(), Failure> {
             "  {compared} messages compared: forces, events and MIDI are the same to the last bit"
         )?;
     }
-    if let Some(tick) = it.incomplete_from {
-        writeln!(
+    for missing in &it.missing {
+        writeln!(out, "  {}", words(missing))?;
+    }
+    match (it.incomplete_from, it.missing.is_empty()) {
+        (Some(tick), true) => writeln!(
             out,
             "  from tick {tick} on samples are missing in it, so that nothing could be compared"
-        )?;
+        )?,
+        (Some(tick), false) => writeln!(
+            out,
+            "  from tick {tick} on nothing could be compared: what voices were like behind what is \
+             missing is not in it"
+        )?,
+        (None, _) => {}
     }
     Ok(())
+}
+
+/// What is missing, in a sentence.
+fn words(missing: &Missing) -> String {
+    let Missing { from, from_s, why, .. } = missing;
+    match (missing.to, missing.to_s) {
+        (Some(to), Some(to_s)) => {
+            format!("ticks {from} to {to} ({from_s:.3} s to {to_s:.3} s) are missing: {why}")
+        }
+        _no_end => format!("what was from tick {from} ({from_s:.3} s) on is missing: {why}"),
+    }
 }
 
 fn export(recording: &Recording, folder: &Path, out: &mut dyn Write) -> Result<(), Failure> {

@@ -175,6 +175,24 @@ impl Recording {
         }
     }
 
+    /// The last message of `topic` before `at` [ns since 1970], however long before; what is
+    /// damaged is passed over.
+    pub(super) fn last_before(&self, topic: Topic, at: u64) -> Option<Raw> {
+        let places = self.places().rev().filter(|(_, place)| place.first < at);
+        let mut places = places.filter(|(_, place)| place.may_have(|it| it == topic));
+        places.find_map(|(part, place)| {
+            let (mut chunk, mut last) = (part.chunk(place).ok()?, None);
+            while let Some(Ok(inside)) = chunk
+                .next(|header| header.log_time < at && part.topic(header) == Some(topic))
+            {
+                if let Inside::Message(header, bytes) = inside {
+                    last = part.raw(&header, bytes);
+                }
+            }
+            last
+        })
+    }
+
     pub(super) fn parts(&self) -> &[PartFile] {
         &self.parts
     }
