@@ -251,8 +251,7 @@ mod tests {
         let start = clock::monotonic();
         publish(0, &[(50, 0.5, strike)], &mut publisher);
         // Strikes of lower keys come later in the tick, and one note ends as another begins.
-        let chord =
-            [(10, 0.9, strike), (30, 0.6, strike), (50, 0.6, fall), (87, 0.1, strike)];
+        let chord = [(10, 0.9, strike), (30, 0.6, strike), (50, 0.6, fall), (87, 0.1, strike)];
         publish(1, &chord, &mut publisher);
         let stop = AtomicBool::new(true);
         desk.attend(&bell, start, &stop, &mut histogram().expect("a histogram"));

@@ -76,10 +76,11 @@ impl Publisher {
         let end = Moment { tick: seen.tick, theta: 1.0 }.seconds(period);
         let pedals = self.pedals.get(self.next_pedal..).unwrap_or_default();
         let n_pedals = pedals.iter().take_while(|pedal| pedal.0 < end).count();
-        let pressed = pedals
-            .iter()
-            .take(n_pedals)
-            .map(|&(at, depth)| MidiEvent { key: 0, at, kind: EventKind::Sustain(depth) });
+        let pressed = pedals.iter().take(n_pedals).map(|&(at, depth)| MidiEvent {
+            key: 0,
+            at,
+            kind: EventKind::Sustain(depth),
+        });
         let played = (0..).zip(seen.turns).flat_map(|(key, turn)| {
             let event = move |&(at, event): &(Moment, KeyEvent)| MidiEvent {
                 key,

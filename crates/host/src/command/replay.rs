@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use telemetry::Update;
-use telemetry::recording::{Recording, Selection, export_csv};
+use telemetry::recording::{ReadError, Recording, Selection, export_csv};
 
 use super::{Failure, print_json, tell};
 use crate::replay::{Missing, Replayed, replay};
@@ -43,8 +42,13 @@ pub(super) fn run(args: &ReplayArgs, out: &mut dyn Write) -> Result<(), Failure>
         ProgressStyle::with_template("{spinner} {pos} ticks")
             .unwrap_or_else(|_| ProgressStyle::default_spinner()),
     );
-    let messages = recording.messages().map(|message| -> Result<Update, String> {
-        message.map(|(_at, update)| update).map_err(|error| error.to_string())
+    let messages = recording.messages().filter_map(|message| match message {
+        Ok((_at, update)) => Some(Ok(update)),
+        Err(error @ ReadError::Damaged { is_said_again: true, .. }) => {
+            tell(&format!("{error}; it is said again elsewhere, and nothing is missing"));
+            None
+        }
+        Err(error) => Some(Err(error.to_string())),
     });
     let replayed = replay(messages, |ticks| line.set_position(ticks));
     line.finish_and_clear();

@@ -128,7 +128,13 @@ impl Missed {
     fn begin(&mut self, period: f64) {
         if let Some(why) = self.damaged.take() {
             let from = self.told.map_or(0, |told| told + 1);
-            self.list.push(Missing { from, to: None, from_s: from as f64 * period, to_s: None, why });
+            self.list.push(Missing {
+                from,
+                to: None,
+                from_s: from as f64 * period,
+                to_s: None,
+                why,
+            });
         }
     }
 

@@ -122,6 +122,8 @@ pub enum ReadError {
         from: f64,
         /// When the last one was \[s\].
         to: f64,
+        /// Whether there was nothing but the catalogue and voices, which are said again elsewhere.
+        is_said_again: bool,
     },
     /// A message is none.
     #[error("{}: {cause}", .path.display())]

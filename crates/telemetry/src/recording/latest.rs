@@ -13,6 +13,8 @@ pub(super) struct Latest {
     catalogue: Option<Raw>,
     voices: BTreeMap<u32, Raw>,
     bytes: usize,
+    /// When the newest of them was made [ns since 1970].
+    newest: u64,
 }
 
 impl Latest {
@@ -31,12 +33,15 @@ impl Latest {
     }
 
     fn change(&mut self, new: &Raw, old: Option<Raw>) {
+        self.newest = self.newest.max(new.made);
         self.bytes += new.bytes.len();
         self.bytes -= old.map_or(0, |old| old.bytes.len());
     }
 
-    /// They, said again at `at` [ns since 1970].
+    /// They, said again at `at` [ns since 1970], or as soon as that is later than they were made:
+    /// by this they are told from what is said for the first time.
     pub(super) fn again(&self, at: u64) -> impl Iterator<Item = Raw> {
+        let at = at.max(self.newest.saturating_add(1));
         self.catalogue.iter().chain(self.voices.values()).map(move |raw| Raw { at, ..raw.clone() })
     }
 

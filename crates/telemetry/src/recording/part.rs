@@ -159,8 +159,7 @@ impl Part {
         at: u64,
     ) -> Result<(), RecordError> {
         self.label(labels)?;
-        // What is of this very time is said for the first time.
-        latest.again(at).filter(|raw| raw.made != at).try_for_each(|raw| self.add(&raw))
+        latest.again(at).try_for_each(|raw| self.add(&raw))
     }
 
     /// Says everything again that the file could not be understood without, at its end.

@@ -158,6 +158,9 @@ impl PartFile {
             cause: cause.to_owned(),
             from: seconds(place.first),
             to: seconds(place.last),
+            is_said_again: place.topics.as_ref().is_some_and(|topics| {
+                topics.iter().all(|it| matches!(it, Topic::Catalogue | Topic::Voices))
+            }),
         }
     }
 

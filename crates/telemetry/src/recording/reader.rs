@@ -182,8 +182,8 @@ impl Recording {
         let mut places = places.filter(|(_, place)| place.may_have(|it| it == topic));
         places.find_map(|(part, place)| {
             let (mut chunk, mut last) = (part.chunk(place).ok()?, None);
-            while let Some(Ok(inside)) = chunk
-                .next(|header| header.log_time < at && part.topic(header) == Some(topic))
+            while let Some(Ok(inside)) =
+                chunk.next(|header| header.log_time < at && part.topic(header) == Some(topic))
             {
                 if let Inside::Message(header, bytes) = inside {
                     last = part.raw(&header, bytes);

@@ -105,7 +105,10 @@ fn one_damaged_byte_anywhere_loses_one_piece_at_most_and_neither_catalogue_nor_v
         lost += usize::from(which < chunks.len());
         advised += usize::from(recording.tear().is_some());
     }
-    assert!(50 < lost && 50 < advised, "{lost} lost a piece, {advised} beginnings or ends were hit");
+    assert!(
+        50 < lost && 50 < advised,
+        "{lost} lost a piece, {advised} beginnings or ends were hit"
+    );
 }
 
 #[test]
