@@ -202,6 +202,10 @@ impl Desk {
 
     /// No force on any key.
     pub(crate) fn stop(&mut self) {
+        if self.source.standing() == Standing::Recording {
+            // It has no keys, and says so as with anything that is asked of it.
+            return self.ask(Request::Stop {});
+        }
         let ticket = self.source.ask(Request::Stop {});
         self.asked.insert(ticket, Purpose::Stop);
         if !matches!(self.stop, Some(StopState::Confirmed { .. })) {

@@ -65,7 +65,7 @@ fn a_stop_that_was_done() {
 
 #[test]
 fn a_stop_that_may_not_have_been_done() {
-    stopped(Behind::Recording, [620, 420], Theme::Light).check("stop_unconfirmed");
+    stopped(Behind::Vanishing, [620, 420], Theme::Light).check("stop_unconfirmed");
 }
 
 #[test]

@@ -106,7 +106,8 @@ const STOP: Color32 = Color32::from_rgb(0xB4, 0x2A, 0x00);
 fn stop_ui(ui: &mut Ui, desk: &mut Desk) {
     let text = RichText::new("  STOP  ").strong().color(Color32::WHITE);
     let button = Button::new(text).fill(STOP);
-    let hint = format!("No force on any key from the next tick on. ({})", shortcuts::stop(ui.ctx()));
+    let hint =
+        format!("No force on any key from the next tick on. ({})", shortcuts::stop(ui.ctx()));
     if ui.add(button).on_hover_text(hint).clicked() {
         desk.stop();
     }
