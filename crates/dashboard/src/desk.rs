@@ -23,11 +23,43 @@ const MOST: usize = 20_000;
 enum Purpose {
     Tune,
     Tell,
+    Stop,
     /// A board's light.
     Identify {
         line: u32,
         board: u32,
     },
+}
+
+/// What became of a stop that was asked for here.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum StopState {
+    /// The host has not answered since then [ns since 1970].
+    Asked { at: u64 },
+    /// No key has a force: how many boards were told of how many, where the host says that, and
+    /// its own sentence.
+    Confirmed { told: Option<(u32, u32)>, text: String },
+    /// Keys may have forces; why that is not known, in a sentence.
+    Unconfirmed(String),
+}
+
+impl StopState {
+    /// What an answer says.
+    fn of(result: Result<Reply, String>) -> Self {
+        match result {
+            Ok(Reply::Stopped { told, boards, text }) if boards <= told => {
+                Self::Confirmed { told: Some((told, boards)), text }
+            }
+            Ok(Reply::Stopped { told, boards, text: _ }) => {
+                Self::Unconfirmed(format!("boards told: {told} of {boards}"))
+            }
+            Ok(Reply::Done { text }) => Self::Confirmed { told: None, text },
+            Ok(Reply::Scene { .. } | Reply::Where { .. }) => {
+                Self::Unconfirmed("the host said something else".to_owned())
+            }
+            Err(text) => Self::Unconfirmed(text),
+        }
+    }
 }
 
 /// What panels remember of themselves.
@@ -71,6 +103,8 @@ pub(crate) struct Desk {
     pub(crate) store: Store,
     pub(crate) tuner: Tuner,
     pub(crate) views: Views,
+    /// What became of a stop, if one was asked for.
+    pub(crate) stop: Option<StopState>,
     asked: BTreeMap<Ticket, Purpose>,
     followed: BTreeSet<Topic>,
     /// Keys whose rows somebody looked at in this frame.
@@ -86,6 +120,7 @@ impl Desk {
             store: Store::default(),
             tuner: Tuner::default(),
             views,
+            stop: None,
             asked: BTreeMap::new(),
             followed: BTreeSet::new(),
             wanted: BTreeSet::new(),
@@ -117,10 +152,25 @@ impl Desk {
         self.views.frozen = None;
         self.views.links = links::View::default();
         self.asked.clear();
+        self.stop = match self.stop.take() {
+            // Another run, which nobody has stopped.
+            None | Some(StopState::Confirmed { .. }) => None,
+            Some(StopState::Asked { .. }) => {
+                Some(StopState::Unconfirmed("the host was reached anew meanwhile".to_owned()))
+            }
+            Some(unconfirmed @ StopState::Unconfirmed(_)) => Some(unconfirmed),
+        };
     }
 
     fn take_reply(&mut self, ticket: Ticket, result: Result<Reply, String>) {
         let purpose = self.asked.remove(&ticket);
+        if purpose == Some(Purpose::Stop) {
+            // It has a place of its own, and a second one that fails takes nothing back.
+            if !matches!(self.stop, Some(StopState::Confirmed { .. })) {
+                self.stop = Some(StopState::of(result));
+            }
+            return;
+        }
         if purpose == Some(Purpose::Tune) {
             self.tuner.answered(ticket, result.as_ref().map(|_| ()).map_err(String::as_str));
         }
@@ -134,7 +184,6 @@ impl Desk {
                 None
             }
             Ok(Reply::Done { .. }) if is_tuned => None,
-            Ok(Reply::Stopped { text, told, boards }) if told < boards => Some(Err(text)),
             Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => Some(Ok(text)),
             Ok(Reply::Where { address, token: _ }) => Some(Ok(address)),
             Err(text) => {
@@ -149,6 +198,20 @@ impl Desk {
     pub(crate) fn ask(&mut self, request: Request) {
         let ticket = self.source.ask(request);
         self.asked.insert(ticket, Purpose::Tell);
+    }
+
+    /// No force on any key.
+    pub(crate) fn stop(&mut self) {
+        if self.source.standing() == Standing::Recording {
+            // It has no keys, and says so as with anything that is asked of it.
+            return self.ask(Request::Stop {});
+        }
+        let ticket = self.source.ask(Request::Stop {});
+        self.asked.insert(ticket, Purpose::Stop);
+        if !matches!(self.stop, Some(StopState::Confirmed { .. })) {
+            self.stop = Some(StopState::Asked { at: (self.clock)() });
+        }
+        self.views.notice = None;
     }
 
     /// A board shows its light; the answer is seen beside it too.

@@ -271,6 +271,62 @@ fn stop_is_one_click_away_in_every_panel() {
 }
 
 #[test]
+fn stop_has_a_shortcut_that_is_heard_whatever_is_done() {
+    let mut stage = stage(Pane::Keyboard, Behind::Live);
+    let stops = |stage: &Stage| {
+        let is_stop = |it: &&Request| matches!(it, Request::Stop {});
+        stage.asked().iter().filter(is_stop).count()
+    };
+    stage.click("Computer keyboard plays");
+    stage.harness.key_press_modifiers(Modifiers::COMMAND, Key::Period);
+    stage.settle();
+    assert_eq!(stops(&stage), 1, "while the computer keyboard plays");
+    stage.harness.get_by_label("newtons").focus();
+    stage.settle();
+    stage.harness.key_press_modifiers(Modifiers::COMMAND, Key::Period);
+    stage.settle();
+    assert_eq!(stops(&stage), 2, "while somebody types");
+    let mut stage = self::stage(Pane::Log, Behind::Live);
+    stage.harness.key_press(Key::F1);
+    stage.settle();
+    assert!(stage.says("STOP: no force on any key"), "it stands in the help");
+}
+
+#[test]
+fn a_stop_says_in_large_letters_what_became_of_it() {
+    let mut stage = stage(Pane::Log, Behind::Live);
+    assert!(!stage.says("STOPPED"));
+    stage.harness.get_by_label_contains("STOP").click();
+    stage.settle();
+    let title = "STOPPED, boards told: 8 of 8";
+    assert!(stage.has(title) && stage.says("No force on any key."));
+    assert!(stage.rect(title).height() > 25.0, "large");
+    stage.click("Dismiss");
+    assert!(!stage.says("STOPPED"));
+}
+
+#[test]
+fn a_stop_that_is_not_confirmed_says_to_cut_the_power() {
+    let mut stage = stage(Pane::Log, Behind::Vanishing);
+    stage.harness.get_by_label_contains("STOP").click();
+    stage.settle();
+    let title = "STOP NOT CONFIRMED: CUT THE POWER";
+    assert!(stage.has(title) && stage.says("the connection was lost before the host answered"));
+    // Each in its own place, and none over another.
+    let texts = [title, "the host ended the connection", "Dismiss", "lost", "demonstration"];
+    let rects = texts.map(|text| stage.rect(text));
+    for (i, a) in rects.iter().enumerate() {
+        let is_over = |b: &egui::Rect| a.shrink(1.0).intersects(b.shrink(1.0));
+        assert!(!rects[i + 1..].iter().any(is_over), "{} is printed over", texts[i]);
+    }
+    // A recording has no keys that could have forces.
+    let mut stage = self::stage(Pane::Log, Behind::Recording);
+    stage.harness.get_by_label_contains("STOP").click();
+    stage.settle();
+    assert!(!stage.has(title) && stage.says("A recording cannot be changed"));
+}
+
+#[test]
 fn a_board_shows_its_light() {
     let mut stage = stage(Pane::Links, Behind::Live);
     stage.click("Identify board 5 of /dev/ttyACM0");
@@ -532,6 +588,78 @@ fn the_computer_keyboard_plays_only_when_it_is_asked_to() {
     assert_eq!(stage.asked().last(), Some(&Request::Press { key: 31, newtons: 0.0 }));
 }
 
+/// A stage whose computer keyboard holds D, which is E3.
+fn holding_a_key() -> Stage {
+    let mut stage = stage(Pane::Keyboard, Behind::Live);
+    stage.click("Computer keyboard plays");
+    stage.harness.key_down(Key::D);
+    stage.settle();
+    assert_eq!(stage.asked(), [Request::Press { key: 31, newtons: 6.0 }]);
+    stage
+}
+
+/// E3 is let go.
+const LET_GO: Request = Request::Press { key: 31, newtons: 0.0 };
+
+#[test]
+fn a_key_that_is_held_is_let_go_when_its_panel_is_hidden() {
+    let mut stage = holding_a_key();
+    stage.harness.state_mut().show_only(Pane::Log);
+    stage.settle();
+    assert_eq!(stage.asked().last(), Some(&LET_GO));
+    // The keyboard is not a piano any more: shortcuts are heard again.
+    stage.harness.key_press(Key::F1);
+    stage.harness.key_press(Key::Space);
+    stage.settle();
+    let freeze = stage.harness.get_by_label("Freeze");
+    assert_eq!(freeze.accesskit_node().toggled(), Some(egui::accesskit::Toggled::True));
+    stage.harness.state_mut().show_only(Pane::Keyboard);
+    stage.settle();
+    let n = stage.asked().len();
+    stage.harness.key_down(Key::F);
+    stage.settle();
+    assert_eq!(stage.asked().len(), n, "it plays only when it is asked to, again");
+}
+
+#[test]
+fn a_key_that_is_held_is_let_go_when_the_window_loses_the_keyboard() {
+    let mut stage = holding_a_key();
+    stage.harness.event(egui::Event::WindowFocused(false));
+    stage.settle();
+    assert_eq!(stage.asked().last(), Some(&LET_GO));
+}
+
+#[test]
+fn a_key_that_is_held_is_let_go_when_the_computer_keyboard_plays_no_more() {
+    let mut stage = holding_a_key();
+    stage.click("Computer keyboard plays");
+    assert_eq!(stage.asked().last(), Some(&LET_GO));
+}
+
+#[test]
+fn a_key_that_is_held_is_let_go_when_the_window_closes() {
+    let mut stage = holding_a_key();
+    eframe::App::on_exit(stage.harness.state_mut(), None);
+    assert_eq!(stage.asked().last(), Some(&LET_GO));
+}
+
+#[test]
+fn typing_into_a_field_plays_no_keys() {
+    let mut stage = stage_with(Behind::Live, None, |app| {
+        app.show_row(vec![Pane::Keyboard, Pane::Midi]);
+    });
+    stage.play(1.0);
+    stage.click("Computer keyboard plays");
+    stage.harness.get_by_role_and_label(Role::TextInput, "only with").focus();
+    stage.settle();
+    stage.harness.key_down(Key::D);
+    stage.harness.event(egui::Event::Text("d".to_owned()));
+    stage.settle();
+    stage.harness.key_up(Key::D);
+    stage.settle();
+    assert!(stage.asked().iter().all(|it| !matches!(it, Request::Press { .. })));
+}
+
 #[test]
 fn a_recording_is_scrubbed_paused_and_found_again() {
     let mut stage = stage(Pane::Timeline, Behind::Recording);
@@ -602,6 +730,16 @@ fn a_mechanism_says_its_mode() {
     let stage = stage(Pane::Mechanism, Behind::Live);
     assert!(stage.has("mechanism of C4"));
     assert!(stage.says("B1 on the key") || stage.says("B2 in flight"));
+}
+
+#[test]
+fn a_mechanism_of_a_key_without_rows_is_not_drawn_but_waited_for() {
+    let waits = "Waiting for this key's first row: how it stands is not known yet.";
+    let mut stage = stage_with(Behind::Live, None, |app| app.show_only(Pane::Mechanism));
+    stage.settle();
+    assert!(stage.has(waits), "nothing has come yet");
+    stage.play(3.0);
+    assert!(!stage.has(waits));
 }
 
 #[test]

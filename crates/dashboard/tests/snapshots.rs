@@ -42,6 +42,32 @@ fn the_window_on_light_ground() {
     canvas([1280, 800], Theme::Light, Behind::Live, 3.0, |_| {}).check("window_light");
 }
 
+/// Presses Ctrl and the full stop.
+fn stopped(behind: Behind, size: [usize; 2], theme: Theme) -> Canvas {
+    let mut canvas = canvas(size, theme, behind, 1.0, |app| app.show_only(Pane::Overview));
+    canvas.step(vec![Event::Key {
+        key: Key::Period,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::COMMAND,
+    }]);
+    for _ in 0..3 {
+        canvas.step(Vec::new());
+    }
+    canvas
+}
+
+#[test]
+fn a_stop_that_was_done() {
+    stopped(Behind::Live, [760, 420], Theme::Dark).check("stop_confirmed");
+}
+
+#[test]
+fn a_stop_that_may_not_have_been_done() {
+    stopped(Behind::Vanishing, [620, 420], Theme::Light).check("stop_unconfirmed");
+}
+
 #[test]
 fn overview() {
     check_panel(Pane::Overview, "overview");

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use hdrhistogram::Histogram;
-use midi::{EventKind, KeyEvent, Output, Player, VelocityCurve};
+use midi::{EventKind, KeyEvent, Output, Player, Schedule, VelocityCurve};
 use performance::Struck;
 use rtrb::Consumer;
 use scheduler::time::Nanos;
@@ -27,6 +27,8 @@ pub type AnyOutput = Box<dyn Output + Send>;
 /// Takes key events out of the ring and plays them.
 pub struct Desk {
     events: Consumer<KeyEvent>,
+    /// What came out of the ring and has not been played.
+    schedule: Schedule,
     player: Player<AnyOutput>,
     curve: VelocityCurve,
     struck: Vec<Struck>,
@@ -58,13 +60,22 @@ impl Desk {
     /// A desk between `events` and `output`.
     pub fn new(events: Consumer<KeyEvent>, output: AnyOutput, curve: VelocityCurve) -> Self {
         let player = Player::new(output, curve);
-        Self { events, player, curve, struck: Vec::new(), trouble: None, n_troubles: 0 }
+        let schedule = Schedule::default();
+        Self { events, schedule, player, curve, struck: Vec::new(), trouble: None, n_troubles: 0 }
     }
 
-    /// Plays all that is in the ring, at once.
+    /// Plays all that is in the ring, at once, in order of time.
     pub fn drain(&mut self) {
-        while let Ok(event) = self.events.pop() {
+        self.collect();
+        while let Some(event) = self.schedule.pop() {
             self.play(event);
+        }
+    }
+
+    /// Puts all that is in the ring in order of time.
+    fn collect(&mut self) {
+        while let Ok(event) = self.events.pop() {
+            self.schedule.insert(event);
         }
     }
 
@@ -92,12 +103,19 @@ impl Desk {
         }
     }
 
-    /// Plays what is in the ring, each event at its time after `start`.
+    /// Plays what is in the ring, each event at its time after `start`, the earliest first.
     fn play_due(&mut self, start: Nanos, handover: &mut Histogram<u64>) {
-        while let Ok(event) = self.events.pop() {
-            let due = start.after(Nanos::new(whole(event.at * 1e9)));
-            // The tick sees up to one period ahead: wait for the event's own time.
-            clock::sleep_until(due);
+        self.collect();
+        while let Some(first) = self.schedule.first() {
+            let due = start.after(Nanos::new(whole(first.at * 1e9)));
+            if clock::monotonic() < due {
+                // The tick sees up to one period ahead: wait for the event's own time, and look
+                // whether something earlier has come meanwhile.
+                clock::sleep_until(due);
+                self.collect();
+                continue;
+            }
+            let Some(event) = self.schedule.pop() else { return };
             self.play(event);
             if matches!(event.kind, EventKind::Strike { .. }) {
                 handover.saturating_record(clock::monotonic().since(due).as_u64());
@@ -168,5 +186,80 @@ impl Attended {
         self.stop.store(true, Ordering::Release);
         self.bell.ring();
         self.thread.join()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Mutex;
+
+    use midi::{Message, SendError};
+    use scheduler::motion::{KEYS, KeyEvent as VoiceEvent, KeySample, Moment};
+    use scheduler::port::{Seen, TickObserver as _};
+    use scheduler::voice::Turn;
+
+    use super::*;
+    use crate::adapters::observer::{LiveCounters, Publisher};
+    use crate::realtime::run::histogram;
+
+    /// An output that writes down what it is sent, in the order in which that happens.
+    #[derive(Clone, Default)]
+    struct Heard(Arc<Mutex<Vec<(f64, Message)>>>);
+
+    impl Output for Heard {
+        fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+            self.0.lock().expect("nobody panics with it").push((at, message));
+            Ok(())
+        }
+
+        fn finish(&mut self) -> Result<(), SendError> {
+            Ok(())
+        }
+    }
+
+    /// Ticks of 100 Hz, so that the MIDI thread has to wait for each event's own time.
+    const PERIOD: f64 = 0.01;
+
+    fn publish(tick: u64, events: &[(usize, f64, VoiceEvent)], publisher: &mut Publisher) {
+        let mut turns = [Turn::default(); KEYS];
+        for &(key, theta, event) in events {
+            turns[key].events.push(Moment { tick, theta }, event);
+        }
+        let samples = [KeySample::default(); KEYS];
+        let seen = Seen {
+            tick,
+            skipped: 0,
+            armed: true,
+            samples: &samples,
+            turns: &turns,
+            forces: &[0.0; KEYS],
+        };
+        publisher.observe(&seen);
+    }
+
+    #[test]
+    fn a_chord_goes_out_to_a_live_port_in_order_of_time() {
+        let strike = VoiceEvent::Strike { speed: 2.0 };
+        let fall = VoiceEvent::DamperFall { speed: 0.1 };
+        let (ring, events) = rtrb::RingBuffer::new(256);
+        let bell = Arc::new(Bell::new().expect("an eventfd"));
+        let pedals = Box::from([(0.014, 1.0)]);
+        let counters = Arc::<LiveCounters>::default();
+        let mut publisher = Publisher::new(ring, Arc::clone(&bell), counters, pedals, PERIOD);
+        let heard = Heard::default();
+        let mut desk = Desk::new(events, Box::new(heard.clone()), VelocityCurve::default());
+        let start = clock::monotonic();
+        publish(0, &[(50, 0.5, strike)], &mut publisher);
+        // Strikes of lower keys come later in the tick, and one note ends as another begins.
+        let chord = [(10, 0.9, strike), (30, 0.6, strike), (50, 0.6, fall), (87, 0.1, strike)];
+        publish(1, &chord, &mut publisher);
+        let stop = AtomicBool::new(true);
+        desk.attend(&bell, start, &stop, &mut histogram().expect("a histogram"));
+        let sent = heard.0.lock().expect("nobody panics with it").clone();
+        let times: Vec<f64> = sent.iter().map(|it| (it.0 * 1e6).round() / 1e6).collect();
+        assert_eq!(times, [0.005, 0.011, 0.014, 0.016, 0.016, 0.019], "{sent:?}");
+        assert!(matches!(sent[3].1, Message::NoteOff { .. }), "{sent:?}");
+        assert!(matches!(sent[4].1, Message::NoteOn { .. }), "{sent:?}");
+        assert!(clock::monotonic().since(start).as_secs_f64() >= 0.019, "each at its own time");
     }
 }

@@ -77,6 +77,31 @@ fn a_recording_that_breaks_off_is_the_same_as_far_as_it_goes() {
 }
 
 #[test]
+fn a_hole_is_named_and_is_no_difference() {
+    let file = folder("hole").join("a.mcap");
+    record(&scene(), FOUR_SECONDS, &file);
+    let all = messages(&file);
+    for (part, more) in [3, 5, 7].into_iter().flat_map(|part| (0..4).map(move |it| (part, it))) {
+        let from = all.len() * part / 8 + more;
+        let mut rest = all.clone();
+        // A quarter of a second, as a damaged chunk takes it out.
+        rest.splice(from..from + all.len() / 16, [Err("it is damaged".to_owned())]);
+        let replayed = replay(rest.into_iter(), |_| {}).expect("a replay");
+        assert_eq!(replayed.first_difference, None, "{part}, {more}");
+        assert!((1_000..16_000).contains(&replayed.ticks), "{replayed:?}");
+        let [missing] = replayed.missing.as_slice() else { panic!("{replayed:?}") };
+        assert_eq!((missing.from, missing.why.as_str()), (replayed.ticks, "it is damaged"));
+        assert_eq!(replayed.incomplete_from, Some(missing.from));
+        let ticks = missing.to.expect("an end") - missing.from + 1;
+        assert!((100..4_000).contains(&ticks), "{missing:?}: a sixteenth of all messages");
+    }
+    // What comes behind the last tick is nothing that would be missed.
+    let end = all.into_iter().chain([Err("it is damaged".to_owned())]);
+    let replayed = replay(end, |_| {}).expect("a replay");
+    assert_eq!((replayed.first_difference, replayed.incomplete_from), (None, None));
+}
+
+#[test]
 fn a_changed_bit_is_found_where_it_is() {
     let file = folder("bit").join("a.mcap");
     record(&scene(), FOUR_SECONDS, &file);

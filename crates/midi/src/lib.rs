@@ -10,8 +10,8 @@
 //! | the pedal moves | CC64, if its 7-bit value changed |
 //! | [`Player::silence`], or the player is dropped | note-off for every held note, CC64 = 0, CC123, CC120 |
 //!
-//! Everything here may block and allocate: a tick hands its events over through a ring
-//! ([`Player::drain`]) and waits for nothing.
+//! Everything here may block and allocate: a tick hands its events over through a ring and waits
+//! for nothing. [`Schedule`] puts them in order of time, note-offs first.
 //! This crate knows no clock: times are `f64` seconds since the host started, given as arguments.
 
 #![forbid(unsafe_code)]
@@ -20,10 +20,12 @@ pub mod message;
 pub mod note;
 pub mod output;
 pub mod player;
+pub mod schedule;
 pub mod velocity;
 
 pub use message::{Controller, DecodeError, Message};
 pub use note::{KEYS, Note, Velocity};
 pub use output::{Memory, Output, Port, SendError, Smf, Unavailable, ports};
 pub use player::{EventKind, KeyEvent, Player};
+pub use schedule::Schedule;
 pub use velocity::{UnknownCurve, VelocityCurve};

@@ -1,6 +1,9 @@
 //! What a model was like, for those who watch: nothing in the tick depends on it.
 
-/// Most entries of a state that are shown.
+/// Most entries that a state may have, or it could not be shown.
+///
+/// Guards and outputs are worked out from what is shown, so a state is never cut: whoever fills a
+/// [`Look`] refuses to compile a model that has more.
 pub const MAX_STATES: usize = 8;
 
 /// Changes of mode that one turn can show; more are counted, not kept.
@@ -20,8 +23,9 @@ pub struct Look {
 }
 
 impl Look {
-    /// Shows `state`, as far as there is room.
+    /// Shows `state`, of at most [`MAX_STATES`] entries.
     pub fn show(&mut self, state: &[f64]) {
+        debug_assert!(state.len() <= MAX_STATES, "a state of {} entries is cut", state.len());
         for (shown, value) in self.state.iter_mut().zip(state) {
             *shown = *value;
         }
@@ -99,14 +103,20 @@ mod tests {
     }
 
     #[test]
-    fn a_long_state_is_shown_as_far_as_there_is_room() {
+    fn what_is_behind_a_state_is_zero() {
         let is = |look: &Look, wanted: [f64; MAX_STATES]| {
             look.state.map(f64::to_bits) == wanted.map(f64::to_bits)
         };
         let mut look = Look::default();
         look.show(&[1.0, 2.0]);
         assert!(is(&look, [1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]));
-        look.show(&[3.0; 12]);
-        assert!(is(&look, [3.0; 8]));
+        look.show(&[3.0; MAX_STATES]);
+        assert!(is(&look, [3.0; MAX_STATES]));
+    }
+
+    #[test]
+    #[should_panic(expected = "a state of 12 entries is cut")]
+    fn a_state_is_not_cut_without_a_word() {
+        Look::default().show(&[3.0; 12]);
     }
 }

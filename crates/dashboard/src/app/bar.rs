@@ -1,10 +1,12 @@
 //! The bar above the panels: how the source stands, and Stop.
 
+use std::time::Duration;
+
 use eframe::egui::{self, Align, Button, Color32, Layout, Panel, RichText, Ui};
 use telemetry::{Request, Standing};
 
-use super::App;
-use crate::desk::Desk;
+use super::{App, shortcuts};
+use crate::desk::{Desk, StopState};
 use crate::layout::{self, Pane};
 use crate::{look, unit};
 
@@ -19,26 +21,95 @@ pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
             panels_menu_ui(ui, app);
             view_menu_ui(ui, app);
             ui.separator();
-            standing_ui(ui, &app.desk);
-            run_ui(ui, &app.desk);
+            // What stands at the right takes its room first; the rest is cut where that begins.
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 stop_ui(ui, &mut app.desk);
                 freeze_ui(ui, &mut app.desk);
                 record_ui(ui, &mut app.desk);
                 figures_ui(ui, &app.desk);
-                notice_ui(ui, &mut app.desk);
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
+                    standing_ui(ui, &app.desk);
+                    run_ui(ui, &app.desk);
+                    answer_ui(ui, &mut app.desk);
+                });
+            });
+        });
+        messages_ui(ui, &mut app.desk);
+    });
+    stop_state_ui(ui, &mut app.desk);
+}
+
+/// A line of its own for what went wrong: why nothing comes, and what was refused.
+fn messages_ui(ui: &mut Ui, desk: &mut Desk) {
+    if let Standing::Lost(why) | Standing::Refused(why) = desk.source.standing() {
+        ui.colored_label(look::fault(ui), why);
+    }
+    if let Some(Err(text)) = desk.views.notice.clone() {
+        let text = RichText::new(text).color(look::fault(ui));
+        if ui.add(egui::Label::new(text).sense(egui::Sense::click())).clicked() {
+            desk.views.notice = None;
+        }
+    }
+}
+
+/// The last answer, as far as there is room: panels do not move for it.
+fn answer_ui(ui: &mut Ui, desk: &mut Desk) {
+    let Some(Ok(text)) = desk.views.notice.clone() else { return };
+    ui.separator();
+    if ui.add(egui::Label::new(text).sense(egui::Sense::click())).clicked() {
+        desk.views.notice = None;
+    }
+}
+
+/// How long the host may take to answer a stop before its silence is said [ns].
+const SILENCE: u64 = 1_500_000_000;
+
+/// What became of a stop, in letters that can be read from the keyboard.
+fn stop_state_ui(ui: &mut Ui, desk: &mut Desk) {
+    let Some(state) = desk.stop.clone() else { return };
+    let now = (desk.clock)();
+    let cut = || "STOP NOT CONFIRMED: CUT THE POWER".to_owned();
+    let (color, title, text) = match state {
+        StopState::Asked { at } if now.saturating_sub(at) < SILENCE => {
+            ui.ctx().request_repaint_after(Duration::from_nanos(SILENCE));
+            (look::VERMILLION, "STOPPING".to_owned(), "The host has been asked.".to_owned())
+        }
+        StopState::Asked { .. } => (STOP, cut(), "The host does not answer.".to_owned()),
+        StopState::Confirmed { told, text } => {
+            let told = told.map(|(told, boards)| format!(", boards told: {told} of {boards}"));
+            (look::GREEN, format!("STOPPED{}", told.unwrap_or_default()), text)
+        }
+        StopState::Unconfirmed(why) => (STOP, cut(), format!("Keys may have forces: {why}")),
+    };
+    let frame = egui::Frame::new().fill(color).inner_margin(egui::Margin::symmetric(10, 6));
+    Panel::top("stop").frame(frame).show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                if ui.button("Dismiss").clicked() {
+                    desk.stop = None;
+                }
+                ui.with_layout(Layout::top_down(Align::Min), |ui| {
+                    let white = |text: RichText| text.color(Color32::WHITE);
+                    ui.label(white(RichText::new(title).size(30.0).strong()));
+                    ui.label(white(RichText::new(text).size(15.0)));
+                });
             });
         });
     });
 }
 
+/// The colour of Stop, and of one that may not have done what it should.
+const STOP: Color32 = Color32::from_rgb(0xB4, 0x2A, 0x00);
+
 /// No force on any key: always here, always one click.
 fn stop_ui(ui: &mut Ui, desk: &mut Desk) {
     let text = RichText::new("  STOP  ").strong().color(Color32::WHITE);
-    let button = Button::new(text).fill(Color32::from_rgb(0xB4, 0x2A, 0x00));
-    let stop = ui.add(button).on_hover_text("No force on any key from the next tick on.");
-    if stop.clicked() {
-        desk.ask(Request::Stop {});
+    let button = Button::new(text).fill(STOP);
+    let hint =
+        format!("No force on any key from the next tick on. ({})", shortcuts::stop(ui.ctx()));
+    if ui.add(button).on_hover_text(hint).clicked() {
+        desk.stop();
     }
 }
 
@@ -67,22 +138,19 @@ fn record_ui(ui: &mut Ui, desk: &mut Desk) {
     }
 }
 
-/// Connection, and why it is as it is.
+/// Whether there is a connection, and to whom.
 fn standing_ui(ui: &mut Ui, desk: &Desk) {
-    let (color, text, why) = match desk.source.standing() {
-        Standing::Connecting => (look::YELLOW, "connecting", None),
-        Standing::Live => (look::GREEN, "live", None),
-        Standing::Lost(why) => (look::VERMILLION, "lost", Some(why)),
-        Standing::Refused(why) => (look::VERMILLION, "refused", Some(why)),
-        Standing::Recording => (look::SKY, "recording", None),
+    let (color, text) = match desk.source.standing() {
+        Standing::Connecting => (look::YELLOW, "connecting"),
+        Standing::Live => (look::GREEN, "live"),
+        Standing::Lost(_) => (look::VERMILLION, "lost"),
+        Standing::Refused(_) => (look::VERMILLION, "refused"),
+        Standing::Recording => (look::SKY, "recording"),
     };
     let (rect, _) = ui.allocate_exact_size(egui::vec2(10.0, 10.0), egui::Sense::hover());
     ui.painter().circle_filled(rect.center(), 4.5, color);
     ui.label(text);
     ui.weak(desk.source.name());
-    if let Some(why) = why {
-        ui.colored_label(look::fault(ui), why);
-    }
 }
 
 fn run_ui(ui: &mut Ui, desk: &Desk) {
@@ -109,20 +177,6 @@ fn figures_ui(ui: &mut Ui, desk: &Desk) {
     let kept = desk.store.bytes() as f64 / f64::from(1 << 20);
     ui.weak(format!("{kept:.1} MiB")).on_hover_text("Rows that are kept here.");
     ui.weak(unit::seconds(desk.now())).on_hover_text("Time of the run that is shown.");
-}
-
-fn notice_ui(ui: &mut Ui, desk: &mut Desk) {
-    let Some(notice) = desk.views.notice.clone() else { return };
-    let is_read = match notice {
-        Ok(text) => ui.add(egui::Label::new(text).sense(egui::Sense::click())).clicked(),
-        Err(text) => {
-            let text = RichText::new(text).color(look::fault(ui));
-            ui.add(egui::Label::new(text).sense(egui::Sense::click())).clicked()
-        }
-    };
-    if is_read {
-        desk.views.notice = None;
-    }
 }
 
 fn panels_menu_ui(ui: &mut Ui, app: &mut App) {

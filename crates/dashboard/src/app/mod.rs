@@ -69,6 +69,7 @@ impl App {
         self.desk.take();
         shortcuts::heed(ui.ctx(), self);
         self.ui_of_panels(ui);
+        panels::keyboard::leave_if_hidden(&mut self.desk);
         self.desk.flush();
         self.ask_for_frames(ui.ctx());
     }
@@ -134,13 +135,25 @@ impl App {
 }
 
 impl eframe::App for App {
-    fn logic(&mut self, _ctx: &egui::Context, _frame: &mut eframe::Frame) {
-        // Also while the window is hidden: what arrives does not pile up.
+    fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
+        // Also while the window is hidden: what arrives does not pile up, and no key stays down.
         self.desk.take();
+        let is_away = ctx.input(|input| {
+            let viewport = input.viewport();
+            let is_hidden = viewport.minimized == Some(true) || viewport.occluded == Some(true);
+            is_hidden || viewport.close_requested()
+        });
+        if is_away {
+            panels::keyboard::release(&mut self.desk);
+        }
     }
 
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         self.draw(ui);
+    }
+
+    fn on_exit(&mut self, _graphics: Option<&eframe::glow::Context>) {
+        panels::keyboard::release(&mut self.desk);
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {

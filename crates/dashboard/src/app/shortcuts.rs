@@ -8,6 +8,7 @@ use crate::layout::{self, Pane};
 /// What a shortcut does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Deed {
+    Stop,
     Freeze,
     Follow,
     Undo,
@@ -31,8 +32,12 @@ const fn ctrl(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(CTRL, key)
 }
 
+/// Takes all forces away: what aborts a run in other programs for measuring and control.
+const STOP: KeyboardShortcut = ctrl(Key::Period);
+
 /// Every shortcut; the longer ones first, as one with Shift is also one without.
-const ALL: [(KeyboardShortcut, Deed, &str); 20] = [
+const ALL: [(KeyboardShortcut, Deed, &str); 21] = [
+    (STOP, Deed::Stop, "STOP: no force on any key, also while somebody types"),
     (KeyboardShortcut::new(CTRL.plus(Modifiers::SHIFT), Key::Z), Deed::Redo, "redo"),
     (ctrl(Key::Z), Deed::Undo, "undo"),
     (ctrl(Key::Y), Deed::Redo, "redo"),
@@ -60,14 +65,20 @@ pub(super) fn list(ctx: &Context) -> Vec<(String, &'static str)> {
     ALL.iter().map(|(shortcut, _, text)| (ctx.format_shortcut(shortcut), *text)).collect()
 }
 
-/// Does what the keyboard says; nothing while somebody types.
+/// The shortcut of Stop, for people.
+pub(super) fn stop(ctx: &Context) -> String {
+    ctx.format_shortcut(&STOP)
+}
+
+/// Does what the keyboard says; nothing but Stop while somebody types.
 pub(super) fn heed(ctx: &Context, app: &mut App) {
     let types = ctx.egui_wants_keyboard_input();
     for (shortcut, deed, _) in ALL {
         let is_plain = shortcut.modifiers == Modifiers::NONE;
         // The computer keyboard plays notes while it is a piano.
         let is_taken = is_plain && app.desk.views.keyboard.plays && shortcut.logical_key != Key::F1;
-        if !types && !is_taken && ctx.input_mut(|input| input.consume_shortcut(&shortcut)) {
+        let is_heard = deed == Deed::Stop || (!types && !is_taken);
+        if is_heard && ctx.input_mut(|input| input.consume_shortcut(&shortcut)) {
             do_it(deed, app);
         }
     }
@@ -77,6 +88,7 @@ fn do_it(deed: Deed, app: &mut App) {
     let desk = &mut app.desk;
     let selected = desk.views.selected;
     match deed {
+        Deed::Stop => desk.stop(),
         Deed::Freeze => desk.toggle_freeze(),
         Deed::Follow => desk.follow(),
         Deed::Undo => desk.tuner.undo(),

@@ -350,7 +350,15 @@ impl Source for Demo {
     }
 
     fn follow(&mut self, topics: &BTreeSet<Topic>) {
-        self.followed.clone_from(topics);
+        let before = std::mem::replace(&mut self.followed, topics.clone());
+        // As a host does: a key that lies still has no rows but the one that says so.
+        for topic in topics.difference(&before) {
+            if let Topic::Block(key) = topic
+                && self.keys.get(usize::from(*key)).is_some_and(|it| it.rows.after.is_empty())
+            {
+                self.enter_row(*key);
+            }
+        }
     }
 
     fn ask(&mut self, request: Request) -> Ticket {

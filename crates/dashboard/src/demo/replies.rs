@@ -15,7 +15,8 @@ impl Demo {
             }
             Request::Stop {} => {
                 self.is_stopped = true;
-                Ok(done("No force on any key."))
+                let text = "No force on any key.".to_owned();
+                Ok(Reply::Stopped { text, told: 8, boards: 8 })
             }
             Request::Press { key, newtons } => self.press(key, newtons),
             Request::Identify { line, board } => {

@@ -47,11 +47,13 @@ pub(crate) struct View {
     newtons: f64,
     /// What is pressed now [N].
     pressed: BTreeMap<u8, f64>,
+    /// Whether the panel was drawn since this was asked last.
+    is_shown: bool,
 }
 
 impl Default for View {
     fn default() -> Self {
-        Self { plays: false, lowest: 27, newtons: 6.0, pressed: BTreeMap::new() }
+        Self { plays: false, lowest: 27, newtons: 6.0, pressed: BTreeMap::new(), is_shown: false }
     }
 }
 
@@ -61,6 +63,7 @@ pub(super) fn keyboard_ui(ui: &mut Ui, desk: &mut Desk) {
         nothing_ui(ui, "There are no simulated fingers here: press the real keys.");
         return;
     }
+    desk.views.keyboard.is_shown = true;
     controls_ui(ui, desk);
     let size = vec2(ui.available_width(), (ui.available_height()).clamp(60.0, 200.0));
     let (area, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -79,12 +82,29 @@ pub(super) fn keyboard_ui(ui: &mut Ui, desk: &mut Desk) {
             now.insert(key, (newtons * depth * 10.0).round() / 10.0);
         }
     }
-    if desk.views.keyboard.plays {
-        let held = ui.input(|input| ROW.map(|key| input.key_down(key)));
+    if desk.views.keyboard.plays && !ui.ctx().text_edit_focused() {
+        // A key with Ctrl is a shortcut and no note.
+        let held = ui.input(|input| {
+            let is_shortcut = input.modifiers.command || input.modifiers.ctrl;
+            ROW.map(|key| !is_shortcut && input.key_down(key))
+        });
         let played = (0..).zip(held).filter(|(_, is_held)| *is_held);
         now.extend(played.map(|(i, _)| ((lowest + i).min(names::LAST), newtons)));
     }
     tell(desk, now);
+}
+
+/// Lets go of all keys, and plays no more, once the panel is not to be seen.
+pub(crate) fn leave_if_hidden(desk: &mut Desk) {
+    if !std::mem::take(&mut desk.views.keyboard.is_shown) {
+        desk.views.keyboard.plays = false;
+        release(desk);
+    }
+}
+
+/// Lets go of all keys.
+pub(crate) fn release(desk: &mut Desk) {
+    tell(desk, BTreeMap::new());
 }
 
 fn controls_ui(ui: &mut Ui, desk: &mut Desk) {

@@ -3,8 +3,8 @@
 use std::f32::consts::TAU;
 
 use eframe::egui::{
-    Align2, Color32, FontId, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, WidgetInfo,
-    accesskit::Role, pos2, vec2,
+    Align2, Color32, FontId, Label, Mesh, Painter, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui,
+    WidgetInfo, accesskit::Role, pos2, vec2,
 };
 use telemetry::{Body, Coil, Drawing, Follower, Outline, outline};
 
@@ -62,6 +62,10 @@ impl Pose {
         Self { x: at(&body.x), y: at(&body.y), sin, cos }
     }
 
+    const fn is_known(&self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.sin.is_finite()
+    }
+
     fn point(&self, x: f64, y: f64) -> [f64; 2] {
         [self.x + self.cos * x - self.sin * y, self.y + self.sin * x + self.cos * y]
     }
@@ -102,10 +106,29 @@ pub(super) fn mechanism_ui(ui: &mut Ui, desk: &mut Desk) {
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 3.0, ui.visuals().extreme_bg_color);
     if let Some(scale) = Scale::new(drawing, rect) {
-        let value = |name: &str| value(desk, key, name, now).unwrap_or(0.0);
-        paint(&painter, drawing, &scale, mode, &value);
-        paint_ruler(ui, &painter, &scale, rect);
+        // What is not known is drawn nowhere: a posture of zeros would be a false one.
+        let value = |name: &str| value(desk, key, name, now).unwrap_or(f64::NAN);
+        if is_posed(drawing, mode, &value) {
+            paint(&painter, drawing, &scale, mode, &value);
+            paint_ruler(ui, &painter, &scale, rect);
+        } else {
+            ui.put(rect, Label::new(RichText::new(WAITS).weak()));
+        }
     }
+}
+
+/// What stands in the place of a mechanism whose posture is not known.
+const WAITS: &str = "Waiting for this key's first row: how it stands is not known yet.";
+
+/// Whether it is known how everything stands that is seen in this mode.
+fn is_posed(drawing: &Drawing, mode: Option<u8>, value: &impl Fn(&str) -> f64) -> bool {
+    let seen = drawing.bodies.iter().filter(|body| is_shown(&body.modes, mode));
+    seen.map(|body| Pose::of(body, value)).all(|pose| pose.is_known())
+}
+
+/// Whether what is drawn in `modes` is seen in this one.
+fn is_shown(modes: &[u32], mode: Option<u8>) -> bool {
+    modes.is_empty() || mode.is_none_or(|it| modes.contains(&it.into()))
 }
 
 /// The mode in the time that is shown; as the overview says where no rows are known.
@@ -118,11 +141,11 @@ fn mode(desk: &Desk, key: u8, now: f64) -> Option<u8> {
 
 /// A signal in the time that is shown; the position also where no rows are known.
 fn value(desk: &Desk, key: u8, name: &str, now: f64) -> Option<f64> {
-    let glance = desk.store.glances.key(key);
     let known = desk.store.value(key, name, now).filter(|value| value.is_finite());
-    known.or(match name {
-        "position" => Some(f64::from(glance.position)),
-        "sent" => Some(f64::from(glance.force)),
+    let glance = desk.store.glances.is_known.then(|| desk.store.glances.key(key));
+    known.or_else(|| match name {
+        "position" => Some(f64::from(glance?.position)),
+        "sent" => Some(f64::from(glance?.force)),
         _ => None,
     })
 }
@@ -134,15 +157,13 @@ fn paint(
     mode: Option<u8>,
     value: &impl Fn(&str) -> f64,
 ) {
-    let is_shown =
-        |modes: &[u32]| modes.is_empty() || mode.is_none_or(|it| modes.contains(&it.into()));
     let poses: Vec<Pose> = drawing.bodies.iter().map(|body| Pose::of(body, value)).collect();
     for (body, pose) in drawing.bodies.iter().zip(&poses) {
-        if is_shown(&body.modes) {
+        if is_shown(&body.modes, mode) {
             body.outlines.iter().for_each(|it| paint_outline(painter, it, pose, scale));
         }
     }
-    for coil in drawing.coils.iter().filter(|coil| is_shown(&coil.modes)) {
+    for coil in drawing.coils.iter().filter(|coil| is_shown(&coil.modes, mode)) {
         paint_coil(painter, coil, &poses, scale);
     }
 }

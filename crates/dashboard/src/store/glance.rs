@@ -40,6 +40,8 @@ impl Glance {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Glances {
     keys: [Glance; KEYS],
+    /// Whether there was one.
+    pub is_known: bool,
     /// The last tick that is in it.
     pub tick: u64,
     /// Samples that found no room on their way.
@@ -48,7 +50,7 @@ pub struct Glances {
 
 impl Default for Glances {
     fn default() -> Self {
-        Self { keys: [Glance::NOTHING; KEYS], tick: 0, dropped: 0 }
+        Self { keys: [Glance::NOTHING; KEYS], is_known: false, tick: 0, dropped: 0 }
     }
 }
 
@@ -65,6 +67,7 @@ impl Glances {
 
     /// Takes an overview.
     pub(crate) fn take(&mut self, overview: &Overview) {
+        self.is_known = true;
         self.tick = overview.tick;
         self.dropped = overview.dropped;
         for (i, glance) in self.keys.iter_mut().enumerate() {

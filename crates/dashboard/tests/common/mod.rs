@@ -6,6 +6,7 @@
 pub(crate) mod raster;
 pub(crate) mod snapshot;
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -13,7 +14,8 @@ use dashboard::demo::{Asked, Demo};
 use dashboard::{App, Clock, Memory, Pane};
 use eframe::egui;
 use egui_kittest::{Harness, kittest::Queryable as _};
-use telemetry::{Request, Source};
+use telemetry::source::Ticket;
+use telemetry::{Arrival, Request, Source, Standing, Topic};
 
 /// When every test begins [ns since 1970].
 const BEGAN: u64 = 1_800_000_000_000_000_000;
@@ -48,6 +50,8 @@ pub(crate) enum Behind {
     Live,
     /// A recording.
     Recording,
+    /// A host that plays, and goes away when it is asked to stop.
+    Vanishing,
 }
 
 /// A window, and what is behind it.
@@ -87,11 +91,57 @@ pub(crate) fn stage_with(
 /// The demonstration, and what it is asked.
 pub(crate) fn source(hand: &Hand, behind: Behind) -> (Box<dyn Source>, Asked) {
     let demo = match behind {
-        Behind::Live => Demo::live(hand.clock()),
+        Behind::Live | Behind::Vanishing => Demo::live(hand.clock()),
         Behind::Recording => Demo::recording(hand.clock()),
     };
     let asked = demo.asked();
+    if matches!(behind, Behind::Vanishing) {
+        return (Box::new(Vanishing { demo, stopped: None }), asked);
+    }
     (Box::new(demo), asked)
+}
+
+/// Answers a stop as a connection does that was lost.
+#[derive(Debug)]
+struct Vanishing {
+    demo: Demo,
+    stopped: Option<Ticket>,
+}
+
+/// Why it is gone.
+const GONE: &str = "the connection was lost before the host answered";
+
+impl Source for Vanishing {
+    fn next(&mut self) -> Option<Arrival> {
+        match (self.demo.next()?, self.stopped) {
+            (Arrival::Reply { ticket, .. }, Some(stopped)) if ticket == stopped => {
+                Some(Arrival::Reply { ticket, result: Err(GONE.to_owned()) })
+            }
+            (arrival, _) => Some(arrival),
+        }
+    }
+
+    fn follow(&mut self, topics: &BTreeSet<Topic>) {
+        self.demo.follow(topics);
+    }
+
+    fn ask(&mut self, request: Request) -> Ticket {
+        let is_stop = matches!(request, Request::Stop {});
+        let ticket = self.demo.ask(request);
+        self.stopped = self.stopped.or(is_stop.then_some(ticket));
+        ticket
+    }
+
+    fn standing(&self) -> Standing {
+        match self.stopped {
+            Some(_) => Standing::Lost("the host ended the connection".to_owned()),
+            None => Standing::Live,
+        }
+    }
+
+    fn name(&self) -> String {
+        self.demo.name()
+    }
 }
 
 impl Stage {

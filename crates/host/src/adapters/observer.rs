@@ -66,43 +66,46 @@ impl Publisher {
         (self.pedals, self.next_pedal) = (pedals, 0);
     }
 
-    fn publish(&mut self, event: MidiEvent) {
-        if self.ring.push(event).is_err() {
-            self.counters.dropped.fetch_add(1, Ordering::Relaxed);
-        }
-    }
-
-    /// Moves of the pedal up to the end of `tick`; at most all that are left.
-    fn press_pedals(&mut self, tick: u64) -> bool {
-        let end = Moment { tick, theta: 1.0 }.seconds(self.period);
-        let before = self.next_pedal;
-        while let Some(&(at, depth)) =
-            self.pedals.get(self.next_pedal).filter(|move_| move_.0 < end)
-        {
-            self.publish(MidiEvent { key: 0, at, kind: EventKind::Sustain(depth) });
-            self.next_pedal += 1;
-        }
-        self.next_pedal > before
-    }
-
-    fn publish_turn(&mut self, key: u8, turn: &Turn, sums: &mut Sums) {
-        sums.active += u32::from(!turn.idle);
-        sums.faults += u64::from(turn.fault.is_some());
-        sums.events += u64::from(turn.work.events);
-        sums.derivatives += u64::from(turn.work.derivatives);
-        sums.guards += u64::from(turn.work.guards);
-        sums.dropped += u64::from(turn.events.dropped());
-        for (at, event) in turn.events.as_slice() {
-            sums.strikes += u64::from(matches!(event, KeyEvent::Strike { .. }));
-            sums.news = true;
-            self.publish(MidiEvent { key, at: at.seconds(self.period), kind: heard(*event) });
-        }
+    /// Hands over what can be heard of a tick: all of it at once, so that the other end of the
+    /// ring can put it in order of time.
+    ///
+    /// # Real-time
+    /// One write of at most all events of a tick and all moves of the pedal that are left.
+    fn publish(&mut self, seen: &Seen<'_>, sums: &mut Sums) {
+        let period = self.period;
+        let end = Moment { tick: seen.tick, theta: 1.0 }.seconds(period);
+        let pedals = self.pedals.get(self.next_pedal..).unwrap_or_default();
+        let n_pedals = pedals.iter().take_while(|pedal| pedal.0 < end).count();
+        let pressed = pedals.iter().take(n_pedals).map(|&(at, depth)| MidiEvent {
+            key: 0,
+            at,
+            kind: EventKind::Sustain(depth),
+        });
+        let played = (0..).zip(seen.turns).flat_map(|(key, turn)| {
+            let event = move |&(at, event): &(Moment, KeyEvent)| MidiEvent {
+                key,
+                at: at.seconds(period),
+                kind: heard(event),
+            };
+            turn.events.as_slice().iter().map(event)
+        });
+        let wanted = n_pedals + sums.heard;
+        let room = wanted.min(self.ring.slots());
+        let published = match self.ring.write_chunk_uninit(room) {
+            Ok(chunk) => chunk.fill_from_iter(pressed.chain(played)),
+            Err(_too_few) => 0,
+        };
+        sums.dropped += (wanted - published) as u64;
+        sums.news = 0 < wanted;
+        self.next_pedal += n_pedals;
     }
 }
 
 /// Sums over one tick's turns.
 #[derive(Debug, Default)]
 struct Sums {
+    /// Key events.
+    heard: usize,
     active: u32,
     faults: u64,
     events: u64,
@@ -113,13 +116,29 @@ struct Sums {
     news: bool,
 }
 
+impl Sums {
+    fn add(&mut self, turn: &Turn) {
+        let events = turn.events.as_slice();
+        let is_strike = |event: &&(Moment, KeyEvent)| matches!(event.1, KeyEvent::Strike { .. });
+        self.heard += events.len();
+        self.strikes += events.iter().filter(is_strike).count() as u64;
+        self.active += u32::from(!turn.idle);
+        self.faults += u64::from(turn.fault.is_some());
+        self.events += u64::from(turn.work.events);
+        self.derivatives += u64::from(turn.work.derivatives);
+        self.guards += u64::from(turn.work.guards);
+        self.dropped += u64::from(turn.events.dropped());
+    }
+}
+
 impl TickObserver for Publisher {
     fn observe(&mut self, seen: &Seen<'_>) {
         let tick = seen.tick;
-        let mut sums = Sums { news: self.press_pedals(tick), ..Sums::default() };
-        for (key, turn) in (0..).zip(seen.turns) {
-            self.publish_turn(key, turn, &mut sums);
+        let mut sums = Sums::default();
+        for turn in seen.turns {
+            sums.add(turn);
         }
+        self.publish(seen, &mut sums);
         let counters = &self.counters;
         counters.ticks.store(tick + 1, Ordering::Relaxed);
         counters.active.store(sums.active, Ordering::Relaxed);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use haptics::{EnergyBound, ForceGate, PassivityObserver};
 use models::Playable;
 use pode::{Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch};
-use scheduler::look::{Look, Switch, Switches};
+use scheduler::look::{Look, MAX_STATES, Switch, Switches};
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
 use scheduler::voice::{Events, Turn, Voice, VoiceFault, Work};
 
@@ -98,6 +98,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
 
     /// What the model is like under `input`.
     fn look(&self, input: &Motion) -> Look {
+        const { assert!(M::STATES.len() <= MAX_STATES, "raise MAX_STATES of scheduler::look") }
         let mut look = Look {
             revision: self.revision,
             mode: number::<M>(self.simulator.mode()),

@@ -1,7 +1,8 @@
 //! What people type: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
 //! `instruments`, `stop`, `lab`.
 //!
-//! Exit codes: 0 done, 1 something failed while running, 2 wrong usage or file.
+//! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
+//! file.
 
 mod arguments;
 mod ask;

@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use telemetry::Update;
-use telemetry::recording::{Recording, Selection, export_csv};
+use telemetry::recording::{ReadError, Recording, Selection, export_csv};
 
 use super::{Failure, print_json, tell};
-use crate::replay::{Replayed, replay};
+use crate::replay::{Missing, Replayed, replay};
 
 /// What `letoff replay` takes.
 #[derive(Clone, Debug, Args)]
@@ -43,8 +42,13 @@ pub(super) fn run(args: &ReplayArgs, out: &mut dyn Write) -> Result<(), Failure>
         ProgressStyle::with_template("{spinner} {pos} ticks")
             .unwrap_or_else(|_| ProgressStyle::default_spinner()),
     );
-    let messages = recording.messages().map(|message| -> Result<Update, String> {
-        message.map(|(_at, update)| update).map_err(|error| error.to_string())
+    let messages = recording.messages().filter_map(|message| match message {
+        Ok((_at, update)) => Some(Ok(update)),
+        Err(error @ ReadError::Damaged { is_said_again: true, .. }) => {
+            tell(&format!("{error}; it is said again elsewhere, and nothing is missing"));
+            None
+        }
+        Err(error) => Some(Err(error.to_string())),
     });
     let replayed = replay(messages, |ticks| line.set_position(ticks));
     line.finish_and_clear();
@@ -72,13 +76,33 @@ fn print(it: &Replayed, out: &mut dyn Write) -> Result<(), Failure> {
             "  {compared} messages compared: forces, events and MIDI are the same to the last bit"
         )?;
     }
-    if let Some(tick) = it.incomplete_from {
-        writeln!(
+    for missing in &it.missing {
+        writeln!(out, "  {}", words(missing))?;
+    }
+    match (it.incomplete_from, it.missing.is_empty()) {
+        (Some(tick), true) => writeln!(
             out,
             "  from tick {tick} on samples are missing in it, so that nothing could be compared"
-        )?;
+        )?,
+        (Some(tick), false) => writeln!(
+            out,
+            "  from tick {tick} on nothing could be compared: what voices were like behind what is \
+             missing is not in it"
+        )?,
+        (None, _) => {}
     }
     Ok(())
+}
+
+/// What is missing, in a sentence.
+fn words(missing: &Missing) -> String {
+    let Missing { from, from_s, why, .. } = missing;
+    match (missing.to, missing.to_s) {
+        (Some(to), Some(to_s)) => {
+            format!("ticks {from} to {to} ({from_s:.3} s to {to_s:.3} s) are missing: {why}")
+        }
+        _no_end => format!("what was from tick {from} ({from_s:.3} s) on is missing: {why}"),
+    }
 }
 
 fn export(recording: &Recording, folder: &Path, out: &mut dyn Write) -> Result<(), Failure> {

@@ -112,8 +112,28 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     }
     match &report.midi.trouble {
         Some(trouble) if report.midi.failed > 0 => Err(Failure::Running(trouble.clone())),
-        Some(_) | None => Ok(()),
+        Some(_) | None => without_faults(&report),
     }
+}
+
+/// Whether the models did what they should.
+///
+/// A run that `letoff stop` ended has done what it was asked, whatever came before: an exit code
+/// of failure would have a supervisor start it again, forces and all.
+fn without_faults(report: &Report) -> Result<(), Failure> {
+    if report.faults == 0 {
+        return Ok(());
+    }
+    let text = format!(
+        "voices failed in {} turns, and their keys had no force meanwhile: take a higher tick_hz or \
+         parameters that are less stiff; `letoff dash` names keys and reasons while it runs",
+        report.faults
+    );
+    if report.stopped {
+        tell(&text);
+        return Ok(());
+    }
+    Err(Failure::Running(text))
 }
 
 /// Rehearses, runs until the end or a signal, and reports; nothing if it was stopped before it

@@ -17,12 +17,14 @@ pub struct StreamSink {
     publisher: Publisher,
     /// The values of each key's voice, as those who follow parameters know them.
     told: BTreeMap<u32, Vec<Value>>,
+    /// How often somebody had begun to follow something.
+    followings: u64,
 }
 
 impl StreamSink {
     /// For those who follow what `publisher` sends.
     pub const fn new(publisher: Publisher) -> Self {
-        Self { publisher, told: BTreeMap::new() }
+        Self { publisher, told: BTreeMap::new(), followings: 0 }
     }
 
     /// Tells which values are others now; whoever changed them, it comes by here once.
@@ -49,6 +51,11 @@ impl Sink for StreamSink {
     fn wants(&self, topic: Topic) -> bool {
         // Kept for whoever comes later.
         matches!(topic, Topic::Catalogue | Topic::Voices) || self.publisher.is_followed(topic)
+    }
+
+    fn has_newcomers(&mut self) -> bool {
+        let now = self.publisher.followings();
+        std::mem::replace(&mut self.followings, now) != now
     }
 }
 

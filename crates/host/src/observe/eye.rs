@@ -6,7 +6,7 @@ use models::Playable;
 use models::catalogue::{self, Visitor};
 use models::draw::{Body, Coil, Ends, Follow, Material, Sketch};
 use pode::Motion;
-use scheduler::look::Look;
+use scheduler::look::{Look, MAX_STATES};
 use telemetry::{Drawing, Follower, Outline, Signal, outline, signal};
 
 use super::short;
@@ -45,6 +45,10 @@ impl Visitor for Opened<'_> {
     type Output = Box<dyn Eye>;
 
     fn visit<M: Playable>(self) -> Self::Output {
+        const {
+            assert!(M::STATES.len() <= MAX_STATES, "raise MAX_STATES of scheduler::look");
+            assert!(M::OUTPUTS.len() <= MOST_OUTPUTS, "raise MOST_OUTPUTS");
+        }
         let model = M::with_values(self.0);
         // Only its shape counts; to find a rest may cost more than all signals of a row.
         let (_mode, shape) = model.at_rest(&Motion::default());
@@ -243,7 +247,6 @@ mod tests {
             }
             let names = super::signals(entry.name).len();
             assert_eq!(signals.len(), 2 * names * modes(entry.name).len(), "{}", entry.name);
-            assert!(entry.outputs.len() <= MOST_OUTPUTS);
         }
     }
 

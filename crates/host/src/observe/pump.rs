@@ -27,6 +27,12 @@ pub trait Sink: Send {
     /// Whether messages of `topic` are of use to it.
     fn wants(&self, topic: Topic) -> bool;
 
+    /// Whether somebody is there who was not when this was asked last: they are told how the keys
+    /// are of which it wants rows.
+    fn has_newcomers(&mut self) -> bool {
+        false
+    }
+
     /// Looks after what it holds, a few times a second; `now` is [ns since 1970]. Says whether it
     /// will take more.
     fn attend(&mut self, now: u64) -> Attention {
@@ -106,6 +112,8 @@ struct Key {
     /// Of the voice that its last row was of.
     revision: u32,
     builder: BlockBuilder,
+    /// Its last row, which holds as long as it lies still.
+    last: Option<KeyRow>,
     fault: Option<VoiceFault>,
     /// What its next row is marked with.
     mark: u8,
@@ -186,6 +194,7 @@ impl Pump {
             self.give(&Update::Ticks(ticks));
         }
         self.sum_up();
+        self.tell_newcomers();
         self.forget_eyes();
         let now = self.at(self.now);
         self.sinks.retain_mut(|sink| sink.attend(now) == Attention::Goes);
@@ -195,7 +204,10 @@ impl Pump {
     fn pass_over(&mut self, rows: usize) {
         for _ in 0..rows {
             match self.tapped.rows.pop() {
-                Ok(Row::Key(row)) => self.keys[usize::from(row.key)].revision = row.look.revision,
+                Ok(Row::Key(row)) => {
+                    let key = &mut self.keys[usize::from(row.key)];
+                    (key.revision, key.last) = (row.look.revision, Some(row));
+                }
                 Ok(Row::Tick(row)) => (self.now, self.armed) = (row.tick, row.armed),
                 Err(_empty) => break,
             }
@@ -251,7 +263,51 @@ impl Pump {
     fn welcome(&mut self, mut sink: Box<dyn Sink>) {
         let at = self.at(self.now);
         self.latched.values().chain(&self.pedals).for_each(|update| sink.take(at, update));
+        self.tell_keys(sink.as_mut());
+        if self.sinks.is_empty() {
+            self.look_over_keys();
+        }
         self.sinks.push(sink);
+    }
+
+    /// Puts every key as it was last into the overview, which nobody made until now.
+    fn look_over_keys(&mut self) {
+        for row in self.keys.iter().filter_map(|key| key.last.as_ref()) {
+            let is_known = self.eyes.contains_key(&row.look.revision);
+            let mode = if is_known { row.look.mode } else { u8::MAX };
+            self.overview.push(row, flags(row.stands), mode);
+        }
+    }
+
+    /// Tells those who came since the last time how the keys are.
+    fn tell_newcomers(&mut self) {
+        let mut sinks = std::mem::take(&mut self.sinks);
+        for sink in sinks.iter_mut().filter_map(|sink| sink.has_newcomers().then_some(sink)) {
+            self.tell_keys(sink.as_mut());
+        }
+        self.sinks = sinks;
+    }
+
+    /// Tells how each key is that a sink wants: as in its last row, however long it lies still.
+    fn tell_keys(&self, sink: &mut dyn Sink) {
+        for last in self.keys.iter().filter_map(|key| key.last.as_ref()) {
+            let wants = [Topic::Block(last.key), Topic::State(last.key)].map(|it| sink.wants(it));
+            if wants == [false; 2] {
+                continue;
+            }
+            let row = KeyRow { tick: self.now, ran: u32::MAX, events: 0, ..*last };
+            let eye = self.eyes.get(&row.look.revision).map(|(_key, eye)| eye.as_ref());
+            let mut builder = BlockBuilder::default();
+            builder.push(&row, flags(row.stands), eye);
+            let Some(block) = builder.take() else { continue };
+            let at = self.at(self.now);
+            for state in states(&block).filter(|_| wants[1]) {
+                sink.take(at, &Update::State(last.key, state));
+            }
+            if wants[0] {
+                sink.take(at, &Update::Block(block));
+            }
+        }
     }
 
     /// Marks all keys if rows found no room in the ring.
@@ -271,7 +327,7 @@ impl Pump {
         }
         let eye = self.eyes.get(&row.look.revision).map(|(_key, eye)| eye.as_ref());
         let Some(key) = self.keys.get_mut(usize::from(row.key)) else { return };
-        key.revision = row.look.revision;
+        (key.revision, key.last) = (row.look.revision, Some(*row));
         let flags = flags(row.stands) | std::mem::take(&mut key.mark);
         key.builder.push(row, flags, eye);
         self.overview.push(row, flags, if eye.is_some() { row.look.mode } else { u8::MAX });
@@ -404,5 +460,67 @@ fn is_pedal(update: &Update) -> bool {
 impl std::fmt::Debug for Pump {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Pump").field("now", &self.now).finish_non_exhaustive()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::{Arc, Mutex};
+
+    use scheduler::motion::KeySample;
+    use scheduler::port::{Seen as SeenTick, TickObserver as _};
+    use scheduler::voice::Turn;
+
+    use super::*;
+    use crate::adapters::tap::Tap;
+    use crate::observe::Pulses;
+
+    /// What a window that follows key 5 is told, from when it is there.
+    #[derive(Clone, Default)]
+    struct Window(Arc<Mutex<(bool, Vec<Update>)>>);
+
+    impl Sink for Window {
+        fn take(&mut self, _at: u64, update: &Update) {
+            self.0.lock().expect("nobody panics with it").1.push(update.clone());
+        }
+
+        fn wants(&self, topic: Topic) -> bool {
+            topic == Topic::Block(5) && self.0.lock().expect("nobody panics with it").0
+        }
+
+        fn has_newcomers(&mut self) -> bool {
+            let mut it = self.0.lock().expect("nobody panics with it");
+            it.0 && it.1.is_empty()
+        }
+    }
+
+    #[test]
+    fn whoever_comes_late_is_told_how_a_key_is_that_lies_still() {
+        let (mut tap, tapped) = Tap::new();
+        let (_no_times, pulses) = Pulses::new();
+        let (told, hear) = mpsc::channel();
+        let mut pump = Pump::new(tapped, pulses, hear, 1_000_000).expect("a pump");
+        let window = Window::default();
+        assert!(told.send(Told::Sink(Box::new(window.clone()))).is_ok());
+        let mut samples = [KeySample::default(); KEYS];
+        samples[5] = KeySample::fresh(0.004);
+        let turns = [Turn { idle: true, ran: u32::MAX, ..Turn::default() }; KEYS];
+        for tick in 0..50 {
+            if tick == 40 {
+                window.0.lock().expect("nobody panics with it").0 = true;
+            }
+            tap.observe(&SeenTick {
+                tick,
+                skipped: 0,
+                armed: true,
+                samples: &samples,
+                turns: &turns,
+                forces: &[0.0; KEYS],
+            });
+            pump.pump();
+        }
+        let told = window.0.lock().expect("nobody panics with it").1.clone();
+        let [Update::Block(block)] = told.as_slice() else { panic!("{told:?}") };
+        assert_eq!((block.key, block.tick, block.position.as_slice()), (5, 40, &[0.004][..]));
     }
 }

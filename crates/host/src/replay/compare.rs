@@ -122,6 +122,21 @@ impl Comparison {
         self.midi.len() <= timed && timed < self.said_midi.len()
     }
 
+    /// Puts what both sent up to the run's end, the first `timed` messages, in order of time: the
+    /// MIDI thread of a run that is late sends what it finds, and one of an older version sent by
+    /// keys.
+    pub(super) fn sort_sent(&mut self, timed: usize) {
+        for sent in [&mut self.midi, &mut self.said_midi] {
+            let n = timed.min(sent.len());
+            sent.make_contiguous()[..n].sort_by(|a, b| match (a, b) {
+                (Update::Midi(a), Update::Midi(b)) => {
+                    a.at.total_cmp(&b.at).then_with(|| a.bytes.cmp(&b.bytes))
+                }
+                _no_midi => std::cmp::Ordering::Equal,
+            });
+        }
+    }
+
     /// Forgets what only one of both has sent: of a recording that breaks off nobody knows more.
     pub(super) fn tear(&mut self, timed: usize) {
         let both = self.midi.len().min(timed);

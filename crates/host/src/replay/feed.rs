@@ -109,7 +109,7 @@ impl Feed {
         let of = |rows: &VecDeque<(u64, Fed)>| rows.front().copied();
         self.rows.iter().filter_map(of).any(|(at, fed)| match fed.lane {
             // A voice that was never run before says so of all ticks before.
-            Lane::Done { unrun } => at == tick && unrun != u32::MAX - 1,
+            Lane::Done { unrun } => at <= tick && unrun != u32::MAX - 1,
             Lane::Late => false,
         })
     }

@@ -15,7 +15,7 @@ mod lanes;
 mod run;
 
 pub use compare::Difference;
-pub use run::{Replayed, replay};
+pub use run::{Missing, Replayed, replay};
 
 /// Why a recording cannot be run again.
 #[derive(Debug, thiserror::Error)]
@@ -32,6 +32,11 @@ pub enum ReplayError {
          beginning (`letoff record`) can be run again"
     )]
     Middle(u64),
+    /// Its beginning is damaged.
+    #[error(
+        "{0}; how the run began is among what is lost, so it cannot be run again, only looked at"
+    )]
+    Beginning(String),
     /// Its scene is of another time.
     #[error("the scene in the recording is not understood by this version: {0}")]
     Scene(String),

@@ -37,13 +37,33 @@ pub struct Replayed {
     pub first_difference: Option<Difference>,
     /// The tick from which on rows are missing, so that nothing could be compared.
     pub incomplete_from: Option<u64>,
+    /// What is damaged in the recording.
+    pub missing: Vec<Missing>,
     /// Faults of voices.
     pub faults: u64,
     /// Strikes.
     pub strikes: u64,
 }
 
+/// Ticks that a recording has lost.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct Missing {
+    /// The first of them.
+    pub from: u64,
+    /// The last of them; none if nothing comes after them.
+    pub to: Option<u64>,
+    /// When the first of them began \[s\].
+    pub from_s: f64,
+    /// When the last of them began \[s\].
+    pub to_s: Option<f64>,
+    /// What is damaged, in a sentence.
+    pub why: String,
+}
+
 /// Runs what `messages` recorded, in their order, and compares.
+///
+/// Where messages cannot be read, ticks are missing. What voices were like behind them is not in
+/// the recording, so it is run again and compared up to there; what is missing is no difference.
 ///
 /// # Errors
 /// If it cannot be run; a difference is none.
@@ -53,11 +73,13 @@ pub fn replay(
 ) -> Result<Replayed, ReplayError> {
     let mut replay: Option<Box<Replay>> = None;
     for message in messages {
-        let message = message.map_err(ReplayError::Read)?;
         match (&mut replay, message) {
-            (None, Update::Catalogue(catalogue)) => replay = Some(Replay::begin(&catalogue)?),
-            (None, _too_early) => {}
-            (Some(replay), message) => {
+            // Whatever comes then, it does not begin where the run did.
+            (None, Err(why)) => return Err(ReplayError::Beginning(why)),
+            (None, Ok(Update::Catalogue(catalogue))) => replay = Some(Replay::begin(&catalogue)?),
+            (None, Ok(_too_early)) => {}
+            (Some(replay), Err(why)) => replay.lose(why),
+            (Some(replay), Ok(message)) => {
                 replay.take(message)?;
                 progress(replay.ticks);
             }
@@ -88,6 +110,43 @@ struct Replay {
     last: u64,
     faults: u64,
     strikes: u64,
+    missing: Missed,
+}
+
+/// What could not be read so far.
+#[derive(Debug, Default)]
+struct Missed {
+    /// Why messages could not be read that would come now.
+    damaged: Option<String>,
+    /// The last tick that was told of, run again or not.
+    told: Option<u64>,
+    list: Vec<Missing>,
+}
+
+impl Missed {
+    /// Notes that ticks follow which were not read.
+    fn begin(&mut self, period: f64) {
+        if let Some(why) = self.damaged.take() {
+            let from = self.told.map_or(0, |told| told + 1);
+            self.list.push(Missing {
+                from,
+                to: None,
+                from_s: from as f64 * period,
+                to_s: None,
+                why,
+            });
+        }
+    }
+
+    /// Notes that `tick` was read.
+    fn end(&mut self, tick: u64, period: f64) {
+        if let Some(last) = self.list.last_mut()
+            && last.to.is_none()
+        {
+            let to = tick.saturating_sub(1).max(last.from);
+            (last.to, last.to_s) = (Some(to), Some(to as f64 * period));
+        }
+    }
 }
 
 /// Key events between two windows; a second of all keys.
@@ -142,10 +201,35 @@ impl Replay {
             last: 0,
             faults: 0,
             strikes: 0,
+            missing: Missed::default(),
         }))
     }
 
+    /// Messages that come here could not be read.
+    fn lose(&mut self, why: String) {
+        self.missing.damaged.get_or_insert(why);
+    }
+
+    /// Whether `message` comes behind one that could not be read.
+    fn is_behind_damage(&mut self, message: &Update) -> bool {
+        let is_said_again = matches!(message, Update::Catalogue(_) | Update::Voice(_));
+        let period = 1.0 / f64::from(self.scene.tick_hz);
+        if !is_said_again {
+            self.missing.begin(period);
+        }
+        if let Update::Ticks(message) = message {
+            for tick in ticks(message) {
+                self.missing.end(tick, period);
+                self.missing.told = Some(tick);
+            }
+        }
+        !self.missing.list.is_empty() || self.missing.damaged.is_some()
+    }
+
     fn take(&mut self, message: Update) -> Result<(), ReplayError> {
+        if self.is_behind_damage(&message) {
+            return Ok(());
+        }
         match &message {
             Update::Voice(voice) => self.voice(voice)?,
             Update::Block(block) => self.feed.block(block),
@@ -237,13 +321,14 @@ impl Replay {
 
     fn finish(mut self) -> Replayed {
         self.pump.pump();
-        let mut is_torn = self.comparison.forget_unrun();
+        let mut is_torn = self.comparison.forget_unrun() || !self.missing.list.is_empty();
         self.comparison.window(self.last, &self.said);
         let timed = self.comparison.n_sent();
         // Ends the notes, as the run did.
         drop(self.desk.close(None));
         self.pump.pump();
         self.comparison.window(self.last, &self.said);
+        self.comparison.sort_sent(timed);
         is_torn |= self.comparison.lacks_end(timed);
         if is_torn {
             self.comparison.tear(timed);
@@ -261,6 +346,7 @@ impl Replay {
             different,
             first_difference: first,
             incomplete_from,
+            missing: self.missing.list,
             faults: self.faults,
             strikes: self.strikes,
         }

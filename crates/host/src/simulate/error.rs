@@ -26,6 +26,24 @@ pub enum SimulateError {
         /// What failed, and what to do.
         why: &'static str,
     },
+    /// Ticks reached a declared maximum and held their state; the files hold everything.
+    #[error(
+        "{model} reached a maximum in {capped} of {ticks} ticks ({kinds}) and held its state for \
+         the rest of each, so what comes after the first of them is not the model's motion: take \
+         a shorter --step{}", if *tolerance { " or a larger --tolerance" } else { "" }
+    )]
+    Capped {
+        /// The model's name.
+        model: &'static str,
+        /// Ticks that did.
+        capped: u64,
+        /// All ticks.
+        ticks: u64,
+        /// Which maxima, and how often.
+        kinds: String,
+        /// Whether a tolerance was asked for.
+        tolerance: bool,
+    },
     /// A file could not be written to its end.
     #[error("cannot write {}: {cause}; make room there or choose another file", path.display())]
     Write {
@@ -43,7 +61,7 @@ impl SimulateError {
     /// The command's exit code: 1 failed while running, 2 wrong usage or file.
     pub const fn exit_code(&self) -> u8 {
         match self {
-            Self::Fault { .. } | Self::Write { .. } | Self::Summary(_) => 1,
+            Self::Fault { .. } | Self::Capped { .. } | Self::Write { .. } | Self::Summary(_) => 1,
             Self::Usage(_) => 2,
         }
     }

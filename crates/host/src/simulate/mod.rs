@@ -69,6 +69,6 @@ impl Visitor for Job<'_> {
         let report = drive::run(&start, (&clock, &input), &mut files)?;
         files.finish()?;
         summary::write(&report, args, out).map_err(SimulateError::Summary)?;
-        report.into_result()
+        report.into_result(args)
     }
 }

@@ -116,11 +116,19 @@ impl Why {
 
 impl Report {
     /// The command's result once everything is written.
-    pub(super) fn into_result(self) -> Result<(), SimulateError> {
+    pub(super) fn into_result(self, args: &SimulateArgs) -> Result<(), SimulateError> {
         let Self { model, t, mode, .. } = self;
+        let capped = self.capped.occurred();
         match self.failure {
-            None => Ok(()),
             Some(why) => Err(SimulateError::Fault { model, t, mode, why: why.sentence() }),
+            None if capped.is_empty() => Ok(()),
+            None => Err(SimulateError::Capped {
+                model,
+                capped: capped.iter().map(|(_, ticks)| ticks).sum(),
+                ticks: self.counts.ticks,
+                kinds: list(&capped),
+                tolerance: args.tolerance.is_some(),
+            }),
         }
     }
 
@@ -130,11 +138,7 @@ impl Report {
         match self.failure {
             Some(why) => format!("fault: {}", why.kind()),
             None if capped.is_empty() => "completed".to_owned(),
-            None => {
-                let counts: Vec<_> =
-                    capped.iter().map(|(kind, ticks)| format!("{kind} {ticks}")).collect();
-                format!("capped: {}", counts.join(", "))
-            }
+            None => format!("capped: {}", list(&capped)),
         }
     }
 
@@ -191,6 +195,12 @@ impl Report {
             self.audit.residual(),
         )
     }
+}
+
+/// `events 3, guards 1`
+fn list(capped: &[(&'static str, u64)]) -> String {
+    let counts: Vec<_> = capped.iter().map(|(kind, ticks)| format!("{kind} {ticks}")).collect();
+    counts.join(", ")
 }
 
 /// What is taken in a mode, for a program; an error or a step without limit is null.

@@ -66,17 +66,21 @@ impl BlackBox {
     /// # Errors
     /// If a file of this name is there already or cannot be written.
     pub fn dump(&self, path: &Path, run: &str) -> Result<u64, RecordError> {
-        let mut part = Part::create(path, &Labels::new(run, 1), Compression::default())?;
+        let labels = Labels::new(run, 1);
+        let mut part = Part::create(path, &labels, Compression::default())?;
+        let mut latest = self.before.clone();
         let begins = self.ring.front().map_or(self.newest, |raw| raw.at);
         for raw in self.before.again(begins) {
             part.add(&raw)?;
         }
         for raw in &self.ring {
             part.add(raw)?;
+            latest.note(raw);
             if part.is_chunk_full() {
                 part.flush()?;
             }
         }
+        part.close_up(&labels, &latest, self.newest)?;
         part.finish()
     }
 

@@ -106,7 +106,11 @@ pub enum ReadError {
         cause: io::Error,
     },
     /// A chunk is damaged.
-    #[error("{} is damaged at byte {at}: {cause}; up to a second is left out there", .path.display())]
+    #[error(
+        "{} is damaged at byte {at} ({cause}): what it had from {from:.3} s to {to:.3} s is left \
+         out, and `letoff recover {}` makes a complete file of the rest",
+        .path.display(), .path.display()
+    )]
     Damaged {
         /// Which file.
         path: PathBuf,
@@ -114,6 +118,12 @@ pub enum ReadError {
         at: u64,
         /// What is wrong.
         cause: String,
+        /// When the first message was made that is lost, since the recording's beginning \[s\].
+        from: f64,
+        /// When the last one was \[s\].
+        to: f64,
+        /// Whether there was nothing but the catalogue and voices, which are said again elsewhere.
+        is_said_again: bool,
     },
     /// A message is none.
     #[error("{}: {cause}", .path.display())]

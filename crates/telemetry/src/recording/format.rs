@@ -55,7 +55,9 @@ impl Labels {
         }
         let entry = |name: &str| metadata.metadata.get(name).cloned();
         let part = entry("part").and_then(|part| part.parse().ok()).unwrap_or(1);
-        Some(Self { run: entry("run")?, part, format: entry("format")? })
+        // What is no number was damaged, and is not another version.
+        let is_version = |format: &String| format.split('.').all(|it| it.parse::<u32>().is_ok());
+        Some(Self { run: entry("run")?, part, format: entry("format").filter(is_version)? })
     }
 
     /// Whether this version reads it.

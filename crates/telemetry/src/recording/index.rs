@@ -3,12 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 
-use mcap::records::{ChunkIndex, Footer, Record, op};
+use mcap::records::{ChunkIndex, Footer, MetadataIndex, Record, op};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{MAGIC, McapResult};
 
 use super::chunk::{Chunk, Inside};
-use super::format::{self, LARGEST_CHUNK};
+use super::format::{self, LARGEST_CHUNK, Labels};
 use super::part_file::Bytes;
 use crate::Topic;
 
@@ -18,6 +18,12 @@ const RECORD: u64 = 9;
 const FOOTER: u64 = RECORD + 20 + 8;
 /// The record that ends the data, just before the summary [B].
 const DATA_END: u64 = RECORD + 4;
+
+/// Copies of the labels that are read besides the one at the beginning: a majority of three
+/// stands against one that is damaged.
+const COPIES: usize = 2;
+/// No labels are longer than this [B].
+const LONGEST_LABELS: u64 = 4096;
 
 /// Where a chunk is, and what is in it.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -30,6 +36,8 @@ pub(super) struct Place {
     pub(super) last: u64,
     /// What its messages are, if that is known without looking.
     pub(super) topics: Option<Vec<Topic>>,
+    /// Whether it is known that it cannot be read.
+    pub(super) is_damaged: bool,
 }
 
 impl Place {
@@ -46,6 +54,10 @@ pub(super) struct Index {
     pub(super) places: Vec<Place>,
     /// Topics by their numbers.
     pub(super) topics: BTreeMap<u16, Topic>,
+    /// Whether the file itself names one of them.
+    pub(super) names_ours: bool,
+    /// What the file says of itself behind its beginning, the last ones.
+    pub(super) labels: Vec<Labels>,
     /// If there was no summary: how it looked without.
     pub(super) without_summary: Option<Scan>,
 }
@@ -62,16 +74,20 @@ pub(super) struct Scan {
 }
 
 impl Index {
-    /// The index of a file, which the scan, if it takes one, begins at `start` [B].
-    pub(super) fn of(file: &Bytes, start: u64) -> io::Result<Self> {
-        match summary(file)? {
-            Some(index) => Ok(index),
-            None => scan(file, start),
+    fn empty() -> Self {
+        Self {
+            places: Vec::new(),
+            topics: format::topics(),
+            names_ours: false,
+            labels: Vec::new(),
+            without_summary: None,
         }
     }
 
     fn name(&mut self, channel: u16, name: &str) {
-        match Topic::named(name) {
+        let topic = Topic::named(name);
+        self.names_ours |= topic.is_some();
+        match topic {
             Some(topic) => self.topics.insert(channel, topic),
             // Somebody else's: not to be taken for ours of the same number.
             None => self.topics.remove(&channel),
@@ -87,22 +103,38 @@ impl Index {
             first: index.message_start_time,
             last: index.message_end_time,
             topics: (!index.message_index_offsets.is_empty()).then_some(topics),
+            is_damaged: false,
         });
     }
 }
 
 /// The index as the summary has it; none if there is none that can be trusted.
-fn summary(file: &Bytes) -> io::Result<Option<Index>> {
+pub(super) fn summary(file: &Bytes) -> io::Result<Option<Index>> {
     let Some(start) = summary_start(file)? else { return Ok(None) };
     let bytes = file.read(start, file.size - start)?;
     // The checksum of the whole summary is looked at before any of it is used.
-    let Ok(mut index) = read_summary(&bytes) else { return Ok(None) };
+    let Ok((mut index, metadata)) = read_summary(&bytes) else { return Ok(None) };
     index.places.sort_by_key(|place| place.offset);
+    for at in metadata.iter().rev().take(COPIES) {
+        let is_inside = at.offset.checked_add(at.length).is_some_and(|end| end <= file.size);
+        if is_inside && at.length <= LONGEST_LABELS {
+            index.labels.extend(labels_in(&file.read(at.offset, at.length)?));
+        }
+    }
     let is_inside = |place: &Place| {
         place.length > RECORD
             && place.offset.checked_add(place.length).is_some_and(|end| end <= file.size)
     };
     Ok(index.places.iter().all(is_inside).then_some(index))
+}
+
+/// What the metadata `record`, with opcode and length, says of the file.
+fn labels_in(record: &[u8]) -> Option<Labels> {
+    let body = record.strip_prefix(&[op::METADATA])?.get(8..)?;
+    match mcap::parse_record(op::METADATA, body) {
+        Ok(Record::Metadata(metadata)) => Labels::of(&metadata),
+        Ok(_) | Err(_) => None,
+    }
 }
 
 /// Where the end of the data, and after it the summary, begins.
@@ -121,7 +153,7 @@ fn summary_start(file: &Bytes) -> io::Result<Option<u64>> {
     Ok(summary_start.checked_sub(DATA_END).filter(|start| *start < footer))
 }
 
-fn read_summary(bytes: &[u8]) -> McapResult<Index> {
+fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
     let options = LinearReaderOptions::default()
         .with_skip_start_magic(true)
         .with_validate_summary_section_crc(true)
@@ -130,14 +162,15 @@ fn read_summary(bytes: &[u8]) -> McapResult<Index> {
     let mut reader = LinearReader::new_with_options(options);
     reader.insert(bytes.len()).copy_from_slice(bytes);
     reader.notify_read(bytes.len());
-    let mut index = Index { places: Vec::new(), topics: format::topics(), without_summary: None };
-    let (mut chunks, mut expected) = (Vec::new(), None);
+    let mut index = Index::empty();
+    let (mut chunks, mut metadata, mut expected) = (Vec::new(), Vec::new(), None);
     while let Some(event) = reader.next_event() {
         let LinearReadEvent::Record { opcode, data } = event? else {
             return Err(mcap::McapError::UnexpectedEof);
         };
         // Only these are needed; the others are not even looked at.
-        if ![op::CHANNEL, op::CHUNK_INDEX, op::STATISTICS].contains(&opcode) {
+        let needed = [op::CHANNEL, op::CHUNK_INDEX, op::METADATA_INDEX, op::STATISTICS];
+        if !needed.contains(&opcode) {
             continue;
         }
         let record = mcap::parse_record(opcode, data)?;
@@ -145,6 +178,8 @@ fn read_summary(bytes: &[u8]) -> McapResult<Index> {
             index.name(channel.id, &channel.topic);
         } else if let Record::ChunkIndex(chunk) = record {
             chunks.push(chunk);
+        } else if let Record::MetadataIndex(at) = record {
+            metadata.push(at);
         } else if let Record::Statistics(statistics) = record {
             expected = usize::try_from(statistics.chunk_count).ok();
         }
@@ -156,28 +191,90 @@ fn read_summary(bytes: &[u8]) -> McapResult<Index> {
     for chunk in &chunks {
         index.add(chunk);
     }
-    Ok(index)
+    Ok((index, metadata))
 }
 
-/// The index of a file whose host died, or whose summary is damaged.
-fn scan(file: &Bytes, start: u64) -> io::Result<Index> {
-    let mut index = Index { places: Vec::new(), topics: format::topics(), without_summary: None };
+/// The index of a file whose host died, or whose summary is damaged, from byte `start` on.
+///
+/// Where lengths do not lead on, it goes on at the next chunk that is whole.
+pub(super) fn scan(file: &Bytes, start: u64) -> io::Result<Index> {
+    let mut index = Index::empty();
     let mut scan = Scan { up_to: start, has_end: false, damaged: 0 };
-    while let Some((opcode, length)) = record_at(file, scan.up_to)? {
+    loop {
+        let Some((opcode, length)) = record_at(file, scan.up_to)? else {
+            let Some(next) = next_chunk(file, scan.up_to)? else { break };
+            index.places.push(damaged(scan.up_to, next - scan.up_to));
+            scan.damaged += 1;
+            scan.up_to = next;
+            continue;
+        };
         if opcode == op::DATA_END {
             scan.has_end = true;
             break;
         }
+        if opcode == op::METADATA && length <= LONGEST_LABELS {
+            index.labels.extend(labels_in(&file.read(scan.up_to, length)?));
+            index.labels.drain(..index.labels.len().saturating_sub(COPIES));
+        }
+        let mut length = length;
         if opcode == op::CHUNK {
-            match look(file, scan.up_to, length, &mut index)? {
-                Some(place) => index.places.push(place),
-                None => scan.damaged += 1,
+            let place = look(file, scan.up_to, length, &mut index)?;
+            if place.is_none() {
+                // Perhaps it is the length that is wrong.
+                if record_at(file, scan.up_to + length)?.is_none() {
+                    let next = next_chunk(file, scan.up_to + 1)?;
+                    length = next.map_or(length, |next| next - scan.up_to);
+                }
+                scan.damaged += 1;
             }
+            index.places.push(place.unwrap_or_else(|| damaged(scan.up_to, length)));
         }
         scan.up_to += length;
     }
+    date_damaged(&mut index.places);
     index.without_summary = Some(scan);
     Ok(index)
+}
+
+/// A piece of a file that cannot be read.
+const fn damaged(offset: u64, length: u64) -> Place {
+    Place { offset, length, first: 0, last: u64::MAX, topics: None, is_damaged: true }
+}
+
+/// Says of damaged pieces that they are of the time between those around them.
+fn date_damaged(places: &mut [Place]) {
+    let known = |place: &&Place| !place.is_damaged;
+    for i in 0..places.len() {
+        if places[i].is_damaged {
+            let before = places[..i].iter().rev().find(known).map(|place| place.last);
+            let after = places[i..].iter().find(known).map(|place| place.first);
+            let first = before.or(after).unwrap_or(0);
+            (places[i].first, places[i].last) = (first, after.unwrap_or(first).max(first));
+        }
+    }
+}
+
+/// Bytes that are looked through at once.
+const WINDOW: u64 = 1 << 20;
+
+/// Where the next chunk begins that is whole, from byte `from` on.
+fn next_chunk(file: &Bytes, from: u64) -> io::Result<Option<u64>> {
+    let mut at = from;
+    while at + RECORD < file.size {
+        let window = file.read(at, WINDOW.min(file.size - at))?;
+        let starts = window.windows(9).enumerate().filter(|(_, head)| head[0] == op::CHUNK);
+        for (i, head) in starts {
+            let offset = at + i as u64;
+            let length = <[u8; 8]>::try_from(&head[1..]).map_or(u64::MAX, u64::from_le_bytes);
+            let fits = length < LARGEST_CHUNK as u64 && length + RECORD <= file.size - offset;
+            if fits && look(file, offset, length + RECORD, &mut Index::empty())?.is_some() {
+                return Ok(Some(offset));
+            }
+        }
+        // The last bytes of this window may begin a chunk that goes on in the next.
+        at += (window.len() as u64).saturating_sub(RECORD - 1).max(1);
+    }
+    Ok(None)
 }
 
 /// Opcode and length of the record at `offset`, with opcode and length; none if it is cut.
@@ -190,8 +287,9 @@ fn record_at(file: &Bytes, offset: u64) -> io::Result<Option<(u8, u64)>> {
     let Some((&opcode, length)) = head.split_first() else { return Ok(None) };
     let Ok(length) = <[u8; 8]>::try_from(length) else { return Ok(None) };
     let length = u64::from_le_bytes(length).checked_add(RECORD);
-    // No record is numbered 0: a hole in the file reads as one.
-    Ok(length.filter(|length| opcode != 0 && *length <= left).map(|length| (opcode, length)))
+    // No record is numbered 0, and a hole in the file reads as one; nor beyond the last.
+    let is_one = (op::HEADER..=op::DATA_END).contains(&opcode);
+    Ok(length.filter(|length| is_one && *length <= left).map(|length| (opcode, length)))
 }
 
 /// What is in the chunk at `offset`; none if it is damaged.
@@ -215,5 +313,6 @@ fn look(file: &Bytes, offset: u64, length: u64, index: &mut Index) -> io::Result
         }
     }
     let topics = topics.iter().filter_map(|id| index.topics.get(id).copied()).collect();
-    Ok(Some(Place { offset, length, first: first.min(last), last, topics: Some(topics) }))
+    let (first, topics) = (first.min(last), Some(topics));
+    Ok(Some(Place { offset, length, first, last, topics, is_damaged: false }))
 }

@@ -16,11 +16,13 @@
 //! | header, profile `letoff` | says who wrote it |
 //! | metadata `letoff` | format version, run, and which file of the recording it is |
 //! | chunks | messages with their schemas; none is open for longer than a second |
+//! | metadata, catalogue and voices, said again | after the first chunk, every half minute and at the end: a damaged piece takes none of them away |
 //! | summary | where the chunks are; missing if the host died, and then found again by reading |
 //!
 //! A file that is not a recording's first begins with the last catalogue and the last voice of
-//! every key, so that it can be understood alone; they stand there under the time at which the
-//! file begins, with the time at which they were made as MCAP's publish time.
+//! every key, so that it can be understood alone. Whatever is said again stands under the time at
+//! which that is done, with the time at which it was made as MCAP's publish time; who reads a
+//! recording gets it only where what was said before is not there or cannot be read.
 
 mod blackbox;
 mod chunk;

@@ -14,6 +14,7 @@ use mcap::{McapError, WriteOptions, Writer};
 
 use super::error::{RecordError, cause};
 use super::format::{self, CHUNK, LIBRARY, Labels, PROFILE};
+use super::latest::Latest;
 use super::raw::Raw;
 use super::settings::Compression;
 use crate::{DESCRIPTORS, Topic};
@@ -24,6 +25,9 @@ const BESIDE_MESSAGE: u64 = 31 + 16;
 const BESIDE_TOPIC: u64 = 300;
 /// What a chunk takes in the summary, and each topic in it [B].
 const CHUNK_INDEX: (u64, u64) = (120, 10);
+
+/// What labels take in the summary [B].
+const METADATA_INDEX: u64 = 40;
 
 /// One file that is being written.
 ///
@@ -137,6 +141,37 @@ impl Part {
         }
         self.pending = 0;
         self.writer.flush().map_err(|error| failed(&self.path, &error))
+    }
+
+    /// Says once more what the file says of itself, behind what is given to the system.
+    fn label(&mut self, labels: &Labels) -> Result<(), RecordError> {
+        self.flush()?;
+        self.summary += METADATA_INDEX;
+        let written = self.writer.write_metadata(&labels.metadata());
+        written.map_err(|error| failed(&self.path, &error))
+    }
+
+    /// Says labels, catalogue and voices again at `at` [ns since 1970].
+    pub(super) fn say_again(
+        &mut self,
+        labels: &Labels,
+        latest: &Latest,
+        at: u64,
+    ) -> Result<(), RecordError> {
+        self.label(labels)?;
+        latest.again(at).try_for_each(|raw| self.add(&raw))
+    }
+
+    /// Says everything again that the file could not be understood without, at its end.
+    pub(super) fn close_up(
+        &mut self,
+        labels: &Labels,
+        latest: &Latest,
+        at: u64,
+    ) -> Result<(), RecordError> {
+        // Three labels and more, so that one that is damaged is found out.
+        self.say_again(labels, latest, at)?;
+        self.label(labels)
     }
 
     /// Completes the file and waits until it is on the disk; how large it is [B].

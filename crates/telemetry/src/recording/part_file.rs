@@ -11,12 +11,12 @@ use mcap::records::{MessageHeader, Record, op};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{MAGIC, McapResult};
 
-use super::chunk::Chunk;
+use super::chunk::{Chunk, Inside};
 use super::error::{OpenError, ReadError, cause};
 use super::format::{LARGEST_CHUNK, Labels, PROFILE};
-use super::index::{Index, Place};
+use super::index::{self, Index, Place};
 use super::raw::Raw;
-use crate::Topic;
+use crate::{Topic, Update};
 
 /// Header and metadata of ours lie in so much of a file's beginning [B].
 const HEAD: u64 = 4096;
@@ -52,6 +52,10 @@ pub(super) struct PartFile {
     pub(super) path: PathBuf,
     pub(super) labels: Labels,
     pub(super) index: Index,
+    /// Whether its beginning is damaged, and what it says of itself was found elsewhere.
+    pub(super) is_headless: bool,
+    /// When the recording begins that it is of [ns since 1970].
+    pub(super) began: u64,
     bytes: Bytes,
 }
 
@@ -59,13 +63,69 @@ impl PartFile {
     pub(super) fn open(path: &Path) -> Result<Self, OpenError> {
         let io = |cause| OpenError::Io { path: path.to_owned(), cause };
         let bytes = Bytes::open(path).map_err(io)?;
-        let head = bytes.read(0, bytes.size.min(HEAD)).map_err(io)?;
-        let (labels, length) = labels(path, &head)?;
-        if !labels.is_ours() {
-            return Err(OpenError::Version { path: path.to_owned(), found: labels.format });
+        let head = Head::of(&bytes.read(0, bytes.size.min(HEAD)).map_err(io)?);
+        let index = match (index::summary(&bytes).map_err(io)?, &head) {
+            (Some(index), _) => index,
+            (None, Head::NotMcap) => return Err(OpenError::NotMcap(path.to_owned())),
+            (None, Head::Ours(_, length)) => index::scan(&bytes, *length).map_err(io)?,
+            (None, Head::Cut | Head::Foreign) => {
+                index::scan(&bytes, MAGIC.len() as u64).map_err(io)?
+            }
+        };
+        let mut part = Self {
+            path: path.to_owned(),
+            labels: Labels::new("", part_number(path)),
+            is_headless: !matches!(head, Head::Ours(..)),
+            began: index.places.first().map_or(0, |place| place.first),
+            index,
+            bytes,
+        };
+        part.labels = part.labels(head)?;
+        if !part.labels.is_ours() {
+            let found = part.labels.format;
+            return Err(OpenError::Version { path: part.path, found });
         }
-        let index = Index::of(&bytes, length).map_err(io)?;
-        Ok(Self { path: path.to_owned(), labels, index, bytes })
+        Ok(part)
+    }
+
+    /// What the file says of itself: what most of its copies say.
+    fn labels(&self, head: Head) -> Result<Labels, OpenError> {
+        let (first, is_cut) = match head {
+            Head::Ours(labels, _) => (Some(labels), false),
+            Head::Cut => (None, true),
+            Head::Foreign | Head::NotMcap => (None, false),
+        };
+        // Without a profile that can be read, it is ours if its topics are.
+        if first.is_none() && !self.index.names_ours {
+            let is_empty = is_cut && self.bytes.size < HEAD;
+            let path = self.path.clone();
+            return Err(if is_empty { OpenError::Empty(path) } else { OpenError::NotOurs(path) });
+        }
+        let copies: Vec<&Labels> = first.iter().chain(&self.index.labels).collect();
+        let votes = |it: &Labels| copies.iter().filter(|copy| **copy == it).count();
+        // Of those with as many votes the first, and one that can be read before one that cannot.
+        let best = copies.iter().rev().max_by_key(|it| (votes(it), it.is_ours()));
+        Ok(best.map_or_else(|| self.labels_by_catalogue(), |it| (*it).clone()))
+    }
+
+    /// What is known of the file where nothing says it: the run by its catalogue.
+    fn labels_by_catalogue(&self) -> Labels {
+        let mut labels = self.labels.clone();
+        for place in self.index.places.iter().filter(|it| it.may_have(|it| it == Topic::Catalogue))
+        {
+            let Ok(mut chunk) = self.chunk(place) else { continue };
+            let is_it = |header: &MessageHeader| self.topic(header) == Some(Topic::Catalogue);
+            while let Some(Ok(inside)) = chunk.next(is_it) {
+                if let Inside::Message(_, bytes) = inside
+                    && let Ok(Update::Catalogue(catalogue)) =
+                        Update::decode(Topic::Catalogue, &bytes)
+                {
+                    labels.run = catalogue.run;
+                    return labels;
+                }
+            }
+        }
+        labels
     }
 
     /// How much of it was read so far [B].
@@ -79,19 +139,29 @@ impl PartFile {
 
     /// The chunk at `place`.
     pub(super) fn chunk(&self, place: &Place) -> Result<Chunk, ReadError> {
-        if place.length > LARGEST_CHUNK as u64 {
-            return Err(self.damaged(place, "a length that cannot be"));
+        if place.is_damaged || place.length > LARGEST_CHUNK as u64 {
+            return Err(self.damaged(place, "there is no whole chunk"));
         }
         let bytes = self.bytes.read(place.offset, place.length);
         let bytes = bytes.map_err(|cause| ReadError::Io { path: self.path.clone(), cause })?;
         if bytes.first() != Some(&op::CHUNK) {
-            return Err(self.damaged(place, "something else than a chunk"));
+            return Err(self.damaged(place, "there is something else than a chunk"));
         }
         Ok(Chunk::new(&bytes))
     }
 
     pub(super) fn damaged(&self, place: &Place, cause: &str) -> ReadError {
-        ReadError::Damaged { path: self.path.clone(), at: place.offset, cause: cause.to_owned() }
+        let seconds = |at: u64| at.saturating_sub(self.began) as f64 * 1e-9;
+        ReadError::Damaged {
+            path: self.path.clone(),
+            at: place.offset,
+            cause: cause.to_owned(),
+            from: seconds(place.first),
+            to: seconds(place.last),
+            is_said_again: place.topics.as_ref().is_some_and(|topics| {
+                topics.iter().all(|it| matches!(it, Topic::Catalogue | Topic::Voices))
+            }),
+        }
     }
 
     pub(super) fn is_damaged(&self, place: &Place, error: &mcap::McapError) -> ReadError {
@@ -115,30 +185,35 @@ impl fmt::Debug for PartFile {
     }
 }
 
-/// What a file says of itself at its beginning, and how long that is [B].
-fn labels(path: &Path, head: &[u8]) -> Result<(Labels, u64), OpenError> {
-    let Some(rest) = head.strip_prefix(MAGIC) else {
-        return Err(match MAGIC.strip_prefix(head) {
-            Some(_) if !head.is_empty() => OpenError::Empty(path.to_owned()),
-            Some(_) | None => OpenError::NotMcap(path.to_owned()),
-        });
-    };
-    let is_whole = (head.len() as u64) < HEAD;
-    match read_labels(rest) {
-        Ok(Head::Ours(labels, length)) => Ok((labels, MAGIC.len() as u64 + length)),
-        Ok(Head::Cut) if is_whole => Err(OpenError::Empty(path.to_owned())),
-        Ok(Head::Cut | Head::Foreign) | Err(_) => Err(OpenError::NotOurs(path.to_owned())),
+/// How a file begins.
+enum Head {
+    /// As a recording; up to where what it says of itself goes [B].
+    Ours(Labels, u64),
+    /// As an MCAP file that does not say it is a recording.
+    Foreign,
+    /// It is too short to say.
+    Cut,
+    NotMcap,
+}
+
+impl Head {
+    fn of(head: &[u8]) -> Self {
+        let Some(rest) = head.strip_prefix(MAGIC) else {
+            let is_cut = !head.is_empty() && MAGIC.starts_with(head);
+            return if is_cut { Self::Cut } else { Self::NotMcap };
+        };
+        read_head(rest).unwrap_or(Self::Foreign)
     }
 }
 
-/// How a file begins.
-enum Head {
-    Ours(Labels, u64),
-    Foreign,
-    Cut,
+/// The number of a file of this name among those of its recording, as far as the name says it.
+fn part_number(path: &Path) -> u32 {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let number = stem.rsplit_once('-').filter(|(_, number)| number.len() == 4);
+    number.and_then(|(_, number)| number.parse().ok()).map_or(1, |number: u32| number.max(1))
 }
 
-fn read_labels(head: &[u8]) -> McapResult<Head> {
+fn read_head(head: &[u8]) -> McapResult<Head> {
     let options = LinearReaderOptions::default()
         .with_skip_start_magic(true)
         .with_skip_end_magic(true)
@@ -147,7 +222,7 @@ fn read_labels(head: &[u8]) -> McapResult<Head> {
     let mut reader = LinearReader::new_with_options(options);
     reader.insert(head.len()).copy_from_slice(head);
     reader.notify_read(head.len());
-    let mut length = 0;
+    let mut length = MAGIC.len() as u64;
     while let Some(event) = reader.next_event() {
         let LinearReadEvent::Record { opcode, data } = event? else { return Ok(Head::Cut) };
         length += 9 + data.len() as u64;

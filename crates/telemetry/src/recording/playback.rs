@@ -28,7 +28,7 @@ pub type Clock = Box<dyn Fn() -> f64 + Send>;
 /// It gives what was recorded up to where it is, in the order in which it was recorded, and it
 /// goes on by the clock that it is given. The catalogue and the voices come whatever is followed,
 /// because nothing can be understood without them; a topic that is followed anew begins with its
-/// last seconds. What cannot be read is said in a [`Log`] at its place.
+/// last seconds, and a key's rows with the last ones before these. What cannot be read is said in a [`Log`] at its place.
 pub struct Playback {
     recording: Arc<Recording>,
     clock: Clock,
@@ -102,6 +102,14 @@ impl Playback {
         Ok(catalogue.into_iter().chain(voices).map(|(at, update)| arrival(at, update)).collect())
     }
 
+    /// How keys were before `from` [ns since 1970] whose rows are among `topics`: one that lies
+    /// still for long has none in the seconds before any place.
+    fn keys_before(&self, from: u64, topics: &BTreeSet<Topic>) -> Vec<Arrival> {
+        let blocks = topics.iter().filter(|topic| matches!(topic, Topic::Block(_)));
+        let last = blocks.filter_map(|topic| self.recording.last_before(*topic, from));
+        last.map(|raw| self.arrive(Ok(raw))).collect()
+    }
+
     /// What came next up to now.
     fn next_raw(&mut self) -> Option<Result<Raw, ReadError>> {
         let (now, parts) = (Timeline::at(self), self.recording.parts());
@@ -144,6 +152,8 @@ impl Source for Playback {
         }
         if !anew.is_empty() {
             let from = Timeline::at(self).saturating_sub(BEFORE);
+            let before = self.keys_before(from, &anew);
+            self.arrivals.extend(before);
             self.past.push_back(Stream::new(self.main.walk.past(from, anew)));
         }
     }
@@ -191,6 +201,8 @@ impl Timeline for Playback {
             Ok(stage) => self.arrivals.extend(stage),
             Err(error) => self.arrivals.push_back(log(self.at, Level::Error, error.to_string())),
         }
+        let before = self.keys_before(from, &self.followed);
+        self.arrivals.extend(before);
         self.main = Stream::new(Walk::new(from, u64::MAX, self.wanted()));
     }
 

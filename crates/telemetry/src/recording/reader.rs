@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::chunk::Inside;
 use super::error::{OpenError, ReadError};
 use super::format::{first_path, part_path};
-use super::index::{Place, Scan};
+use super::index::Place;
 use super::part_file::PartFile;
 use super::raw::Raw;
 use super::walk::Walk;
@@ -124,19 +124,24 @@ impl Recording {
     /// # Errors
     /// If it is damaged.
     pub fn catalogue(&self) -> Result<Option<Catalogue>, ReadError> {
-        let first = self.read(0, u64::MAX, &BTreeSet::from([Topic::Catalogue])).next();
-        match first.transpose()? {
-            Some((_, Update::Catalogue(catalogue))) => Ok(Some(catalogue)),
-            Some(_) | None => Ok(None),
+        let mut wrong = None;
+        for message in self.read(0, u64::MAX, &BTreeSet::from([Topic::Catalogue])) {
+            match message {
+                Ok((_, Update::Catalogue(catalogue))) => return Ok(Some(catalogue)),
+                Ok(_) => {}
+                // It is said again further on.
+                Err(error) => wrong = wrong.or(Some(error)),
+            }
         }
+        wrong.map_or(Ok(None), Err)
     }
 
     /// What each key was played by at `at` [ns since 1970], and since when, by keys.
     ///
     /// # Errors
-    /// If it is damaged.
+    /// If it is damaged, and nothing is known of any.
     pub fn voices_at(&self, at: u64) -> Result<Vec<(u64, Voice)>, ReadError> {
-        let mut voices = BTreeMap::new();
+        let (mut voices, mut wrong) = (BTreeMap::new(), None);
         let mut last_part = None;
         for (part, place) in self.places().rev() {
             // A file begins with the voices of all keys.
@@ -148,11 +153,44 @@ impl Recording {
             if at < place.first || !place.may_have(|topic| topic == Topic::Voices) {
                 continue;
             }
-            for (key, voice) in voices_in(part, place, at)? {
-                voices.entry(key).or_insert(voice);
+            match voices_in(part, place, at) {
+                Ok(found) => found.into_iter().for_each(|(key, voice)| {
+                    voices.entry(key).or_insert(voice);
+                }),
+                Err(error) => wrong = wrong.or(Some(error)),
             }
         }
-        Ok(voices.into_values().collect())
+        if voices.is_empty() && wrong.is_some() {
+            // They were said before, and lost, and are said again further on.
+            let later = self.places().filter(|(_, place)| at < place.last);
+            voices = later
+                .filter(|(_, place)| place.may_have(|topic| topic == Topic::Voices))
+                .filter_map(|(part, place)| voices_in(part, place, at).ok())
+                .find(|found| !found.is_empty())
+                .unwrap_or_default();
+        }
+        match wrong {
+            Some(error) if voices.is_empty() => Err(error),
+            Some(_) | None => Ok(voices.into_values().collect()),
+        }
+    }
+
+    /// The last message of `topic` before `at` [ns since 1970], however long before; what is
+    /// damaged is passed over.
+    pub(super) fn last_before(&self, topic: Topic, at: u64) -> Option<Raw> {
+        let places = self.places().rev().filter(|(_, place)| place.first < at);
+        let mut places = places.filter(|(_, place)| place.may_have(|it| it == topic));
+        places.find_map(|(part, place)| {
+            let (mut chunk, mut last) = (part.chunk(place).ok()?, None);
+            while let Some(Ok(inside)) =
+                chunk.next(|header| header.log_time < at && part.topic(header) == Some(topic))
+            {
+                if let Inside::Message(header, bytes) = inside {
+                    last = part.raw(&header, bytes);
+                }
+            }
+            last
+        })
     }
 
     pub(super) fn parts(&self) -> &[PartFile] {
@@ -167,12 +205,11 @@ impl Recording {
         self.parts.iter().flat_map(|part| part.index.places.iter().map(move |it| (part, it)))
     }
 
-    fn add(&mut self, part: PartFile) {
-        if let Some(scan) = part.index.without_summary
-            && self.tear.is_none()
-        {
-            self.tear = Some(tear(&part, scan));
+    fn add(&mut self, mut part: PartFile) {
+        if self.tear.is_none() {
+            self.tear = tear(&part);
         }
+        part.began = self.parts.first().map_or(part.began, |first| first.began);
         self.parts.push(part);
     }
 
@@ -240,7 +277,7 @@ fn voices_in(
     let mut voices = BTreeMap::new();
     let mut chunk = part.chunk(place)?;
     while let Some(inside) =
-        chunk.next(|header| header.log_time <= at && part.topic(header) == Some(Topic::Voices))
+        chunk.next(|header| header.publish_time <= at && part.topic(header) == Some(Topic::Voices))
     {
         let inside = inside.map_err(|error| part.is_damaged(place, &error))?;
         let Inside::Message(header, bytes) = inside else { continue };
@@ -253,26 +290,29 @@ fn voices_in(
     Ok(voices)
 }
 
-/// What is to be said of a file without a summary.
-fn tear(part: &PartFile, scan: Scan) -> Tear {
+/// What is to be said of a file that has no summary, or no beginning.
+fn tear(part: &PartFile) -> Option<Tear> {
     let path = part.path.display();
-    let damaged = match scan.damaged {
+    let damaged = match part.index.without_summary.map_or(0, |scan| scan.damaged) {
         0 => String::new(),
         1 => ", but for one damaged piece".to_owned(),
         several => format!(", but for {several} damaged pieces"),
     };
-    let what = if scan.has_end {
-        format!("{path} has a damaged index, and was read through without it")
-    } else {
-        format!(
-            "{path} breaks off at byte {} of {}, because its host died or the file was cut",
-            scan.up_to,
-            part.size()
-        )
+    let (what, at) = match part.index.without_summary {
+        Some(scan) if scan.has_end => {
+            (format!("{path} has a damaged index, and was read through without it"), scan.up_to)
+        }
+        Some(scan) => {
+            let (up_to, size) = (scan.up_to, part.size());
+            let why = "because its host died or the file was cut";
+            (format!("{path} breaks off at byte {up_to} of {size}, {why}"), up_to)
+        }
+        None if part.is_headless => (format!("{path} has a damaged beginning"), 0),
+        None => return None,
     };
+    let there = if at == 0 { "everything else" } else { "everything before" };
     let advice = format!(
-        ": everything before is there{damaged}, and `letoff recover {path}` makes a complete file \
-         of it"
+        ": {there} is there{damaged}, and `letoff recover {path}` makes a complete file of it"
     );
-    Tear { path: part.path.clone(), at: scan.up_to, what, advice }
+    Some(Tear { path: part.path.clone(), at, what, advice })
 }

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::error::{OpenError, ReadError, RecordError};
+use super::latest::Latest;
 use super::part::Part;
 use super::part_file::PartFile;
 use super::raw::Raw;
@@ -49,7 +50,7 @@ pub fn recover(path: &Path, to: &Path) -> Result<Recovered, RecoverError> {
     let old = Recording::open_file(path)?;
     let part = old.parts().first().ok_or_else(|| OpenError::Empty(path.to_owned()))?;
     let new = Part::create(to, &part.labels, Compression::default())?;
-    let saved = save(&old, new, stock(part)).map_err(RecoverError::from).and_then(|saved| {
+    let saved = save(&old, new, part).map_err(RecoverError::from).and_then(|saved| {
         if saved.span.is_some() { Ok(saved) } else { Err(RecoverError::Nothing(path.to_owned())) }
     });
     if saved.is_err() {
@@ -64,24 +65,27 @@ fn stock(part: &PartFile) -> Recovered {
     let Some(scan) = part.index.without_summary else { return Recovered::default() };
     // Behind the end of the data there was nothing but the index.
     let cut = if scan.has_end { 0 } else { part.size().saturating_sub(scan.up_to) };
-    Recovered { cut, damaged: scan.damaged.into(), ..Recovered::default() }
+    Recovered { cut, ..Recovered::default() }
 }
 
 /// Moves every message of `old` that can be read to `new`, and completes that.
-fn save(old: &Recording, mut new: Part, stock: Recovered) -> Result<Recovered, RecordError> {
-    let mut saved = stock;
+fn save(old: &Recording, mut new: Part, part: &PartFile) -> Result<Recovered, RecordError> {
+    let (mut saved, mut latest, mut last) = (stock(part), Latest::default(), 0);
     saved.wrong.extend(old.tear().map(|tear| tear.what.clone()));
     let mut messages = old.messages();
     while let Some(raw) = messages.next_raw() {
         match raw {
             Ok(raw) => {
                 add(&mut new, &raw)?;
+                latest.note(&raw);
+                last = raw.at;
                 saved.note(raw.at);
             }
             Err(error) => saved.lose(&error),
         }
     }
     saved.messages = new.messages();
+    new.close_up(&part.labels, &latest, last)?;
     new.finish()?;
     Ok(saved)
 }

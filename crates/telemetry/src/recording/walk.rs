@@ -24,11 +24,26 @@ pub(super) struct Walk {
     from: u64,
     /// … up to this one.
     last: u64,
+    /// Whether something could not be read since catalogue and voices were said last.
+    has_lost: bool,
+    /// When they were said again that make up for it [ns since 1970].
+    made_up: Option<u64>,
 }
 
 impl Walk {
     pub(super) const fn new(from: u64, last: u64, topics: BTreeSet<Topic>) -> Self {
-        Self { part: 0, place: 0, open: None, passed: 0, stop: None, topics, from, last }
+        Self {
+            part: 0,
+            place: 0,
+            open: None,
+            passed: 0,
+            stop: None,
+            topics,
+            from,
+            last,
+            has_lost: false,
+            made_up: None,
+        }
     }
 
     /// A walk over what this one has passed, from `from` on.
@@ -51,6 +66,7 @@ impl Walk {
             self.open = None;
             self.place += 1;
             if found.is_some() {
+                self.has_lost = true;
                 return found;
             }
         }
@@ -89,10 +105,16 @@ impl Walk {
         loop {
             let (topics, range) = (&self.topics, self.from..=self.last);
             let (passed, here, stop) = (&mut self.passed, (self.part, self.place), self.stop);
+            let (has_lost, made_up) = (&mut self.has_lost, &mut self.made_up);
             let inside = chunk.next(|header| {
                 *passed += 1;
-                // What a later file says again was in an earlier one.
-                let is_new = here.0 == 0 || header.publish_time == header.log_time;
+                // What is said again was said before, unless that is not there or was lost.
+                let is_again = header.publish_time != header.log_time;
+                let is_beginning = here == (0, 0) && *passed == 1;
+                if is_again && (is_beginning || std::mem::take(has_lost)) {
+                    *made_up = Some(header.log_time);
+                }
+                let is_new = !is_again || *made_up == Some(header.log_time);
                 is_new
                     && stop.is_none_or(|stop| (here.0, here.1, *passed) <= stop)
                     && range.contains(&header.log_time)

@@ -33,7 +33,18 @@ pub struct Recorder {
     /// When something was last given to the system: by messages' time and by the caller's [ns].
     flushed: Option<u64>,
     attended: Option<u64>,
+    /// When catalogue and voices are to be said again, and when the last message was made
+    /// [ns since 1970].
+    again: u64,
+    last: u64,
 }
+
+/// Time between two times that catalogue, voices and labels are said in a file [ns]: a damaged
+/// piece takes none of them away.
+const AGAIN: u64 = 30_000_000_000;
+
+/// They are said again where that takes at most so much of a file.
+const SHARE: u64 = 8;
 
 /// What has become of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -72,6 +83,8 @@ impl Recorder {
             removed: 0,
             flushed: None,
             attended: None,
+            again: 0,
+            last: 0,
         })
     }
 
@@ -82,12 +95,14 @@ impl Recorder {
     pub fn write(&mut self, at: u64, update: &Update) -> Result<(), RecordError> {
         let raw = Raw::of(at, update)?;
         let part = self.part.as_ref().ok_or(RecordError::Ended)?;
-        let is_full = part.size_with(&raw) > self.settings.file_limit();
+        let again = if self.says_again() { self.again_bytes() } else { 0 };
+        let is_full = part.size_with(&raw) + again > self.settings.file_limit();
         if is_full && part.messages() > self.repeated {
             self.rotate(at)?;
         }
         self.add(&raw)?;
         self.latest.note(&raw);
+        self.last = at;
         self.messages += 1;
         self.flush_by_message(at)
     }
@@ -133,7 +148,41 @@ impl Recorder {
             return Ok(());
         }
         self.flushed = Some(at);
-        self.flush()
+        self.flush()?;
+        if self.again <= at && self.says_again() {
+            self.again = at.saturating_add(AGAIN);
+            self.say_again(at)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the files are large enough for that.
+    fn says_again(&self) -> bool {
+        let bytes = self.again_bytes();
+        0 < self.latest.bytes() && bytes.saturating_mul(SHARE) <= self.settings.file_limit()
+    }
+
+    /// What it takes at most to say it again [B].
+    fn again_bytes(&self) -> u64 {
+        // Each message has its own head, and there are 88 voices; labels come twice.
+        self.latest.bytes() as u64 + 100 * 64 + 2 * 256
+    }
+
+    /// Says catalogue, voices and labels again.
+    fn say_again(&mut self, at: u64) -> Result<(), RecordError> {
+        let labels = Labels::new(&self.settings.run, self.number);
+        let part = self.part.as_mut().ok_or(RecordError::Ended)?;
+        let said = part.say_again(&labels, &self.latest, at);
+        self.or_end(said)
+    }
+
+    /// Says it once more at the end of the file that is being written.
+    fn close_up(&mut self) -> Result<(), RecordError> {
+        let says_again = self.says_again();
+        let Some(part) = self.part.as_mut().filter(|_| says_again) else { return Ok(()) };
+        let labels = Labels::new(&self.settings.run, self.number);
+        let said = part.close_up(&labels, &self.latest, self.last);
+        self.or_end(said)
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {
@@ -152,6 +201,8 @@ impl Recorder {
     ///
     /// It does not wait for the disk, or what is told meanwhile would find no room on its way here.
     fn rotate(&mut self, at: u64) -> Result<(), RecordError> {
+        self.close_up()?;
+        self.again = 0;
         let part = self.part.take().ok_or(RecordError::Ended)?;
         let path = part.path().to_owned();
         let (bytes, _) = part.close()?;
@@ -181,6 +232,7 @@ impl Recorder {
 
     /// Completes the file that is being written, if there is one.
     fn end(&mut self) -> Result<(), RecordError> {
+        self.close_up()?;
         let Some(part) = self.part.take() else { return Ok(()) };
         let path = part.path().to_owned();
         self.complete.push_back((path, part.finish()?));

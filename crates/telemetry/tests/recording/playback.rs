@@ -83,7 +83,8 @@ fn another_place_begins_with_the_seconds_before_it() {
         let come = come(&mut playback);
         assert_eq!((come[0], come[1]), (None, Some((at(0), Topic::Catalogue))));
         assert_eq!(ticks(&come, Topic::Voices), [0; 3]);
-        let expected: Vec<_> = (place - 5000..=place).step_by(20).collect();
+        // And the last rows before them: a key may have lain still since.
+        let expected: Vec<_> = (place - 5020..=place).step_by(20).collect();
         assert_eq!(ticks(&come, Topic::Block(39)), expected);
     }
     playback.seek(0);
@@ -106,7 +107,7 @@ fn a_topic_that_is_followed_anew_begins_with_its_last_seconds_and_misses_nothing
     let mut all = come(&mut playback);
     clock.store(12_000, Ordering::Relaxed);
     all.extend(come(&mut playback));
-    let expected: Vec<_> = (2020..=12_000).step_by(20).collect();
+    let expected: Vec<_> = (2000..=12_000).step_by(20).collect();
     assert_eq!(ticks(&all, Topic::Block(40)), expected);
     assert_eq!(ticks(&all, Topic::Block(39)), (7020..=12_000).step_by(20).collect::<Vec<_>>());
     // And no longer followed is no longer given.
@@ -114,6 +115,25 @@ fn a_topic_that_is_followed_anew_begins_with_its_last_seconds_and_misses_nothing
     playback.seek(at(6000));
     let rest = come(&mut playback);
     assert!(rest.iter().flatten().all(|(_, it)| matches!(it, Topic::Catalogue | Topic::Voices)));
+}
+
+#[test]
+fn a_key_that_lies_still_for_long_comes_with_its_last_rows() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let is_still = |it: &(u64, Update)| match &it.1 {
+        Update::Block(block) => block.key == 40 && 100 <= block.tick,
+        _other => false,
+    };
+    let told: Vec<_> = performance(12_000).into_iter().filter(|it| !is_still(it)).collect();
+    record(&path, &told);
+    let (mut playback, clock) = played(&path);
+    clock.store(11_000, Ordering::Relaxed);
+    come(&mut playback);
+    playback.follow(&BTreeSet::from([Topic::Block(40)]));
+    assert_eq!(ticks(&come(&mut playback), Topic::Block(40)), [100]);
+    playback.seek(at(10_000));
+    assert_eq!(ticks(&come(&mut playback), Topic::Block(40)), [100]);
 }
 
 #[test]

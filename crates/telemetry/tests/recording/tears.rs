@@ -37,13 +37,129 @@ fn whole_before(bytes: &[u8], at: usize) -> usize {
             let record = mcap::parse_record(head[0], body).expect("a chunk");
             let mcap::records::Record::Chunk { header, data } = record else { unreachable!() };
             let inside = mcap::read::ChunkReader::new(header, &data).expect("a chunk");
-            let is_message =
-                |it: &mcap::records::Record<'_>| it.opcode() == mcap::records::op::MESSAGE;
-            messages += inside.filter(|it| it.as_ref().is_ok_and(is_message)).count();
+            // What is said again does not count.
+            let is_told = |it: &mcap::records::Record<'_>| match it {
+                mcap::records::Record::Message { header, .. } => {
+                    header.log_time == header.publish_time
+                }
+                _other => false,
+            };
+            messages += inside.filter(|it| it.as_ref().is_ok_and(is_told)).count();
         }
         offset = end;
     }
     messages
+}
+
+/// How many messages of the first telling each chunk has; what is said again does not count.
+fn messages_of_chunks(bytes: &[u8]) -> Vec<usize> {
+    let summary = mcap::Summary::read(bytes).expect("a summary").expect("there is one");
+    let mut chunks = summary.chunk_indexes.clone();
+    chunks.sort_by_key(|chunk| chunk.chunk_start_offset);
+    let first_told = |chunk: &mcap::records::ChunkIndex| {
+        let messages = summary.stream_chunk(bytes, chunk).expect("a chunk");
+        messages.filter(|it| it.as_ref().is_ok_and(|it| it.log_time == it.publish_time)).count()
+    };
+    chunks.iter().map(first_told).collect()
+}
+
+/// What is neither the catalogue nor a voice: these are said again where they were lost.
+fn but_for_what_is_said_again(told: &[(u64, Update)]) -> Vec<&(u64, Update)> {
+    let is_said_again = |it: &Update| matches!(it, Update::Catalogue(_) | Update::Voice(_));
+    told.iter().filter(|(_, update)| !is_said_again(update)).collect()
+}
+
+#[test]
+fn one_damaged_byte_anywhere_loses_one_piece_at_most_and_neither_catalogue_nor_voices() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (told, whole) = &*RECORDED;
+    let chunks = messages_of_chunks(whole);
+    assert!(4 < chunks.len() && chunks.iter().sum::<usize>() == told.len(), "{chunks:?}");
+    let starts = chunks.iter().scan(0, |at, n| Some(std::mem::replace(at, *at + n)));
+    let expected: Vec<Vec<_>> = starts
+        .zip(&chunks)
+        .map(|(start, n)| [&told[..start], &told[start + n..]].concat())
+        .chain([told.clone()])
+        .collect();
+    let expected: Vec<_> = expected.iter().map(|it| but_for_what_is_said_again(it)).collect();
+    let path = folder.path().join("hit.mcap");
+    let begin = 0..600;
+    let rest = (600..whole.len()).step_by(whole.len() / 400);
+    let (mut lost, mut advised) = (0, 0);
+    for (n, hit) in begin.chain(rest).enumerate() {
+        let mut bytes = whole.clone();
+        bytes[hit] ^= 1 << (n % 8);
+        fs::write(&path, &bytes).expect("a file");
+        let recording = Recording::open(&path).unwrap_or_else(|error| panic!("{hit}: {error}"));
+        let (found, wrong) = read(&recording);
+        let found = but_for_what_is_said_again(&found);
+        let which = expected.iter().rposition(|it| *it == found);
+        let Some(which) = which else { panic!("{hit}: more than one piece is lost") };
+        assert!(which == chunks.len() || wrong.len() == 1, "{hit}: {wrong:?}");
+        assert!(wrong.iter().all(|it| it.contains("`letoff recover ")), "{wrong:?}");
+        assert_eq!(recording.run(), "the run", "{hit}");
+        let catalogue = recording.catalogue().unwrap_or_else(|error| panic!("{hit}: {error}"));
+        assert!(catalogue.is_some(), "{hit}");
+        let voices = recording.voices_at(u64::MAX).expect("voices");
+        assert_eq!(voices.len(), crate::common::KEYS.len(), "{hit}");
+        lost += usize::from(which < chunks.len());
+        advised += usize::from(recording.tear().is_some());
+    }
+    assert!(
+        50 < lost && 50 < advised,
+        "{lost} lost a piece, {advised} beginnings or ends were hit"
+    );
+}
+
+#[test]
+fn what_is_said_again_is_read_once_and_in_the_place_of_what_was_lost() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("hit.mcap");
+    let (told, whole) = &*RECORDED;
+    let summary = mcap::Summary::read(whole).expect("a summary").expect("there is one");
+    let first = summary.chunk_indexes.iter().min_by_key(|it| it.chunk_start_offset);
+    let first = first.expect("a chunk");
+    let mut bytes = whole.clone();
+    let middle = first.chunk_start_offset + first.chunk_length / 2;
+    bytes[usize::try_from(middle).expect("a small file")] ^= 1;
+    fs::write(&path, &bytes).expect("a file");
+    let recording = Recording::open(&path).expect("a recording");
+    let (found, wrong) = read(&recording);
+    // The catalogue and three voices, as they were told at the beginning.
+    assert_eq!((&found[..4], wrong.len()), (&told[..4], 1));
+    let said = |it: &Told| it.len() - but_for_what_is_said_again(it).len();
+    assert_eq!((said(&found), said(told)), (4, 4));
+    assert!(wrong[0].contains("what it had from 0.000 s to 0."), "{wrong:?}");
+    let new = folder.path().join("new.mcap");
+    let recovered = recover(&path, &new).expect("recovered");
+    assert_eq!((recovered.messages, recovered.damaged), (found.len() as u64, 1));
+    let recovered = Recording::open(&new).expect("a recording");
+    assert_eq!((read(&recovered), recovered.tear()), ((found, vec![]), None));
+}
+
+#[test]
+fn a_recording_that_breaks_off_and_is_damaged_is_read_behind_the_damage() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("hit.mcap");
+    let (told, whole) = &*RECORDED;
+    let summary = mcap::Summary::read(whole).expect("a summary").expect("there is one");
+    let mut chunks = summary.chunk_indexes.clone();
+    chunks.sort_by_key(|chunk| chunk.chunk_start_offset);
+    let byte = |at: u64| usize::try_from(at).expect("a small file");
+    let (third, last) = (byte(chunks[2].chunk_start_offset), &chunks[chunks.len() - 2]);
+    let cut = byte(last.chunk_start_offset + last.chunk_length);
+    let lost = messages_of_chunks(whole)[2];
+    // The kind of the record, its length, and what is in it.
+    for hit in [third, third + 1, third + 3, third + 8, third + 100] {
+        let mut bytes = whole[..cut].to_vec();
+        bytes[hit] ^= 0x10;
+        fs::write(&path, &bytes).expect("a file");
+        let recording = Recording::open(&path).expect("a recording");
+        let (found, wrong) = read(&recording);
+        assert_eq!((found.len() + lost, wrong.len()), (told.len(), 1), "{hit}: {wrong:?}");
+        let tear = recording.tear().expect("it breaks off").to_string();
+        assert!(tear.contains(", but for one damaged piece, and `letoff recover "), "{tear}");
+    }
 }
 
 /// A place in a file of so many bytes: anywhere, near its beginning or near its end.

@@ -1,38 +1,50 @@
 //! Who follows what, as the host asks before it computes anything.
 
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 use crate::stream::protocol::place;
 use crate::{KEYS, Topic};
 
 /// How many follow each topic.
 #[derive(Debug)]
-pub(super) struct Following([AtomicU32; Topic::COMMON.len() + 2 * KEYS]);
+pub(super) struct Following {
+    counts: [AtomicU32; Topic::COMMON.len() + 2 * KEYS],
+    /// How often somebody began to follow a topic.
+    begun: AtomicU64,
+}
 
 impl Default for Following {
     /// Nobody.
     fn default() -> Self {
-        Self([const { AtomicU32::new(0) }; Topic::COMMON.len() + 2 * KEYS])
+        let counts = [const { AtomicU32::new(0) }; Topic::COMMON.len() + 2 * KEYS];
+        Self { counts, begun: AtomicU64::new(0) }
     }
 }
 
-// Relaxed throughout: a message more or less at the moment when somebody comes is the same.
+// Counts are relaxed: a message more or less at the moment when somebody comes is the same.
 impl Following {
     /// Whether anybody follows `topic`.
     pub(super) fn has(&self, topic: Topic) -> bool {
-        self.0.get(place(topic)).is_some_and(|count| count.load(Ordering::Relaxed) > 0)
+        self.counts.get(place(topic)).is_some_and(|count| count.load(Ordering::Relaxed) > 0)
     }
 
     /// One more.
     pub(super) fn add(&self, topic: Topic) {
-        if let Some(count) = self.0.get(place(topic)) {
+        if let Some(count) = self.counts.get(place(topic)) {
             count.fetch_add(1, Ordering::Relaxed);
         }
+        // After the count: whoever sees this sees who follows.
+        self.begun.fetch_add(1, Ordering::Release);
+    }
+
+    /// How often somebody began to follow a topic.
+    pub(super) fn begun(&self) -> u64 {
+        self.begun.load(Ordering::Acquire)
     }
 
     /// One less.
     pub(super) fn remove(&self, topic: Topic) {
-        if let Some(count) = self.0.get(place(topic)) {
+        if let Some(count) = self.counts.get(place(topic)) {
             count.fetch_sub(1, Ordering::Relaxed);
         }
     }

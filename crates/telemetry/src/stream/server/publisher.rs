@@ -75,6 +75,12 @@ impl Publisher {
         self.0.following.has(topic)
     }
 
+    /// How often somebody began to follow a topic, since the start: when this changes, somebody is
+    /// there who does not know how the keys are that have not moved since.
+    pub fn followings(&self) -> u64 {
+        self.0.following.begun()
+    }
+
     /// Keys of which somebody follows blocks or states: bit n is key n.
     pub fn followed_blocks(&self) -> u128 {
         self.0.following.keys()

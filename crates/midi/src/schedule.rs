@@ -1,0 +1,116 @@
+//! Key events in order of time, until each one's time comes.
+
+use std::collections::VecDeque;
+
+use crate::player::{EventKind, KeyEvent};
+
+/// Key events that wait, the earliest first.
+///
+/// Events that happen at the same time go out as MIDI practice wants: note-offs (dampers that
+/// fall), dampers that lift, the pedal, then note-ons (strikes); keys in the order in which they
+/// were put in. What happens to one key at one time stays in its own order.
+#[derive(Clone, Debug, Default)]
+pub struct Schedule {
+    waiting: VecDeque<Entry>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    /// Place among events of the same time.
+    rank: u8,
+    event: KeyEvent,
+}
+
+impl Entry {
+    fn is_behind(&self, at: f64, rank: u8) -> bool {
+        self.event.at.total_cmp(&at).then(self.rank.cmp(&rank)).is_gt()
+    }
+
+    fn is_of(&self, event: &KeyEvent) -> bool {
+        let is_pedal = |event: &KeyEvent| matches!(event.kind, EventKind::Sustain(_));
+        self.event.at.total_cmp(&event.at).is_eq()
+            && self.event.key == event.key
+            && is_pedal(&self.event) == is_pedal(event)
+    }
+}
+
+impl Schedule {
+    /// Puts `event` behind all that happen before it.
+    pub fn insert(&mut self, event: KeyEvent) {
+        // A key's own events are never overtaken by a later one of the same time.
+        let own = self.waiting.iter().filter(|entry| entry.is_of(&event)).map(|entry| entry.rank);
+        let rank = own.fold(rank(event.kind), u8::max);
+        let place = self.waiting.partition_point(|entry| !entry.is_behind(event.at, rank));
+        self.waiting.insert(place, Entry { rank, event });
+    }
+
+    /// The earliest event.
+    pub fn first(&self) -> Option<&KeyEvent> {
+        self.waiting.front().map(|entry| &entry.event)
+    }
+
+    /// Takes the earliest event out.
+    pub fn pop(&mut self) -> Option<KeyEvent> {
+        self.waiting.pop_front().map(|entry| entry.event)
+    }
+}
+
+/// The smaller, the earlier among events of the same time.
+const fn rank(kind: EventKind) -> u8 {
+    match kind {
+        EventKind::DamperFall { .. } => 0,
+        EventKind::DamperLift => 1,
+        EventKind::Sustain(_) => 2,
+        EventKind::Strike { .. } => 3,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STRIKE: EventKind = EventKind::Strike { speed: 1.0 };
+    const FALL: EventKind = EventKind::DamperFall { speed: 0.1 };
+
+    fn order(events: &[(u8, f64, EventKind)]) -> Vec<(u8, EventKind)> {
+        let mut schedule = Schedule::default();
+        for (key, at, kind) in events.iter().copied() {
+            schedule.insert(KeyEvent { key, at, kind });
+        }
+        std::iter::from_fn(|| schedule.pop()).map(|event| (event.key, event.kind)).collect()
+    }
+
+    #[test]
+    fn a_chord_comes_in_order_of_time_whatever_its_keys() {
+        let chord = [(3, 0.9, STRIKE), (40, 0.1, STRIKE), (87, 0.5, FALL)];
+        assert_eq!(order(&chord), [(40, STRIKE), (87, FALL), (3, STRIKE)]);
+    }
+
+    #[test]
+    fn at_one_time_notes_end_before_others_begin_and_keys_keep_their_order() {
+        let pedal = EventKind::Sustain(1.0);
+        let at_once = [
+            (1, 0.5, STRIKE),
+            (0, 0.5, pedal),
+            (2, 0.5, STRIKE),
+            (5, 0.5, EventKind::DamperLift),
+            (4, 0.5, FALL),
+            (3, 0.5, FALL),
+        ];
+        let wanted = [
+            (4, FALL),
+            (3, FALL),
+            (5, EventKind::DamperLift),
+            (0, pedal),
+            (1, STRIKE),
+            (2, STRIKE),
+        ];
+        assert_eq!(order(&at_once), wanted);
+    }
+
+    #[test]
+    fn what_happens_to_one_key_at_one_time_stays_in_its_order() {
+        let touched = [(7, 0.5, STRIKE), (7, 0.5, FALL), (8, 0.5, FALL)];
+        assert_eq!(order(&touched), [(8, FALL), (7, STRIKE), (7, FALL)]);
+    }
+}
