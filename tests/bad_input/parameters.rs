@@ -95,6 +95,7 @@ fn a_model_that_diverges_is_counted_and_the_others_play_on() {
     assert_eq!(said.code, Some(1), "{said:?}");
     let report = said.report();
     assert!(report["faults"].as_u64() > Some(10), "{report}");
+    assert_eq!(report["muted"], serde_json::json!([]), "it never came back: {report}");
     let sentence = format!("letoff: voices failed in {} turns", report["faults"]);
     assert!(said.err.starts_with(&sentence) && said.err.lines().count() == 1, "{said:?}");
     // Every note is another key's; what the diverging one struck, nobody asked for.

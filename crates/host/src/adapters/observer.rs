@@ -7,7 +7,7 @@ use midi::{EventKind, KeyEvent as MidiEvent};
 use rtrb::Producer;
 use scheduler::motion::{KeyEvent, Moment};
 use scheduler::port::{Seen, TickObserver};
-use scheduler::voice::Turn;
+use scheduler::voice::{Turn, VoiceFault};
 
 use crate::bell::Bell;
 
@@ -22,8 +22,10 @@ pub struct LiveCounters {
     pub strikes: AtomicU64,
     /// Reset maps applied by all models.
     pub events: AtomicU64,
-    /// Turns that ended in a fault.
+    /// Turns that ended in a fault; those of a voice that is muted by then do not count.
     pub faults: AtomicU64,
+    /// A bit for each key whose voice was muted, the lowest first.
+    pub muted: [AtomicU64; 2],
     /// Key events that found no room in the ring or in their turn.
     pub dropped: AtomicU64,
     /// CPU time of the last ticks, smoothed [ns].
@@ -34,6 +36,15 @@ pub struct LiveCounters {
     pub derivatives: AtomicU64,
     /// Guards evaluated.
     pub guards: AtomicU64,
+}
+
+impl LiveCounters {
+    /// The keys whose voices were muted, in order.
+    pub fn muted_keys(&self) -> impl Iterator<Item = u8> {
+        let [low, high] = [0, 1].map(|word| u128::from(self.muted[word].load(Ordering::Relaxed)));
+        let bits = low | high << 64;
+        (0..128).filter(move |key| bits >> key & 1 == 1)
+    }
 }
 
 /// Publishes what happened in a tick; full is dropped and counted.
@@ -114,16 +125,22 @@ struct Sums {
     dropped: u64,
     strikes: u64,
     news: bool,
+    /// A bit for each key that is muted.
+    muted: [u64; 2],
 }
 
 impl Sums {
-    fn add(&mut self, turn: &Turn) {
+    fn add(&mut self, key: usize, turn: &Turn) {
         let events = turn.events.as_slice();
         let is_strike = |event: &&(Moment, KeyEvent)| matches!(event.1, KeyEvent::Strike { .. });
         self.heard += events.len();
         self.strikes += events.iter().filter(is_strike).count() as u64;
         self.active += u32::from(!turn.idle);
-        self.faults += u64::from(turn.fault.is_some());
+        match turn.fault {
+            Some(VoiceFault::Muted) => self.muted[key / 64] |= 1 << (key % 64),
+            Some(_) => self.faults += 1,
+            None => {}
+        }
         self.events += u64::from(turn.work.events);
         self.derivatives += u64::from(turn.work.derivatives);
         self.guards += u64::from(turn.work.guards);
@@ -135,8 +152,8 @@ impl TickObserver for Publisher {
     fn observe(&mut self, seen: &Seen<'_>) {
         let tick = seen.tick;
         let mut sums = Sums::default();
-        for turn in seen.turns {
-            sums.add(turn);
+        for (key, turn) in seen.turns.iter().enumerate() {
+            sums.add(key, turn);
         }
         self.publish(seen, &mut sums);
         let counters = &self.counters;
@@ -151,6 +168,11 @@ impl TickObserver for Publisher {
             (&counters.guards, sums.guards),
         ] {
             counter.fetch_add(sum, Ordering::Relaxed);
+        }
+        for (muted, bits) in counters.muted.iter().zip(sums.muted) {
+            if bits != 0 {
+                muted.fetch_or(bits, Ordering::Relaxed);
+            }
         }
         if sums.news {
             self.bell.ring();

@@ -489,7 +489,7 @@ mod tests {
         }
 
         fn has_newcomers(&mut self) -> bool {
-            let mut it = self.0.lock().expect("nobody panics with it");
+            let it = self.0.lock().expect("nobody panics with it");
             it.0 && it.1.is_empty()
         }
     }

@@ -47,6 +47,8 @@ pub struct Report {
     pub strikes: u64,
     /// Turns that ended in a fault.
     pub faults: u64,
+    /// Keys that were muted, because they made energy or failed again and again.
+    pub muted: Vec<String>,
     /// Key events for which a ring had no room.
     pub dropped: u64,
     /// Counted work of all voices.
@@ -235,6 +237,10 @@ impl fmt::Display for Report {
             self.work.derivatives as f64 / self.ticks.max(1) as f64,
             self.work.guards as f64 / self.ticks.max(1) as f64,
         )?;
+        if !self.muted.is_empty() {
+            let keys = self.muted.join(", ");
+            writeln!(f, "  muted       {keys}: they made energy, or failed again and again")?;
+        }
         let e = &self.energy_audit;
         writeln!(
             f,

@@ -16,6 +16,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use firmware_protocol::key::KeyIndex;
+use hardware::refusal::KeyName;
 use hardware::sim::keybed::SimulatedKeybed;
 use performance::{Performance, Struck, assess};
 use scheduler::time::{Nanos, Timetable};
@@ -326,6 +327,10 @@ impl Stage {
             events: load(&counters.events),
             strikes: load(&counters.strikes),
             faults: load(&counters.faults),
+            muted: counters
+                .muted_keys()
+                .filter_map(|key| Some(KeyName(KeyIndex::new(key)?).to_string()))
+                .collect(),
             dropped: load(&counters.dropped),
             work: Evaluations {
                 derivatives: load(&counters.derivatives),

@@ -200,7 +200,7 @@ fn capped_ticks_are_a_failure_that_says_what_to_do_and_leaves_its_files() {
     assert_eq!(json["outcome"], "capped: events 2");
     assert_eq!(json["capped_ticks"]["events"], 2);
     assert_eq!(json["final"]["t"], 100.0);
-    assert_eq!(std::fs::read_to_string(&out).expect("the table").lines().count(), 1 + 3);
+    assert_eq!(fs::read_to_string(&out).expect("the table").lines().count(), 1 + 3);
     let steps = ["--set", "k2=15e6", "--input", "s=0.099*exp(-((t-0.514)/0.079)^2)"];
     let steps = [&["key-hammer-springs"], &steps[..], &["--until", "1", "--step", "1e-2"]].concat();
     let tolerance = ["--method", "by-need", "--tolerance", "1e-12"];
