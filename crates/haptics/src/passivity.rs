@@ -35,7 +35,7 @@ impl EnergyBound {
 ///
 /// # References
 ///
-/// `[HR02]` eq. 5, for one port, without the controller.
+/// The observer of `[HR02]`, for one port, without the controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PassivityObserver {
     /// Energy that may be given back \[J\].
