@@ -220,6 +220,7 @@ mod tests {
     /// Ticks of 100 Hz, so that the MIDI thread has to wait for each event's own time.
     const PERIOD: f64 = 0.01;
 
+    #[expect(clippy::large_stack_arrays, reason = "all turns; a test has the stack")]
     fn publish(tick: u64, events: &[(usize, f64, VoiceEvent)], publisher: &mut Publisher) {
         let mut turns = [Turn::default(); KEYS];
         for &(key, theta, event) in events {

@@ -27,17 +27,20 @@ pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
                 freeze_ui(ui, &mut app.desk);
                 record_ui(ui, &mut app.desk);
                 figures_ui(ui, &app.desk);
-                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
-                    standing_ui(ui, &app.desk);
-                    run_ui(ui, &app.desk);
-                    answer_ui(ui, &mut app.desk);
-                });
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| news_ui(ui, app));
             });
         });
         messages_ui(ui, &mut app.desk);
     });
     stop_state_ui(ui, &mut app.desk);
+}
+
+/// What is connected, what runs, and the last answer.
+fn news_ui(ui: &mut Ui, app: &mut App) {
+    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
+    standing_ui(ui, &app.desk);
+    run_ui(ui, &app.desk);
+    answer_ui(ui, &mut app.desk);
 }
 
 /// A line of its own for what went wrong: why nothing comes, and what was refused.
@@ -86,17 +89,19 @@ fn stop_state_ui(ui: &mut Ui, desk: &mut Desk) {
     Panel::top("stop").frame(frame).show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                if ui.button("Dismiss").clicked() {
-                    desk.stop = None;
-                }
-                ui.with_layout(Layout::top_down(Align::Min), |ui| {
-                    let white = |text: RichText| text.color(Color32::WHITE);
-                    ui.label(white(RichText::new(title).size(30.0).strong()));
-                    ui.label(white(RichText::new(text).size(15.0)));
-                });
+                let is_dismissed = ui.button("Dismiss").clicked();
+                ui.with_layout(Layout::top_down(Align::Min), |ui| large_ui(ui, &title, &text));
+                desk.stop = desk.stop.take().filter(|_| !is_dismissed);
             });
         });
     });
+}
+
+/// A title in large white letters, with a sentence below.
+fn large_ui(ui: &mut Ui, title: &str, text: &str) {
+    let white = |text: RichText| text.color(Color32::WHITE);
+    ui.label(white(RichText::new(title).size(30.0).strong()));
+    ui.label(white(RichText::new(text).size(15.0)));
 }
 
 /// The colour of Stop, and of one that may not have done what it should.

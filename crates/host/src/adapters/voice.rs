@@ -171,8 +171,10 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             self.cell.publish(&self.audit);
             self.passivity.hold(tick, sample.position, turn.force);
         }
-        let moves = moves::<M>(&before, self.simulator.state(), self.h);
-        self.rest.observe(sample.position, turn.force, moves);
+        self.rest.observe(sample.position, turn.force);
+        if moves::<M>(&before, self.simulator.state(), self.h) {
+            self.rest.still = 0;
+        }
     }
 }
 
@@ -252,9 +254,9 @@ impl Rest {
         Self { position: 0.0, force: 0.0, still: 0, patience }
     }
 
-    fn observe(&mut self, position: f64, force: f64, moves: bool) {
+    fn observe(&mut self, position: f64, force: f64) {
         // Bits, not a tolerance: the encoder says whether the key has moved.
-        let same = self.position.to_bits() == position.to_bits() && !moves;
+        let same = self.position.to_bits() == position.to_bits();
         self.still = if same { self.still.saturating_add(1) } else { 0 };
         (self.position, self.force) = (position, force);
     }

@@ -494,6 +494,7 @@ mod tests {
         }
     }
 
+    #[expect(clippy::large_stack_arrays, reason = "all turns; a test has the stack")]
     #[test]
     fn whoever_comes_late_is_told_how_a_key_is_that_lies_still() {
         let (mut tap, tapped) = Tap::new();

@@ -220,11 +220,7 @@ pub(super) fn scan(file: &Bytes, start: u64) -> io::Result<Index> {
         if opcode == op::CHUNK {
             let place = look(file, scan.up_to, length, &mut index)?;
             if place.is_none() {
-                // Perhaps it is the length that is wrong.
-                if record_at(file, scan.up_to + length)?.is_none() {
-                    let next = next_chunk(file, scan.up_to + 1)?;
-                    length = next.map_or(length, |next| next - scan.up_to);
-                }
+                length = length_of_damaged(file, scan.up_to, length)?;
                 scan.damaged += 1;
             }
             index.places.push(place.unwrap_or_else(|| damaged(scan.up_to, length)));
@@ -234,6 +230,15 @@ pub(super) fn scan(file: &Bytes, start: u64) -> io::Result<Index> {
     date_damaged(&mut index.places);
     index.without_summary = Some(scan);
     Ok(index)
+}
+
+/// How long the chunk at `offset` is that says it has `length`, and may be wrong in that, too.
+fn length_of_damaged(file: &Bytes, offset: u64, length: u64) -> io::Result<u64> {
+    if record_at(file, offset + length)?.is_some() {
+        return Ok(length);
+    }
+    let next = next_chunk(file, offset + 1)?;
+    Ok(next.map_or(length, |next| next - offset))
 }
 
 /// A piece of a file that cannot be read.

@@ -111,21 +111,25 @@ impl PartFile {
     /// What is known of the file where nothing says it: the run by its catalogue.
     fn labels_by_catalogue(&self) -> Labels {
         let mut labels = self.labels.clone();
-        for place in self.index.places.iter().filter(|it| it.may_have(|it| it == Topic::Catalogue))
-        {
-            let Ok(mut chunk) = self.chunk(place) else { continue };
-            let is_it = |header: &MessageHeader| self.topic(header) == Some(Topic::Catalogue);
-            while let Some(Ok(inside)) = chunk.next(is_it) {
-                if let Inside::Message(_, bytes) = inside
-                    && let Ok(Update::Catalogue(catalogue)) =
-                        Update::decode(Topic::Catalogue, &bytes)
-                {
-                    labels.run = catalogue.run;
-                    return labels;
-                }
-            }
+        let has_catalogue = |it: &&Place| it.may_have(|it| it == Topic::Catalogue);
+        let mut places = self.index.places.iter().filter(has_catalogue);
+        if let Some(run) = places.find_map(|place| self.run_in(place)) {
+            labels.run = run;
         }
         labels
+    }
+
+    /// The run that a catalogue in the chunk at `place` names, if one can be read.
+    fn run_in(&self, place: &Place) -> Option<String> {
+        let mut chunk = self.chunk(place).ok()?;
+        let is_it = |header: &MessageHeader| self.topic(header) == Some(Topic::Catalogue);
+        // Bounded by the chunk.
+        loop {
+            let Inside::Message(_, bytes) = chunk.next(is_it)?.ok()? else { continue };
+            if let Ok(Update::Catalogue(found)) = Update::decode(Topic::Catalogue, &bytes) {
+                return Some(found.run);
+            }
+        }
     }
 
     /// How much of it was read so far [B].

@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use mcap::records::MessageHeader;
+
 use super::chunk::Inside;
 use super::error::{OpenError, ReadError};
 use super::format::{first_path, part_path};
@@ -182,12 +184,13 @@ impl Recording {
         let mut places = places.filter(|(_, place)| place.may_have(|it| it == topic));
         places.find_map(|(part, place)| {
             let (mut chunk, mut last) = (part.chunk(place).ok()?, None);
-            while let Some(Ok(inside)) =
-                chunk.next(|header| header.log_time < at && part.topic(header) == Some(topic))
-            {
-                if let Inside::Message(header, bytes) = inside {
-                    last = part.raw(&header, bytes);
-                }
+            let is_it =
+                |header: &MessageHeader| header.log_time < at && part.topic(header) == Some(topic);
+            while let Some(Ok(inside)) = chunk.next(is_it) {
+                last = match inside {
+                    Inside::Message(header, bytes) => part.raw(&header, bytes),
+                    Inside::Channel(..) => last,
+                };
             }
             last
         })

@@ -111,9 +111,8 @@ impl Walk {
                 // What is said again was said before, unless that is not there or was lost.
                 let is_again = header.publish_time != header.log_time;
                 let is_beginning = here == (0, 0) && *passed == 1;
-                if is_again && (is_beginning || std::mem::take(has_lost)) {
-                    *made_up = Some(header.log_time);
-                }
+                let begins = is_again && (is_beginning || std::mem::take(has_lost));
+                *made_up = begins.then_some(header.log_time).or(*made_up);
                 let is_new = !is_again || *made_up == Some(header.log_time);
                 is_new
                     && stop.is_none_or(|stop| (here.0, here.1, *passed) <= stop)

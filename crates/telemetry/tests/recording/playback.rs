@@ -121,10 +121,7 @@ fn a_topic_that_is_followed_anew_begins_with_its_last_seconds_and_misses_nothing
 fn a_key_that_lies_still_for_long_comes_with_its_last_rows() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
-    let is_still = |it: &(u64, Update)| match &it.1 {
-        Update::Block(block) => block.key == 40 && 100 <= block.tick,
-        _other => false,
-    };
+    let is_still = |it: &(u64, Update)| matches!(&it.1, Update::Block(block) if block.key == 40 && 100 <= block.tick);
     let told: Vec<_> = performance(12_000).into_iter().filter(|it| !is_still(it)).collect();
     record(&path, &told);
     let (mut playback, clock) = played(&path);

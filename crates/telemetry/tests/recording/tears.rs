@@ -38,11 +38,9 @@ fn whole_before(bytes: &[u8], at: usize) -> usize {
             let mcap::records::Record::Chunk { header, data } = record else { unreachable!() };
             let inside = mcap::read::ChunkReader::new(header, &data).expect("a chunk");
             // What is said again does not count.
-            let is_told = |it: &mcap::records::Record<'_>| match it {
-                mcap::records::Record::Message { header, .. } => {
-                    header.log_time == header.publish_time
-                }
-                _other => false,
+            let is_told = |it: &mcap::records::Record<'_>| {
+                matches!(it, mcap::records::Record::Message { header, .. }
+                    if header.log_time == header.publish_time)
             };
             messages += inside.filter(|it| it.as_ref().is_ok_and(is_told)).count();
         }
