@@ -46,10 +46,21 @@ fn every_embedded_scene_runs_without_a_fault() {
 
 #[test]
 fn every_instrument_runs_on_all_keys_without_a_fault() {
+    let stable = [("tick_hz", "4000"), ("render.jerk_density", "10")];
+    let mut refused = Vec::new();
     for instrument in config::instruments() {
-        let scene = scene("default", &[("keys.instrument", &instrument.name)]);
-        check_healthy(&run(&scene, 3.0));
+        let chosen = [("keys.instrument", instrument.name.as_str())];
+        let load = |more: &[(&str, &str)]| {
+            let all = chosen.iter().chain(more);
+            let all: Vec<_> = all.map(|(a, b)| (String::from(*a), String::from(*b))).collect();
+            Scene::load("default", &all)
+        };
+        match load(&[]).or_else(|_unstable| load(&stable)) {
+            Ok(scene) => check_healthy(&run(&scene, 3.0)),
+            Err(_offline) => refused.push(instrument.name),
+        }
     }
+    assert_eq!(refused, ["paper-rigid"]);
 }
 
 /// Asserts what is promised of 30 s of scene `name`, with `least` notes, and that it is the
