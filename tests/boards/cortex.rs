@@ -95,6 +95,7 @@ fn drive(
 fn check(what: &str, report: &Value, valid_ms: f64) {
     print_figures(what, report);
     assert_eq!(count(report, "/links/gaps"), 0, "{report}");
+    assert_eq!(count(report, "/faults"), 0, "{report}");
     for board in report["boards"].as_array().expect("boards") {
         assert!(number(board, "/counted/oldest_ms") <= valid_ms, "{board}");
         assert_eq!(count(board, "/counted/corrupt"), 0, "{board}");
