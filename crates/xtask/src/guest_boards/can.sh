@@ -31,7 +31,7 @@ disturbed() {
 	boards "$it" $few
 	play "$it" --link can:vcan0 --duration 6
 	tc qdisc del dev vcan0 root
-	[ $code = 0 ] && holds "$it" "$condition" && bear "$it" "$fresh"
+	fair "$it" && holds "$it" "$condition" && bear "$it" "$fresh"
 	verdict "$it" "$sentence" $? \
 		"exit $code; $(notes "$it"); $(links "$it"); $(graves "$it")"
 }
@@ -65,7 +65,7 @@ midway() {
 	tc qdisc add dev vcan0 root "$@"
 	ended
 	tc qdisc del dev vcan0 root
-	[ $code = 0 ] && holds "$it" "$condition" && bear "$it" "$fresh"
+	fair "$it" && holds "$it" "$condition" && bear "$it" "$fresh"
 	verdict "$it" "$sentence" $? "exit $code; $(links "$it"); $(graves "$it")"
 }
 
@@ -111,7 +111,7 @@ outage() {
 	sleep 1
 	eval "$4"
 	ended
-	[ $code = 0 ] && holds "$1" '.notes.struck * 3 > .notes.played' && bear "$1" "$fresh" &&
+	fair "$1" && holds "$1" '.notes.struck * 3 > .notes.played' && bear "$1" "$fresh" &&
 		holds "$1" 'all(.boards[]; .state == "armed" and .rearmed == 1 and .counted.trips == 1)'
 	verdict "$1" "$2" $? "exit $code; $(notes "$1"); $(links "$1"); $(graves "$1")"
 }
@@ -142,7 +142,7 @@ babble() {
 	play "$1" --link can:vcan0 --duration 6
 	kill $strangers
 	wait $strangers 2>/dev/null
-	[ $code = 0 ] && holds "$1" "$3" && bear "$1" "$fresh"
+	fair "$1" && holds "$1" "$3" && bear "$1" "$fresh"
 	verdict "$1" "$2" $? "exit $code; $(notes "$1"); $(links "$1"); $(graves "$1")"
 }
 

@@ -38,7 +38,7 @@ fate() {
 	others="$1.others"
 	jq '.boards |= map(select(.number != 1))' "$1.json" >"$others.json" 2>/dev/null
 	one='.boards[] | select(.number == 1) | '
-	[ $code = 0 ] && holds "$others" "$complete" && holds "$others" "$healthy" &&
+	fair "$1" && holds "$others" "$complete" && holds "$others" "$healthy" &&
 		holds "$others" '([.boards[] | .counted.trips] | add) == 0' &&
 		holds "$1" "$one $4" && bear "$1" "$fresh"
 	verdict "$1" "$2" $? "exit $code; $(notes "$1"); the others: $(links "$others"); the one: $(

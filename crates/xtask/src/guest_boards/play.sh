@@ -63,6 +63,9 @@ of() { jq -r "$2" "$1.json" 2>/dev/null; }
 # holds NAME CONDITION: whether it holds of the host's report.
 holds() { jq -e "$2" "$1.json" >/dev/null 2>&1; }
 
+# fair NAME: whether NAME ended well, or said that voices failed for what befell its boards.
+fair() { [ $code = 0 ] || { [ $code = 1 ] && holds "$1" '.faults > 0'; }; }
+
 # bear NAME CONDITION: whether it holds of what became of every board of NAME.
 bear() { jq -es "last | all(.[]; $2)" "$1.boards" >/dev/null 2>&1; }
 
