@@ -31,7 +31,7 @@ host() {
 	name=$1
 	shift
 	# One emulated processor has none to spare for telemetry.
-	letoff run /scene.toml --json --black-box none --listen none "$@" >"$name.json" 2>"$name.err" &
+	letoff run /scene.toml --json --quiet --black-box none --listen none "$@" >"$name.json" 2>"$name.err" &
 	host=$!
 }
 
