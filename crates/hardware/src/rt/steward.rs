@@ -37,6 +37,11 @@ use crate::topology::BoardPlace;
 
 /// Round trips at the start, to learn a board's clock from.
 const QUICK_PINGS: u32 = 8;
+/// Round trips after which they are no quicker for a clock that is not known yet: on a machine
+/// that is slow because it is busy, more of them would keep it so, and those that are farther
+/// apart tell a rate better.
+const MOST_QUICK_PINGS: u32 = 32;
+
 /// Time between two of them, and between more until the clock's rate is known [us].
 const QUICK_PING_US: u64 = 10_000;
 /// Time between two round trips afterwards [us].
@@ -510,7 +515,8 @@ impl Charge {
     /// What an armed board is asked beside.
     fn run_errands(&mut self, now: u64, origin: Option<u64>) {
         if self.next_ping <= now {
-            let quick = self.n_pings < QUICK_PINGS || !self.clock.is_known();
+            let quick = self.n_pings < QUICK_PINGS
+                || (self.n_pings < MOST_QUICK_PINGS && !self.clock.is_known());
             self.next_ping = now + if quick { QUICK_PING_US } else { PING_US };
             self.courier.ask(Operation::Ping, &Nothing);
         } else if let Some(finger) = self.next_finger(now, origin) {
