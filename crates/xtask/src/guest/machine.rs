@@ -16,7 +16,7 @@ const SILENCE_LIMIT: Duration = Duration::from_mins(3);
 
 /// Emulated throughout, as build servers have no virtualisation.
 ///
-/// Time in the guest is what its processor has executed, 2 ns an instruction, or has waited for:
+/// Time in the guest is what its processor has executed, 1 ns an instruction, or has waited for:
 /// a busy machine makes the guest slow and not late, and nothing really waits. A q35 and not the
 /// quicker microvm: that has timers of 4 ms only, and a tick needs better ones.
 const QEMU: &str = "-accel tcg -icount shift=0,sleep=off -machine q35 -smp 1 -m 1024 \
