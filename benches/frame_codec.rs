@@ -15,7 +15,7 @@ use firmware_protocol::frame::key_forces::{self, ForceLayout, ForcePacking, KeyF
 use firmware_protocol::frame::key_samples::{self, KeySamples, SampleLayout, SamplePacking};
 use firmware_protocol::key::{BOARDS, BoardId, PerKey};
 use firmware_protocol::quantity::{Counts, Millinewtons};
-use firmware_protocol::sequence::Sequence;
+use firmware_protocol::sequence::SequenceNumber;
 use firmware_protocol::serial::{self, Deframer, MAX_WIRE};
 
 /// How samples are packed unless a scene says otherwise.
@@ -58,7 +58,7 @@ fn all<T>(frame: impl Fn(BoardId) -> T) -> [T; BOARDS] {
 }
 
 fn header(board: BoardId) -> Header {
-    Header { board, sequence: Sequence(9), stamp_us: 12_345, flag: false }
+    Header { board, sequence: SequenceNumber(9), stamp_us: 12_345, flag: false }
 }
 
 fn samples(board: BoardId) -> KeySamples {

@@ -19,7 +19,7 @@ use pode::stepper::{
 use pode::{Bracket, Event, Limits, Model, Motion, Simulator, Stepper, Watch, locate};
 use setting::TICKS;
 
-/// Tick [s].
+/// Tick (s).
 const H: f64 = 1e-3;
 
 /// 2⁻²⁰ of a tick: events are located to 1 ns.
@@ -124,7 +124,7 @@ fn just_before(guard: &str) -> (Simulator<KeyHammerSprings, Rk4>, Cubic) {
     unreachable!("no tick of a stroke has `{guard}` for its only event")
 }
 
-/// The key from its rest to its bottom in 40 ms, over the tick that begins at `t` [s].
+/// The key from its rest to its bottom in 40 ms, over the tick that begins at `t` (s).
 fn pressed(t: f64) -> Cubic {
     const DIP: f64 = 10e-3;
     let w = 0.5 * TAU / 40e-3;

@@ -19,23 +19,23 @@ use std::sync::Arc;
 use criterion::{BatchSize, Criterion};
 use haptics::RigParameters;
 use hardware::sim::key::SimulatedKey;
-use host::adapters::observer::{LiveCounters, Publisher};
-use host::adapters::tap::{Tap, Tapped};
+use host::adapters::observer::{LiveCounters, TickPublisher};
+use host::adapters::tap::{TickRecorder, TickRecorderRings};
 use host::adapters::voice::RehearsableVoice;
-use host::assemble::Assembler;
-use host::bell::Bell;
+use host::assemble::VoiceBuilder;
+use host::bell::WakeFd;
 use scheduler::motion::{KEYS, KeyEvent, KeySample};
-use scheduler::port::{KeyBus, Lanes, Seen, TickObserver};
+use scheduler::port::{FinishedTick, KeyBus, Lanes, TickObserver};
 use scheduler::slot::Slot;
 use scheduler::tick::Scheduler;
 use scheduler::time::{Nanos, Period, Timetable};
-use scheduler::voice::{Turn, Voice};
+use scheduler::voice::{Voice, VoiceOutput};
 use setting::{TICKS, swing};
 use stage::{Stage, scene, stroke};
 
 const HZ: u32 = 1000;
 
-/// Slew limit of a scene that says nothing else [N/s].
+/// Slew limit of a scene that says nothing else (N/s).
 const SLEW: f64 = 20e3;
 
 fn main() {
@@ -65,7 +65,7 @@ impl KeyBus for Tables {
     }
 }
 
-/// Keys that are all held at one position [m].
+/// Keys that are all held at one position (m).
 struct Held(f64);
 
 impl KeyBus for Held {
@@ -80,18 +80,18 @@ impl KeyBus for Held {
 
 /// What a host publishes to, and the other end of its ring.
 struct Published {
-    publisher: Publisher,
-    ring: rtrb::Consumer<midi::KeyEvent>,
-    tap: Option<(Tap, Tapped)>,
+    publisher: TickPublisher,
+    ring: rtrb::Consumer<midi::NoteEvent>,
+    tap: Option<(TickRecorder, TickRecorderRings)>,
 }
 
 impl Published {
     fn new() -> Self {
         let (producer, ring) = rtrb::RingBuffer::new(4096);
-        let bell = Arc::new(Bell::new().expect("a descriptor"));
+        let bell = Arc::new(WakeFd::new().expect("a descriptor"));
         let counters = Arc::new(LiveCounters::default());
-        let publisher = Publisher::new(producer, bell, counters, Box::default(), 1e-3);
-        Self { publisher, ring, tap: Some(Tap::new()) }
+        let publisher = TickPublisher::new(producer, bell, counters, Box::default(), 1e-3);
+        Self { publisher, ring, tap: Some(TickRecorder::new()) }
     }
 
     /// Without telemetry, to see what that costs.
@@ -101,7 +101,7 @@ impl Published {
 }
 
 impl TickObserver for Published {
-    fn observe(&mut self, seen: &Seen<'_>) {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
         self.publisher.observe(seen);
         let Some((tap, tapped)) = &mut self.tap else { return };
         tap.observe(seen);
@@ -157,11 +157,11 @@ impl Clone for Copied {
 }
 
 impl Voice for Copied {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
         self.0.tick(tick, sample)
     }
 
-    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.0.tick_into(tick, sample, turn);
     }
 
@@ -194,7 +194,7 @@ fn event(criterion: &mut Criterion) {
 struct Copies(Vec<Slot<Copied>>);
 
 impl Lanes for Copies {
-    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
+    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
         for ((slot, sample), turn) in self.0.iter_mut().zip(samples).zip(turns) {
             slot.tick(tick, sample, turn);
         }
@@ -210,16 +210,16 @@ fn scheduler_at(tick: u64) -> Box<Scheduler> {
     scheduler
 }
 
-/// The middle key, the tick in which its hammer's flight ends, and where the key is then [m].
+/// The middle key, the tick in which its hammer's flight ends, and where the key is then (m).
 fn just_before_a_strike() -> (Slot<Copied>, u64, f64) {
     let scene = scene("default", &[]);
-    let assembler = Assembler::new(&scene).expect("a scene of ours");
+    let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");
     let described = scene.keys[39].as_ref().expect("a voice");
     let voice = assembler.voice(described, Arc::default()).expect("a model of ours");
     let mut slot = Slot::new(39, Copied(voice));
     let mut key = SimulatedKey::new(1e-3, RigParameters::default()).expect("a period");
     key.play(vec![stroke(0.1, 0.3, haptics::Touch::Pressed, 0.5)]);
-    let mut turn = Turn::default();
+    let mut turn = VoiceOutput::default();
     for tick in 0..1000 {
         let (sample, before) = (key.receive(tick), slot.clone());
         slot.tick(tick, &sample, &mut turn);

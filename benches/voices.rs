@@ -10,10 +10,10 @@ use std::sync::Arc;
 
 use criterion::Criterion;
 use haptics::RigParameters;
-use host::assemble::{AnyVoice, Assembler};
+use host::assemble::{AnyVoice, VoiceBuilder};
 use host::config::{self, Scene};
 use scheduler::motion::KeySample;
-use scheduler::voice::Turn;
+use scheduler::voice::VoiceOutput;
 use setting::{TICKS, swing};
 
 /// C4, the key that stands for the others.
@@ -34,7 +34,7 @@ fn voice(instrument: &str) -> AnyVoice {
     // As a recording, which is not asked whether its loop is stable: the time is the question.
     let text = format!("[[keys]]\nrange = \"A0..C8\"\ninstrument = \"{instrument}\"\n");
     let scene = Scene::from_text(instrument, text).expect("a good scene");
-    let assembler = Assembler::new(&scene).expect("a scene of ours");
+    let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");
     let described = scene.keys[MIDDLE].as_ref().expect("a voice");
     assembler.voice(described, Arc::default()).expect("a model of ours")
 }
@@ -42,7 +42,7 @@ fn voice(instrument: &str) -> AnyVoice {
 fn ticks(criterion: &mut Criterion, name: &str, mut voice: AnyVoice, positions: &[f64; TICKS]) {
     let mut samples = positions.iter().map(|position| KeySample::fresh(*position)).cycle();
     voice.reset(&KeySample::fresh(positions[0]));
-    let mut turn = Turn::default();
+    let mut turn = VoiceOutput::default();
     let mut tick = 0;
     let mut next = || {
         let sample = samples.next().unwrap_or_default();

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use host::config::{Scene, check_file};
-use host::session::{Options, Session};
+use host::session::{RunOptions, RunSession};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -42,8 +42,8 @@ fn with_file<T>(name: &str, bytes: &[u8], work: impl FnOnce(&str) -> T) -> T {
 
 /// A little of the scene, in virtual time.
 fn play(scene: &Scene) {
-    let options = Options { duration: Some(2.0), virtual_time: true };
-    if let Ok(session) = Session::prepare(scene, options, &|_| {}) {
+    let options = RunOptions { duration: Some(2.0), virtual_time: true };
+    if let Ok(session) = RunSession::prepare(scene, options, &|_| {}) {
         let report = session.run(&AtomicBool::new(false)).expect("a run that was prepared");
         assert_eq!(report.voices, scene.keys.iter().flatten().count());
     }

@@ -7,46 +7,46 @@ mod stage;
 use std::cell::Cell;
 
 use firmware_protocol::acyclic::Operation;
-use firmware_protocol::frame::Kind;
+use firmware_protocol::frame::FrameKind;
 use firmware_protocol::frame::hello::safe_reason;
 use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
 use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
 use firmware_protocol::quantity::Counts;
 use haptics::{RigParameters, Touch};
-use hardware::keybed::{Armed, Keybed, Line, Offline, Terms, Wanted};
+use hardware::keybed::{Armed, Keybed, NamedLink, Offline, Terms, WantedBoards};
 use hardware::link::loopback::Loopback;
 use hardware::link::{Link, RecvError, SendError};
 use hardware::refusal::Refusals;
 use hardware::rt::plausible::Implausible;
-use hardware::rt::steward::{Bar, Stage as BoardStage};
+use hardware::rt::steward::{ArmLockout, ArmState as BoardStage};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
 use scheduler::motion::KeyEvent;
-use scheduler::port::{Seen, TickObserver};
+use scheduler::port::{FinishedTick, TickObserver};
 use stage::{Stage, scene, stroke};
 
-/// A tick [us].
+/// A tick (us).
 const TICK_US: u64 = 1_000;
-/// How often a board looks after its link [us], as `letoff board` does.
+/// How often a board looks after its link (us), as `letoff board` does.
 const LOOK_US: u64 = 500;
-/// How much later it is whenever somebody asks for the time while boards are brought up [us].
+/// How much later it is whenever somebody asks for the time while boards are brought up (us).
 const ASKED_US: u64 = 250;
 /// Ticks of a run.
 const TICKS: u64 = 3_000;
-/// Largest force on a key that nobody touches [N].
+/// Largest force on a key that nobody touches (N).
 const NONE: f64 = 0.5;
 /// The key of board 3 that is played: C4, and its place on the board.
 const PLAYED: (usize, usize) = (39, 6);
 
 thread_local! {
-    /// What time it is on this thread [us], and how much later it is whenever it is asked for.
+    /// What time it is on this thread (us), and how much later it is whenever it is asked for.
     static NOW: Cell<u64> = const { Cell::new(1_000_000) };
     static LATER: Cell<u64> = const { Cell::new(ASKED_US) };
     /// How much too fast the boards of this thread live.
     static DRIFT: Cell<f64> = const { Cell::new(0.0) };
     /// What is wrong with them.
     static WRONG: Cell<Wrong> = const { Cell::new(Wrong::Nothing) };
-    /// Largest force of each key that they were sent last [mN], and how often they were told to
+    /// Largest force of each key that they were sent last (mN), and how often they were told to
     /// render forces.
     static SENT: Cell<[u16; KEYS_PER_BOARD]> = const { Cell::new([0; KEYS_PER_BOARD]) };
     static ARMINGS: Cell<u32> = const { Cell::new(0) };
@@ -62,9 +62,9 @@ enum Wrong {
     KeyLess,
     /// A key has failed, as its hello says.
     KeyFault,
-    /// The key that is played reads so much more [um].
+    /// The key that is played reads so much more (um).
     Elsewhere(i32),
-    /// The key that is played reads up to so much more or less, by chance [um].
+    /// The key that is played reads up to so much more or less, by chance (um).
     Noise(i32),
 }
 
@@ -77,7 +77,7 @@ fn now_us() -> u64 {
 struct Wire {
     board: SimulatedBoard,
     loopback: Loopback,
-    /// The host's time until which the board has lived, and its own [us].
+    /// The host's time until which the board has lived, and its own (us).
     looked: u64,
     lived: f64,
     /// A number of chance.
@@ -145,14 +145,14 @@ impl Wire {
 impl Link for Wire {
     fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
         let layout = ForceLayout { packing: ForcePacking::Force16, n_keys: KEYS_PER_BOARD };
-        match Kind::of(frame) {
-            Some(Kind::KeyForces) => {
+        match FrameKind::of(frame) {
+            Some(FrameKind::KeyForces) => {
                 let sent = KeyForces::decode(frame, layout).expect("forces");
                 let forces: Vec<_> =
                     sent.forces.as_slice().iter().map(|it| it.get().unsigned_abs()).collect();
                 SENT.set(forces.try_into().expect("all keys"));
             }
-            Some(Kind::Request) if frame.get(2) == Some(&(Operation::Arm as u8)) => {
+            Some(FrameKind::Request) if frame.get(2) == Some(&(Operation::Arm as u8)) => {
                 ARMINGS.set(ARMINGS.get() + 1);
             }
             _ => {}
@@ -163,7 +163,8 @@ impl Link for Wire {
     fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
         self.live();
         let len = self.loopback.host_end().try_recv(buffer)?;
-        let Some(len) = len.filter(|len| Kind::of(&buffer[..*len]) == Some(Kind::KeySamples))
+        let Some(len) =
+            len.filter(|len| FrameKind::of(&buffer[..*len]) == Some(FrameKind::KeySamples))
         else {
             return Ok(len);
         };
@@ -182,9 +183,9 @@ fn armed(drift: f64, n_strokes: u32) -> Result<Keybed<Armed>, Refusals> {
     const PATIENCE: u64 = 4_000_000;
     DRIFT.set(drift);
     LATER.set(ASKED_US);
-    let line = Line::new("wire", Box::new(Wire::new(n_strokes)));
+    let line = NamedLink::new("wire", Box::new(Wire::new(n_strokes)));
     let keybed = Keybed::<Offline>::new(vec![line], now_us).identify(PATIENCE)?;
-    let wanted = Wanted { hz: 1_000, ..Wanted::default() };
+    let wanted = WantedBoards { hz: 1_000, ..WantedBoards::default() };
     let keybed = keybed.calibrate(&wanted, |found, _name| {
         Ok(PerKey::collect(std::iter::repeat_n(found.nominal(), found.hello.n_keys.into())))
     })?;
@@ -202,12 +203,12 @@ fn armed(drift: f64, n_strokes: u32) -> Result<Keybed<Armed>, Refusals> {
 struct Heard {
     strikes: u32,
     faults: u32,
-    /// Largest force that was sent [N].
+    /// Largest force that was sent (N).
     force: f64,
 }
 
 impl TickObserver for Heard {
-    fn observe(&mut self, seen: &Seen<'_>) {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
         for turn in seen.turns {
             self.faults += u32::from(turn.fault.is_some());
             let events = turn.events.as_slice().iter();
@@ -296,7 +297,7 @@ fn a_board_whose_clock_leaves_the_tolerance_in_a_run_is_disarmed_and_renders_not
     DRIFT.set(0.045);
     run(&mut stage, 2 * TICKS);
     let report = stage.bus.board_reports().remove(0);
-    let BoardStage::Barred(Bar::Clock(ppm)) = report.condition.stage else {
+    let BoardStage::Barred(ArmLockout::Clock(ppm)) = report.condition.stage else {
         panic!("it is used as if nothing was: {report:?}");
     };
     // As soon as that is sure, and before it is known exactly.
@@ -305,7 +306,7 @@ fn a_board_whose_clock_leaves_the_tolerance_in_a_run_is_disarmed_and_renders_not
 }
 
 /// Brings up board 3 with which something is wrong, and returns why it is refused, and after how
-/// long [s].
+/// long (s).
 fn refused(wrong: Wrong) -> (String, f64) {
     WRONG.set(wrong);
     let start = NOW.get();
@@ -340,9 +341,9 @@ fn gone_wrong(wrong: Wrong) -> Stage<Keybed<Armed>, Heard> {
 #[test]
 fn a_board_that_renders_no_force_in_a_run_is_sent_none_and_armed_a_few_times_only() {
     for (wrong, bar) in [
-        (Wrong::Flag, Bar::StaysSafe),
-        (Wrong::KeyLess, Bar::Unreadable),
-        (Wrong::KeyFault, Bar::Latched(safe_reason::KEY_FAULT)),
+        (Wrong::Flag, ArmLockout::StaysSafe),
+        (Wrong::KeyLess, ArmLockout::Unreadable),
+        (Wrong::KeyFault, ArmLockout::Latched(safe_reason::KEY_FAULT)),
     ] {
         WRONG.set(Wrong::Nothing);
         let mut stage = gone_wrong(wrong);
@@ -366,7 +367,7 @@ fn a_board_that_is_well_again_is_armed_after_a_while() {
 }
 
 /// Asserts that a key which reads nonsense is sent nothing after some `ticks`, and never more than
-/// `most` [N]; and that its neighbours go on.
+/// `most` (N); and that its neighbours go on.
 #[track_caller]
 fn check_muted(wrong: Wrong, reason: Implausible, ticks: u64, most: f64) {
     WRONG.set(Wrong::Nothing);

@@ -5,17 +5,17 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use host::config::{self, Kind, check_file};
+use host::config::{self, FileKind, check_file};
 
 #[test]
 fn every_scene_loads_and_is_embedded() {
-    check_shelf("scenes", Kind::Scene, &config::scenes().map(String::from).collect());
+    check_shelf("scenes", FileKind::Scene, &config::scenes().map(String::from).collect());
 }
 
 #[test]
 fn every_instrument_loads_and_is_embedded() {
     let names = config::instruments().into_iter().map(|instrument| instrument.name);
-    check_shelf("instruments", Kind::Instrument, &names.collect());
+    check_shelf("instruments", FileKind::Instrument, &names.collect());
 }
 
 #[test]
@@ -45,7 +45,7 @@ fn no_file_in_configs_is_of_an_unknown_kind() {
 
 /// Asserts that every file in `folder` is a good `kind`, and that `embedded` are all of them.
 #[track_caller]
-fn check_shelf(folder: &str, kind: Kind, embedded: &BTreeSet<String>) {
+fn check_shelf(folder: &str, kind: FileKind, embedded: &BTreeSet<String>) {
     let paths = files(folder, "toml");
     for path in &paths {
         assert_eq!(check_file(path), Ok(kind), "{}", path.display());

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use firmware_protocol::key::BoardId;
 use haptics::Touch;
-use hardware::link::faulty::{Chance, Direction, Fault, FaultPlan, Scripted};
+use hardware::link::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use hardware::sim::keybed::SimulatedKeybed;
 use host::config::Scene;
 use scheduler::motion::KEYS;
@@ -31,7 +31,7 @@ fn hands(scene: &Scene) -> SimulatedKeybed {
     keybed
 }
 
-/// What every key was sent in every tick [N], and how many voices faulted in it.
+/// What every key was sent in every tick (N), and how many voices faulted in it.
 struct Felt {
     forces: Vec<[f64; KEYS]>,
     faults: Vec<u32>,
@@ -132,7 +132,7 @@ fn board() -> BoardId {
     key(FAILING).board()
 }
 
-fn scripted(exchanges: Range<u64>, fault: Fault) -> FaultPlan {
+fn scripted(exchanges: Range<u64>, fault: LinkFault) -> FaultPlan {
     let script = vec![Scripted { exchanges, direction: Direction::Receive, fault }];
     FaultPlan { script, ..FaultPlan::default() }
 }
@@ -140,7 +140,7 @@ fn scripted(exchanges: Range<u64>, fault: Fault) -> FaultPlan {
 #[test]
 fn one_lost_sample_is_bridged() {
     let healthy = healthy();
-    let (felt, stage) = disturbed(scripted(4000..4001, Fault::Drop));
+    let (felt, stage) = disturbed(scripted(4000..4001, LinkFault::Drop));
     check_neighbours(&healthy, &felt, &board().keys());
     assert_eq!(stage.bus.statistics(board()).samples.gaps, 1);
     let (expected, force) = (healthy.forces[4000][FAILING], felt.forces[4000][FAILING]);
@@ -151,7 +151,7 @@ fn one_lost_sample_is_bridged() {
 fn lost_samples_are_bridged_held_and_faded_and_the_board_alone_notices() {
     // Shorter than the board's own patience, 20 ms, after which it would have to be armed.
     let lost = 4000..4018;
-    let (felt, stage) = disturbed(scripted(lost.clone(), Fault::Drop));
+    let (felt, stage) = disturbed(scripted(lost.clone(), LinkFault::Drop));
     check_neighbours(&healthy(), &felt, &board().keys());
     let statistics = stage.bus.statistics(board());
     assert_eq!((statistics.samples.gaps, statistics.samples.missing), (1, 18));
@@ -170,7 +170,7 @@ fn lost_samples_are_bridged_held_and_faded_and_the_board_alone_notices() {
 fn a_board_that_was_silent_fades_and_comes_back_when_it_is_armed() {
     let scene = scene("default", &[]);
     let mut bus = hands(&scene);
-    bus.disturb(board(), scripted(WRONG, Fault::Down));
+    bus.disturb(board(), scripted(WRONG, LinkFault::Down));
     let mut stage = Stage::new(&scene, bus);
     let mut felt = Felt { forces: Vec::new(), faults: Vec::new() };
     for tick in 0..TICKS {
@@ -191,7 +191,7 @@ fn a_board_that_was_silent_fades_and_comes_back_when_it_is_armed() {
 #[test]
 fn corrupt_frames_are_counted_and_never_acted_on() {
     let healthy = healthy();
-    let chances = vec![Chance { probability: 0.05, fault: Fault::FlipBit }];
+    let chances = vec![Chance { probability: 0.05, fault: LinkFault::FlipBit }];
     let (felt, stage) = disturbed(FaultPlan { seed: 7, chances, script: Vec::new() });
     check_neighbours(&healthy, &felt, &board().keys());
     let flipped = stage.bus.fault_counts(board()).flipped;

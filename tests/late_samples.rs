@@ -6,37 +6,37 @@ use std::sync::Arc;
 
 use firmware_protocol::key::BoardId;
 use haptics::Touch;
-use hardware::link::faulty::{Chance, Fault, FaultPlan};
+use hardware::link::faulty::{Chance, FaultPlan, LinkFault};
 use hardware::sim::keybed::SimulatedKeybed;
 use host::adapters::audit::AuditCell;
 use host::config::Scene;
 use scheduler::motion::{KEYS, KeyEvent};
-use scheduler::port::{Seen, TickObserver};
+use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;
 use stage::{Stage, audited, key, keybed, scene, stroke};
 
 /// Strokes on each key.
 const STROKES: u32 = 8;
-/// Until they are over [s].
+/// Until they are over (s).
 const END: f64 = 4.5;
-/// What a voice may leave unexplained in a tick: 25 N over 20 mm [J].
+/// What a voice may leave unexplained in a tick: 25 N over 20 mm (J).
 const MOST_UNEXPLAINED: f64 = 0.5;
 
 /// What all voices did.
 #[derive(Default)]
 struct Heard {
     strikes: u32,
-    /// Speed of the fastest of them [m/s].
+    /// Speed of the fastest of them (m/s).
     fastest: f64,
     /// Ticks in which a voice's energy was not explained, by key.
     diverged: Vec<u32>,
     other_faults: u32,
-    /// What each voice has left unexplained [J].
+    /// What each voice has left unexplained (J).
     unexplained: Vec<f64>,
 }
 
 impl TickObserver for Heard {
-    fn observe(&mut self, seen: &Seen<'_>) {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
         let turns = seen.turns;
         for (turn, diverged) in turns.iter().zip(&mut self.diverged) {
             let is_diverged =
@@ -75,7 +75,7 @@ fn heard(hz: u32, probability: f64) -> Heard {
     scene.tick_hz = hz;
     let mut bus = hands(&scene);
     for board in BoardId::all() {
-        let chances = [1, 2].map(|ticks| Chance { probability, fault: Fault::Delay(ticks) });
+        let chances = [1, 2].map(|ticks| Chance { probability, fault: LinkFault::Delay(ticks) });
         bus.disturb(board, FaultPlan { seed: 3, chances: chances.into(), script: Vec::new() });
     }
     let audits: [Arc<AuditCell>; KEYS] = std::array::from_fn(|_key| Arc::default());

@@ -8,11 +8,11 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use host::config::{self, Scene};
-use host::report::Report;
-use host::session::{Options, Session};
+use host::report::RunReport;
+use host::session::{RunOptions, RunSession};
 use stage::scene;
 
-/// Promised of 99 % of the notes: how far from their time [ms], and from their velocity.
+/// Promised of 99 % of the notes: how far from their time (ms), and from their velocity.
 const ONSET_MS: f64 = 1.0;
 const VELOCITY: f64 = 2.0;
 
@@ -78,7 +78,7 @@ fn check_played(name: &str, least: usize) {
 }
 
 #[track_caller]
-fn check(report: &Report, least: usize) {
+fn check(report: &RunReport, least: usize) {
     check_healthy(report);
     let notes = report.notes.expect("a pianist");
     assert!(least <= notes.played, "{notes:?}");
@@ -91,7 +91,7 @@ fn check(report: &Report, least: usize) {
 }
 
 #[track_caller]
-fn check_healthy(report: &Report) {
+fn check_healthy(report: &RunReport) {
     let name = &report.scene;
     assert_eq!((report.faults, report.dropped, report.skipped), (0, 0, 0), "{name}");
     assert_eq!((report.links.gaps, report.links.refused), (0, 0), "{name}");
@@ -100,7 +100,7 @@ fn check_healthy(report: &Report) {
 }
 
 /// 30 s of scene `name` on `n_lanes`, and the bytes of the MIDI file that was written.
-fn recorded(name: &str, n_lanes: &str) -> (Report, Vec<u8>) {
+fn recorded(name: &str, n_lanes: &str) -> (RunReport, Vec<u8>) {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
     let path = folder.join(format!("{name}-{}.mid", std::process::id()));
     let output = path.to_str().expect("a path that is text");
@@ -110,14 +110,14 @@ fn recorded(name: &str, n_lanes: &str) -> (Report, Vec<u8>) {
     (report, bytes)
 }
 
-fn run(scene: &Scene, seconds: f64) -> Report {
-    let options = Options { duration: Some(seconds), virtual_time: true };
-    let session = Session::prepare(scene, options, &|_| {}).expect("a session");
+fn run(scene: &Scene, seconds: f64) -> RunReport {
+    let options = RunOptions { duration: Some(seconds), virtual_time: true };
+    let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
     session.run(&AtomicBool::new(false)).expect("a run")
 }
 
 /// A report without what may differ: how many lanes there were, and what the file is called.
-fn comparable(report: &Report) -> serde_json::Value {
+fn comparable(report: &RunReport) -> serde_json::Value {
     let mut report = serde_json::to_value(report).expect("a report as JSON");
     report["lanes"].take();
     report["midi"]["output"].take();

@@ -9,7 +9,7 @@ use host::adapters::audit::AuditCell;
 use host::config::{Scene, instruments};
 use host::realtime::pool::BoxedVoice;
 use scheduler::motion::{KEYS, KeyEvent};
-use scheduler::port::{Seen, TickObserver};
+use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;
 use stage::{Stage, keybed, play_all, scene};
 
@@ -38,7 +38,7 @@ impl Listener {
 }
 
 impl TickObserver for Listener {
-    fn observe(&mut self, seen: &Seen<'_>) {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
         for (key, turn) in seen.turns.iter().enumerate() {
             if turn.fault == Some(VoiceFault::MakesEnergy) {
                 self.muted.push(key);

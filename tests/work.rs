@@ -5,13 +5,13 @@ mod stage;
 use std::sync::atomic::AtomicBool;
 
 use haptics::Touch;
-use host::session::{Options, Session};
+use host::session::{RunOptions, RunSession};
 use pode::Limits;
 use scheduler::motion::KEYS;
-use scheduler::voice::Work;
+use scheduler::voice::VoiceWork;
 use stage::{Stage, key, keybed, play_all, scene, stroke};
 
-/// Time in which a keyboard that nobody plays must have fallen asleep [ms].
+/// Time in which a keyboard that nobody plays must have fallen asleep (ms).
 ///
 /// At power-up the force comes in over 20 ms and sets the hammers swinging, as a stroke does;
 /// the motion of a playable key falls below what a voice calls still within 6 s.
@@ -28,7 +28,7 @@ fn a_keyboard_that_nobody_plays_falls_asleep_and_computes_nothing() {
             let voices = stage.tick().voices;
             if asleep <= tick {
                 assert_eq!(voices.idle as usize, KEYS, "{name}, tick {tick}");
-                assert_eq!(voices.work, Work::default(), "{name}, tick {tick}");
+                assert_eq!(voices.work, VoiceWork::default(), "{name}, tick {tick}");
             }
         }
     }
@@ -60,7 +60,7 @@ fn no_tick_of_one_key_exceeds_what_its_limits_declare() {
     /// Evaluations of the derivative in a step of the costliest method.
     const PER_PIECE: u32 = 4;
     let limits = Limits::default();
-    let allowed = Work {
+    let allowed = VoiceWork {
         derivatives: limits.pieces * PER_PIECE,
         guards: limits.guards,
         events: limits.events,
@@ -73,13 +73,17 @@ fn no_tick_of_one_key_exceeds_what_its_limits_declare() {
 
 #[test]
 fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
-    check_most("grand-springs", Work { derivatives: 20, guards: 55, events: 3 });
+    check_most("grand-springs", VoiceWork { derivatives: 20, guards: 55, events: 3 });
     let stable = [("tick_hz", "4000"), ("render.jerk_density", "10")];
-    check_most_with("grand-rigid", &stable, Work { derivatives: 28, guards: 53, events: 11 });
-    check_most("grand-reduced", Work { derivatives: 104, guards: 65, events: 2 });
-    check_most_with("bouncing-ball", &stable, Work { derivatives: 24, guards: 157, events: 7 });
-    check_most("cart-pendulum", Work { derivatives: 28, guards: 215, events: 7 });
-    check_most("spring-wall", Work { derivatives: 8, guards: 7, events: 1 });
+    check_most_with("grand-rigid", &stable, VoiceWork { derivatives: 28, guards: 53, events: 11 });
+    check_most("grand-reduced", VoiceWork { derivatives: 104, guards: 65, events: 2 });
+    check_most_with(
+        "bouncing-ball",
+        &stable,
+        VoiceWork { derivatives: 24, guards: 157, events: 7 },
+    );
+    check_most("cart-pendulum", VoiceWork { derivatives: 28, guards: 215, events: 7 });
+    check_most("spring-wall", VoiceWork { derivatives: 8, guards: 7, events: 1 });
 }
 
 /// The default scene's first 5 s: (derivatives, guards, events).
@@ -92,8 +96,8 @@ const GOLDEN: (u64, u64, u64) = (833_404, 418_344, 150);
 
 #[test]
 fn the_default_scenes_first_seconds_take_the_committed_work() {
-    let options = Options { duration: Some(5.0), virtual_time: true };
-    let session = Session::prepare(&scene("default", &[]), options, &|_| {}).expect("a session");
+    let options = RunOptions { duration: Some(5.0), virtual_time: true };
+    let session = RunSession::prepare(&scene("default", &[]), options, &|_| {}).expect("a session");
     let report = session.run(&AtomicBool::new(false)).expect("a run");
     assert_eq!((report.work.derivatives, report.work.guards, report.events), GOLDEN);
 }
@@ -102,23 +106,23 @@ fn the_default_scenes_first_seconds_take_the_committed_work() {
 ///
 /// To update: as for [`GOLDEN`].
 #[track_caller]
-fn check_most(instrument: &str, expected: Work) {
+fn check_most(instrument: &str, expected: VoiceWork) {
     check_most_with(instrument, &[], expected);
 }
 
 /// The same with what the instrument needs.
 #[track_caller]
-fn check_most_with(instrument: &str, needs: &[(&str, &str)], expected: Work) {
+fn check_most_with(instrument: &str, needs: &[(&str, &str)], expected: VoiceWork) {
     let overrides = [&[("keys.instrument", instrument)], needs].concat();
     assert_eq!(most_of_a_key("default", &overrides), expected, "{instrument}");
 }
 
 /// The most that one key takes in one tick in 2 s of playing, each count by itself.
-fn most_of_a_key(name: &str, overrides: &[(&str, &str)]) -> Work {
+fn most_of_a_key(name: &str, overrides: &[(&str, &str)]) -> VoiceWork {
     let scene = scene(name, overrides);
     let mut bus = keybed(&scene);
     play_all(&mut bus, 2.0);
     let mut stage = Stage::new(&scene, bus);
     let ticks = 2 * scene.tick_hz;
-    (0..ticks).fold(Work::default(), |most, _| most.largest(stage.tick().voices.most))
+    (0..ticks).fold(VoiceWork::default(), |most, _| most.largest(stage.tick().voices.most))
 }

@@ -36,8 +36,8 @@ fn machine() -> String {
 /// Ticks of a motion, after which it repeats.
 pub const TICKS: usize = 512;
 
-/// Key positions [m] of one slow swing between 1 and 4 mm, `phase` of it ahead, in steps of
-/// `quantum` [m].
+/// Key positions (m) of one slow swing between 1 and 4 mm, `phase` of it ahead, in steps of
+/// `quantum` (m).
 ///
 /// So slow that a hammer stays on its key: nothing happens but equations.
 pub fn swing(phase: f64, quantum: f64) -> [f64; TICKS] {

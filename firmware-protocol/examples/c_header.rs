@@ -25,11 +25,11 @@ use firmware_protocol::can::{self, Class, pieces};
 use firmware_protocol::frame::hello::{self, Hello, feature, safe_reason};
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
-use firmware_protocol::frame::{self, Kind, broadcast, multicast_forces};
+use firmware_protocol::frame::{self, FrameKind, broadcast, multicast_forces};
 use firmware_protocol::key::{BoardId, KEYS, MOST_KEYS};
-use firmware_protocol::quantity::{Counts, Slope, Speed};
+use firmware_protocol::quantity::{Counts, SlopeCode, SpeedCode};
 use firmware_protocol::version::PROTOCOL_VERSION;
-use firmware_protocol::{Field, MAX_FRAME, Record, schema, serial};
+use firmware_protocol::{MAX_FRAME, Record, RecordField, schema, serial};
 
 const TOP: &str = "\
 /* The numbers and records of the Letoff protocol, for C99.
@@ -117,7 +117,7 @@ fn limits() -> String {
 
 fn frames() -> String {
     let mut text = title("frames");
-    numbers(&mut text, "KIND", Kind::ALL.map(|kind| (kind, kind as u8)));
+    numbers(&mut text, "KIND", FrameKind::ALL.map(|kind| (kind, kind as u8)));
     numbers(&mut text, "CLASS", Class::ALL.map(|class| (class, class as u8)));
     define(&mut text, "CAN_CLASS_SHIFT", can::NODE_BITS);
     define(&mut text, "ALL_BOARDS", frame::ALL_BOARDS);
@@ -140,10 +140,10 @@ fn frames() -> String {
     let units = [
         ("MAX_COUNTS", Counts::MAX.get()),
         ("MIN_COUNTS", Counts::MIN.get()),
-        ("SPEED_UNIT_UM_S", Speed::MICROMETRES_PER_SECOND),
-        ("STIFFNESS_UNIT_MN_M", Slope::STIFFNESS_UNIT),
-        ("DAMPING_UNIT_MN_S_M", Slope::DAMPING_UNIT),
-        ("MAX_SLOPE", Slope::MAX),
+        ("SPEED_UNIT_UM_S", SpeedCode::MICROMETRES_PER_SECOND),
+        ("STIFFNESS_UNIT_MN_M", SlopeCode::STIFFNESS_UNIT),
+        ("DAMPING_UNIT_MN_S_M", SlopeCode::DAMPING_UNIT),
+        ("MAX_SLOPE", SlopeCode::MAX),
     ];
     for (name, number) in units {
         signed(&mut text, name, number);
@@ -273,22 +273,22 @@ static inline bool letoff_{name}_take(struct letoff_{name} *record, const uint8_
     text + &own
 }
 
-fn is_array(field: &Field) -> bool {
+fn is_array(field: &RecordField) -> bool {
     field.c_type == "uint8_t[]"
 }
 
-fn listed(field: &Field) -> String {
-    let Field { name, len, .. } = field;
+fn listed(field: &RecordField) -> String {
+    let RecordField { name, len, .. } = field;
     if is_array(field) { format!("MANY({name}, {len})") } else { format!("ONE({name})") }
 }
 
-fn declared(field: &Field) -> String {
-    let Field { name, c_type, len } = field;
+fn declared(field: &RecordField) -> String {
+    let RecordField { name, c_type, len } = field;
     if is_array(field) { format!("uint8_t {name}[{len}]") } else { format!("{c_type} {name}") }
 }
 
-fn put(field: &Field, at: usize) -> String {
-    let Field { name, len, c_type } = field;
+fn put(field: &RecordField, at: usize) -> String {
+    let RecordField { name, len, c_type } = field;
     if is_array(field) {
         return format!("memcpy(bytes + {at}, record->{name}, {len});");
     }
@@ -297,8 +297,8 @@ fn put(field: &Field, at: usize) -> String {
     format!("letoff_put(bytes + {at}, {value}record->{name}, {len});")
 }
 
-fn take(field: &Field, at: usize) -> String {
-    let Field { name, len, c_type } = field;
+fn take(field: &RecordField, at: usize) -> String {
+    let RecordField { name, len, c_type } = field;
     let raw = format!("letoff_take(bytes + {at}, {len})");
     if is_array(field) {
         format!("memcpy(record->{name}, bytes + {at}, {len});")

@@ -64,7 +64,7 @@ pub mod sequence;
 pub mod serial;
 pub mod version;
 
-pub use record::{Field, Nothing, Record};
+pub use record::{Nothing, Record, RecordField};
 
-/// The longest frame that any link carries: CAN FD's [bytes].
+/// The longest frame that any link carries: CAN FD's (bytes).
 pub const MAX_FRAME: usize = 64;

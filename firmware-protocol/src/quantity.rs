@@ -2,14 +2,14 @@
 //!
 //! What does not fit is moved to the nearest value that does; nothing wraps around.
 
-/// An encoder's reading [counts], 24 bits, down positive.
+/// An encoder's reading (counts), 24 bits, down positive.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 pub struct Counts(i32);
 
 impl Counts {
-    /// The largest reading [counts].
+    /// The largest reading (counts).
     pub const MAX: Self = Self(0x7F_FFFF);
-    /// The smallest reading [counts].
+    /// The smallest reading (counts).
     pub const MIN: Self = Self(-0x80_0000);
     /// Bytes on the wire.
     pub const LEN: usize = 3;
@@ -25,7 +25,7 @@ impl Counts {
         }
     }
 
-    /// The reading [counts].
+    /// The reading (counts).
     pub const fn get(self) -> i32 {
         self.0
     }
@@ -49,7 +49,7 @@ impl Counts {
     }
 }
 
-/// A force [mN], 16 bits, up positive.
+/// A force (mN), 16 bits, up positive.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 pub struct Millinewtons(i16);
 
@@ -66,7 +66,7 @@ impl Millinewtons {
         Self(saturated(millinewtons))
     }
 
-    /// The force [mN].
+    /// The force (mN).
     pub const fn get(self) -> i16 {
         self.0
     }
@@ -82,22 +82,22 @@ impl Millinewtons {
     }
 }
 
-/// A key's speed [0.2 mm/s], 16 bits, down positive: up to 6.5 m/s.
+/// A key's speed (0.2 mm/s), 16 bits, down positive: up to 6.5 m/s.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
-pub struct Speed(i16);
+pub struct SpeedCode(i16);
 
-impl Speed {
-    /// What one unit means [um/s].
+impl SpeedCode {
+    /// What one unit means (um/s).
     pub const MICROMETRES_PER_SECOND: i32 = 200;
     /// Bytes on the wire.
     pub const LEN: usize = 2;
 
-    /// The nearest speed to `units` [0.2 mm/s] that 16 bits hold.
+    /// The nearest speed to `units` (0.2 mm/s) that 16 bits hold.
     pub fn saturating(units: i32) -> Self {
         Self(saturated(units))
     }
 
-    /// The speed [0.2 mm/s].
+    /// The speed (0.2 mm/s).
     pub const fn get(self) -> i16 {
         self.0
     }
@@ -126,12 +126,12 @@ impl Speed {
 /// (61 kN/m at most), damping in 0.001 N s/m (245 N s/m at most). That is as fine as needed:
 /// the force itself is exact where the samples were taken, and only goes on from there.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Slope(u8);
+pub struct SlopeCode(u8);
 
-impl Slope {
-    /// What one unit of stiffness means [mN/m].
+impl SlopeCode {
+    /// What one unit of stiffness means (mN/m).
     pub const STIFFNESS_UNIT: i32 = 250;
-    /// What one unit of damping means [mN s/m].
+    /// What one unit of damping means (mN s/m).
     pub const DAMPING_UNIT: i32 = 1;
     /// The largest magnitude.
     pub const MAX: i32 = 15 << 14;
@@ -151,7 +151,7 @@ impl Slope {
         Self(if units < 0 && code != 0 { code | 0x80 } else { code })
     }
 
-    /// The slope [units].
+    /// The slope (units).
     pub const fn get(self) -> i32 {
         let (exponent, mantissa) = (self.0 >> 3 & 0xF, (self.0 & 7) as i32);
         let magnitude = if exponent == 0 { mantissa } else { (8 + mantissa) << (exponent - 1) };
@@ -203,8 +203,8 @@ mod tests {
 
     #[test]
     fn a_slope_is_exact_up_to_15_and_then_to_a_ninth_towards_zero() {
-        for units in 0..=Slope::MAX {
-            let (up, down) = (Slope::toward_zero(units), Slope::toward_zero(-units));
+        for units in 0..=SlopeCode::MAX {
+            let (up, down) = (SlopeCode::toward_zero(units), SlopeCode::toward_zero(-units));
             assert_eq!(up.get(), -down.get());
             let lost = units - up.get();
             assert!(
@@ -213,15 +213,15 @@ mod tests {
                 up.get()
             );
         }
-        assert_eq!(Slope::toward_zero(i32::MAX).get(), Slope::MAX);
-        assert_eq!(Slope::toward_zero(i32::MIN).get(), -Slope::MAX);
+        assert_eq!(SlopeCode::toward_zero(i32::MAX).get(), SlopeCode::MAX);
+        assert_eq!(SlopeCode::toward_zero(i32::MIN).get(), -SlopeCode::MAX);
     }
 
     #[test]
     fn every_byte_is_a_slope_that_keeps_its_value() {
         for code in 0..=u8::MAX {
-            let slope = Slope::from_code(code);
-            assert_eq!(Slope::toward_zero(slope.get()).get(), slope.get());
+            let slope = SlopeCode::from_code(code);
+            assert_eq!(SlopeCode::toward_zero(slope.get()).get(), slope.get());
         }
     }
 }

@@ -8,7 +8,7 @@ pub trait Record: Sized + Copy {
     /// Bytes on the wire.
     const LEN: usize;
     /// Its fields, in the order of the wire.
-    const FIELDS: &'static [Field];
+    const FIELDS: &'static [RecordField];
 
     /// Writes the record to the start of `bytes`; nothing if there is no room.
     fn put(&self, bytes: &mut [u8]) -> Option<usize>;
@@ -21,12 +21,12 @@ pub trait Record: Sized + Copy {
 
 /// A field of a record, for those who generate code from it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Field {
+pub struct RecordField {
     /// Its name.
     pub name: &'static str,
     /// Its type, as C99 has it: `uint16_t`; bytes are an array of `uint8_t`.
     pub c_type: &'static str,
-    /// Its length [bytes].
+    /// Its length (bytes).
     pub len: usize,
 }
 
@@ -86,7 +86,7 @@ macro_rules! record {
 
         impl $crate::Record for $name {
             const LEN: usize = 0 $(+ <$type as $crate::record::Scalar>::LEN)*;
-            const FIELDS: &'static [$crate::Field] = &[$($crate::Field {
+            const FIELDS: &'static [$crate::RecordField] = &[$($crate::RecordField {
                 name: stringify!($field),
                 c_type: <$type as $crate::record::Scalar>::C_TYPE,
                 len: <$type as $crate::record::Scalar>::LEN,
@@ -125,7 +125,7 @@ pub struct Nothing;
 
 impl Record for Nothing {
     const LEN: usize = 0;
-    const FIELDS: &'static [Field] = &[];
+    const FIELDS: &'static [RecordField] = &[];
 
     fn put(&self, _bytes: &mut [u8]) -> Option<usize> {
         Some(0)

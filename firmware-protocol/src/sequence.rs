@@ -2,9 +2,9 @@
 
 /// A frame's number; the next one is greater by one, and 0 follows 255.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Sequence(pub u8);
+pub struct SequenceNumber(pub u8);
 
-impl Sequence {
+impl SequenceNumber {
     /// The number of the frame after this one.
     #[must_use]
     pub const fn next(self) -> Self {
@@ -15,11 +15,11 @@ impl Sequence {
     ///
     /// The number wraps around, so half of the circle counts as newer: whoever heard
     /// nothing for 127 frames must forget `newest` rather than ask.
-    pub const fn after(self, newest: Self) -> Arrival {
+    pub const fn after(self, newest: Self) -> FrameOrder {
         match self.0.wrapping_sub(newest.0) {
-            0 => Arrival::Repeated,
-            ahead @ 1..=127 => Arrival::Newer { missing: ahead - 1 },
-            128..=255 => Arrival::Older,
+            0 => FrameOrder::Repeated,
+            ahead @ 1..=127 => FrameOrder::Newer { missing: ahead - 1 },
+            128..=255 => FrameOrder::Older,
         }
     }
 }
@@ -27,7 +27,7 @@ impl Sequence {
 /// How a frame stands to the newest one before it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[must_use]
-pub enum Arrival {
+pub enum FrameOrder {
     /// It is newer.
     Newer {
         /// How many between the two never came, or have not come yet.
@@ -45,15 +45,15 @@ mod tests {
 
     #[test]
     fn numbers_go_on_across_the_wrap() {
-        assert_eq!(Sequence(255).next(), Sequence(0));
-        assert_eq!(Sequence(0).after(Sequence(255)), Arrival::Newer { missing: 0 });
-        assert_eq!(Sequence(3).after(Sequence(254)), Arrival::Newer { missing: 4 });
+        assert_eq!(SequenceNumber(255).next(), SequenceNumber(0));
+        assert_eq!(SequenceNumber(0).after(SequenceNumber(255)), FrameOrder::Newer { missing: 0 });
+        assert_eq!(SequenceNumber(3).after(SequenceNumber(254)), FrameOrder::Newer { missing: 4 });
     }
 
     #[test]
     fn a_repeated_and_an_overtaken_frame_are_told_apart() {
-        assert_eq!(Sequence(7).after(Sequence(7)), Arrival::Repeated);
-        assert_eq!(Sequence(6).after(Sequence(7)), Arrival::Older);
-        assert_eq!(Sequence(254).after(Sequence(3)), Arrival::Older);
+        assert_eq!(SequenceNumber(7).after(SequenceNumber(7)), FrameOrder::Repeated);
+        assert_eq!(SequenceNumber(6).after(SequenceNumber(7)), FrameOrder::Older);
+        assert_eq!(SequenceNumber(254).after(SequenceNumber(3)), FrameOrder::Older);
     }
 }

@@ -8,18 +8,18 @@
 //! force be misread.
 
 /// What this crate speaks.
-pub const PROTOCOL_VERSION: Version = Version { major: 2, minor: 0 };
+pub const PROTOCOL_VERSION: ProtocolVersion = ProtocolVersion { major: 2, minor: 0 };
 
 /// A version of the protocol.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Version {
+pub struct ProtocolVersion {
     /// Counts changes after which old frames would be misread.
     pub major: u8,
     /// Counts additions that the other side may ignore.
     pub minor: u8,
 }
 
-impl Version {
+impl ProtocolVersion {
     /// Whether frames of `other` may be acted on: the major numbers are equal.
     pub const fn understands(self, other: Self) -> bool {
         self.major == other.major
@@ -32,8 +32,8 @@ mod tests {
 
     #[test]
     fn an_addition_is_understood_and_a_new_generation_is_not() {
-        let newer = Version { major: 2, minor: 9 };
-        let foreign = Version { major: 3, minor: 0 };
+        let newer = ProtocolVersion { major: 2, minor: 9 };
+        let foreign = ProtocolVersion { major: 3, minor: 0 };
         assert!(PROTOCOL_VERSION.understands(newer));
         assert!(!PROTOCOL_VERSION.understands(foreign));
     }

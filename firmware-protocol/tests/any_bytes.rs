@@ -10,17 +10,19 @@
 
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::acyclic::finger::Finger;
-use firmware_protocol::acyclic::{Operation, Reply, Request, Status, encode_reply, encode_request};
+use firmware_protocol::acyclic::{
+    AcyclicReply, AcyclicRequest, Operation, Status, encode_reply, encode_request,
+};
 use firmware_protocol::can::{self, pieces};
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::hello::{self, Introduction};
 use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces, KeySlopes};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
 use firmware_protocol::frame::multicast_forces::MulticastForces;
-use firmware_protocol::frame::{Header, Kind, board_of};
+use firmware_protocol::frame::{FrameKind, Header, board_of};
 use firmware_protocol::key::{BoardId, MOST_KEYS, PerKey};
-use firmware_protocol::quantity::{Counts, Millinewtons, Slope, Speed};
-use firmware_protocol::sequence::Sequence;
+use firmware_protocol::quantity::{Counts, Millinewtons, SlopeCode, SpeedCode};
+use firmware_protocol::sequence::SequenceNumber;
 use firmware_protocol::serial::{self, Deframer, MAX_WIRE};
 use firmware_protocol::{Nothing, Record as _};
 use proptest::array::uniform4;
@@ -38,7 +40,7 @@ fn any_header() -> impl Strategy<Value = Header> {
     (any_board(), any::<u8>(), any::<u16>(), any::<bool>()).prop_map(
         |(board, sequence, stamp_us, flag)| Header {
             board,
-            sequence: Sequence(sequence),
+            sequence: SequenceNumber(sequence),
             stamp_us,
             flag,
         },
@@ -101,7 +103,7 @@ proptest! {
     #[test]
     fn any_bytes_are_a_request_a_reply_or_refused(bytes in near_frames()) {
         let mut again = [0xAA; MAX_FRAME];
-        if let Ok(request) = Request::decode(&bytes) {
+        if let Ok(request) = AcyclicRequest::decode(&bytes) {
             prop_assert_eq!(request.record, &bytes[3..]);
             if let (Ok(operation), Some(finger)) = (request.operation, Finger::take(request.record)) {
                 let n = encode_request(request.board, request.id, operation, &finger, &mut again);
@@ -109,7 +111,7 @@ proptest! {
                 prop_assert_eq!(again[0], bytes[0] & !FLAG);
             }
         }
-        if let Ok(reply) = Reply::decode(&bytes) {
+        if let Ok(reply) = AcyclicReply::decode(&bytes) {
             prop_assert_eq!(reply.record, &bytes[4..]);
             let outcome = if bytes[3] == 0 { Ok(Nothing) } else { Err(reply.status) };
             let n = encode_reply(reply.board, reply.id, bytes[2], outcome, &mut again);
@@ -120,7 +122,7 @@ proptest! {
 
     #[test]
     fn any_bytes_have_an_identifier_if_they_have_a_kind(bytes in near_frames()) {
-        prop_assert_eq!(can::identifier(&bytes).is_some(), Kind::of(&bytes).is_some());
+        prop_assert_eq!(can::identifier(&bytes).is_some(), FrameKind::of(&bytes).is_some());
         prop_assert!(can::identifier(&bytes).is_none_or(|id| id < 1 << 11));
         prop_assert!(board_of(&bytes).is_none_or(|board| board <= BoardId::MAX));
     }
@@ -134,7 +136,7 @@ proptest! {
         let short = matches!(packing, SamplePacking::Position16 | SamplePacking::Position16Velocity);
         let edge = if short { 0x7FFF } else { 0x7F_FFFF };
         let counts = keys.iter().map(|(counts, _)| Counts::saturating(i32::clamp(*counts, -edge, edge)));
-        let speeds = keys.iter().map(|(_, speed)| Speed::saturating((*speed).into()));
+        let speeds = keys.iter().map(|(_, speed)| SpeedCode::saturating((*speed).into()));
         let speeds = speeds.take(if packing.has_velocity() { MOST_KEYS } else { 0 });
         let (positions, velocities) = (PerKey::collect(counts), PerKey::collect(speeds));
         let samples = KeySamples { header, positions, velocities };
@@ -153,8 +155,8 @@ proptest! {
     ) {
         let forces = keys.iter().map(|(force, _, _)| Millinewtons::saturating((*force).into()));
         let slopes = keys.iter().map(|(_, k, b)| KeySlopes {
-            stiffness: Slope::from_code(*k),
-            damping: Slope::from_code(*b),
+            stiffness: SlopeCode::from_code(*k),
+            damping: SlopeCode::from_code(*b),
         });
         let slopes = slopes.take(if with_slopes { MOST_KEYS } else { 0 });
         let (forces, slopes) = (PerKey::collect(forces), PerKey::collect(slopes));
@@ -176,7 +178,7 @@ proptest! {
         let finger = Finger { slot, touch: 1, start_us, release_us, speed, hold };
         let mut bytes = [0xAA; MAX_FRAME];
         let n = encode_request(board, id, Operation::Finger, &finger, &mut bytes);
-        let request = Request::decode(&bytes[..can::padded(n)]).expect("a request");
+        let request = AcyclicRequest::decode(&bytes[..can::padded(n)]).expect("a request");
         prop_assert_eq!((request.board, request.id), (board, id));
         prop_assert_eq!(Finger::take(request.record), Some(finger));
     }
@@ -199,7 +201,7 @@ proptest! {
         frame in vec(any::<u8>(), 8..=MAX_FRAME),
         roll in 0..8_u8,
     ) {
-        let mut assembler = pieces::Assembler::default();
+        let mut assembler = pieces::Reassembler::default();
         for piece in noise {
             let _lost_or_not = assembler.push(&piece);
         }
@@ -234,7 +236,7 @@ fn each_flipped_bit_costs_at_most_its_frame_and_the_next() {
 /// A frame of eleven keys with zeros in it, so that flips meet the stuffing as well.
 fn golden() -> Vec<u8> {
     let board = BoardId::new(5).expect("a board");
-    let header = Header { board, sequence: Sequence(77), stamp_us: 40_000, flag: false };
+    let header = Header { board, sequence: SequenceNumber(77), stamp_us: 40_000, flag: false };
     let positions = PerKey::collect((0..11).map(|key| Counts::saturating(key * 997)));
     let samples = KeySamples { header, positions, velocities: PerKey::default() };
     let mut bytes = [0; MAX_FRAME];

@@ -19,8 +19,8 @@ use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 
 use firmware_protocol::MAX_FRAME;
-use firmware_protocol::acyclic::{Reply, Request};
-use firmware_protocol::can::pieces::{self, Assembler};
+use firmware_protocol::acyclic::{AcyclicReply, AcyclicRequest};
+use firmware_protocol::can::pieces::{self, Reassembler};
 use firmware_protocol::can::{self};
 use firmware_protocol::frame::DecodeError;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
@@ -28,7 +28,7 @@ use firmware_protocol::frame::hello::Introduction;
 use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
 use firmware_protocol::frame::multicast_forces::MulticastForces;
-use firmware_protocol::quantity::Slope;
+use firmware_protocol::quantity::SlopeCode;
 use firmware_protocol::serial::{self, Deframer, FramingError};
 use random::Random;
 use tools::{STRICT, are_there, crate_root, run, say, scratch};
@@ -100,7 +100,7 @@ fn slopes_are_rounded_alike() {
     let near_powers = (0..20).flat_map(|e| (-2..=2).map(move |d| (1 << e) + d));
     let units = near_powers.chain([i32::MAX, i32::MIN, i32::MIN + 1]).chain(-300..300);
     let line = |units: i32| {
-        let slope = Slope::toward_zero(units);
+        let slope = SlopeCode::toward_zero(units);
         (format!("n {units}"), format!("{} {}", slope.code(), slope.get()))
     };
     compare(&units.flat_map(|units| [units, units.wrapping_neg()]).map(line).collect());
@@ -202,14 +202,14 @@ fn frame_line(frame: &[u8]) -> String {
     );
     answer(
         &mut line,
-        Request::decode(frame).map(|request| {
+        AcyclicRequest::decode(frame).map(|request| {
             let operation = request.operation.map_or_else(|number| number, |known| known as u8);
             [&[0x80 | request.board.number(), request.id, operation], request.record].concat()
         }),
     );
     answer(
         &mut line,
-        Reply::decode(frame).map(|reply| {
+        AcyclicReply::decode(frame).map(|reply| {
             let operation = reply.operation.map_or_else(|number| number, |known| known as u8);
             let head = [0xA0 | reply.board.number(), reply.id, operation, reply.status as u8];
             [&head, reply.record].concat()
@@ -263,7 +263,7 @@ fn stream_line(bytes: &[u8]) -> String {
 }
 
 fn pieces_line(pieces: &[Vec<u8>]) -> String {
-    let mut assembler = Assembler::default();
+    let mut assembler = Reassembler::default();
     let mut line = String::new();
     for piece in pieces {
         let said = match assembler.push(piece) {

@@ -3,12 +3,14 @@
 
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::stream::Stream;
-use firmware_protocol::acyclic::{Operation, Reply, Request, Status, encode_reply, encode_request};
+use firmware_protocol::acyclic::{
+    AcyclicReply, AcyclicRequest, Operation, Status, encode_reply, encode_request,
+};
 use firmware_protocol::frame::broadcast::Broadcast;
 use firmware_protocol::frame::hello::{self, Hello, Introduction, MAGIC};
-use firmware_protocol::frame::{DecodeError, Kind};
+use firmware_protocol::frame::{DecodeError, FrameKind};
 use firmware_protocol::key::BoardId;
-use firmware_protocol::version::{PROTOCOL_VERSION, Version};
+use firmware_protocol::version::{PROTOCOL_VERSION, ProtocolVersion};
 use firmware_protocol::{MAX_FRAME, Nothing, Record as _, can, schema};
 
 fn board() -> BoardId {
@@ -18,7 +20,7 @@ fn board() -> BoardId {
 fn introduction() -> Introduction {
     let text = [0; Hello::LEN];
     let hello = Hello::take(&text).expect("all fields");
-    let Version { major, minor } = PROTOCOL_VERSION;
+    let ProtocolVersion { major, minor } = PROTOCOL_VERSION;
     let hello = Hello { magic: MAGIC, major, minor, schema: schema::HASH, n_keys: 11, ..hello };
     Introduction { board: board(), safe: false, hello }
 }
@@ -64,11 +66,11 @@ fn an_operation_of_a_newer_version_is_answered_as_unknown() {
     let mut bytes = [0; MAX_FRAME];
     let len = encode_request(board(), 7, Operation::Ping, &Nothing, &mut bytes);
     bytes[2] = 200;
-    let request = Request::decode(&bytes[..len]).expect("a request");
+    let request = AcyclicRequest::decode(&bytes[..len]).expect("a request");
     let number = request.operation.expect_err("a newer one");
     let unknown = Err::<Nothing, _>(Status::Unknown);
     let len = encode_reply(request.board, request.id, number, unknown, &mut bytes);
-    let reply = Reply::decode(&bytes[..len]).expect("a reply");
+    let reply = AcyclicReply::decode(&bytes[..len]).expect("a reply");
     assert_eq!((reply.id, reply.operation, reply.status), (7, Err(200), Status::Unknown));
 }
 
@@ -78,9 +80,9 @@ fn a_record_may_have_grown_but_not_shrunk() {
     let stream = Stream { period_us: 2_000, packing: 1, phase_us: 0 };
     let len = encode_request(board(), 7, Operation::Stream, &stream, &mut bytes);
     bytes[len] = 99;
-    let grown = Request::decode(&bytes[..=len]).expect("a request");
+    let grown = AcyclicRequest::decode(&bytes[..=len]).expect("a request");
     assert_eq!(Stream::take(grown.record), Some(stream));
-    let cut = Request::decode(&bytes[..len - 1]).expect("a request still");
+    let cut = AcyclicRequest::decode(&bytes[..len - 1]).expect("a request still");
     assert_eq!(Stream::take(cut.record), None);
 }
 
@@ -90,17 +92,17 @@ fn a_status_of_a_newer_version_is_a_refusal() {
     let pong = Pong { board_us: 1 };
     let len = encode_reply(board(), 7, Operation::Ping as u8, Ok(pong), &mut bytes);
     bytes[3] = 77;
-    assert_eq!(Reply::decode(&bytes[..len]).expect("a reply").status, Status::Impossible);
+    assert_eq!(AcyclicReply::decode(&bytes[..len]).expect("a reply").status, Status::Impossible);
 }
 
 #[test]
 fn a_kind_of_a_newer_version_is_ignored() {
     let mut bytes = encoded(introduction());
     bytes[0] |= 0xE0;
-    assert_eq!(Kind::of(&bytes), None);
+    assert_eq!(FrameKind::of(&bytes), None);
     assert_eq!(can::identifier(&bytes), None);
     assert_eq!(Introduction::decode(&bytes), Err(DecodeError::Kind(7)));
-    assert_eq!(Request::decode(&bytes), Err(DecodeError::Kind(7)));
+    assert_eq!(AcyclicRequest::decode(&bytes), Err(DecodeError::Kind(7)));
     assert_eq!(Broadcast::decode(&bytes[..8]), Err(DecodeError::Kind(7)));
 }
 

@@ -25,8 +25,8 @@ use firmware_protocol::frame::key_forces::{ForcePacking, KeySlopes};
 use firmware_protocol::frame::key_samples::KeySamples;
 use firmware_protocol::frame::multicast_forces::{GROUP, MulticastForces};
 use firmware_protocol::key::PerKey;
-use firmware_protocol::quantity::{Millinewtons, Slope};
-use firmware_protocol::sequence::{Arrival, Sequence};
+use firmware_protocol::quantity::{Millinewtons, SlopeCode};
+use firmware_protocol::sequence::{FrameOrder, SequenceNumber};
 use firmware_protocol::{MAX_FRAME, Nothing, Record as _, schema};
 use random::Random;
 use tools::say;
@@ -76,7 +76,7 @@ fn samples_come_at_their_rate_without_a_gap() {
         let (mut last, mut board_us) = (board.samples().header, 0_u32);
         for _ in 0..frames {
             let header = board.samples().header;
-            assert_eq!(header.sequence.after(last.sequence), Arrival::Newer { missing: 0 });
+            assert_eq!(header.sequence.after(last.sequence), FrameOrder::Newer { missing: 0 });
             board_us += u32::from(header.stamp_us.wrapping_sub(last.stamp_us));
             last = header;
         }
@@ -206,7 +206,7 @@ fn a_stale_answer_is_counted_and_never_rendered() {
         let mut false_time = new;
         false_time.header.stamp_us = new.header.stamp_us.wrapping_add(1);
         let mut false_number = new;
-        false_number.header.sequence = Sequence(new.header.sequence.0.wrapping_add(100));
+        false_number.header.sequence = SequenceNumber(new.header.sequence.0.wrapping_add(100));
         for stale in [old, false_time, false_number] {
             board.answer(&stale, -20_000);
         }
@@ -232,8 +232,8 @@ fn a_spring_between_frames_holds_the_key_in_the_middle() {
         let speeds = last.velocities.as_slice().iter().map(|speed| speed.get().into());
         let forces = positions.zip(speeds).map(force).map(Millinewtons::saturating);
         let slopes = KeySlopes {
-            stiffness: Slope::toward_zero(-2_000),
-            damping: Slope::toward_zero(-4_000),
+            stiffness: SlopeCode::toward_zero(-2_000),
+            damping: SlopeCode::toward_zero(-4_000),
         };
         board.answer_with(&last, PerKey::collect(forces), PerKey::collect([slopes; KEYS]));
         last = board.newest_samples();
@@ -276,7 +276,7 @@ fn send_groups(board: &mut Board, sequence: u8, bus_us: u32) {
         let [low, high, ..] = bus_us.to_le_bytes();
         let forces = MulticastForces {
             group,
-            sequence: Sequence(sequence),
+            sequence: SequenceNumber(sequence),
             stamp_us: u16::from_le_bytes([low, high]),
             flag: false,
             forces: [Millinewtons::saturating(force); GROUP],

@@ -19,19 +19,21 @@ use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::stream::Stream;
-use firmware_protocol::acyclic::{Operation, Reply, Request, Status, encode_reply, encode_request};
+use firmware_protocol::acyclic::{
+    AcyclicReply, AcyclicRequest, Operation, Status, encode_reply, encode_request,
+};
 use firmware_protocol::can::{self, pieces};
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::hello::{Hello, Introduction};
 use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces, KeySlopes};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
 use firmware_protocol::frame::multicast_forces::MulticastForces;
-use firmware_protocol::frame::{Header, Kind};
+use firmware_protocol::frame::{FrameKind, Header};
 use firmware_protocol::key::{BoardId, PerKey};
-use firmware_protocol::quantity::{Counts, Millinewtons, Slope, Speed};
-use firmware_protocol::sequence::Sequence;
+use firmware_protocol::quantity::{Counts, Millinewtons, SlopeCode, SpeedCode};
+use firmware_protocol::sequence::SequenceNumber;
 use firmware_protocol::serial::{self, Deframer};
-use firmware_protocol::version::Version;
+use firmware_protocol::version::ProtocolVersion;
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use vector::Vector;
 
@@ -97,7 +99,7 @@ fn board(vector: &Vector) -> BoardId {
 fn header(vector: &Vector) -> Header {
     Header {
         board: board(vector),
-        sequence: Sequence(vector.number("sequence")),
+        sequence: SequenceNumber(vector.number("sequence")),
         stamp_us: vector.number("stamp_us"),
         flag: vector.number::<u8>("flag") == 1,
     }
@@ -107,7 +109,7 @@ fn header(vector: &Vector) -> Header {
 fn check_samples(vector: &Vector) {
     let packing = SamplePacking::new(vector.number("packing")).expect("a packing");
     let positions = vector.numbers("positions").into_iter().map(Counts::saturating);
-    let velocities = vector.numbers("velocities").into_iter().map(Speed::saturating);
+    let velocities = vector.numbers("velocities").into_iter().map(SpeedCode::saturating);
     let (positions, velocities) = (PerKey::collect(positions), PerKey::collect(velocities));
     let samples = KeySamples { header: header(vector), positions, velocities };
     let layout = SampleLayout { packing, n_keys: positions.as_slice().len() };
@@ -120,8 +122,8 @@ fn check_samples(vector: &Vector) {
 fn check_forces(vector: &Vector) {
     let packing = ForcePacking::new(vector.number("packing")).expect("a packing");
     let forces = vector.numbers("forces").into_iter().map(Millinewtons::saturating);
-    let stiffness = vector.numbers("stiffness").into_iter().map(Slope::toward_zero);
-    let damping = vector.numbers("damping").into_iter().map(Slope::toward_zero);
+    let stiffness = vector.numbers("stiffness").into_iter().map(SlopeCode::toward_zero);
+    let damping = vector.numbers("damping").into_iter().map(SlopeCode::toward_zero);
     let slopes = stiffness.zip(damping).map(|(k, b)| KeySlopes { stiffness: k, damping: b });
     let slopes = PerKey::collect(slopes);
     let forces = KeyForces { header: header(vector), forces: PerKey::collect(forces), slopes };
@@ -137,7 +139,7 @@ fn check_multicast(vector: &Vector) {
         vector.numbers("forces").into_iter().map(Millinewtons::saturating).collect();
     let multicast = MulticastForces {
         group: vector.number("group"),
-        sequence: Sequence(vector.number("sequence")),
+        sequence: SequenceNumber(vector.number("sequence")),
         stamp_us: vector.number("stamp_us"),
         flag: vector.number::<u8>("flag") == 1,
         forces: forces.try_into().expect("thirty forces"),
@@ -153,7 +155,7 @@ fn check_broadcast(vector: &Vector) {
         2 => Broadcast::BusTime { host_us: vector.number("host_us") },
         3 => {
             let (major, minor) = (vector.number("major"), vector.number("minor"));
-            Broadcast::WhoIsThere { version: Version { major, minor } }
+            Broadcast::WhoIsThere { version: ProtocolVersion { major, minor } }
         }
         other => panic!("{}: nobody reads broadcast {other}", vector.name),
     };
@@ -194,7 +196,7 @@ fn check_request(vector: &Vector) {
 #[track_caller]
 fn request_with<R: Record + Debug>(vector: &Vector) {
     let frame = vector.frame();
-    let request = Request::decode(&frame).expect("a request");
+    let request = AcyclicRequest::decode(&frame).expect("a request");
     let record = R::take(request.record).expect("its record");
     check_fields(vector, "operation", &record);
     let operation = request.operation.expect("a known operation");
@@ -229,7 +231,7 @@ fn check_reply(vector: &Vector) {
 #[track_caller]
 fn reply_with<R: Record + Debug>(vector: &Vector) {
     let frame = vector.frame();
-    let reply = Reply::decode(&frame).expect("a reply");
+    let reply = AcyclicReply::decode(&frame).expect("a reply");
     let record = R::take(reply.record).expect("its record");
     check_fields(vector, "status", &record);
     let outcome = if reply.status == Status::Done { Ok(record) } else { Err(reply.status) };
@@ -282,7 +284,7 @@ fn check_can(vector: &Vector) {
     let frame = vector.frame();
     assert_eq!(can::identifier(&frame), Some(vector.number("can_id")), "{}", vector.name);
     assert_eq!(can::padded(frame.len()), vector.number::<usize>("padded"), "{}", vector.name);
-    let kind = Kind::of(&frame).map(|kind| kind as u8);
+    let kind = FrameKind::of(&frame).map(|kind| kind as u8);
     assert_eq!(kind, Some(frame[0] >> 5), "{}", vector.name);
 }
 
@@ -292,7 +294,7 @@ fn check_pieces(vector: &Vector) {
     let cut = pieces::cut(&frame, vector.number("roll"));
     let cut: Vec<_> = cut.map(|(piece, len)| piece[..len].to_vec()).collect();
     assert_eq!(cut, golden, "{}", vector.name);
-    let mut assembler = pieces::Assembler::default();
+    let mut assembler = pieces::Reassembler::default();
     let mut whole = None;
     for piece in &golden {
         whole = assembler.push(piece).expect("the next piece").map(<[u8]>::to_vec);

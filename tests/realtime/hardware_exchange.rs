@@ -1,7 +1,7 @@
 //! The exchange with the boards alone, on good wires and bad ones.
 
 use firmware_protocol::key::BoardId;
-use hardware::link::faulty::{Chance, Fault, FaultPlan};
+use hardware::link::faulty::{Chance, FaultPlan, LinkFault};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus as _;
 
@@ -39,7 +39,13 @@ fn an_exchange_leaves_the_heap_alone() {
 
 #[test]
 fn an_exchange_on_a_bad_wire_leaves_the_heap_alone() {
-    let faults = [Fault::Drop, Fault::Duplicate, Fault::FlipBit, Fault::Delay(7), Fault::Down];
+    let faults = [
+        LinkFault::Drop,
+        LinkFault::Duplicate,
+        LinkFault::FlipBit,
+        LinkFault::Delay(7),
+        LinkFault::Down,
+    ];
     let chances = faults.map(|fault| Chance { probability: 0.05, fault }).to_vec();
     check(&FaultPlan { chances, ..FaultPlan::default() });
 }

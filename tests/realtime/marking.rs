@@ -5,7 +5,7 @@ use std::ops::Range;
 use host::realtime::pool::BoxedVoice;
 use scheduler::motion::KeySample;
 use scheduler::slot::lane_of;
-use scheduler::voice::{Turn, Voice};
+use scheduler::voice::{Voice, VoiceOutput};
 
 use crate::trap::{self, Zone};
 
@@ -23,12 +23,12 @@ impl Marking {
 }
 
 impl Voice for Marking {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
         self.mark(tick);
         self.voice.tick(tick, sample)
     }
 
-    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.mark(tick);
         self.voice.tick_into(tick, sample, turn);
     }
@@ -54,8 +54,8 @@ pub(crate) fn mark_lanes(voices: &mut [(usize, BoxedVoice)], n_lanes: usize, tic
 struct Silent;
 
 impl Voice for Silent {
-    fn tick(&mut self, _tick: u64, _sample: &KeySample) -> Turn {
-        Turn::default()
+    fn tick(&mut self, _tick: u64, _sample: &KeySample) -> VoiceOutput {
+        VoiceOutput::default()
     }
 
     fn reset(&mut self, _sample: &KeySample) {}

@@ -4,17 +4,17 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-use host::adapters::observer::{LiveCounters, Publisher};
-use host::adapters::tap::{Tap, Tapped};
-use host::bell::Bell;
+use host::adapters::observer::{LiveCounters, TickPublisher};
+use host::adapters::tap::{TickRecorder, TickRecorderRings};
+use host::bell::WakeFd;
 use host::config::Scene;
 use host::realtime::run::{Assembly, Timings, Until};
 use host::realtime::{clock, run};
-use midi::KeyEvent as MidiEvent;
+use midi::NoteEvent as MidiEvent;
 use models::catalogue;
 use rtrb::Consumer;
 use scheduler::motion::KEYS;
-use scheduler::port::{KeyBus, Seen, TickObserver};
+use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::time::Nanos;
 
 use crate::marking::mark_lanes;
@@ -28,10 +28,10 @@ pub(crate) const WATCHED: Range<u64> = WARM_UP..WARM_UP + 3000;
 
 /// What the tick publishes to, and what every key has done.
 pub(crate) struct Audience {
-    publisher: Publisher,
+    publisher: TickPublisher,
     /// What telemetry takes; nobody empties its rings, so that they are also seen full.
-    tap: Tap,
-    tapped: Tapped,
+    tap: TickRecorder,
+    tapped: TickRecorderRings,
     pub(crate) ring: Consumer<MidiEvent>,
     pub(crate) counters: Arc<LiveCounters>,
     /// Ticks in which each key's equations were run, and reset maps applied.
@@ -43,17 +43,17 @@ impl Audience {
     /// With a ring of `places`.
     pub(crate) fn new(places: usize) -> Self {
         let (producer, ring) = rtrb::RingBuffer::new(places);
-        let bell = Arc::new(Bell::new().expect("a descriptor"));
+        let bell = Arc::new(WakeFd::new().expect("a descriptor"));
         let counters = Arc::new(LiveCounters::default());
         let pedals = (0..100).map(|n| (0.03 * f64::from(n), f64::from(n % 2))).collect();
-        let publisher = Publisher::new(producer, bell, Arc::clone(&counters), pedals, 1e-3);
-        let (tap, tapped) = Tap::new();
+        let publisher = TickPublisher::new(producer, bell, Arc::clone(&counters), pedals, 1e-3);
+        let (tap, tapped) = TickRecorder::new();
         Self { publisher, tap, tapped, ring, counters, active: [0; KEYS], events: [0; KEYS] }
     }
 }
 
 impl TickObserver for Audience {
-    fn observe(&mut self, seen: &Seen<'_>) {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
         self.publisher.observe(seen);
         self.tap.observe(seen);
         for (key, turn) in seen.turns.iter().enumerate() {

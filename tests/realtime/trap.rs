@@ -60,7 +60,6 @@ unsafe impl GlobalAlloc for Trap {
 pub(crate) enum Zone {
     /// In a tick, where the heap is out of bounds.
     Tick,
-    /// Anywhere else.
     Elsewhere,
 }
 

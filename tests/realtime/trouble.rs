@@ -3,11 +3,11 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use host::realtime::pool::{LaneCounters, Patience, Way};
+use host::realtime::pool::{LaneCounters, WaitLimit, Way};
 use scheduler::motion::KeySample;
 use scheduler::slot::lane_of;
 use scheduler::time::Nanos;
-use scheduler::voice::{Turn, Voice};
+use scheduler::voice::{Voice, VoiceOutput};
 
 use crate::marking::mark_lanes;
 use crate::stage::broken_sensor::BrokenSensor;
@@ -87,11 +87,11 @@ struct Delayed {
 }
 
 impl Voice for Delayed {
-    fn tick(&mut self, tick: u64, _sample: &KeySample) -> Turn {
+    fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
         while self.from <= tick && self.reached.load(Ordering::Acquire) < self.until {
             std::thread::yield_now();
         }
-        Turn { force: 1.0, ..Turn::default() }
+        VoiceOutput { force: 1.0, ..VoiceOutput::default() }
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
@@ -110,9 +110,9 @@ fn a_lane_that_is_late_leaves_the_heap_alone() {
     mark_lanes(&mut voices, 2, &WATCHED);
     let mut stage = Stage::of(voices, scene.tick_hz, bus, 2).watched_by(Audience::new(1 << 16));
     // Whoever waits for the delayed lane with patience would wait for ever.
-    let none = Patience::Until { time: Nanos::ZERO, share: Nanos::ZERO };
+    let none = WaitLimit::Until { time: Nanos::ZERO, share: Nanos::ZERO };
     for tick in 0..=WATCHED.end {
-        let patience = if (from..until).contains(&tick) { none } else { Patience::Endless };
+        let patience = if (from..until).contains(&tick) { none } else { WaitLimit::Endless };
         stage.lanes.set_patience(patience);
         reached.store(tick, Ordering::Release);
         if WATCHED.contains(&tick) {
@@ -133,9 +133,9 @@ fn the_trap_sees_the_threads_of_the_lanes() {
     /// A voice that does what no voice may.
     struct Hoarding(Vec<u64>);
     impl Voice for Hoarding {
-        fn tick(&mut self, tick: u64, _sample: &KeySample) -> Turn {
+        fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
             self.0 = vec![tick];
-            Turn::default()
+            VoiceOutput::default()
         }
         fn reset(&mut self, _sample: &KeySample) {}
     }

@@ -11,11 +11,11 @@ use firmware_protocol::key::KeyIndex;
 use haptics::{Gesture, RigParameters, Touch};
 use hardware::sim::keybed::SimulatedKeybed;
 use host::adapters::audit::AuditCell;
-use host::assemble::Assembler;
+use host::assemble::VoiceBuilder;
 use host::config::Scene;
 use host::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use scheduler::motion::KEYS;
-use scheduler::port::{KeyBus, Seen, TickObserver};
+use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::tick::{Scheduler, TickReport};
 use scheduler::time::{Nanos, Period, Timetable};
 
@@ -33,7 +33,7 @@ pub fn voices(scene: &Scene) -> Vec<(usize, BoxedVoice)> {
 
 /// The same with energy audits that can be read.
 pub fn audited(scene: &Scene, audits: &[Arc<AuditCell>; KEYS]) -> Vec<(usize, BoxedVoice)> {
-    let assembler = Assembler::new(scene).expect("a rate that can be kept");
+    let assembler = VoiceBuilder::new(scene).expect("a rate that can be kept");
     let voice = |(key, voice)| {
         let voice = assembler.voice(voice, Arc::clone(&audits[key])).expect("a known model");
         (key, voice as BoxedVoice)
@@ -58,7 +58,7 @@ pub fn key(number: usize) -> KeyIndex {
     u8::try_from(number).ok().and_then(KeyIndex::new).expect("one of the 88 keys")
 }
 
-/// A stroke from `start` to `release` [s] at `speed` [m/s].
+/// A stroke from `start` to `release` (s) at `speed` (m/s).
 pub fn stroke(start: f64, release: f64, touch: Touch, speed: f64) -> Gesture {
     Gesture { start, release, touch, speed, hold: Gesture::HOLD }
 }
@@ -90,7 +90,7 @@ fn strokes(number: usize, end: f64) -> Vec<Gesture> {
 pub struct Nobody;
 
 impl TickObserver for Nobody {
-    fn observe(&mut self, _seen: &Seen<'_>) {}
+    fn observe(&mut self, _seen: &FinishedTick<'_>) {}
 }
 
 /// Everything that a tick needs.
@@ -119,7 +119,7 @@ impl<B: KeyBus> Stage<B, Nobody> {
         Self::limited(voices, (tick_hz, f64::INFINITY), bus, n_lanes)
     }
 
-    /// The same, with a slew limit [N/s].
+    /// The same, with a slew limit (N/s).
     fn limited(
         voices: Vec<(usize, BoxedVoice)>,
         (tick_hz, slew): (u32, f64),
@@ -147,7 +147,7 @@ impl<B: KeyBus, O: TickObserver> Stage<B, O> {
         scheduler.poll(due, bus, lanes, observer).expect("due")
     }
 
-    /// The forces sent last [N].
+    /// The forces sent last (N).
     pub fn forces(&self) -> &[f64; KEYS] {
         self.scheduler.forces()
     }

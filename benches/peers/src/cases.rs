@@ -18,9 +18,8 @@ pub(crate) struct Case {
     pub(crate) name: &'static str,
     /// What it is, in one line.
     pub(crate) summary: &'static str,
-    /// Its end [s].
+    /// Its end (s).
     pub(crate) t_end: f64,
-    /// What is right.
     pub(crate) reference: Reference,
     /// The rows of the codes that are Rust.
     pub(crate) entries: Vec<Entry>,

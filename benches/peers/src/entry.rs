@@ -30,15 +30,13 @@ pub(crate) type Run = Box<dyn Fn(&mut Log) -> Result<(), String>>;
 pub(crate) struct Entry {
     /// The code, as in [`crate::versions`].
     pub(crate) code: &'static str,
-    /// Its method.
     pub(crate) method: &'static str,
     /// How it was set.
     pub(crate) setting: Setting,
-    /// Relative and absolute tolerance, or step [s].
+    /// Relative and absolute tolerance, or step (s).
     pub(crate) knob: f64,
     /// What a reader must know about this row.
     pub(crate) note: &'static str,
-    /// Runs it.
     pub(crate) run: Run,
 }
 

@@ -5,18 +5,17 @@ use crate::reference::{Expected, Reference};
 /// How a run compares with the reference.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Verdict {
-    /// Number of events.
     pub(crate) events: usize,
     /// What went wrong; `None` if all events happened in their order, and no others.
     pub(crate) failure: Option<String>,
-    /// Largest error of an event's time [s].
+    /// Largest error of an event's time (s).
     pub(crate) event_error: Option<f64>,
     /// Largest error of the state away from events; each component over its own largest
     /// magnitude.
     pub(crate) state_error: Option<f64>,
 }
 
-/// Judges `events` (time [s], guard) and `states`, or the error with which the run ended.
+/// Judges `events` (time (s), guard) and `states`, or the error with which the run ended.
 pub(crate) fn judge(
     reference: &Reference,
     events: &[(f64, &str)],

@@ -6,9 +6,9 @@ const MOST_EVENTS: usize = 100;
 /// Filled by a run; used again by the next one, so that no timed run allocates here.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Log {
-    /// Time [s] and guard of each event.
+    /// Time (s) and guard of each event.
     pub(crate) events: Vec<(f64, &'static str)>,
-    /// Times at which the state is wanted [s], rising; empty in timed runs.
+    /// Times at which the state is wanted (s), rising; empty in timed runs.
     wanted: Vec<f64>,
     /// The states at the first of these times, one after the other.
     pub(crate) states: Vec<f64>,
@@ -18,7 +18,7 @@ pub(crate) struct Log {
 }
 
 impl Log {
-    /// A log that asks for states at `wanted` [s].
+    /// A log that asks for states at `wanted` (s).
     pub(crate) fn new(wanted: &[f64]) -> Self {
         Self { wanted: wanted.to_vec(), events: Vec::with_capacity(MOST_EVENTS), ..Self::default() }
     }
@@ -43,7 +43,7 @@ impl Log {
         !self.wanted.is_empty()
     }
 
-    /// Takes the states that are wanted until `t` [s] from the dense output `at`.
+    /// Takes the states that are wanted until `t` (s) from the dense output `at`.
     #[inline]
     pub(crate) fn sample<const N: usize>(&mut self, t: f64, mut at: impl FnMut(f64) -> [f64; N]) {
         // The end of a run may be off by rounding; a dense output must not be asked beyond it.
@@ -54,7 +54,7 @@ impl Log {
         }
     }
 
-    /// Gives back the states taken after `t` [s], for codes that see a step before its event.
+    /// Gives back the states taken after `t` (s), for codes that see a step before its event.
     pub(crate) fn forget_after(&mut self, t: f64) {
         let kept = self.wanted.partition_point(|time| *time <= t).min(self.taken);
         if let Some(width) = self.states.len().checked_div(self.taken) {

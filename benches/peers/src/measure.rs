@@ -16,7 +16,7 @@ const BATCH: Duration = Duration::from_micros(100);
 /// A run longer than this is timed once a round only.
 const LONG: Duration = Duration::from_millis(300);
 
-/// Times `run` for about `budget` and returns the time of one run [ns], once per batch.
+/// Times `run` for about `budget` and returns the time of one run (ns), once per batch.
 pub(crate) fn time(run: &Run, log: &mut Log, budget: Duration) -> Vec<f64> {
     let once = batch(run, log, 1);
     if once > LONG {

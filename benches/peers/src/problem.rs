@@ -15,7 +15,7 @@ pub(crate) trait Problem<const N: usize, const G: usize>: Copy + 'static {
     /// Mode and state at t = 0.
     fn start(&self) -> (Self::Mode, [f64; N]);
 
-    /// x' at `t` [s].
+    /// x' at `t` (s).
     fn derivative(&self, mode: Self::Mode, t: f64, x: &[f64; N]) -> [f64; N];
 
     /// The guards, positive while the mode is valid.
@@ -33,7 +33,7 @@ pub(crate) trait Problem<const N: usize, const G: usize>: Copy + 'static {
         x
     }
 
-    /// Longest step [s] with which nothing of the input is jumped over, for codes that can
+    /// Longest step (s) with which nothing of the input is jumped over, for codes that can
     /// be given one.
     fn longest_step(&self) -> f64;
 }

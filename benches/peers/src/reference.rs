@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::problems::ModelB;
 
-/// Distance of the rows of a trajectory [s].
+/// Distance of the rows of a trajectory (s).
 const ROW: f64 = 0.01;
 
 /// States are compared at least this far from any event [s]: an event time that is off by
@@ -17,9 +17,8 @@ const AWAY: f64 = 0.005;
 /// An event that must happen.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Expected {
-    /// When [s].
+    /// When (s).
     pub(crate) t: f64,
-    /// Which guard fired.
     pub(crate) guard: String,
 }
 
@@ -28,7 +27,7 @@ pub(crate) struct Expected {
 pub(crate) struct Reference {
     /// All events until the end.
     pub(crate) events: Vec<Expected>,
-    /// Times at which states are compared [s].
+    /// Times at which states are compared (s).
     pub(crate) times: Vec<f64>,
     /// The state at each of these times.
     pub(crate) states: Vec<Vec<f64>>,
@@ -51,14 +50,14 @@ impl Reference {
     }
 }
 
-/// Number of rows after the first until `t_end` [s].
+/// Number of rows after the first until `t_end` (s).
 pub(crate) fn rows(t_end: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
     let count = (t_end / ROW + 0.5) as u32;
     count
 }
 
-/// Time of a row [s].
+/// Time of a row (s).
 pub(crate) fn row_time(row: u32) -> f64 {
     f64::from(row) * ROW
 }

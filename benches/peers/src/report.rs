@@ -16,7 +16,7 @@ use crate::versions::Machine;
 #[derive(Serialize)]
 struct Results<'a> {
     machine: &'a Machine,
-    /// Rounds over all codes, and time for each row in a round [ms].
+    /// Rounds over all codes, and time for each row in a round (ms).
     rounds: u32,
     budget_ms: f64,
     probes: &'a [Probe],

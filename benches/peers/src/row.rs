@@ -14,33 +14,28 @@ pub(crate) struct Row {
     pub(crate) problem: String,
     /// Name of the code.
     pub(crate) code: String,
-    /// Its version.
     pub(crate) version: String,
-    /// Its method.
     pub(crate) method: String,
     /// "default", "sweep", or a name for the advice that was followed.
     pub(crate) setting: String,
-    /// Relative and absolute tolerance, or step [s].
+    /// Relative and absolute tolerance, or step (s).
     pub(crate) tolerance_or_step: f64,
-    /// Number of events.
     pub(crate) events: usize,
     /// Whether all events happened, in their order, and no others.
     pub(crate) sequence_ok: bool,
-    /// Largest error of an event's time [s].
+    /// Largest error of an event's time (s).
     pub(crate) event_error_s: Option<f64>,
     /// Largest error of the state away from events, each component over its own magnitude.
     pub(crate) state_error: Option<f64>,
     /// Evaluations of the right-hand side.
     pub(crate) rhs: Option<u64>,
-    /// Least time of all repeats [ns per simulated ms].
+    /// Least time of all repeats (ns per simulated ms).
     pub(crate) ns_per_ms_min: Option<f64>,
-    /// Their median.
     pub(crate) ns_per_ms_median: Option<f64>,
     /// What a reader must know.
     pub(crate) note: String,
-    /// What went wrong.
     pub(crate) failure: Option<String>,
-    /// Times of single runs [ns].
+    /// Times of single runs (ns).
     #[serde(skip)]
     pub(crate) times: Vec<f64>,
 }
@@ -81,7 +76,7 @@ impl Row {
         }
     }
 
-    /// Sums the times up, of runs over `t_end` [s]; a failure has no time.
+    /// Sums the times up, of runs over `t_end` (s); a failure has no time.
     pub(crate) fn sum_up(&mut self, t_end: f64) {
         let per_ms = 1.0 / (t_end * 1e3);
         let found = median_and_minimum(&self.times).filter(|_| self.sequence_ok);

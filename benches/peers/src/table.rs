@@ -9,7 +9,7 @@ use crate::rounds::{Outcome, Plan};
 use crate::row::Row;
 use crate::versions::Machine;
 
-/// The error of event times at which codes are compared [s].
+/// The error of event times at which codes are compared (s).
 const ERROR: f64 = 1e-9;
 
 /// The whole file.

@@ -23,7 +23,6 @@ pub(crate) fn version(code: &str) -> String {
 /// The machine and the tools: a time means nothing without them.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Machine {
-    /// The processor's name.
     pub(crate) cpu: String,
     /// Number of cores that the system has.
     pub(crate) cores: usize,
@@ -31,7 +30,6 @@ pub(crate) struct Machine {
     pub(crate) kernel: String,
     /// The compiler that built the Rust codes.
     pub(crate) rustc: String,
-    /// The day, UTC.
     pub(crate) date: String,
 }
 

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use dashboard::demo::Demo;
-use dashboard::{App, Clock, Pane};
+use dashboard::{App, Pane, WallClock};
 use eframe::egui;
 use telemetry::{KeyBlock, Overview, Update};
 
@@ -23,7 +23,7 @@ const KEY: u32 = 39;
 
 fn main() {
     let hand = Arc::new(AtomicU64::new(0));
-    let clock: Clock = {
+    let clock: WallClock = {
         let hand = Arc::clone(&hand);
         Arc::new(move || hand.load(Ordering::Relaxed))
     };
@@ -56,7 +56,7 @@ fn main() {
     }
 }
 
-/// Draws one frame: how long the panels took, and the triangles [ms].
+/// Draws one frame: how long the panels took, and the triangles (ms).
 fn frame(ctx: &egui::Context, app: &mut App, i: usize) -> [f64; 2] {
     let size = egui::vec2(1280.0, 800.0);
     let input = egui::RawInput {

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use serde::{Deserialize, Serialize};
 use telemetry::source::Ticket;
-use telemetry::{Arrival, Log, Reply, Request, Source, Standing, Topic, Update, log};
+use telemetry::{Arrival, ConnectionState, Log, Reply, Request, Source, Topic, Update, log};
 
 use crate::names::LAST;
 use crate::panels::links::Light;
@@ -13,7 +13,7 @@ use crate::panels::{deadlines, keyboard, links, midi, phase, tuning};
 use crate::scope::Scope;
 use crate::store::Store;
 use crate::tune::Tuner;
-use crate::{Clock, names};
+use crate::{WallClock, names};
 
 /// Arrivals that are taken before each frame: a flood does not stop the window.
 const MOST: usize = 20_000;
@@ -24,17 +24,13 @@ enum Purpose {
     Tune,
     Tell,
     Stop,
-    /// A board's light.
-    Identify {
-        line: u32,
-        board: u32,
-    },
+    Identify { line: u32, board: u32 },
 }
 
 /// What became of a stop that was asked for here.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum StopState {
-    /// The host has not answered since then [ns since 1970].
+    /// The host has not answered since then (ns since 1970).
     Asked { at: u64 },
     /// No key has a force: how many boards were told of how many, where the host says that, and
     /// its own sentence.
@@ -80,7 +76,7 @@ pub(crate) struct Views {
     pub(crate) keyboard: keyboard::View,
     #[serde(skip)]
     pub(crate) instruments: crate::panels::instruments::View,
-    /// The time at which everything stands still [s].
+    /// The time at which everything stands still (s).
     #[serde(skip)]
     pub(crate) frozen: Option<f64>,
     /// The scene as it sounds now, if somebody asked.
@@ -97,9 +93,9 @@ pub(crate) struct Views {
 }
 
 /// Everything that a panel may see and change.
-pub(crate) struct Desk {
+pub(crate) struct AppState {
     pub(crate) source: Box<dyn Source>,
-    pub(crate) clock: Clock,
+    pub(crate) clock: WallClock,
     pub(crate) store: Store,
     pub(crate) tuner: Tuner,
     pub(crate) views: Views,
@@ -111,8 +107,8 @@ pub(crate) struct Desk {
     wanted: BTreeSet<u8>,
 }
 
-impl Desk {
-    pub(crate) fn new(source: Box<dyn Source>, clock: Clock) -> Self {
+impl AppState {
+    pub(crate) fn new(source: Box<dyn Source>, clock: WallClock) -> Self {
         let views = Views { selected: 39, range: (39, 39), ..Views::default() };
         Self {
             source,
@@ -202,7 +198,7 @@ impl Desk {
 
     /// No force on any key.
     pub(crate) fn stop(&mut self) {
-        if self.source.standing() == Standing::Recording {
+        if self.source.standing() == ConnectionState::Recording {
             // It has no keys, and says so as with anything that is asked of it.
             return self.ask(Request::Stop {});
         }
@@ -282,7 +278,7 @@ impl Desk {
     /// Seconds since the newest message was made, as far as both clocks agree.
     pub(crate) fn latency(&self) -> Option<f64> {
         let at = self.store.newest_at();
-        (0 < at && self.source.standing() == Standing::Live)
+        (0 < at && self.source.standing() == ConnectionState::Live)
             .then(|| (self.clock)().saturating_sub(at) as f64 * 1e-9)
     }
 

@@ -5,11 +5,8 @@ use telemetry::event::Kind;
 /// What people want to know of a fault.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Explained {
-    /// Its name.
     pub(crate) name: &'static str,
-    /// What happened.
     pub(crate) what: &'static str,
-    /// What to do.
     pub(crate) advice: &'static str,
 }
 

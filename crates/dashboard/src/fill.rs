@@ -11,10 +11,10 @@
 const MOST: usize = 256;
 
 /// A place, across and up.
-pub(crate) type Point = [f64; 2];
+pub(crate) type ScreenPoint = [f64; 2];
 
 /// Whether an outline turns always the same way, once around.
-pub(crate) fn is_convex(points: &[Point]) -> bool {
+pub(crate) fn is_convex(points: &[ScreenPoint]) -> bool {
     let all: Vec<usize> = (0..points.len()).collect();
     let turns = (0..all.len()).map(|at| turn(points, around(&all, at)));
     let (left, right) =
@@ -24,7 +24,7 @@ pub(crate) fn is_convex(points: &[Point]) -> bool {
 }
 
 /// How often a walk along an outline turns back in one direction.
-fn reversals(points: &[Point], axis: usize) -> usize {
+fn reversals(points: &[ScreenPoint], axis: usize) -> usize {
     let next = points.iter().cycle().skip(1);
     let steps = points.iter().zip(next).map(|(from, to)| to[axis] - from[axis]);
     let goes_up: Vec<bool> = steps.filter(|step| *step != 0.0).map(|step| 0.0 < step).collect();
@@ -33,7 +33,7 @@ fn reversals(points: &[Point], axis: usize) -> usize {
 }
 
 /// The corners of triangles that together are an outline's inside, as indices into `points`.
-pub(crate) fn triangles(points: &[Point]) -> Vec<[usize; 3]> {
+pub(crate) fn triangles(points: &[ScreenPoint]) -> Vec<[usize; 3]> {
     if MOST < points.len() || !points.iter().flatten().all(|it| it.is_finite()) {
         return Vec::new();
     }
@@ -55,7 +55,7 @@ pub(crate) fn triangles(points: &[Point]) -> Vec<[usize; 3]> {
 
 /// The corner to cut: one of no area, on an edge or at the end of a spike, else an ear, else any
 /// that points outwards.
-fn corner(points: &[Point], left: &[usize]) -> usize {
+fn corner(points: &[ScreenPoint], left: &[usize]) -> usize {
     let turn = |at: usize| turn(points, around(left, at));
     let all = 0..left.len();
     let flat = all.clone().find(|at| turn(*at).abs() <= f64::MIN_POSITIVE);
@@ -65,13 +65,13 @@ fn corner(points: &[Point], left: &[usize]) -> usize {
 }
 
 /// Whether nothing else of the outline is in the triangle of a corner that points outwards.
-fn is_ear(points: &[Point], left: &[usize], at: usize) -> bool {
+fn is_ear(points: &[ScreenPoint], left: &[usize], at: usize) -> bool {
     let cut = around(left, at);
     0.0 < turn(points, cut) && !(0..left.len()).any(|other| is_in_way(points, left, cut, other))
 }
 
 /// Whether the outline is in a triangle where it comes to its place `other`.
-fn is_in_way(points: &[Point], left: &[usize], cut: [usize; 3], other: usize) -> bool {
+fn is_in_way(points: &[ScreenPoint], left: &[usize], cut: [usize; 3], other: usize) -> bool {
     let [before, here, after] = around(left, other);
     let is_here = |corner: &usize| distance(points[*corner], points[here]) <= 0.0;
     match cut.iter().position(is_here) {
@@ -86,7 +86,7 @@ fn is_in_way(points: &[Point], left: &[usize], cut: [usize; 3], other: usize) ->
 }
 
 /// Whether the way from a triangle's first corner to `other` begins in the triangle.
-fn leads_into(points: &[Point], [corner, next, last]: [usize; 3], other: usize) -> bool {
+fn leads_into(points: &[ScreenPoint], [corner, next, last]: [usize; 3], other: usize) -> bool {
     0.0 < turn(points, [corner, next, other]) && 0.0 < turn(points, [corner, other, last])
 }
 
@@ -97,23 +97,23 @@ fn around(left: &[usize], at: usize) -> [usize; 3] {
 }
 
 /// How far two points are from each other, along the axes.
-fn distance(a: Point, b: Point) -> f64 {
+fn distance(a: ScreenPoint, b: ScreenPoint) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).abs()
 }
 
 /// Twice the area of a triangle; positive if it turns anticlockwise.
-fn turn(points: &[Point], [a, b, c]: [usize; 3]) -> f64 {
+fn turn(points: &[ScreenPoint], [a, b, c]: [usize; 3]) -> f64 {
     let [a, b, c] = [points[a], points[b], points[c]];
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
 /// Whether a point is in a triangle that turns anticlockwise, or on its edge.
-fn is_within(points: &[Point], [a, b, c]: [usize; 3], other: usize) -> bool {
+fn is_within(points: &[ScreenPoint], [a, b, c]: [usize; 3], other: usize) -> bool {
     [[a, b], [b, c], [c, a]].into_iter().all(|[from, to]| 0.0 <= turn(points, [from, to, other]))
 }
 
 /// Twice the area of an outline; positive if it turns anticlockwise.
-fn doubled_area(points: &[Point]) -> f64 {
+fn doubled_area(points: &[ScreenPoint]) -> f64 {
     let next = points.iter().cycle().skip(1);
     points.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum()
 }
@@ -124,8 +124,8 @@ mod tests {
 
     /// The triangles are of the outline's corners and have its area.
     #[track_caller]
-    fn check(points: &[Point]) {
-        let mut turned: Vec<Point> = points.to_vec();
+    fn check(points: &[ScreenPoint]) {
+        let mut turned: Vec<ScreenPoint> = points.to_vec();
         for _ in 0..points.len() {
             turned.rotate_left(1);
             check_as_given(&turned);
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn check_as_given(points: &[Point]) {
+    fn check_as_given(points: &[ScreenPoint]) {
         let triangles = triangles(points);
         let filled: f64 = triangles.iter().map(|cut| turn(points, *cut)).map(f64::abs).sum();
         let area = doubled_area(points).abs();
@@ -206,16 +206,18 @@ mod tests {
         assert!(triangles(&bow).len() <= 2);
         let far = [[-1e300, 0.0], [1e300, 1e300], [0.0, -1e300], [1e300, -1e300], [0.0, 1e300]];
         assert!(triangles(&far).len() <= 3);
-        let wild: Vec<Point> =
+        let wild: Vec<ScreenPoint> =
             (0..MOST).map(|i| [((i * 7919) % 1009) as f64, ((i * 104_729) % 997) as f64]).collect();
         assert!(triangles(&wild).len() <= MOST - 2);
     }
 
     #[test]
     fn only_what_turns_once_around_is_convex() {
-        let disc: Vec<Point> = (0..48).map(|i| (f64::from(i) * 0.1309).sin_cos().into()).collect();
+        let disc: Vec<ScreenPoint> =
+            (0..48).map(|i| (f64::from(i) * 0.1309).sin_cos().into()).collect();
         assert!(is_convex(&disc));
-        let star: Vec<Point> = (0..5).map(|i| (f64::from(i) * 2.5133).sin_cos().into()).collect();
+        let star: Vec<ScreenPoint> =
+            (0..5).map(|i| (f64::from(i) * 2.5133).sin_cos().into()).collect();
         assert!(!is_convex(&star));
         assert!(is_convex(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0]]));
     }

@@ -13,15 +13,12 @@ pub enum Pane {
     Mechanism,
     /// A scope, by its number.
     Scope(u8),
-    /// Force against travel.
     Phase,
-    /// Sliders.
     Tuning,
     /// Which instrument plays which keys.
     Instruments,
     /// When ticks were done.
     Deadlines,
-    /// Boards and links.
     Links,
     /// What was sent to a synthesizer.
     Midi,
@@ -29,7 +26,6 @@ pub enum Pane {
     Faults,
     /// Where a recording is.
     Timeline,
-    /// Keys to press.
     Keyboard,
     /// What people should read.
     Log,

@@ -37,17 +37,17 @@ mod unit;
 use std::sync::Arc;
 use std::time::Duration;
 
-pub use app::{App, Memory};
+pub use app::{App, SavedWindow};
 pub use layout::Pane;
 
 /// Nanoseconds since 1970.
-pub type Clock = Arc<dyn Fn() -> u64 + Send + Sync>;
+pub type WallClock = Arc<dyn Fn() -> u64 + Send + Sync>;
 
 /// Called from any thread when something has arrived: how soon it is worth a frame.
-pub type Waker = Arc<dyn Fn(Duration) + Send + Sync>;
+pub type RepaintWaker = Arc<dyn Fn(Duration) + Send + Sync>;
 
 /// The time of the day.
-pub fn wall_clock() -> Clock {
+pub fn wall_clock() -> WallClock {
     Arc::new(|| {
         let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
         since.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX))

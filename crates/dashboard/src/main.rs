@@ -6,8 +6,8 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Parser;
-use dashboard::open::{Sentence, Target, open};
-use dashboard::{App, Memory, Waker, wall_clock};
+use dashboard::open::{Sentence, WindowTarget, open};
+use dashboard::{App, RepaintWaker, SavedWindow, wall_clock};
 use eframe::egui;
 
 /// Where a host listens if nobody says otherwise.
@@ -47,15 +47,15 @@ fn main() -> ExitCode {
 
 fn run(arguments: Arguments) -> Result<(), Sentence> {
     let target = if arguments.demo {
-        Target::Demonstration
+        WindowTarget::Demonstration
     } else {
         let token = arguments.token.or_else(|| std::env::var("LETOFF_TOKEN").ok());
-        Target::of(&arguments.target, token, arguments.fingerprint)
+        WindowTarget::of(&arguments.target, token, arguments.fingerprint)
     };
     // Before there is a window: a mistake in the address needs none to be told.
     let window: Arc<std::sync::OnceLock<egui::Context>> = Arc::default();
     let waiting = Arc::clone(&window);
-    let wake: Waker = Arc::new(move |soon| {
+    let wake: RepaintWaker = Arc::new(move |soon| {
         if let Some(ctx) = waiting.get() {
             ctx.request_repaint_after(soon);
         }
@@ -71,7 +71,7 @@ fn run(arguments: Arguments) -> Result<(), Sentence> {
     };
     let create = move |cc: &eframe::CreationContext<'_>| {
         let _first = window.set(cc.egui_ctx.clone());
-        let memory = cc.storage.and_then(Memory::load);
+        let memory = cc.storage.and_then(SavedWindow::load);
         let app = App::new(source, wall_clock(), memory, &cc.egui_ctx);
         let app: Box<dyn eframe::App> = Box::new(app);
         Ok(app)

@@ -9,15 +9,15 @@ use telemetry::recording::{Playback, Recording};
 use telemetry::stream::{Client, Dial, Fingerprint};
 
 use crate::demo::Demo;
-use crate::pump::{Bell, Pump};
-use crate::{Waker, wall_clock};
+use crate::pump::{Notifier, SourceThread};
+use crate::{RepaintWaker, wall_clock};
 
 /// How often the demonstration has something new.
 const DEMO_PERIOD: Duration = Duration::from_millis(33);
 
 /// Where a window looks.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Target {
+pub enum WindowTarget {
     /// A host that runs.
     Host {
         /// Where it listens: `host:port` or `ws://…`.
@@ -27,16 +27,14 @@ pub enum Target {
         /// What its certificate must be.
         fingerprint: Option<String>,
     },
-    /// A recording.
     Recording {
-        /// Its file.
         file: String,
     },
     /// Neither: something to look at.
     Demonstration,
 }
 
-impl Target {
+impl WindowTarget {
     /// What `text` means: a file if it ends in `.mcap` or there is one, else an address.
     pub fn of(text: &str, token: Option<String>, fingerprint: Option<String>) -> Self {
         let path = std::path::Path::new(text);
@@ -64,31 +62,31 @@ impl std::error::Error for Sentence {}
 ///
 /// # Errors
 /// If it cannot be opened.
-pub fn open(target: &Target, wake: &Waker) -> Result<Box<dyn Source>, Sentence> {
+pub fn open(target: &WindowTarget, wake: &RepaintWaker) -> Result<Box<dyn Source>, Sentence> {
     match target {
-        Target::Host { address, token, fingerprint } => {
+        WindowTarget::Host { address, token, fingerprint } => {
             let pin = fingerprint.as_deref().map(pin).transpose()?;
             let dial = Dial { address: address.clone(), token: token.clone(), pin };
-            let make = |bell: Bell| -> Result<Box<dyn Source + Send>, Sentence> {
+            let make = |bell: Notifier| -> Result<Box<dyn Source + Send>, Sentence> {
                 let ring = move || {
                     let _gone = bell.ring();
                 };
                 Ok(Box::new(Client::connect(dial, Some(Box::new(ring)))))
             };
-            Ok(Box::new(Pump::start(make, Arc::clone(wake))?))
+            Ok(Box::new(SourceThread::start(make, Arc::clone(wake))?))
         }
-        Target::Recording { file } => {
+        WindowTarget::Recording { file } => {
             let recording = Recording::open(file).map_err(|error| Sentence(error.to_string()))?;
             let began = Instant::now();
             let clock = Box::new(move || began.elapsed().as_secs_f64());
             Ok(Box::new(Playback::new(recording, clock)))
         }
-        Target::Demonstration => {
+        WindowTarget::Demonstration => {
             let make = |bell| -> Result<Box<dyn Source + Send>, Sentence> {
                 ring_often(bell);
                 Ok(Box::new(Demo::live(wall_clock())))
             };
-            Ok(Box::new(Pump::start(make, Arc::clone(wake))?))
+            Ok(Box::new(SourceThread::start(make, Arc::clone(wake))?))
         }
     }
 }
@@ -101,7 +99,7 @@ fn pin(text: &str) -> Result<Fingerprint, Sentence> {
 }
 
 /// The demonstration is made while it is looked at: nobody else knows that it has something.
-fn ring_often(bell: Bell) {
+fn ring_often(bell: Notifier) {
     std::thread::spawn(move || {
         while bell.ring() {
             std::thread::sleep(DEMO_PERIOD);
@@ -115,34 +113,34 @@ mod tests {
 
     #[test]
     fn a_recording_is_told_from_an_address() {
-        let recording = |file: &str| Target::Recording { file: file.into() };
-        assert_eq!(Target::of("takes/one.mcap", None, None), recording("takes/one.mcap"));
-        let host = Target::Host {
+        let recording = |file: &str| WindowTarget::Recording { file: file.into() };
+        assert_eq!(WindowTarget::of("takes/one.mcap", None, None), recording("takes/one.mcap"));
+        let host = WindowTarget::Host {
             address: "127.0.0.1:8765".into(),
             token: Some("t".into()),
             fingerprint: None,
         };
-        assert_eq!(Target::of("127.0.0.1:8765", Some("t".into()), None), host);
+        assert_eq!(WindowTarget::of("127.0.0.1:8765", Some("t".into()), None), host);
     }
 
     #[test]
     fn what_cannot_be_opened_is_refused_in_a_sentence() {
-        let wake: Waker = Arc::new(|_| {});
-        let file = Target::of("nothing.mcap", None, None);
+        let wake: RepaintWaker = Arc::new(|_| {});
+        let file = WindowTarget::of("nothing.mcap", None, None);
         let refused = open(&file, &wake).expect_err("no such file").to_string();
         assert!(refused.contains("nothing.mcap"), "{refused}");
-        let host = Target::of("127.0.0.1:1", None, Some("ABC".into()));
+        let host = WindowTarget::of("127.0.0.1:1", None, Some("ABC".into()));
         let refused = open(&host, &wake).expect_err("no fingerprint").to_string();
         assert!(refused.starts_with("ABC is no fingerprint"), "{refused}");
     }
 
     #[test]
     fn a_host_that_is_not_there_is_tried_again() {
-        let wake: Waker = Arc::new(|_| {});
+        let wake: RepaintWaker = Arc::new(|_| {});
         // Nobody listens on a port that was just given back.
         let port = std::net::TcpListener::bind("127.0.0.1:0").and_then(|it| it.local_addr());
-        let host = Target::of(&port.expect("a port").to_string(), None, None);
+        let host = WindowTarget::of(&port.expect("a port").to_string(), None, None);
         let source = open(&host, &wake).expect("a source");
-        assert!(!matches!(source.standing(), telemetry::Standing::Refused(_)));
+        assert!(!matches!(source.standing(), telemetry::ConnectionState::Refused(_)));
     }
 }

@@ -8,9 +8,9 @@ use std::thread;
 use std::time::Duration;
 
 use telemetry::source::Ticket;
-use telemetry::{Arrival, Request, Source, Standing, Topic, Update};
+use telemetry::{Arrival, ConnectionState, Request, Source, Topic, Update};
 
-use crate::Waker;
+use crate::RepaintWaker;
 use crate::store::glance::Glances;
 
 /// At most sixty pictures a second.
@@ -23,7 +23,7 @@ const SELDOM: Duration = Duration::from_secs(5);
 const WAITING: usize = 1 << 16;
 
 /// What the source's thread is told.
-enum Order {
+enum SourceCommand {
     Rung,
     Follow(BTreeSet<Topic>),
     Ask(Ticket, Request),
@@ -31,36 +31,36 @@ enum Order {
 
 /// Rung by a source's own threads when something has arrived.
 #[derive(Clone, Debug)]
-pub struct Bell(Sender<Order>);
+pub struct Notifier(Sender<SourceCommand>);
 
-impl Bell {
+impl Notifier {
     /// Something has arrived. False once nobody listens any more.
     pub fn ring(&self) -> bool {
-        self.0.send(Order::Rung).is_ok()
+        self.0.send(SourceCommand::Rung).is_ok()
     }
 }
 
 /// A live source that lives on a thread of its own.
 #[derive(Debug)]
-pub struct Pump {
+pub struct SourceThread {
     arrivals: Receiver<Arrival>,
-    orders: Sender<Order>,
-    standing: Arc<Mutex<Standing>>,
+    orders: Sender<SourceCommand>,
+    standing: Arc<Mutex<ConnectionState>>,
     name: String,
     tickets: u64,
 }
 
-impl Pump {
+impl SourceThread {
     /// Makes a source, which rings the bell that it gets, and takes care of it.
     ///
     /// # Errors
     /// If the source cannot be made.
     pub fn start<E>(
-        make: impl FnOnce(Bell) -> Result<Box<dyn Source + Send>, E>,
-        wake: Waker,
+        make: impl FnOnce(Notifier) -> Result<Box<dyn Source + Send>, E>,
+        wake: RepaintWaker,
     ) -> Result<Self, E> {
         let (orders, ordered) = channel();
-        let source = make(Bell(orders.clone()))?;
+        let source = make(Notifier(orders.clone()))?;
         let (given, arrivals) = sync_channel(WAITING);
         let standing = Arc::new(Mutex::new(source.standing()));
         let name = source.name();
@@ -76,29 +76,29 @@ impl Pump {
         Ok(Self { arrivals, orders, standing, name, tickets: 0 })
     }
 
-    fn order(&self, order: Order) {
+    fn order(&self, order: SourceCommand) {
         // A thread that has ended says so by its standing.
         let _gone = self.orders.send(order).is_err();
     }
 }
 
-impl Source for Pump {
+impl Source for SourceThread {
     fn next(&mut self) -> Option<Arrival> {
         self.arrivals.try_recv().ok()
     }
 
     fn follow(&mut self, topics: &BTreeSet<Topic>) {
-        self.order(Order::Follow(topics.clone()));
+        self.order(SourceCommand::Follow(topics.clone()));
     }
 
     fn ask(&mut self, request: Request) -> Ticket {
         self.tickets += 1;
         let ticket = Ticket(self.tickets);
-        self.order(Order::Ask(ticket, request));
+        self.order(SourceCommand::Ask(ticket, request));
         ticket
     }
 
-    fn standing(&self) -> Standing {
+    fn standing(&self) -> ConnectionState {
         self.standing.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
@@ -107,24 +107,24 @@ impl Source for Pump {
     }
 }
 
-/// The other side of a [`Pump`].
+/// The other side of a [`SourceThread`].
 struct Worker {
     source: Box<dyn Source + Send>,
     given: SyncSender<Arrival>,
-    wake: Waker,
-    standing: Arc<Mutex<Standing>>,
+    wake: RepaintWaker,
+    standing: Arc<Mutex<ConnectionState>>,
     glances: Glances,
     /// The window's ticket by the source's.
     tickets: BTreeMap<Ticket, Ticket>,
 }
 
 impl Worker {
-    fn run(mut self, orders: &Receiver<Order>) {
+    fn run(mut self, orders: &Receiver<SourceCommand>) {
         while let Ok(order) = orders.recv() {
             match order {
-                Order::Rung => {}
-                Order::Follow(topics) => self.source.follow(&topics),
-                Order::Ask(ticket, request) => {
+                SourceCommand::Rung => {}
+                SourceCommand::Follow(topics) => self.source.follow(&topics),
+                SourceCommand::Ask(ticket, request) => {
                     let own = self.source.ask(request);
                     self.tickets.insert(own, ticket);
                 }
@@ -195,32 +195,32 @@ mod tests {
     use telemetry::Reply;
 
     use super::*;
-    use crate::Clock;
+    use crate::WallClock;
     use crate::demo::Demo;
 
     /// How soon each wake wanted a frame.
     type Wakes = Receiver<Duration>;
 
-    fn pump(hand: &Arc<AtomicU64>) -> (Pump, Bell, Wakes) {
-        let clock: Clock = {
+    fn pump(hand: &Arc<AtomicU64>) -> (SourceThread, Notifier, Wakes) {
+        let clock: WallClock = {
             let hand = Arc::clone(hand);
             Arc::new(move || hand.load(Ordering::Relaxed))
         };
         let (woken, wakes) = channel();
-        let wake: Waker = Arc::new(move |soon| {
+        let wake: RepaintWaker = Arc::new(move |soon| {
             let _gone = woken.send(soon).is_err();
         });
         let mut bell = None;
-        let make = |given: Bell| -> Result<Box<dyn Source + Send>, String> {
+        let make = |given: Notifier| -> Result<Box<dyn Source + Send>, String> {
             bell = Some(given);
             Ok(Box::new(Demo::live(clock)))
         };
-        let pump = Pump::start(make, wake).expect("a demonstration");
+        let pump = SourceThread::start(make, wake).expect("a demonstration");
         (pump, bell.expect("a bell"), wakes)
     }
 
     /// Goes to `seconds`, rings, and says how soon a frame was wanted.
-    fn at(seconds: f64, hand: &AtomicU64, bell: &Bell, wakes: &Wakes) -> Duration {
+    fn at(seconds: f64, hand: &AtomicU64, bell: &Notifier, wakes: &Wakes) -> Duration {
         hand.store(crate::number::floor(seconds * 1e9), Ordering::Relaxed);
         assert!(bell.ring());
         wakes.recv_timeout(Duration::from_secs(20)).expect("a wake")

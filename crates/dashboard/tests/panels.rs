@@ -5,7 +5,7 @@ mod common;
 use std::time::Duration;
 
 use common::{Behind, Stage, stage, stage_with};
-use dashboard::{Memory, Pane};
+use dashboard::{Pane, SavedWindow};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -787,12 +787,12 @@ fn the_window_remembers_how_it_was_left() {
     before.click("Store A");
     let ctx = before.harness.ctx.clone();
     let text = before.harness.state().memory(&ctx).text().to_owned();
-    let mut after = stage_with(Behind::Live, Some(Memory::read(text)), |_| {});
+    let mut after = stage_with(Behind::Live, Some(SavedWindow::read(text)), |_| {});
     after.play(1.0);
     assert!(after.has("lock k2") && !after.has("key C4"));
     let lock = after.harness.get_by_label("lock k2");
     assert_eq!(lock.accesskit_node().toggled(), Some(egui::accesskit::Toggled::True));
-    let stale = stage_with(Behind::Live, Some(Memory::read("no memory at all")), |_| {});
+    let stale = stage_with(Behind::Live, Some(SavedWindow::read("no memory at all")), |_| {});
     assert!(stale.has("key C4"));
 }
 

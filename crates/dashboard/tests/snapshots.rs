@@ -4,7 +4,7 @@ mod common;
 
 use common::snapshot::Canvas;
 use common::{Behind, Hand, source};
-use dashboard::{App, Memory, Pane};
+use dashboard::{App, Pane, SavedWindow};
 use eframe::egui::{Event, Key, Modifiers, Theme};
 
 /// A canvas after `seconds` of the demonstration.
@@ -115,12 +115,12 @@ fn scope_of_two_keys() {
 }
 
 /// What a window would remember whose scope compares with E4.
-fn compared(memory: &str) -> Memory {
+fn compared(memory: &str) -> SavedWindow {
     let mut memory: serde_json::Value = serde_json::from_str(memory).unwrap_or_default();
     memory["views"]["scopes"] = serde_json::json!({
         "0": { "compared": [43], "lanes": [["sent", "string"], ["position"]] }
     });
-    Memory::read(memory.to_string())
+    SavedWindow::read(memory.to_string())
 }
 
 #[test]

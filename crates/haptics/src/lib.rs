@@ -4,17 +4,17 @@
 //! passes, [`passivity`] tells a key that makes energy, and [`plant`] is the other side: a simulated key with its encoder, its motor and
 //! a finger, for running without hardware and for rehearsing a performance.
 //!
-//! **Signs.** A position is the displacement of the key's front [m], *down positive*, zero
-//! at rest. A force is what the finger feels [N], *up positive*: it decreases the position.
+//! **Signs.** A position is the displacement of the key's front (m), *down positive*, zero
+//! at rest. A force is what the finger feels (N), *up positive*: it decreases the position.
 //!
-//! **Time.** No clock is read here; model time `t` and steps `h` [s] are arguments. Nothing
+//! **Time.** No clock is read here; model time `t` and steps `h` (s) are arguments. Nothing
 //! allocates, and every loop has a bound, so everything but the constructors is for the tick.
 //! All state is `Copy`: a snapshot is an assignment, and a replay from it gives the same bits.
 //!
 //! | word | meaning |
 //! |---|---|
 //! | key | the lever that the finger touches, the paper's manipulandum |
-//! | count, quantum | what an encoder reports; the displacement [m] of one count |
+//! | count, quantum | what an encoder reports; the displacement (m) of one count |
 //! | tick, substep | one period of the control loop; the plant's own fixed part of it |
 //! | stuck | at exactly zero velocity, held there by stiction |
 //! | felt | a unilateral spring and damper that stops the key |
@@ -29,10 +29,10 @@ pub mod limits;
 pub mod passivity;
 pub mod plant;
 
-pub use estimate::{BackwardDifference, Estimator, Kalman, Motion};
+pub use estimate::{BackwardDifference, Estimator, Kalman, KeyMotion};
 pub use limits::{ForceGate, Gated, LimitError};
 pub use passivity::{EnergyBound, PassivityObserver};
 pub use plant::{
-    Encoder, Felt, Finger, FingerParameters, Gesture, Key, KeyParameters, KeyRig, Motor,
+    Encoder, Felt, Finger, FingerParameters, Gesture, KeyFront, KeyParameters, KeyRig, Motor,
     MotorParameters, RigParameters, Touch,
 };

@@ -6,9 +6,9 @@ use core::fmt;
 /// Why a gate could not be built; carries the refused value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LimitError {
-    /// The force limit [N] is not finite and positive.
+    /// The force limit (N) is not finite and positive.
     Force(f64),
-    /// The slew limit [N/s] is not finite and positive.
+    /// The slew limit (N/s) is not finite and positive.
     Slew(f64),
 }
 
@@ -31,7 +31,7 @@ impl Error for LimitError {}
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Gated {
-    /// Force that may be sent [N]; always finite and within the limit.
+    /// Force that may be sent (N); always finite and within the limit.
     pub force: f64,
     /// Whether the wanted force was a finite number; if not, zero was wanted instead.
     pub finite: bool,
@@ -57,7 +57,7 @@ impl ForceGate {
     ///
     /// # Errors
     ///
-    /// If `limit_newtons` [N] or `slew_newtons_per_s` [N/s] is not finite and positive.
+    /// If `limit_newtons` (N) or `slew_newtons_per_s` (N/s) is not finite and positive.
     pub fn new(limit_newtons: f64, slew_newtons_per_s: f64) -> Result<Self, LimitError> {
         if !is_limit(limit_newtons) {
             return Err(LimitError::Force(limit_newtons));
@@ -68,12 +68,12 @@ impl ForceGate {
         Ok(Self { limit: limit_newtons, slew: slew_newtons_per_s, force: 0.0 })
     }
 
-    /// Returns the largest force that passes [N].
+    /// Returns the largest force that passes (N).
     pub const fn limit(&self) -> f64 {
         self.limit
     }
 
-    /// Returns the force nearest to `force` [N] that is allowed one `period` [s] later.
+    /// Returns the force nearest to `force` (N) that is allowed one `period` (s) later.
     ///
     /// A period that is not positive and finite allows no change at all.
     ///
@@ -91,17 +91,17 @@ impl ForceGate {
         Gated { force: self.force, finite, limited: self.limit < wanted.abs(), slewed }
     }
 
-    /// Returns the force that passed last [N].
+    /// Returns the force that passed last (N).
     pub const fn force(&self) -> f64 {
         self.force
     }
 
-    /// Largest change within `period` [s], in newtons.
+    /// Largest change within `period` (s), in newtons.
     fn reach(&self, period: f64) -> f64 {
         if period.is_finite() && 0.0 < period { self.slew * period } else { 0.0 }
     }
 
-    /// Moves from the last force towards `target` [N], which is out of reach.
+    /// Moves from the last force towards `target` (N), which is out of reach.
     fn towards(&self, target: f64, period: f64) -> f64 {
         self.force + self.reach(period).copysign(target - self.force)
     }

@@ -3,7 +3,7 @@
 use haptics::{FingerParameters, Gesture, KeyParameters, KeyRig, RigParameters, Touch};
 use proptest::prelude::*;
 
-/// Period of the tick [s].
+/// Period of the tick (s).
 const PERIOD: f64 = 1e-3;
 
 /// A gesture that starts at 10 ms.
@@ -11,7 +11,7 @@ fn gesture(touch: Touch, speed: f64, release: f64) -> Gesture {
     Gesture { start: 0.01, release, touch, speed, hold: Gesture::HOLD }
 }
 
-/// Runs ticks `from .. to` under a constant force [N].
+/// Runs ticks `from .. to` under a constant force (N).
 fn run(rig: &mut KeyRig, from: u32, to: u32, force: f64, gesture: Option<&Gesture>) {
     for tick in from..to {
         rig.advance(f64::from(tick) * PERIOD, PERIOD, force, gesture);
@@ -104,7 +104,7 @@ fn another_gesture_is_another_finger() {
     assert!(rig.is_still());
 }
 
-/// Speed of a key of `mass` [kg] that passes 9 mm, where an action lets off [m/s].
+/// Speed of a key of `mass` (kg) that passes 9 mm, where an action lets off (m/s).
 fn speed_at_let_off(mass: f64, touch: Touch, speed: f64) -> f64 {
     let ordinary = RigParameters::default();
     let key = KeyParameters { mass, ..ordinary.key };

@@ -19,23 +19,23 @@ const RATE_ERROR: f64 = 3e-3;
 /// trimming keep to it.
 pub const MOST_DRIFT: f64 = 0.03;
 
-/// Largest drift that a clock which was not set anew is believed to have [1].
+/// Largest drift that a clock which was not set anew is believed to have (1).
 const MOST_BELIEVED: f64 = 0.1;
 
 /// One round trip.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
-struct Trip {
-    /// Middle of the round trip, host time since the first [us].
+struct RoundTrip {
+    /// Middle of the round trip, host time since the first (us).
     host: f64,
-    /// Board time then, since the first [us].
+    /// Board time then, since the first (us).
     board: f64,
-    /// How long it took [us].
+    /// How long it took (us).
     length: f64,
 }
 
 /// What came of a round trip.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Told {
+pub enum ClockUpdate {
     /// It was taken into account.
     News,
     /// The board's clock went backwards, or somewhere else: it has started anew.
@@ -45,15 +45,15 @@ pub enum Told {
 /// The clock of one board.
 #[derive(Clone, Debug)]
 pub struct ClockModel {
-    trips: [Trip; WINDOW],
+    trips: [RoundTrip; WINDOW],
     n: usize,
-    /// Host and board time of the first trip [us].
+    /// Host and board time of the first trip (us).
     origin: Option<(u64, u32)>,
-    /// Board time since the origin of the newest trip [us], whole.
+    /// Board time since the origin of the newest trip (us), whole.
     newest: i64,
-    /// Board minus host time at `middle`, since the origin [us].
+    /// Board minus host time at `middle`, since the origin (us).
     offset: f64,
-    /// Host time since the origin around which the line turns [us].
+    /// Host time since the origin around which the line turns (us).
     middle: f64,
     /// Rate of the board's clock minus 1.
     drift: f64,
@@ -64,7 +64,7 @@ pub struct ClockModel {
 impl Default for ClockModel {
     fn default() -> Self {
         Self {
-            trips: [Trip::default(); WINDOW],
+            trips: [RoundTrip::default(); WINDOW],
             n: 0,
             origin: None,
             newest: 0,
@@ -81,7 +81,7 @@ impl ClockModel {
     ///
     /// # Real-time
     /// Two passes over 64 trips.
-    pub fn learn(&mut self, sent_us: u64, board_us: u32, heard_us: u64) -> Told {
+    pub fn learn(&mut self, sent_us: u64, board_us: u32, heard_us: u64) -> ClockUpdate {
         let middle_us = sent_us + heard_us.saturating_sub(sent_us) / 2;
         let (host_origin, board_origin) = *self.origin.get_or_insert((middle_us, board_us));
         let since = board_us.wrapping_sub(board_origin);
@@ -90,20 +90,20 @@ impl ClockModel {
         let ahead = since.wrapping_sub(u32::from_le_bytes([a, b, c, d])).cast_signed();
         let board = self.newest + i64::from(ahead);
         let length = heard_us.saturating_sub(sent_us) as f64;
-        let trip = Trip {
+        let trip = RoundTrip {
             host: middle_us.saturating_sub(host_origin) as f64,
             board: board as f64,
             length,
         };
         if self.is_jump(&trip) {
             *self = self.set_anew();
-            return Told::Jumped;
+            return ClockUpdate::Jumped;
         }
         self.newest = board;
         self.trips[self.n % WINDOW] = trip;
         self.n += 1;
         self.fit();
-        Told::News
+        ClockUpdate::News
     }
 
     /// The same oscillator with another time, of which nothing is known yet.
@@ -129,7 +129,7 @@ impl ClockModel {
         self.is_rate_known() && MOST_DRIFT + self.drift_error < self.drift.abs()
     }
 
-    /// The board's time at the host's `host_us` [us], low half.
+    /// The board's time at the host's `host_us` (us), low half.
     pub fn board_us(&self, host_us: u64) -> Option<u32> {
         let (host_origin, board_origin) = self.origin?;
         let host = signed(host_us, host_origin);
@@ -141,11 +141,11 @@ impl ClockModel {
     }
 
     /// How long ago, at the host's `now_us`, the board's clock showed a time whose low 16 bits
-    /// are `stamp_us` [us]; at most 65 ms can be told apart, 5 ms of them in the future.
+    /// are `stamp_us` (us); at most 65 ms can be told apart, 5 ms of them in the future.
     ///
     /// None before the rate of the board's clock is known.
     pub fn age_us(&self, now_us: u64, stamp_us: u16) -> Option<i32> {
-        /// How far in the future a stamp is taken for what it says, not for an old one [us].
+        /// How far in the future a stamp is taken for what it says, not for an old one (us).
         const FUTURE: u16 = 5_000;
         let told = self.board_us(now_us).filter(|_| self.is_rate_known())?;
         let [low, high, ..] = told.to_le_bytes();
@@ -153,17 +153,17 @@ impl ClockModel {
         Some(i32::from(age.wrapping_add(FUTURE)) - i32::from(FUTURE))
     }
 
-    /// How much faster than the host's the board's clock runs [1e-6].
+    /// How much faster than the host's the board's clock runs (1e-6).
     pub fn drift_ppm(&self) -> f64 {
         self.drift * 1e6
     }
 
-    fn remembered(&self) -> &[Trip] {
+    fn remembered(&self) -> &[RoundTrip] {
         &self.trips[..self.n.min(WINDOW)]
     }
 
     /// Whether `trip` cannot be of the same clock: further off than drift and trip explain.
-    fn is_jump(&self, trip: &Trip) -> bool {
+    fn is_jump(&self, trip: &RoundTrip) -> bool {
         if self.n == 0 {
             return false;
         }
@@ -176,7 +176,7 @@ impl ClockModel {
     /// Lays a line through them, the shorter a trip the nearer.
     fn fit(&mut self) {
         let trips = self.remembered();
-        let sum = |value: &dyn Fn(&Trip) -> f64| -> f64 {
+        let sum = |value: &dyn Fn(&RoundTrip) -> f64| -> f64 {
             trips.iter().map(|trip| trip.weight() * value(trip)).sum()
         };
         let all = sum(&|_| 1.0);
@@ -195,7 +195,7 @@ impl ClockModel {
     }
 }
 
-impl Trip {
+impl RoundTrip {
     /// How much it counts: it tells the time to within half its length.
     fn weight(&self) -> f64 {
         // Below 50 us the difference is noise of the system, not of the way.
@@ -203,13 +203,13 @@ impl Trip {
     }
 }
 
-/// The low half of a clock [us], as it stands on the wire.
+/// The low half of a clock (us), as it stands on the wire.
 pub(crate) const fn low(us: u64) -> u32 {
     let [a, b, c, d, ..] = us.to_le_bytes();
     u32::from_le_bytes([a, b, c, d])
 }
 
-/// `later` − `earlier` [us].
+/// `later` − `earlier` (us).
 fn signed(later: u64, earlier: u64) -> f64 {
     later as f64 - earlier as f64
 }
@@ -218,7 +218,7 @@ fn signed(later: u64, earlier: u64) -> f64 {
 mod tests {
     use super::*;
 
-    /// A way of 150 us there and back, and what comes on top by chance [us].
+    /// A way of 150 us there and back, and what comes on top by chance (us).
     fn way(n: u64) -> (u64, u64) {
         let chance = |n: u64| (n.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 40) % 1_000;
         let late = |n: u64| if chance(n) < 700 { chance(n) / 10 } else { 4 * chance(n) };
@@ -230,7 +230,7 @@ mod tests {
         learned_every(20_000, n, rate, board_us)
     }
 
-    /// The same, `every` [us].
+    /// The same, `every` (us).
     fn learned_every(
         every: u64,
         n: u64,
@@ -246,7 +246,10 @@ mod tests {
         for i in 0..n {
             let (there, back) = way(i);
             let sent = 1_000_000 + every * i;
-            assert_eq!(clock.learn(sent, board(sent + there), sent + there + back), Told::News);
+            assert_eq!(
+                clock.learn(sent, board(sent + there), sent + there + back),
+                ClockUpdate::News
+            );
         }
         (clock, board)
     }
@@ -278,9 +281,9 @@ mod tests {
         let (mut clock, board) = learned(50, 1.0, 5_000_000);
         let now = 1_000_000 + 20_000 * 50;
         let before = board(now).wrapping_sub(3_000_000);
-        assert_eq!(clock.learn(now, before, now + 300), Told::Jumped);
+        assert_eq!(clock.learn(now, before, now + 300), ClockUpdate::Jumped);
         assert!(!clock.is_known());
-        assert_eq!(clock.learn(now, before, now + 300), Told::News);
+        assert_eq!(clock.learn(now, before, now + 300), ClockUpdate::News);
         assert_eq!(clock.board_us(now + 150), Some(before));
     }
 
@@ -289,7 +292,7 @@ mod tests {
         let (mut clock, board) = learned(100, 0.98, 5_000_000);
         let now = 1_000_000 + 20_000 * 100;
         let set = |host| board(host).wrapping_sub(3_000_000);
-        assert_eq!(clock.learn(now, set(now + 150), now + 300), Told::Jumped);
+        assert_eq!(clock.learn(now, set(now + 150), now + 300), ClockUpdate::Jumped);
         clock.learn(now, set(now + 150), now + 300);
         assert!(clock.is_known());
         let later = now + 300_000;

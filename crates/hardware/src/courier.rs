@@ -1,8 +1,8 @@
 //! Requests on their way to one board: asked again until they are answered.
 //!
-//! It has no clock and no link: time [us] is an argument, frames go through the caller.
+//! It has no clock and no link: time (us) is an argument, frames go through the caller.
 
-use firmware_protocol::acyclic::{Operation, RETRY_MS, Reply, encode_request};
+use firmware_protocol::acyclic::{AcyclicReply, Operation, RETRY_MS, encode_request};
 use firmware_protocol::key::BoardId;
 use firmware_protocol::{MAX_FRAME, Record};
 
@@ -11,7 +11,7 @@ const TRIES: u8 = 8;
 
 /// A request and when it was asked.
 #[derive(Clone, Copy, Debug)]
-struct Asked {
+struct PendingRequest {
     frame: [u8; MAX_FRAME],
     len: usize,
     id: u8,
@@ -22,24 +22,23 @@ struct Asked {
 
 /// One board's courier: one request at a time.
 #[derive(Clone, Copy, Debug)]
-pub struct Courier {
+pub struct RequestChannel {
     board: BoardId,
     next_id: u8,
-    asked: Option<Asked>,
+    asked: Option<PendingRequest>,
 }
 
 /// A reply that came, and how long it took.
 #[derive(Clone, Copy, Debug)]
-pub struct Heard<'a> {
-    /// The reply.
-    pub reply: Reply<'a>,
+pub struct ReceivedReply<'a> {
+    pub reply: AcyclicReply<'a>,
     /// What had been asked for.
     pub operation: Operation,
-    /// When its request was sent, if that was once only [us].
+    /// When its request was sent, if that was once only (us).
     pub sent_us: Option<u64>,
 }
 
-impl Courier {
+impl RequestChannel {
     /// A courier to `board` whose first request has the number `first`.
     ///
     /// A host that starts anew begins elsewhere, or its first request would be taken for the
@@ -58,7 +57,7 @@ impl Courier {
         let (id, mut frame) = (self.next_id, [0; MAX_FRAME]);
         self.next_id = self.next_id.wrapping_add(1);
         let len = encode_request(self.board, id, operation, record, &mut frame);
-        self.asked = Some(Asked { frame, len, id, operation, sent_us: None, tries: 0 });
+        self.asked = Some(PendingRequest { frame, len, id, operation, sent_us: None, tries: 0 });
     }
 
     /// The frame to be sent at `now_us`, if one is due.
@@ -74,23 +73,23 @@ impl Courier {
     }
 
     /// Takes a frame; returns the reply if it is the one that is waited for.
-    pub fn hear<'a>(&mut self, frame: &'a [u8]) -> Option<Heard<'a>> {
-        let reply = Reply::decode(frame).ok()?;
-        let is_it = |asked: &mut Asked| {
+    pub fn hear<'a>(&mut self, frame: &'a [u8]) -> Option<ReceivedReply<'a>> {
+        let reply = AcyclicReply::decode(frame).ok()?;
+        let is_it = |asked: &mut PendingRequest| {
             reply.board == self.board
                 && reply.id == asked.id
                 && reply.operation == Ok(asked.operation)
         };
         let asked = self.asked.take_if(is_it)?;
         let sent_us = asked.sent_us.filter(|_| asked.tries == 1);
-        Some(Heard { reply, operation: asked.operation, sent_us })
+        Some(ReceivedReply { reply, operation: asked.operation, sent_us })
     }
 
     /// Whether the board did not answer, however often it was asked; then it may be asked
     /// something else.
     pub fn gave_up(&mut self, now_us: u64) -> bool {
         let patience_us = u64::from(RETRY_MS) * 1_000;
-        let is_silent = |asked: &mut Asked| {
+        let is_silent = |asked: &mut PendingRequest| {
             TRIES <= asked.tries && asked.sent_us.is_none_or(|sent| sent + patience_us <= now_us)
         };
         self.asked.take_if(is_silent).is_some()
@@ -117,7 +116,7 @@ mod tests {
 
     #[test]
     fn it_asks_again_after_25_ms_and_gives_up_in_the_end() {
-        let mut courier = Courier::new(board(), 9);
+        let mut courier = RequestChannel::new(board(), 9);
         courier.ask(Operation::Ping, &Nothing);
         let mut sent = 0;
         for now in (0..1_000_000).step_by(1_000) {
@@ -133,7 +132,7 @@ mod tests {
 
     #[test]
     fn only_the_reply_that_is_waited_for_counts() {
-        let mut courier = Courier::new(board(), 9);
+        let mut courier = RequestChannel::new(board(), 9);
         courier.ask(Operation::Ping, &Nothing);
         assert!(courier.due(100).is_some());
         for (id, operation) in [(8, Operation::Ping), (9, Operation::Light)] {
@@ -148,7 +147,7 @@ mod tests {
 
     #[test]
     fn a_reply_to_what_was_asked_twice_tells_no_time() {
-        let mut courier = Courier::new(board(), 0);
+        let mut courier = RequestChannel::new(board(), 0);
         courier.ask(Operation::Ping, &Nothing);
         assert!(courier.due(0).is_some() && courier.due(25_000).is_some());
         let (bytes, len) = reply(0, Operation::Ping);

@@ -11,13 +11,12 @@ pub enum Error {
     /// The tick's period is not one that boards can keep.
     #[error("a tick of {period} s is not possible; give a period above 0 and up to 1 s")]
     Period {
-        /// What was asked for [s].
+        /// What was asked for (s).
         period: f64,
     },
     /// A serial port could not be opened.
     #[error("the serial port {path} cannot be opened: {why}")]
     Port {
-        /// Which one.
         path: PathBuf,
         /// What is wrong, and what to do.
         why: PortTrouble,
@@ -31,7 +30,6 @@ pub enum Error {
     /// A CAN interface could not be opened.
     #[error("the CAN interface {interface} cannot be opened: {why}")]
     Can {
-        /// Which one.
         interface: String,
         /// What is wrong, and what to do.
         why: CanTrouble,
@@ -44,26 +42,15 @@ pub enum Error {
     BoardKeys {
         /// The first, `0 ..= 87`.
         first: u8,
-        /// How many.
         n_keys: usize,
     },
     /// A file could not be written.
     #[error("{path} cannot be written: {source}; see to the folder and its rights")]
-    Unwritable {
-        /// Which one.
-        path: PathBuf,
-        /// The system's reason.
-        source: io::Error,
-    },
+    Unwritable { path: PathBuf, source: io::Error },
     /// The system refused to list its serial ports.
     #[error("the system does not list its serial ports: {0}; name one: serial:/dev/ttyACM0")]
     SerialPorts(#[from] serialport::Error),
     /// A folder or file of the system could not be read.
     #[error("{path} cannot be read: {source}; see to its rights")]
-    Unreadable {
-        /// Which one.
-        path: PathBuf,
-        /// The system's reason.
-        source: io::Error,
-    },
+    Unreadable { path: PathBuf, source: io::Error },
 }

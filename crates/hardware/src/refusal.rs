@@ -7,7 +7,7 @@ use firmware_protocol::frame::hello::safe_reason;
 use firmware_protocol::key::KeyIndex;
 use firmware_protocol::version::PROTOCOL_VERSION;
 
-use crate::calibrate::Fault;
+use crate::calibrate::CalibrationFault;
 use crate::clock::MOST_DRIFT;
 
 /// A board as it is called in sentences.
@@ -15,7 +15,6 @@ use crate::clock::MOST_DRIFT;
 pub struct BoardName {
     /// The link it is on.
     pub line: String,
-    /// Its number there.
     pub number: u8,
 }
 
@@ -53,7 +52,6 @@ impl fmt::Display for KeyName {
 pub struct KeyRange {
     /// The first, `0 ..= 87`.
     pub first: u8,
-    /// How many.
     pub n: u8,
 }
 
@@ -78,7 +76,7 @@ pub enum Refusal {
         "nothing on {line} answers as a board does ({heard}); see that the board has power and \
          that this is its port: `letoff devices` lists what there is"
     )]
-    Silent { line: String, heard: Heard },
+    Silent { line: String, heard: LineTraffic },
     #[error(
         "{board} speaks protocol {major}, this host {ours}; update the {older}",
         ours = PROTOCOL_VERSION.major,
@@ -147,12 +145,12 @@ pub enum Refusal {
     #[error("{board}: {why}")]
     Calibration { board: BoardName, why: String },
     #[error("{key} of {board}: {fault}")]
-    Key { board: BoardName, key: KeyName, fault: Fault },
+    Key { board: BoardName, key: KeyName, fault: CalibrationFault },
 }
 
 /// What came over a line on which no board answered.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Heard {
+pub struct LineTraffic {
     /// Frames that were no hello.
     pub frames: u64,
     /// What came and was no frame.
@@ -161,7 +159,7 @@ pub struct Heard {
     pub down: u64,
 }
 
-impl fmt::Display for Heard {
+impl fmt::Display for LineTraffic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self { frames: 0, corrupt: 0, down: 0 } => f.write_str("not a byte came"),
@@ -186,7 +184,7 @@ const fn status_words(status: Status) -> &'static str {
     }
 }
 
-/// What is wrong with a clock that runs so much too fast [1e-6], in words.
+/// What is wrong with a clock that runs so much too fast (1e-6), in words.
 pub fn clock_words(ppm: i32) -> String {
     let percent = f64::from(ppm.abs()) * 1e-4;
     let how = if ppm < 0 { "slow" } else { "fast" };

@@ -7,9 +7,7 @@ use firmware_protocol::key::{BoardId, KEYS, KeyIndex, MOST_KEYS};
 pub struct BoardPlace {
     /// Which line it is on.
     pub line: usize,
-    /// Its number there.
     pub board: BoardId,
-    /// Its first key.
     pub first_key: KeyIndex,
     /// Its keys, `1 ..= 12`, in a row.
     pub n_keys: usize,

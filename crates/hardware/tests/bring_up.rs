@@ -11,17 +11,17 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::key::KeyIndex;
 use haptics::plant::{Gesture, Touch};
-use hardware::keybed::{Armed, Keybed, Line, Offline, Terms, Wanted};
+use hardware::keybed::{Armed, Keybed, NamedLink, Offline, Terms, WantedBoards};
 use hardware::refusal::Refusal;
-use hardware::rt::glance::Glance;
-use hardware::rt::steward::{Bar, Stage};
+use hardware::rt::glance::LinkSnapshot;
+use hardware::rt::steward::{ArmLockout, ArmState};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus as _;
 
 const PATIENCE: u64 = 5_000_000;
 
-fn wanted() -> Wanted {
-    Wanted { hz: 1_000, ..Wanted::default() }
+fn wanted() -> WantedBoards {
+    WantedBoards { hz: 1_000, ..WantedBoards::default() }
 }
 
 fn terms() -> Terms {
@@ -78,13 +78,13 @@ fn one_board_shows_its_light_while_all_render_and_each_is_seen() {
     keybed.light(1);
     exchange(&mut keybed, 50, 100, 0.0);
     let care = |place| match keybed.glance(place) {
-        Some(Glance::Board(board, it)) => (board, it.care.expect("it is looked after")),
+        Some(LinkSnapshot::Board(board, it)) => (board, it.care.expect("it is looked after")),
         it => panic!("no board at {place}: {it:?}"),
     };
-    assert!(matches!(keybed.glance(1), Some(Glance::Line(1, _))));
+    assert!(matches!(keybed.glance(1), Some(LinkSnapshot::Line(1, _))));
     for (place, board) in [(2, 0), (3, 1)] {
         let (index, care) = care(place);
-        assert_eq!((index, care.stage, care.armings), (board, Stage::Armed, 1));
+        assert_eq!((index, care.stage, care.armings), (board, ArmState::Armed, 1));
         assert!(care.round_trip_us.is_some_and(|it| 0 < it), "{care:?}");
     }
     assert_eq!(keybed.glance(4), None);
@@ -102,7 +102,10 @@ fn a_board_that_was_stopped_shows_its_light_all_the_same() {
     keybed.light(0);
     exchange(&mut keybed, 250, 100, 0.0);
     let report = keybed.board_reports().remove(0);
-    assert!(matches!(report.condition.stage, Stage::Barred(Bar::Latched(_))), "{report:?}");
+    assert!(
+        matches!(report.condition.stage, ArmState::Barred(ArmLockout::Latched(_))),
+        "{report:?}"
+    );
     assert!(boards.remove(0).stop().is_lit());
 }
 
@@ -148,7 +151,7 @@ fn a_simulated_finger_plays_over_the_link() {
 #[test]
 fn a_line_without_a_board_is_refused_by_its_name() {
     let (host, _nobody) = pair();
-    let line = Line::new("/dev/printer", Box::new(host));
+    let line = NamedLink::new("/dev/printer", Box::new(host));
     let refusals = Keybed::new(vec![line], now_us).identify(300_000).expect_err("nobody");
     let sentence = refusals.to_string();
     assert!(
@@ -170,7 +173,7 @@ fn a_board_that_carries_other_keys_than_the_scene_says_is_refused() {
     let identified = offline.identify(PATIENCE).expect("a board");
     let scene = hardware::refusal::KeyRange { first: 0, n: 11 };
     let boards = vec![(0, 1, scene), (0, 7, scene)];
-    let refusals = identified.calibrate(&Wanted { boards, ..wanted() }, nominal);
+    let refusals = identified.calibrate(&WantedBoards { boards, ..wanted() }, nominal);
     let sentence = refusals.expect_err("other keys").to_string();
     assert!(
         sentence.contains("says that it carries G#1..F#2, the scene says A0..G1"),
@@ -183,7 +186,8 @@ fn a_board_that_carries_other_keys_than_the_scene_says_is_refused() {
 fn a_board_that_dies_is_brought_up_again_and_the_other_never_notices() {
     let (host, away) = pair();
     let (other_host, other_away) = pair();
-    let lines = vec![Line::new("dies", Box::new(host)), Line::new("lives", Box::new(other_host))];
+    let lines =
+        vec![NamedLink::new("dies", Box::new(host)), NamedLink::new("lives", Box::new(other_host))];
     let first = Living::start(board(0), away);
     let other = Living::start(board(1), other_away);
     let mut keybed = armed(Keybed::new(lines, now_us));
@@ -203,7 +207,7 @@ fn forces_for_all_boards_move_the_keys_of_each() {
     let (offline, boards) = keybed(&[2, 5]);
     let identified = offline.identify(PATIENCE).expect("boards");
     let forces = ForcePacking::Multicast16;
-    let calibrated = identified.calibrate(&Wanted { forces, ..wanted() }, nominal);
+    let calibrated = identified.calibrate(&WantedBoards { forces, ..wanted() }, nominal);
     let calibrated = calibrated.expect("boards that take multicast");
     let mut keybed = calibrated.arm(Terms { forces, ..terms() }, PATIENCE).expect("armed");
     let samples = exchange(&mut keybed, 0, 300, -1.0);

@@ -12,9 +12,9 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::key::{BoardId, KeyIndex};
 use haptics::plant::RigParameters;
-use hardware::calibrate::{self, Bench, Fault, Rested, Travelled};
+use hardware::calibrate::{self, Bench, CalibrationFault, Rested, Travelled};
 use hardware::calibration::KeyCalibration;
-use hardware::keybed::{Keybed, Line, Terms, Wanted};
+use hardware::keybed::{Keybed, NamedLink, Terms, WantedBoards};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
 
 const PATIENCE: u64 = 5_000_000;
@@ -32,9 +32,9 @@ fn make(n_keys: usize) -> BoardMake {
 fn bench(make: BoardMake) -> (Bench, Living) {
     let (host, away) = pair();
     let board = Living::start(SimulatedBoard::new(make).expect("a possible board"), away);
-    let lines = vec![Line::new("socket 3", Box::new(host))];
+    let lines = vec![NamedLink::new("socket 3", Box::new(host))];
     let identified = Keybed::new(lines, now_us).identify(PATIENCE).expect("a board");
-    let wanted = Wanted { hz: 1_000, ..Wanted::default() };
+    let wanted = WantedBoards { hz: 1_000, ..WantedBoards::default() };
     let calibrated = identified.calibrate(&wanted, nominal).expect("a good board");
     let (samples, forces) = (SamplePacking::default(), ForcePacking::default());
     let terms = Terms { period_us: 1_000, samples, forces, valid_ms: 100 };
@@ -46,10 +46,13 @@ fn key(slot: u8) -> KeyIndex {
 }
 
 /// Does it again when the machine was too busy.
-fn tried<T>(mut measure: impl FnMut() -> Result<T, Fault>) -> Result<T, Fault> {
+fn tried<T>(
+    mut measure: impl FnMut() -> Result<T, CalibrationFault>,
+) -> Result<T, CalibrationFault> {
     let mut outcome = measure();
     for _ in 1..TRIES {
-        if !matches!(outcome, Err(Fault::Interrupted | Fault::Silent { .. })) {
+        if !matches!(outcome, Err(CalibrationFault::Interrupted | CalibrationFault::Silent { .. }))
+        {
             break;
         }
         outcome = measure();
@@ -131,7 +134,7 @@ fn a_key_that_jams_is_refused_and_its_neighbour_is_not_felt() {
     let (mut bench, board) = bench(BoardMake { rig, ..make(2) });
     let rested = rested(&mut bench, key(1));
     let fault = tried(|| bench.trip(key(1), &rested)).expect_err("it jams");
-    assert!(matches!(fault, Fault::Stuck { .. }), "{fault}");
+    assert!(matches!(fault, CalibrationFault::Stuck { .. }), "{fault}");
     assert!(fault.to_string().contains("does not move under 1.5 N"), "{fault}");
     drop(bench.release());
     assert!(board.stop().rig(0).expect("a key").position().abs() < 1e-6);
@@ -143,9 +146,12 @@ fn a_board_that_goes_is_missed() {
     let rested = rested(&mut bench, key(0));
     drop(board);
     let fault = bench.trip(key(0), &rested).expect_err("nobody is there");
-    assert!(matches!(fault, Fault::Interrupted | Fault::Silent { .. }), "{fault}");
+    assert!(
+        matches!(fault, CalibrationFault::Interrupted | CalibrationFault::Silent { .. }),
+        "{fault}"
+    );
     let fault = bench.rests(&[key(0)]).remove(0).expect_err("nobody is there");
-    assert!(matches!(fault, Fault::Silent { .. }), "{fault}");
+    assert!(matches!(fault, CalibrationFault::Silent { .. }), "{fault}");
     let mut keybed = bench.release();
     let mut asker = keybed.asker(0, BoardId::new(3).expect("a board"));
     let refused = keybed.ask::<_, Nothing>(&mut asker, Operation::Counters, &Nothing);

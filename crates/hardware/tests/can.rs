@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::key::BoardId;
-use hardware::link::can::{Can, CanMode, Side};
+use hardware::link::can::{BusSide, Can, CanMode};
 use hardware::link::{Health, Link as _, RecvError, SendError, WireState};
 use socketcan::id::FdFlags;
 use socketcan::{
@@ -49,17 +49,17 @@ fn on_a_virtual_interface_the_driver_keeps_its_promises() {
 }
 
 fn errors_say_what_to_do(name: &str) {
-    let error = Can::open("nocan7", CanMode::Fd, Side::Host).expect_err("there is none");
+    let error = Can::open("nocan7", CanMode::Fd, BusSide::Host).expect_err("there is none");
     let sentence = error.to_string();
     assert!(sentence.contains("there is no CAN interface of that name"), "{sentence}");
     assert!(sentence.contains(name), "{sentence}");
-    let sentence = Can::open("lo", CanMode::Fd, Side::Host).expect_err("no CAN").to_string();
+    let sentence = Can::open("lo", CanMode::Fd, BusSide::Host).expect_err("no CAN").to_string();
     assert!(sentence.contains("there is no CAN interface of that name"), "{sentence}");
 }
 
 fn each_side_hears_what_is_for_it(name: &str) {
     for mode in MODES {
-        let mut host = open(name, mode, Side::Host);
+        let mut host = open(name, mode, BusSide::Host);
         let mut boards = [3, 4].map(|number| open(name, mode, board(number)));
         // Stop, who is there, forces for 3, multicast forces, request for 4.
         for head in [[0x0F, 1], [0x0F, 3], [0x23, 0], [0x42, 0], [0x84, 0]] {
@@ -80,7 +80,7 @@ fn each_side_hears_what_is_for_it(name: &str) {
 }
 
 fn what_does_not_agree_is_corrupt(name: &str) {
-    let mut host = open(name, CanMode::Fd, Side::Host);
+    let mut host = open(name, CanMode::Fd, BusSide::Host);
     let other = CanFdSocket::open(name).expect("it opens");
     let id = StandardId::new(0x206).expect("eleven bits");
     let frame = CanFdFrame::with_flags(id, &samples(5, 1), FdFlags::BRS).expect("a frame");
@@ -96,7 +96,7 @@ fn what_does_not_agree_is_corrupt(name: &str) {
 }
 
 fn reports_become_health(name: &str) {
-    let mut host = open(name, CanMode::Fd, Side::Host);
+    let mut host = open(name, CanMode::Fd, BusSide::Host);
     let controller = CanFdSocket::open(name).expect("it opens");
     let mut health = |class, data: [u8; 8]| {
         let report = CanErrorFrame::new_error(class, &data).expect("a report");
@@ -115,7 +115,7 @@ fn reports_become_health(name: &str) {
 }
 
 fn a_reader_that_stops_reading_loses_whole_frames(name: &str, mode: CanMode) {
-    let (mut host, mut board) = (open(name, mode, Side::Host), open(name, mode, board(3)));
+    let (mut host, mut board) = (open(name, mode, BusSide::Host), open(name, mode, board(3)));
     let mut sent = 0;
     while sent < 5_000 && board.try_send(&samples(3, sent)) == Ok(()) {
         sent += 1;
@@ -148,7 +148,7 @@ fn a_bus_that_is_full_takes_frames_whole_or_not_at_all(name: &str, mode: CanMode
     if !run("tc", &[&["qdisc", "add", "dev", name][..], &slow].concat()) {
         return tell("SKIPPED: `tc qdisc add` is not possible: a full bus was not tested");
     }
-    let (mut host, mut board) = (open(name, mode, Side::Host), open(name, mode, board(3)));
+    let (mut host, mut board) = (open(name, mode, BusSide::Host), open(name, mode, board(3)));
     let (mut taken, mut refused) = (Vec::new(), 0);
     for number in 0..300 {
         match board.try_send(&samples(3, number)) {
@@ -180,7 +180,7 @@ fn a_bus_that_is_full_takes_frames_whole_or_not_at_all(name: &str, mode: CanMode
 
 fn eight_boards_send_without_a_gap(name: &str, mode: CanMode, hertz: u32) {
     const BOARDS: usize = 8;
-    let mut host = open(name, mode, Side::Host);
+    let mut host = open(name, mode, BusSide::Host);
     let start = Instant::now();
     let mut next = [0; BOARDS];
     thread::scope(|scope| {
@@ -213,7 +213,7 @@ fn send_for_a_second(link: &mut Can, board: u8, hertz: u32) {
 
 fn round_trips(name: &str) {
     for mode in MODES {
-        let (mut host, mut board) = (open(name, mode, Side::Host), open(name, mode, board(3)));
+        let (mut host, mut board) = (open(name, mode, BusSide::Host), open(name, mode, board(3)));
         let mut trips: Vec<_> = (0..1_000)
             .map(|number| {
                 let start = Instant::now();
@@ -234,14 +234,14 @@ fn round_trips(name: &str) {
 
 fn an_interface_that_goes_down_says_so_and_works_again(name: &str) {
     for mode in MODES {
-        let (mut host, mut board) = (open(name, mode, Side::Host), open(name, mode, board(3)));
+        let (mut host, mut board) = (open(name, mode, BusSide::Host), open(name, mode, board(3)));
         if !ip(&["link", "set", name, "down"]) {
             return tell("SKIPPED: `ip link set down` is not allowed: it was not tested");
         }
         assert_eq!(board.try_send(&samples(3, 0)), Err(SendError::Down));
         assert_eq!(recv(&mut host), Err(RecvError::Down));
         assert_eq!(recv(&mut host), Ok(None));
-        let sentence = Can::open(name, mode, Side::Host).expect_err("it is down").to_string();
+        let sentence = Can::open(name, mode, BusSide::Host).expect_err("it is down").to_string();
         let command = format!("bring it up: sudo ip link set {name} up");
         assert!(sentence.contains(&command), "{sentence}");
         assert!(ip(&["link", "set", name, "up"]));
@@ -260,23 +260,23 @@ fn an_interface_without_fd_says_what_to_do(name: &str) {
     if !set_mtu("16") {
         return tell("SKIPPED: `ip link set mtu` is not allowed: it was not tested");
     }
-    let sentence = Can::open(name, CanMode::Fd, Side::Host).expect_err("no FD").to_string();
+    let sentence = Can::open(name, CanMode::Fd, BusSide::Host).expect_err("no FD").to_string();
     let command = format!("sudo ip link set {name} down && sudo ip link set {name} mtu 72");
     assert!(sentence.contains(&command), "{sentence}");
     assert_eq!(open_already.try_send(&samples(3, 0)), Err(SendError::Down));
     let (mut host, mut board) =
-        (open(name, CanMode::Classic, Side::Host), open(name, CanMode::Classic, board(3)));
+        (open(name, CanMode::Classic, BusSide::Host), open(name, CanMode::Classic, board(3)));
     board.try_send(&samples(3, 1)).expect("there is room");
     assert_eq!(soon(|| recv(&mut host).expect("a frame")), samples(3, 1));
     assert!(set_mtu("72"));
 }
 
-fn open(name: &str, mode: CanMode, side: Side) -> Can {
+fn open(name: &str, mode: CanMode, side: BusSide) -> Can {
     Can::open(name, mode, side).expect("LETOFF_CAN is a virtual interface that is up")
 }
 
-fn board(number: u8) -> Side {
-    Side::Board(BoardId::new(number).expect("a board"))
+fn board(number: u8) -> BusSide {
+    BusSide::Board(BoardId::new(number).expect("a board"))
 }
 
 /// Samples of a board with a number in them, as long as eleven keys take on CAN FD.

@@ -6,7 +6,7 @@ use std::io::Write as _;
 
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::key::BoardId;
-use hardware::link::can::{Can, CanMode, Side as CanSide};
+use hardware::link::can::{BusSide as CanSide, Can, CanMode};
 use hardware::link::faulty::{FaultPlan, Faults};
 use hardware::link::framed::Framing;
 use hardware::link::loopback::Loopback;

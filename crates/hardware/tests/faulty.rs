@@ -1,28 +1,30 @@
 //! Each fault of a disturbed link, and that the same seed disturbs in the same way.
 
-use hardware::link::faulty::{Chance, Direction, Fault, FaultCounts, FaultPlan, Faults, Scripted};
+use hardware::link::faulty::{
+    Chance, Direction, FaultCounts, FaultPlan, Faults, LinkFault, Scripted,
+};
 use hardware::link::loopback::Loopback;
 use hardware::link::{Link as _, MAX_LEN, RecvError, SendError};
 
 #[test]
 fn a_dropped_frame_never_arrives() {
-    check(Fault::Drop, &[&[], &[1], &[2], &[3]]);
+    check(LinkFault::Drop, &[&[], &[1], &[2], &[3]]);
 }
 
 #[test]
 fn a_duplicated_frame_arrives_twice() {
-    check(Fault::Duplicate, &[&[0, 0], &[1], &[2], &[3]]);
+    check(LinkFault::Duplicate, &[&[0, 0], &[1], &[2], &[3]]);
 }
 
 #[test]
 fn a_delayed_frame_is_overtaken() {
-    check(Fault::Delay(2), &[&[], &[1], &[0, 2], &[3]]);
+    check(LinkFault::Delay(2), &[&[], &[1], &[0, 2], &[3]]);
 }
 
 #[test]
 fn a_flipped_bit_changes_one_bit() {
     for direction in [Direction::Send, Direction::Receive] {
-        let [first, ..] = run(scripted(Fault::FlipBit, direction), direction).0;
+        let [first, ..] = run(scripted(LinkFault::FlipBit, direction), direction).0;
         let [got] = first.try_into().unwrap();
         assert_eq!(got.count_ones(), 1, "frame 0 arrived as {got:#b}");
     }
@@ -33,8 +35,8 @@ fn a_link_that_is_down_says_so_and_comes_back() {
     let mut wire = Loopback::new(4);
     let mut faults = Faults::new(FaultPlan {
         script: vec![
-            Scripted { exchanges: 0..1, direction: Direction::Send, fault: Fault::Down },
-            Scripted { exchanges: 0..1, direction: Direction::Receive, fault: Fault::Down },
+            Scripted { exchanges: 0..1, direction: Direction::Send, fault: LinkFault::Down },
+            Scripted { exchanges: 0..1, direction: Direction::Receive, fault: LinkFault::Down },
         ],
         ..FaultPlan::default()
     });
@@ -51,7 +53,7 @@ fn a_link_that_is_down_says_so_and_comes_back() {
 fn chance_strikes_about_as_often_as_planned_and_the_same_way_for_a_seed() {
     let n = 10_000;
     let losses = |seed| {
-        let chances = vec![Chance { probability: 0.1, fault: Fault::Drop }];
+        let chances = vec![Chance { probability: 0.1, fault: LinkFault::Drop }];
         let mut faults = Faults::new(FaultPlan { seed, chances, script: Vec::new() });
         let mut wire = Loopback::new(1);
         let lost: Vec<_> = (0..n)
@@ -70,14 +72,14 @@ fn chance_strikes_about_as_often_as_planned_and_the_same_way_for_a_seed() {
 }
 
 /// `fault` for all frames of the first exchange.
-fn scripted(fault: Fault, direction: Direction) -> FaultPlan {
+fn scripted(fault: LinkFault, direction: Direction) -> FaultPlan {
     let script = vec![Scripted { exchanges: 0..1, direction, fault }];
     FaultPlan { script, ..FaultPlan::default() }
 }
 
 /// Asserts what arrives in each of four exchanges when the first has `fault`, both ways.
 #[track_caller]
-fn check(fault: Fault, expected: &[&[u8]; 4]) {
+fn check(fault: LinkFault, expected: &[&[u8]; 4]) {
     for direction in [Direction::Send, Direction::Receive] {
         let (mut arrived, counts) = run(scripted(fault, direction), direction);
         // A delayed frame is put on the wire before the one of its exchange.

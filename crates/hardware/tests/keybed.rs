@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use firmware_protocol::key::{BoardId, KeyIndex};
 use haptics::plant::{Gesture, RigParameters, Touch};
-use hardware::link::faulty::{Chance, Direction, Fault, FaultPlan, Scripted};
+use hardware::link::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use hardware::sim::key::SimulatedKey;
 use hardware::sim::keybed::SimulatedKeybed;
 use proptest::prelude::*;
@@ -168,7 +168,7 @@ fn keys_that_nobody_plays_stay_exactly_at_rest() {
 
 #[test]
 fn a_lost_sample_is_old_and_the_next_one_fresh() {
-    let lost = Scripted { exchanges: 5..8, direction: Direction::Receive, fault: Fault::Drop };
+    let lost = Scripted { exchanges: 5..8, direction: Direction::Receive, fault: LinkFault::Drop };
     let mut bed = Bed::disturbed(FaultPlan { script: vec![lost], ..FaultPlan::default() });
     let ages: Vec<_> = (0..10).map(|tick| bed.exchange(tick).age).collect();
     assert_eq!(ages, [0, 0, 0, 0, 0, 1, 2, 3, 0, 0]);
@@ -180,7 +180,7 @@ fn a_lost_sample_is_old_and_the_next_one_fresh() {
 
 #[test]
 fn a_board_that_was_never_heard_has_samples_that_say_so() {
-    let lost = Scripted { exchanges: 0..9, direction: Direction::Receive, fault: Fault::Drop };
+    let lost = Scripted { exchanges: 0..9, direction: Direction::Receive, fault: LinkFault::Drop };
     let mut bed = Bed::disturbed(FaultPlan { script: vec![lost], ..FaultPlan::default() });
     assert_eq!(bed.exchange(0).age, u32::MAX);
     assert_eq!(bed.keybed.statistics(key(PLAYED).board()).unsent, 1);
@@ -188,7 +188,7 @@ fn a_board_that_was_never_heard_has_samples_that_say_so() {
 
 #[test]
 fn a_flipped_bit_is_counted_and_never_moves_a_key() {
-    let flip = Chance { probability: 0.3, fault: Fault::FlipBit };
+    let flip = Chance { probability: 0.3, fault: LinkFault::FlipBit };
     let mut bed = Bed::disturbed(FaultPlan { seed: 1, chances: vec![flip], script: Vec::new() });
     let mut undisturbed = Bed::new();
     bed.keybed.play(key(PLAYED), Vec::new());
@@ -229,7 +229,7 @@ fn a_silent_host_loses_the_motors_within_30_ms_for_good() {
 
 #[test]
 fn forces_that_come_too_late_are_not_acted_on() {
-    let late = Chance { probability: 1.0, fault: Fault::Delay(30) };
+    let late = Chance { probability: 1.0, fault: LinkFault::Delay(30) };
     let down_only = |exchange| Scripted {
         exchanges: exchange..u64::MAX,
         direction: Direction::Send,
@@ -243,7 +243,7 @@ fn forces_that_come_too_late_are_not_acted_on() {
 
 #[test]
 fn a_wire_that_is_pulled_trips_one_board_only() {
-    let down = |direction| Scripted { exchanges: 20..u64::MAX, direction, fault: Fault::Down };
+    let down = |direction| Scripted { exchanges: 20..u64::MAX, direction, fault: LinkFault::Down };
     let script = [Direction::Send, Direction::Receive].map(down).to_vec();
     let mut bed = Bed::disturbed(FaultPlan { script, ..FaultPlan::default() });
     bed.exchanges(0..100);
@@ -282,7 +282,13 @@ fn a_period_that_is_no_time_is_refused() {
 
 /// Every fault at once, a fifth of all frames.
 fn storm(seed: u64) -> FaultPlan {
-    let faults = [Fault::Drop, Fault::Duplicate, Fault::FlipBit, Fault::Delay(3), Fault::Down];
+    let faults = [
+        LinkFault::Drop,
+        LinkFault::Duplicate,
+        LinkFault::FlipBit,
+        LinkFault::Delay(3),
+        LinkFault::Down,
+    ];
     let chances = faults.map(|fault| Chance { probability: 0.04, fault }).to_vec();
     FaultPlan { seed, chances, script: Vec::new() }
 }

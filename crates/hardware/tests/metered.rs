@@ -6,7 +6,7 @@ mod common;
 use std::time::Duration;
 
 use common::{Living, board, nominal, now_us, pair};
-use hardware::keybed::{Keybed, Line, Terms, Wanted};
+use hardware::keybed::{Keybed, NamedLink, Terms, WantedBoards};
 use hardware::plan::{BusPlan, Extras, Medium, standard};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus as _;
@@ -18,13 +18,14 @@ fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {
     let (other_host, other_away) = pair();
     let _boards = [Living::start(board(1), away), Living::start(board(2), other_away)];
     let lines = vec![
-        Line { medium: Some(medium), ..Line::new("known", Box::new(host)) },
-        Line::new("not known", Box::new(other_host)),
+        NamedLink { medium: Some(medium), ..NamedLink::new("known", Box::new(host)) },
+        NamedLink::new("not known", Box::new(other_host)),
     ];
     let identified = Keybed::new(lines, now_us).identify(5_000_000).unwrap();
-    let calibrated =
-        identified.calibrate(&Wanted { hz: 1_000, ..Wanted::default() }, nominal).unwrap();
-    let Wanted { samples, forces, .. } = Wanted::default();
+    let calibrated = identified
+        .calibrate(&WantedBoards { hz: 1_000, ..WantedBoards::default() }, nominal)
+        .unwrap();
+    let WantedBoards { samples, forces, .. } = WantedBoards::default();
     let terms = Terms { period_us: 1_000, samples, forces, valid_ms: 100 };
     let mut keybed = calibrated.arm(terms, 5_000_000).unwrap();
     let mut readings = [KeySample::default(); KEYS];

@@ -13,17 +13,17 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use hdrhistogram::Histogram;
 use host::config::Scene;
-use host::control::{Folders, StreamSink, Studio, Switchboard};
-use host::session::{Options, Session};
+use host::control::{Folders, RequestHandler, StreamSink, VoiceSwitcher};
+use host::session::{RunOptions, RunSession};
 use telemetry::request::Change;
-use telemetry::stream::{Client, Dial, Server, Settings, serve};
+use telemetry::stream::{Client, Dial, ServerSettings, StreamServer, serve};
 use telemetry::{Arrival, KeyBlock, Request, Source as _, Topic, Update};
 
 /// C4.
 const KEY: u8 = 39;
 /// Times that the slider is moved.
 const MOVES: u32 = 200;
-/// What a finger holds the key down with [N].
+/// What a finger holds the key down with (N).
 const WEIGHT: f64 = 3.0;
 /// Longer than anything here takes.
 const PATIENCE: Duration = Duration::from_secs(30);
@@ -31,18 +31,19 @@ const PATIENCE: Duration = Duration::from_secs(30);
 fn main() {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene = Scene::load("default", &silent).expect("the default scene");
-    let session = Session::prepare(&scene, Options::default(), &|_| {}).expect("a session");
-    let switchboard = Arc::new(Switchboard::new(scene, session.patchbay()));
+    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
+    let switchboard = Arc::new(VoiceSwitcher::new(scene, session.patchbay()));
     let mut runtime = tokio::runtime::Builder::new_multi_thread();
     let runtime = runtime.worker_threads(1).enable_all().build().expect("a runtime");
     let address = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
     let server = {
         let _inside = runtime.enter();
-        Server::listen(Settings { address, ..Settings::default() }).expect("a port")
+        StreamServer::listen(ServerSettings { address, ..ServerSettings::default() })
+            .expect("a port")
     };
     let dial = Dial { address: server.url(), ..Dial::default() };
     session.observe(Box::new(StreamSink::new(server.publisher())));
-    runtime.spawn(serve(server, Arc::new(Studio::new(switchboard, Folders::default()))));
+    runtime.spawn(serve(server, Arc::new(RequestHandler::new(switchboard, Folders::default()))));
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {
         let host = scope.spawn(|| session.run(&stop));
@@ -63,7 +64,7 @@ fn main() {
     });
 }
 
-/// Moves the slider to and fro [us].
+/// Moves the slider to and fro (us).
 fn measure(client: &mut Client) -> Histogram<u64> {
     client.follow(&BTreeSet::from([Topic::Catalogue, Topic::Voices, Topic::Block(KEY)]));
     let (began, period) = wait(client, |update| {

@@ -12,8 +12,8 @@ use scheduler::time::Period;
 
 use crate::adapters::audit::AuditCell;
 use crate::adapters::input::{AnyEstimator, InputPath};
-use crate::adapters::voice::{Fittings, RehearsableVoice, RenderedKey, Slopes};
-use crate::config::{self, EstimatorName, KeyVoice, Links, Render, Scene, StepperName};
+use crate::adapters::voice::{RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};
+use crate::config::{self, EstimatorName, KeyVoice, LinksConfig, Render, Scene, StepperName};
 use crate::rehearsal::RehearsedKey;
 
 /// A voice of any model.
@@ -38,13 +38,13 @@ pub enum AssembleError {
 
 /// Builds voices and keys of one scene.
 #[derive(Clone, Debug)]
-pub struct Assembler<'a> {
+pub struct VoiceBuilder<'a> {
     scene: &'a Scene,
     period: Period,
     rig: RigParameters,
 }
 
-impl<'a> Assembler<'a> {
+impl<'a> VoiceBuilder<'a> {
     /// For `scene`, on the simulated keybed's default rig.
     ///
     /// # Errors
@@ -114,10 +114,12 @@ impl<'a> Assembler<'a> {
 }
 
 /// Whether the boards of `links` render slopes.
-fn slopes(links: &Links) -> Slopes {
+fn slopes(links: &LinksConfig) -> SlopeOutput {
     match links {
-        Links::Boards(boards) if boards.forces == ForcePacking::Force16Slope => Slopes::Rendered,
-        Links::Boards(_) | Links::Simulated => Slopes::Unused,
+        LinksConfig::Boards(boards) if boards.forces == ForcePacking::Force16Slope => {
+            SlopeOutput::Rendered
+        }
+        LinksConfig::Boards(_) | LinksConfig::Simulated => SlopeOutput::Unused,
     }
 }
 
@@ -126,10 +128,10 @@ struct Builder<'a> {
     render: &'a Render,
     values: &'a [f64],
     h: f64,
-    /// Encoder step [m].
+    /// Encoder step (m).
     quantum: f64,
     cell: Arc<AuditCell>,
-    slopes: Slopes,
+    slopes: SlopeOutput,
     revision: u32,
 }
 
@@ -154,7 +156,7 @@ impl Visitor for Builder<'_> {
 }
 
 impl Builder<'_> {
-    fn fittings(self, scale: f64) -> Result<Fittings, AssembleError> {
+    fn fittings(self, scale: f64) -> Result<VoiceSettings, AssembleError> {
         let Self { render, h, quantum, cell, slopes, revision, .. } = self;
         let estimator = match render.estimator {
             EstimatorName::Kalman => {
@@ -165,8 +167,8 @@ impl Builder<'_> {
             }
         };
         let reconstruction = match render.reconstruction {
-            config::Reconstruction::Estimate => None,
-            config::Reconstruction::Samples(kind) => Some(kind),
+            config::InputReconstruction::Estimate => None,
+            config::InputReconstruction::Samples(kind) => Some(kind),
         };
         let limits = Limits {
             longest_step: render.longest_step,
@@ -175,6 +177,6 @@ impl Builder<'_> {
         };
         let input = InputPath::new(estimator, reconstruction, scale, h);
         let gate = ForceGate::new(render.force_limit, render.slew_limit)?;
-        Ok(Fittings { input, gate, limits, cell, h, slopes, revision })
+        Ok(VoiceSettings { input, gate, limits, cell, h, slopes, revision })
     }
 }

@@ -8,9 +8,9 @@ use rustix::event::{EventfdFlags, PollFd, PollFlags, Timespec, eventfd, poll};
 
 /// An eventfd that one side rings and the other waits for.
 #[derive(Debug)]
-pub struct Bell(OwnedFd);
+pub struct WakeFd(OwnedFd);
 
-impl Bell {
+impl WakeFd {
     /// A bell that nobody has rung.
     ///
     /// # Errors
@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn ringing_before_waiting_is_not_lost() {
-        let bell = Bell::new().expect("an eventfd");
+        let bell = WakeFd::new().expect("an eventfd");
         bell.ring();
         bell.ring();
         bell.wait(Duration::from_hours(1));

@@ -5,12 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use hdrhistogram::Histogram;
-use midi::{EventKind, KeyEvent, Output, Player, Schedule, VelocityCurve};
+use midi::{EventKind, NoteEvent, Output, Player, Schedule, VelocityCurve};
 use performance::Struck;
 use rtrb::Consumer;
 use scheduler::time::Nanos;
 
-use crate::bell::Bell;
+use crate::bell::WakeFd;
 use crate::realtime::clock;
 use crate::realtime::thread::{DEFAULT_PRIORITY, ask_for_fifo};
 use crate::session::whole;
@@ -25,8 +25,8 @@ const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
 pub type AnyOutput = Box<dyn Output + Send>;
 
 /// Takes key events out of the ring and plays them.
-pub struct Desk {
-    events: Consumer<KeyEvent>,
+pub struct MidiDispatcher {
+    events: Consumer<NoteEvent>,
     /// What came out of the ring and has not been played.
     schedule: Schedule,
     player: Player<AnyOutput>,
@@ -39,26 +39,26 @@ pub struct Desk {
 
 /// What a desk has seen when it is closed.
 #[derive(Debug)]
-pub struct Played {
+pub struct PlaybackSummary {
     /// Every strike with its velocity.
     pub struck: Vec<Struck>,
     /// The first error of the output.
     pub trouble: Option<String>,
     /// How many messages could not be sent.
     pub n_troubles: u64,
-    /// Strikes: handed over − happened [ns], in real time.
+    /// Strikes: handed over − happened (ns), in real time.
     pub handover: Option<Histogram<u64>>,
 }
 
-impl std::fmt::Debug for Desk {
+impl std::fmt::Debug for MidiDispatcher {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Desk").field("struck", &self.struck.len()).finish_non_exhaustive()
     }
 }
 
-impl Desk {
+impl MidiDispatcher {
     /// A desk between `events` and `output`.
-    pub fn new(events: Consumer<KeyEvent>, output: AnyOutput, curve: VelocityCurve) -> Self {
+    pub fn new(events: Consumer<NoteEvent>, output: AnyOutput, curve: VelocityCurve) -> Self {
         let player = Player::new(output, curve);
         let schedule = Schedule::default();
         Self { events, schedule, player, curve, struck: Vec::new(), trouble: None, n_troubles: 0 }
@@ -83,7 +83,7 @@ impl Desk {
     /// until `stop`.
     pub fn attend(
         &mut self,
-        bell: &Bell,
+        bell: &WakeFd,
         start: Nanos,
         stop: &AtomicBool,
         handover: &mut Histogram<u64>,
@@ -124,15 +124,20 @@ impl Desk {
     }
 
     /// Ends all notes and finishes the output.
-    pub fn close(mut self, handover: Option<Histogram<u64>>) -> Played {
+    pub fn close(mut self, handover: Option<Histogram<u64>>) -> PlaybackSummary {
         let silenced = self.player.silence();
         self.note(silenced);
         let finished = self.player.finish();
         self.note(finished);
-        Played { struck: self.struck, trouble: self.trouble, n_troubles: self.n_troubles, handover }
+        PlaybackSummary {
+            struck: self.struck,
+            trouble: self.trouble,
+            n_troubles: self.n_troubles,
+            handover,
+        }
     }
 
-    fn play(&mut self, event: KeyEvent) {
+    fn play(&mut self, event: NoteEvent) {
         if let EventKind::Strike { speed } = event.kind {
             let velocity = self.curve.velocity(speed).get();
             self.struck.push(Struck { key: event.key, at: event.at, velocity });
@@ -141,7 +146,7 @@ impl Desk {
         self.note(played);
     }
 
-    fn note(&mut self, result: Result<(), midi::SendError>) {
+    fn note(&mut self, result: Result<(), midi::MidiSendError>) {
         if let Err(error) = result {
             self.n_troubles += 1;
             self.trouble.get_or_insert_with(|| error.to_string());
@@ -151,20 +156,20 @@ impl Desk {
 
 /// A desk on its own thread.
 #[derive(Debug)]
-pub struct Attended {
+pub struct MidiThread {
     stop: Arc<AtomicBool>,
-    bell: Arc<Bell>,
-    thread: std::thread::JoinHandle<Played>,
+    bell: Arc<WakeFd>,
+    thread: std::thread::JoinHandle<PlaybackSummary>,
 }
 
-impl Attended {
+impl MidiThread {
     /// Starts attending; event times count from `start`.
     ///
     /// # Errors
     /// If the system gives no thread.
     pub fn start(
-        mut desk: Box<Desk>,
-        bell: Arc<Bell>,
+        mut desk: Box<MidiDispatcher>,
+        bell: Arc<WakeFd>,
         start: Nanos,
         mut handover: Histogram<u64>,
     ) -> std::io::Result<Self> {
@@ -182,7 +187,7 @@ impl Attended {
     ///
     /// # Errors
     /// If the thread panicked; its notes were ended while it unwound.
-    pub fn finish(self) -> std::thread::Result<Played> {
+    pub fn finish(self) -> std::thread::Result<PlaybackSummary> {
         self.stop.store(true, Ordering::Release);
         self.bell.ring();
         self.thread.join()
@@ -193,13 +198,13 @@ impl Attended {
 mod tests {
     use std::sync::Mutex;
 
-    use midi::{Message, SendError};
+    use midi::{Message, MidiSendError};
     use scheduler::motion::{KEYS, KeyEvent as VoiceEvent, KeySample, Moment};
-    use scheduler::port::{Seen, TickObserver as _};
-    use scheduler::voice::Turn;
+    use scheduler::port::{FinishedTick, TickObserver as _};
+    use scheduler::voice::VoiceOutput;
 
     use super::*;
-    use crate::adapters::observer::{LiveCounters, Publisher};
+    use crate::adapters::observer::{LiveCounters, TickPublisher};
     use crate::realtime::run::histogram;
 
     /// An output that writes down what it is sent, in the order in which that happens.
@@ -207,12 +212,12 @@ mod tests {
     struct Heard(Arc<Mutex<Vec<(f64, Message)>>>);
 
     impl Output for Heard {
-        fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+        fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
             self.0.lock().expect("nobody panics with it").push((at, message));
             Ok(())
         }
 
-        fn finish(&mut self) -> Result<(), SendError> {
+        fn finish(&mut self) -> Result<(), MidiSendError> {
             Ok(())
         }
     }
@@ -221,13 +226,13 @@ mod tests {
     const PERIOD: f64 = 0.01;
 
     #[expect(clippy::large_stack_arrays, reason = "all turns; a test has the stack")]
-    fn publish(tick: u64, events: &[(usize, f64, VoiceEvent)], publisher: &mut Publisher) {
-        let mut turns = [Turn::default(); KEYS];
+    fn publish(tick: u64, events: &[(usize, f64, VoiceEvent)], publisher: &mut TickPublisher) {
+        let mut turns = [VoiceOutput::default(); KEYS];
         for &(key, theta, event) in events {
             turns[key].events.push(Moment { tick, theta }, event);
         }
         let samples = [KeySample::default(); KEYS];
-        let seen = Seen {
+        let seen = FinishedTick {
             tick,
             skipped: 0,
             armed: true,
@@ -243,12 +248,13 @@ mod tests {
         let strike = VoiceEvent::Strike { speed: 2.0 };
         let fall = VoiceEvent::DamperFall { speed: 0.1 };
         let (ring, events) = rtrb::RingBuffer::new(256);
-        let bell = Arc::new(Bell::new().expect("an eventfd"));
+        let bell = Arc::new(WakeFd::new().expect("an eventfd"));
         let pedals = Box::from([(0.014, 1.0)]);
         let counters = Arc::<LiveCounters>::default();
-        let mut publisher = Publisher::new(ring, Arc::clone(&bell), counters, pedals, PERIOD);
+        let mut publisher = TickPublisher::new(ring, Arc::clone(&bell), counters, pedals, PERIOD);
         let heard = Heard::default();
-        let mut desk = Desk::new(events, Box::new(heard.clone()), VelocityCurve::default());
+        let mut desk =
+            MidiDispatcher::new(events, Box::new(heard.clone()), VelocityCurve::default());
         let start = clock::monotonic();
         publish(0, &[(50, 0.5, strike)], &mut publisher);
         // Strikes of lower keys come later in the tick, and one note ends as another begins.

@@ -1,6 +1,6 @@
 //! Names in messages: quoted, and the nearest that would have been right.
 
-/// Longest piece of somebody's text that is repeated in a message [characters].
+/// Longest piece of somebody's text that is repeated in a message (characters).
 const LONGEST: usize = 60;
 
 /// `text` in quotes, on one line, shortened if it is very long.

@@ -4,12 +4,12 @@ use std::fmt;
 
 use haptics::Gesture;
 use hardware::sim::key::SimulatedKey;
-use performance::{Outcome, Rehearsal, Strike};
+use performance::{PlayOutcome, Rehearsal, Strike};
 use scheduler::motion::{KeyEvent, Moment};
 use scheduler::safety::KeyGate;
 use scheduler::slot::Slot;
 use scheduler::time::Period;
-use scheduler::voice::{Turn, Voice};
+use scheduler::voice::{Voice, VoiceOutput};
 
 use crate::adapters::voice::RehearsableVoice;
 
@@ -35,7 +35,7 @@ impl Clone for Copied {
 }
 
 impl Voice for Copied {
-    fn tick(&mut self, tick: u64, sample: &scheduler::motion::KeySample) -> Turn {
+    fn tick(&mut self, tick: u64, sample: &scheduler::motion::KeySample) -> VoiceOutput {
         self.0.tick(tick, sample)
     }
 
@@ -45,7 +45,7 @@ impl Voice for Copied {
 }
 
 impl RehearsedKey {
-    /// A key at rest before tick 0, in ticks of a period and with a slew limit [N/s].
+    /// A key at rest before tick 0, in ticks of a period and with a slew limit (N/s).
     pub fn new(
         number: usize,
         key: SimulatedKey,
@@ -63,7 +63,7 @@ impl RehearsedKey {
 }
 
 impl RehearsedKey {
-    fn note(&self, (at, event): &(Moment, KeyEvent), outcome: &mut Outcome) {
+    fn note(&self, (at, event): &(Moment, KeyEvent), outcome: &mut PlayOutcome) {
         let at = at.seconds(self.period);
         match *event {
             KeyEvent::Strike { speed } => outcome.strikes.push(Strike { at, speed }),
@@ -92,10 +92,10 @@ impl fmt::Debug for RehearsedKey {
 }
 
 impl Rehearsal for RehearsedKey {
-    fn play(&mut self, gestures: &[Gesture], until: f64) -> Outcome {
+    fn play(&mut self, gestures: &[Gesture], until: f64) -> PlayOutcome {
         self.key.play(gestures.to_vec());
-        let mut outcome = Outcome::default();
-        let mut turn = Turn::default();
+        let mut outcome = PlayOutcome::default();
+        let mut turn = VoiceOutput::default();
         while (self.tick as f64) * self.period < until {
             let sample = self.key.receive(self.tick);
             self.slot.tick(self.tick, &sample, &mut turn);

@@ -15,18 +15,18 @@ use std::time::Duration;
 use common::run_while;
 use host::config::Scene;
 use host::control::{
-    Clients, ControlError, Reply, Request, Server, Switchboard, send, send_within, serve,
+    Clients, ControlError, ControlServer, Reply, Request, VoiceSwitcher, send, send_within, serve,
 };
-use host::report::Report;
-use host::session::{Options, Session};
+use host::report::RunReport;
+use host::session::{RunOptions, RunSession};
 use telemetry::request::Change;
 
 /// Runs a host without a pianist, and `clients` beside it; returns its report.
-fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> Report {
+fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> RunReport {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene = Scene::load("default", &silent).expect("the default scene");
-    let session = Session::prepare(&scene, Options::default(), &|_| {}).expect("a session");
-    let switchboard = Arc::new(Switchboard::new(scene, session.patchbay()));
+    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
+    let switchboard = Arc::new(VoiceSwitcher::new(scene, session.patchbay()));
     let path = socket(name);
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(1)
@@ -35,7 +35,7 @@ fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> Report {
         .expect("a runtime");
     let server = {
         let _inside = runtime.enter();
-        Server::listen(&path).expect("a socket")
+        ControlServer::listen(&path).expect("a socket")
     };
     runtime.spawn(serve(server, switchboard, Clients::default()));
     run_while(session, || clients(&path))
@@ -133,13 +133,13 @@ fn a_second_host_does_not_take_the_socket_and_an_old_one_is_replaced() {
     let path = socket("second");
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().expect("one");
     let _inside = runtime.enter();
-    let first = Server::listen(&path).expect("a socket");
-    assert!(Server::listen(&path).is_err(), "two hosts listen at one place");
+    let first = ControlServer::listen(&path).expect("a socket");
+    assert!(ControlServer::listen(&path).is_err(), "two hosts listen at one place");
     drop(first);
     assert!(matches!(send(&path, &request("x", None)), Err(ControlError::NoHost { .. })));
     // As after SIGKILL: the file is there, nobody listens.
     drop(UnixListener::bind(&path).expect("a left-over"));
-    assert!(Server::listen(&path).is_ok());
+    assert!(ControlServer::listen(&path).is_ok());
 }
 
 /// A runtime in which a socket is listened at.
@@ -149,7 +149,7 @@ fn runtime() -> tokio::runtime::Runtime {
 
 /// Why nobody may listen at `path`.
 fn refused(path: &Path) -> String {
-    Server::listen(path).expect_err("it is refused").to_string()
+    ControlServer::listen(path).expect_err("it is refused").to_string()
 }
 
 #[test]
@@ -167,7 +167,7 @@ fn what_is_no_socket_of_this_user_s_is_left_alone() {
     assert_eq!(fs::read_to_string(&file).expect("the file"), "a year's work");
     fs::remove_file(&path).expect("the link");
     // Nor is what somebody put there meanwhile taken away at the end.
-    let server = Server::listen(&path).expect("a socket");
+    let server = ControlServer::listen(&path).expect("a socket");
     let mode = fs::metadata(&path).expect("a socket").permissions().mode();
     assert_eq!(mode & 0o777, 0o600);
     fs::remove_file(&path).expect("the socket");
@@ -185,7 +185,7 @@ fn a_folder_in_which_others_can_put_a_socket_is_refused_and_none_is_made_out_of_
     fs::set_permissions(folder, Permissions::from_mode(0o777)).expect("a folder");
     assert!(refused(&path).contains("others can write into"), "{}", refused(&path));
     fs::set_permissions(folder, Permissions::from_mode(0o700)).expect("a folder");
-    assert!(Server::listen(&path).is_ok());
+    assert!(ControlServer::listen(&path).is_ok());
     let nowhere = folder.join("no/such/folder/sock");
     assert!(refused(&nowhere).contains("there is no folder"), "{}", refused(&nowhere));
     assert!(!folder.join("no").exists());

@@ -9,9 +9,9 @@ use std::time::Duration;
 use common::{Board, make, run_while};
 use hardware::link::address::Address;
 use host::config::{Override, Scene, link_overrides};
-use host::control::Patchbay;
-use host::observe::Sink;
-use host::session::{Options, Session};
+use host::control::RunHandle;
+use host::observe::MessageSink;
+use host::session::{RunOptions, RunSession};
 use telemetry::event::Kind;
 use telemetry::{Links, Topic, Update};
 
@@ -21,7 +21,7 @@ const PATIENCE: Duration = Duration::from_mins(1);
 /// Passes messages on.
 struct Ear(Sender<Update>);
 
-impl Sink for Ear {
+impl MessageSink for Ear {
     fn take(&mut self, _at: u64, update: &Update) {
         let _gone = self.0.send(update.clone());
     }
@@ -32,12 +32,12 @@ impl Sink for Ear {
 }
 
 /// Runs a host that nobody plays on these links, or on simulated keys if there are none.
-fn beside_a_host(links: &[String], look: impl FnOnce(&Patchbay, &Receiver<Update>)) {
+fn beside_a_host(links: &[String], look: impl FnOnce(&RunHandle, &Receiver<Update>)) {
     let parsed: Vec<_> = links.iter().map(|it| Address::parse(it).expect("a link")).collect();
     let silent = Override::from(("pianist.performance".to_owned(), "none".to_owned()));
     let overrides: Vec<_> = link_overrides(&parsed).into_iter().chain([silent]).collect();
     let scene = Scene::load_as_typed("default", &overrides).expect("a scene");
-    let session = Session::prepare(&scene, Options::default(), &|_| {}).expect("a session");
+    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
     let patchbay = session.patchbay();
     let (tell, told) = channel();
     session.observe(Box::new(Ear(tell)));

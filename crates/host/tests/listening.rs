@@ -19,7 +19,7 @@ use rustix::process::{Pid, Signal, getuid, kill_process};
 use stranger::Stranger;
 use telemetry::request::Change;
 use telemetry::stream::{Client, Dial, Fingerprint};
-use telemetry::{Arrival, Source as _, Standing};
+use telemetry::{Arrival, ConnectionState, Source as _};
 use typed::{Folder, eventually};
 
 /// A host on simulated keys that nobody plays, until it is dropped.
@@ -78,14 +78,16 @@ fn tokens(folder: &Folder, text: &str) {
 }
 
 /// How a client stands when it is in or turned away.
-fn standing(client: &Client) -> Standing {
-    eventually("a standing", || Some(client.standing()).filter(|it| *it != Standing::Connecting))
+fn standing(client: &Client) -> ConnectionState {
+    eventually("a standing", || {
+        Some(client.standing()).filter(|it| *it != ConnectionState::Connecting)
+    })
 }
 
 /// Why somebody is not let in.
 fn refusal(dial: Dial) -> String {
     let standing = standing(&Client::connect(dial, None));
-    let Standing::Refused(why) = standing else { unreachable!("{standing:?}") };
+    let ConnectionState::Refused(why) = standing else { unreachable!("{standing:?}") };
     why
 }
 
@@ -312,7 +314,7 @@ fn whoever_watches_may_stop_and_hears_what_was_done_before_the_stream_ends() {
     assert!(told == boards && (boards == 8 || boards == 0), "{told} of {boards}");
     for client in [&viewer, &other] {
         let why = eventually("the end", || {
-            if let Standing::Lost(why) = client.standing() { Some(why) } else { None }
+            if let ConnectionState::Lost(why) = client.standing() { Some(why) } else { None }
         });
         assert!(why.contains("the host was stopped"), "{why}");
     }

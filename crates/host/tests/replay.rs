@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use host::config::Scene;
-use host::observe::Recording as Recorded;
+use host::observe::RecordingHandle as Recorded;
 use host::replay::{ReplayError, Replayed, replay};
-use host::session::{Options, Session};
+use host::session::{RunOptions, RunSession};
 use telemetry::Update;
 use telemetry::recording::Recording;
 use telemetry::request::Change;
@@ -27,8 +27,8 @@ fn scene() -> Scene {
 }
 
 /// Runs `scene` and records it into `file`.
-fn record(scene: &Scene, options: Options, file: &Path) {
-    let session = Session::prepare(scene, options, &|_| {}).expect("a session");
+fn record(scene: &Scene, options: RunOptions, file: &Path) {
+    let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
     let (recording, sink) = Recorded::begin(file).expect("a new file");
     session.observe(sink);
     session.run(&AtomicBool::new(false)).expect("a report");
@@ -47,12 +47,12 @@ fn again(file: &Path) -> Result<Replayed, ReplayError> {
 }
 
 /// The piece begins after two.
-const FOUR_SECONDS: Options = Options { duration: Some(4.0), virtual_time: true };
+const FOUR_SECONDS: RunOptions = RunOptions { duration: Some(4.0), virtual_time: true };
 
 #[test]
 fn a_piece_on_five_models_comes_out_the_same() {
     let file = folder("piece").join("a.mcap");
-    record(&scene(), Options { duration: Some(6.0), ..FOUR_SECONDS }, &file);
+    record(&scene(), RunOptions { duration: Some(6.0), ..FOUR_SECONDS }, &file);
     let replayed = again(&file).expect("a replay");
     assert_eq!(replayed.first_difference, None);
     assert_eq!((replayed.ticks, replayed.different), (24_000, 0), "six seconds at 4 kHz");
@@ -126,7 +126,7 @@ fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
     let file = folder("tuned").join("a.mcap");
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene = Scene::load("default", &silent).unwrap_or_else(|wrong| unreachable!("{wrong}"));
-    tuned(&scene, Options { duration: Some(2.0), virtual_time: false }, &file);
+    tuned(&scene, RunOptions { duration: Some(2.0), virtual_time: false }, &file);
     let messages = messages(&file);
     let is_kept = |message: &&Result<Update, String>| matches!(message, Ok(Update::Voice(voice)) if voice.kept);
     assert_eq!(messages.iter().filter(is_kept).count(), 20);
@@ -135,12 +135,12 @@ fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
 }
 
 /// A run in real time in which keys are pressed, retuned and replaced.
-fn tuned(scene: &Scene, options: Options, file: &Path) {
-    use host::control::{Request, Switchboard};
-    let session = Session::prepare(scene, options, &|_| {}).expect("a session");
+fn tuned(scene: &Scene, options: RunOptions, file: &Path) {
+    use host::control::{Request, VoiceSwitcher};
+    let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
     let (_recording, sink) = Recorded::begin(file).expect("a new file");
     session.observe(sink);
-    let switchboard = Switchboard::new(scene.clone(), session.patchbay());
+    let switchboard = VoiceSwitcher::new(scene.clone(), session.patchbay());
     let ask = |request: Request| loop {
         match switchboard.answer(&request, "test") {
             Err(why) if why.contains("not running yet") => std::thread::yield_now(),

@@ -11,12 +11,12 @@ use std::time::{Duration, Instant};
 
 use common::run_while;
 use host::config::Scene;
-use host::control::{Folders, StreamSink, Studio, Switchboard};
-use host::session::{Options, Session};
+use host::control::{Folders, RequestHandler, StreamSink, VoiceSwitcher};
+use host::session::{RunOptions, RunSession};
 use stranger::Stranger;
 use telemetry::request::Change;
-use telemetry::stream::protocol::{FromClient, FromServer, Parameter};
-use telemetry::stream::{Client, Dial, Server, Settings, serve};
+use telemetry::stream::protocol::{FromClient, FromServer, ParameterValue};
+use telemetry::stream::{Client, Dial, ServerSettings, StreamServer, serve};
 use telemetry::{Arrival, Request, Source as _, Topic, Update, event};
 
 /// Long enough for any machine: it only ends what has failed.
@@ -24,11 +24,11 @@ const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Runs a host on simulated keys that nobody plays, and `clients` of its stream, who get its
 /// address, and what the control socket asks.
-fn beside_a_host(clients: impl FnOnce(&str, &Switchboard)) {
+fn beside_a_host(clients: impl FnOnce(&str, &VoiceSwitcher)) {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene = Scene::load("default", &silent).expect("the default scene");
-    let session = Session::prepare(&scene, Options::default(), &|_| {}).expect("a session");
-    let switchboard = Arc::new(Switchboard::new(scene, session.patchbay()));
+    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
+    let switchboard = Arc::new(VoiceSwitcher::new(scene, session.patchbay()));
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(1)
         .enable_all()
@@ -37,12 +37,15 @@ fn beside_a_host(clients: impl FnOnce(&str, &Switchboard)) {
     let address = std::net::SocketAddr::from(([127, 0, 0, 1], 0));
     let server = {
         let _inside = runtime.enter();
-        Server::listen(Settings { address, ..Settings::default() }).expect("a port")
+        StreamServer::listen(ServerSettings { address, ..ServerSettings::default() })
+            .expect("a port")
     };
     let address = server.url();
     session.observe(Box::new(StreamSink::new(server.publisher())));
-    runtime
-        .spawn(serve(server, Arc::new(Studio::new(Arc::clone(&switchboard), Folders::default()))));
+    runtime.spawn(serve(
+        server,
+        Arc::new(RequestHandler::new(Arc::clone(&switchboard), Folders::default())),
+    ));
     run_while(session, || clients(&address, &switchboard));
 }
 
@@ -143,7 +146,7 @@ fn get(client: &mut Stranger, name: &str) -> f64 {
 /// The values that `message` tells, if it is called so; updates have no name.
 fn values(message: FromServer, called: Option<&str>) -> Option<Vec<(String, f64)>> {
     let FromServer::ParameterValues { parameters, id, .. } = message else { return None };
-    let value = |it: Parameter| (it.name, it.value.as_f64().unwrap_or(f64::NAN));
+    let value = |it: ParameterValue| (it.name, it.value.as_f64().unwrap_or(f64::NAN));
     (id.as_deref() == called).then(|| parameters.into_iter().map(value).collect())
 }
 
@@ -157,7 +160,7 @@ fn told_until(client: &mut Stranger, last: (&str, f64)) -> Vec<(String, f64)> {
 }
 
 /// Asks as the control socket does, and again while the host does not run yet.
-fn ask(switchboard: &Switchboard, request: &Request) {
+fn ask(switchboard: &VoiceSwitcher, request: &Request) {
     let end = Instant::now() + PATIENCE;
     while let Err(why) = switchboard.answer(request, "letoff") {
         assert!(why.contains("not running yet") && Instant::now() < end, "{why}");
@@ -179,7 +182,7 @@ fn each_change_is_told_once_whoever_made_it() {
         told_until(&mut other, ("/key/38/g", 9.5));
 
         // By a client of the stream, who gets an answer beside what all are told.
-        let parameters = vec![Parameter::new("/key/39/k2", 20_000.5)];
+        let parameters = vec![ParameterValue::new("/key/39/k2", 20_000.5)];
         one.say(&FromClient::SetParameters { parameters, id: Some("x".into()) });
         for client in [&mut one, &mut other] {
             let told = told_until(client, ("/key/39/k2", 20_000.5));

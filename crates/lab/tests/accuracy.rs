@@ -6,8 +6,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, UNIX_EPOCH};
 
-use lab::accuracy::{Choice, Effort, METHODS, Measured, Row, Sequence, measure};
-use lab::report::{self, Machine, Report, read_peers};
+use lab::accuracy::{
+    Effort, METHODS, MeasuredScenario, SequenceVerdict, StudyChoice, StudyRow, measure,
+};
+use lab::report::{self, Machine, StudyReport, read_peers};
 use models::BouncingBall;
 use models::bouncing_ball::Mode;
 use pode::stepper::Rk4;
@@ -21,8 +23,8 @@ fn names(names: &[&str]) -> Vec<String> {
 }
 
 /// Runs `methods` on `scenarios`.
-fn study(scenarios: &[&str], methods: &[&str], effort: Effort) -> Vec<Measured> {
-    let choice = Choice::new(&names(scenarios), &names(methods), effort).expect("known names");
+fn study(scenarios: &[&str], methods: &[&str], effort: Effort) -> Vec<MeasuredScenario> {
+    let choice = StudyChoice::new(&names(scenarios), &names(methods), effort).expect("known names");
     let mut runs = 0;
     let mut measured = Vec::new();
     for entry in &choice.scenarios {
@@ -32,10 +34,11 @@ fn study(scenarios: &[&str], methods: &[&str], effort: Effort) -> Vec<Measured> 
     measured
 }
 
-/// The run of `method` with ticks of `tick` [s].
+/// The run of `method` with ticks of `tick` (s).
 #[track_caller]
-fn run<'a>(measured: &'a Measured, method: &str, tick: f64) -> &'a Row {
-    let is_it = |row: &&Row| row.method.name == method && (row.setting.tick - tick).abs() < 1e-12;
+fn run<'a>(measured: &'a MeasuredScenario, method: &str, tick: f64) -> &'a StudyRow {
+    let is_it =
+        |row: &&StudyRow| row.method.name == method && (row.setting.tick - tick).abs() < 1e-12;
     measured.rows.iter().find(is_it).expect("the run")
 }
 
@@ -98,7 +101,7 @@ fn every_method_finds_the_events_of_the_pendulum_with_a_fine_step() {
     for method in METHODS {
         let last = measured[0].rows.iter().rfind(|row| row.method.name == method.name);
         let verdict = &last.expect("a run").verdict;
-        assert_eq!(verdict.sequence, Sequence::Right, "{}", method.name);
+        assert_eq!(verdict.sequence, SequenceVerdict::Right, "{}", method.name);
         // At 50 µs a method of order 1 errs by some 1e-4 of 10 s.
         assert!(verdict.event_error.expect("an error") < 1e-2, "{}: {verdict:?}", method.name);
     }
@@ -109,7 +112,7 @@ fn a_wrong_sequence_is_marked_and_has_no_error() {
     // 32 radians of the contact in a step of 1 ms.
     let report = written("wrong", study(&["head-1e7"], &["heun"], COUNTED), Vec::new());
     let row = run(&report.1.measured[0], "heun", 1e-3);
-    assert_ne!(row.verdict.sequence, Sequence::Right);
+    assert_ne!(row.verdict.sequence, SequenceVerdict::Right);
     assert_eq!(row.verdict.event_error, None);
     assert!(row.times.per_ms > 0.0, "it has a cost all the same");
     let table = read(&report.0, "accuracy.csv");
@@ -180,7 +183,11 @@ fn what_cannot_be_written_is_said_with_its_place() {
 }
 
 /// Writes a report of `measured`; gives its folder.
-fn written(test: &str, measured: Vec<Measured>, peers: Vec<report::Peer>) -> (PathBuf, Report) {
+fn written(
+    test: &str,
+    measured: Vec<MeasuredScenario>,
+    peers: Vec<report::Peer>,
+) -> (PathBuf, StudyReport) {
     let folder = folder(test).join("report");
     report::prepare(&folder).expect("a folder");
     let machine = Machine {
@@ -190,7 +197,7 @@ fn written(test: &str, measured: Vec<Measured>, peers: Vec<report::Peer>) -> (Pa
         program: String::new(),
     };
     let date = UNIX_EPOCH + Duration::from_hours(24);
-    let report = Report { machine, date, measured, peers };
+    let report = StudyReport { machine, date, measured, peers };
     report.write(&folder).expect("files");
     (folder, report)
 }

@@ -23,9 +23,9 @@ pub mod player;
 pub mod schedule;
 pub mod velocity;
 
-pub use message::{Controller, DecodeError, Message};
+pub use message::{Controller, Message, MidiDecodeError};
 pub use note::{KEYS, Note, Velocity};
-pub use output::{Memory, Output, Port, SendError, Smf, Unavailable, ports};
-pub use player::{EventKind, KeyEvent, Player};
+pub use output::{MessageRecorder, MidiPort, MidiSendError, Output, Smf, Unavailable, ports};
+pub use player::{EventKind, NoteEvent, Player};
 pub use schedule::Schedule;
 pub use velocity::{UnknownCurve, VelocityCurve};

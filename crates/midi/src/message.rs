@@ -22,21 +22,18 @@ const CONTROL_CHANGE: u8 = 0xB0;
 pub enum Message {
     /// The note begins to sound.
     NoteOn {
-        /// Which note.
         note: Note,
         /// How hard it was struck.
         velocity: Velocity,
     },
     /// The note is damped.
     NoteOff {
-        /// Which note.
         note: Note,
         /// How fast it was released.
         velocity: Velocity,
     },
     /// A controller has a new value.
     ControlChange {
-        /// Which controller.
         controller: Controller,
         /// Its value, 0 ..= 127.
         value: u8,
@@ -51,7 +48,6 @@ pub enum Controller {
     Sustain,
     /// CC120, silence at once.
     AllSoundOff,
-    /// CC123, every note-off.
     AllNotesOff,
 }
 
@@ -70,13 +66,10 @@ impl Controller {
 
 /// Why bytes are not one of our messages.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
-pub enum DecodeError {
+pub enum MidiDecodeError {
     /// A message has three bytes.
     #[error("a message has 3 bytes, not {got}")]
-    Length {
-        /// Bytes received.
-        got: usize,
-    },
+    Length { got: usize },
     /// The first byte is no status that is understood.
     #[error("status {0:#04x} is not a note or a controller")]
     Status(u8),
@@ -110,12 +103,12 @@ impl Message {
     /// # Errors
     ///
     /// If the bytes are not one whole message of a kind that is understood.
-    pub fn decode(bytes: &[u8]) -> Result<Self, DecodeError> {
+    pub fn decode(bytes: &[u8]) -> Result<Self, MidiDecodeError> {
         let &[status, first, second] = bytes else {
-            return Err(DecodeError::Length { got: bytes.len() });
+            return Err(MidiDecodeError::Length { got: bytes.len() });
         };
         if let Some(high) = [first, second].into_iter().find(|byte| *byte > 0x7F) {
-            return Err(DecodeError::Data(high));
+            return Err(MidiDecodeError::Data(high));
         }
         match status & 0xF0 {
             NOTE_ON => Ok(note_on(decode_note(first)?, second)),
@@ -126,7 +119,7 @@ impl Message {
             CONTROL_CHANGE => {
                 Ok(Self::ControlChange { controller: decode_controller(first)?, value: second })
             }
-            _ => Err(DecodeError::Status(status)),
+            _ => Err(MidiDecodeError::Status(status)),
         }
     }
 }
@@ -138,13 +131,13 @@ fn note_on(note: Note, velocity: u8) -> Message {
         })
 }
 
-fn decode_note(number: u8) -> Result<Note, DecodeError> {
-    Note::from_number(number).ok_or(DecodeError::NoSuchNote(number))
+fn decode_note(number: u8) -> Result<Note, MidiDecodeError> {
+    Note::from_number(number).ok_or(MidiDecodeError::NoSuchNote(number))
 }
 
-fn decode_controller(number: u8) -> Result<Controller, DecodeError> {
+fn decode_controller(number: u8) -> Result<Controller, MidiDecodeError> {
     let found = Controller::ALL.into_iter().find(|controller| controller.number() == number);
-    found.ok_or(DecodeError::NoSuchController(number))
+    found.ok_or(MidiDecodeError::NoSuchController(number))
 }
 
 #[cfg(test)]
@@ -182,11 +175,11 @@ mod tests {
     #[test]
     fn foreign_bytes_are_refused_with_the_reason() {
         let refused = |bytes: &[u8]| Message::decode(bytes).unwrap_err();
-        assert_eq!(refused(&[0x90, 60]), DecodeError::Length { got: 2 });
-        assert_eq!(refused(&[0xF8, 0, 0]), DecodeError::Status(0xF8));
-        assert_eq!(refused(&[0x90, 60, 0xFF]), DecodeError::Data(0xFF));
-        assert_eq!(refused(&[0x90, 109, 1]), DecodeError::NoSuchNote(109));
-        assert_eq!(refused(&[0xB0, 1, 1]), DecodeError::NoSuchController(1));
+        assert_eq!(refused(&[0x90, 60]), MidiDecodeError::Length { got: 2 });
+        assert_eq!(refused(&[0xF8, 0, 0]), MidiDecodeError::Status(0xF8));
+        assert_eq!(refused(&[0x90, 60, 0xFF]), MidiDecodeError::Data(0xFF));
+        assert_eq!(refused(&[0x90, 109, 1]), MidiDecodeError::NoSuchNote(109));
+        assert_eq!(refused(&[0xB0, 1, 1]), MidiDecodeError::NoSuchController(1));
     }
 
     proptest! {

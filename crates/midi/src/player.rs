@@ -4,22 +4,21 @@ use rtrb::Consumer;
 
 use crate::message::{Controller, Message};
 use crate::note::{KEYS, Note, Velocity};
-use crate::output::{Output, SendError};
+use crate::output::{MidiSendError, Output};
 use crate::velocity::{VelocityCurve, release_velocity};
 
-/// How long a note sounds that was struck with its damper down [s].
+/// How long a note sounds that was struck with its damper down (s).
 ///
 /// The hammer of a short, sharp touch may arrive after its damper has fallen again.
 pub const UNDAMPED: f64 = 0.05;
 
 /// Something that happened at a key and can be heard.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct KeyEvent {
+pub struct NoteEvent {
     /// Which key, 0 ..= 87; any for the pedal.
     pub key: u8,
-    /// When [s since the host started].
+    /// When (s since the host started).
     pub at: f64,
-    /// What happened.
     pub kind: EventKind,
 }
 
@@ -28,12 +27,12 @@ pub struct KeyEvent {
 pub enum EventKind {
     /// The hammer meets the string.
     Strike {
-        /// Hammer speed [m/s].
+        /// Hammer speed (m/s).
         speed: f64,
     },
     /// The damper reaches the string.
     DamperFall {
-        /// Speed at which the key rises [m/s].
+        /// Speed at which the key rises (m/s).
         speed: f64,
     },
     /// The damper leaves the string.
@@ -44,7 +43,7 @@ pub enum EventKind {
 
 /// Where a damper is, as far as it was reported.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Damper {
+enum DamperState {
     /// Its lifts are not reported, or none has happened yet.
     Unreported,
     Up,
@@ -53,14 +52,15 @@ enum Damper {
 
 /// What is known of a note.
 #[derive(Clone, Copy, PartialEq, Debug)]
-struct Held {
+struct NoteState {
     sounding: bool,
-    damper: Damper,
+    damper: DamperState,
     /// When it falls silent by itself [s]: it was struck with its damper down.
     until: Option<f64>,
 }
 
-const SILENT: Held = Held { sounding: false, damper: Damper::Unreported, until: None };
+const SILENT: NoteState =
+    NoteState { sounding: false, damper: DamperState::Unreported, until: None };
 
 /// Turns key events into messages, and leaves no note hanging.
 ///
@@ -70,10 +70,10 @@ const SILENT: Held = Held { sounding: false, damper: Damper::Unreported, until: 
 pub struct Player<O: Output> {
     output: O,
     curve: VelocityCurve,
-    held: [Held; KEYS as usize],
+    held: [NoteState; KEYS as usize],
     /// Value of CC64 that was sent last.
     pedal: u8,
-    /// Latest time that was seen [s].
+    /// Latest time that was seen (s).
     now: f64,
     /// Whether anything was sent since all was silenced.
     stirred: bool,
@@ -106,7 +106,7 @@ impl<O: Output> Player<O> {
     /// # Errors
     ///
     /// If a message is lost; what is held is known all the same.
-    pub fn play(&mut self, event: KeyEvent) -> Result<(), SendError> {
+    pub fn play(&mut self, event: NoteEvent) -> Result<(), MidiSendError> {
         let fallen = self.advance(event.at);
         let played = self.respond(event);
         fallen.and(played)
@@ -117,7 +117,7 @@ impl<O: Output> Player<O> {
     /// # Errors
     ///
     /// The first loss of a message, after all events have been played.
-    pub fn drain(&mut self, events: &mut Consumer<KeyEvent>) -> Result<usize, SendError> {
+    pub fn drain(&mut self, events: &mut Consumer<NoteEvent>) -> Result<usize, MidiSendError> {
         let mut outcome = Ok(());
         let n_events = events.slots();
         for _ in 0..n_events {
@@ -128,12 +128,12 @@ impl<O: Output> Player<O> {
         outcome.map(|()| n_events)
     }
 
-    /// Does what is due at time `now` [s] without an event; to be called a few times a second.
+    /// Does what is due at time `now` (s) without an event; to be called a few times a second.
     ///
     /// # Errors
     ///
     /// If the output is away.
-    pub fn poll(&mut self, now: f64) -> Result<(), SendError> {
+    pub fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
         let fallen = self.advance(now);
         let polled = self.output.poll(now);
         fallen.and(polled)
@@ -144,7 +144,7 @@ impl<O: Output> Player<O> {
     /// # Errors
     ///
     /// The first loss of a message, after all have been tried.
-    pub fn silence(&mut self) -> Result<(), SendError> {
+    pub fn silence(&mut self) -> Result<(), MidiSendError> {
         let mut outcome = Ok(());
         for key in 0..KEYS {
             let released = self.release(key, self.now, Velocity::UNKNOWN);
@@ -164,14 +164,14 @@ impl<O: Output> Player<O> {
     /// # Errors
     ///
     /// If a message is lost or a recording cannot be written.
-    pub fn finish(&mut self) -> Result<(), SendError> {
+    pub fn finish(&mut self) -> Result<(), MidiSendError> {
         let silenced = if self.stirred { self.silence() } else { Ok(()) };
         let finished = self.output.finish();
         silenced.and(finished)
     }
 
-    fn respond(&mut self, event: KeyEvent) -> Result<(), SendError> {
-        let KeyEvent { key, at, kind } = event;
+    fn respond(&mut self, event: NoteEvent) -> Result<(), MidiSendError> {
+        let NoteEvent { key, at, kind } = event;
         match kind {
             EventKind::Strike { speed } => self.strike(key, at, self.curve.velocity(speed)),
             EventKind::DamperFall { speed } => {
@@ -186,18 +186,18 @@ impl<O: Output> Player<O> {
         }
     }
 
-    fn strike(&mut self, key: u8, at: f64, velocity: Velocity) -> Result<(), SendError> {
+    fn strike(&mut self, key: u8, at: f64, velocity: Velocity) -> Result<(), MidiSendError> {
         let Some(note) = Note::from_key(key) else { return Ok(()) };
         let released = self.release(key, at, Velocity::UNKNOWN);
         let held = &mut self.held[usize::from(key)];
         held.sounding = true;
-        held.until = (held.damper == Damper::Down).then_some(at + UNDAMPED);
+        held.until = (held.damper == DamperState::Down).then_some(at + UNDAMPED);
         let sent = self.send(at, Message::NoteOn { note, velocity });
         released.and(sent)
     }
 
     /// Sends the note-off of `key` if its note sounds.
-    fn release(&mut self, key: u8, at: f64, velocity: Velocity) -> Result<(), SendError> {
+    fn release(&mut self, key: u8, at: f64, velocity: Velocity) -> Result<(), MidiSendError> {
         let Some(note) = Note::from_key(key) else { return Ok(()) };
         let held = &mut self.held[usize::from(key)];
         if !held.sounding {
@@ -210,20 +210,20 @@ impl<O: Output> Player<O> {
 
     fn lay_damper(&mut self, key: u8) {
         if let Some(held) = self.held.get_mut(usize::from(key))
-            && held.damper == Damper::Up
+            && held.damper == DamperState::Up
         {
-            held.damper = Damper::Down;
+            held.damper = DamperState::Down;
         }
     }
 
     fn lift_damper(&mut self, key: u8) {
         if let Some(held) = self.held.get_mut(usize::from(key)) {
-            held.damper = Damper::Up;
+            held.damper = DamperState::Up;
             held.until = None;
         }
     }
 
-    fn sustain(&mut self, at: f64, depth: f64) -> Result<(), SendError> {
+    fn sustain(&mut self, at: f64, depth: f64) -> Result<(), MidiSendError> {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -237,8 +237,8 @@ impl<O: Output> Player<O> {
         self.send(at, Message::ControlChange { controller: Controller::Sustain, value })
     }
 
-    /// Moves to time `now` [s], ending the notes that fall silent by themselves until then.
-    fn advance(&mut self, now: f64) -> Result<(), SendError> {
+    /// Moves to time `now` (s), ending the notes that fall silent by themselves until then.
+    fn advance(&mut self, now: f64) -> Result<(), MidiSendError> {
         let mut outcome = Ok(());
         for key in 0..KEYS {
             let due = self.held[usize::from(key)].until;
@@ -251,7 +251,7 @@ impl<O: Output> Player<O> {
         outcome
     }
 
-    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
         self.stirred = true;
         self.output.send(at, message)
     }

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use crate::player::{EventKind, KeyEvent};
+use crate::player::{EventKind, NoteEvent};
 
 /// Key events that wait, the earliest first.
 ///
@@ -11,23 +11,23 @@ use crate::player::{EventKind, KeyEvent};
 /// were put in. What happens to one key at one time stays in its own order.
 #[derive(Clone, Debug, Default)]
 pub struct Schedule {
-    waiting: VecDeque<Entry>,
+    waiting: VecDeque<ScheduledEvent>,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Entry {
+struct ScheduledEvent {
     /// Place among events of the same time.
     rank: u8,
-    event: KeyEvent,
+    event: NoteEvent,
 }
 
-impl Entry {
+impl ScheduledEvent {
     fn is_behind(&self, at: f64, rank: u8) -> bool {
         self.event.at.total_cmp(&at).then(self.rank.cmp(&rank)).is_gt()
     }
 
-    fn is_of(&self, event: &KeyEvent) -> bool {
-        let is_pedal = |event: &KeyEvent| matches!(event.kind, EventKind::Sustain(_));
+    fn is_of(&self, event: &NoteEvent) -> bool {
+        let is_pedal = |event: &NoteEvent| matches!(event.kind, EventKind::Sustain(_));
         self.event.at.total_cmp(&event.at).is_eq()
             && self.event.key == event.key
             && is_pedal(&self.event) == is_pedal(event)
@@ -36,21 +36,21 @@ impl Entry {
 
 impl Schedule {
     /// Puts `event` behind all that happen before it.
-    pub fn insert(&mut self, event: KeyEvent) {
+    pub fn insert(&mut self, event: NoteEvent) {
         // A key's own events are never overtaken by a later one of the same time.
         let own = self.waiting.iter().filter(|entry| entry.is_of(&event)).map(|entry| entry.rank);
         let rank = own.fold(rank(event.kind), u8::max);
         let place = self.waiting.partition_point(|entry| !entry.is_behind(event.at, rank));
-        self.waiting.insert(place, Entry { rank, event });
+        self.waiting.insert(place, ScheduledEvent { rank, event });
     }
 
     /// The earliest event.
-    pub fn first(&self) -> Option<&KeyEvent> {
+    pub fn first(&self) -> Option<&NoteEvent> {
         self.waiting.front().map(|entry| &entry.event)
     }
 
     /// Takes the earliest event out.
-    pub fn pop(&mut self) -> Option<KeyEvent> {
+    pub fn pop(&mut self) -> Option<NoteEvent> {
         self.waiting.pop_front().map(|entry| entry.event)
     }
 }
@@ -75,7 +75,7 @@ mod tests {
     fn order(events: &[(u8, f64, EventKind)]) -> Vec<(u8, EventKind)> {
         let mut schedule = Schedule::default();
         for (key, at, kind) in events.iter().copied() {
-            schedule.insert(KeyEvent { key, at, kind });
+            schedule.insert(NoteEvent { key, at, kind });
         }
         std::iter::from_fn(|| schedule.pop()).map(|event| (event.key, event.kind)).collect()
     }

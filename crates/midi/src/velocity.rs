@@ -5,10 +5,10 @@ use std::str::FromStr;
 
 use crate::note::Velocity;
 
-/// Softest tone of a grand [m/s] (Goebl, Bresin & Galembo 2005).
+/// Softest tone of a grand (m/s) (Goebl, Bresin & Galembo 2005).
 const SOFTEST: f64 = 0.18;
 
-/// Loudest tone of a grand, struck touch [m/s] (Goebl, Bresin & Galembo 2005).
+/// Loudest tone of a grand, struck touch (m/s) (Goebl, Bresin & Galembo 2005).
 const LOUDEST: f64 = 6.8;
 
 /// Velocity at a hammer speed of 1 m/s on the Disklavier (Goebl & Bresin 2001).
@@ -20,11 +20,11 @@ const DISKLAVIER_SLOPE: f64 = 71.3;
 /// How much louder or softer the light and the heavy curve are than the Disklavier's.
 const TOUCH_SHIFT: f64 = 12.0;
 
-/// Key speed at which a release counts as the fastest [m/s]; an estimate:
+/// Key speed at which a release counts as the fastest (m/s); an estimate:
 /// a key let go returns 10 mm in 35 ms, a little faster than that at half way.
 const FASTEST_RELEASE: f64 = 0.4;
 
-/// How a hammer speed [m/s] becomes a MIDI velocity.
+/// How a hammer speed (m/s) becomes a MIDI velocity.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 #[must_use]
 pub enum VelocityCurve {
@@ -57,7 +57,7 @@ impl VelocityCurve {
         }
     }
 
-    /// MIDI velocity of a strike at hammer `speed` [m/s].
+    /// MIDI velocity of a strike at hammer `speed` (m/s).
     ///
     /// A speed that is zero, negative or not a number gives the least velocity.
     pub fn velocity(self, speed: f64) -> Velocity {
@@ -75,7 +75,7 @@ impl VelocityCurve {
         }
     }
 
-    /// Hammer speed [m/s] that gives `velocity`, from the middle of those that do.
+    /// Hammer speed (m/s) that gives `velocity`, from the middle of those that do.
     ///
     /// The fixed curve gives the Disklavier's speed: any would do, and so a performance keeps
     /// its dynamics in the fingers.
@@ -90,7 +90,7 @@ impl VelocityCurve {
     }
 }
 
-/// Release velocity of a damper that falls while the key rises at `speed` [m/s].
+/// Release velocity of a damper that falls while the key rises at `speed` (m/s).
 ///
 /// In a straight line from a key that creeps (1) to one that is let go (127 at 0.4 m/s).
 pub fn release_velocity(speed: f64) -> Velocity {

@@ -5,25 +5,27 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use midi::{EventKind, KeyEvent, Memory, Message, Output, Player, SendError, VelocityCurve};
+use midi::{
+    EventKind, Message, MessageRecorder, MidiSendError, NoteEvent, Output, Player, VelocityCurve,
+};
 
 /// Middle C.
 const KEY: u8 = 39;
 
-fn strike(at: f64, speed: f64) -> KeyEvent {
-    KeyEvent { key: KEY, at, kind: EventKind::Strike { speed } }
+fn strike(at: f64, speed: f64) -> NoteEvent {
+    NoteEvent { key: KEY, at, kind: EventKind::Strike { speed } }
 }
 
-fn fall(at: f64) -> KeyEvent {
-    KeyEvent { key: KEY, at, kind: EventKind::DamperFall { speed: 0.2 } }
+fn fall(at: f64) -> NoteEvent {
+    NoteEvent { key: KEY, at, kind: EventKind::DamperFall { speed: 0.2 } }
 }
 
-fn lift(at: f64) -> KeyEvent {
-    KeyEvent { key: KEY, at, kind: EventKind::DamperLift }
+fn lift(at: f64) -> NoteEvent {
+    NoteEvent { key: KEY, at, kind: EventKind::DamperLift }
 }
 
-fn sustain(at: f64, depth: f64) -> KeyEvent {
-    KeyEvent { key: 0, at, kind: EventKind::Sustain(depth) }
+fn sustain(at: f64, depth: f64) -> NoteEvent {
+    NoteEvent { key: 0, at, kind: EventKind::Sustain(depth) }
 }
 
 fn on(at: f64, velocity: u8) -> (f64, [u8; 3]) {
@@ -34,14 +36,14 @@ fn off(at: f64, velocity: u8) -> (f64, [u8; 3]) {
     (at, [0x80, 60, velocity])
 }
 
-fn sent(player: &Player<Memory>) -> Vec<(f64, [u8; 3])> {
+fn sent(player: &Player<MessageRecorder>) -> Vec<(f64, [u8; 3])> {
     player.output().messages().iter().map(|(at, message)| (*at, message.encode())).collect()
 }
 
 /// Asserts that `events` make a player send `expected`.
 #[track_caller]
-fn check(events: &[KeyEvent], expected: &[(f64, [u8; 3])]) {
-    let mut player = Player::new(Memory::default(), VelocityCurve::default());
+fn check(events: &[NoteEvent], expected: &[(f64, [u8; 3])]) {
+    let mut player = Player::new(MessageRecorder::default(), VelocityCurve::default());
     for event in events {
         player.play(*event).expect("memory takes everything");
     }
@@ -96,12 +98,12 @@ fn the_pedal_is_sent_when_its_value_changes() {
 
 #[test]
 fn a_key_that_does_not_exist_is_silent() {
-    check(&[KeyEvent { key: 88, at: 0.0, kind: EventKind::Strike { speed: 1.0 } }], &[]);
+    check(&[NoteEvent { key: 88, at: 0.0, kind: EventKind::Strike { speed: 1.0 } }], &[]);
 }
 
 #[test]
 fn silence_releases_what_is_held_and_resets_the_rest() {
-    let mut player = Player::new(Memory::default(), VelocityCurve::default());
+    let mut player = Player::new(MessageRecorder::default(), VelocityCurve::default());
     player.play(strike(1.0, 1.0)).expect("memory");
     player.play(sustain(1.5, 1.0)).expect("memory");
     player.silence().expect("memory");
@@ -116,7 +118,7 @@ fn events_from_the_tick_are_drained_from_their_ring() {
     for event in [lift(0.9), strike(1.0, 1.0), fall(2.0)] {
         tick.push(event).expect("room");
     }
-    let mut player = Player::new(Memory::default(), VelocityCurve::default());
+    let mut player = Player::new(MessageRecorder::default(), VelocityCurve::default());
     assert_eq!(player.drain(&mut events).expect("memory"), 3);
     assert_eq!(sent(&player), [on(1.0, 58), off(2.0, 64)]);
 }
@@ -129,12 +131,12 @@ struct Shared {
 }
 
 impl Output for Shared {
-    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
         self.sent.borrow_mut().push(message.encode());
-        if self.broken { Err(SendError::NoSuchTime { at }) } else { Ok(()) }
+        if self.broken { Err(MidiSendError::NoSuchTime { at }) } else { Ok(()) }
     }
 
-    fn finish(&mut self) -> Result<(), SendError> {
+    fn finish(&mut self) -> Result<(), MidiSendError> {
         Ok(())
     }
 }

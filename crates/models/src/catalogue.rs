@@ -16,12 +16,10 @@ pub trait Visitor {
 
 /// What is known of a model without building one.
 #[derive(Clone, Copy, Debug)]
-pub struct Entry {
-    /// Its name.
+pub struct ModelEntry {
     pub name: &'static str,
     /// What it is, in one line.
     pub summary: &'static str,
-    /// Its parameters.
     pub parameters: &'static [Parameter],
     /// Its presets; the first is the default.
     pub presets: &'static [Preset],
@@ -38,7 +36,7 @@ pub struct Entry {
 macro_rules! catalogue {
     ($($model:ty),+ $(,)?) => {
         /// Every model.
-        pub const ENTRIES: &[Entry] = &[$(entry::<$model>()),+];
+        pub const ENTRIES: &[ModelEntry] = &[$(entry::<$model>()),+];
 
         /// Does something with the model called `name`, if there is one.
         pub fn visit<V: Visitor>(name: &str, visitor: V) -> Option<V::Output> {
@@ -52,8 +50,8 @@ macro_rules! catalogue {
 
 catalogue!(KeyHammerSprings, KeyHammerRigid, ReducedGrand, BouncingBall, CartPendulum, SpringWall);
 
-const fn entry<M: Playable>() -> Entry {
-    Entry {
+const fn entry<M: Playable>() -> ModelEntry {
+    ModelEntry {
         name: M::NAME,
         summary: M::SUMMARY,
         parameters: M::PARAMETERS,
@@ -66,6 +64,6 @@ const fn entry<M: Playable>() -> Entry {
 }
 
 /// The entry called `name`, if there is one.
-pub fn find(name: &str) -> Option<&'static Entry> {
+pub fn find(name: &str) -> Option<&'static ModelEntry> {
     ENTRIES.iter().find(|entry| entry.name == name)
 }

@@ -47,12 +47,12 @@ impl Parameter {
         Self::within(name, unit, 0.0, 1e9, doc)
     }
 
-    /// A place or a length with a sign [m].
+    /// A place or a length with a sign (m).
     pub(crate) const fn length(name: &'static str, doc: &'static str) -> Self {
         Self::within(name, "m", -100.0, 100.0, doc)
     }
 
-    /// Gravity [m/s²].
+    /// Gravity (m/s²).
     pub(crate) const fn gravity() -> Self {
         Self::within("g", "m/s²", 0.0, 1000.0, "gravity")
     }
@@ -71,7 +71,6 @@ impl Parameter {
 /// A named set of parameter values, graded over the compass.
 #[derive(Clone, Copy, Debug)]
 pub struct Preset {
-    /// Name in scenes.
     pub name: &'static str,
     /// What it is, in one line.
     pub doc: &'static str,
@@ -125,7 +124,7 @@ pub trait Described:
 
 /// A model that can be rendered on a key.
 pub trait Playable: Described {
-    /// Input per metre of key-front travel [unit of the input / m]; a force at the
+    /// Input per metre of key-front travel (unit of the input / m); a force at the
     /// finger is the readout times this.
     fn input_per_metre(&self) -> f64;
 
@@ -139,7 +138,7 @@ pub trait Playable: Described {
 /// A guard's firing that is heard.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Sounding {
-    /// Speed of what strikes [m/s].
+    /// Speed of what strikes (m/s).
     pub speed: f64,
 }
 

@@ -1,4 +1,4 @@
-//! How a mechanism looks from the side, to scale: x to the right, y up [m].
+//! How a mechanism looks from the side, to scale: x to the right, y up (m).
 //!
 //! A model says once, for its values, what it is made of and what moves each part; whoever draws
 //! needs only the signals (states, guards, outputs) to move it.
@@ -6,11 +6,11 @@
 /// What moves a part: `offset + scale · signal`.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Follow {
-    /// Where it is when the signal is 0 [m] or [rad].
+    /// Where it is when the signal is 0 (m) or (rad).
     pub offset: f64,
     /// So much further for each unit of the signal.
     pub scale: f64,
-    /// Name of a state or output; "position" is the key's front [m, down]; none holds still.
+    /// Name of a state or output; "position" is the key's front (m, down); none holds still.
     pub signal: Option<&'static str>,
 }
 
@@ -29,13 +29,12 @@ impl Follow {
 /// Something rigid: a point p of it is drawn at (x, y) + R(angle) p.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Body<'a> {
-    /// What it is.
     pub name: &'static str,
-    /// Where its own origin is [m].
+    /// Where its own origin is (m).
     pub x: Follow,
-    /// Where its own origin is [m].
+    /// Where its own origin is (m).
     pub y: Follow,
-    /// Turned by so much, anticlockwise [rad].
+    /// Turned by so much, anticlockwise (rad).
     pub angle: Follow,
     /// Shown only in these modes, by their number in the model's list; always if there are none.
     pub modes: &'a [u8],
@@ -44,28 +43,22 @@ pub struct Body<'a> {
 /// What a line is made of.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Material {
-    /// Keys, shanks, levers.
     Wood,
-    /// Heads, cushions, dampers.
     Felt,
-    /// Screws, capstans, weights.
     Metal,
-    /// A string.
     String,
     /// What does not move.
     Ground,
-    /// The player's finger.
     Finger,
 }
 
 /// A spring between points of two bodies, by the bodies' numbers.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Coil<'a> {
-    /// What it is.
     pub name: &'static str,
-    /// A body, in the order of [`Sketch::body`], and a point of it [m].
+    /// A body, in the order of [`Sketch::body`], and a point of it (m).
     pub from: (u32, [f64; 2]),
-    /// The other body, and a point of it [m].
+    /// The other body, and a point of it (m).
     pub to: (u32, [f64; 2]),
     /// Shown only in these modes; always if there are none.
     pub modes: &'a [u8],
@@ -73,13 +66,13 @@ pub struct Coil<'a> {
 
 /// Somebody who draws.
 pub trait Sketch {
-    /// What is worth seeing: left, bottom, right, top [m].
+    /// What is worth seeing: left, bottom, right, top (m).
     fn view(&mut self, edges: [f64; 4]);
 
     /// One more body.
     fn body(&mut self, body: Body<'_>);
 
-    /// A line of the newest body through `points` in its own axes [m]; closed ones are filled.
+    /// A line of the newest body through `points` in its own axes (m); closed ones are filled.
     fn outline(&mut self, material: Material, points: &[[f64; 2]], ends: Ends);
 
     /// One more spring.
@@ -89,7 +82,6 @@ pub trait Sketch {
 /// Whether a line comes back to where it began.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Ends {
-    /// It does not.
     Open,
     /// It does, and is filled.
     Closed,

@@ -4,10 +4,10 @@ use pode::math::{atan2, hypot, sin_cos, sqrt};
 
 use crate::draw::{Body, Coil, Ends, Follow, Material, Sketch};
 
-/// A point [m].
+/// A point (m).
 pub(crate) type Point = [f64; 2];
 
-/// Where a body is: x [m], y [m] and angle [rad].
+/// Where a body is: x (m), y (m) and angle (rad).
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Pose {
     pub(crate) x: Follow,
@@ -44,7 +44,7 @@ pub(crate) struct Pen<'a> {
 }
 
 impl<'a> Pen<'a> {
-    /// A pen for an empty sketch that shows what is between left, bottom, right, top [m].
+    /// A pen for an empty sketch that shows what is between left, bottom, right, top (m).
     pub(crate) fn new(sketch: &'a mut dyn Sketch, edges: [f64; 4]) -> Self {
         sketch.view(edges);
         Self { sketch, bodies: 0 }
@@ -84,7 +84,7 @@ impl<'a> Pen<'a> {
         self.sketch.coil(Coil { name, from, to, modes });
     }
 
-    /// A fingertip that comes from above and touches at the origin; `size` is its width [m].
+    /// A fingertip that comes from above and touches at the origin; `size` is its width (m).
     pub(crate) fn fingertip(&mut self, size: f64) {
         let shape = [
             [-0.25, 0.0],
@@ -111,12 +111,12 @@ impl<'a> Pen<'a> {
     }
 }
 
-/// Corners of a rectangle, from left, bottom, right, top [m].
+/// Corners of a rectangle, from left, bottom, right, top (m).
 pub(crate) const fn plate([left, bottom, right, top]: [f64; 4]) -> [Point; 4] {
     [[left, bottom], [right, bottom], [right, top], [left, top]]
 }
 
-/// Points on a circle, anticlockwise from the direction `first` [rad].
+/// Points on a circle, anticlockwise from the direction `first` (rad).
 pub(crate) fn rim<const N: usize>([x, y]: Point, radius: f64, first: f64) -> [Point; N] {
     let step = core::f64::consts::TAU / N as f64;
     core::array::from_fn(|i| {
@@ -126,7 +126,7 @@ pub(crate) fn rim<const N: usize>([x, y]: Point, radius: f64, first: f64) -> [Po
 }
 
 /// Felt of a hammer's head, upright, with the point that strikes at the origin; `size` is
-/// its half width [m].
+/// its half width (m).
 pub(crate) fn felt(size: f64) -> [Point; 15] {
     const SIDE: [Point; 3] = [[1.0, -1.4], [0.9, -2.4], [0.5, -3.4]];
     const ROUND: f64 = 0.8;
@@ -144,7 +144,7 @@ pub(crate) fn felt(size: f64) -> [Point; 15] {
     })
 }
 
-/// A point turned by `angle` [rad] about the origin.
+/// A point turned by `angle` (rad) about the origin.
 pub(crate) fn turned(angle: f64, [x, y]: Point) -> Point {
     let (sin, cos) = sin_cos(angle);
     [x * cos - y * sin, x * sin + y * cos]
@@ -160,7 +160,7 @@ pub(crate) fn difference(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// The smaller angle [rad] by which `point` is turned to the height `y` [m]; as near as it
+/// The smaller angle (rad) by which `point` is turned to the height `y` (m); as near as it
 /// gets if it does not reach it.
 pub(crate) fn raised(point: Point, y: f64) -> f64 {
     let reach = hypot(point[0], point[1]);

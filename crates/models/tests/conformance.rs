@@ -13,7 +13,7 @@ mod stroke;
 use models::catalogue::{self, Visitor};
 use models::{Described, Parameter, Playable};
 use pode::stepper::{Given, Rk4, Stepper as _};
-use pode::{Dense as _, GuardId, Kind, MAX_GUARDS, Matrix as _, Motion, Nature, State};
+use pode::{Dense as _, EquationKind, GuardId, MAX_GUARDS, Matrix as _, Motion, Nature, State};
 use random::Random;
 use stroke::{run, still};
 
@@ -392,7 +392,7 @@ fn check_linear<M: Playable>(
     let sum = f(x, input).plus(1.0, &f(y, input));
     let parts = f(&x.plus(1.0, y), input).plus(1.0, &f(&M::State::ZERO, input));
     check_equal(&sum, &parts, format_args!("{} {name} is not linear", M::NAME));
-    if model.nature(mode).kind == Kind::Affine {
+    if model.nature(mode).kind == EquationKind::Affine {
         check_equal(&f(x, input), &f(x, other), format_args!("{} {name} reads its input", M::NAME));
     }
 }
@@ -442,7 +442,7 @@ fn somewhere<M: Playable>(model: &M, mode: M::Mode, random: &mut Random) -> (M::
     (model.constrain(mode, &x, &input), input)
 }
 
-/// State and input `t` [s] later, in the same mode, with the input's jerk constant.
+/// State and input `t` (s) later, in the same mode, with the input's jerk constant.
 fn flow<M: Playable>(place: &Place<M>, t: f64) -> (M::State, Motion) {
     let Place { model, mode, x, input, .. } = place;
     let later = |t: f64| {

@@ -181,7 +181,7 @@ fn front_follows<M: Playable>(label: &str, model: M) {
     }
 }
 
-/// With the key's own signals at `down` [m] and all others at rest, so that no spring counts.
+/// With the key's own signals at `down` (m) and all others at rest, so that no spring counts.
 fn pressed<M: Playable>(model: &M, down: f64) -> Moment {
     let mut moment = Moment::at_rest(model, 0.0);
     for (name, value) in &mut moment.signals {

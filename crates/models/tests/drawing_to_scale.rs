@@ -32,7 +32,7 @@ fn extreme(points: &[Point], sign: f64) -> f64 {
     sign * points.iter().map(|it| sign * it[1]).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// By how much the head is below the string, both as drawn [m].
+/// By how much the head is below the string, both as drawn (m).
 fn below_string(drawing: &Drawing, moment: &Moment) -> f64 {
     let hammer = drawing.part("hammer", moment);
     let felts = hammer.of(Material::Felt).into_iter();
@@ -230,7 +230,7 @@ fn the_grand_s_tender_meets_the_button_from_there_to_the_trip() {
     }
 }
 
-/// The distance between two points of a drawing [m].
+/// The distance between two points of a drawing (m).
 fn between(a: Point, b: Point) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }

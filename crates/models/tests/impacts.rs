@@ -11,7 +11,7 @@ use models::{BouncingBall, CartPendulum, Described as _, Playable as _, SpringWa
 use pode::{GuardId, Motion};
 use stroke::{bells, preset, run, sine, still};
 
-/// √(2/g), the fall from 1 m [s].
+/// √(2/g), the fall from 1 m (s).
 const T1: f64 = 0.451_523_640_985_730_9;
 
 /// Case C1: the bounces, their end, and what the floor got.

@@ -13,7 +13,7 @@ mod stroke;
 
 use models::bouncing_ball::Mode as Ball;
 use models::cart_pendulum::Mode as Cart;
-use models::key_hammer::Values;
+use models::key_hammer::KeyHammerValues;
 use models::key_hammer_rigid::Mode as Rigid;
 use models::key_hammer_springs::Mode as Springs;
 use models::{BouncingBall, CartPendulum, Described as _, KeyHammerRigid, KeyHammerSprings};
@@ -85,13 +85,13 @@ fn agree(what: &str, got: f64, expected: f64, scale: f64) {
 }
 
 /// Compression of k2: from the slider's nominal point on K, along K's normal, to H.
-fn compression(p: &Values, hammer: f64, key: f64) -> f64 {
+fn compression(p: &KeyHammerValues, hammer: f64, key: f64) -> f64 {
     let from_hammer_pivot = combined(combined([0.0; 2], p.l1, direction(key)), -1.0, [p.l3, p.l4]);
     dot(from_hammer_pivot, normal(hammer)) / dot(normal(key), normal(hammer))
 }
 
 /// L of model B with the hammer's mass anywhere on a body of inertia JH.
-fn springs_lagrangian(p: &Values, mode: Springs, s: f64, q: Vector, v: Vector) -> f64 {
+fn springs_lagrangian(p: &KeyHammerValues, mode: Springs, s: f64, q: Vector, v: Vector) -> f64 {
     let [hammer, key] = q;
     let kinetic = 0.5 * (p.jh * v[0] * v[0] + p.jk * v[1] * v[1]);
     let centre_h = combined([p.l3, p.l4], p.l2, direction(hammer));
@@ -200,7 +200,7 @@ fn the_loss_of_the_felt_and_the_damper_do_the_work_they_report() {
 }
 
 /// θh of a rigid contact: H points from P2 to the slider on K.
-fn hammer_on(p: &Values, s: f64) -> f64 {
+fn hammer_on(p: &KeyHammerValues, s: f64) -> f64 {
     let slider = combined([0.0; 2], p.l1, direction(s));
     let along = combined(slider, -1.0, [p.l3, p.l4]);
     along[1].atan2(along[0])

@@ -19,7 +19,7 @@ use pode::{Energetic as _, Model as _, Motion};
 use proptest::prelude::*;
 use stroke::{Books, bells, preset, presses, run, sine, still};
 
-/// What rounding adds up to over a run [J].
+/// What rounding adds up to over a run (J).
 const ROUNDING: f64 = 1e-12;
 
 /// What a book leaves unexplained, against `bound` of the energy that went through.

@@ -10,7 +10,7 @@ use pode::{Advance, Limits, Model as _, Motion, Simulator};
 use random::Random;
 use stroke::{Books, preset, run, still};
 
-/// Key dip [m] and lever arm of the finger [m]: piano-facts.
+/// Key dip (m) and lever arm of the finger [m]: piano-facts.
 const DIP: f64 = 0.010_16;
 const FRONT: f64 = 0.2595;
 
@@ -19,7 +19,7 @@ fn compass<M: Described>() -> impl Iterator<Item = (u8, M)> {
     (0..88).map(|key| (key, preset("playable", key, &[])))
 }
 
-/// Hammer angle at rest with the key front `down` [m].
+/// Hammer angle at rest with the key front `down` (m).
 fn hammer<M: Described>(model: &M, down: f64) -> f64 {
     model.at_rest(&still(down / FRONT)).1.as_mut()[0]
 }
@@ -72,7 +72,7 @@ fn every_key_is_balanced() {
     }
 }
 
-/// A press to the bottom in `duration` [s], of minimum jerk, that stays there.
+/// A press to the bottom in `duration` (s), of minimum jerk, that stays there.
 fn press(duration: f64, t: f64) -> Motion {
     let z = (t / duration).clamp(0.0, 1.0);
     let bottom = DIP / FRONT;
@@ -86,7 +86,7 @@ fn press(duration: f64, t: f64) -> Motion {
     }
 }
 
-/// Speeds [m/s] at which the string was struck.
+/// Speeds (m/s) at which the string was struck.
 fn strikes(key: u8, duration: f64) -> Vec<f64> {
     let model: KeyHammerSprings = preset("playable", key, &[]);
     let (books, _) = run(model, model.at_rest(&still(0.0)), (1e-3, 1.0), |t| press(duration, t));
@@ -160,7 +160,7 @@ fn a_hammer_pushed_through_the_string_is_not_put_back() {
     assert_eq!(books.events[0].before.1, books.events[0].after.1, "a release keeps the state");
 }
 
-/// The force at the finger under a sampled input, against that under the exact one [N].
+/// The force at the finger under a sampled input, against that under the exact one (N).
 fn deviation(kind: Reconstruction, quantum: f64, noise: f64) -> f64 {
     const H: f64 = 1e-3;
     let model: KeyHammerSprings = preset("playable", 39, &[]);

@@ -11,7 +11,7 @@ use pode::{Energetic as _, GuardId, Guarded as _, Matrix, Model as _, Motion, Re
 use random::Random;
 use stroke::{preset, still};
 
-/// A way into the string or the bed [m].
+/// A way into the string or the bed (m).
 const DEEP: f64 = 1e-3;
 
 /// Somewhere in `mode` as it is played, and an input near.

@@ -10,22 +10,22 @@ use pode::stepper::Rk4;
 use pode::{Advance, GuardId, Guarded as _, Limits, Model as _, Motion, Simulator};
 use stroke::{Books, preset, presses, run, still};
 
-/// Weight of a gram [N].
+/// Weight of a gram (N).
 const GRAM: f64 = 9.806_65e-3;
-/// Ticks [s].
+/// Ticks (s).
 const H: f64 = 1e-3;
 
 /// What is felt at one tick.
 #[derive(Clone, Copy, Debug)]
 struct Felt {
-    /// Key front [m].
+    /// Key front (m).
     y: f64,
-    /// The finger's force, as a weight [gf].
+    /// The finger's force, as a weight (gf).
     weight: f64,
     mode: Mode,
 }
 
-/// Plays `gestures` on the default set until `until` [s].
+/// Plays `gestures` on the default set until `until` (s).
 fn play(gestures: &[[f64; 3]], until: f64) -> (Books<ReducedGrand>, Vec<Felt>) {
     let model: ReducedGrand = preset("default", 0, &[]);
     let (mode, x) = model.at_rest(&still(0.0));
@@ -42,13 +42,13 @@ fn play(gestures: &[[f64; 3]], until: f64) -> (Books<ReducedGrand>, Vec<Felt>) {
     (books, felt)
 }
 
-/// Speeds at which the string was struck [m/s].
+/// Speeds at which the string was struck (m/s).
 fn strikes(books: &Books<ReducedGrand>) -> Vec<f64> {
     let hits = books.events.iter().filter(|event| event.name == "string-on");
     hits.map(|event| event.before.1[3]).collect()
 }
 
-/// A press to the bottom that takes some 4 `w` [s], with its middle at 6 `w`.
+/// A press to the bottom that takes some 4 `w` (s), with its middle at 6 `w`.
 fn press(w: f64) -> [f64; 3] {
     [0.0107, 6.0 * w, w]
 }
@@ -58,7 +58,7 @@ fn weighed() -> (Books<ReducedGrand>, Vec<Felt>) {
     play(&[press(0.3), [-0.0107, 4.2, 0.3]], 6.5)
 }
 
-/// The weights where the key passes `y` [m], in the order of time.
+/// The weights where the key passes `y` (m), in the order of time.
 fn at(felt: &[Felt], y: f64) -> Vec<f64> {
     let passes = felt.windows(2).filter(|pair| (pair[0].y < y) != (pair[1].y < y));
     passes.map(|pair| pair[1].weight).collect()
@@ -114,7 +114,7 @@ fn a_slow_press_is_silent_and_faster_ones_are_louder() {
     assert!(speeds[0] < 0.2 && speeds[5] > 4.0, "from 0.13 to 4.0 m/s and more: {speeds:?}");
 }
 
-/// A forte, up to where the key is `low` [m], and another 0.12 s later.
+/// A forte, up to where the key is `low` (m), and another 0.12 s later.
 fn repeated(low: f64) -> Books<ReducedGrand> {
     let back = 0.0107 - low;
     play(&[[0.0107, 0.1, 0.015], [-back, 0.3, 0.015], [back, 0.42, 0.015]], 0.8).0
@@ -171,7 +171,7 @@ fn held_down_it_rests_where_a_slow_press_would_leave_it() {
 
 #[test]
 fn a_playable_key_is_balanced_and_comes_up_from_everywhere() {
-    /// What a released key must overcome: stiction of a simulated key [N].
+    /// What a released key must overcome: stiction of a simulated key (N).
     const STICTION: f64 = 0.12;
     for key in 0..88 {
         let model: ReducedGrand = preset("playable", key, &[]);

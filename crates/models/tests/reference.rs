@@ -14,7 +14,7 @@ use models::{Described, KeyHammerRigid, KeyHammerSprings, ReducedGrand};
 use pode::State as _;
 use pode::stepper::Rk4;
 
-/// Largest event-time error of a run [s]; panics unless the mode sequence is the same.
+/// Largest event-time error of a run (s); panics unless the mode sequence is the same.
 #[track_caller]
 fn event_error<M: Described>(case: &Case, trace: &Trace<M>, h: f64) -> f64 {
     let seen: Vec<_> = trace

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use crate::pianist::Expected;
+use crate::pianist::ExpectedNote;
 
-/// A strike further than this from its note's onset belongs to no note [s].
+/// A strike further than this from its note's onset belongs to no note (s).
 ///
 /// A little more than half of a grand's quickest repetition (15/s).
 pub const WINDOW: f64 = 0.04;
@@ -14,7 +14,7 @@ pub const WINDOW: f64 = 0.04;
 pub struct Struck {
     /// Which key, 0 ..= 87.
     pub key: u8,
-    /// When [s].
+    /// When (s).
     pub at: f64,
     /// How hard, as a MIDI velocity, 1 ..= 127.
     pub velocity: u8,
@@ -47,13 +47,12 @@ impl Spread {
 pub struct Assessment {
     /// Notes that were wanted.
     pub played: usize,
-    /// Strikes that happened.
     pub struck: usize,
     /// Notes without a strike.
     pub missed: usize,
     /// Strikes without a note.
     pub extra: usize,
-    /// How far strikes were from their onsets, early or late [ms].
+    /// How far strikes were from their onsets, early or late (ms).
     pub onset_error_ms: Spread,
     /// How far strikes were from their notes' velocities, in MIDI units.
     pub velocity_error: Spread,
@@ -76,7 +75,7 @@ impl fmt::Display for Assessment {
 ///
 /// On each key, notes and strikes that are nearest to each other belong together first; each is
 /// used once, and none is paired over more than [`WINDOW`].
-pub fn assess(expected: &[Expected], struck: &[Struck]) -> Assessment {
+pub fn assess(expected: &[ExpectedNote], struck: &[Struck]) -> Assessment {
     let pairs = pair(expected, struck);
     let onset =
         |&(note, strike): &(usize, usize)| (struck[strike].at - expected[note].onset).abs() * 1e3;
@@ -94,7 +93,7 @@ pub fn assess(expected: &[Expected], struck: &[Struck]) -> Assessment {
 }
 
 /// Which note belongs to which strike, as indices.
-fn pair(expected: &[Expected], struck: &[Struck]) -> Vec<(usize, usize)> {
+fn pair(expected: &[ExpectedNote], struck: &[Struck]) -> Vec<(usize, usize)> {
     let mut candidates = candidates(expected, struck);
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     let mut note_is_free = vec![true; expected.len()];
@@ -110,8 +109,8 @@ fn pair(expected: &[Expected], struck: &[Struck]) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// Every pair of a note and a strike within the window, with its distance [s].
-fn candidates(expected: &[Expected], struck: &[Struck]) -> Vec<(f64, usize, usize)> {
+/// Every pair of a note and a strike within the window, with its distance (s).
+fn candidates(expected: &[ExpectedNote], struck: &[Struck]) -> Vec<(f64, usize, usize)> {
     let mut by_time: Vec<usize> = (0..struck.len()).collect();
     by_time.sort_by(|a, b| struck[*a].at.total_cmp(&struck[*b].at));
     let mut found = Vec::new();
@@ -129,8 +128,8 @@ fn candidates(expected: &[Expected], struck: &[Struck]) -> Vec<(f64, usize, usiz
 mod tests {
     use super::*;
 
-    fn expected(key: u8, onset: f64, velocity: u8) -> Expected {
-        Expected { key, onset, speed: 1.0, velocity }
+    fn expected(key: u8, onset: f64, velocity: u8) -> ExpectedNote {
+        ExpectedNote { key, onset, speed: 1.0, velocity }
     }
 
     fn struck(key: u8, at: f64, velocity: u8) -> Struck {

@@ -10,7 +10,7 @@
 //! Hammers are thrown, not placed: what a stroke does depends on the action and on the state
 //! that the key is in. So every stroke is rehearsed by simulation, from the state its key will
 //! really have then, until it gives the wanted velocity and onset.
-//! This crate knows no instrument: the host hands one in as a [`Rehearsal`].
+//! This crate knows no instrument: the host hands one in as a [`RehearsalProgress`].
 //! Times are `f64` seconds since the start of the performance.
 
 #![forbid(unsafe_code)]
@@ -22,7 +22,9 @@ pub mod score;
 pub mod stroke;
 
 pub use assess::{Assessment, Spread, Struck, WINDOW, assess};
-pub use pianist::{Expected, Performance, Pianist, Progress};
-pub use rehearse::{Outcome, Practice, Rehearsal, RehearsedStroke, Strike, Table, Tables};
+pub use pianist::{ExpectedNote, Performance, Pianist, Progress};
+pub use rehearse::{
+    PlayOutcome, Practice, Rehearsal, RehearsedStroke, Strike, StrokeTable, StrokeTables,
+};
 pub use score::{Score, ScoreError, ScoreNote, read};
 pub use stroke::{PlannedStroke, Technique, plan};

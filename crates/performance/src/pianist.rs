@@ -9,7 +9,7 @@ use haptics::plant::Gesture;
 use midi::{KEYS, VelocityCurve};
 
 use crate::assess::Struck;
-use crate::rehearse::{Practice, Rehearsal, RehearsedStroke, Tables};
+use crate::rehearse::{Practice, Rehearsal, RehearsedStroke, StrokeTables};
 use crate::score::Score;
 use crate::stroke::{PlannedStroke, Technique, plan};
 
@@ -37,7 +37,6 @@ impl Default for Pianist {
 /// How far a preparation has come.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Progress {
-    /// Strokes rehearsed.
     pub done: usize,
     /// Strokes of the score.
     pub total: usize,
@@ -45,12 +44,12 @@ pub struct Progress {
 
 /// A note that should be heard.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Expected {
+pub struct ExpectedNote {
     /// Which key, 0 ..= 87.
     pub key: u8,
-    /// When [s since the start of the performance].
+    /// When (s since the start of the performance).
     pub onset: f64,
-    /// Hammer speed [m/s].
+    /// Hammer speed (m/s).
     pub speed: f64,
     /// MIDI velocity, 1 ..= 127.
     pub velocity: u8,
@@ -62,15 +61,15 @@ pub struct Performance {
     /// For each of the 88 keys its gestures, in order of start.
     pub gestures: Vec<Vec<Gesture>>,
     /// What the score wants, in order of onset, then of key.
-    pub expected: Vec<Expected>,
+    pub expected: Vec<ExpectedNote>,
     /// What the rehearsal promises: compare with [`assess`](crate::assess()).
     pub predicted: Vec<Struck>,
-    /// Moves of the sustain pedal: when [s], and how deep, 0 (up) ..= 1 (down).
+    /// Moves of the sustain pedal: when (s), and how deep, 0 (up) ..= 1 (down).
     pub pedals: Vec<(f64, f64)>,
 }
 
 impl Performance {
-    /// When the last finger has left its key or the pedal is moved last [s].
+    /// When the last finger has left its key or the pedal is moved last (s).
     pub fn end(&self) -> f64 {
         let ends = self.gestures.iter().flatten().map(Gesture::end);
         ends.chain(self.pedals.iter().map(|pedal| pedal.0)).fold(0.0, f64::max)
@@ -109,7 +108,7 @@ impl Pianist {
         strokes: &[PlannedStroke],
         progress: impl FnMut(),
     ) -> Vec<RehearsedStroke> {
-        let tables = Tables::measure(&instrument, &self.technique);
+        let tables = StrokeTables::measure(&instrument, &self.technique);
         let practice = Practice { tables: &tables, curve: self.curve, technique: &self.technique };
         practice.rehearse(instrument, strokes, progress)
     }
@@ -164,9 +163,9 @@ impl Pianist {
     }
 }
 
-fn wanted(stroke: &PlannedStroke) -> Expected {
+fn wanted(stroke: &PlannedStroke) -> ExpectedNote {
     let &PlannedStroke { key, onset, speed, velocity, .. } = stroke;
-    Expected { key, onset, speed, velocity: velocity.get() }
+    ExpectedNote { key, onset, speed, velocity: velocity.get() }
 }
 
 /// Runs `worker` on `n_workers` threads and returns all that they made.

@@ -8,22 +8,22 @@ use crate::score::{Score, ScoreNote};
 /// How the pianist plays.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Technique {
-    /// Hammer speed above which a key is struck from above instead of pressed [m/s].
+    /// Hammer speed above which a key is struck from above instead of pressed (m/s).
     ///
     /// A pressed touch reaches about 4 m/s and gets heavy long before.
     pub struck_above: f64,
     /// A key that is wanted again within this time is struck [s]: a press would take too long.
     pub quick: f64,
-    /// Least time from a damper's fall to the next onset of its key [s], for the key to come up.
+    /// Least time from a damper's fall to the next onset of its key (s), for the key to come up.
     pub gap: f64,
-    /// Time that a key should have from its release to the start of the next gesture [s].
+    /// Time that a key should have from its release to the start of the next gesture (s).
     ///
     /// A grand's key returns from bottom in 35 ms, lifting the finger takes 50 ms, and the rest
     /// is room for a slower stroke than was foreseen; none begins before the finger is lifted.
     pub rise: f64,
-    /// Depth to which a finger holds a key [m].
+    /// Depth to which a finger holds a key (m).
     pub hold: f64,
-    /// Silence before the first onset of the score [s], for the first gesture to begin in.
+    /// Silence before the first onset of the score (s), for the first gesture to begin in.
     pub lead_in: f64,
 }
 
@@ -40,7 +40,7 @@ impl Default for Technique {
     }
 }
 
-/// Shortest time from an onset to the wanted fall of the damper [s].
+/// Shortest time from an onset to the wanted fall of the damper (s).
 const SHORTEST: f64 = 0.03;
 
 /// What is wanted of a key.
@@ -48,11 +48,11 @@ const SHORTEST: f64 = 0.03;
 pub struct PlannedStroke {
     /// Which key, 0 ..= 87.
     pub key: u8,
-    /// When the hammer is to strike [s].
+    /// When the hammer is to strike (s).
     pub onset: f64,
-    /// When the damper is to fall [s].
+    /// When the damper is to fall (s).
     pub end: f64,
-    /// How fast the hammer is to strike [m/s].
+    /// How fast the hammer is to strike (m/s).
     pub speed: f64,
     /// The MIDI velocity that this gives.
     pub velocity: Velocity,

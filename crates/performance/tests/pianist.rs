@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use haptics::plant::Gesture;
 use performance::{
-    Outcome, Performance, Pianist, Rehearsal, Score, ScoreNote, Strike, Struck, assess,
+    Performance, Pianist, PlayOutcome, Rehearsal, Score, ScoreNote, Strike, Struck, assess,
 };
 
 /// A key whose hammer gets faster towards the treble and strikes 10 mm after its start.
@@ -22,7 +22,7 @@ impl Toy {
 }
 
 impl Rehearsal for Toy {
-    fn play(&mut self, gestures: &[Gesture], until: f64) -> Outcome {
+    fn play(&mut self, gestures: &[Gesture], until: f64) -> PlayOutcome {
         let span = self.now..until;
         self.now = until;
         let strike = |gesture: &Gesture| Strike {
@@ -31,7 +31,7 @@ impl Rehearsal for Toy {
         };
         let strikes = gestures.iter().map(strike).filter(|s| span.contains(&s.at)).collect();
         let mut falls = gestures.iter().map(|g| g.release + 0.03).filter(|at| span.contains(at));
-        Outcome { strikes, damper_fall: falls.next_back() }
+        PlayOutcome { strikes, damper_fall: falls.next_back() }
     }
 }
 

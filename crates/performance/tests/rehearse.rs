@@ -5,11 +5,11 @@
 use haptics::plant::{Gesture, Touch};
 use midi::{Velocity, VelocityCurve};
 use performance::{
-    Outcome, PlannedStroke, Practice, Rehearsal, RehearsedStroke, Strike, Table, Tables, Technique,
-    rehearse::tabulate,
+    PlannedStroke, PlayOutcome, Practice, Rehearsal, RehearsedStroke, Strike, StrokeTable,
+    StrokeTables, Technique, rehearse::tabulate,
 };
 
-/// From a release to the fall of the damper [s].
+/// From a release to the fall of the damper (s).
 const FALL: f64 = 0.04;
 
 /// A key that throws its hammer four times as fast as the finger, 10 mm after its start.
@@ -19,9 +19,9 @@ const FALL: f64 = 0.04;
 struct Toy {
     now: f64,
     released: Option<f64>,
-    /// Pressed faster than this, the hammer bounces and strikes twice [m/s].
+    /// Pressed faster than this, the hammer bounces and strikes twice (m/s).
     bounces_above: Option<f64>,
-    /// Until so long after a release it does not strike at all [s].
+    /// Until so long after a release it does not strike at all (s).
     returns_in: f64,
 }
 
@@ -43,8 +43,8 @@ impl Toy {
 }
 
 impl Rehearsal for Toy {
-    fn play(&mut self, gestures: &[Gesture], until: f64) -> Outcome {
-        let mut outcome = Outcome::default();
+    fn play(&mut self, gestures: &[Gesture], until: f64) -> PlayOutcome {
+        let mut outcome = PlayOutcome::default();
         let span = self.now..until;
         for gesture in gestures {
             let strikes = self.strikes(gesture, self.released);
@@ -69,7 +69,7 @@ fn stroke(onset: f64, end: f64, velocity: u8, touch: Touch) -> PlannedStroke {
 
 fn rehearse(toy: &Toy, strokes: &[PlannedStroke]) -> Vec<RehearsedStroke> {
     let technique = Technique::default();
-    let tables = Tables::measure(toy, &technique);
+    let tables = StrokeTables::measure(toy, &technique);
     let practice =
         Practice { tables: &tables, curve: VelocityCurve::Disklavier, technique: &technique };
     let mut n_reported = 0;
@@ -189,16 +189,16 @@ fn what_cannot_be_played_is_played_as_near_as_possible() {
 struct Broken;
 
 impl Rehearsal for Broken {
-    fn play(&mut self, _gestures: &[Gesture], _until: f64) -> Outcome {
-        Outcome::default()
+    fn play(&mut self, _gestures: &[Gesture], _until: f64) -> PlayOutcome {
+        PlayOutcome::default()
     }
 }
 
 #[test]
 fn a_key_that_never_strikes_is_reported_and_not_waited_for() {
     let technique = Technique::default();
-    let tables = Tables::measure(&Broken, &technique);
-    assert_eq!(tables.pressed, Table::default());
+    let tables = StrokeTables::measure(&Broken, &technique);
+    assert_eq!(tables.pressed, StrokeTable::default());
     let practice =
         Practice { tables: &tables, curve: VelocityCurve::Disklavier, technique: &technique };
     let rehearsed = practice.rehearse(Broken, &[stroke(1.0, 2.0, 60, Touch::Pressed)], || ());

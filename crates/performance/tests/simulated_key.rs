@@ -8,31 +8,31 @@ use std::fs;
 use std::path::PathBuf;
 
 use haptics::plant::Gesture;
-use performance::{Outcome, Pianist, Rehearsal, Strike, Struck, assess, read};
+use performance::{Pianist, PlayOutcome, Rehearsal, Strike, Struck, assess, read};
 
-/// Step of the simulation [s].
+/// Step of the simulation (s).
 const STEP: f64 = 1e-4;
 
-/// Mass that the finger feels [kg].
+/// Mass that the finger feels (kg).
 const MASS: f64 = 0.25;
 
 /// What lifts the key [N]: it comes up in 50 ms, a little slower than a grand's.
 const RETURN: f64 = 2.0;
 
-/// Dip of the key [m].
+/// Dip of the key (m).
 const DIP: f64 = 0.010;
 
-/// Where the hammer is thrown [m], and where the jack has reset [m].
+/// Where the hammer is thrown (m), and where the jack has reset (m).
 const LET_OFF: (f64, f64) = (0.009, 0.006);
 
-/// Where the damper falls [m].
+/// Where the damper falls (m).
 const DAMPER: f64 = 0.004;
 
 /// A key, pushed by a finger on a spring and a damper.
 #[derive(Clone, Debug, Default)]
 struct Key {
     n_steps: u64,
-    /// Depth [m] and speed [m/s], down positive.
+    /// Depth (m) and speed (m/s), down positive.
     depth: f64,
     speed: f64,
     is_let_off: bool,
@@ -54,7 +54,7 @@ impl Key {
         push.max(0.0) - RETURN - bottom + rail - 0.3 * self.speed
     }
 
-    fn step(&mut self, gestures: &[Gesture], outcome: &mut Outcome) {
+    fn step(&mut self, gestures: &[Gesture], outcome: &mut PlayOutcome) {
         let before = self.depth;
         self.speed += self.force(gestures) / MASS * STEP;
         self.depth += self.speed * STEP;
@@ -76,8 +76,8 @@ impl Key {
 }
 
 impl Rehearsal for Key {
-    fn play(&mut self, gestures: &[Gesture], until: f64) -> Outcome {
-        let mut outcome = Outcome::default();
+    fn play(&mut self, gestures: &[Gesture], until: f64) -> PlayOutcome {
+        let mut outcome = PlayOutcome::default();
         while self.now() < until {
             self.step(gestures, &mut outcome);
         }

@@ -7,7 +7,7 @@ use pode::{
     Simulator, Watch, stepper::Rk4,
 };
 
-/// Height [m] and speed [m/s] of a ball of 1 kg; each bounce keeps 0.8 of the speed.
+/// Height (m) and speed (m/s) of a ball of 1 kg; each bounce keeps 0.8 of the speed.
 #[derive(Clone, Copy)]
 struct Ball;
 

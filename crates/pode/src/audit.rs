@@ -6,19 +6,19 @@ use crate::watch::{Event, Piece, Watch};
 
 /// A model that can account for its energy.
 pub trait Energetic: Model {
-    /// Energy stored in `x` [J].
+    /// Energy stored in `x` (J).
     fn energy(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
 
-    /// Power that whoever drives the input puts in [W].
+    /// Power that whoever drives the input puts in (W).
     fn supplied(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
 
-    /// Power that dampers and friction take [W].
+    /// Power that dampers and friction take (W).
     fn dissipated(&self, _mode: Self::Mode, _x: &Self::State, _input: &Self::Input) -> f64 {
         0.0
     }
 }
 
-/// Sums of energy [J] since the start: supplied − dissipated + jumps = stored.
+/// Sums of energy (J) since the start: supplied − dissipated + jumps = stored.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct EnergyAudit {
     /// Work done by whoever drives the input.
@@ -32,7 +32,7 @@ pub struct EnergyAudit {
 }
 
 impl EnergyAudit {
-    /// What the sums leave unexplained: the integration error, as energy [J].
+    /// What the sums leave unexplained: the integration error, as energy (J).
     pub fn residual(&self) -> f64 {
         self.stored - (self.supplied - self.dissipated + self.jumps)
     }

@@ -12,14 +12,14 @@ use crate::locate::Bracket;
 
 /// One guard over one step: its stand and its values at both ends.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Span<'a> {
+pub(crate) struct GuardSpan<'a> {
     pub(crate) spec: &'a GuardSpec,
     pub(crate) stand: Stand,
     pub(crate) start: GuardValue,
     pub(crate) end: GuardValue,
-    /// Length of the step [s].
+    /// Length of the step (s).
     pub(crate) h: f64,
-    /// Bound on the guard's curvature [1/s²].
+    /// Bound on the guard's curvature (1/s²).
     pub(crate) bound: f64,
     /// It is positive for certain; what it was at the start may not be known.
     pub(crate) is_quiet: bool,
@@ -28,7 +28,6 @@ pub(crate) struct Span<'a> {
 /// What a step holds for a guard.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Crossing {
-    /// Nothing.
     None,
     /// It fires at the very start of the step.
     AtStart,
@@ -41,7 +40,7 @@ pub(crate) enum Crossing {
     },
 }
 
-impl Span<'_> {
+impl GuardSpan<'_> {
     /// Most evaluations of the true guard that [`Self::crossing`] takes.
     pub(crate) const LOOKS: u32 = Dip::LOOKS + TRIES;
 
@@ -222,7 +221,7 @@ mod tests {
     #[test]
     fn a_dip_before_the_top_is_no_fall() {
         // The guard's cubic rises to 5/8 and falls to 2/3; the guard itself does otherwise.
-        let span = Span {
+        let span = GuardSpan {
             spec: &GuardSpec::new(0, "g"),
             stand: Stand::Disarmed,
             start: GuardValue::new(-0.45, 5.0),

@@ -5,7 +5,7 @@
 //!
 //! | g | g' | g'' | stands | and then |
 //! |---|---|---|---|---|
-//! | + | | | `Armed` | fires when it falls through zero |
+//! | + | | | `TriggerState` | fires when it falls through zero |
 //! | 0 | + | | `Departing` | silent until it has been positive |
 //! | 0 | − | | `Leaving` | fires at once |
 //! | 0 | 0 | + | `Departing` | |
@@ -28,7 +28,6 @@ use crate::guard::{Fires, GuardSpec, GuardValue};
 /// How a guard stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Stand {
-    /// Positive.
     Armed,
     /// Zero and on its way up.
     Departing,
@@ -40,13 +39,12 @@ pub(crate) enum Stand {
     Spent,
     /// Spent, but its reset map would turn it back: it fires where it leaves zero.
     Sinking,
-    /// To fire now.
     Leaving,
 }
 
-/// How a guard stands by its value and rate, over the `h` [s] ahead.
+/// How a guard stands by its value and rate, over the `h` (s) ahead.
 ///
-/// `since_event` is the width [s] to which the event just before was located, or 0.
+/// `since_event` is the width (s) to which the event just before was located, or 0.
 #[inline]
 pub(crate) fn stand(spec: &GuardSpec, guard: GuardValue, h: f64, since_event: f64) -> Stand {
     let zero = spec.band() + guard.rate.abs() * since_event;

@@ -1,6 +1,6 @@
 //! What a guard is known to do next, carried from step to step and from tick to tick.
 //!
-//! [GC93] 5.1: the burden of the root finder can be shared by prior steps if a root is
+//! `[GC93]` 5.1: the burden of the root finder can be shared by prior steps if a root is
 //! predicted in advance. Two numbers per guard do that. `quiet` is how long the guard stays
 //! positive for certain, where the model bounds its curvature: until then the guard is not
 //! even evaluated. And its curvature over the last step tells when it is due to vanish: a step
@@ -13,19 +13,19 @@ use crate::math::sqrt;
 
 /// One guard of the present mode: how it stands, and what is known of it.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Slot {
+pub(crate) struct GuardSlot {
     pub(crate) stand: Stand,
     /// Value and rate at the present instant, or where it was evaluated last.
     pub(crate) value: GuardValue,
     /// Whether `value` belongs to the present instant.
     pub(crate) is_fresh: bool,
-    /// How long the guard stays positive for certain [s].
+    /// How long the guard stays positive for certain (s).
     pub(crate) quiet: f64,
-    /// Its second derivative [1/s²] over the last step; infinite where there was none.
+    /// Its second derivative (1/s²) over the last step; infinite where there was none.
     pub(crate) curvature: f64,
 }
 
-impl Slot {
+impl GuardSlot {
     pub(crate) const EMPTY: Self = Self {
         stand: Stand::Resting,
         value: GuardValue { value: 0.0, rate: 0.0 },
@@ -34,14 +34,14 @@ impl Slot {
         curvature: f64::INFINITY,
     };
 
-    /// A guard that stands so at the present instant; its curvature is at most `bound` [1/s²].
+    /// A guard that stands so at the present instant; its curvature is at most `bound` (1/s²).
     #[inline]
     pub(crate) fn new(stand: Stand, spec: &GuardSpec, value: GuardValue, bound: f64) -> Self {
         let quiet = if stand == Stand::Armed { quiet(spec, value, bound) } else { 0.0 };
         Self { stand, value, is_fresh: true, quiet, curvature: f64::INFINITY }
     }
 
-    /// Whether the guard is positive for certain over the `h` [s] ahead.
+    /// Whether the guard is positive for certain over the `h` (s) ahead.
     #[inline]
     pub(crate) fn is_quiet(&self, h: f64) -> bool {
         self.quiet > h
@@ -53,7 +53,7 @@ impl Slot {
         self.quiet > 2.0 * h
     }
 
-    /// When [s] it is expected to vanish, if that is within `h` [s]; infinite otherwise.
+    /// When (s) it is expected to vanish, if that is within `h` (s); infinite otherwise.
     #[inline]
     pub(crate) fn due_within(&self, h: f64) -> f64 {
         // A sleeping guard is not due, and most others are too far to fall that low.
@@ -62,7 +62,7 @@ impl Slot {
         if is_far { f64::INFINITY } else { due(self.value, self.curvature) }
     }
 
-    /// The same `dt` [s] later, with nothing new known.
+    /// The same `dt` (s) later, with nothing new known.
     #[inline]
     pub(crate) fn later(&mut self, dt: f64) {
         self.quiet -= dt;
@@ -70,7 +70,7 @@ impl Slot {
     }
 }
 
-/// How long [s] a guard stays positive if its second derivative stays within ±`bound`.
+/// How long (s) a guard stays positive if its second derivative stays within ±`bound`.
 #[inline]
 pub(crate) fn quiet(spec: &GuardSpec, guard: GuardValue, bound: f64) -> f64 {
     let room = guard.value - spec.band();
@@ -88,7 +88,7 @@ fn is_bounded(bound: f64) -> bool {
     bound < f64::INFINITY
 }
 
-/// When [s] a guard with this curvature vanishes, from above; infinite if it does not.
+/// When (s) a guard with this curvature vanishes, from above; infinite if it does not.
 fn due(guard: GuardValue, curvature: f64) -> f64 {
     let discriminant = guard.rate * guard.rate - 2.0 * curvature * guard.value;
     if discriminant < 0.0 || discriminant.is_nan() || guard.value <= 0.0 {
@@ -104,7 +104,7 @@ fn due(guard: GuardValue, curvature: f64) -> f64 {
 }
 
 /// Whether a guard whose second derivative stays within ±`bound` is positive all over a step
-/// of `h` [s], at both ends of which it is known.
+/// of `h` (s), at both ends of which it is known.
 #[inline]
 pub(crate) fn is_certain(
     band: f64,

@@ -30,7 +30,6 @@ pub enum Reads {
 /// The constant description of one guard of one mode.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct GuardSpec {
-    /// Which guard.
     pub id: GuardId,
     /// Its name in logs and files.
     pub name: &'static str,
@@ -39,7 +38,6 @@ pub struct GuardSpec {
     /// Typical size of the guard's terms, in its own unit; what is smaller than
     /// rounding at that size counts as zero.
     pub scale: f64,
-    /// When it fires.
     pub fires: Fires,
     /// What it is a function of.
     pub reads: Reads,
@@ -96,7 +94,7 @@ impl GuardSpec {
 pub struct GuardValue {
     /// The guard; positive while the mode is valid.
     pub value: f64,
-    /// Its total time derivative along the solution [1/s].
+    /// Its total time derivative along the solution (1/s).
     pub rate: f64,
 }
 

@@ -14,9 +14,9 @@ const NOISE: f64 = 1e-6;
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Impacts {
     guard: Option<GuardId>,
-    /// Time since the latest one [s].
+    /// Time since the latest one (s).
     since: f64,
-    /// Times between them [s], newest first; 0 where there was none yet.
+    /// Times between them (s), newest first; 0 where there was none yet.
     intervals: [f64; 4],
     /// Their impulses, newest first.
     impulses: [f64; 4],
@@ -25,9 +25,9 @@ pub(crate) struct Impacts {
 /// A sequence of impacts that comes to its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Accumulation {
-    /// From the latest impact to the last of them all [s].
+    /// From the latest impact to the last of them all (s).
     pub(crate) after: f64,
-    /// How far `after` may be wrong [s], by what the ratio did last.
+    /// How far `after` may be wrong (s), by what the ratio did last.
     pub(crate) error: f64,
     /// Each interval's ratio to the one before, as it will be.
     pub(crate) ratio: f64,
@@ -39,7 +39,7 @@ impl Impacts {
     pub(crate) const NONE: Self =
         Self { guard: None, since: 0.0, intervals: [0.0; 4], impulses: [0.0; 4] };
 
-    /// Time passes [s].
+    /// Time passes (s).
     #[inline]
     pub(crate) fn pass(&mut self, dt: f64) {
         self.since += dt;

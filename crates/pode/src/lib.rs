@@ -27,7 +27,7 @@
 //! | crossing | a guard reaching zero from above within a step | eq. 11 |
 //! | reset map | state before → state after, and the next mode | transition *h_i* |
 //! | epoch | interval during which one mode holds | simulation epoch |
-//! | step | one move of a stepper, length `h` [s] | |
+//! | step | one move of a stepper, length `h` (s) | |
 //! | dense output | continuous solution inside a step | |
 //! | locate | find the time of a crossing | root finder, §2.2 |
 //! | tick | one period of the control loop | servo step |
@@ -74,10 +74,10 @@ pub use limits::Limits;
 pub use locate::{Bracket, Located, locate};
 pub use matrix::Matrix;
 pub use model::{Guarded, Model, Reset, Resets, Settling};
-pub use nature::{Kind, Nature};
-pub use outcome::{Advance, Cap, Fault, Tick, Verdict, Work};
+pub use nature::{EquationKind, Nature};
+pub use outcome::{Advance, Cap, Fault, StepCertainty, Tick, Work};
 pub use simulator::Simulator;
-pub use slopes::{Sloped, Slopes};
+pub use slopes::{ReadoutSlopes, Sloped};
 pub use state::State;
 pub use stepper::{Field, Step, Stepper};
-pub use watch::{Cause, Event, Piece, Silent, Watch};
+pub use watch::{Event, EventCause, Piece, Silent, Watch};

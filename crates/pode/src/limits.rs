@@ -16,7 +16,7 @@ pub struct Limits {
     pub guards: u32,
     /// Pieces (steps and parts of steps) in one tick.
     pub pieces: u32,
-    /// Longest step [s], whatever the model allows.
+    /// Longest step (s), whatever the model allows.
     pub longest_step: f64,
     /// Whether what is known of the guards' future is used: guards that are far for certain are
     /// left alone, and a step ends just behind an event that is expected.

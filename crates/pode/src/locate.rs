@@ -6,7 +6,6 @@
 /// A crossing shut in: positive at `lo`, not positive at `hi`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Bracket {
-    /// Before the crossing.
     pub lo: f64,
     /// The guard there, positive.
     pub at_lo: f64,
@@ -60,14 +59,14 @@ pub struct Located {
 /// jumps is located after the jump.
 ///
 /// # References
-/// Oliveira & Takahashi 2020 [OT20], with κ1 = 0.2/(b − a), κ2 = 2, n0 = 1.
+/// Oliveira & Takahashi 2020 `[OT20]`, with κ1 = 0.2/(b − a), κ2 = 2, n0 = 1.
 pub fn locate(
     guard: impl FnMut(f64) -> f64,
     bracket: Bracket,
     seed: Option<(f64, f64)>,
     tolerance: f64,
 ) -> Located {
-    let mut search = Search::new(guard, bracket, tolerance);
+    let mut search = RootSearch::new(guard, bracket, tolerance);
     if let Some((tau, slope)) = seed {
         search.look_around(tau, slope);
     }
@@ -98,7 +97,7 @@ const fn halvings(tolerance: f64) -> u32 {
 }
 
 /// A search in progress.
-struct Search<G> {
+struct RootSearch<G> {
     guard: G,
     bracket: Bracket,
     tolerance: f64,
@@ -108,7 +107,7 @@ struct Search<G> {
     is_flat: bool,
 }
 
-impl<G: FnMut(f64) -> f64> Search<G> {
+impl<G: FnMut(f64) -> f64> RootSearch<G> {
     const fn new(guard: G, bracket: Bracket, tolerance: f64) -> Self {
         Self { guard, bracket, tolerance, evaluations: 0, not_finite: false, is_flat: false }
     }

@@ -21,25 +21,21 @@ macro_rules! door {
 }
 
 door! {
-    /// Square root.
     sqrt(x) = sqrt;
-    /// Cube root.
     cbrt(x) = cbrt;
-    /// Sine of `x` [rad].
+    /// Sine of `x` (rad).
     sin(x) = sin;
-    /// Cosine of `x` [rad].
+    /// Cosine of `x` (rad).
     cos(x) = cos;
-    /// Tangent of `x` [rad].
+    /// Tangent of `x` (rad).
     tan(x) = tan;
-    /// Hyperbolic tangent.
     tanh(x) = tanh;
-    /// Angle of the point (`x`, `y`) [rad].
+    /// Angle of the point (`x`, `y`) (rad).
     atan2(y, x) = atan2;
     /// Length of (`x`, `y`).
     hypot(x, y) = hypot;
     /// e to the power `x`.
     exp(x) = exp;
-    /// Natural logarithm.
     ln(x) = log;
     /// `x` to the power `p`.
     powf(x, p) = pow;
@@ -49,7 +45,7 @@ door! {
     ceil(x) = ceil;
 }
 
-/// Sine and cosine of `x` [rad].
+/// Sine and cosine of `x` (rad).
 ///
 /// Within ±π/4, where levers and hammers live, both come from one pair of polynomials
 /// (fdlibm's kernels, below 1 ulp): the same bits on every machine, in half the time.
@@ -63,7 +59,7 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     }
 }
 
-/// Sines and cosines of two angles [rad], the same bits as [`sin_cos`]'s: in the time of one
+/// Sines and cosines of two angles (rad), the same bits as [`sin_cos`]'s: in the time of one
 /// where they lie side by side already, as a state's entries do.
 #[inline]
 pub fn sin_cos_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
@@ -84,11 +80,14 @@ fn is_small(x: f64) -> bool {
 }
 
 /// One number, or one in each lane.
-trait Lanes: Copy + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
+trait SimdLanes:
+    Copy + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
+}
 
-impl Lanes for f64 {}
+impl SimdLanes for f64 {}
 
-impl Lanes for f64x2 {}
+impl SimdLanes for f64x2 {}
 
 /// fdlibm `k_sin.c`.
 const S: [f64; 6] = [
@@ -112,7 +111,7 @@ const C: [f64; 6] = [
 
 /// Sine of `x`, |x| ≤ π/4, with `z` = x².
 #[inline]
-fn small_sine<T: Lanes>(x: T, z: T) -> T {
+fn small_sine<T: SimdLanes>(x: T, z: T) -> T {
     let s = |i: usize| T::from(S[i]);
     // Two halves side by side: half the depth of Horner's rule, and the depth is the time.
     let w = z * z;
@@ -122,7 +121,7 @@ fn small_sine<T: Lanes>(x: T, z: T) -> T {
 
 /// Cosine for |x| ≤ π/4 with `z` = x².
 #[inline]
-fn small_cosine<T: Lanes>(z: T) -> T {
+fn small_cosine<T: SimdLanes>(z: T) -> T {
     let c = |i: usize| T::from(C[i]);
     let w = z * z;
     let tail = (c(0) + z * c(1)) + w * ((c(2) + z * c(3)) + w * (c(4) + z * c(5)));

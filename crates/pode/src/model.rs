@@ -21,11 +21,11 @@ pub trait Model {
     /// How many leading entries of the state are coordinates.
     const COORDS: usize;
 
-    /// Returns the derivative of `x` in `mode`. [GC93] eq. 6.
+    /// Returns the derivative of `x` in `mode`. `[GC93]` eq. 6.
     fn derivative(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> Self::State;
 
     /// Returns the readout in `mode`: the generalised force on whoever drives the input.
-    /// [GC93] eq. 7.
+    /// `[GC93]` eq. 7.
     fn readout(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
 
     /// Returns the derivative's derivative by the state; by differences unless a model knows
@@ -47,7 +47,7 @@ pub trait Model {
         Nature::default()
     }
 
-    /// Longest step [s] that resolves the motion in `mode`; a tick is cut to fit.
+    /// Longest step (s) that resolves the motion in `mode`; a tick is cut to fit.
     fn longest_step(&self, _mode: Self::Mode) -> f64 {
         f64::INFINITY
     }
@@ -64,7 +64,7 @@ pub trait Guarded: Model {
     fn guards(&self, mode: Self::Mode) -> &'static [GuardSpec];
 
     /// Bound on the magnitude of the guard's second derivative along any motion in `mode`
-    /// [1/s²]; infinite where the model states none.
+    /// (1/s²); infinite where the model states none.
     ///
     /// With a bound a far guard is left alone until it could be reached, and a step is
     /// certified to hide no pair of roots. One that is too low hides crossings.
@@ -72,7 +72,7 @@ pub trait Guarded: Model {
         f64::INFINITY
     }
 
-    /// Returns the guard and its rate along the motion in `mode`. [GC93] eq. 8.
+    /// Returns the guard and its rate along the motion in `mode`. `[GC93]` eq. 8.
     fn guard(
         &self,
         mode: Self::Mode,
@@ -84,7 +84,7 @@ pub trait Guarded: Model {
 
 /// Where the state lands, and in which mode, when a guard fires.
 pub trait Resets: Guarded + Sized {
-    /// Applies the reset map x⁺ = H(x⁻, u). [GC93] eq. 12.
+    /// Applies the reset map x⁺ = H(x⁻, u). `[GC93]` eq. 12.
     fn reset(
         &self,
         mode: Self::Mode,
@@ -99,9 +99,8 @@ pub trait Resets: Guarded + Sized {
 pub struct Reset<M: Model> {
     /// The next mode.
     pub mode: M::Mode,
-    /// The state after.
     pub state: M::State,
-    /// Impulse on whoever drives the input [readout × s].
+    /// Impulse on whoever drives the input (readout × s).
     pub impulse: f64,
     /// Where the impacts that follow accumulate, if the model knows that they do.
     pub settles: Option<Settling<M>>,
@@ -116,7 +115,7 @@ impl<M: Model> Reset<M> {
         Self { mode, state, impulse: 0.0, settles: None, rests: None }
     }
 
-    /// The same with an impulse on the input [readout × s].
+    /// The same with an impulse on the input (readout × s).
     #[must_use]
     pub const fn with_impulse(self, impulse: f64) -> Self {
         Self { impulse, ..self }
@@ -144,14 +143,13 @@ impl<M: Model> Reset<M> {
 /// has come the same part of the way to the settled one.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Settling<M: Model> {
-    /// Time from the impact to the accumulation point [s].
+    /// Time from the impact to the accumulation point (s).
     pub after: f64,
     /// Ratio of each interval to the one before: the restitution e, in 0 .. 1.
     pub ratio: f64,
     /// Mode from there on.
     pub mode: M::Mode,
-    /// State there.
     pub state: M::State,
-    /// Impulse of all the impacts until then [readout × s].
+    /// Impulse of all the impacts until then (readout × s).
     pub impulse: f64,
 }

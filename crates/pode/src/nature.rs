@@ -2,7 +2,7 @@
 
 /// What kind of equations a mode has.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Kind {
+pub enum EquationKind {
     /// x' = A x + c with constant A and c, whatever the input: gravity and springs.
     Affine,
     /// x' = A x + r(t) with a constant A, r by the input.
@@ -20,20 +20,20 @@ pub enum Kind {
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Nature {
     /// What kind of equations.
-    pub kind: Kind,
-    /// Largest magnitude of the Jacobian's eigenvalues [rad/s]; 0 where nobody said.
+    pub kind: EquationKind,
+    /// Largest magnitude of the Jacobian's eigenvalues (rad/s); 0 where nobody said.
     pub rate: f64,
 }
 
 impl Nature {
-    /// A `kind` whose fastest motion has `rate` [rad/s].
-    pub const fn new(kind: Kind, rate: f64) -> Self {
+    /// A `kind` whose fastest motion has `rate` (rad/s).
+    pub const fn new(kind: EquationKind, rate: f64) -> Self {
         Self { kind, rate }
     }
 
     /// Whether the mode has an exact flow.
     #[inline]
     pub const fn is_linear(&self) -> bool {
-        matches!(self.kind, Kind::Linear | Kind::Affine)
+        matches!(self.kind, EquationKind::Linear | EquationKind::Affine)
     }
 }

@@ -52,9 +52,8 @@ pub struct Work {
     pub guards: u32,
     /// Evaluations of the readout.
     pub readouts: u32,
-    /// Reset maps applied.
     pub events: u32,
-    /// Steps of which it is certain that they hide no pair of roots, see [`Verdict`].
+    /// Steps of which it is certain that they hide no pair of roots, see [`StepCertainty`].
     pub certified: u32,
     /// Steps of which it is likely.
     pub likely: u32,
@@ -65,7 +64,7 @@ pub struct Work {
 /// Whether a step can hide a pair of roots of one guard: two crossings, of which the values at
 /// the step's ends show nothing.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Verdict {
+pub enum StepCertainty {
     /// No: every guard has a bound on its curvature, and stays positive within it.
     Certified,
     /// Hardly: the step resolves the mode's fastest motion, so each guard is close to its
@@ -78,11 +77,11 @@ pub enum Verdict {
 impl Work {
     /// Counts a step with this verdict.
     #[inline]
-    pub(crate) const fn judge(&mut self, verdict: Verdict) {
+    pub(crate) const fn judge(&mut self, verdict: StepCertainty) {
         match verdict {
-            Verdict::Certified => self.certified += 1,
-            Verdict::Likely => self.likely += 1,
-            Verdict::Unknown => self.unknown += 1,
+            StepCertainty::Certified => self.certified += 1,
+            StepCertainty::Likely => self.likely += 1,
+            StepCertainty::Unknown => self.unknown += 1,
         }
     }
 
@@ -106,16 +105,14 @@ impl Work {
 /// What one tick gave.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Tick {
-    /// How it ended.
     pub advance: Advance,
     /// The readout's mean over the tick, impulses included.
     pub mean_readout: f64,
     /// The readout at the end of the tick.
     pub end_readout: f64,
-    /// Impulses alone [readout × s].
+    /// Impulses alone (readout × s).
     pub impulse: f64,
     /// Largest local error that the stepper estimated; 0 if it has no estimate.
     pub local_error: f64,
-    /// Counted work.
     pub work: Work,
 }

@@ -11,11 +11,8 @@ use crate::state::{State, largest};
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Phi<S: State> {
     exp: S::Matrix,
-    /// φ1.
     pub(crate) p1: S::Matrix,
-    /// 2 φ2.
     pub(crate) p2: S::Matrix,
-    /// 6 φ3.
     pub(crate) p3: S::Matrix,
 }
 
@@ -51,7 +48,7 @@ impl<S: State> Phi<S> {
         [quarter, half, half.doubled()]
     }
 
-    /// The functions of `part` · A, by Taylor series, from A, A², A³ and A⁴. [PS73]
+    /// The functions of `part` · A, by Taylor series, from A, A², A³ and A⁴. `[PS73]`
     fn series(powers: &[S::Matrix; 4], part: f64) -> Self {
         let [a, a2, a3, a4] = powers;
         let (part2, part3) = (part * part, part * part * part);
@@ -71,7 +68,7 @@ impl<S: State> Phi<S> {
         Self { exp, p1, p2, p3 }
     }
 
-    /// The functions of 2 A from those of A. [BSW07]
+    /// The functions of 2 A from those of A. `[BSW07]`
     fn doubled(&self) -> Self {
         let Self { exp, p1, p2, p3 } = self;
         let half = |m: &S::Matrix| m.plus(-0.5, m);
@@ -86,7 +83,7 @@ impl<S: State> Phi<S> {
     }
 }
 
-/// How often a matrix of the size `size` [1/s] is halved over `h` [s] so that the series
+/// How often a matrix of the size `size` (1/s) is halved over `h` (s) so that the series
 /// holds, at least twice, and what is left of `h`.
 fn halvings(size: f64, h: f64) -> (u32, f64) {
     /// Beyond this no digit would be right.
@@ -99,7 +96,7 @@ fn halvings(size: f64, h: f64) -> (u32, f64) {
 }
 
 /// The least row sum of magnitudes in any units of the state's entries, nearly: at least
-/// the largest eigenvalue of the magnitudes. [HJ13] theorem 8.1.26
+/// the largest eigenvalue of the magnitudes. `[HJ13]` theorem 8.1.26
 ///
 /// The rounding of sums and products does not depend on the units, but the row sum of a stiff
 /// oscillator is as large as its stiffness, and would halve it many times in vain.

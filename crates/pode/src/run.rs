@@ -7,8 +7,8 @@ use crate::outcome::{Advance, Cap, Fault, Tick, Work};
 
 /// One tick in progress.
 #[derive(Debug)]
-pub(crate) struct Run<'a, S, W> {
-    /// Length of the tick [s].
+pub(crate) struct TickRun<'a, S, W> {
+    /// Length of the tick (s).
     pub(crate) h: f64,
     pub(crate) signal: &'a S,
     pub(crate) watch: &'a mut W,
@@ -18,7 +18,7 @@ pub(crate) struct Run<'a, S, W> {
     pub(crate) work: Work,
     /// Transitions since time last moved.
     pub(crate) cascade: u32,
-    /// Width [s] to which an event at the present instant was located, or 0.
+    /// Width (s) to which an event at the present instant was located, or 0.
     pub(crate) since_event: f64,
     /// Guards that have crossed at the present instant and have not fired yet.
     pub(crate) due: GuardSet,
@@ -32,7 +32,7 @@ pub(crate) struct Run<'a, S, W> {
     pub(crate) advance: Advance,
 }
 
-impl<'a, S, W> Run<'a, S, W> {
+impl<'a, S, W> TickRun<'a, S, W> {
     pub(crate) fn new(h: f64, signal: &'a S, watch: &'a mut W, limits: Limits) -> Self {
         Self {
             h,
@@ -64,12 +64,12 @@ impl<'a, S, W> Run<'a, S, W> {
         self.signal.at(self.theta)
     }
 
-    /// The width to which events are located, in time [s].
+    /// The width to which events are located, in time (s).
     pub(crate) fn resolution(&self) -> f64 {
         self.limits.event_tolerance * self.h
     }
 
-    /// How much of the tick is left [s].
+    /// How much of the tick is left (s).
     pub(crate) fn rest(&self) -> f64 {
         (1.0 - self.theta) * self.h
     }

@@ -7,10 +7,10 @@ use crate::model::Model;
 ///
 /// A board between ticks renders F0 + `per_position` (s − s0) + `per_rate` (s' − s0').
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct Slopes {
-    /// ∂F/∂s [readout / unit of the input].
+pub struct ReadoutSlopes {
+    /// ∂F/∂s (readout / unit of the input).
     pub per_position: f64,
-    /// ∂F/∂s' [readout × s / unit of the input].
+    /// ∂F/∂s' (readout × s / unit of the input).
     pub per_rate: f64,
 }
 
@@ -18,7 +18,7 @@ pub struct Slopes {
 /// take them along.
 pub trait Sloped: Model<Input = Motion> {
     /// The slopes in `mode` at `x`; by central differences unless a model knows better.
-    fn slopes(&self, mode: Self::Mode, x: &Self::State, input: &Motion) -> Slopes {
+    fn slopes(&self, mode: Self::Mode, x: &Self::State, input: &Motion) -> ReadoutSlopes {
         /// Part of the input's size by which it is moved; forces are all but linear in it.
         const PART: f64 = 1e-6;
         let readout = |input: &Motion| self.readout(mode, &self.constrain(mode, x, input), input);
@@ -28,7 +28,7 @@ pub trait Sloped: Model<Input = Motion> {
         };
         let position = |by: f64| Motion { position: input.position + by, ..*input };
         let rate = |by: f64| Motion { rate: input.rate + by, ..*input };
-        Slopes {
+        ReadoutSlopes {
             per_position: slope(input.position, &position),
             per_rate: slope(input.rate, &rate),
         }

@@ -12,7 +12,7 @@ pub struct Piece<'a, M: Model, S> {
     pub mode: M::Mode,
     /// Dense output over the step of which this piece is the first part.
     pub dense: &'a dyn Dense<M::State>,
-    /// Length of that whole step [s].
+    /// Length of that whole step (s).
     pub h: f64,
     /// How much of the step was kept, 0 ..= 1.
     pub tau: f64,
@@ -20,7 +20,6 @@ pub struct Piece<'a, M: Model, S> {
     pub end: M::State,
     /// Where the piece begins within its tick, and where the whole step would end.
     pub theta: (f64, f64),
-    /// Which tick.
     pub tick: u64,
     /// The input over the tick.
     pub signal: &'a S,
@@ -34,7 +33,7 @@ impl<M: Model, S: Signal<M::Input>> Piece<'_, M, S> {
         (self.dense.at(tau), self.signal.at(self.theta_at(tau)))
     }
 
-    /// Length of the piece [s].
+    /// Length of the piece (s).
     #[inline]
     pub fn duration(&self) -> f64 {
         self.tau * self.h
@@ -55,8 +54,7 @@ impl<M: Model, S: Signal<M::Input>> Piece<'_, M, S> {
 
 /// Why an event happened.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Cause<'a> {
-    /// A guard fired.
+pub enum EventCause<'a> {
     Guard(&'a GuardSpec),
     /// Impacts of a declared Zeno sequence, this many in one move.
     Impacts(f64),
@@ -64,7 +62,7 @@ pub enum Cause<'a> {
     Settled,
 }
 
-impl Cause<'_> {
+impl EventCause<'_> {
     /// Its name in logs and files.
     pub const fn name(&self) -> &'static str {
         match self {
@@ -78,19 +76,16 @@ impl Cause<'_> {
 /// A transition, with the reset map's effect.
 #[derive(Debug)]
 pub struct Event<'a, M: Model> {
-    /// Which tick.
     pub tick: u64,
     /// Where in the tick, 0 ..= 1.
     pub theta: f64,
-    /// Why it happened.
-    pub cause: Cause<'a>,
+    pub cause: EventCause<'a>,
     /// Mode and state before.
     pub before: (M::Mode, M::State),
     /// Mode and state after.
     pub after: (M::Mode, M::State),
-    /// The input there.
     pub input: M::Input,
-    /// Impulse on whoever drives the input [readout × s].
+    /// Impulse on whoever drives the input (readout × s).
     pub impulse: f64,
 }
 

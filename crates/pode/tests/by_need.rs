@@ -5,11 +5,11 @@
 mod common;
 
 use common::head::{CONTACTS, Head};
-use pode::stepper::{ByNeed, Given, Heun, MENU, Method, Rk4, VelocityVerlet};
-use pode::{Dense as _, Kind, Nature, Silent, Stepper};
+use pode::stepper::{ByNeed, Given, Heun, MENU, NeededMethod, Rk4, VelocityVerlet};
+use pode::{Dense as _, EquationKind, Nature, Silent, Stepper};
 
-/// Relative error after 20 rad of x'' = −ω² x in steps of `h` [s], and its evaluations.
-fn oscillate<T: Stepper>(stepper: T, kind: Kind, omega: f64, h: f64) -> (f64, f64) {
+/// Relative error after 20 rad of x'' = −ω² x in steps of `h` (s), and its evaluations.
+fn oscillate<T: Stepper>(stepper: T, kind: EquationKind, omega: f64, h: f64) -> (f64, f64) {
     let mut evaluations = 0.0;
     let f = |_: f64, x: &[f64; 2]| {
         evaluations += 1.0;
@@ -28,12 +28,12 @@ fn oscillate<T: Stepper>(stepper: T, kind: Kind, omega: f64, h: f64) -> (f64, f6
 }
 
 /// The same with a method of the menu.
-fn oscillate_with(method: Method, omega: f64, h: f64) -> (f64, f64) {
+fn oscillate_with(method: NeededMethod, omega: f64, h: f64) -> (f64, f64) {
     match method {
-        Method::Heun => oscillate(Heun, Kind::Smooth, omega, h),
-        Method::VelocityVerlet => oscillate(VelocityVerlet, Kind::Smooth, omega, h),
-        Method::Rk4 => oscillate(Rk4, Kind::Smooth, omega, h),
-        Method::Exact | Method::Rodas3 => unreachable!("not on the menu"),
+        NeededMethod::Heun => oscillate(Heun, EquationKind::Smooth, omega, h),
+        NeededMethod::VelocityVerlet => oscillate(VelocityVerlet, EquationKind::Smooth, omega, h),
+        NeededMethod::Rk4 => oscillate(Rk4, EquationKind::Smooth, omega, h),
+        NeededMethod::Exact | NeededMethod::Rodas3 => unreachable!("not on the menu"),
     }
 }
 
@@ -44,7 +44,7 @@ const RATES: [f64; 4] = [5.0, 100.0, 900.0, 5000.0];
 #[test]
 fn the_budget_is_met_by_the_cheapest_on_the_menu() {
     const TICK: f64 = 1e-3;
-    for kind in [Kind::Smooth, Kind::Conservative] {
+    for kind in [EquationKind::Smooth, EquationKind::Conservative] {
         for (budget, omega) in BUDGETS.into_iter().flat_map(|b| RATES.map(|omega| (b, omega))) {
             let what = format!("{kind:?}, budget {budget:e}, {omega} rad/s");
             let choice = ByNeed::new(budget, TICK).choice(&Nature::new(kind, omega), f64::INFINITY);
@@ -55,7 +55,9 @@ fn the_budget_is_met_by_the_cheapest_on_the_menu() {
             assert!(error < 20.0 * 1.2 * budget, "{what}: {error:e} with {choice:?}");
             assert!(choice.error <= budget, "{what}: {choice:?}");
             let cost = steps(choice.step) * evaluations;
-            for offer in MENU.iter().filter(|it| it.is_for_damped || kind == Kind::Conservative) {
+            for offer in
+                MENU.iter().filter(|it| it.is_for_damped || kind == EquationKind::Conservative)
+            {
                 // One step a tick less than it takes, if there are several, is too long.
                 let reach = (budget / offer.constant).powf(1.0 / offer.order).min(1.0) / omega;
                 let others = steps(reach) * offer.evaluations;
@@ -68,7 +70,8 @@ fn the_budget_is_met_by_the_cheapest_on_the_menu() {
 #[test]
 fn a_tighter_budget_never_costs_less() {
     let cost = |budget: f64, omega: f64| {
-        let choice = ByNeed::new(budget, 1e-3).choice(&Nature::new(Kind::Smooth, omega), 1.0);
+        let choice =
+            ByNeed::new(budget, 1e-3).choice(&Nature::new(EquationKind::Smooth, omega), 1.0);
         let offer = MENU.iter().find(|it| it.method == choice.method).expect("on the menu");
         (1e-3 / choice.step).ceil().max(1.0) * offer.evaluations
     };
@@ -82,14 +85,14 @@ fn a_tighter_budget_never_costs_less() {
 #[test]
 fn each_kind_gets_its_method() {
     let choice = |kind, rate| ByNeed::default().choice(&Nature::new(kind, rate), 1e-3);
-    assert_eq!(choice(Kind::Affine, 1e4).method, Method::Exact);
-    assert_eq!(choice(Kind::Linear, 0.0).method, Method::Exact);
-    assert_eq!(choice(Kind::Stiff, 1e6).method, Method::Rodas3);
-    assert_eq!(choice(Kind::Conservative, 20.0).method, Method::VelocityVerlet);
-    assert_eq!(choice(Kind::Smooth, 20.0).method, Method::Heun);
+    assert_eq!(choice(EquationKind::Affine, 1e4).method, NeededMethod::Exact);
+    assert_eq!(choice(EquationKind::Linear, 0.0).method, NeededMethod::Exact);
+    assert_eq!(choice(EquationKind::Stiff, 1e6).method, NeededMethod::Rodas3);
+    assert_eq!(choice(EquationKind::Conservative, 20.0).method, NeededMethod::VelocityVerlet);
+    assert_eq!(choice(EquationKind::Smooth, 20.0).method, NeededMethod::Heun);
     // Nobody said how fast it is: the model's own step with the safest of the menu.
-    let unknown = choice(Kind::Smooth, 0.0);
-    assert_eq!((unknown.method, unknown.step), (Method::Rk4, 1e-3));
+    let unknown = choice(EquationKind::Smooth, 0.0);
+    assert_eq!((unknown.method, unknown.step), (NeededMethod::Rk4, 1e-3));
 }
 
 #[test]

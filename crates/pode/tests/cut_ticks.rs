@@ -12,7 +12,8 @@ use common::head::{CONTACTS, Head};
 use common::{STEPS, all_completed, close, run};
 use pode::stepper::{Exact, Rk4};
 use pode::{
-    GuardId, GuardSpec, GuardValue, Guarded, Kind, Limits, Model, Nature, Reset, Resets, Simulator,
+    EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset, Resets,
+    Simulator,
 };
 
 /// A mass on a spring, x'' = −ω² x, that bounces off a wall.
@@ -38,7 +39,7 @@ impl Model for Springy {
     }
 
     fn nature(&self, (): ()) -> Nature {
-        Nature::new(Kind::Affine, self.omega)
+        Nature::new(EquationKind::Affine, self.omega)
     }
 }
 

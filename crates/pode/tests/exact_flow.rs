@@ -21,7 +21,7 @@ fn energy([x, v]: [f64; 2]) -> f64 {
     v * v + 2.0 * G * x
 }
 
-/// What 2 s in steps of `h` [s] may round a speed of 1 m/s by.
+/// What 2 s in steps of `h` (s) may round a speed of 1 m/s by.
 fn rounding(h: f64) -> f64 {
     1e-14 + 2.0 / h * 0.5 * f64::EPSILON
 }

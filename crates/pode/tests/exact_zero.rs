@@ -9,8 +9,8 @@ use common::close;
 use common::head::{CONTACTS, Head};
 use pode::stepper::{Exact, Rk4};
 use pode::{
-    Advance, GuardId, GuardSpec, GuardValue, Guarded, Kind, Limits, Model, Nature, Reset, Resets,
-    Silent, Simulator,
+    Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
+    Resets, Silent, Simulator,
 };
 
 /// x'' = −x.
@@ -32,7 +32,7 @@ impl Model for Swing {
     }
 
     fn nature(&self, (): ()) -> Nature {
-        Nature::new(Kind::Affine, 1.0)
+        Nature::new(EquationKind::Affine, 1.0)
     }
 }
 

@@ -1,4 +1,4 @@
-//! What is known of a guard's future, carried from tick to tick ([GC93] 5.1): fewer
+//! What is known of a guard's future, carried from tick to tick (`[GC93]` 5.1): fewer
 //! evaluations in every tick, the worst one included, and events where the method is at its best.
 
 #![allow(
@@ -14,12 +14,12 @@ use common::head::{CONTACTS, Head};
 use common::{G, run};
 use pode::stepper::Rk4;
 use pode::{
-    GuardId, GuardSpec, GuardValue, Guarded, Kind, Limits, Model, Nature, Reset, Resets, Silent,
-    Simulator, Work,
+    EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset, Resets,
+    Silent, Simulator, Work,
 };
 
 /// A pendulum between a wall at its lowest point and seven more that it never reaches:
-/// angle [rad] and its rate. |θ''| ≤ ω0² everywhere, which bounds every guard's curvature.
+/// angle (rad) and its rate. |θ''| ≤ ω0² everywhere, which bounds every guard's curvature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Walled {
     is_bounded: bool,
@@ -40,7 +40,7 @@ impl Model for Walled {
     }
 
     fn nature(&self, (): ()) -> Nature {
-        Nature::new(Kind::Conservative, G.sqrt())
+        Nature::new(EquationKind::Conservative, G.sqrt())
     }
 }
 
@@ -112,7 +112,7 @@ fn bounded_guards_certify_their_steps() {
     assert_eq!((sum.certified, sum.unknown), (0, 0));
 }
 
-/// Error of the exit speed of a contact of 1e5 N/m from `start` [s] before, in steps of
+/// Error of the exit speed of a contact of 1e5 N/m from `start` (s) before, in steps of
 /// `radians`, and its derivatives.
 fn exit_speed(radians: f64, start: f64, forecast: bool) -> (f64, u32) {
     let head = Head { k: CONTACTS[1][0] };

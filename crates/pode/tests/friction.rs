@@ -9,10 +9,10 @@ mod driven;
 
 use common::{Seen, all_completed, close, each_step_and_phase};
 use driven::run_driven;
-use pode::filippov::{Branch, Filippov, Mode, Side, Sided, Surface};
+use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::input::{Reconstruction, Reconstructor};
 use pode::stepper::{Exact, Rk4};
-use pode::{Advance, Kind, Limits, Motion, Nature, Silent, Simulator, Stepper};
+use pode::{Advance, EquationKind, Limits, Motion, Nature, Silent, Simulator, Stepper};
 
 /// Part of a radian that one step may take.
 const RADIANS: f64 = 0.02;
@@ -20,20 +20,20 @@ const RADIANS: f64 = 0.02;
 /// Relative error of an amplitude after one event.
 const LANDING: f64 = RADIANS * RADIANS * RADIANS * RADIANS / 69.0;
 
-/// A mass on a spring on a belt: place [m] and speed [m/s] over a fixed ground.
+/// A mass on a spring on a belt: place (m) and speed (m/s) over a fixed ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Block {
-    /// Mass [kg].
+    /// Mass (kg).
     mass: f64,
-    /// Stiffness of the spring [N/m].
+    /// Stiffness of the spring (N/m).
     k: f64,
-    /// Friction of a fast slip [N].
+    /// Friction of a fast slip (N).
     kinetic: f64,
-    /// Friction of a slow slip [N].
+    /// Friction of a slow slip (N).
     slow: f64,
-    /// Slip speed at which friction has fallen half way [m/s].
+    /// Slip speed at which friction has fallen half way (m/s).
     half: f64,
-    /// Friction that holds [N].
+    /// Friction that holds (N).
     limit: f64,
 }
 
@@ -47,7 +47,7 @@ impl Block {
         (self.k / self.mass).sqrt()
     }
 
-    /// Friction on the mass [N], at a slip speed `slip` over the belt [m/s].
+    /// Friction on the mass (N), at a slip speed `slip` over the belt (m/s).
     fn friction(&self, branch: Branch, slip: f64) -> f64 {
         let sign = branch.side.sign();
         let free = self.kinetic + (self.slow - self.kinetic) / (1.0 + sign * slip / self.half);
@@ -66,7 +66,7 @@ impl Sided for Block {
         [x[1], (self.readout(branch, x, belt) - self.k * x[0]) / self.mass]
     }
 
-    /// The friction [N].
+    /// The friction (N).
     fn readout(&self, branch: Branch, x: &[f64; 2], belt: &Motion) -> f64 {
         self.friction(branch, x[1] - belt.rate)
     }
@@ -76,10 +76,13 @@ impl Sided for Block {
         Surface { value: x[1] - belt.rate, gradient: [0.0, 1.0], drift }
     }
 
-    fn nature(&self, _: Side) -> Nature {
+    fn nature(&self, _: SurfaceSide) -> Nature {
         // One force, whatever the slip: a spring and a constant.
         let is_coulomb = self.slow.to_bits() == self.kinetic.to_bits();
-        Nature::new(if is_coulomb { Kind::Affine } else { Kind::Smooth }, self.omega())
+        Nature::new(
+            if is_coulomb { EquationKind::Affine } else { EquationKind::Smooth },
+            self.omega(),
+        )
     }
 
     fn longest_step(&self) -> f64 {
@@ -102,7 +105,7 @@ fn start_with<T: Stepper>(
     Simulator::new(model, stepper, Limits::default(), mode, state)
 }
 
-/// A belt at a constant speed [m/s].
+/// A belt at a constant speed (m/s).
 fn steady(speed: f64) -> impl Fn(f64) -> Motion {
     move |t| Motion { position: speed * t, rate: speed, ..Motion::default() }
 }

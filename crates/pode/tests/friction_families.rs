@@ -11,7 +11,7 @@ mod common;
 mod driven;
 
 use driven::{root, run_driven};
-use pode::filippov::{Branch, Filippov, Mode, Side, Sided, Surface};
+use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
 use pode::{Advance, Limits, Motion, Simulator};
 use proptest::prelude::*;
@@ -19,10 +19,10 @@ use proptest::prelude::*;
 /// Mass 1 kg, ω = 10 rad/s; the belt goes at v + w sin Ωt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Belt {
-    /// Friction of a slip, and what holds [N].
+    /// Friction of a slip, and what holds (N).
     kinetic: f64,
     limit: f64,
-    /// Mean and amplitude of the belt's speed [m/s], and its frequency [rad/s].
+    /// Mean and amplitude of the belt's speed (m/s), and its frequency (rad/s).
     mean: f64,
     swing: f64,
     frequency: f64,
@@ -85,8 +85,8 @@ impl Piece {
     /// The state at `t`, of which the mass slips or goes with the belt.
     fn at(&self, belt: &Belt, t: f64) -> [f64; 2] {
         let side = match self.mode {
-            Mode::Above => Side::Above,
-            Mode::Below => Side::Below,
+            Mode::Above => SurfaceSide::Above,
+            Mode::Below => SurfaceSide::Below,
             Mode::Sliding => {
                 let [from, to] = [self.from, t].map(|t| belt.motion(t));
                 return [self.x[0] + to.position - from.position, to.rate];

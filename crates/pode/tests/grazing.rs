@@ -80,7 +80,7 @@ fn check(what: &str, gap: impl Fn(f64) -> [f64; 2], expected: Option<f64>, toler
     check_until(what, 0.25, gap, expected, tolerance);
 }
 
-/// The same within another time [s].
+/// The same within another time (s).
 #[track_caller]
 fn check_until(
     what: &str,

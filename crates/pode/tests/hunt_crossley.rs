@@ -17,7 +17,7 @@ use proptest::prelude::*;
 
 mod driven;
 
-/// A mass [kg] against a felt: penetration and its rate, in parts of the closed form's depth
+/// A mass (kg) against a felt: penetration and its rate, in parts of the closed form's depth
 /// and of the entry speed, so that tolerances mean the same for every k.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Felt {
@@ -25,7 +25,7 @@ struct Felt {
     k: f64,
     power: f64,
     lambda: f64,
-    /// Entry speed [m/s].
+    /// Entry speed (m/s).
     speed: f64,
 }
 
@@ -36,14 +36,14 @@ impl Felt {
         v - v.ln_1p()
     }
 
-    /// Speed at the exit [m/s].
+    /// Speed at the exit (m/s).
     fn exit(&self) -> f64 {
         let target = self.invariant();
         // v − ln(1 + v) falls from +∞ at −1 to 0 at 0.
         root(-1.0 + 1e-15, 0.0, |v| v - v.ln_1p() - target) / self.lambda
     }
 
-    /// Deepest penetration [m].
+    /// Deepest penetration (m).
     fn depth(&self) -> f64 {
         let one = self.power + 1.0;
         (self.mass * one * self.invariant() / (self.k * self.lambda * self.lambda)).powf(1.0 / one)
@@ -62,7 +62,7 @@ impl Model for Felt {
         [x[1] * self.speed / self.depth(), -force / self.mass / self.speed]
     }
 
-    /// The force [N].
+    /// The force (N).
     fn readout(&self, touched: bool, x: &[f64; 2], (): &()) -> f64 {
         if !touched {
             return 0.0;
@@ -100,7 +100,7 @@ impl Resets for Felt {
     }
 }
 
-/// Exit speed [m/s], depth [m], contact time [s] and impulse [N s] of a felt that is touched
+/// Exit speed (m/s), depth (m), contact time (s) and impulse (N s) of a felt that is touched
 /// 2 ms after the start.
 fn contact(felt: Felt, h: f64, phase: f64, until: f64) -> [f64; 4] {
     let method = Controlled { method: Dop853, tolerance: Tolerance::both(1e-13) };
@@ -123,7 +123,7 @@ const ERROR: f64 = 1e-10;
 
 #[test]
 fn c11_at_every_step_and_phase() {
-    /// Loss λ [s/m], entry speed, exit speed [m/s].
+    /// Loss λ (s/m), entry speed, exit speed (m/s).
     const EXITS: [[f64; 3]; 3] = [
         [0.1, 1.0, -0.937_475_579_949_905],
         [0.1, 5.0, -3.742_174_657_987_171],
@@ -148,7 +148,7 @@ fn c11_at_every_step_and_phase() {
 
 #[test]
 fn c11_has_its_times_and_depths() {
-    /// Stiffness, deepest point [m], contact time [s]; λ = 0.6, v0 = 1.
+    /// Stiffness, deepest point (m), contact time (s); λ = 0.6, v0 = 1.
     const FELTS: [[f64; 3]; 2] = [
         [1e5, 0.001_521_344_239_131_188_8, 0.005_332_605_765_715_331],
         [1e7, 0.000_241_116_812_798_895_35, 0.000_845_161_057_611_2],

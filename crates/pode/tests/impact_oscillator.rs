@@ -20,13 +20,10 @@ use proptest::prelude::*;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Oscillator {
-    /// β.
     drive: f64,
-    /// ω [rad/s].
+    /// ω (rad/s).
     omega: f64,
-    /// r.
     restitution: f64,
-    /// σ.
     wall: f64,
 }
 

@@ -15,10 +15,10 @@ use common::{G, STEPS, close};
 use pode::filippov::{self, Branch, Filippov, Sided, Surface};
 use pode::stepper::{Exact, Rk4};
 use pode::{
-    Advance, Event, Kind, Limits, Model, Nature, Resets, Silent, Simulator, Stepper, Watch,
+    Advance, EquationKind, Event, Limits, Model, Nature, Resets, Silent, Simulator, Stepper, Watch,
 };
 
-/// How often each guard fired, and when last [s].
+/// How often each guard fired, and when last (s).
 #[derive(Debug)]
 struct Count {
     guard: &'static str,
@@ -112,7 +112,7 @@ fn an_hour_of_stick_and_slip_keeps_its_period() {
     let slip = (std::f64::consts::TAU - 2.0 * 0.5_f64.atan()) / 10.0;
     let period = slip + 0.1;
     for h in [1e-3, 7e-3] {
-        let model = Filippov(StickSlip { nature: Nature::new(Kind::Affine, 10.0) });
+        let model = Filippov(StickSlip { nature: Nature::new(EquationKind::Affine, 10.0) });
         let (mode, state) = model.start(&[0.0, 0.1], &());
         let exact = Exact::<Rk4>::default();
         let mut it = Simulator::new(model, exact, Limits::default(), mode, state);

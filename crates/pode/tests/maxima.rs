@@ -10,8 +10,8 @@ use pode::stepper::{
     Tsitouras5, VelocityVerlet,
 };
 use pode::{
-    Advance, Bracket, Cap, GuardSpec, GuardValue, Kind, Limits, Nature, Silent, Simulator, Stepper,
-    Tick, locate,
+    Advance, Bracket, Cap, EquationKind, GuardSpec, GuardValue, Limits, Nature, Silent, Simulator,
+    Stepper, Tick, locate,
 };
 
 const LIMITS: Limits = Limits {
@@ -107,8 +107,8 @@ fn check_steps<T: Stepper>(stepper: T, nature: Nature) {
 
 #[test]
 fn short_steps_reach_the_most_pieces_derivatives_and_jacobians() {
-    let [smooth, linear, stiff] =
-        [Kind::Smooth, Kind::Linear, Kind::Stiff].map(|kind| Nature::new(kind, 0.0));
+    let [smooth, linear, stiff] = [EquationKind::Smooth, EquationKind::Linear, EquationKind::Stiff]
+        .map(|kind| Nature::new(kind, 0.0));
     check_steps(ExplicitEuler, smooth);
     check_steps(SemiImplicitEuler, smooth);
     check_steps(VelocityVerlet, smooth);

@@ -15,8 +15,8 @@ use pode::stepper::{
     Tsitouras5, VelocityVerlet,
 };
 use pode::{
-    Advance, Dense as _, GuardId, GuardSpec, GuardValue, Guarded, Kind, Limits, Model, Nature,
-    Reset, Resets, Silent, Simulator, Stepper, Work,
+    Advance, Dense as _, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model,
+    Nature, Reset, Resets, Silent, Simulator, Stepper, Work,
 };
 
 /// Asks `$check` of every method.
@@ -131,7 +131,7 @@ impl Resets for Driven {
     }
 }
 
-/// When q first falls through `level` [s], by bisection on the closed form.
+/// When q first falls through `level` (s), by bisection on the closed form.
 fn crossing(level: f64) -> f64 {
     let (mut lo, mut hi) = (1.0, 4.6);
     for _ in 0..60 {
@@ -255,7 +255,9 @@ fn verlet_keeps_its_order_where_the_rates_are_not_the_speeds() {
 fn a_step_with_what_is_not_finite_ends_there() {
     fn check<T: Stepper>() {
         let broken: [fn(f64, &[f64; 2]) -> f64; 2] = [|_, _| f64::NAN, |_, _| f64::INFINITY];
-        for (acceleration, kind) in broken.into_iter().zip([Kind::Smooth, Kind::Linear]) {
+        for (acceleration, kind) in
+            broken.into_iter().zip([EquationKind::Smooth, EquationKind::Linear])
+        {
             let (start, mut memory) = ([0.5, 1.0], T::Memory::default());
             let step = step::<T>(Problem { kind, acceleration }, (0.0, &start), &mut memory, 0.1);
             assert!(step.end().iter().any(|it| !it.is_finite()), "{}: {step:?}", T::NAME);
@@ -268,7 +270,7 @@ fn a_step_with_what_is_not_finite_ends_there() {
 fn a_singular_system_ends_in_a_state_that_is_not_finite() {
     /// With `growth` = 1/(γ h) the last pivot of 1 − γ h J is zero, to the bit.
     fn check<T: Stepper>(growth: fn(f64, &[f64; 2]) -> f64) {
-        let problem = Problem { kind: Kind::Linear, acceleration: growth };
+        let problem = Problem { kind: EquationKind::Linear, acceleration: growth };
         let step = step::<T>(problem, (0.0, &[0.5, 1.0]), &mut T::Memory::default(), 0.125);
         assert!(step.end().iter().all(|it| it.is_nan()), "{}: {step:?}", T::NAME);
     }

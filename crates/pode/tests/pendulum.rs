@@ -12,7 +12,7 @@ use pode::{
     GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Settling, Simulator,
 };
 
-/// Angle [rad] and its rate; ω0² = 9.81 1/s², e = 0.9.
+/// Angle (rad) and its rate; ω0² = 9.81 1/s², e = 0.9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Pendulum;
 
@@ -64,14 +64,14 @@ fn from_rest() -> Simulator<Pendulum, Rk4> {
     Simulator::new(Pendulum, Rk4, Limits::default(), (), [1.2, 0.0])
 }
 
-/// Tolerance [s] of a time `t` [s] with steps of `h` [s].
+/// Tolerance (s) of a time `t` (s) with steps of `h` (s).
 fn tolerance(h: f64, t: f64) -> f64 {
     (G.sqrt() * h).powi(4) * t / 30.0 + 1e-12 * t
 }
 
 #[test]
 fn impacts_are_at_their_times() {
-    /// Number of the impact and its time [s], from 40-digit arithmetic.
+    /// Number of the impact and its time (s), from 40-digit arithmetic.
     const IMPACTS: [(usize, f64); 4] = [
         (1, 0.550_770_646_903_126),
         (2, 1.630_077_719_645_963_8),

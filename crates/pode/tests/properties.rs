@@ -60,7 +60,7 @@ impl Resets for Balls {
     }
 }
 
-/// The bits of everything that 500 ticks of `h` [s] give.
+/// The bits of everything that 500 ticks of `h` (s) give.
 fn bits(guards: &'static [GuardSpec], heights: [f64; 3], e: f64, h: f64) -> Vec<u64> {
     let [a, b, c] = heights;
     let model = Balls { guards, restitution: e };
@@ -83,7 +83,7 @@ impl Energetic for Ball {
     }
 }
 
-/// How often a ball from `height` [m] has bounced after `t` [s].
+/// How often a ball from `height` (m) has bounced after `t` (s).
 fn bounces(height: f64, e: f64, t: f64) -> usize {
     let first = (2.0 * height / G).sqrt();
     if t < first {

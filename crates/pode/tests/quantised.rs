@@ -80,7 +80,7 @@ impl Resets for Switch {
     }
 }
 
-/// The transitions: when [s], and up or down.
+/// The transitions: when (s), and up or down.
 #[derive(Debug)]
 struct Transitions {
     h: f64,
@@ -97,7 +97,7 @@ impl Watch<Switch> for Transitions {
     }
 }
 
-/// One encoder count of the paper [rad].
+/// One encoder count of the paper (rad).
 const QUANTUM: f64 = 1.309e-3;
 
 /// A reading of `s` in whole counts, and how far it may be off, in counts.
@@ -107,7 +107,6 @@ enum Encoder {
     Before,
     /// Rounded, and then one count up, down or neither.
     After,
-    /// Rounded.
     Quiet,
 }
 
@@ -178,7 +177,7 @@ struct Setup {
 }
 
 impl Setup {
-    /// The transitions of `s` over a threshold of 0.1 until `until` [s].
+    /// The transitions of `s` over a threshold of 0.1 until `until` (s).
     #[track_caller]
     fn transitions(&self, s: impl Fn(f64) -> f64, until: f64) -> Vec<(f64, bool)> {
         let mut noise = Noise(self.seed);
@@ -214,12 +213,12 @@ fn first() -> f64 {
     (0.1_f64 / 0.3).asin() / std::f64::consts::TAU
 }
 
-/// Its speed at the threshold [rad/s].
+/// Its speed at the threshold (rad/s).
 fn speed() -> f64 {
     std::f64::consts::TAU * (0.09_f64 - 0.01).sqrt()
 }
 
-/// Asserts two transitions in each of `periods`, off by `tolerance` [s] at most, after a
+/// Asserts two transitions in each of `periods`, off by `tolerance` (s) at most, after a
 /// latency.
 #[track_caller]
 fn check_sine(setup: Setup, periods: u32, tolerance: f64) {
@@ -329,7 +328,7 @@ impl Resets for Apart {
     }
 }
 
-/// How often thresholds that are apart fire on held readings of `s` until `until` [s].
+/// How often thresholds that are apart fire on held readings of `s` until `until` (s).
 fn fired(s: impl Fn(f64) -> f64, until: f64, (h, phase): (f64, f64)) -> u32 {
     let mut noise = Noise(11);
     let mut it = Simulator::new(Apart, Rk4, Limits::default(), s(0.0) > 0.1, [0.0]);

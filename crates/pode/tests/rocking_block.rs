@@ -2,7 +2,7 @@
 //!
 //! With θ in parts of the angle α at which it would fall, φ'' = p² (φ − sign φ), and at
 //! φ = 0 the block goes over to its other edge with φ' → r φ'. From rest at φ it comes down
-//! after (1/p) acosh(1/(1 − φ)), a quarter of a period [Hou63], and rises to the next φ with
+//! after (1/p) acosh(1/(1 − φ)), a quarter of a period `[Hou63]`, and rises to the next φ with
 //! 1 − φ₊ = √(1 − r² (1 − (1 − φ)²)). The impacts accumulate: φ goes like r², its quarter
 //! periods in the end like r.
 //!
@@ -23,18 +23,15 @@ use proptest::prelude::*;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Block {
-    /// p [rad/s].
+    /// p (rad/s).
     p: f64,
-    /// r.
     restitution: f64,
 }
 
 /// The edge on which the block stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Edge {
-    /// φ > 0.
     Right,
-    /// φ < 0.
     Left,
 }
 

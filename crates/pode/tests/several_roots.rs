@@ -143,7 +143,7 @@ struct Shaker;
 const AMPLITUDE: f64 = 2e-3;
 const OMEGA: f64 = 40.0 * std::f64::consts::PI;
 
-/// The table's height, speed and acceleration at `t` [s].
+/// The table's height, speed and acceleration at `t` (s).
 fn table(t: f64) -> [f64; 3] {
     let (sin, cos) = (OMEGA * t).sin_cos();
     [AMPLITUDE * sin, AMPLITUDE * OMEGA * cos, -AMPLITUDE * OMEGA * OMEGA * sin]

@@ -19,7 +19,7 @@ use pode::{
 };
 use proptest::prelude::*;
 
-/// A ball of 1 kg that does not bounce: height [m] and speed [m/s].
+/// A ball of 1 kg that does not bounce: height (m) and speed (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Ball;
 
@@ -42,7 +42,7 @@ impl Model for Ball {
         }
     }
 
-    /// The force on the table [N].
+    /// The force on the table (N).
     fn readout(&self, mode: Mode, _: &[f64; 2], table: &Motion) -> f64 {
         match mode {
             Mode::OnTable => G + table.acceleration,
@@ -135,7 +135,7 @@ impl Table {
         root(s - step, s, gap)
     }
 
-    /// How far off [s] a landing may be: rounding of `steps` sums of heights and speeds, and
+    /// How far off (s) a landing may be: rounding of `steps` sums of heights and speeds, and
     /// what the lift-off was off, over the speed with which it lands, which is small if it
     /// all but skims by.
     fn off(&self, [leave, land]: [f64; 2], steps: f64, leave_off: f64) -> f64 {

@@ -9,7 +9,7 @@ mod driven;
 
 use common::{Seen, all_completed, close, each_step_and_phase};
 use driven::{Clock, run_driven};
-use pode::filippov::{Branch, Filippov, Mode, Side, Sided, Surface};
+use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
 use pode::{Limits, Simulator, Tick};
 
@@ -19,7 +19,6 @@ use pode::{Limits, Simulator, Tick};
 struct Fields {
     /// Coefficients of r₊ by power of t.
     above: [f64; 4],
-    /// Coefficients of r₋.
     below: [f64; 4],
 }
 
@@ -35,7 +34,7 @@ impl Sided for Fields {
     const RATE: f64 = 1.0;
 
     fn derivative(&self, branch: Branch, _: &[f64; 2], t: &Clock) -> [f64; 2] {
-        let c = if branch.side == Side::Above { self.above } else { self.below };
+        let c = if branch.side == SurfaceSide::Above { self.above } else { self.below };
         [polynomial(c, t.0), branch.side.sign()]
     }
 
@@ -57,7 +56,7 @@ fn start(above: [f64; 4], below: [f64; 4], x: f64) -> Slide {
     Simulator::new(model, Rk4, Limits::default(), mode, state)
 }
 
-/// What rounding adds up to over `t` [s] in steps of `h`.
+/// What rounding adds up to over `t` (s) in steps of `h`.
 fn rounding(h: f64, t: f64) -> f64 {
     (t / h + 10.0) * 4.5e-16
 }

@@ -10,7 +10,7 @@ mod common;
 mod driven;
 
 use driven::{Clock, run_driven};
-use pode::filippov::{Branch, Filippov, Mode, Side, Sided, Surface};
+use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
 use pode::{Advance, Limits, Simulator};
 use proptest::prelude::*;
@@ -28,8 +28,8 @@ struct Lines {
 
 impl Lines {
     /// The line of a side, relative to the surface.
-    fn relative(&self, side: Side) -> [f64; 2] {
-        let [a, b] = if side == Side::Above { self.above } else { self.below };
+    fn relative(&self, side: SurfaceSide) -> [f64; 2] {
+        let [a, b] = if side == SurfaceSide::Above { self.above } else { self.below };
         [a - self.drift, b]
     }
 }
@@ -42,7 +42,7 @@ impl Sided for Lines {
     const RATE: f64 = 1.0;
 
     fn derivative(&self, branch: Branch, _: &[f64; 2], t: &Clock) -> [f64; 2] {
-        let [a, b] = if branch.side == Side::Above { self.above } else { self.below };
+        let [a, b] = if branch.side == SurfaceSide::Above { self.above } else { self.below };
         [self.size * (a + b * t.0), branch.side.sign()]
     }
 
@@ -83,7 +83,7 @@ fn rate([a, b]: [f64; 2], t: f64) -> f64 {
 
 /// The modes from the height `x` at t = 0 to `until`.
 fn reference(lines: &Lines, x: f64, until: f64) -> Vec<Epoch> {
-    let [up, down] = [Side::Above, Side::Below].map(|side| lines.relative(side));
+    let [up, down] = [SurfaceSide::Above, SurfaceSide::Below].map(|side| lines.relative(side));
     let begin = if x > 0.0 { Mode::Above } else { Mode::Below };
     let mut epochs = vec![Epoch { from: 0.0, mode: begin, margin: 1.0 }];
     let mut height = x;

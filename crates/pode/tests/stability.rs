@@ -4,11 +4,11 @@ use pode::stepper::{
     ExplicitEuler, ExponentialRosenbrock, Exprb32, Given, LinearImplicitMidpoint, Rodas3, Rodas4,
     Ros2, VelocityVerlet,
 };
-use pode::{Dense as _, Kind, Nature, State, Stepper};
+use pode::{Dense as _, EquationKind, Nature, State, Stepper};
 
-/// The dense output of one step of `h` [s] of x' = f(τ, x).
+/// The dense output of one step of `h` (s) of x' = f(τ, x).
 fn step<T: Stepper, S: State>(
-    kind: Kind,
+    kind: EquationKind,
     coords: usize,
     f: impl FnMut(f64, &S) -> S,
     x: &S,
@@ -21,9 +21,9 @@ fn step<T: Stepper, S: State>(
 /// Two unit masses between springs, and a damper between them; positions, then speeds.
 #[derive(Clone, Copy, Debug)]
 struct Chain {
-    /// Stiffness to the wall and between the masses [N/m].
+    /// Stiffness to the wall and between the masses (N/m).
     k: [f64; 2],
-    /// Damping between the masses [N·s/m].
+    /// Damping between the masses (N·s/m).
     c: f64,
 }
 
@@ -47,7 +47,7 @@ impl Chain {
     }
 }
 
-/// A step [s].
+/// A step (s).
 const H: f64 = 1e-3;
 
 /// From 0.01 to 1e4 rad of the stiff spring in a step, damped and not.
@@ -65,7 +65,7 @@ fn the_linear_implicit_midpoint_never_makes_energy_at_any_stiffness() {
         let (start, mut before, mut rounding) = (chain.energy(&x), chain.energy(&x), 0.0);
         for n in 0..2000 {
             let f = |_: f64, x: &[f64; 4]| chain.derivative(x);
-            let step = step::<LinearImplicitMidpoint, _>(Kind::Linear, 2, f, &x, H);
+            let step = step::<LinearImplicitMidpoint, _>(EquationKind::Linear, 2, f, &x, H);
             // An event may end the step anywhere.
             for part in 1..=10 {
                 let growth = chain.energy(&step.at(f64::from(part) / 10.0)) - before;
@@ -87,7 +87,7 @@ fn the_linear_implicit_midpoint_never_makes_energy_at_any_stiffness() {
 /// x1/x0 of x' = λ x for hλ = `re` + i `im`, as a rotation's x and y; and at ten places inside.
 fn response<T: Stepper>(re: f64, im: f64) -> Vec<f64> {
     let f = |_: f64, x: &[f64; 2]| [re * x[0] - im * x[1], im * x[0] + re * x[1]];
-    let step = step::<T, _>(Kind::Linear, 0, f, &[1.0, 0.0], 1.0);
+    let step = step::<T, _>(EquationKind::Linear, 0, f, &[1.0, 0.0], 1.0);
     (1..=10).map(|part| step.at(f64::from(part) / 10.0)).map(|[x, y]| x.hypot(y)).collect()
 }
 
@@ -142,8 +142,8 @@ fn undamped_motion_of_any_rate_does_not_grow() {
     check::<Rodas4>();
 }
 
-/// Largest error over 5 s of x' = λ (x − sin t) + cos t, λ = −1e6 / s, in steps of `h` [s].
-/// [HW96] IV.15, eq. 15.1
+/// Largest error over 5 s of x' = λ (x − sin t) + cos t, λ = −1e6 / s, in steps of `h` (s).
+/// `[HW96]` IV.15, eq. 15.1
 fn prothero_robinson<T: Stepper>(h: f64) -> f64 {
     const RATE: f64 = -1e6;
     let (mut x, mut t, mut worst): (_, f64, f64) = ([0.0], 0.0, 0.0);
@@ -152,7 +152,7 @@ fn prothero_robinson<T: Stepper>(h: f64) -> f64 {
             let (sin, cos) = (t + tau * h).sin_cos();
             [RATE * (x[0] - sin) + cos]
         };
-        x = *step::<T, _>(Kind::Linear, 0, f, &x, h).end();
+        x = *step::<T, _>(EquationKind::Linear, 0, f, &x, h).end();
         t += h;
         worst = worst.max((x[0] - t.sin()).abs());
     }
@@ -190,7 +190,7 @@ fn pendulum<T: Stepper>(steps: u32) -> f64 {
     let mut x = [2.5, 0.0];
     let (start, mut worst) = (energy(&x), 0.0_f64);
     for _ in 0..steps {
-        x = *step::<T, _>(Kind::Conservative, 1, f, &x, 0.1).end();
+        x = *step::<T, _>(EquationKind::Conservative, 1, f, &x, 0.1).end();
         worst = worst.max((energy(&x) - start).abs());
     }
     worst

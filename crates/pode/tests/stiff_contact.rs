@@ -112,12 +112,12 @@ fn a_minute_of_contacts_keeps_the_energy() {
     close("energy", drift, 0.0, tolerance);
 }
 
-/// F = k xⁿ (1 + λ v), without gravity: penetration [m] and its rate [m/s].
+/// F = k xⁿ (1 + λ v), without gravity: penetration (m) and its rate (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Felt {
     k: f64,
     lambda: f64,
-    /// Longest step [s].
+    /// Longest step (s).
     step: f64,
 }
 
@@ -165,7 +165,7 @@ impl Resets for Felt {
     }
 }
 
-/// Exit speed, contact time [s] and deepest point [m] of a contact at `v0` in `n` steps.
+/// Exit speed, contact time (s) and deepest point (m) of a contact at `v0` in `n` steps.
 fn contact(k: f64, lambda: f64, v0: f64, duration: f64, n: f64) -> [f64; 3] {
     let felt = Felt { k, lambda, step: duration / n };
     let mut head = Simulator::new(felt, Rk4, Limits::default(), true, [0.0, v0]);
@@ -183,7 +183,7 @@ fn felt_error(n: f64) -> f64 {
 
 #[test]
 fn hunt_crossley_leaves_at_the_speed_of_its_invariant() {
-    /// Loss λ [s/m], entry speed and exit speed [m/s]; any stiffness.
+    /// Loss λ (s/m), entry speed and exit speed (m/s); any stiffness.
     const EXITS: [[f64; 3]; 3] = [
         [0.1, 1.0, -0.937_475_579_949_905],
         [0.1, 5.0, -3.742_174_657_987_171],
@@ -208,7 +208,7 @@ fn hunt_crossley_leaves_at_the_speed_of_its_invariant() {
 
 #[test]
 fn hunt_crossley_has_its_time_and_depth() {
-    /// Stiffness, deepest point [m], contact time [s]; λ = 0.6, v0 = 1.
+    /// Stiffness, deepest point (m), contact time (s); λ = 0.6, v0 = 1.
     const FELTS: [[f64; 3]; 2] = [
         [1e5, 0.001_521_344_239_131, 0.005_332_605_765_715_331],
         [1e7, 0.000_241_116_812_798_9, 0.000_845_161_057_611_2],

@@ -10,8 +10,8 @@ mod common;
 use common::{G, all_completed, close, each_step_and_phase, run};
 use pode::stepper::{Exact, Rk4};
 use pode::{
-    Advance, GuardId, GuardSpec, GuardValue, Guarded, Kind, Limits, Model, Nature, Reset, Resets,
-    Silent, Simulator,
+    Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
+    Resets, Silent, Simulator,
 };
 
 /// A ball over a floor whose restitution falls with the speed of the impact: e0 / (1 + v/v0).
@@ -19,7 +19,7 @@ use pode::{
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Soft {
     e0: f64,
-    /// Speed [m/s] at which half of e0 is left; infinite for a constant restitution.
+    /// Speed (m/s) at which half of e0 is left; infinite for a constant restitution.
     v0: f64,
 }
 
@@ -53,7 +53,7 @@ impl Model for Soft {
     }
 
     fn nature(&self, _: Mode) -> Nature {
-        Nature::new(Kind::Affine, 0.0)
+        Nature::new(EquationKind::Affine, 0.0)
     }
 }
 
@@ -77,7 +77,7 @@ impl Resets for Soft {
     }
 }
 
-/// When the ball dropped from 1 m comes to rest [s], and its impulse until then per kilogram.
+/// When the ball dropped from 1 m comes to rest (s), and its impulse until then per kilogram.
 fn rest(ball: Soft) -> (f64, f64) {
     let mut v = (2.0 * G).sqrt();
     let (mut t, mut impulse) = (v / G, 0.0);
@@ -170,7 +170,7 @@ impl Model for Springy {
     }
 
     fn nature(&self, mode: Mode) -> Nature {
-        Nature::new(Kind::Affine, if mode == Mode::Flight { 1.0 } else { 0.0 })
+        Nature::new(EquationKind::Affine, if mode == Mode::Flight { 1.0 } else { 0.0 })
     }
 }
 

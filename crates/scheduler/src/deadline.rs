@@ -56,7 +56,7 @@ impl TickTimes {
 
 /// What made a tick miss its deadline.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Cause {
+pub enum MissCause {
     /// The voices themselves took longer than a tick.
     OwnWork,
     /// The system woke the tick's thread too late.
@@ -71,8 +71,7 @@ pub enum Cause {
 pub enum Outcome {
     /// Its forces were out in time.
     Met,
-    /// They were not.
-    Missed(Cause),
+    Missed(MissCause),
 }
 
 /// Counts ticks, misses by cause, and skips.
@@ -82,11 +81,11 @@ pub struct Counters {
     pub ticks: u64,
     /// Ticks that missed their deadline, all causes together.
     pub missed: u64,
-    /// Of these, by [`Cause::OwnWork`].
+    /// Of these, by [`MissCause::OwnWork`].
     pub missed_own_work: u64,
-    /// Of these, by [`Cause::WokenLate`].
+    /// Of these, by [`MissCause::WokenLate`].
     pub missed_woken_late: u64,
-    /// Of these, by [`Cause::Preempted`].
+    /// Of these, by [`MissCause::Preempted`].
     pub missed_preempted: u64,
     /// Ticks that were never run; they count as missed, too.
     pub skipped: u64,
@@ -97,7 +96,7 @@ pub struct Counters {
 pub struct Ledger {
     counters: Counters,
     last_finished: Nanos,
-    last_cause: Option<Cause>,
+    last_cause: Option<MissCause>,
 }
 
 impl Ledger {
@@ -124,34 +123,34 @@ impl Ledger {
         self.counters
     }
 
-    fn why_it_began_late(&self, times: &TickTimes) -> Cause {
+    fn why_it_began_late(&self, times: &TickTimes) -> MissCause {
         match self.last_cause {
             Some(cause) if times.due < self.last_finished => cause,
-            Some(_) | None => Cause::WokenLate,
+            Some(_) | None => MissCause::WokenLate,
         }
     }
 
-    const fn count_misses(&mut self, cause: Cause, n: u64) {
+    const fn count_misses(&mut self, cause: MissCause, n: u64) {
         self.counters.missed += n;
         match cause {
-            Cause::OwnWork => self.counters.missed_own_work += n,
-            Cause::WokenLate => self.counters.missed_woken_late += n,
-            Cause::Preempted => self.counters.missed_preempted += n,
+            MissCause::OwnWork => self.counters.missed_own_work += n,
+            MissCause::WokenLate => self.counters.missed_woken_late += n,
+            MissCause::Preempted => self.counters.missed_preempted += n,
         }
     }
 }
 
 /// The table above, for a tick whose late begin has the cause `late_because`.
-fn judge(times: &TickTimes, late_because: Cause) -> Outcome {
+fn judge(times: &TickTimes, late_because: MissCause) -> Outcome {
     let slack = times.deadline.since(times.due);
     if times.finished <= times.deadline {
         Outcome::Met
     } else if slack < times.work {
-        Outcome::Missed(Cause::OwnWork)
+        Outcome::Missed(MissCause::OwnWork)
     } else if times.stolen() <= times.lateness() {
         Outcome::Missed(late_because)
     } else {
-        Outcome::Missed(Cause::Preempted)
+        Outcome::Missed(MissCause::Preempted)
     }
 }
 
@@ -185,20 +184,20 @@ mod tests {
 
     #[test]
     fn work_longer_than_the_tick_is_own_work_however_late_it_began() {
-        check(0, 11, 0, Outcome::Missed(Cause::OwnWork));
-        check(50, 11, 50, Outcome::Missed(Cause::OwnWork));
+        check(0, 11, 0, Outcome::Missed(MissCause::OwnWork));
+        check(50, 11, 50, Outcome::Missed(MissCause::OwnWork));
     }
 
     #[test]
     fn a_late_wake_is_the_cause_if_it_cost_the_most() {
-        check(9, 2, 0, Outcome::Missed(Cause::WokenLate));
-        check(4, 4, 4, Outcome::Missed(Cause::WokenLate));
+        check(9, 2, 0, Outcome::Missed(MissCause::WokenLate));
+        check(4, 4, 4, Outcome::Missed(MissCause::WokenLate));
     }
 
     #[test]
     fn lost_time_is_the_cause_if_it_cost_the_most() {
-        check(0, 2, 9, Outcome::Missed(Cause::Preempted));
-        check(4, 2, 5, Outcome::Missed(Cause::Preempted));
+        check(0, 2, 9, Outcome::Missed(MissCause::Preempted));
+        check(4, 2, 5, Outcome::Missed(MissCause::Preempted));
     }
 
     #[test]
@@ -208,11 +207,11 @@ mod tests {
             let missed_by = (late + work + stolen).saturating_sub(SLACK);
             match outcome {
                 Outcome::Met => assert_eq!(missed_by, 0),
-                Outcome::Missed(Cause::OwnWork) => assert!(SLACK < work),
-                Outcome::Missed(Cause::WokenLate) => {
+                Outcome::Missed(MissCause::OwnWork) => assert!(SLACK < work),
+                Outcome::Missed(MissCause::WokenLate) => {
                     assert!(0 < missed_by && stolen <= late && missed_by <= late + stolen);
                 }
-                Outcome::Missed(Cause::Preempted) => {
+                Outcome::Missed(MissCause::Preempted) => {
                     assert!(0 < missed_by && late < stolen && missed_by <= late + stolen);
                 }
             }
@@ -226,16 +225,16 @@ mod tests {
     #[test]
     fn a_tick_that_waited_for_an_overrun_inherits_its_cause() {
         let mut ledger = Ledger::default();
-        assert_eq!(ledger.enter(&tick(100, 0, 19, 0), 0), Outcome::Missed(Cause::OwnWork));
-        assert_eq!(ledger.enter(&tick(110, 9, 2, 0), 0), Outcome::Missed(Cause::OwnWork));
+        assert_eq!(ledger.enter(&tick(100, 0, 19, 0), 0), Outcome::Missed(MissCause::OwnWork));
+        assert_eq!(ledger.enter(&tick(110, 9, 2, 0), 0), Outcome::Missed(MissCause::OwnWork));
         assert_eq!(ledger.enter(&tick(120, 1, 2, 0), 0), Outcome::Met);
-        assert_eq!(ledger.enter(&tick(130, 9, 2, 0), 0), Outcome::Missed(Cause::WokenLate));
+        assert_eq!(ledger.enter(&tick(130, 9, 2, 0), 0), Outcome::Missed(MissCause::WokenLate));
     }
 
     #[test]
     fn skipped_ticks_are_charged_to_the_overrun_that_ate_them() {
         let mut ledger = Ledger::default();
-        assert_eq!(ledger.enter(&tick(100, 0, 35, 0), 0), Outcome::Missed(Cause::OwnWork));
+        assert_eq!(ledger.enter(&tick(100, 0, 35, 0), 0), Outcome::Missed(MissCause::OwnWork));
         assert_eq!(ledger.enter(&tick(130, 5, 1, 0), 2), Outcome::Met);
         assert_eq!(ledger.enter(&tick(190, 1, 1, 0), 5), Outcome::Met);
         let expected = Counters {

@@ -3,27 +3,26 @@
 use crate::motion::{KEYS, KeySample};
 use crate::port::Lanes;
 use crate::slot::Slot;
-use crate::voice::{Turn, Voice, Work};
+use crate::voice::{Voice, VoiceOutput, VoiceWork};
 
 /// What voices did in one tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct LaneReport {
-    /// Voices at rest.
     pub idle: u32,
     /// Voices without a trusted force.
     pub faults: u32,
     /// Voices whose lane was not done in time.
     pub late: u32,
     /// Work of all voices together.
-    pub work: Work,
+    pub work: VoiceWork,
     /// Most work of a single voice, each count by itself.
-    pub most: Work,
+    pub most: VoiceWork,
 }
 
 impl LaneReport {
     /// Adds one voice's turn.
     #[inline]
-    fn count(&mut self, turn: &Turn) {
+    fn count(&mut self, turn: &VoiceOutput) {
         self.idle += u32::from(turn.idle);
         self.faults += u32::from(turn.fault.is_some());
         self.late += u32::from(turn.late);
@@ -32,7 +31,7 @@ impl LaneReport {
     }
 
     /// Adds up `turns`.
-    pub fn of(turns: &[Turn]) -> Self {
+    pub fn of(turns: &[VoiceOutput]) -> Self {
         turns.iter().fold(Self::default(), |mut report, turn| {
             report.count(turn);
             report
@@ -47,7 +46,7 @@ pub fn run_slots<V: Voice>(
     slots: &mut [Slot<V>],
     tick: u64,
     samples: &[KeySample; KEYS],
-    turns: &mut [Turn; KEYS],
+    turns: &mut [VoiceOutput; KEYS],
 ) {
     for slot in slots {
         let key = slot.key();
@@ -63,7 +62,7 @@ pub struct Inline<'a, V> {
 }
 
 impl<V: Voice> Lanes for Inline<'_, V> {
-    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
+    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
         run_slots(self.slots, tick, samples, turns);
     }
 }
@@ -77,13 +76,17 @@ mod tests {
     struct Parity;
 
     impl Voice for Parity {
-        fn tick(&mut self, _tick: u64, sample: &KeySample) -> Turn {
+        fn tick(&mut self, _tick: u64, sample: &KeySample) -> VoiceOutput {
             if sample.position < 0.0 {
-                return Turn::faulty(VoiceFault::Capped { handled: 3 });
+                return VoiceOutput::faulty(VoiceFault::Capped { handled: 3 });
             }
             let idle = sample.position % 2.0 == 0.0;
             let derivatives = if idle { 0 } else { 10 * sample.age };
-            Turn { idle, work: Work { derivatives, guards: 1, events: 0 }, ..Turn::default() }
+            VoiceOutput {
+                idle,
+                work: VoiceWork { derivatives, guards: 1, events: 0 },
+                ..VoiceOutput::default()
+            }
         }
 
         fn reset(&mut self, _sample: &KeySample) {}
@@ -97,14 +100,14 @@ mod tests {
         samples[2] = KeySample { age: 1, ..KeySample::fresh(1.0) };
         samples[7] = KeySample { age: 4, ..KeySample::fresh(1.0) };
         samples[8] = KeySample::fresh(-1.0);
-        let mut turns = [Turn::default(); KEYS];
+        let mut turns = [VoiceOutput::default(); KEYS];
         run_slots(&mut slots, 0, &samples, &mut turns);
         let expected = LaneReport {
             idle: 1,
             faults: 1,
             late: 0,
-            work: Work { derivatives: 50, guards: 3, events: 0 },
-            most: Work { derivatives: 40, guards: 1, events: 0 },
+            work: VoiceWork { derivatives: 50, guards: 3, events: 0 },
+            most: VoiceWork { derivatives: 40, guards: 1, events: 0 },
         };
         assert_eq!(LaneReport::of(&turns), expected);
     }

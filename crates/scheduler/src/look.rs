@@ -3,7 +3,7 @@
 /// Most entries that a state may have, or it could not be shown.
 ///
 /// Guards and outputs are worked out from what is shown, so a state is never cut: whoever fills a
-/// [`Look`] refuses to compile a model that has more.
+/// [`ModelSnapshot`] refuses to compile a model that has more.
 pub const MAX_STATES: usize = 8;
 
 /// Changes of mode that one turn can show; more are counted, not kept.
@@ -11,7 +11,7 @@ pub const MAX_SWITCHES: usize = 6;
 
 /// A model at the end of a turn.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct Look {
+pub struct ModelSnapshot {
     /// Which voice: numbered by whoever put it in.
     pub revision: u32,
     /// Its mode, an index into the model's list.
@@ -22,7 +22,7 @@ pub struct Look {
     pub input: [f64; 4],
 }
 
-impl Look {
+impl ModelSnapshot {
     /// Shows `state`, of at most [`MAX_STATES`] entries.
     pub fn show(&mut self, state: &[f64]) {
         debug_assert!(state.len() <= MAX_STATES, "a state of {} entries is cut", state.len());
@@ -39,7 +39,6 @@ pub struct Switch {
     pub theta: f64,
     /// Modes before and after, indices into the model's list.
     pub from: u8,
-    /// See `from`.
     pub to: u8,
     /// The guard that fired, by its number in the model; 255 if none did.
     pub guard: u8,
@@ -104,10 +103,10 @@ mod tests {
 
     #[test]
     fn what_is_behind_a_state_is_zero() {
-        let is = |look: &Look, wanted: [f64; MAX_STATES]| {
+        let is = |look: &ModelSnapshot, wanted: [f64; MAX_STATES]| {
             look.state.map(f64::to_bits) == wanted.map(f64::to_bits)
         };
-        let mut look = Look::default();
+        let mut look = ModelSnapshot::default();
         look.show(&[1.0, 2.0]);
         assert!(is(&look, [1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]));
         look.show(&[3.0; MAX_STATES]);
@@ -117,6 +116,6 @@ mod tests {
     #[test]
     #[should_panic(expected = "a state of 12 entries is cut")]
     fn a_state_is_not_cut_without_a_word() {
-        Look::default().show(&[3.0; 12]);
+        ModelSnapshot::default().show(&[3.0; 12]);
     }
 }

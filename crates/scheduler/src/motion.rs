@@ -18,7 +18,7 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// Time since the start [s] with ticks of `period` [s].
+    /// Time since the start (s) with ticks of `period` (s).
     pub fn seconds(self, period: f64) -> f64 {
         (self.tick as f64 + self.theta) * period
     }
@@ -27,7 +27,7 @@ impl Moment {
 /// What a key's sensor said for this tick.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct KeySample {
-    /// Key-front displacement, down positive [m].
+    /// Key-front displacement, down positive (m).
     pub position: f64,
     /// Ticks since this came, or since it was taken if its way was too long; 0 is fresh.
     pub age: u32,
@@ -48,15 +48,15 @@ impl KeySample {
 /// F + stiffness (position − s) + damping (velocity − s'), until the next force comes.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct KeySlope {
-    /// −∂F/∂s [N/m].
+    /// −∂F/∂s (N/m).
     pub stiffness: f64,
-    /// −∂F/∂s' [N s/m].
+    /// −∂F/∂s' (N s/m).
     pub damping: f64,
-    /// Displacement for which the force holds, down positive [m].
+    /// Displacement for which the force holds, down positive (m).
     pub position: f64,
-    /// Speed for which the force holds, down positive [m/s].
+    /// Speed for which the force holds, down positive (m/s).
     pub velocity: f64,
-    /// How long after the sample that is the key expected to be there [s].
+    /// How long after the sample that is the key expected to be there (s).
     pub ahead: f64,
 }
 
@@ -80,14 +80,14 @@ impl KeySlope {
 pub enum KeyEvent {
     /// The hammer met the string.
     Strike {
-        /// Hammer speed at the string [m/s].
+        /// Hammer speed at the string (m/s).
         speed: f64,
     },
     /// The damper left the string.
     DamperLift,
     /// The damper fell back on the string.
     DamperFall {
-        /// Key-front speed upwards when it fell [m/s].
+        /// Key-front speed upwards when it fell (m/s).
         speed: f64,
     },
 }

@@ -1,7 +1,7 @@
 //! What the outside must supply: a bus to the keys, lanes to run on, an observer.
 
 use crate::motion::{KEYS, KeySample, KeySlope};
-use crate::voice::Turn;
+use crate::voice::VoiceOutput;
 
 /// The motors and sensors of all keys.
 pub trait KeyBus {
@@ -10,7 +10,7 @@ pub trait KeyBus {
     /// A key that has no new sample keeps its old one with its age counted up.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]);
 
-    /// Hands over the forces [N, up positive] to be held during `tick`.
+    /// Hands over the forces (N, up positive) to be held during `tick`.
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]);
 
     /// The same with how each force goes on, for motors that work between two ticks.
@@ -26,19 +26,18 @@ pub trait Lanes {
     /// Runs every voice for `tick` and writes its turn.
     ///
     /// A voice whose lane did not finish in time keeps its previous turn, marked late.
-    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]);
+    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]);
 }
 
 /// Somebody who watches ticks without being waited for.
 pub trait TickObserver {
     /// Sees a finished tick.
-    fn observe(&mut self, seen: &Seen<'_>);
+    fn observe(&mut self, seen: &FinishedTick<'_>);
 }
 
 /// A finished tick.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen<'a> {
-    /// Its number.
+pub struct FinishedTick<'a> {
     pub tick: u64,
     /// Ticks before it that were never run.
     pub skipped: u64,
@@ -47,7 +46,7 @@ pub struct Seen<'a> {
     /// What the sensors said.
     pub samples: &'a [KeySample; KEYS],
     /// What the voices did.
-    pub turns: &'a [Turn; KEYS],
-    /// What was sent [N].
+    pub turns: &'a [VoiceOutput; KEYS],
+    /// What was sent (N).
     pub forces: &'a [f64; KEYS],
 }

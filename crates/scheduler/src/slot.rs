@@ -2,7 +2,7 @@
 //! it is still called.
 
 use crate::motion::{KEYS, KeySample};
-use crate::voice::{Turn, Voice, VoiceFault};
+use crate::voice::{Voice, VoiceFault, VoiceOutput};
 
 /// Keys of an octave.
 const OCTAVE: usize = 12;
@@ -29,7 +29,7 @@ const FORGOTTEN: u32 = 1000;
 /// buzz for ever.
 #[derive(Clone, Copy, Debug, Default)]
 struct Lockout {
-    /// Faults that are not forgotten yet [ticks].
+    /// Faults that are not forgotten yet (ticks).
     level: u32,
     /// The last turn was a fault: the same one goes on.
     failing: bool,
@@ -115,16 +115,16 @@ impl<V: Voice> Slot<V> {
     ///
     /// A voice that failed is reset at the next sample, and says that its force is fresh; one
     /// that made energy or fails again and again is muted.
-    pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+    pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         if self.lockout.muted {
-            *turn = Turn::faulty(VoiceFault::Muted);
+            *turn = VoiceOutput::faulty(VoiceFault::Muted);
         } else if sample.position.is_finite() {
             if self.fresh {
                 self.voice.reset(sample);
             }
             self.voice.tick_into(tick, sample, turn);
         } else {
-            *turn = Turn::faulty(VoiceFault::BadSample);
+            *turn = VoiceOutput::faulty(VoiceFault::BadSample);
         }
         if turn.fault.is_none() && !turn.force.is_finite() {
             turn.fault = Some(VoiceFault::NotFinite);
@@ -182,9 +182,9 @@ mod tests {
     }
 
     impl Voice for Spy {
-        fn tick(&mut self, tick: u64, _sample: &KeySample) -> Turn {
+        fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
             let force = if tick == self.fails_at { f64::NAN } else { self.rest };
-            Turn { force, ..Turn::default() }
+            VoiceOutput { force, ..VoiceOutput::default() }
         }
 
         fn reset(&mut self, sample: &KeySample) {
@@ -193,8 +193,8 @@ mod tests {
         }
     }
 
-    fn turn_of(slot: &mut Slot<Spy>, tick: u64, position: f64) -> Turn {
-        let mut turn = Turn::default();
+    fn turn_of(slot: &mut Slot<Spy>, tick: u64, position: f64) -> VoiceOutput {
+        let mut turn = VoiceOutput::default();
         slot.tick(tick, &at(position), &mut turn);
         turn
     }
@@ -224,7 +224,7 @@ mod tests {
     #[test]
     fn a_turn_says_in_which_of_the_last_ticks_its_voice_was_run() {
         let mut slot = Slot::new(3, Spy { fails_at: 99, ..Spy::default() });
-        let mut turn = Turn::default();
+        let mut turn = VoiceOutput::default();
         for (tick, ran) in [(7, 0b1), (8, 0b11), (11, 0b11001), (12, 0b11_0011), (60, 0b1)] {
             slot.tick(tick, &at(0.0), &mut turn);
             assert_eq!(turn.ran, ran, "tick {tick}");
@@ -238,9 +238,12 @@ mod tests {
     }
 
     impl Voice for Failing {
-        fn tick(&mut self, tick: u64, _sample: &KeySample) -> Turn {
+        fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
             self.calls += 1;
-            Turn { force: if (self.fails)(tick) { f64::NAN } else { 1.0 }, ..Turn::default() }
+            VoiceOutput {
+                force: if (self.fails)(tick) { f64::NAN } else { 1.0 },
+                ..VoiceOutput::default()
+            }
         }
 
         fn reset(&mut self, _sample: &KeySample) {}
@@ -249,7 +252,7 @@ mod tests {
     /// How often a voice that fails in the ticks for which `fails` is true is called in `ticks`.
     fn calls(ticks: u64, fails: fn(u64) -> bool) -> u64 {
         let mut slot = Slot::new(3, Failing { fails, calls: 0 });
-        let mut turn = Turn::default();
+        let mut turn = VoiceOutput::default();
         for tick in 0..ticks {
             let before = slot.voice.calls;
             slot.tick(tick, &at(0.0), &mut turn);
@@ -278,7 +281,7 @@ mod tests {
     fn a_muted_voice_is_called_again_when_it_is_changed_or_replaced() {
         let mut slot = Slot::new(3, Tunable { value: 1.0, ticks: 0 });
         slot.lockout.muted = true;
-        let mut turn = Turn::default();
+        let mut turn = VoiceOutput::default();
         slot.tick(0, &at(0.0), &mut turn);
         assert_eq!((turn.fault, slot.voice.ticks), (Some(VoiceFault::Muted), 0));
         slot.retune(Tunable { value: 2.0, ticks: 70 });
@@ -306,9 +309,9 @@ mod tests {
     }
 
     impl Voice for Tunable {
-        fn tick(&mut self, _tick: u64, _sample: &KeySample) -> Turn {
+        fn tick(&mut self, _tick: u64, _sample: &KeySample) -> VoiceOutput {
             self.ticks += 1;
-            Turn { force: self.value, ..Turn::default() }
+            VoiceOutput { force: self.value, ..VoiceOutput::default() }
         }
 
         fn reset(&mut self, _sample: &KeySample) {
@@ -329,7 +332,7 @@ mod tests {
     #[test]
     fn a_voice_that_is_retuned_goes_on_in_its_state_with_a_fresh_force() {
         let mut slot = Slot::new(3, Tunable { value: 1.0, ticks: 0 });
-        let mut turn = Turn::default();
+        let mut turn = VoiceOutput::default();
         for tick in 0..3 {
             slot.tick(tick, &at(0.0), &mut turn);
         }
@@ -346,7 +349,7 @@ mod tests {
     #[test]
     fn a_voice_of_another_kind_is_put_in_instead() {
         let mut slot = Slot::new(3, Tunable { value: 1.0, ticks: 0 });
-        let mut turn = Turn::default();
+        let mut turn = VoiceOutput::default();
         slot.tick(0, &at(0.0), &mut turn);
         let left = slot.retune(Tunable { value: 10.0, ticks: 70 });
         assert_eq!(left.ticks, 1);

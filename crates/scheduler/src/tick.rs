@@ -2,15 +2,14 @@
 
 use crate::lane::LaneReport;
 use crate::motion::{KEYS, KeySample, KeySlope};
-use crate::port::{KeyBus, Lanes, Seen, TickObserver};
+use crate::port::{FinishedTick, KeyBus, Lanes, TickObserver};
 use crate::safety::{SAFE_FORCE, Safety, SafetyReport};
 use crate::time::{Nanos, Timetable};
-use crate::voice::Turn;
+use crate::voice::VoiceOutput;
 
 /// What happened in one tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TickReport {
-    /// Its number.
     pub tick: u64,
     /// When it should have started.
     pub due: Nanos,
@@ -31,7 +30,7 @@ pub struct Scheduler {
     /// The next tick to run.
     next: u64,
     samples: [KeySample; KEYS],
-    turns: [Turn; KEYS],
+    turns: [VoiceOutput; KEYS],
     forces: [f64; KEYS],
     slopes: [KeySlope; KEYS],
     safety: Safety,
@@ -39,7 +38,7 @@ pub struct Scheduler {
 
 impl Scheduler {
     /// A scheduler whose first tick is due at the timetable's start, and whose forces change by
-    /// at most `slew` [N/s] on their way to a voice.
+    /// at most `slew` (N/s) on their way to a voice.
     #[expect(
         clippy::large_stack_frames,
         clippy::large_stack_arrays,
@@ -50,7 +49,7 @@ impl Scheduler {
             timetable,
             next: 0,
             samples: [KeySample::default(); KEYS],
-            turns: [Turn::default(); KEYS],
+            turns: [VoiceOutput::default(); KEYS],
             forces: [SAFE_FORCE; KEYS],
             slopes: [KeySlope::HELD; KEYS],
             safety: Safety::new(timetable.period(), slew),
@@ -79,7 +78,7 @@ impl Scheduler {
         let safety = self.safety.apply(skipped, &self.samples, &self.turns, &mut self.forces);
         self.safety.slopes(&self.turns, &mut self.slopes);
         bus.send_sloped(tick, &self.forces, &self.slopes);
-        observer.observe(&Seen {
+        observer.observe(&FinishedTick {
             tick,
             skipped,
             armed: self.safety.is_armed(),
@@ -129,7 +128,7 @@ impl Scheduler {
         self.safety.disarm();
     }
 
-    /// The forces sent last [N].
+    /// The forces sent last (N).
     pub const fn forces(&self) -> &[f64; KEYS] {
         &self.forces
     }

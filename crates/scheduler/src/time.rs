@@ -6,7 +6,7 @@
 /// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
 
-/// Fastest tick rate that is accepted [1/s]; far above what a host can keep.
+/// Fastest tick rate that is accepted (1/s); far above what a host can keep.
 const MAX_TICK_HZ: u32 = 100_000;
 
 /// Monotonic host time, or a span of it, in nanoseconds.
@@ -38,7 +38,7 @@ impl Nanos {
         self.0
     }
 
-    /// The same span as model time [s].
+    /// The same span as model time (s).
     pub const fn as_secs_f64(self) -> f64 {
         self.0 as f64 * 1e-9
     }
@@ -76,7 +76,7 @@ impl Period {
         self.hz
     }
 
-    /// The period as model time [s].
+    /// The period as model time (s).
     pub fn as_secs_f64(self) -> f64 {
         1.0 / f64::from(self.hz)
     }

@@ -2,7 +2,7 @@
 
 use core::any::Any;
 
-use crate::look::{Look, Switches};
+use crate::look::{ModelSnapshot, Switches};
 use crate::motion::{KeyEvent, KeySample, KeySlope, Moment};
 
 /// Key events that one voice can report in one tick; more are counted, not kept.
@@ -17,13 +17,13 @@ pub trait Voice {
     ///
     /// # Real-time
     /// Bounded by the voice's own declared work; no heap, lock or clock.
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn;
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput;
 
     /// The same, written where it is needed.
     ///
-    /// A turn is large, so a voice at rest does better with [`Turn::rest_at`] than with a new
+    /// A turn is large, so a voice at rest does better with [`VoiceOutput::rest_at`] than with a new
     /// one. Whatever `turn` holds before must not show in what it holds after.
-    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         *turn = self.tick(tick, sample);
     }
 
@@ -47,15 +47,14 @@ pub trait Voice {
 
 /// What one voice did in one tick.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct Turn {
-    /// Force on the finger, up positive [N].
+pub struct VoiceOutput {
+    /// Force on the finger, up positive (N).
     pub force: f64,
     /// How the force goes on until the next tick; of itself it is held.
     pub slope: KeySlope,
     /// What happened to the note.
     pub events: Events,
-    /// Counted work.
-    pub work: Work,
+    pub work: VoiceWork,
     /// Why the force cannot be trusted, if so.
     pub fault: Option<VoiceFault>,
     /// The voice was at rest and skipped its equations.
@@ -66,14 +65,13 @@ pub struct Turn {
     /// last one.
     pub fresh: bool,
     /// What the model is like at the end, for those who watch; means nothing if it was not run.
-    pub look: Look,
-    /// Changes of mode.
+    pub look: ModelSnapshot,
     pub switches: Switches,
     /// In which of the last ticks the voice was run: this one is bit 0.
     pub ran: u32,
 }
 
-impl Turn {
+impl VoiceOutput {
     /// Becomes a turn in which nothing has happened yet; what the model is like stays what it was
     /// in these words, and is for whoever runs it to say.
     ///
@@ -81,7 +79,7 @@ impl Turn {
     pub const fn begin(&mut self) {
         (self.force, self.slope) = (0.0, KeySlope::HELD);
         self.events.clear();
-        self.work = Work { derivatives: 0, guards: 0, events: 0 };
+        self.work = VoiceWork { derivatives: 0, guards: 0, events: 0 };
         self.fault = None;
         (self.idle, self.late, self.fresh) = (false, false, false);
         self.switches.clear();
@@ -93,7 +91,7 @@ impl Turn {
         Self { fault: Some(fault), ..Self::default() }
     }
 
-    /// Becomes the turn of a voice at rest that presses with `force`, up positive [N].
+    /// Becomes the turn of a voice at rest that presses with `force`, up positive (N).
     pub const fn rest_at(&mut self, force: f64) {
         self.begin();
         (self.force, self.idle) = (force, true);
@@ -110,16 +108,14 @@ impl Turn {
 
 /// Evaluations that one tick of one voice took; independent of the machine.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Work {
+pub struct VoiceWork {
     /// Evaluations of the derivative.
     pub derivatives: u32,
-    /// Evaluations of guards.
     pub guards: u32,
-    /// Reset maps applied.
     pub events: u32,
 }
 
-impl Work {
+impl VoiceWork {
     /// Both together.
     #[must_use]
     #[inline]

@@ -25,7 +25,7 @@ const LIMIT: f64 = 0.010 * 800.0;
 /// Fastest change of a spring's force [N]: the key moves at most 0.1 mm a tick.
 const SLEW: f64 = 0.000_1 * 800.0;
 
-/// Runs 200 ticks and returns what key 40 felt [N].
+/// Runs 200 ticks and returns what key 40 felt (N).
 fn felt(mut rig: Rig) -> [f64; 200] {
     core::array::from_fn(|tick| rig.forces_of(tick as u64)[40])
 }

@@ -9,14 +9,14 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use rustix::time::{ClockId, clock_gettime};
-use telemetry::recording::{Compression, Recorder, Recording, Settings};
+use telemetry::recording::{Compression, Recorder, Recording, RecordingSettings};
 use telemetry::{Catalogue, KeyBlock, Overview, Source as _, Timeline as _, Topic, Update, Voice};
 
 /// Signals of a model.
 const SIGNALS: usize = 10;
 /// Ticks of a block: from 16 to 33, as the window's frames happen to fall.
 const BLOCKS: [u64; 4] = [16, 33, 20, 27];
-/// A tick [ns].
+/// A tick (ns).
 const TICK: u64 = 1_000_000;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -45,8 +45,10 @@ fn record(
     keys: u32,
     seconds: u64,
 ) -> Result<String, Box<dyn Error>> {
-    let settings = Settings { compression, lowest_free: 0, ..Settings::new(path, "cost") };
-    let settings = Settings { largest_file: u64::MAX, largest_total: u64::MAX, ..settings };
+    let settings =
+        RecordingSettings { compression, lowest_free: 0, ..RecordingSettings::new(path, "cost") };
+    let settings =
+        RecordingSettings { largest_file: u64::MAX, largest_total: u64::MAX, ..settings };
     let mut recorder = Recorder::create(settings)?;
     for update in beginning(keys) {
         recorder.write(0, &update)?;

@@ -34,5 +34,5 @@ pub mod topic;
 pub use keys::{KEYS, key_name};
 pub use messages::*;
 pub use request::{Reply, Request};
-pub use source::{Arrival, Source, Standing, Timeline};
+pub use source::{Arrival, ConnectionState, Source, Timeline};
 pub use topic::{Topic, Update};

@@ -15,7 +15,6 @@ pub enum Request {
     UseInstrument {
         /// An instrument's name or file.
         instrument: String,
-        /// Which keys.
         keys: Option<String>,
     },
     /// No force on any key from the next tick on, and an end.
@@ -24,14 +23,13 @@ pub enum Request {
     Press {
         /// Which key, 0 (A0) to 87 (C8).
         key: u8,
-        /// How hard [N].
+        /// How hard (N).
         newtons: f64,
     },
     /// A board shows its light.
     Identify {
         /// Which line, in the order of the scene.
         line: u32,
-        /// Which board.
         board: u32,
     },
     /// The scene as it sounds now, as a file.
@@ -51,7 +49,6 @@ pub enum Request {
 pub struct Change {
     /// Which key, 0 (A0) to 87 (C8).
     pub key: u8,
-    /// The parameter's name.
     pub parameter: String,
     /// Its value, in the parameter's unit.
     pub value: f64,
@@ -75,7 +72,6 @@ impl Change {
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(tag = "reply", rename_all = "snake_case")]
 pub enum Reply {
-    /// It is done.
     Done {
         /// What was done, in a sentence.
         text: String,
@@ -90,10 +86,7 @@ pub enum Reply {
         boards: u32,
     },
     /// The scene as it sounds now.
-    Scene {
-        /// As a file.
-        toml: String,
-    },
+    Scene { toml: String },
     /// Where the host streams what it tells.
     Where {
         /// Of its stream, as `ws://127.0.0.1:8765`; behind a `#` the fingerprint of its certificate,

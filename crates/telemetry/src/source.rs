@@ -12,16 +12,10 @@ pub struct Ticket(pub u64);
 /// What a source gives.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Arrival {
-    /// A message, and when it was made [ns since 1970].
-    Update {
-        /// When.
-        at: u64,
-        /// The message.
-        update: Box<Update>,
-    },
+    /// A message, and when it was made (ns since 1970).
+    Update { at: u64, update: Box<Update> },
     /// What became of a request.
     Reply {
-        /// Of which.
         ticket: Ticket,
         /// A refusal is a sentence.
         result: Result<Reply, String>,
@@ -32,16 +26,14 @@ pub enum Arrival {
 
 /// How a source stands.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Standing {
+pub enum ConnectionState {
     /// Nobody has answered yet.
     Connecting,
-    /// It gives.
     Live,
     /// Nobody answers; it is tried again. Why, in a sentence.
     Lost(String),
     /// It will not give again. Why, in a sentence.
     Refused(String),
-    /// A recording.
     Recording,
 }
 
@@ -57,7 +49,7 @@ pub trait Source: fmt::Debug {
     fn ask(&mut self, request: Request) -> Ticket;
 
     /// How it stands.
-    fn standing(&self) -> Standing;
+    fn standing(&self) -> ConnectionState;
 
     /// Where it comes from, for people: an address or a file.
     fn name(&self) -> String;
@@ -71,7 +63,7 @@ pub trait Source: fmt::Debug {
 /// A moment worth finding again.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Mark {
-    /// When [ns since 1970].
+    /// When (ns since 1970).
     pub at: u64,
     /// What, in a few words.
     pub text: String,
@@ -81,10 +73,10 @@ pub struct Mark {
 
 /// A source whose time can be chosen.
 pub trait Timeline {
-    /// From when to when it goes [ns since 1970].
+    /// From when to when it goes (ns since 1970).
     fn span(&self) -> (u64, u64);
 
-    /// Where it is [ns since 1970].
+    /// Where it is (ns since 1970).
     fn at(&self) -> u64;
 
     /// Goes there [ns since 1970]: what follows begins with [`Arrival::Anew`] and the seconds

@@ -21,13 +21,11 @@ pub enum Topic {
     Block(u8),
     /// One key for viewers of single values.
     State(u8),
-    /// What happened.
     Events,
     /// When ticks were done.
     Ticks,
     /// All ticks so far.
     Deadlines,
-    /// Boards and links.
     Links,
     /// What was sent to a synthesizer.
     Midi,
@@ -99,8 +97,7 @@ impl fmt::Display for Topic {
 /// Why bytes are no message of a topic.
 #[derive(Debug, thiserror::Error)]
 #[error("what came under {topic} is no {schema}: {cause}", schema = .topic.schema())]
-pub struct DecodeError {
-    /// Where it came.
+pub struct TopicDecodeError {
     pub topic: Topic,
     /// What is wrong with it.
     pub cause: prost::DecodeError,
@@ -175,7 +172,7 @@ impl Update {
     ///
     /// # Errors
     /// If they are none.
-    pub fn decode(topic: Topic, bytes: &[u8]) -> Result<Self, DecodeError> {
+    pub fn decode(topic: Topic, bytes: &[u8]) -> Result<Self, TopicDecodeError> {
         let decoded = match topic {
             Topic::Catalogue => Catalogue::decode(bytes).map(Self::Catalogue),
             Topic::Voices => Voice::decode(bytes).map(Self::Voice),
@@ -191,7 +188,7 @@ impl Update {
             Topic::Midi => Midi::decode(bytes).map(Self::Midi),
             Topic::Log => Log::decode(bytes).map(Self::Log),
         };
-        decoded.map_err(|cause| DecodeError { topic, cause })
+        decoded.map_err(|cause| TopicDecodeError { topic, cause })
     }
 }
 

@@ -12,10 +12,10 @@ use std::time::Duration;
 use stage::synthetic::{self, KEY};
 use stage::{Stage, Stranger, Watcher, eventually, set};
 use telemetry::stream::protocol::{
-    ClientFrame, FromClient, FromServer, Level, Parameter, Subscription, Text as _, channel_id,
+    ClientFrame, FromClient, FromServer, Level, ParameterValue, Subscription, Text as _, channel_id,
 };
-use telemetry::stream::server::{Limits, Tls};
-use telemetry::stream::{Dial, Settings};
+use telemetry::stream::server::{ServerLimits, Tls};
+use telemetry::stream::{Dial, ServerSettings};
 use telemetry::{Reply, Request, Topic};
 use tokio_tungstenite::tungstenite::{Error, Message};
 
@@ -38,7 +38,7 @@ impl Scene {
         Self { stage, good, count: 0 }
     }
 
-    fn within(limits: Limits) -> Self {
+    fn within(limits: ServerLimits) -> Self {
         Self::on(Stage::within(limits))
     }
 
@@ -83,7 +83,7 @@ fn throw_bytes(stage: &Stage, dice: &mut Dice) {
 
 #[test]
 fn random_bytes() {
-    let mut scene = Scene::within(Limits::default());
+    let mut scene = Scene::within(ServerLimits::default());
     let mut dice = Dice(1);
     for _ in 0..100 {
         for _ in 0..3 {
@@ -97,7 +97,7 @@ fn random_bytes() {
 fn random_bytes_where_tls_is_spoken() {
     let names = vec!["localhost".to_owned()];
     let tls = Some(Tls::SelfMade { names, folder: None });
-    let mut scene = Scene::on(Stage::with(Settings { tls, ..Settings::default() }));
+    let mut scene = Scene::on(Stage::with(ServerSettings { tls, ..ServerSettings::default() }));
     let mut dice = Dice(2);
     for _ in 0..50 {
         throw_bytes(&scene.stage, &mut dice);
@@ -107,7 +107,8 @@ fn random_bytes_where_tls_is_spoken() {
 
 /// What the protocol knows, to be spoiled.
 fn texts() -> Vec<String> {
-    let parameters = vec![Parameter::new("/key/39/k2", 1.0), Parameter::new("/key/39/m", 0.5)];
+    let parameters =
+        vec![ParameterValue::new("/key/39/k2", 1.0), ParameterValue::new("/key/39/m", 0.5)];
     let parameter_names = vec!["/key/39/k2".to_owned()];
     let subscriptions = vec![Subscription { id: 1, channel_id: 2 }];
     [
@@ -150,7 +151,7 @@ fn spoiled_bytes(dice: &mut Dice) -> Message {
 
 #[test]
 fn random_messages() {
-    let mut scene = Scene::within(Limits::default());
+    let mut scene = Scene::within(ServerLimits::default());
     let (mut dice, texts) = (Dice(3), texts());
     for _ in 0..20 {
         let mut stranger = scene.stage.stranger();
@@ -177,14 +178,15 @@ fn random_messages() {
 }
 
 fn a_set(number: u32) -> FromClient {
-    let parameters = vec![Parameter::new("/key/39/m", 0.5)];
+    let parameters = vec![ParameterValue::new("/key/39/m", 0.5)];
     FromClient::SetParameters { parameters, id: Some(number.to_string()) }
 }
 
 #[test]
 fn a_flood_of_sets_each_of_which_is_answered() {
     // So few that no machine is slow enough to take them all in.
-    let mut scene = Scene::within(Limits { requests_per_second: 10, ..Limits::default() });
+    let mut scene =
+        Scene::within(ServerLimits { requests_per_second: 10, ..ServerLimits::default() });
     let mut stranger = scene.stage.stranger();
     let (mut done, mut refused) = (0, 0);
     for round in 0..10 {
@@ -211,7 +213,7 @@ fn a_flood_of_sets_each_of_which_is_answered() {
 
 #[test]
 fn a_flood_of_which_nothing_is_read() {
-    let mut scene = Scene::within(Limits::default());
+    let mut scene = Scene::within(ServerLimits::default());
     for _ in 0..3 {
         let mut stranger = scene.stage.stranger();
         for number in 0..2000 {
@@ -228,7 +230,7 @@ fn a_flood_of_which_nothing_is_read() {
 
 #[test]
 fn a_thousand_clients() {
-    let limits = Limits { clients: 20, ..Limits::default() };
+    let limits = ServerLimits { clients: 20, ..ServerLimits::default() };
     let mut scene = Scene::within(limits);
     let (mut inside, mut turned_away) = (Vec::new(), 0);
     for number in 0..1000 {
@@ -254,7 +256,8 @@ fn a_thousand_clients() {
 #[test]
 fn connections_that_never_say_who_they_are() {
     let handshake = Duration::from_secs(2);
-    let mut scene = Scene::within(Limits { handshakes: 16, handshake, ..Limits::default() });
+    let mut scene =
+        Scene::within(ServerLimits { handshakes: 16, handshake, ..ServerLimits::default() });
     let mut silent: Vec<_> =
         (0..60).map(|_| TcpStream::connect(scene.stage.address).expect("a connection")).collect();
     for stream in silent.iter_mut().step_by(2) {
@@ -271,7 +274,7 @@ fn connections_that_never_say_who_they_are() {
 #[test]
 fn a_client_that_is_gone_without_a_word_is_forgotten() {
     let idle = Duration::from_secs(5);
-    let stage = Stage::within(Limits { idle, ..Limits::default() });
+    let stage = Stage::within(ServerLimits { idle, ..ServerLimits::default() });
     let mut stranger = stage.stranger();
     let subscription = Subscription { id: 1, channel_id: channel_id(Topic::Block(KEY)) };
     stranger.say(&FromClient::Subscribe { subscriptions: vec![subscription] });
@@ -284,7 +287,7 @@ fn a_client_that_is_gone_without_a_word_is_forgotten() {
 
 #[test]
 fn messages_that_are_too_large() {
-    let mut scene = Scene::within(Limits::default());
+    let mut scene = Scene::within(ServerLimits::default());
     let mut stranger = scene.stage.stranger();
     let large = "x".repeat(2 << 20);
     // The server may have cut it in the middle.

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use serde_json::{Value, json};
-use telemetry::recording::{Compression, Settings};
+use telemetry::recording::{Compression, RecordingSettings};
 use telemetry::{KEYS, Update};
 
 use common::{at, block, performance, record_as, settings};
@@ -59,7 +59,7 @@ fn python_reads_what_was_recorded() {
     for compression in [Compression::Zstd, Compression::Lz4] {
         let path = folder.path().join(format!("{compression:?}.mcap"));
         let told = performance(2000);
-        record_as(Settings { compression, ..settings(&path) }, &told);
+        record_as(RecordingSettings { compression, ..settings(&path) }, &told);
         let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/read_mcap.py");
         let printed = run(Command::new(&python).arg(script).arg(&path)).expect("it reads");
         check(&serde_json::from_str(&printed).expect("JSON"), &told);

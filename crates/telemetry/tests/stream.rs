@@ -11,11 +11,13 @@ use std::sync::Arc;
 use stage::synthetic::{self, KEY};
 use stage::{Stage, Stranger, Watcher, eventually, set};
 use telemetry::stream::protocol::{
-    FromClient, FromServer, Level, Parameter, ServerFrame, Subscription, Text as _, channel_id,
+    FromClient, FromServer, Level, ParameterValue, ServerFrame, Subscription, Text as _, channel_id,
 };
-use telemetry::stream::server::{Limits, Tls, Token};
-use telemetry::stream::{Backend, Dial, Fingerprint, Role, Server, Settings, Value, Who};
-use telemetry::{Arrival, Reply, Request, Source as _, Standing, Topic, Update};
+use telemetry::stream::server::{ServerLimits, Tls, Token};
+use telemetry::stream::{
+    Backend, Dial, Fingerprint, ParameterSetting, Role, ServerSettings, StreamServer, Who,
+};
+use telemetry::{Arrival, ConnectionState, Reply, Request, Source as _, Topic, Update};
 use tokio_tungstenite::tungstenite::{Error, Message};
 
 fn done(text: &str) -> Reply {
@@ -30,12 +32,12 @@ fn with_token(stage: &Stage, token: &str) -> Dial {
     Dial { token: Some(token.to_owned()), ..dial(stage) }
 }
 
-fn guarded() -> Settings {
+fn guarded() -> ServerSettings {
     let token = |secret: &str, role| Token { secret: secret.to_owned(), role };
-    Settings {
+    ServerSettings {
         tokens: vec![token("see", Role::Viewer), token("tune", Role::Tuner)],
         origins: vec!["https://app.example".to_owned()],
-        ..Settings::default()
+        ..ServerSettings::default()
     }
 }
 
@@ -104,7 +106,10 @@ fn a_set_is_acknowledged_and_seen_by_others() {
         }
         _ => None,
     });
-    assert_eq!(before, [Parameter::new("/key/39/k2", 500.0), Parameter::new("/key/39/m", 0.1)]);
+    assert_eq!(
+        before,
+        [ParameterValue::new("/key/39/k2", 500.0), ParameterValue::new("/key/39/m", 0.1)]
+    );
 
     let mut watcher = stage.watcher();
     let changes = vec![set("k2", 700.5), set("m", 0.3)];
@@ -114,7 +119,10 @@ fn a_set_is_acknowledged_and_seen_by_others() {
         FromServer::ParameterValues { parameters, id: None, .. } => Some(parameters),
         _ => None,
     });
-    assert_eq!(after, [Parameter::new("/key/39/k2", 700.5), Parameter::new("/key/39/m", 0.3)]);
+    assert_eq!(
+        after,
+        [ParameterValue::new("/key/39/k2", 700.5), ParameterValue::new("/key/39/m", 0.3)]
+    );
 }
 
 #[test]
@@ -155,7 +163,7 @@ fn whoever_is_refused_learns_what_is_the_case() {
         FromServer::ParameterValues { parameters, .. } => Some(parameters),
         _ => None,
     });
-    assert_eq!(values, [Parameter::new("/key/39/k2", 500.0)]);
+    assert_eq!(values, [ParameterValue::new("/key/39/k2", 500.0)]);
 }
 
 #[test]
@@ -188,7 +196,7 @@ fn a_stop_overtakes_what_takes_long() {
 struct Fragile;
 
 impl Backend for Fragile {
-    fn parameters(&self, _names: Option<&[String]>) -> Vec<Value> {
+    fn parameters(&self, _names: Option<&[String]>) -> Vec<ParameterSetting> {
         Vec::new()
     }
 
@@ -202,7 +210,7 @@ impl Backend for Fragile {
 
 #[test]
 fn a_host_that_fails_over_a_request_goes_on() {
-    let settings = Settings::default();
+    let settings = ServerSettings::default();
     let stage = Stage::of(settings, Arc::default(), Arc::new(Fragile));
     let mut watcher = stage.watcher();
     let unknown = "the host failed over this request: whether it was done is not known";
@@ -220,8 +228,8 @@ fn a_token_is_asked_for_and_makes_the_role() {
     let stage = Stage::with(guarded());
     for dial in [dial(&stage), with_token(&stage, "sea")] {
         let mut watcher = Watcher::new(dial);
-        let standing = watcher.stands(|standing| *standing != Standing::Connecting);
-        let Standing::Refused(text) = standing else { panic!("{standing:?}") };
+        let standing = watcher.stands(|standing| *standing != ConnectionState::Connecting);
+        let ConnectionState::Refused(text) = standing else { panic!("{standing:?}") };
         assert!(text.starts_with("this host asks for a token: give it as ?token=..."), "{text}");
     }
     let mut tuner = Watcher::new(with_token(&stage, "tune"));
@@ -252,7 +260,8 @@ fn what_was_asked_is_answered_before_a_stream_closes_and_everybody_is_told_why()
     let slow = one.client.ask(slow);
     eventually("it is asked", || !stage.host.asked().is_empty());
     stage.closer.close("the host was stopped".to_owned());
-    let why = Standing::Lost("the host ended the connection: the host was stopped".to_owned());
+    let why =
+        ConnectionState::Lost("the host ended the connection: the host was stopped".to_owned());
     other.stands(|standing| *standing == why);
     drop(workshop);
     assert_eq!(one.reply(slow), Ok(done("every key is played by grand")));
@@ -305,7 +314,8 @@ fn a_foreign_page_is_answered_with_403() {
 #[test]
 fn beyond_this_machine_only_with_token_and_tls() {
     let address = SocketAddr::from((Ipv4Addr::UNSPECIFIED, 0));
-    let refused = Server::listen(Settings { address, ..guarded() }).expect_err("no TLS");
+    let refused =
+        StreamServer::listen(ServerSettings { address, ..guarded() }).expect_err("no TLS");
     assert_eq!(
         refused.to_string(),
         "the stream would listen at 0.0.0.0:0 without TLS: \
@@ -353,7 +363,8 @@ fn dropped_in(text: &str) -> u64 {
 fn a_slow_client_loses_data_and_a_fast_one_nothing() {
     // However slow this machine is, nobody is cut.
     let (stall, idle) = (stage::PATIENCE, stage::PATIENCE);
-    let stage = Stage::within(Limits { data_bytes: 1 << 18, stall, idle, ..Limits::default() });
+    let stage =
+        Stage::within(ServerLimits { data_bytes: 1 << 18, stall, idle, ..ServerLimits::default() });
     let mut slow = stage.stranger();
     let subscription = Subscription { id: 5, channel_id: channel_id(Topic::Block(KEY)) };
     slow.say(&FromClient::Subscribe { subscriptions: vec![subscription] });
@@ -406,17 +417,17 @@ fn a_client_connects_again_when_its_host_is_back() {
     first.meet(&mut watcher);
     let address = first.address;
     drop(first);
-    watcher.stands(|standing| matches!(standing, Standing::Lost(_)));
+    watcher.stands(|standing| matches!(standing, ConnectionState::Lost(_)));
     assert_eq!(
         watcher.ask(Request::Stop {}),
         Err("no host is connected: wait until one is, and ask again".to_owned())
     );
-    let second = Stage::with(Settings { address, ..Settings::default() });
+    let second = Stage::with(ServerSettings { address, ..ServerSettings::default() });
     watcher.connected();
     eventually("it follows what it did", || second.publisher.is_followed(Topic::Overview));
     second.publisher.publish(9, &synthetic::overview(9, 1));
     watcher.update(|update| (update == synthetic::overview(9, 1)).then_some(()));
-    assert_eq!(watcher.client.standing(), Standing::Live);
+    assert_eq!(watcher.client.standing(), ConnectionState::Live);
 }
 
 #[test]
@@ -436,9 +447,9 @@ fn what_was_asked_of_a_host_that_goes_is_answered() {
     gone.join().expect("it went");
 }
 
-fn self_made() -> Settings {
+fn self_made() -> ServerSettings {
     let names = vec!["localhost".to_owned(), "127.0.0.1".to_owned()];
-    Settings { tls: Some(Tls::SelfMade { names, folder: None }), ..guarded() }
+    ServerSettings { tls: Some(Tls::SelfMade { names, folder: None }), ..guarded() }
 }
 
 #[test]
@@ -457,9 +468,9 @@ fn a_host_with_another_certificate_is_refused() {
     let stage = Stage::with(self_made());
     let shown = stage.fingerprint.expect("a certificate").to_string();
     let refusal = |dial: Dial| match Watcher::new(dial)
-        .stands(|standing| *standing != Standing::Connecting)
+        .stands(|standing| *standing != ConnectionState::Connecting)
     {
-        Standing::Refused(text) | Standing::Lost(text) => text,
+        ConnectionState::Refused(text) | ConnectionState::Lost(text) => text,
         standing => panic!("{standing:?}"),
     };
     let wrong = Dial { pin: Some(Fingerprint([7; 32])), ..with_token(&stage, "tune") };
@@ -480,10 +491,10 @@ fn a_certificate_that_is_kept_is_the_same_tomorrow() {
         let tls =
             Tls::SelfMade { names: vec!["localhost".to_owned()], folder: Some(folder.clone()) };
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
-        Settings { address, tls: Some(tls), ..Settings::default() }
+        ServerSettings { address, tls: Some(tls), ..ServerSettings::default() }
     };
-    let first = Server::listen(settings()).expect("a server").fingerprint();
-    let second = Server::listen(settings()).expect("a server").fingerprint();
+    let first = StreamServer::listen(settings()).expect("a server").fingerprint();
+    let second = StreamServer::listen(settings()).expect("a server").fingerprint();
     assert!(first.is_some());
     assert_eq!(first, second);
     std::fs::remove_dir_all(&folder).expect("it was kept there");

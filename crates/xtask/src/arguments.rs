@@ -3,8 +3,8 @@
 use std::ffi::OsString;
 
 use crate::error::Error;
-use crate::guest_boards::Form;
-use crate::peers::Options;
+use crate::guest_boards::CheckScope;
+use crate::peers::PeerOptions;
 
 /// What `cargo xtask help` prints.
 pub(crate) const USAGE: &str = "\
@@ -35,19 +35,17 @@ Example: cargo xtask demo -- --duration 5
 /// What was asked for.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Task {
-    /// Play.
     Demo {
         /// Arguments of `letoff run`.
         forwarded: Vec<OsString>,
     },
-    /// Run every test.
     Test,
     /// Play to real MIDI ports in a guest.
     GuestMidi,
     /// Play boards over real drivers in a guest.
-    GuestBoards(Form),
+    GuestBoards(CheckScope),
     /// Measure other people's solvers beside ours.
-    Peers(Options),
+    Peers(PeerOptions),
     /// Say what there is.
     Help,
 }
@@ -83,10 +81,10 @@ fn demo(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
 
 /// Reads what follows `guest-boards`.
 fn guest_boards(arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
-    let mut form = Form::Short;
+    let mut form = CheckScope::Short;
     for argument in arguments {
         match argument.to_str() {
-            Some("--full") => form = Form::Full,
+            Some("--full") => form = CheckScope::Full,
             Some("--help" | "-h") => return Ok(Task::Help),
             _ => return Err(refused(&argument)),
         }
@@ -96,7 +94,7 @@ fn guest_boards(arguments: impl Iterator<Item = OsString>) -> Result<Task, Error
 
 /// Reads what follows `peers`.
 fn peers(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
-    let mut options = Options::default();
+    let mut options = PeerOptions::default();
     while let Some(argument) = arguments.next() {
         if is_help(&argument) {
             return Ok(Task::Help);
@@ -146,8 +144,8 @@ mod tests {
         check("demo", &demo(&[]));
         check("test", &Task::Test);
         check("guest-midi", &Task::GuestMidi);
-        check("guest-boards", &Task::GuestBoards(Form::Short));
-        check("guest-boards --full", &Task::GuestBoards(Form::Full));
+        check("guest-boards", &Task::GuestBoards(CheckScope::Short));
+        check("guest-boards --full", &Task::GuestBoards(CheckScope::Full));
         check("help", &Task::Help);
     }
 
@@ -166,9 +164,9 @@ mod tests {
 
     #[test]
     fn the_peers_take_a_folder() {
-        let options = Options { quick: true, out: Some("here".into()) };
+        let options = PeerOptions { quick: true, out: Some("here".into()) };
         check("peers --quick --out here", &Task::Peers(options));
-        check("peers", &Task::Peers(Options::default()));
+        check("peers", &Task::Peers(PeerOptions::default()));
         check("peers --help", &Task::Help);
         check_refused("peers --out", "--out");
     }

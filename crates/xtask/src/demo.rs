@@ -6,7 +6,7 @@ use crate::apt;
 use crate::command::{self, cargo};
 use crate::error::Error;
 
-/// How long it plays unless told otherwise [s].
+/// How long it plays unless told otherwise (s).
 const DURATION: &str = "30";
 
 /// Installs what is missing, builds, and becomes `letoff run`.

@@ -7,7 +7,6 @@ use std::process::{Command, Stdio};
 /// Something that the build takes from the system.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Need {
-    /// Links every program.
     Compiler,
     /// Tells `alsa-sys` where the library is.
     PkgConfig,

@@ -15,7 +15,7 @@ const BENCH: &str = "benches/peers";
 
 /// What was asked for.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub(crate) struct Options {
+pub(crate) struct PeerOptions {
     /// Only to see that everything runs.
     pub(crate) quick: bool,
     /// Where the report goes; the committed one if nothing is said, unless it is quick.
@@ -26,7 +26,7 @@ pub(crate) struct Options {
 ///
 /// # Errors
 /// Says which command failed; a peer that cannot be had is no error.
-pub(crate) fn run(options: &Options) -> Result<(), Error> {
+pub(crate) fn run(options: &PeerOptions) -> Result<(), Error> {
     apt::install_missing()?;
     let root = command::root();
     let work = root.join("target/peers");
@@ -55,7 +55,7 @@ pub(crate) fn run(options: &Options) -> Result<(), Error> {
 }
 
 /// The folder of the report.
-fn out(root: &Path, options: &Options) -> PathBuf {
+fn out(root: &Path, options: &PeerOptions) -> PathBuf {
     let here = || std::env::current_dir().unwrap_or_else(|_| root.to_path_buf());
     match &options.out {
         // As it was typed, for the bench runs elsewhere.
@@ -108,10 +108,10 @@ mod tests {
     #[test]
     fn a_quick_run_leaves_the_committed_report_alone() {
         let root = Path::new("/w");
-        let quick = Options { quick: true, out: None };
+        let quick = PeerOptions { quick: true, out: None };
         assert_eq!(out(root, &quick), Path::new("/w/target/peers/results"));
-        assert_eq!(out(root, &Options::default()), Path::new("/w/benches/peers/results"));
-        let elsewhere = Options { quick: true, out: Some("/tmp/x".into()) };
+        assert_eq!(out(root, &PeerOptions::default()), Path::new("/w/benches/peers/results"));
+        let elsewhere = PeerOptions { quick: true, out: Some("/tmp/x".into()) };
         assert_eq!(out(root, &elsewhere), Path::new("/tmp/x"));
     }
 }

@@ -12,16 +12,14 @@ use crate::error::Error;
 pub(crate) struct Stage {
     /// What it shows, in a few words.
     pub name: &'static str,
-    /// What is run.
-    pub work: Work,
+    pub work: StageWork,
     /// Why it cannot be run here, if that is known before.
     pub skipped: Option<&'static str>,
 }
 
 /// What a stage runs.
 #[derive(Debug)]
-pub(crate) enum Work {
-    /// A command.
+pub(crate) enum StageWork {
     Command(Command),
     /// Something of ours, which may find out that it cannot be done here.
     Chore(fn() -> Result<Done, Error>),
@@ -30,7 +28,6 @@ pub(crate) enum Work {
 /// What a chore came to that did not fail.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Done {
-    /// Everything was done.
     All,
     /// Nothing was, for this reason.
     Skipped(String),
@@ -38,13 +35,13 @@ pub(crate) enum Done {
 
 /// How a stage ended.
 #[derive(Clone, PartialEq, Eq, Debug)]
-enum Outcome {
+enum StageOutcome {
     Passed,
     Failed,
     Skipped(String),
 }
 
-impl fmt::Display for Outcome {
+impl fmt::Display for StageOutcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Passed => f.write_str("passed"),
@@ -55,9 +52,9 @@ impl fmt::Display for Outcome {
 }
 
 /// A line of the summary.
-struct Line {
+struct SummaryLine {
     name: &'static str,
-    outcome: Outcome,
+    outcome: StageOutcome,
     took: Duration,
 }
 
@@ -71,18 +68,18 @@ pub(crate) fn run_all(stages: Vec<Stage>) -> Result<(), Error> {
     for mut stage in stages {
         let start = Instant::now();
         let outcome = match (stage.skipped, &result) {
-            (_, Err(_)) => Outcome::Skipped("an earlier stage failed".into()),
-            (Some(reason), Ok(())) => Outcome::Skipped(reason.into()),
+            (_, Err(_)) => StageOutcome::Skipped("an earlier stage failed".into()),
+            (Some(reason), Ok(())) => StageOutcome::Skipped(reason.into()),
             (None, Ok(())) => match run(&mut stage) {
-                Ok(Done::All) => Outcome::Passed,
-                Ok(Done::Skipped(reason)) => Outcome::Skipped(reason),
+                Ok(Done::All) => StageOutcome::Passed,
+                Ok(Done::Skipped(reason)) => StageOutcome::Skipped(reason),
                 Err(error) => {
                     result = Err(error);
-                    Outcome::Failed
+                    StageOutcome::Failed
                 }
             },
         };
-        lines.push(Line { name: stage.name, outcome, took: start.elapsed() });
+        lines.push(SummaryLine { name: stage.name, outcome, took: start.elapsed() });
     }
     print!("\n{}", summary(&lines));
     result
@@ -93,17 +90,17 @@ fn run(stage: &mut Stage) -> Result<Done, Error> {
     println!("\n== {}", stage.name);
     let start = Instant::now();
     let result = match &mut stage.work {
-        Work::Command(command) => command::run(command).map(|()| Done::All),
-        Work::Chore(chore) => chore(),
+        StageWork::Command(command) => command::run(command).map(|()| Done::All),
+        StageWork::Chore(chore) => chore(),
     };
     println!("== {}: {:.1} s", stage.name, start.elapsed().as_secs_f64());
     result
 }
 
 /// One line a stage: time, name, outcome.
-fn summary(lines: &[Line]) -> String {
+fn summary(lines: &[SummaryLine]) -> String {
     let width = lines.iter().map(|line| line.name.chars().count()).max().unwrap_or_default();
-    let row = |line: &Line| {
+    let row = |line: &SummaryLine| {
         format!("{:8.1} s  {:width$}  {}\n", line.took.as_secs_f64(), line.name, line.outcome)
     };
     lines.iter().map(row).collect()
@@ -113,16 +110,16 @@ fn summary(lines: &[Line]) -> String {
 mod tests {
     use super::*;
 
-    fn line(name: &'static str, outcome: Outcome, seconds: f64) -> Line {
-        Line { name, outcome, took: Duration::from_secs_f64(seconds) }
+    fn line(name: &'static str, outcome: StageOutcome, seconds: f64) -> SummaryLine {
+        SummaryLine { name, outcome, took: Duration::from_secs_f64(seconds) }
     }
 
     #[test]
     fn the_summary_shows_what_was_skipped_and_why() {
         let lines = [
-            line("tests", Outcome::Passed, 61.25),
-            line("no_std", Outcome::Skipped("no target".into()), 0.0),
-            line("doc tests", Outcome::Failed, 2.0),
+            line("tests", StageOutcome::Passed, 61.25),
+            line("no_std", StageOutcome::Skipped("no target".into()), 0.0),
+            line("doc tests", StageOutcome::Failed, 2.0),
         ];
         let expected = "    61.2 s  tests      passed\n     \
                         0.0 s  no_std     skipped: no target\n     \
@@ -131,7 +128,7 @@ mod tests {
     }
     #[test]
     fn a_chore_that_cannot_be_done_here_fails_nothing() {
-        let stage = |work| Stage { name: "a chore", work: Work::Chore(work), skipped: None };
+        let stage = |work| Stage { name: "a chore", work: StageWork::Chore(work), skipped: None };
         assert!(run_all(vec![stage(|| Ok(Done::Skipped("no kernel".into())))]).is_ok());
         let failing = || Err(Error::Guest("no sound".into()));
         assert!(run_all(vec![stage(failing), stage(|| unreachable!())]).is_err());

@@ -6,9 +6,9 @@ use std::process::Command;
 use crate::apt;
 use crate::command::cargo;
 use crate::error::Error;
-use crate::guest_boards::{self, Form};
+use crate::guest_boards::{self, CheckScope};
 use crate::optional;
-use crate::stage::{self, Stage, Work};
+use crate::stage::{self, Stage, StageWork};
 
 /// Where proptest looks for the seed of its cases.
 const SEED_NAME: &str = "PROPTEST_RNG_SEED";
@@ -41,7 +41,7 @@ fn stages(no_bare_target: Option<&'static str>) -> Vec<Stage> {
     let stage = |name, arguments: &[&str]| {
         let mut command = cargo(arguments);
         command.env(SEED_NAME, std::env::var_os(SEED_NAME).unwrap_or_else(|| SEED.into()));
-        Stage { name, work: Work::Command(command), skipped: None }
+        Stage { name, work: StageWork::Command(command), skipped: None }
     };
     vec![
         stage("the tick's crates without std", &no_std(&[])),
@@ -56,7 +56,7 @@ fn stages(no_bare_target: Option<&'static str>) -> Vec<Stage> {
         stage("benches, once each", &test(&["--package", "letoff", "--benches"])),
         Stage {
             name: "boards in a Debian kernel (QEMU)",
-            work: Work::Chore(|| guest_boards::guest(Form::Short).run()),
+            work: StageWork::Chore(|| guest_boards::guest(CheckScope::Short).run()),
             skipped: None,
         },
     ]
@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn every_crate_is_tested_not_only_the_default_one() {
         for stage in stages(None) {
-            let Work::Command(command) = stage.work else { continue };
+            let StageWork::Command(command) = stage.work else { continue };
             let line = words(&command);
             let selects = ["--workspace", "--package"].iter().any(|flag| line.contains(flag));
             assert!(selects, "{line}");
@@ -99,7 +99,7 @@ mod tests {
     #[test]
     fn the_cases_of_property_tests_are_chosen() {
         for stage in stages(None) {
-            let Work::Command(command) = stage.work else { continue };
+            let StageWork::Command(command) = stage.work else { continue };
             assert!(command.get_envs().any(|(name, value)| name == SEED_NAME && value.is_some()));
         }
     }

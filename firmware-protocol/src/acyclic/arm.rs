@@ -32,21 +32,21 @@ record! {
         nonce: u32,
         /// [`crate::frame::key_forces::ForcePacking`].
         packing: u8,
-        /// How long forces are valid after the samples that they answer [ms], `5 ..= 100`; when
+        /// How long forces are valid after the samples that they answer (ms), `5 ..= 100`; when
         /// the last have expired, the board is safe.
         valid_ms: u8,
     }
 }
 
-/// The shortest time that forces may be valid [ms].
+/// The shortest time that forces may be valid (ms).
 pub const SHORTEST_VALID_MS: u8 = 5;
-/// The longest time that forces may be valid [ms].
+/// The longest time that forces may be valid (ms).
 pub const LONGEST_VALID_MS: u8 = 100;
-/// What is usual [ms].
+/// What is usual (ms).
 pub const VALID_MS: u8 = 20;
-/// Time in which forces fade when they have expired [ms].
+/// Time in which forces fade when they have expired (ms).
 pub const FADE_MS: u8 = 10;
-/// How long the point around which a force goes on moves on [us], see
+/// How long the point around which a force goes on moves on (us), see
 /// [`crate::frame::key_forces`].
 pub const PATH_US: u16 = 2_000;
 /// Samples that a board remembers for forces to answer.

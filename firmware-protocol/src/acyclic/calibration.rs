@@ -16,9 +16,9 @@ record! {
     KeyCalibration {
         /// Its slot.
         slot: u8,
-        /// Reading at rest [counts].
+        /// Reading at rest (counts).
         rest: i32,
-        /// Reading at the key bottom [counts].
+        /// Reading at the key bottom (counts).
         bottom: i32,
         /// Force of the motor for a force of 1 N asked for, in thousandths.
         gain_permille: u16,

@@ -37,7 +37,7 @@ pub mod setting {
     pub const BOARD: u8 = 0;
     /// Its first key, `0 ..= 87`; holds from the next start.
     pub const FIRST_KEY: u8 = 1;
-    /// Force limit of all its motors [mN].
+    /// Force limit of all its motors (mN).
     pub const MAX_FORCE_MN: u8 = 2;
     /// How many settings there are.
     pub const COUNT: u8 = 3;

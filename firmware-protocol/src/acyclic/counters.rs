@@ -19,7 +19,7 @@ record! {
         trips: u16,
         /// Times that it was armed.
         armings: u16,
-        /// Oldest samples that forces which it rendered answered [us].
+        /// Oldest samples that forces which it rendered answered (us).
         oldest_us: u32,
         /// Samples that it could not send.
         unsent: u32,

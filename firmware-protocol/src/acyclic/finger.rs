@@ -9,13 +9,13 @@ record! {
         slot: u8,
         /// [`PRESSED`], [`STRUCK`], or [`FORGET`].
         touch: u8,
-        /// When the finger meets the key [us], board time.
+        /// When the finger meets the key (us), board time.
         start_us: u32,
-        /// When it lets go [us], board time.
+        /// When it lets go (us), board time.
         release_us: u32,
-        /// How fast it moves [um/s].
+        /// How fast it moves (um/s).
         speed: u32,
-        /// How deep it holds the key [um].
+        /// How deep it holds the key (um).
         hold: u32,
     }
 }

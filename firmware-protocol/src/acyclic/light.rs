@@ -3,7 +3,7 @@
 record! {
     /// Blink.
     Light {
-        /// For how long [s]; 0 stops.
+        /// For how long (s); 0 stops.
         seconds: u8,
     }
 }

@@ -13,7 +13,7 @@ record! {
     LogLine {
         /// How many lines there are by now.
         lines: u16,
-        /// When it was written [us].
+        /// When it was written (us).
         board_us: u32,
         /// UTF-8, filled with zeros.
         text: [u8; 48],

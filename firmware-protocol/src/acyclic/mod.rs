@@ -22,11 +22,11 @@ pub mod log;
 pub mod ping;
 pub mod stream;
 
-use crate::frame::{ALL_BOARDS, DecodeError, Kind, check_board, head};
+use crate::frame::{ALL_BOARDS, DecodeError, FrameKind, check_board, head};
 use crate::key::BoardId;
 use crate::{MAX_FRAME, Record};
 
-/// Time after which a request is asked again at the earliest [ms].
+/// Time after which a request is asked again at the earliest (ms).
 pub const RETRY_MS: u32 = 25;
 
 /// Bytes before the record of a request.
@@ -128,7 +128,7 @@ impl Status {
 
 /// A request as it came.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Request<'a> {
+pub struct AcyclicRequest<'a> {
     /// Who is asked.
     pub board: BoardId,
     /// Its number; the same one is the same request again.
@@ -139,7 +139,7 @@ pub struct Request<'a> {
     pub record: &'a [u8],
 }
 
-impl<'a> Request<'a> {
+impl<'a> AcyclicRequest<'a> {
     /// Reads a frame, padded or not; never panics, whatever the bytes.
     ///
     /// # Errors
@@ -150,7 +150,7 @@ impl<'a> Request<'a> {
         if MAX_FRAME < bytes.len() {
             return Err(length);
         }
-        let board = check_board(*first, Kind::Request)?;
+        let board = check_board(*first, FrameKind::Request)?;
         let operation = Operation::new(*operation).ok_or(*operation);
         Ok(Self { board, id: *id, operation, record })
     }
@@ -165,14 +165,14 @@ pub fn encode_request<R: Record>(
     bytes: &mut [u8; MAX_FRAME],
 ) -> usize {
     bytes.fill(0);
-    let start = [head(Kind::Request, board.number()), id, operation as u8];
+    let start = [head(FrameKind::Request, board.number()), id, operation as u8];
     bytes[..REQUEST_HEAD].copy_from_slice(&start);
     REQUEST_HEAD + record.put(&mut bytes[REQUEST_HEAD..]).unwrap_or_default()
 }
 
 /// A reply as it came.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Reply<'a> {
+pub struct AcyclicReply<'a> {
     /// Who answers.
     pub board: BoardId,
     /// Which request.
@@ -185,7 +185,7 @@ pub struct Reply<'a> {
     pub record: &'a [u8],
 }
 
-impl<'a> Reply<'a> {
+impl<'a> AcyclicReply<'a> {
     /// Reads a frame, padded or not; never panics, whatever the bytes.
     ///
     /// # Errors
@@ -196,7 +196,7 @@ impl<'a> Reply<'a> {
         if MAX_FRAME < bytes.len() {
             return Err(length);
         }
-        let board = check_board(*first, Kind::Reply)?;
+        let board = check_board(*first, FrameKind::Reply)?;
         let operation = Operation::new(*operation).ok_or(*operation);
         Ok(Self { board, id: *id, operation, status: Status::new(*status), record })
     }
@@ -214,7 +214,7 @@ pub fn encode_reply<R: Record>(
 ) -> usize {
     bytes.fill(0);
     let status = outcome.as_ref().map_or_else(|status| *status as u8, |_done| Status::Done as u8);
-    let start = [head(Kind::Reply, board.number()), id, operation, status];
+    let start = [head(FrameKind::Reply, board.number()), id, operation, status];
     bytes[..REPLY_HEAD].copy_from_slice(&start);
     let record = outcome.map_or(0, |record| record.put(&mut bytes[REPLY_HEAD..]).unwrap_or(0));
     REPLY_HEAD + record
@@ -236,14 +236,14 @@ mod tests {
     fn a_request_and_its_reply_read_back() {
         let mut bytes = [0xAA; MAX_FRAME];
         let len = encode_request(board(), 9, Operation::Ping, &Nothing, &mut bytes);
-        let request = Request::decode(&bytes[..len]).unwrap();
+        let request = AcyclicRequest::decode(&bytes[..len]).unwrap();
         assert_eq!(
             (request.board, request.id, request.operation),
             (board(), 9, Ok(Operation::Ping))
         );
         let pong = Pong { board_us: 77 };
         let len = encode_reply(board(), 9, Operation::Ping as u8, Ok(pong), &mut bytes);
-        let reply = Reply::decode(&bytes[..len]).unwrap();
+        let reply = AcyclicReply::decode(&bytes[..len]).unwrap();
         assert_eq!((reply.id, reply.status), (9, Status::Done));
         assert_eq!(Pong::take(reply.record), Some(pong));
     }
@@ -253,11 +253,11 @@ mod tests {
         let mut bytes = [0; MAX_FRAME];
         let len = encode_request(board(), 1, Operation::Finger, &Nothing, &mut bytes);
         bytes[2] = 99;
-        let request = Request::decode(&bytes[..len]).unwrap();
+        let request = AcyclicRequest::decode(&bytes[..len]).unwrap();
         assert_eq!(request.operation, Err(99));
         let unknown = Err::<Nothing, _>(Status::Unknown);
         let len = encode_reply(board(), 1, 99, unknown, &mut bytes);
-        assert_eq!(Reply::decode(&bytes[..len]).unwrap().status, Status::Unknown);
+        assert_eq!(AcyclicReply::decode(&bytes[..len]).unwrap().status, Status::Unknown);
     }
 
     #[test]

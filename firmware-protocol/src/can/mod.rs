@@ -10,7 +10,7 @@
 
 pub mod pieces;
 
-use crate::frame::{ALL_BOARDS, Kind};
+use crate::frame::{ALL_BOARDS, FrameKind};
 
 /// What a frame is, by urgency; the smaller number wins the bus.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -49,15 +49,15 @@ impl Class {
 
     /// The class of a frame; none if it is of no kind.
     pub fn of(frame: &[u8]) -> Option<Self> {
-        Some(match Kind::of(frame)? {
-            Kind::Broadcast if frame.get(1) == Some(&1) => Self::Stop,
-            Kind::Broadcast => Self::Sync,
-            Kind::KeyForces => Self::KeyForces,
-            Kind::MulticastForces => Self::MulticastForces,
-            Kind::KeySamples => Self::KeySamples,
-            Kind::Request => Self::Request,
-            Kind::Reply => Self::Reply,
-            Kind::Hello => Self::Hello,
+        Some(match FrameKind::of(frame)? {
+            FrameKind::Broadcast if frame.get(1) == Some(&1) => Self::Stop,
+            FrameKind::Broadcast => Self::Sync,
+            FrameKind::KeyForces => Self::KeyForces,
+            FrameKind::MulticastForces => Self::MulticastForces,
+            FrameKind::KeySamples => Self::KeySamples,
+            FrameKind::Request => Self::Request,
+            FrameKind::Reply => Self::Reply,
+            FrameKind::Hello => Self::Hello,
         })
     }
 }

@@ -45,7 +45,7 @@ pub fn cut(frame: &[u8], roll: u8) -> impl Iterator<Item = ([u8; 8], usize)> + '
 
 /// Puts the pieces of one sender together, in a fixed buffer.
 #[derive(Clone, Debug)]
-pub struct Assembler {
+pub struct Reassembler {
     buffer: [u8; MAX_FRAME],
     len: usize,
     /// The piece that comes next, and the number of its frame.
@@ -56,13 +56,13 @@ pub struct Assembler {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct PieceLost;
 
-impl Default for Assembler {
+impl Default for Reassembler {
     fn default() -> Self {
         Self { buffer: [0; MAX_FRAME], len: 0, expected: None }
     }
 }
 
-impl Assembler {
+impl Reassembler {
     /// Takes the next piece; returns the frame when it was the last of one.
     ///
     /// # Errors
@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn every_length_comes_back_whole() {
-        let mut assembler = Assembler::default();
+        let mut assembler = Reassembler::default();
         for (len, roll) in (0..=MAX_FRAME).zip((0..8).cycle()) {
             let whole = frame(len);
             let n = count(len);
@@ -128,7 +128,7 @@ mod tests {
     fn a_lost_piece_costs_its_frame_only() {
         let whole = frame(26);
         for lost in 0..4 {
-            let mut assembler = Assembler::default();
+            let mut assembler = Reassembler::default();
             let sent = (0..2).flat_map(|roll| cut(&whole[..26], roll)).enumerate();
             let came = sent.filter(|(number, _)| *number != lost);
             let frames = came.filter(|(_, (piece, size))| {
@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn pieces_that_run_on_for_ever_are_refused() {
-        let mut assembler = Assembler::default();
+        let mut assembler = Reassembler::default();
         assert_eq!(assembler.push(&[0; 8]), Ok(None));
         for index in 1..9 {
             assert_eq!(assembler.push(&[index, 1, 2, 3, 4, 5, 6, 7]), Ok(None));

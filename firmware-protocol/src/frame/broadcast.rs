@@ -12,8 +12,8 @@
 //! anew, whatever it was before: see [`crate::acyclic::arm`]. Bus time gives multicast forces their age. A board answers "who
 //! is there?" with its hello, after as many milliseconds as its number.
 
-use super::{ALL_BOARDS, DecodeError, Kind, check_kind, check_padding, head};
-use crate::version::Version;
+use super::{ALL_BOARDS, DecodeError, FrameKind, check_kind, check_padding, head};
+use crate::version::ProtocolVersion;
 
 /// The length without padding, of the longest.
 pub const MAX_LEN: usize = 8;
@@ -38,13 +38,13 @@ pub enum Broadcast {
     },
     /// What time it is on this bus.
     BusTime {
-        /// Host time [us]; wraps.
+        /// Host time (us); wraps.
         host_us: u32,
     },
     /// Boards, say your hello.
     WhoIsThere {
         /// What the host speaks.
-        version: Version,
+        version: ProtocolVersion,
     },
 }
 
@@ -59,7 +59,7 @@ impl Broadcast {
             return Err(length);
         }
         let [first, what, rest @ ..] = bytes else { return Err(length) };
-        check_kind(*first, Kind::Broadcast)?;
+        check_kind(*first, FrameKind::Broadcast)?;
         // What is said to all is said to board 15; a stop for one board would be something else.
         if *first & ALL_BOARDS != ALL_BOARDS {
             return Err(DecodeError::Value { at: 0 });
@@ -74,9 +74,10 @@ impl Broadcast {
             (TIME, [a, b, c, d, padding @ ..]) => {
                 (Self::BusTime { host_us: u32::from_le_bytes([*a, *b, *c, *d]) }, padding)
             }
-            (WHO, [major, minor, padding @ ..]) => {
-                (Self::WhoIsThere { version: Version { major: *major, minor: *minor } }, padding)
-            }
+            (WHO, [major, minor, padding @ ..]) => (
+                Self::WhoIsThere { version: ProtocolVersion { major: *major, minor: *minor } },
+                padding,
+            ),
             (STOP | TIME | WHO, _) => return Err(length),
             _ => return Err(DecodeError::Value { at: 1 }),
         };
@@ -92,7 +93,7 @@ impl Broadcast {
             Self::WhoIsThere { version } => (WHO, [version.major, version.minor, 0, 0], 4),
         };
         let [a, b, c, d] = rest;
-        *bytes = [head(Kind::Broadcast, ALL_BOARDS), what, a, b, c, d, 0, 0];
+        *bytes = [head(FrameKind::Broadcast, ALL_BOARDS), what, a, b, c, d, 0, 0];
         len
     }
 }
@@ -103,7 +104,7 @@ mod tests {
 
     #[test]
     fn each_reads_back_with_and_without_padding() {
-        let version = Version { major: 2, minor: 7 };
+        let version = ProtocolVersion { major: 2, minor: 7 };
         for sent in [
             Broadcast::EmergencyStop { reason: 9 },
             Broadcast::BusTime { host_us: 0xFEDC_BA98 },

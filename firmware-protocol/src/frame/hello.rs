@@ -9,11 +9,11 @@
 //! version stand first and never move, so that a board of another generation is refused by
 //! its number rather than misread.
 
-use super::{DecodeError, Kind, check_board, flag, head};
+use super::{DecodeError, FrameKind, check_board, flag, head};
 use crate::MAX_FRAME;
 use crate::Record as _;
 use crate::key::BoardId;
-use crate::version::{PROTOCOL_VERSION, Version};
+use crate::version::{PROTOCOL_VERSION, ProtocolVersion};
 
 /// The length without padding, in this version.
 pub const LEN: usize = 1 + Hello::LEN;
@@ -70,19 +70,19 @@ record! {
         n_keys: u8,
         /// Bits of [`feature`].
         features: u16,
-        /// Fastest samples [1/s].
+        /// Fastest samples (1/s).
         max_sample_hz: u16,
-        /// Fastest forces [1/s].
+        /// Fastest forces (1/s).
         max_force_hz: u16,
-        /// How often it works out its motors' forces [1/s].
+        /// How often it works out its motors' forces (1/s).
         law_hz: u16,
-        /// What a count means [nm].
+        /// What a count means (nm).
         quantum_nm: u32,
-        /// Its motors' largest force [mN].
+        /// Its motors' largest force (mN).
         max_force_mn: u16,
         /// CRC-32 of its configuration; the same one need not be written again.
         config_crc: u32,
-        /// Its own clock [us]; wraps.
+        /// Its own clock (us); wraps.
         board_us: u32,
         /// Major number of its firmware.
         firmware_major: u8,
@@ -117,12 +117,12 @@ impl Introduction {
         if MAX_FRAME < bytes.len() {
             return Err(length);
         }
-        let board = check_board(*first, Kind::Hello)?;
+        let board = check_board(*first, FrameKind::Hello)?;
         let [a, b, c, d, major, ..] = record else { return Err(length) };
         if [*a, *b, *c, *d] != MAGIC {
             return Err(DecodeError::Magic);
         }
-        if !PROTOCOL_VERSION.understands(Version { major: *major, minor: 0 }) {
+        if !PROTOCOL_VERSION.understands(ProtocolVersion { major: *major, minor: 0 }) {
             return Err(DecodeError::Version(*major));
         }
         let hello = Hello::take(record).ok_or(length)?;
@@ -133,7 +133,7 @@ impl Introduction {
     pub fn encode(&self, bytes: &mut [u8; MAX_FRAME]) -> usize {
         bytes.fill(0);
         let flag = u8::from(self.safe) << super::field::FLAG_SHIFT;
-        bytes[0] = head(Kind::Hello, self.board.number()) | flag;
+        bytes[0] = head(FrameKind::Hello, self.board.number()) | flag;
         1 + self.hello.put(&mut bytes[1..]).unwrap_or_default()
     }
 }

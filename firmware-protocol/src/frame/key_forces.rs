@@ -5,7 +5,7 @@
 //!             flag: render no force
 //! byte 4..    for each key, by packing:
 //!             force16        2 bytes  F0 [mN]
-//!             force16-slope  4 bytes  F0, stiffness K, damping B ([`Slope`], 0.25 N/m and
+//!             force16-slope  4 bytes  F0, stiffness K, damping B ([`SlopeCode`], 0.25 N/m and
 //!                                     0.001 N s/m)
 //! ```
 //!
@@ -24,10 +24,10 @@
 //! those of one of its last 64 frames of samples, which is not older than that and not older
 //! than the one answered before: so nothing stale is ever rendered, whatever a link does.
 
-use super::{DecodeError, HEADER_LEN, Header, Kind};
+use super::{DecodeError, FrameKind, HEADER_LEN, Header};
 use crate::MAX_FRAME;
 use crate::key::PerKey;
-use crate::quantity::{Millinewtons, Slope};
+use crate::quantity::{Millinewtons, SlopeCode};
 
 /// The longest encoding.
 pub const MAX_LEN: usize = MAX_FRAME;
@@ -80,10 +80,10 @@ pub struct ForceLayout {
 /// How a key's force goes on between two frames.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct KeySlopes {
-    /// K = −∂F/∂s [0.25 N/m].
-    pub stiffness: Slope,
-    /// B = −∂F/∂s' [0.001 N s/m].
-    pub damping: Slope,
+    /// K = −∂F/∂s (0.25 N/m).
+    pub stiffness: SlopeCode,
+    /// B = −∂F/∂s' (0.001 N s/m).
+    pub damping: SlopeCode,
 }
 
 /// The forces of one board's keys.
@@ -105,13 +105,13 @@ impl KeyForces {
     pub fn decode(bytes: &[u8], layout: ForceLayout) -> Result<Self, DecodeError> {
         let ForceLayout { packing, n_keys } = layout;
         let len = n_keys * packing.key_len();
-        let (header, values) = Header::decode(bytes, Kind::KeyForces, len)?;
+        let (header, values) = Header::decode(bytes, FrameKind::KeyForces, len)?;
         let keys = values.chunks_exact(packing.key_len());
         let force = |key: &[u8]| key.first_chunk().copied().map(Millinewtons::from_le_bytes);
         let slopes = |key: &[u8]| match *key {
             [_, _, stiffness, damping] => Some(KeySlopes {
-                stiffness: Slope::from_code(stiffness),
-                damping: Slope::from_code(damping),
+                stiffness: SlopeCode::from_code(stiffness),
+                damping: SlopeCode::from_code(damping),
             }),
             _ => None,
         };
@@ -130,7 +130,7 @@ impl KeyForces {
         let (start, rest) = bytes.split_at_mut(HEADER_LEN);
         rest.fill(0);
         if let Some(head) = start.first_chunk_mut() {
-            self.header.encode(Kind::KeyForces, head);
+            self.header.encode(FrameKind::KeyForces, head);
         }
         let places = rest.chunks_exact_mut(packing.key_len());
         for (slot, (place, force)) in places.zip(self.forces.as_slice()).enumerate() {
@@ -152,15 +152,15 @@ impl KeyForces {
 mod tests {
     use super::*;
     use crate::key::BoardId;
-    use crate::sequence::Sequence;
+    use crate::sequence::SequenceNumber;
 
     fn frame(packing: ForcePacking) -> KeyForces {
         let board = BoardId::new(7).unwrap();
-        let header = Header { board, sequence: Sequence(255), stamp_us: 65_535, flag: false };
+        let header = Header { board, sequence: SequenceNumber(255), stamp_us: 65_535, flag: false };
         let forces = (0..11).map(|key| Millinewtons::saturating(1_000 * key - 5_000));
         let slopes = |key| KeySlopes {
-            stiffness: Slope::toward_zero(300 * key),
-            damping: Slope::toward_zero(-7 * key),
+            stiffness: SlopeCode::toward_zero(300 * key),
+            damping: SlopeCode::toward_zero(-7 * key),
         };
         let n = if packing == ForcePacking::Force16Slope { 11 } else { 0 };
         let slopes = PerKey::collect((0..n).map(slopes));

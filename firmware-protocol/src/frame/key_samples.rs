@@ -13,10 +13,10 @@
 //! With eleven keys these are 26, 37, 48 and 59 bytes; on CAN FD 32, 48, 48 (filled exactly)
 //! and 64. Down is positive.
 
-use super::{DecodeError, HEADER_LEN, Header, Kind};
+use super::{DecodeError, FrameKind, HEADER_LEN, Header};
 use crate::MAX_FRAME;
 use crate::key::PerKey;
-use crate::quantity::{Counts, Speed};
+use crate::quantity::{Counts, SpeedCode};
 
 /// The longest encoding.
 pub const MAX_LEN: usize = MAX_FRAME;
@@ -89,7 +89,7 @@ pub struct KeySamples {
     /// Position of each key, in the order of slots.
     pub positions: PerKey<Counts>,
     /// Velocity of each key; as many as positions, or none.
-    pub velocities: PerKey<Speed>,
+    pub velocities: PerKey<SpeedCode>,
 }
 
 impl KeySamples {
@@ -100,11 +100,13 @@ impl KeySamples {
     pub fn decode(bytes: &[u8], layout: SampleLayout) -> Result<Self, DecodeError> {
         let SampleLayout { packing, n_keys } = layout;
         let len = n_keys * packing.key_len();
-        let (header, values) = Header::decode(bytes, Kind::KeySamples, len)?;
+        let (header, values) = Header::decode(bytes, FrameKind::KeySamples, len)?;
         let keys = values.chunks_exact(packing.key_len());
         let positions = PerKey::collect(keys.clone().map(|key| position(packing, key)));
         let velocities = if packing.has_velocity() {
-            PerKey::collect(keys.filter_map(<[u8]>::last_chunk).copied().map(Speed::from_le_bytes))
+            PerKey::collect(
+                keys.filter_map(<[u8]>::last_chunk).copied().map(SpeedCode::from_le_bytes),
+            )
         } else {
             PerKey::default()
         };
@@ -118,10 +120,10 @@ impl KeySamples {
         let (start, rest) = bytes.split_at_mut(HEADER_LEN);
         rest.fill(0);
         if let Some(head) = start.first_chunk_mut() {
-            self.header.encode(Kind::KeySamples, head);
+            self.header.encode(FrameKind::KeySamples, head);
         }
         let velocities = self.velocities.as_slice().iter().copied();
-        let velocities = velocities.chain(core::iter::repeat(Speed::default()));
+        let velocities = velocities.chain(core::iter::repeat(SpeedCode::default()));
         let keys = self.positions.as_slice().iter().zip(velocities);
         for (place, (counts, velocity)) in rest.chunks_exact_mut(packing.key_len()).zip(keys) {
             put(packing, place, *counts, velocity);
@@ -142,7 +144,7 @@ fn position(packing: SamplePacking, key: &[u8]) -> Counts {
 }
 
 /// Writes one key's bytes.
-fn put(packing: SamplePacking, place: &mut [u8], counts: Counts, velocity: Speed) {
+fn put(packing: SamplePacking, place: &mut [u8], counts: Counts, velocity: SpeedCode) {
     let positions = if packing.is_short() { 2 } else { 3 };
     let bytes = if packing.is_short() {
         let [low, high] = counts.saturated().to_le_bytes();
@@ -161,17 +163,17 @@ fn put(packing: SamplePacking, place: &mut [u8], counts: Counts, velocity: Speed
 mod tests {
     use super::*;
     use crate::key::BoardId;
-    use crate::sequence::Sequence;
+    use crate::sequence::SequenceNumber;
 
     fn frame(packing: SamplePacking) -> KeySamples {
         let header = Header {
             board: BoardId::new(3).unwrap(),
-            sequence: Sequence(7),
+            sequence: SequenceNumber(7),
             stamp_us: 40_000,
             flag: true,
         };
         let positions = PerKey::collect((0..11).map(|key| Counts::saturating(900 * key - 4_000)));
-        let moves = |key| Speed::saturating(2_500 * key - 12_000);
+        let moves = |key| SpeedCode::saturating(2_500 * key - 12_000);
         let n = if packing.has_velocity() { 11 } else { 0 };
         KeySamples { header, positions, velocities: PerKey::collect((0..n).map(moves)) }
     }

@@ -23,7 +23,7 @@ pub mod key_samples;
 pub mod multicast_forces;
 
 use crate::key::BoardId;
-use crate::sequence::Sequence;
+use crate::sequence::SequenceNumber;
 
 mod field {
     pub(super) const KIND_SHIFT: u8 = 5;
@@ -32,7 +32,7 @@ mod field {
     pub(super) const HEADER_LEN: usize = 4;
 }
 
-/// The header of cyclic frames [bytes].
+/// The header of cyclic frames (bytes).
 pub const HEADER_LEN: usize = field::HEADER_LEN;
 
 /// What a board field holds that means all boards.
@@ -41,7 +41,7 @@ pub const ALL_BOARDS: u8 = field::BOARD;
 /// What a frame is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[repr(u8)]
-pub enum Kind {
+pub enum FrameKind {
     /// Host to all boards, one of a few.
     Broadcast = 0,
     /// Host to one board: forces.
@@ -58,7 +58,7 @@ pub enum Kind {
     Hello = 6,
 }
 
-impl Kind {
+impl FrameKind {
     /// All kinds, in the order of their numbers.
     pub const ALL: [Self; 7] = [
         Self::Broadcast,
@@ -87,8 +87,8 @@ pub struct Header {
     /// The board that sends, or that is meant.
     pub board: BoardId,
     /// Of samples, their number; of forces, the number of the samples that they answer.
-    pub sequence: Sequence,
-    /// Board time of the samples [us].
+    pub sequence: SequenceNumber,
+    /// Board time of the samples (us).
     pub stamp_us: u16,
     /// From a board: it renders no forces, for whatever reason; its hello says which. From the
     /// host: render no force.
@@ -121,18 +121,18 @@ pub enum DecodeError {
 }
 
 /// The first byte of a frame.
-pub(crate) const fn head(kind: Kind, board: u8) -> u8 {
+pub(crate) const fn head(kind: FrameKind, board: u8) -> u8 {
     (kind as u8) << field::KIND_SHIFT | board & field::BOARD
 }
 
 /// Checks that `first` starts a frame of `kind`.
-pub(crate) const fn check_kind(first: u8, kind: Kind) -> Result<(), DecodeError> {
+pub(crate) const fn check_kind(first: u8, kind: FrameKind) -> Result<(), DecodeError> {
     let found = first >> field::KIND_SHIFT;
     if found == kind as u8 { Ok(()) } else { Err(DecodeError::Kind(found)) }
 }
 
 /// Checks the kind of a frame for or from one board, and reads which.
-pub(crate) fn check_board(first: u8, kind: Kind) -> Result<BoardId, DecodeError> {
+pub(crate) fn check_board(first: u8, kind: FrameKind) -> Result<BoardId, DecodeError> {
     check_kind(first, kind)?;
     let board = first & field::BOARD;
     BoardId::new(board).ok_or(DecodeError::NoSuchBoard(board))
@@ -151,7 +151,7 @@ pub(crate) fn check_padding(bytes: &[u8]) -> Result<(), DecodeError> {
 impl Header {
     /// Reads the header of a cyclic frame of `kind`; returns it with exactly `len` bytes of
     /// values, after a check that only padding follows.
-    fn decode(bytes: &[u8], kind: Kind, len: usize) -> Result<(Self, &[u8]), DecodeError> {
+    fn decode(bytes: &[u8], kind: FrameKind, len: usize) -> Result<(Self, &[u8]), DecodeError> {
         let length = DecodeError::Length { got: bytes.len() };
         let (head, rest) = bytes.split_first_chunk::<{ field::HEADER_LEN }>().ok_or(length)?;
         let [first, sequence, low, high] = *head;
@@ -162,12 +162,13 @@ impl Header {
         }
         check_padding(padding)?;
         let stamp_us = u16::from_le_bytes([low, high]);
-        let header = Self { board, sequence: Sequence(sequence), stamp_us, flag: flag(first) };
+        let header =
+            Self { board, sequence: SequenceNumber(sequence), stamp_us, flag: flag(first) };
         Ok((header, values))
     }
 
     /// Writes the header of a frame of `kind`.
-    fn encode(self, kind: Kind, bytes: &mut [u8; field::HEADER_LEN]) {
+    fn encode(self, kind: FrameKind, bytes: &mut [u8; field::HEADER_LEN]) {
         let [low, high] = self.stamp_us.to_le_bytes();
         let flag = u8::from(self.flag) << field::FLAG_SHIFT;
         *bytes = [head(kind, self.board.number()) | flag, self.sequence.0, low, high];

@@ -12,10 +12,10 @@
 //! that was agreed when the board was armed; a board that has heard no bus time for a second
 //! takes none.
 
-use super::{DecodeError, Kind, check_kind, flag, head};
+use super::{DecodeError, FrameKind, check_kind, flag, head};
 use crate::MAX_FRAME;
 use crate::quantity::Millinewtons;
-use crate::sequence::Sequence;
+use crate::sequence::SequenceNumber;
 
 /// Keys in one frame.
 pub const GROUP: usize = 30;
@@ -31,8 +31,8 @@ pub struct MulticastForces {
     /// Which thirty, `0 ..= 2`.
     pub group: u8,
     /// The number of this frame among those of its group.
-    pub sequence: Sequence,
-    /// Bus time [us] when the forces were worked out.
+    pub sequence: SequenceNumber,
+    /// Bus time (us) when the forces were worked out.
     pub stamp_us: u16,
     /// Render no force.
     pub flag: bool,
@@ -49,7 +49,7 @@ impl MulticastForces {
         let bytes: &[u8; LEN] =
             bytes.try_into().map_err(|_other_length| DecodeError::Length { got: bytes.len() })?;
         let [first, sequence, low, high, values @ ..] = bytes;
-        check_kind(*first, Kind::MulticastForces)?;
+        check_kind(*first, FrameKind::MulticastForces)?;
         let group = first & super::field::BOARD;
         if GROUPS <= usize::from(group) {
             return Err(DecodeError::Value { at: 0 });
@@ -59,7 +59,13 @@ impl MulticastForces {
             *force = Millinewtons::from_le_bytes(*bytes);
         }
         let stamp_us = u16::from_le_bytes([*low, *high]);
-        Ok(Self { group, sequence: Sequence(*sequence), stamp_us, flag: flag(*first), forces })
+        Ok(Self {
+            group,
+            sequence: SequenceNumber(*sequence),
+            stamp_us,
+            flag: flag(*first),
+            forces,
+        })
     }
 
     /// The frame's bytes.
@@ -67,7 +73,7 @@ impl MulticastForces {
         let mut bytes = [0; LEN];
         let [low, high] = self.stamp_us.to_le_bytes();
         let flag = u8::from(self.flag) << super::field::FLAG_SHIFT;
-        let first = head(Kind::MulticastForces, self.group) | flag;
+        let first = head(FrameKind::MulticastForces, self.group) | flag;
         let (start, rest) = bytes.split_at_mut(super::HEADER_LEN);
         start.copy_from_slice(&[first, self.sequence.0, low, high]);
         for (place, force) in rest.as_chunks_mut().0.iter_mut().zip(&self.forces) {
@@ -90,7 +96,7 @@ mod tests {
         });
         let sent = MulticastForces {
             group: 2,
-            sequence: Sequence(9),
+            sequence: SequenceNumber(9),
             stamp_us: 12_345,
             flag: true,
             forces,

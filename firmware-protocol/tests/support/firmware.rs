@@ -11,8 +11,8 @@ use std::time::{Duration, Instant};
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
 use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::stream::Stream;
-use firmware_protocol::acyclic::{Operation, Reply, Status, encode_request};
-use firmware_protocol::frame::Kind;
+use firmware_protocol::acyclic::{AcyclicReply, Operation, Status, encode_request};
+use firmware_protocol::frame::FrameKind;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::hello::Introduction;
 use firmware_protocol::frame::key_forces::{ForcePacking, KeyForces, KeySlopes};
@@ -150,7 +150,7 @@ impl Board {
     /// The next frame of `kind` that `wanted` takes; others of this kind are dropped.
     fn next<T>(
         &mut self,
-        kind: Kind,
+        kind: FrameKind,
         wait: Duration,
         wanted: impl Fn(&[u8]) -> Option<T>,
     ) -> Option<T> {
@@ -170,8 +170,8 @@ impl Board {
     }
 
     /// The oldest frame of `kind` that has come.
-    fn take(&mut self, kind: Kind) -> Option<Vec<u8>> {
-        let at = self.frames.iter().position(|frame| Kind::of(frame) == Some(kind))?;
+    fn take(&mut self, kind: FrameKind) -> Option<Vec<u8>> {
+        let at = self.frames.iter().position(|frame| FrameKind::of(frame) == Some(kind))?;
         self.frames.remove(at)
     }
 
@@ -179,10 +179,10 @@ impl Board {
     pub(crate) fn introduction(&mut self) -> Introduction {
         let end = Instant::now() + PATIENCE;
         while Instant::now() < end {
-            self.frames.retain(|frame| Kind::of(frame) != Some(Kind::Hello));
+            self.frames.retain(|frame| FrameKind::of(frame) != Some(FrameKind::Hello));
             self.broadcast(Broadcast::WhoIsThere { version: PROTOCOL_VERSION });
             let hello = |frame: &[u8]| Introduction::decode(frame).ok();
-            if let Some(found) = self.next(Kind::Hello, Duration::from_millis(200), hello) {
+            if let Some(found) = self.next(FrameKind::Hello, Duration::from_millis(200), hello) {
                 return found;
             }
         }
@@ -202,11 +202,11 @@ impl Board {
         while Instant::now() < end {
             self.send(&bytes[..len]);
             let reply = |frame: &[u8]| {
-                let reply = Reply::decode(frame).expect("a reply");
+                let reply = AcyclicReply::decode(frame).expect("a reply");
                 let ours = reply.id == id && reply.operation == Ok(operation);
                 ours.then(|| (reply.status, reply.record.to_vec()))
             };
-            if let Some(found) = self.next(Kind::Reply, Duration::from_millis(200), reply) {
+            if let Some(found) = self.next(FrameKind::Reply, Duration::from_millis(200), reply) {
                 return found;
             }
         }
@@ -221,7 +221,7 @@ impl Board {
     /// The next reply, whatever it says.
     pub(crate) fn raw_reply(&mut self) -> Vec<u8> {
         let any = |frame: &[u8]| Some(frame.to_vec());
-        self.next(Kind::Reply, PATIENCE, any).expect("a reply")
+        self.next(FrameKind::Reply, PATIENCE, any).expect("a reply")
     }
 
     /// Asks for something that is done, and answered with a record.
@@ -261,13 +261,13 @@ impl Board {
     pub(crate) fn samples(&mut self) -> KeySamples {
         let layout = SampleLayout { packing: PACKING, n_keys: KEYS };
         let read = |frame: &[u8]| Some(KeySamples::decode(frame, layout).expect("samples"));
-        self.next(Kind::KeySamples, PATIENCE, read).expect("samples come")
+        self.next(FrameKind::KeySamples, PATIENCE, read).expect("samples come")
     }
 
     /// The newest samples: whoever answers has no use for older ones.
     pub(crate) fn newest_samples(&mut self) -> KeySamples {
         let mut newest = self.samples();
-        while self.frames.iter().any(|frame| Kind::of(frame) == Some(Kind::KeySamples)) {
+        while self.frames.iter().any(|frame| FrameKind::of(frame) == Some(FrameKind::KeySamples)) {
             newest = self.samples();
         }
         newest
@@ -315,7 +315,7 @@ pub(crate) fn wire(frame: &[u8]) -> Vec<u8> {
     wire[..len].to_vec()
 }
 
-/// The position of the first key [um].
+/// The position of the first key (um).
 pub(crate) fn position(samples: &KeySamples) -> i32 {
     samples.positions.as_slice()[0].get()
 }

@@ -12,7 +12,7 @@ pub(crate) use ours::{Ours, entries as ours};
 use crate::entry::Entry;
 use crate::problem::Problem;
 
-/// All Rust peers on `problem`, until `t_end` [s].
+/// All Rust peers on `problem`, until `t_end` (s).
 pub(crate) fn entries<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
     problem: P,
     t_end: f64,

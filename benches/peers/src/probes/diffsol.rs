@@ -42,7 +42,7 @@ impl Problem<2, 1> for OnTheFloor {
     }
 }
 
-/// Number of impacts until 3.6 s, and the height at 3.6 s [m].
+/// Number of impacts until 3.6 s, and the height at 3.6 s (m).
 fn fall() -> (usize, f64) {
     const T_END: f64 = 3.6;
     let ball = OnTheFloor(Ball { g: 9.81, e: 0.8, height: 1.0 });

@@ -3,14 +3,14 @@
 use crate::problem::Problem;
 use crate::reference::{Expected, Reference};
 
-/// State: height y [m] and speed v [m/s].
+/// State: height y (m) and speed v (m/s).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ball {
-    /// Gravity [m/s²].
+    /// Gravity (m/s²).
     pub(crate) g: f64,
     /// Speed after an impact over speed before.
     pub(crate) e: f64,
-    /// Height at the start [m].
+    /// Height at the start (m).
     pub(crate) height: f64,
 }
 
@@ -56,13 +56,13 @@ impl Problem<2, 1> for Ball {
 }
 
 impl Ball {
-    /// Time of the impact `n`, counted from 1 [s].
+    /// Time of the impact `n`, counted from 1 (s).
     fn impact(&self, n: i32) -> f64 {
         let first = (2.0 * self.height / self.g).sqrt();
         first * (1.0 + 2.0 * self.e * (1.0 - self.e.powi(n - 1)) / (1.0 - self.e))
     }
 
-    /// Height and speed at `t` [s] after `n` impacts.
+    /// Height and speed at `t` (s) after `n` impacts.
     fn state(&self, t: f64, n: i32) -> [f64; 2] {
         if n == 0 {
             return [self.height - 0.5 * self.g * t * t, -self.g * t];
@@ -72,7 +72,7 @@ impl Ball {
         [since * (speed - 0.5 * self.g * since), speed - self.g * since]
     }
 
-    /// The closed form until `t_end` [s].
+    /// The closed form until `t_end` (s).
     pub(crate) fn reference(&self, t_end: f64) -> Reference {
         let times: Vec<f64> =
             (1..1000).map(|n| self.impact(n)).take_while(|time| *time < t_end).collect();

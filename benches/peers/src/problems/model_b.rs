@@ -10,19 +10,19 @@ use crate::problem::Problem;
 /// Parameters, all SI, and the input s(t) = Σ A exp(−((t − tc)/w)²).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ModelB {
-    /// Distances of the geometry L1, L2, L3, L4 [m].
+    /// Distances of the geometry L1, L2, L3, L4 (m).
     pub(crate) l: [f64; 4],
-    /// M1 g cK [N·m], M2 g L2 [N·m].
+    /// M1 g cK (N·m), M2 g L2 (N·m).
     pub(crate) weights: [f64; 2],
-    /// Torsion spring k1 [N·m/rad] and contact spring k2 [N/m].
+    /// Torsion spring k1 (N·m/rad) and contact spring k2 (N/m).
     pub(crate) k: [f64; 2],
-    /// Inertias JK, JH [kg·m²].
+    /// Inertias JK, JH (kg·m²).
     pub(crate) j: [f64; 2],
-    /// Angle of the string [rad] and the impact's restitution.
+    /// Angle of the string (rad) and the impact's restitution.
     pub(crate) string: [f64; 2],
-    /// (A [rad], tc [s], 1/w [1/s]) of each bell.
+    /// (A (rad), tc (s), 1/w (1/s)) of each bell.
     pub(crate) bells: [[f64; 3]; 3],
-    /// State at rest: θh, θk [rad], and their rates, which are 0.
+    /// State at rest: θh, θk (rad), and their rates, which are 0.
     pub(crate) rest: [f64; 4],
 }
 
@@ -53,7 +53,7 @@ impl ModelB {
         lines
     }
 
-    /// The manipulandum's angle [rad].
+    /// The manipulandum's angle (rad).
     #[inline]
     pub(crate) fn input(&self, t: f64) -> f64 {
         self.bells.iter().fold(0.0, |sum, [a, tc, per_w]| {
@@ -62,7 +62,7 @@ impl ModelB {
         })
     }
 
-    /// The gap −q4 cos δ [m], positive apart.
+    /// The gap −q4 cos δ (m), positive apart.
     #[inline]
     fn gap(&self, x: &[f64; 4]) -> f64 {
         let [l1, _, l3, l4] = self.l;
@@ -70,7 +70,7 @@ impl ModelB {
         l4 * cos - l3 * sin - l1 * (x[1] - x[0]).sin()
     }
 
-    /// Its rate [m/s].
+    /// Its rate (m/s).
     #[inline]
     fn gap_rate(&self, x: &[f64; 4]) -> f64 {
         let [l1, _, l3, l4] = self.l;

@@ -3,14 +3,14 @@
 use std::time::Duration;
 
 use eframe::egui::{self, Align, Button, Color32, Layout, Panel, RichText, Ui};
-use telemetry::{Request, Standing};
+use telemetry::{ConnectionState, Request};
 
 use super::{App, shortcuts};
-use crate::desk::{Desk, StopState};
+use crate::desk::{AppState, StopState};
 use crate::layout::{self, Pane};
 use crate::{look, unit};
 
-/// How old messages may be before it is shown as a fault [s].
+/// How old messages may be before it is shown as a fault (s).
 const OLD: f64 = 0.5;
 
 /// Draws the bar.
@@ -44,8 +44,8 @@ fn news_ui(ui: &mut Ui, app: &mut App) {
 }
 
 /// A line of its own for what went wrong: why nothing comes, and what was refused.
-fn messages_ui(ui: &mut Ui, desk: &mut Desk) {
-    if let Standing::Lost(why) | Standing::Refused(why) = desk.source.standing() {
+fn messages_ui(ui: &mut Ui, desk: &mut AppState) {
+    if let ConnectionState::Lost(why) | ConnectionState::Refused(why) = desk.source.standing() {
         ui.colored_label(look::fault(ui), why);
     }
     if let Some(Err(text)) = desk.views.notice.clone() {
@@ -57,7 +57,7 @@ fn messages_ui(ui: &mut Ui, desk: &mut Desk) {
 }
 
 /// The last answer, as far as there is room: panels do not move for it.
-fn answer_ui(ui: &mut Ui, desk: &mut Desk) {
+fn answer_ui(ui: &mut Ui, desk: &mut AppState) {
     let Some(Ok(text)) = desk.views.notice.clone() else { return };
     ui.separator();
     if ui.add(egui::Label::new(text).sense(egui::Sense::click())).clicked() {
@@ -65,11 +65,11 @@ fn answer_ui(ui: &mut Ui, desk: &mut Desk) {
     }
 }
 
-/// How long the host may take to answer a stop before its silence is said [ns].
+/// How long the host may take to answer a stop before its silence is said (ns).
 const SILENCE: u64 = 1_500_000_000;
 
 /// What became of a stop, in letters that can be read from the keyboard.
-fn stop_state_ui(ui: &mut Ui, desk: &mut Desk) {
+fn stop_state_ui(ui: &mut Ui, desk: &mut AppState) {
     let Some(state) = desk.stop.clone() else { return };
     let now = (desk.clock)();
     let cut = || "STOP NOT CONFIRMED: CUT THE POWER".to_owned();
@@ -108,7 +108,7 @@ fn large_ui(ui: &mut Ui, title: &str, text: &str) {
 const STOP: Color32 = Color32::from_rgb(0xB4, 0x2A, 0x00);
 
 /// No force on any key: always here, always one click.
-fn stop_ui(ui: &mut Ui, desk: &mut Desk) {
+fn stop_ui(ui: &mut Ui, desk: &mut AppState) {
     let text = RichText::new("  STOP  ").strong().color(Color32::WHITE);
     let button = Button::new(text).fill(STOP);
     let hint =
@@ -118,7 +118,7 @@ fn stop_ui(ui: &mut Ui, desk: &mut Desk) {
     }
 }
 
-fn freeze_ui(ui: &mut Ui, desk: &mut Desk) {
+fn freeze_ui(ui: &mut Ui, desk: &mut AppState) {
     let mut is_frozen = desk.views.frozen.is_some();
     let frozen = ui.toggle_value(&mut is_frozen, "Freeze");
     if frozen.on_hover_text("Lets the picture stand still; the host goes on. (space)").clicked() {
@@ -126,8 +126,8 @@ fn freeze_ui(ui: &mut Ui, desk: &mut Desk) {
     }
 }
 
-fn record_ui(ui: &mut Ui, desk: &mut Desk) {
-    if desk.source.standing() != Standing::Live {
+fn record_ui(ui: &mut Ui, desk: &mut AppState) {
+    if desk.source.standing() != ConnectionState::Live {
         return;
     }
     let mut records = desk.views.recording.is_some();
@@ -144,13 +144,13 @@ fn record_ui(ui: &mut Ui, desk: &mut Desk) {
 }
 
 /// Whether there is a connection, and to whom.
-fn standing_ui(ui: &mut Ui, desk: &Desk) {
+fn standing_ui(ui: &mut Ui, desk: &AppState) {
     let (color, text) = match desk.source.standing() {
-        Standing::Connecting => (look::YELLOW, "connecting"),
-        Standing::Live => (look::GREEN, "live"),
-        Standing::Lost(_) => (look::VERMILLION, "lost"),
-        Standing::Refused(_) => (look::VERMILLION, "refused"),
-        Standing::Recording => (look::SKY, "recording"),
+        ConnectionState::Connecting => (look::YELLOW, "connecting"),
+        ConnectionState::Live => (look::GREEN, "live"),
+        ConnectionState::Lost(_) => (look::VERMILLION, "lost"),
+        ConnectionState::Refused(_) => (look::VERMILLION, "refused"),
+        ConnectionState::Recording => (look::SKY, "recording"),
     };
     let (rect, _) = ui.allocate_exact_size(egui::vec2(10.0, 10.0), egui::Sense::hover());
     ui.painter().circle_filled(rect.center(), 4.5, color);
@@ -158,7 +158,7 @@ fn standing_ui(ui: &mut Ui, desk: &Desk) {
     ui.weak(desk.source.name());
 }
 
-fn run_ui(ui: &mut Ui, desk: &Desk) {
+fn run_ui(ui: &mut Ui, desk: &AppState) {
     if let Some(catalogue) = &desk.store.catalogue {
         ui.separator();
         ui.label(&catalogue.scene).on_hover_text(format!(
@@ -169,7 +169,7 @@ fn run_ui(ui: &mut Ui, desk: &Desk) {
 }
 
 /// Latency, and what was dropped.
-fn figures_ui(ui: &mut Ui, desk: &Desk) {
+fn figures_ui(ui: &mut Ui, desk: &AppState) {
     let dropped = desk.store.glances.dropped;
     if 0 < dropped {
         ui.colored_label(look::fault(ui), format!("{dropped} dropped"));

@@ -3,10 +3,10 @@
 use eframe::egui::{Context, Grid, Window};
 
 use super::shortcuts;
-use crate::desk::Desk;
+use crate::desk::AppState;
 
 /// Shows the shortcuts if somebody wants to see them.
-pub(super) fn help_ui(ctx: &Context, desk: &mut Desk) {
+pub(super) fn help_ui(ctx: &Context, desk: &mut AppState) {
     let mut is_open = desk.views.shows_help;
     Window::new("Shortcuts").open(&mut is_open).resizable(false).collapsible(false).show(
         ctx,

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::App;
 use crate::desk::Views;
 use crate::layout::{Layout, Pane};
-use crate::tune::Kept;
+use crate::tune::SavedTuning;
 
 /// Under which name it is stored.
 const NAME: &str = "letoff-dashboard";
@@ -14,7 +14,7 @@ const NAME: &str = "letoff-dashboard";
 /// What the window remembers from one start to the next: a text, so that a change of ours never
 /// makes an old one unreadable for good.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Memory {
+pub struct SavedWindow {
     text: String,
 }
 
@@ -24,10 +24,10 @@ struct Remembered {
     theme: egui::ThemePreference,
     zoom: f32,
     views: Views,
-    kept: Kept,
+    kept: SavedTuning,
 }
 
-impl Memory {
+impl SavedWindow {
     /// What was stored, if anything was.
     pub fn load(storage: &dyn eframe::Storage) -> Option<Self> {
         storage.get_string(NAME).map(|text| Self { text })

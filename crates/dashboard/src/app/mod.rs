@@ -15,11 +15,11 @@ use eframe::egui;
 use egui_tiles::{Behavior, SimplificationOptions, TileId, Tiles, UiResponse};
 use telemetry::{Source, Update};
 
-pub use memory::Memory;
+pub use memory::SavedWindow;
 
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::layout::{self, Layout, Pane};
-use crate::{Clock, look, panels};
+use crate::{WallClock, look, panels};
 
 /// At most sixty pictures a second.
 const FRAME: Duration = Duration::from_millis(16);
@@ -29,7 +29,7 @@ const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=2.5;
 
 /// The window.
 pub struct App {
-    desk: Desk,
+    desk: AppState,
     layout: Layout,
     zoom: f32,
     theme: egui::ThemePreference,
@@ -47,13 +47,13 @@ impl App {
     /// `clock` says what time it is; nothing here reads another.
     pub fn new(
         source: Box<dyn Source>,
-        clock: Clock,
-        memory: Option<Memory>,
+        clock: WallClock,
+        memory: Option<SavedWindow>,
         ctx: &egui::Context,
     ) -> Self {
         look::dress(ctx);
         let mut app = Self {
-            desk: Desk::new(source, clock),
+            desk: AppState::new(source, clock),
             layout: layout::first(),
             zoom: 1.0,
             theme: ctx.options(|options| options.theme_preference),
@@ -124,8 +124,8 @@ impl App {
     }
 
     /// What it would remember.
-    pub fn memory(&self, ctx: &egui::Context) -> Memory {
-        Memory::of(self, ctx)
+    pub fn memory(&self, ctx: &egui::Context) -> SavedWindow {
+        SavedWindow::of(self, ctx)
     }
 
     /// Takes a message as if the source had given it: for measurements.
@@ -158,13 +158,13 @@ impl eframe::App for App {
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         // The window's own context is not at hand here; the theme was noted when it changed.
-        Memory::of_window(self).store(storage);
+        SavedWindow::of_window(self).store(storage);
     }
 }
 
 /// Draws panels for the layout.
 struct Panes<'a> {
-    desk: &'a mut Desk,
+    desk: &'a mut AppState,
     closed: Option<Pane>,
 }
 

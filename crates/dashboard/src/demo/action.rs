@@ -6,21 +6,21 @@ use telemetry::Parameter;
 const STEPS: u32 = 20;
 /// Hammer travel for each metre of the key's front.
 const RATIO: f64 = 5.0;
-/// Where the key's front meets the felt [m].
+/// Where the key's front meets the felt (m).
 pub(super) const BOTTOM: f64 = 9.5e-3;
-/// Where the hammer meets the string [m].
+/// Where the hammer meets the string (m).
 pub(super) const STRING: f64 = 0.0515;
-/// From the hammer's axis to its head [m].
+/// From the hammer's axis to its head (m).
 pub(super) const HAMMER: f64 = 0.13;
-/// From the key's axis to its front [m].
+/// From the key's axis to its front (m).
 pub(super) const FRONT: f64 = 0.22;
-/// How far the hammer could fall below the key at rest [m].
+/// How far the hammer could fall below the key at rest (m).
 const REST: f64 = 2e-3;
 const GRAVITY: f64 = 9.81;
 const FELT: f64 = 3.0e4;
 
 /// Values of the parameters, in the order of [`parameters`].
-pub(super) type Values = [f64; 6];
+pub(super) type DemoValues = [f64; 6];
 
 /// What can be changed.
 pub(super) fn parameters() -> Vec<Parameter> {
@@ -53,20 +53,20 @@ pub(super) enum Happened {
 
 /// A key in motion.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Action {
-    /// The key's front, down positive [m], and its speed.
+pub(super) struct DemoAction {
+    /// The key's front, down positive (m), and its speed.
     pub(super) key: [f64; 2],
-    /// The hammer's head, up positive [m], and its speed.
+    /// The hammer's head, up positive (m), and its speed.
     pub(super) hammer: [f64; 2],
     /// 0 on the key, 1 in flight.
     pub(super) mode: u8,
-    /// What the finger feels [N].
+    /// What the finger feels (N).
     pub(super) force: f64,
 }
 
-impl Action {
-    /// Lives for a tick of `period` [s] under a finger's `push` [N].
-    pub(super) fn advance(&mut self, values: &Values, push: f64, period: f64) -> Vec<Happened> {
+impl DemoAction {
+    /// Lives for a tick of `period` (s) under a finger's `push` (N).
+    pub(super) fn advance(&mut self, values: &DemoValues, push: f64, period: f64) -> Vec<Happened> {
         let h = period / f64::from(STEPS);
         let mut happened = Vec::new();
         for i in 0..STEPS {
@@ -85,7 +85,7 @@ impl Action {
         happened
     }
 
-    fn step(&mut self, values: &Values, push: f64, h: f64) {
+    fn step(&mut self, values: &DemoValues, push: f64, h: f64) {
         let [_, _, m_h, m_k, balance, _] = *values;
         let contact = self.contact(values);
         let over = (self.key[0] - BOTTOM).max(0.0) + self.key[0].min(0.0);
@@ -100,13 +100,13 @@ impl Action {
         self.force = balance + RATIO * contact;
     }
 
-    /// How far the knuckle is squeezed [m].
+    /// How far the knuckle is squeezed (m).
     fn squeeze(&self) -> f64 {
         RATIO * self.key[0] - self.hammer[0]
     }
 
-    /// Force in the knuckle [N].
-    fn contact(&self, values: &Values) -> f64 {
+    /// Force in the knuckle (N).
+    fn contact(&self, values: &DemoValues) -> f64 {
         let squeeze = self.squeeze();
         if squeeze <= 0.0 {
             return 0.0;
@@ -123,7 +123,7 @@ impl Action {
     }
 
     /// Signals, in the order of the catalogue.
-    pub(super) fn signals(&self, values: &Values) -> [f64; 8] {
+    pub(super) fn signals(&self, values: &DemoValues) -> [f64; 8] {
         let contact = self.contact(values);
         [
             self.hammer[0] / HAMMER,
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn a_stroke_throws_the_hammer_which_strikes_and_is_caught() {
         let values = [6000.0, 3.0, 0.0095, 0.08, 0.25, 0.4];
-        let mut action = Action::default();
+        let mut action = DemoAction::default();
         let mut happened = Vec::new();
         for tick in 0..1500 {
             let push = if (200..500).contains(&tick) { 6.0 } else { 0.0 };

@@ -5,11 +5,11 @@ use telemetry::{
     Voice, outline, signal,
 };
 
-use super::action::{self, HAMMER, STRING, Values};
+use super::action::{self, DemoValues, HAMMER, STRING};
 
 pub(super) const TICK_HZ: u32 = 1000;
 pub(super) const MODEL: &str = "key-hammer-springs";
-/// The scene's limit of force [N].
+/// The scene's limit of force (N).
 pub(super) const LIMIT: f64 = 20.0;
 const WALL: &str = "spring-wall";
 
@@ -78,7 +78,7 @@ fn instruments() -> Vec<Instrument> {
 }
 
 /// Values of an instrument on a key.
-pub(super) fn values(instrument: &str, key: u8) -> Values {
+pub(super) fn values(instrument: &str, key: u8) -> DemoValues {
     let along = f64::from(key) / 87.0;
     match instrument {
         "upright-light" => [3000.0, 2.0, 0.007 - 0.002 * along, 0.06, 0.2, 0.3],
@@ -88,7 +88,7 @@ pub(super) fn values(instrument: &str, key: u8) -> Values {
 }
 
 /// What a key is played by.
-pub(super) fn voice(key: u8, revision: u32, instrument: &str, values: &Values) -> Voice {
+pub(super) fn voice(key: u8, revision: u32, instrument: &str, values: &DemoValues) -> Voice {
     let model = if instrument == "spring-wall" { WALL } else { MODEL };
     Voice {
         key: key.into(),

@@ -15,12 +15,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use telemetry::source::{Mark, Ticket};
 use telemetry::{
-    Arrival, Event, KEYS, KeyBlock, Log, Midi, Overview, Request, Source, Standing, Timeline,
-    Topic, Update, event, log,
+    Arrival, ConnectionState, Event, KEYS, KeyBlock, Log, Midi, Overview, Request, Source,
+    Timeline, Topic, Update, event, log,
 };
 
-use crate::{Clock, names, number};
-use action::{Action, Happened, Values};
+use crate::{WallClock, names, number};
+use action::{DemoAction, DemoValues, Happened};
 use catalogue::TICK_HZ;
 
 /// Ticks between messages.
@@ -32,26 +32,30 @@ const MOST: u64 = 4000;
 /// Nanoseconds of a tick.
 const TICK: u64 = 1_000_000_000 / TICK_HZ as u64;
 
-/// How long the recording is [ns].
+/// How long the recording is (ns).
 const LENGTH: u64 = 24_000_000_000;
 
 /// What a [`Demo`] was asked, for those who gave it away.
-pub type Asked = Arc<Mutex<Vec<Request>>>;
+pub type RequestLog = Arc<Mutex<Vec<Request>>>;
 
 /// Where the time comes from.
 enum Time {
-    /// It goes by.
     Live,
     /// It is chosen: seconds that go by in one, and where it was at which time of the clock.
-    Recorded { speed: f64, at: u64, since: u64, marks: Vec<Mark> },
+    Recorded {
+        speed: f64,
+        at: u64,
+        since: u64,
+        marks: Vec<Mark>,
+    },
 }
 
 /// One key.
 #[derive(Clone, Debug)]
-struct Played {
-    action: Action,
+struct DemoKey {
+    action: DemoAction,
     instrument: String,
-    values: Values,
+    values: DemoValues,
     revision: u32,
     pressed: f64,
     rows: KeyBlock,
@@ -59,15 +63,15 @@ struct Played {
 
 /// A source without a host.
 pub struct Demo {
-    clock: Clock,
+    clock: WallClock,
     time: Time,
     began: u64,
     tick: u64,
-    keys: Vec<Played>,
+    keys: Vec<DemoKey>,
     followed: BTreeSet<Topic>,
     queue: VecDeque<Arrival>,
     overview: Overview,
-    asked: Asked,
+    asked: RequestLog,
     tickets: u64,
     is_stopped: bool,
 }
@@ -80,12 +84,12 @@ impl fmt::Debug for Demo {
 
 impl Demo {
     /// A host that is playing, since now.
-    pub fn live(clock: Clock) -> Self {
+    pub fn live(clock: WallClock) -> Self {
         Self::new(clock, Time::Live)
     }
 
     /// A recording of what it would have played.
-    pub fn recording(clock: Clock) -> Self {
+    pub fn recording(clock: WallClock) -> Self {
         let now = clock();
         let mark = |seconds: u64, text: &str, is_fault| Mark {
             at: now + seconds * 1_000_000_000,
@@ -100,7 +104,7 @@ impl Demo {
         Self::new(clock, Time::Recorded { speed: 1.0, at: now, since: now, marks })
     }
 
-    fn new(clock: Clock, time: Time) -> Self {
+    fn new(clock: WallClock, time: Time) -> Self {
         let began = clock();
         let mut demo = Self {
             clock,
@@ -111,7 +115,7 @@ impl Demo {
             followed: BTreeSet::new(),
             queue: VecDeque::new(),
             overview: overview(),
-            asked: Asked::default(),
+            asked: RequestLog::default(),
             tickets: 0,
             is_stopped: false,
         };
@@ -120,14 +124,14 @@ impl Demo {
     }
 
     /// What it was asked so far; the list goes on being written.
-    pub fn asked(&self) -> Asked {
+    pub fn asked(&self) -> RequestLog {
         Arc::clone(&self.asked)
     }
 
     /// Puts all keys at rest and says what there is.
     fn begin(&mut self) {
-        let played = |key: u8| Played {
-            action: Action::default(),
+        let played = |key: u8| DemoKey {
+            action: DemoAction::default(),
             instrument: "grand-springs".into(),
             values: catalogue::values("grand-springs", key),
             revision: u32::from(key) + 1,
@@ -373,10 +377,10 @@ impl Source for Demo {
         ticket
     }
 
-    fn standing(&self) -> Standing {
+    fn standing(&self) -> ConnectionState {
         match self.time {
-            Time::Live => Standing::Live,
-            Time::Recorded { .. } => Standing::Recording,
+            Time::Live => ConnectionState::Live,
+            Time::Recorded { .. } => ConnectionState::Recording,
         }
     }
 
@@ -440,5 +444,5 @@ impl Timeline for Demo {
     }
 }
 
-/// Pushes by key [N].
+/// Pushes by key (N).
 type Pushes = BTreeMap<u8, f64>;

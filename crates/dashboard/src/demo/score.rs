@@ -5,7 +5,7 @@ use super::Pushes;
 /// Ticks of the piece.
 const LENGTH: u64 = 4000;
 
-/// From which tick to which, which key, how hard [N].
+/// From which tick to which, which key, how hard (N).
 const STROKES: [(u64, u64, u8, f64); 12] = [
     (250, 550, 39, 2.2),
     (700, 1200, 39, 5.5),

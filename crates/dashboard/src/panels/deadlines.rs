@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use telemetry::{Deadlines, Spread};
 
 use super::{nothing_ui, piece_ui};
-use crate::desk::Desk;
-use crate::store::timing::{Cause, Timed};
+use crate::desk::AppState;
+use crate::store::timing::{TickOutcome, Timed};
 use crate::{look, unit};
 
 /// Ticks on the timeline.
@@ -53,7 +53,7 @@ pub(crate) struct View {
 }
 
 /// Draws the panel.
-pub(super) fn deadlines_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn deadlines_ui(ui: &mut Ui, desk: &mut AppState) {
     let Some(deadlines) = desk.store.deadlines.clone() else {
         nothing_ui(ui, "Deadlines are told once a second.");
         return;
@@ -137,17 +137,17 @@ fn legend() -> Legend {
     Legend::default().text_style(TextStyle::Small).position(Corner::RightTop).background_alpha(0.5)
 }
 
-const fn color(cause: Cause) -> Color32 {
+const fn color(cause: TickOutcome) -> Color32 {
     match cause {
-        Cause::InTime => look::GREEN,
-        Cause::WokenLate => look::ORANGE,
-        Cause::Preempted => look::PURPLE,
-        Cause::OwnWork => look::VERMILLION,
+        TickOutcome::InTime => look::GREEN,
+        TickOutcome::WokenLate => look::ORANGE,
+        TickOutcome::Preempted => look::PURPLE,
+        TickOutcome::OwnWork => look::VERMILLION,
     }
 }
 
 /// The last ticks, each late one in the colour of its cause.
-fn timeline_ui(ui: &mut Ui, desk: &Desk, height: f32) {
+fn timeline_ui(ui: &mut Ui, desk: &AppState, height: f32) {
     let ticks = desk.store.timing.ticks();
     let skipped = ticks.len().saturating_sub(SHOWN);
     let shown: Vec<Timed> = ticks.iter().skip(skipped).copied().collect();
@@ -155,9 +155,9 @@ fn timeline_ui(ui: &mut Ui, desk: &Desk, height: f32) {
     let point = |it: &Timed| [desk.store.seconds(it.tick), f64::from(it.lateness + it.turnaround)];
     let all: Vec<[f64; 2]> = shown.iter().map(point).collect();
     let line = look::line(0, ui);
-    let late: Vec<(Cause, Vec<[f64; 2]>)> = Cause::ALL
+    let late: Vec<(TickOutcome, Vec<[f64; 2]>)> = TickOutcome::ALL
         .into_iter()
-        .filter(|cause| *cause != Cause::InTime)
+        .filter(|cause| *cause != TickOutcome::InTime)
         .map(|cause| (cause, shown.iter().filter(|it| it.cause == cause).map(point).collect()))
         .collect();
     let limit = period * 1e6;

@@ -5,7 +5,7 @@ use eframe::egui::{Label, RichText, ScrollArea, Sense, Ui};
 use telemetry::Event;
 
 use super::nothing_ui;
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::explain::{self, Explained};
 use crate::{look, names, number};
 
@@ -13,7 +13,7 @@ use crate::{look, names, number};
 const SHOWN: usize = 100;
 
 /// Draws the panel.
-pub(super) fn faults_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn faults_ui(ui: &mut Ui, desk: &mut AppState) {
     let faulty = desk.store.faulty();
     let events = events(desk);
     if faulty.is_empty() && events.is_empty() {
@@ -31,7 +31,7 @@ pub(super) fn faults_ui(ui: &mut Ui, desk: &mut Desk) {
 }
 
 /// What went wrong, newest first, each with the number that it keeps while others arrive.
-fn events(desk: &Desk) -> Vec<(u64, Event, Explained)> {
+fn events(desk: &AppState) -> Vec<(u64, Event, Explained)> {
     let numbers = (0..desk.store.events.count()).rev();
     let newest_first = numbers.zip(desk.store.events.iter().rev());
     newest_first
@@ -41,7 +41,7 @@ fn events(desk: &Desk) -> Vec<(u64, Event, Explained)> {
 }
 
 /// A key that has a fault now.
-fn standing_ui(ui: &mut Ui, desk: &mut Desk, key: u8) {
+fn standing_ui(ui: &mut Ui, desk: &mut AppState, key: u8) {
     let Some(explained) = explain::fault(desk.store.glances.key(key).fault) else { return };
     let text = format!("{} is faulty now: {}", names::name(key), explained.name);
     ui.horizontal_wrapped(|ui| {
@@ -56,7 +56,7 @@ fn standing_ui(ui: &mut Ui, desk: &mut Desk, key: u8) {
 }
 
 /// Something that happened; unfolded, what it means.
-fn event_ui(ui: &mut Ui, desk: &mut Desk, number: u64, event: &Event, explained: Explained) {
+fn event_ui(ui: &mut Ui, desk: &mut AppState, number: u64, event: &Event, explained: Explained) {
     let key = number::key(event.key);
     let at = desk.store.when(event);
     let of = key.map(|key| format!(" of {}", names::name(key))).unwrap_or_default();

@@ -6,7 +6,7 @@ use eframe::egui::{Grid, RichText, ScrollArea, TextEdit, Ui};
 use telemetry::{Instrument, Request};
 
 use super::nothing_ui;
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::{look, names};
 
 /// What the panel remembers.
@@ -17,7 +17,7 @@ pub(crate) struct View {
 }
 
 /// Draws the panel.
-pub(super) fn instruments_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn instruments_ui(ui: &mut Ui, desk: &mut AppState) {
     let Some(catalogue) = desk.store.catalogue.clone() else {
         nothing_ui(ui, "The host has not told yet what it has.");
         return;
@@ -44,7 +44,7 @@ pub(super) fn instruments_ui(ui: &mut Ui, desk: &mut Desk) {
 }
 
 /// For which keys: typed, or selected on the keyboard.
-fn range_ui(ui: &mut Ui, desk: &mut Desk) -> Option<RangeInclusive<u8>> {
+fn range_ui(ui: &mut Ui, desk: &mut AppState) -> Option<RangeInclusive<u8>> {
     let selected = names::range_name(&desk.range());
     let mut text = desk.views.instruments.range.clone().unwrap_or_else(|| selected.clone());
     ui.horizontal_wrapped(|ui| {
@@ -70,7 +70,7 @@ fn range_ui(ui: &mut Ui, desk: &mut Desk) -> Option<RangeInclusive<u8>> {
 
 fn instrument_ui(
     ui: &mut Ui,
-    desk: &mut Desk,
+    desk: &mut AppState,
     instrument: &Instrument,
     range: Option<&RangeInclusive<u8>>,
 ) {
@@ -90,7 +90,7 @@ fn instrument_ui(
     ui.add_space(2.0);
 }
 
-fn runs_ui(ui: &mut Ui, desk: &mut Desk) {
+fn runs_ui(ui: &mut Ui, desk: &mut AppState) {
     Grid::new("now").num_columns(3).striped(true).spacing([14.0, 3.0]).show(ui, |ui| {
         for (range, instrument, model) in runs(desk) {
             run_ui(ui, desk, &range, instrument, &model);
@@ -102,7 +102,7 @@ fn runs_ui(ui: &mut Ui, desk: &mut Desk) {
 /// A stretch of keys; a click selects it.
 fn run_ui(
     ui: &mut Ui,
-    desk: &mut Desk,
+    desk: &mut AppState,
     range: &RangeInclusive<u8>,
     instrument: String,
     model: &str,
@@ -116,7 +116,7 @@ fn run_ui(
 }
 
 /// Stretches of keys that the same instrument plays.
-fn runs(desk: &Desk) -> Vec<(RangeInclusive<u8>, String, String)> {
+fn runs(desk: &AppState) -> Vec<(RangeInclusive<u8>, String, String)> {
     let mut runs: Vec<(RangeInclusive<u8>, String, String)> = Vec::new();
     for (key, voice) in desk.store.voices() {
         if let Some((range, instrument, model)) = runs.last_mut()

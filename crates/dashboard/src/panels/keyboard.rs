@@ -9,7 +9,7 @@ use eframe::egui::{
 use telemetry::Request;
 
 use super::nothing_ui;
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::{look, names, number};
 
 /// Keys of the computer from a C on: white ones in the middle row, black ones above.
@@ -43,9 +43,9 @@ pub(crate) struct View {
     pub(crate) plays: bool,
     /// The lowest key that is drawn: a C.
     lowest: u8,
-    /// How hard the computer keyboard presses, and the mouse at a key's front [N].
+    /// How hard the computer keyboard presses, and the mouse at a key's front (N).
     newtons: f64,
-    /// What is pressed now [N].
+    /// What is pressed now (N).
     pressed: BTreeMap<u8, f64>,
     /// Whether the panel was drawn since this was asked last.
     is_shown: bool,
@@ -58,7 +58,7 @@ impl Default for View {
 }
 
 /// Draws the panel.
-pub(super) fn keyboard_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn keyboard_ui(ui: &mut Ui, desk: &mut AppState) {
     if !desk.store.catalogue.as_ref().is_some_and(|catalogue| catalogue.fingers) {
         nothing_ui(ui, "There are no simulated fingers here: press the real keys.");
         return;
@@ -95,7 +95,7 @@ pub(super) fn keyboard_ui(ui: &mut Ui, desk: &mut Desk) {
 }
 
 /// Lets go of all keys, and plays no more, once the panel is not to be seen.
-pub(crate) fn leave_if_hidden(desk: &mut Desk) {
+pub(crate) fn leave_if_hidden(desk: &mut AppState) {
     if !std::mem::take(&mut desk.views.keyboard.is_shown) {
         desk.views.keyboard.plays = false;
         release(desk);
@@ -103,11 +103,11 @@ pub(crate) fn leave_if_hidden(desk: &mut Desk) {
 }
 
 /// Lets go of all keys.
-pub(crate) fn release(desk: &mut Desk) {
+pub(crate) fn release(desk: &mut AppState) {
     tell(desk, BTreeMap::new());
 }
 
-fn controls_ui(ui: &mut Ui, desk: &mut Desk) {
+fn controls_ui(ui: &mut Ui, desk: &mut AppState) {
     ui.horizontal_wrapped(|ui| {
         let view = &mut desk.views.keyboard;
         ui.toggle_value(&mut view.plays, "Computer keyboard plays")
@@ -139,7 +139,7 @@ fn rect(area: Rect, lowest: u8, key: u8) -> Rect {
     }
 }
 
-fn key_ui(ui: &Ui, desk: &Desk, key: u8, rect: Rect) -> Response {
+fn key_ui(ui: &Ui, desk: &AppState, key: u8, rect: Rect) -> Response {
     let response = ui.interact(rect, ui.scope_id().with(("press", key)), Sense::click_and_drag());
     let name = format!("press {}", names::name(key));
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
@@ -169,7 +169,7 @@ fn key_ui(ui: &Ui, desk: &Desk, key: u8, rect: Rect) -> Response {
 }
 
 /// Asks for what has changed: pressed keys, and those let go.
-fn tell(desk: &mut Desk, now: BTreeMap<u8, f64>) {
+fn tell(desk: &mut AppState, now: BTreeMap<u8, f64>) {
     let before = std::mem::replace(&mut desk.views.keyboard.pressed, now.clone());
     for key in before.keys().filter(|key| !now.contains_key(key)) {
         desk.ask(Request::Press { key: *key, newtons: 0.0 });

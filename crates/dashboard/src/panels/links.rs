@@ -6,7 +6,7 @@ use eframe::egui::{Color32, Grid, RichText, ScrollArea, Ui};
 use telemetry::{Board, Line, Links};
 
 use super::{nothing_ui, share_ui};
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::{look, names, number, unit};
 
 /// Above this a line has no room for what goes wrong.
@@ -16,9 +16,9 @@ const FULL: f64 = 0.85;
 const MORE: f64 = 1.1;
 
 /// A column: its name, its unit, and what somebody is told who points at it.
-type Head = (&'static str, &'static str, &'static str);
+type ColumnHeader = (&'static str, &'static str, &'static str);
 
-const LINES: [Head; 7] = [
+const LINES: [ColumnHeader; 7] = [
     ("line", "", "A serial port or CAN interface."),
     ("planned", "%", "Load by the plan, as a share of what the line can carry."),
     ("seen", "%", "Load in the last second, as a share of what the line can carry."),
@@ -28,7 +28,7 @@ const LINES: [Head; 7] = [
     ("state", "", "What became of the line."),
 ];
 
-const BOARDS: [Head; 10] = [
+const BOARDS: [ColumnHeader; 10] = [
     ("board", "", "Its number."),
     ("light", "", "Lets the board show its light; beside it what the host answered."),
     ("keys", "", "The keys that it moves."),
@@ -58,7 +58,7 @@ pub(crate) struct View {
 }
 
 /// Draws the panel.
-pub(super) fn links_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn links_ui(ui: &mut Ui, desk: &mut AppState) {
     let Some(links) = desk.store.links.clone() else {
         nothing_ui(ui, "Lines and boards are told once a second, where there are any.");
         return;
@@ -84,11 +84,11 @@ pub(super) fn links_ui(ui: &mut Ui, desk: &mut Desk) {
     });
 }
 
-fn table(name: &str, columns: &[Head]) -> Grid {
+fn table(name: &str, columns: &[ColumnHeader]) -> Grid {
     Grid::new(name).num_columns(columns.len()).striped(true).spacing([10.0, 4.0])
 }
 
-fn heads_ui(ui: &mut Ui, columns: &[Head]) {
+fn heads_ui(ui: &mut Ui, columns: &[ColumnHeader]) {
     for (name, unit, what) in columns {
         // The unit below the name keeps the columns narrow.
         ui.weak(format!("{name}\n{}", unit::bracketed(unit))).on_hover_text(*what);
@@ -116,7 +116,7 @@ fn load_color(line: &Line) -> Color32 {
     }
 }
 
-fn board_ui(ui: &mut Ui, desk: &mut Desk, links: &Links, board: &Board) {
+fn board_ui(ui: &mut Ui, desk: &mut AppState, links: &Links, board: &Board) {
     let line = line_name(links, board.line);
     ui.label(board.id.to_string());
     light_ui(ui, desk, board, &line);
@@ -138,7 +138,7 @@ fn line_name(links: &Links, line: u32) -> String {
 }
 
 /// Which board is it? Its light says so, and the host's answer stands beside.
-fn light_ui(ui: &mut Ui, desk: &mut Desk, board: &Board, line: &str) {
+fn light_ui(ui: &mut Ui, desk: &mut AppState, board: &Board, line: &str) {
     ui.horizontal(|ui| {
         let button = ui.small_button("Identify");
         let button = button.accessible_name(format!("Identify board {} of {line}", board.id));

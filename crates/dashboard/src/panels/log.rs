@@ -4,11 +4,11 @@ use eframe::egui::{ScrollArea, Ui};
 use telemetry::log::Level;
 
 use super::nothing_ui;
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::look;
 
 /// Draws the panel.
-pub(super) fn log_ui(ui: &mut Ui, desk: &Desk) {
+pub(super) fn log_ui(ui: &mut Ui, desk: &AppState) {
     if desk.store.log.is_empty() {
         nothing_ui(ui, "Nothing to read.");
         return;

@@ -9,11 +9,11 @@ use eframe::egui::{
 use telemetry::{Body, Coil, Drawing, Follower, Outline, outline};
 
 use super::nothing_ui;
-use crate::desk::Desk;
-use crate::fill::{self, Point};
+use crate::desk::AppState;
+use crate::fill::{self, ScreenPoint};
 use crate::{look, names, number, unit};
 
-/// From the drawing [m] to the screen.
+/// From the drawing (m) to the screen.
 struct Scale {
     origin: Pos2,
     left: f64,
@@ -47,14 +47,14 @@ impl Scale {
 }
 
 /// Where a body is, and how it is turned.
-struct Pose {
+struct BodyPose {
     x: f64,
     y: f64,
     sin: f64,
     cos: f64,
 }
 
-impl Pose {
+impl BodyPose {
     fn of(body: &Body, value: &impl Fn(&str) -> f64) -> Self {
         let at =
             |follower: &Option<Follower>| follower.as_ref().map_or(0.0, |it| follow(it, value));
@@ -80,7 +80,7 @@ fn follow(follower: &Follower, value: &impl Fn(&str) -> f64) -> f64 {
 }
 
 /// Draws the panel.
-pub(super) fn mechanism_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn mechanism_ui(ui: &mut Ui, desk: &mut AppState) {
     let key = desk.views.selected;
     desk.want(key);
     let now = desk.now();
@@ -123,7 +123,7 @@ const WAITS: &str = "Waiting for this key's first row: how it stands is not know
 /// Whether it is known how everything stands that is seen in this mode.
 fn is_posed(drawing: &Drawing, mode: Option<u8>, value: &impl Fn(&str) -> f64) -> bool {
     let seen = drawing.bodies.iter().filter(|body| is_shown(&body.modes, mode));
-    seen.map(|body| Pose::of(body, value)).all(|pose| pose.is_known())
+    seen.map(|body| BodyPose::of(body, value)).all(|pose| pose.is_known())
 }
 
 /// Whether what is drawn in `modes` is seen in this one.
@@ -132,7 +132,7 @@ fn is_shown(modes: &[u32], mode: Option<u8>) -> bool {
 }
 
 /// The mode in the time that is shown; as the overview says where no rows are known.
-fn mode(desk: &Desk, key: u8, now: f64) -> Option<u8> {
+fn mode(desk: &AppState, key: u8, now: f64) -> Option<u8> {
     let trace = desk.store.trace(key);
     let row = trace.and_then(|trace| trace.row_at(desk.store.tick(now)));
     let known = trace.zip(row).and_then(|(trace, row)| trace.modes().get(row).copied());
@@ -140,7 +140,7 @@ fn mode(desk: &Desk, key: u8, now: f64) -> Option<u8> {
 }
 
 /// A signal in the time that is shown; the position also where no rows are known.
-fn value(desk: &Desk, key: u8, name: &str, now: f64) -> Option<f64> {
+fn value(desk: &AppState, key: u8, name: &str, now: f64) -> Option<f64> {
     let known = desk.store.value(key, name, now).filter(|value| value.is_finite());
     let glance = desk.store.glances.is_known.then(|| desk.store.glances.key(key));
     known.or_else(|| match name {
@@ -157,7 +157,8 @@ fn paint(
     mode: Option<u8>,
     value: &impl Fn(&str) -> f64,
 ) {
-    let poses: Vec<Pose> = drawing.bodies.iter().map(|body| Pose::of(body, value)).collect();
+    let poses: Vec<BodyPose> =
+        drawing.bodies.iter().map(|body| BodyPose::of(body, value)).collect();
     for (body, pose) in drawing.bodies.iter().zip(&poses) {
         if is_shown(&body.modes, mode) {
             body.outlines.iter().for_each(|it| paint_outline(painter, it, pose, scale));
@@ -168,10 +169,10 @@ fn paint(
     }
 }
 
-fn paint_outline(painter: &Painter, outline: &Outline, pose: &Pose, scale: &Scale) {
+fn paint_outline(painter: &Painter, outline: &Outline, pose: &BodyPose, scale: &Scale) {
     let pairs = outline.x.iter().zip(&outline.y);
-    let corners: Vec<Point> = pairs.map(|(x, y)| [*x, *y]).collect();
-    let place = |[x, y]: &Point| scale.place(pose.point(*x, *y));
+    let corners: Vec<ScreenPoint> = pairs.map(|(x, y)| [*x, *y]).collect();
+    let place = |[x, y]: &ScreenPoint| scale.place(pose.point(*x, *y));
     let points: Vec<Pos2> = corners.iter().map(place).collect();
     if !points.iter().all(|point| point.is_finite()) {
         return;
@@ -190,7 +191,7 @@ fn paint_outline(painter: &Painter, outline: &Outline, pose: &Pose, scale: &Scal
 
 /// The inside of an outline that is not convex. It is cut in the body's own axes: however the
 /// body moves, the triangles stay the same and nothing flickers.
-fn filled(corners: &[Point], points: &[Pos2], color: Color32) -> Shape {
+fn filled(corners: &[ScreenPoint], points: &[Pos2], color: Color32) -> Shape {
     let mut mesh = Mesh::default();
     for point in points {
         mesh.colored_vertex(*point, color);
@@ -215,7 +216,7 @@ const fn color(kind: outline::Kind) -> Color32 {
 }
 
 /// A spring: a wave between two bodies' points, as tight as it is short.
-fn paint_coil(painter: &Painter, coil: &Coil, poses: &[Pose], scale: &Scale) {
+fn paint_coil(painter: &Painter, coil: &Coil, poses: &[BodyPose], scale: &Scale) {
     let end = |body: u32, x: f64, y: f64| {
         let pose = usize::try_from(body).ok().and_then(|body| poses.get(body));
         pose.map(|pose| scale.place(pose.point(x, y)))

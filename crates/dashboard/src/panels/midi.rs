@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use telemetry::Midi;
 
 use super::{nothing_ui, piece_ui};
-use crate::desk::Desk;
+use crate::desk::AppState;
 
 /// What the panel remembers.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -16,7 +16,7 @@ pub(crate) struct View {
 }
 
 /// Draws the panel.
-pub(super) fn midi_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn midi_ui(ui: &mut Ui, desk: &mut AppState) {
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("only with");
         let filter = TextEdit::singleline(&mut desk.views.midi.filter).desired_width(110.0);

@@ -17,11 +17,11 @@ pub(crate) mod tuning;
 
 use eframe::egui::{Color32, Label, ProgressBar, Response, RichText, Ui};
 
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::layout::Pane;
 
 /// Draws a panel.
-pub(crate) fn panel_ui(ui: &mut Ui, pane: Pane, desk: &mut Desk) {
+pub(crate) fn panel_ui(ui: &mut Ui, pane: Pane, desk: &mut AppState) {
     match pane {
         Pane::Overview => overview::overview_ui(ui, desk),
         Pane::Mechanism => mechanism::mechanism_ui(ui, desk),

@@ -5,19 +5,19 @@ use eframe::egui::{
     WidgetInfo, accesskit::Role, pos2, vec2,
 };
 
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::names::{self, LAST};
-use crate::store::glance::Glance;
+use crate::store::glance::KeySummary;
 use crate::{explain, look, number};
 
-/// Travel that is drawn as all of it [m].
+/// Travel that is drawn as all of it (m).
 const TRAVEL: f32 = 10e-3;
 
 /// The voice is not run: there is no model.
 const NOT_RUN: u8 = 8;
 
 /// Draws the panel.
-pub(super) fn overview_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn overview_ui(ui: &mut Ui, desk: &mut AppState) {
     legend_ui(ui, desk);
     let size = vec2(ui.available_width(), ui.available_height().max(60.0));
     let (area, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -30,7 +30,7 @@ pub(super) fn overview_ui(ui: &mut Ui, desk: &mut Desk) {
 }
 
 /// What the colours mean, and the selected key in words.
-fn legend_ui(ui: &mut Ui, desk: &Desk) {
+fn legend_ui(ui: &mut Ui, desk: &AppState) {
     ui.horizontal(|ui| {
         let key = desk.views.selected;
         ui.strong(desk.title(key));
@@ -51,7 +51,7 @@ fn legend_ui(ui: &mut Ui, desk: &Desk) {
 }
 
 /// Position, force, mode and fault of a key in words.
-fn words(desk: &Desk, key: u8) -> String {
+fn words(desk: &AppState, key: u8) -> String {
     let glance = desk.store.glances.key(key);
     let mode =
         glance.mode.map_or_else(|| "no model".to_owned(), |it| desk.store.mode_name(key, it));
@@ -77,7 +77,7 @@ fn rect(area: Rect, key: u8) -> Rect {
     }
 }
 
-fn key_ui(ui: &mut Ui, desk: &mut Desk, key: u8, rect: Rect) {
+fn key_ui(ui: &mut Ui, desk: &mut AppState, key: u8, rect: Rect) {
     let response = ui.interact(rect, ui.scope_id().with(("key", key)), Sense::click());
     let selected = desk.views.selected == key;
     let name = format!("key {}", names::name(key));
@@ -98,7 +98,7 @@ fn key_ui(ui: &mut Ui, desk: &mut Desk, key: u8, rect: Rect) {
     });
 }
 
-fn paint_key(ui: &Ui, desk: &Desk, key: u8, rect: Rect, response: &Response) {
+fn paint_key(ui: &Ui, desk: &AppState, key: u8, rect: Rect, response: &Response) {
     let glance = desk.store.glances.key(key);
     let painter = ui.painter_at(rect.expand(1.0));
     let depth = (glance.position / TRAVEL).clamp(0.0, 1.0);
@@ -122,7 +122,7 @@ fn paint_key(ui: &Ui, desk: &Desk, key: u8, rect: Rect, response: &Response) {
 }
 
 /// Ivory or ebony, darker where the voice is not run.
-fn fill(ui: &Ui, glance: Glance, key: u8, response: &Response) -> Color32 {
+fn fill(ui: &Ui, glance: KeySummary, key: u8, response: &Response) -> Color32 {
     let plain = match (names::is_black(key), ui.visuals().dark_mode) {
         (true, _) => Color32::from_rgb(0x2A, 0x2E, 0x35),
         (false, true) => Color32::from_rgb(0xC9, 0xCC, 0xCF),
@@ -137,7 +137,7 @@ fn fill(ui: &Ui, glance: Glance, key: u8, response: &Response) -> Color32 {
 }
 
 /// The mode's colour at the key's front.
-fn paint_mode(painter: &Painter, glance: Glance, rect: Rect) {
+fn paint_mode(painter: &Painter, glance: KeySummary, rect: Rect) {
     if let Some(mode) = glance.mode {
         let front = rect.shrink2(vec2(1.5, 0.0)).with_min_y(rect.bottom() - 7.0);
         let front = front.with_max_y(rect.bottom() - 2.0);
@@ -146,7 +146,7 @@ fn paint_mode(painter: &Painter, glance: Glance, rect: Rect) {
 }
 
 /// A bar as high as the force is a share of the scene's limit, on a root: small ones count.
-fn paint_force(painter: &Painter, desk: &Desk, glance: Glance, rect: Rect) {
+fn paint_force(painter: &Painter, desk: &AppState, glance: KeySummary, rect: Rect) {
     let limit = desk.store.catalogue.as_ref().map_or(20.0, |it| number::f32(it.force_limit));
     let share = (glance.force.abs() / limit.max(1.0)).clamp(0.0, 1.0).sqrt();
     let room = rect.height() - 22.0;
@@ -172,7 +172,7 @@ fn badge(painter: &Painter, center: Pos2) {
 }
 
 /// Names of the octaves, and a line under the selected range.
-fn range_ui(ui: &Ui, desk: &Desk, area: Rect) {
+fn range_ui(ui: &Ui, desk: &AppState, area: Rect) {
     let painter = ui.painter();
     let y = area.bottom() - 7.0;
     for key in (3..=LAST).step_by(12) {

@@ -5,21 +5,21 @@ use egui_plot::{Corner, Legend, Line, Plot, PlotPoints, Points};
 use serde::{Deserialize, Serialize};
 
 use super::nothing_ui;
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::store::Store;
 use crate::{look, number, unit};
 
-/// Travel over which weights are means [m].
+/// Travel over which weights are means (m).
 const MIDDLE: std::ops::Range<f64> = 2e-3..7e-3;
 
-/// Slower than this is neither down nor up [m/s].
+/// Slower than this is neither down nor up (m/s).
 const STILL: f64 = 2e-3;
 
 /// What the panel remembers.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub(crate) struct View {
-    /// How much time is seen [s].
+    /// How much time is seen (s).
     window: f64,
 }
 
@@ -29,9 +29,9 @@ impl Default for View {
     }
 }
 
-/// Travel [mm] and force [N], down and up.
+/// Travel (mm) and force (N), down and up.
 #[derive(Default)]
-struct Loop {
+struct HysteresisLoop {
     /// Stretches, each on its way down (0) or up (1).
     ways: Vec<(usize, Vec<[f64; 2]>)>,
     /// Sums and counts of forces in the middle.
@@ -39,7 +39,7 @@ struct Loop {
     last: Option<[f64; 2]>,
 }
 
-impl Loop {
+impl HysteresisLoop {
     fn is_down(&self) -> bool {
         self.ways.last().is_none_or(|(way, _)| *way == 0)
     }
@@ -57,7 +57,7 @@ impl Loop {
 }
 
 /// Draws the panel.
-pub(super) fn phase_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn phase_ui(ui: &mut Ui, desk: &mut AppState) {
     let key = desk.views.selected;
     desk.want(key);
     let now = desk.now();
@@ -106,7 +106,7 @@ pub(super) fn phase_ui(ui: &mut Ui, desk: &mut Desk) {
 }
 
 /// Down weight, up weight, and what a technician makes of them.
-fn weights_ui(ui: &mut Ui, shown: &Loop) {
+fn weights_ui(ui: &mut Ui, shown: &HysteresisLoop) {
     let [down, up] = shown.weights.map(|(sum, n)| (0 < n).then(|| sum / number::f64(n)));
     let text = |value: Option<f64>| value.map_or("–".to_owned(), |it| unit::text(it, "N"));
     ui.label(format!("down {}", text(down)))
@@ -118,8 +118,8 @@ fn weights_ui(ui: &mut Ui, shown: &Loop) {
     }
 }
 
-fn gather(store: &Store, key: u8, view: (f64, f64)) -> Loop {
-    let mut gathered = Loop::default();
+fn gather(store: &Store, key: u8, view: (f64, f64)) -> HysteresisLoop {
+    let mut gathered = HysteresisLoop::default();
     let Some(trace) = store.trace(key) else { return gathered };
     let first = trace.row_at(store.tick(view.0.max(0.0))).unwrap_or(0);
     let last = trace.row_at(store.tick(view.1)).map_or(0, |row| row + 1);

@@ -8,14 +8,14 @@ use telemetry::Timeline;
 use telemetry::source::Mark;
 
 use super::{nothing_ui, piece_ui};
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::{look, number};
 
 /// Speeds to choose from.
 const SPEEDS: [f64; 6] = [0.01, 0.1, 0.5, 1.0, 2.0, 8.0];
 
 /// Draws the panel.
-pub(super) fn timeline_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn timeline_ui(ui: &mut Ui, desk: &mut AppState) {
     let Some(timeline) = desk.source.timeline() else {
         nothing_ui(ui, "This is live: only a recording can be wound back.");
         return;

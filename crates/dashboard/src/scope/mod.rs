@@ -10,9 +10,9 @@ use telemetry::signal::Kind;
 
 use crate::store::Store;
 use heights::Heights;
-use trigger::{Armed, On, Trigger};
+use trigger::{On, Trigger, TriggerState};
 
-/// Shortest and longest window [s].
+/// Shortest and longest window (s).
 const WINDOW: (f64, f64) = (2e-3, 600.0);
 
 /// Keys beside the scope's own that it shows at most: more could not be told apart.
@@ -28,7 +28,7 @@ pub struct Scope {
     pub compared: BTreeSet<u8>,
     /// Channels of each plot, from the top; the usual ones if there are none.
     pub lanes: Vec<Vec<String>>,
-    /// How much time is seen [s].
+    /// How much time is seen (s).
     pub window: f64,
     /// When it holds still.
     pub trigger: Trigger,
@@ -36,10 +36,10 @@ pub struct Scope {
     pub has_cursors: bool,
     /// Whether it is a window of its own.
     pub is_popped: bool,
-    /// Where the cursors are [s].
+    /// Where the cursors are (s).
     #[serde(skip)]
     pub cursors: [f64; 2],
-    /// Where the view ends [s]; it follows if that is nowhere.
+    /// Where the view ends (s); it follows if that is nowhere.
     #[serde(skip)]
     pub pinned: Option<f64>,
     /// How much of its values each plot shows.
@@ -48,12 +48,12 @@ pub struct Scope {
     /// Keys to compare with, while somebody writes them.
     #[serde(skip)]
     pub typed: String,
-    /// Where a stretch begins that is being selected [s].
+    /// Where a stretch begins that is being selected (s).
     #[serde(skip)]
     pub selects: Option<f64>,
     /// What the trigger has seen.
     #[serde(skip)]
-    pub armed: Armed,
+    pub armed: TriggerState,
 }
 
 impl Default for Scope {
@@ -71,13 +71,13 @@ impl Default for Scope {
             heights: Heights::default(),
             typed: String::new(),
             selects: None,
-            armed: Armed::default(),
+            armed: TriggerState::default(),
         }
     }
 }
 
 impl Scope {
-    /// The stretch that is seen [s] when `now` is the newest time.
+    /// The stretch that is seen (s) when `now` is the newest time.
     pub fn view(&self, now: f64) -> (f64, f64) {
         let held = self.armed.end(&self.trigger, self.window, now);
         let end = self.pinned.or(held).unwrap_or(now);
@@ -96,7 +96,7 @@ impl Scope {
         }
     }
 
-    /// Makes the window `factor` times as long about the time `about` [s].
+    /// Makes the window `factor` times as long about the time `about` (s).
     pub fn zoom(&mut self, factor: f64, about: f64, now: f64) {
         let (start, end) = self.view(now);
         let window = (self.window * factor).clamp(WINDOW.0, WINDOW.1);
@@ -105,12 +105,12 @@ impl Scope {
         self.pinned = Some(about + (end - about) * factor);
     }
 
-    /// Moves the view by so much [s].
+    /// Moves the view by so much (s).
     pub fn pan(&mut self, by: f64, now: f64) {
         self.pinned = Some(self.view(now).1 + by);
     }
 
-    /// Shows from `a` to `b` [s].
+    /// Shows from `a` to `b` (s).
     pub fn show(&mut self, a: f64, b: f64) {
         self.window = (b - a).abs().clamp(WINDOW.0, WINDOW.1);
         self.pinned = Some(a.max(b));

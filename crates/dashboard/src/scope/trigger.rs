@@ -8,10 +8,8 @@ use crate::store::Store;
 /// Which way a level is crossed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub enum Edge {
-    /// Upwards.
     #[default]
     Rising,
-    /// Downwards.
     Falling,
 }
 
@@ -50,7 +48,6 @@ pub enum Sweep {
     /// What comes, if no trigger does.
     #[default]
     Auto,
-    /// The last one.
     Normal,
     /// The first one, for ever.
     Single,
@@ -84,7 +81,7 @@ pub struct Trigger {
     pub edge: Edge,
     /// What is shown between two.
     pub sweep: Sweep,
-    /// How long none is looked for after one [s].
+    /// How long none is looked for after one (s).
     pub hold_off: f64,
     /// Share of the window before the trigger.
     pub before: f64,
@@ -106,13 +103,13 @@ impl Default for Trigger {
 
 /// What a trigger has seen.
 #[derive(Clone, PartialEq, Debug, Default)]
-pub struct Armed {
+pub struct TriggerState {
     seen: f64,
     fired: Option<f64>,
 }
 
-impl Armed {
-    /// Looks at what has come since the last look; `window` [s] is shown, `now` [s] is newest.
+impl TriggerState {
+    /// Looks at what has come since the last look; `window` (s) is shown, `now` (s) is newest.
     pub fn look(&mut self, trigger: &Trigger, store: &Store, key: u8, window: f64) {
         let now = store.newest();
         if now < self.seen {
@@ -135,12 +132,12 @@ impl Armed {
         self.fired = None;
     }
 
-    /// When it fired last [s].
+    /// When it fired last (s).
     pub const fn fired(&self) -> Option<f64> {
         self.fired
     }
 
-    /// Where the window ends [s], unless it follows what comes.
+    /// Where the window ends (s), unless it follows what comes.
     pub fn end(&self, trigger: &Trigger, window: f64, now: f64) -> Option<f64> {
         let end = self.fired? + window * (1.0 - trigger.before);
         let is_old = trigger.sweep == Sweep::Auto && end + window.max(0.5) < now;
@@ -211,7 +208,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn fired(armed: &Armed, at: Option<f64>) {
+    fn fired(armed: &TriggerState, at: Option<f64>) {
         let found = armed.fired();
         let same =
             found.zip(at).map_or(found.is_none() && at.is_none(), |(a, b)| (a - b).abs() < 1e-9);
@@ -223,11 +220,11 @@ mod tests {
         let mut store = Store::default();
         feed(&mut store, 0, 120);
         let mut trigger = Trigger { on: On::Level, ..Trigger::default() };
-        let mut armed = Armed::default();
+        let mut armed = TriggerState::default();
         armed.look(&trigger, &store, KEY, 1.0);
         fired(&armed, Some(0.05));
         trigger.edge = Edge::Falling;
-        let mut armed = Armed::default();
+        let mut armed = TriggerState::default();
         armed.look(&trigger, &store, KEY, 1.0);
         fired(&armed, Some(0.1));
     }
@@ -237,7 +234,7 @@ mod tests {
         let mut store = Store::default();
         feed(&mut store, 0, 50);
         let trigger = Trigger { on: On::Level, ..Trigger::default() };
-        let mut armed = Armed::default();
+        let mut armed = TriggerState::default();
         armed.look(&trigger, &store, KEY, 0.1);
         fired(&armed, None);
         feed(&mut store, 50, 52);
@@ -250,7 +247,7 @@ mod tests {
         let mut store = Store::default();
         feed(&mut store, 0, 1000);
         let trigger = Trigger { on: On::Level, hold_off: 0.25, ..Trigger::default() };
-        let mut armed = Armed::default();
+        let mut armed = TriggerState::default();
         armed.look(&trigger, &store, KEY, 0.01);
         // 0.05, then 0.35, 0.65, 0.95.
         fired(&armed, Some(0.95));
@@ -263,7 +260,7 @@ mod tests {
         strike(&mut store, 900);
         feed(&mut store, 0, 1000);
         let trigger = Trigger { on: On::Strike, sweep: Sweep::Single, ..Trigger::default() };
-        let mut armed = Armed::default();
+        let mut armed = TriggerState::default();
         armed.look(&trigger, &store, KEY, 0.01);
         fired(&armed, Some(0.1));
         armed.rearm();
@@ -275,7 +272,7 @@ mod tests {
 
     #[test]
     fn auto_follows_when_nothing_comes_and_normal_holds() {
-        let armed = Armed { seen: 0.0, fired: Some(1.0) };
+        let armed = TriggerState { seen: 0.0, fired: Some(1.0) };
         let mut trigger = Trigger { on: On::Strike, before: 0.5, ..Trigger::default() };
         assert_eq!(armed.end(&trigger, 1.0, 1.6), Some(1.5));
         assert_eq!(armed.end(&trigger, 1.0, 60.0), None);
@@ -289,7 +286,7 @@ mod tests {
         strike(&mut store, 100);
         feed(&mut store, 0, 200);
         let trigger = Trigger { on: On::Strike, ..Trigger::default() };
-        let mut armed = Armed { seen: 60.0, fired: Some(59.0) };
+        let mut armed = TriggerState { seen: 60.0, fired: Some(59.0) };
         armed.look(&trigger, &store, KEY, 0.01);
         fired(&armed, Some(0.1));
     }

@@ -4,20 +4,19 @@ use telemetry::{KEYS, Overview};
 
 /// What a key is seen to do.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Glance {
-    /// Largest displacement since the message before [m].
+pub struct KeySummary {
+    /// Largest displacement since the message before (m).
     pub position: f32,
-    /// The force sent that is farthest from none [N].
+    /// The force sent that is farthest from none (N).
     pub force: f32,
     /// Mode, if there is one.
     pub mode: Option<u8>,
     /// Bits as in `KeyBlock.flags`.
     pub flags: u8,
-    /// As in `KeyBlock.fault`.
     pub fault: u8,
 }
 
-impl Glance {
+impl KeySummary {
     const NOTHING: Self = Self { position: 0.0, force: 0.0, mode: None, flags: 8, fault: 0 };
 
     /// The `i`th key of an overview.
@@ -39,7 +38,7 @@ impl Glance {
 /// The newest overview.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Glances {
-    keys: [Glance; KEYS],
+    keys: [KeySummary; KEYS],
     /// Whether there was one.
     pub is_known: bool,
     /// The last tick that is in it.
@@ -50,19 +49,19 @@ pub struct Glances {
 
 impl Default for Glances {
     fn default() -> Self {
-        Self { keys: [Glance::NOTHING; KEYS], is_known: false, tick: 0, dropped: 0 }
+        Self { keys: [KeySummary::NOTHING; KEYS], is_known: false, tick: 0, dropped: 0 }
     }
 }
 
 impl Glances {
     /// The key `key`; nothing for one that is none.
-    pub fn key(&self, key: u8) -> Glance {
-        self.keys.get(usize::from(key)).copied().unwrap_or(Glance::NOTHING)
+    pub fn key(&self, key: u8) -> KeySummary {
+        self.keys.get(usize::from(key)).copied().unwrap_or(KeySummary::NOTHING)
     }
 
     /// Whether an overview says of each key what is known already.
     pub(crate) fn shows(&self, overview: &Overview) -> bool {
-        self.keys.iter().enumerate().all(|(i, glance)| *glance == Glance::of(overview, i))
+        self.keys.iter().enumerate().all(|(i, glance)| *glance == KeySummary::of(overview, i))
     }
 
     /// Takes an overview.
@@ -71,7 +70,7 @@ impl Glances {
         self.tick = overview.tick;
         self.dropped = overview.dropped;
         for (i, glance) in self.keys.iter_mut().enumerate() {
-            *glance = Glance::of(overview, i);
+            *glance = KeySummary::of(overview, i);
         }
     }
 }

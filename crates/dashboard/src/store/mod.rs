@@ -37,7 +37,6 @@ pub struct Store {
     pub catalogue: Option<Catalogue>,
     /// All keys at a glance.
     pub glances: Glances,
-    /// What happened.
     pub events: Journal<Event>,
     /// What people should read.
     pub log: Journal<Log>,
@@ -47,13 +46,11 @@ pub struct Store {
     pub timing: Timing,
     /// All ticks so far.
     pub deadlines: Option<Deadlines>,
-    /// Boards and links.
     pub links: Option<Links>,
     voices: BTreeMap<u8, Voice>,
     traces: BTreeMap<u8, Trace>,
-    /// When the newest message was made [ns since 1970].
+    /// When the newest message was made (ns since 1970).
     newest_at: u64,
-    /// Counts what arrived.
     version: u64,
 }
 
@@ -77,7 +74,7 @@ impl Default for Store {
 }
 
 impl Store {
-    /// Takes a message that was made `at` [ns since 1970].
+    /// Takes a message that was made `at` (ns since 1970).
     pub fn take(&mut self, at: u64, update: Update) {
         self.version += 1;
         self.newest_at = self.newest_at.max(at);
@@ -138,7 +135,7 @@ impl Store {
         1.0 / f64::from(hz)
     }
 
-    /// When a tick began [s].
+    /// When a tick began (s).
     pub fn seconds(&self, tick: u64) -> f64 {
         tick as f64 * self.period()
     }
@@ -148,20 +145,20 @@ impl Store {
         number::floor(seconds / self.period() + 1e-6)
     }
 
-    /// When an event happened [s].
+    /// When an event happened (s).
     pub fn when(&self, event: &Event) -> f64 {
         let theta = if event.theta.is_finite() { event.theta } else { 0.0 };
         (event.tick as f64 + theta) * self.period()
     }
 
-    /// The newest time of which anything is known [s].
+    /// The newest time of which anything is known (s).
     pub fn newest(&self) -> f64 {
         let rows = self.traces.values().filter_map(|trace| trace.ticks().last());
         let tick = rows.copied().fold(self.glances.tick, u64::max);
         self.seconds(tick)
     }
 
-    /// When the newest message was made [ns since 1970].
+    /// When the newest message was made (ns since 1970).
     pub const fn newest_at(&self) -> u64 {
         self.newest_at
     }

@@ -9,8 +9,7 @@ const KEPT: usize = 60_000;
 
 /// How a tick went.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Cause {
-    /// In time.
+pub enum TickOutcome {
     InTime,
     /// It was woken late.
     WokenLate,
@@ -20,7 +19,7 @@ pub enum Cause {
     OwnWork,
 }
 
-impl Cause {
+impl TickOutcome {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::InTime, Self::WokenLate, Self::Preempted, Self::OwnWork];
 
@@ -47,16 +46,14 @@ impl Cause {
 /// When a tick was done.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Timed {
-    /// The tick.
     pub tick: u64,
-    /// Woken after it was due [µs].
+    /// Woken after it was due (µs).
     pub lateness: f32,
-    /// Samples in to forces out [µs].
+    /// Samples in to forces out (µs).
     pub turnaround: f32,
-    /// CPU time [µs].
+    /// CPU time (µs).
     pub work: f32,
-    /// How it went.
-    pub cause: Cause,
+    pub cause: TickOutcome,
 }
 
 /// The newest ticks.
@@ -85,7 +82,7 @@ impl Timing {
                 lateness: float(&ticks.lateness, i),
                 turnaround: float(&ticks.turnaround, i),
                 work: float(&ticks.work, i),
-                cause: Cause::of(ticks.outcome.get(i).copied().unwrap_or(0)),
+                cause: TickOutcome::of(ticks.outcome.get(i).copied().unwrap_or(0)),
             });
         }
     }

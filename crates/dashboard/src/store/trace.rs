@@ -15,7 +15,6 @@ pub const OWN: [(&str, &str); 4] =
 /// Ticks in which the model stayed in one mode.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Epoch {
-    /// Its first tick.
     pub tick: u64,
     /// The mode.
     pub mode: u8,
@@ -86,7 +85,7 @@ impl Trace {
         }
     }
 
-    /// The mean speed over the last rows [m/s].
+    /// The mean speed over the last rows (m/s).
     fn speed(&self, position: f32, tick: u64, period: f64) -> f32 {
         // The tick of this row is in already, its position is not.
         let Some(row) = self.columns[0].values().len().checked_sub(SPEED_ROWS) else { return 0.0 };

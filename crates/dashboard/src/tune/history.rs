@@ -1,33 +1,37 @@
 //! What was changed, so that it can be taken back.
 
-use super::snapshot::{Slot, Values};
+use super::snapshot::{ParameterSlot, SlotValues};
 
 /// Steps that are kept.
 const KEPT: usize = 200;
 
 /// One change: by a drag, a typed value, a morph.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Step {
+pub struct UndoStep {
     /// What it was, in a few words.
     pub text: String,
-    /// Values before.
-    pub before: Values,
-    /// Values after.
-    pub after: Values,
+    pub before: SlotValues,
+    pub after: SlotValues,
     /// Steps of the same drag are one.
     gesture: Option<u64>,
 }
 
 /// Steps done and steps taken back.
 #[derive(Clone, Debug, Default)]
-pub struct History {
-    done: Vec<Step>,
-    undone: Vec<Step>,
+pub struct UndoHistory {
+    done: Vec<UndoStep>,
+    undone: Vec<UndoStep>,
 }
 
-impl History {
+impl UndoHistory {
     /// Enters a step; one of the same gesture as the last becomes part of it.
-    pub fn enter(&mut self, text: &str, before: Values, after: Values, gesture: Option<u64>) {
+    pub fn enter(
+        &mut self,
+        text: &str,
+        before: SlotValues,
+        after: SlotValues,
+        gesture: Option<u64>,
+    ) {
         self.undone.clear();
         if let Some(last) = self.done.last_mut()
             && gesture.is_some()
@@ -39,14 +43,14 @@ impl History {
             last.after.extend(after);
             return;
         }
-        self.done.push(Step { text: text.to_owned(), before, after, gesture });
+        self.done.push(UndoStep { text: text.to_owned(), before, after, gesture });
         if KEPT < self.done.len() {
             self.done.remove(0);
         }
     }
 
     /// Takes the last step back: the values to go to.
-    pub fn undo(&mut self) -> Option<Values> {
+    pub fn undo(&mut self) -> Option<SlotValues> {
         let step = self.done.pop()?;
         let values = step.before.clone();
         self.undone.push(step);
@@ -54,7 +58,7 @@ impl History {
     }
 
     /// Does again what was taken back last.
-    pub fn redo(&mut self) -> Option<Values> {
+    pub fn redo(&mut self) -> Option<SlotValues> {
         let step = self.undone.pop()?;
         let values = step.after.clone();
         self.done.push(step);
@@ -62,27 +66,27 @@ impl History {
     }
 
     /// The step that [`Self::undo`] would take back.
-    pub fn last(&self) -> Option<&Step> {
+    pub fn last(&self) -> Option<&UndoStep> {
         self.done.last()
     }
 
     /// The step that [`Self::redo`] would do again.
-    pub fn next(&self) -> Option<&Step> {
+    pub fn next(&self) -> Option<&UndoStep> {
         self.undone.last()
     }
 
     /// Steps done, oldest first.
-    pub fn steps(&self) -> &[Step] {
+    pub fn steps(&self) -> &[UndoStep] {
         &self.done
     }
 
     /// Steps taken back, the one that [`Self::redo`] would do again first.
-    pub fn undone(&self) -> impl Iterator<Item = &Step> {
+    pub fn undone(&self) -> impl Iterator<Item = &UndoStep> {
         self.undone.iter().rev()
     }
 
     /// A value that was refused is no step.
-    pub fn forget(&mut self, slots: &[Slot]) {
+    pub fn forget(&mut self, slots: &[ParameterSlot]) {
         for step in &mut self.done {
             step.before.retain(|slot, _| !slots.contains(slot));
             step.after.retain(|slot, _| !slots.contains(slot));
@@ -95,13 +99,13 @@ impl History {
 mod tests {
     use super::*;
 
-    fn value(value: f64) -> Values {
-        [(Slot::new(39, "k2"), value)].into()
+    fn value(value: f64) -> SlotValues {
+        [(ParameterSlot::new(39, "k2"), value)].into()
     }
 
     #[test]
     fn steps_go_back_and_forth() {
-        let mut history = History::default();
+        let mut history = UndoHistory::default();
         history.enter("first", value(1.0), value(2.0), None);
         history.enter("second", value(2.0), value(3.0), None);
         assert_eq!(history.undo(), Some(value(2.0)));
@@ -116,7 +120,7 @@ mod tests {
 
     #[test]
     fn a_drag_is_one_step() {
-        let mut history = History::default();
+        let mut history = UndoHistory::default();
         for i in 0..10 {
             let at = f64::from(i);
             history.enter("drag", value(at), value(at + 1.0), Some(7));
@@ -128,7 +132,7 @@ mod tests {
 
     #[test]
     fn memory_is_bounded() {
-        let mut history = History::default();
+        let mut history = UndoHistory::default();
         for _ in 0..2 * KEPT {
             history.enter("step", value(0.0), value(1.0), None);
         }
@@ -137,9 +141,9 @@ mod tests {
 
     #[test]
     fn what_was_refused_is_no_step() {
-        let mut history = History::default();
+        let mut history = UndoHistory::default();
         history.enter("step", value(0.0), value(1.0), None);
-        history.forget(&[Slot::new(39, "k2")]);
+        history.forget(&[ParameterSlot::new(39, "k2")]);
         assert!(history.last().is_none());
     }
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 /// What the other keys of a range do.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
-pub enum Link {
+pub enum LinkedKeys {
     /// Nothing: each key for itself.
     #[default]
     Alone,
@@ -20,7 +20,7 @@ pub enum Link {
     Graded,
 }
 
-impl Link {
+impl LinkedKeys {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Alone, Self::Same, Self::Factor, Self::Graded];
 
@@ -39,7 +39,7 @@ impl Link {
 ///
 /// `values` are those before, of every key that can follow; what comes back is not yet limited.
 pub fn moved(
-    link: Link,
+    link: LinkedKeys,
     range: &RangeInclusive<u8>,
     values: &BTreeMap<u8, f64>,
     key: u8,
@@ -48,10 +48,10 @@ pub fn moved(
     let others = values.iter().filter(|(other, _)| range.contains(other) || **other == key);
     let new = |(other, old): (&u8, &f64)| {
         let follows = match link {
-            Link::Alone => None,
-            Link::Same => Some(value),
-            Link::Factor => Some(scaled(*old, values.get(&key).copied(), value)),
-            Link::Graded => Some(graded(range, values, key, value, *other)),
+            LinkedKeys::Alone => None,
+            LinkedKeys::Same => Some(value),
+            LinkedKeys::Factor => Some(scaled(*old, values.get(&key).copied(), value)),
+            LinkedKeys::Graded => Some(graded(range, values, key, value, *other)),
         };
         let new = if *other == key { Some(value) } else { follows };
         new.map(|new| (*other, new))
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn check(link: Link, key: u8, value: f64, expected: &[(u8, f64)]) {
+    fn check(link: LinkedKeys, key: u8, value: f64, expected: &[(u8, f64)]) {
         let moved = moved(link, &(12..=16), &values(), key, value);
         let expected: BTreeMap<u8, f64> = expected.iter().copied().collect();
         assert_eq!(moved.keys().collect::<Vec<_>>(), expected.keys().collect::<Vec<_>>());
@@ -102,44 +102,44 @@ mod tests {
 
     #[test]
     fn alone_nothing_follows() {
-        check(Link::Alone, 14, 3.0, &[(14, 3.0)]);
+        check(LinkedKeys::Alone, 14, 3.0, &[(14, 3.0)]);
     }
 
     #[test]
     fn all_take_the_same_value() {
-        check(Link::Same, 14, 3.0, &[(12, 3.0), (13, 3.0), (14, 3.0), (15, 3.0), (16, 3.0)]);
+        check(LinkedKeys::Same, 14, 3.0, &[(12, 3.0), (13, 3.0), (14, 3.0), (15, 3.0), (16, 3.0)]);
     }
 
     #[test]
     fn all_change_by_the_same_factor() {
         let expected = [(12, 24.0), (13, 26.0), (14, 28.0), (15, 30.0), (16, 32.0)];
-        check(Link::Factor, 14, 28.0, &expected);
+        check(LinkedKeys::Factor, 14, 28.0, &expected);
     }
 
     #[test]
     fn a_graded_range_bends_at_the_key_and_keeps_its_ends() {
         let expected = [(12, 12.0), (13, 16.0), (14, 20.0), (15, 18.0), (16, 16.0)];
-        check(Link::Graded, 14, 20.0, &expected);
+        check(LinkedKeys::Graded, 14, 20.0, &expected);
     }
 
     #[test]
     fn a_graded_range_turns_about_its_other_end() {
         let expected = [(12, 0.0), (13, 4.0), (14, 8.0), (15, 12.0), (16, 16.0)];
-        check(Link::Graded, 12, 0.0, &expected);
+        check(LinkedKeys::Graded, 12, 0.0, &expected);
         let expected = [(12, 12.0), (13, 14.0), (14, 16.0), (15, 18.0), (16, 20.0)];
-        check(Link::Graded, 16, 20.0, &expected);
+        check(LinkedKeys::Graded, 16, 20.0, &expected);
     }
 
     #[test]
     fn a_key_outside_the_range_takes_the_range_with_it() {
-        let moved = moved(Link::Same, &(12..=13), &values(), 20, 5.0);
+        let moved = moved(LinkedKeys::Same, &(12..=13), &values(), 20, 5.0);
         assert_eq!(moved, [(12, 5.0), (13, 5.0), (20, 5.0)].into());
     }
 
     #[test]
     fn nothing_grows_out_of_zero() {
         let zero = [(12, 0.0), (13, 4.0)].into();
-        let moved = moved(Link::Factor, &(12..=13), &zero, 12, 3.0);
+        let moved = moved(LinkedKeys::Factor, &(12..=13), &zero, 12, 3.0);
         assert_eq!(moved, [(12, 3.0), (13, 3.0)].into());
     }
 }

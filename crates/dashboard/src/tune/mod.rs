@@ -18,17 +18,16 @@ use telemetry::source::Ticket;
 use telemetry::{Model, Parameter, Update};
 
 use crate::{names, number};
-use history::History;
-use link::Link;
-use snapshot::{Slot, Snapshot, Values};
+use history::UndoHistory;
+use link::LinkedKeys;
+use snapshot::{ParameterSlot, SlotValues, Snapshot};
 
 /// What is remembered from one start to the next.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Kept {
+pub struct SavedTuning {
     /// Parameters that nothing changes.
     pub locked: BTreeSet<String>,
-    /// A and B.
     pub compared: [Option<Snapshot>; 2],
     /// Snapshots by their names.
     pub named: BTreeMap<String, Snapshot>,
@@ -36,7 +35,7 @@ pub struct Kept {
 
 /// What a key is played by, as the host last told.
 #[derive(Clone, Debug)]
-struct Played {
+struct KeyInstrument {
     model: String,
     instrument: String,
     values: Vec<f64>,
@@ -45,9 +44,9 @@ struct Played {
 
 /// Values on their way.
 #[derive(Clone, Debug)]
-struct Asked {
+struct PendingValues {
     ticket: Ticket,
-    values: Values,
+    values: SlotValues,
     /// Revisions of the keys' voices when it was sent.
     revisions: BTreeMap<u8, u32>,
 }
@@ -56,13 +55,13 @@ struct Asked {
 #[derive(Clone, Debug, Default)]
 pub struct Tuner {
     /// What is remembered from one start to the next.
-    pub kept: Kept,
+    pub kept: SavedTuning,
     models: BTreeMap<String, Model>,
-    played: BTreeMap<u8, Played>,
-    wanted: Values,
-    dirty: BTreeSet<Slot>,
-    asked: Option<Asked>,
-    history: History,
+    played: BTreeMap<u8, KeyInstrument>,
+    wanted: SlotValues,
+    dirty: BTreeSet<ParameterSlot>,
+    asked: Option<PendingValues>,
+    history: UndoHistory,
     refusal: Option<String>,
 }
 
@@ -80,7 +79,7 @@ impl Tuner {
                 self.wanted.retain(|slot, _| slot.key != key);
                 self.dirty.retain(|slot| slot.key != key);
             }
-            let played = Played {
+            let played = KeyInstrument {
                 model: voice.model.clone(),
                 instrument: voice.instrument.clone(),
                 values: voice.values.clone(),
@@ -110,7 +109,7 @@ impl Tuner {
 
     /// The value to show: the one asked for, or else the host's.
     pub fn value(&self, key: u8, name: &str) -> Option<f64> {
-        let wanted = self.wanted.get(&Slot::new(key, name)).copied();
+        let wanted = self.wanted.get(&ParameterSlot::new(key, name)).copied();
         wanted.or_else(|| self.told(key, name))
     }
 
@@ -127,7 +126,7 @@ impl Tuner {
 
     /// Whether a value was asked for and not yet answered.
     pub fn is_asked(&self, key: u8, name: &str) -> bool {
-        self.wanted.contains_key(&Slot::new(key, name))
+        self.wanted.contains_key(&ParameterSlot::new(key, name))
     }
 
     /// Why the last value was refused.
@@ -136,7 +135,7 @@ impl Tuner {
     }
 
     /// What was changed.
-    pub const fn history(&self) -> &History {
+    pub const fn history(&self) -> &UndoHistory {
         &self.history
     }
 
@@ -145,9 +144,9 @@ impl Tuner {
     /// Changes of the same `gesture` are taken back together.
     pub fn edit(
         &mut self,
-        slot: &Slot,
+        slot: &ParameterSlot,
         value: f64,
-        (link, range): (Link, &RangeInclusive<u8>),
+        (link, range): (LinkedKeys, &RangeInclusive<u8>),
         gesture: Option<u64>,
     ) {
         let Some(model) = self.played.get(&slot.key).map(|played| &played.model) else { return };
@@ -155,10 +154,11 @@ impl Tuner {
         let values: BTreeMap<u8, f64> =
             same.filter_map(|(key, _)| Some((*key, self.value(*key, &slot.parameter)?))).collect();
         let moved = link::moved(link, range, &values, slot.key, value);
-        let values = moved.into_iter().map(|(key, value)| (Slot::new(key, &slot.parameter), value));
+        let values =
+            moved.into_iter().map(|(key, value)| (ParameterSlot::new(key, &slot.parameter), value));
         let text = match link {
-            Link::Alone => format!("{} of {}", slot.parameter, names::name(slot.key)),
-            Link::Same | Link::Factor | Link::Graded => {
+            LinkedKeys::Alone => format!("{} of {}", slot.parameter, names::name(slot.key)),
+            LinkedKeys::Same | LinkedKeys::Factor | LinkedKeys::Graded => {
                 format!("{} of {}, {}", slot.parameter, names::range_name(range), link.text())
             }
         };
@@ -168,9 +168,9 @@ impl Tuner {
     /// Goes to `values`, as one step.
     ///
     /// What is locked, unknown or not a number stays; what is out of range goes to its end.
-    pub fn apply(&mut self, text: &str, values: &Values, gesture: Option<u64>) {
-        let mut before = Values::new();
-        let mut after = Values::new();
+    pub fn apply(&mut self, text: &str, values: &SlotValues, gesture: Option<u64>) {
+        let mut before = SlotValues::new();
+        let mut after = SlotValues::new();
         for (slot, value) in values {
             let Some((old, new)) = self.limited(slot, *value) else { continue };
             if new.to_bits() != old.to_bits() {
@@ -185,7 +185,7 @@ impl Tuner {
     }
 
     /// The value before, and the one that is allowed.
-    fn limited(&self, slot: &Slot, value: f64) -> Option<(f64, f64)> {
+    fn limited(&self, slot: &ParameterSlot, value: f64) -> Option<(f64, f64)> {
         if !value.is_finite() || self.is_locked(&slot.parameter) {
             return None;
         }
@@ -196,7 +196,7 @@ impl Tuner {
         Some((old, new))
     }
 
-    fn want(&mut self, values: &Values) {
+    fn want(&mut self, values: &SlotValues) {
         self.wanted.extend(values.iter().map(|(slot, value)| (slot.clone(), *value)));
         self.dirty.extend(values.keys().cloned());
     }
@@ -225,7 +225,7 @@ impl Tuner {
         }
     }
 
-    fn unlocked(&self, mut values: Values) -> Values {
+    fn unlocked(&self, mut values: SlotValues) -> SlotValues {
         values.retain(|slot, value| self.limited(slot, *value).is_some());
         values
     }
@@ -251,13 +251,13 @@ impl Tuner {
         self.played.iter().map(|(key, played)| (*key, played.model.clone())).collect()
     }
 
-    fn values(&self) -> Values {
-        let of_key = |(key, played): (&u8, &Played)| {
+    fn values(&self) -> SlotValues {
+        let of_key = |(key, played): (&u8, &KeyInstrument)| {
             let parameters = self.models.get(&played.model).map(|model| &model.parameters);
             let names = parameters.into_iter().flatten().map(|it| it.name.clone());
             let values = names.filter_map(|name| {
                 let value = self.value(*key, &name)?;
-                Some((Slot::new(*key, name), value))
+                Some((ParameterSlot::new(*key, name), value))
             });
             values.collect::<Vec<_>>()
         };
@@ -286,7 +286,7 @@ impl Tuner {
         if self.asked.is_some() || self.dirty.is_empty() {
             return None;
         }
-        let change = |slot: &Slot| {
+        let change = |slot: &ParameterSlot| {
             let value = *self.wanted.get(slot)?;
             Some(Change { key: slot.key, parameter: slot.parameter.clone(), value })
         };
@@ -296,22 +296,22 @@ impl Tuner {
     /// What [`Self::outgoing`] said was asked for by `ticket`.
     pub fn sent(&mut self, ticket: Ticket) {
         let dirty = std::mem::take(&mut self.dirty);
-        let value = |slot: Slot| {
+        let value = |slot: ParameterSlot| {
             let value = *self.wanted.get(&slot)?;
             Some((slot, value))
         };
-        let values: Values = dirty.into_iter().filter_map(value).collect();
+        let values: SlotValues = dirty.into_iter().filter_map(value).collect();
         let keys = values.keys().map(|slot| slot.key).collect::<BTreeSet<_>>();
         let revision = |key: u8| Some((key, self.played.get(&key)?.revision));
         let revisions = keys.into_iter().filter_map(revision).collect();
-        self.asked = Some(Asked { ticket, values, revisions });
+        self.asked = Some(PendingValues { ticket, values, revisions });
     }
 
     /// The host answered: a refusal is a sentence.
     pub fn answered(&mut self, ticket: Ticket, result: Result<(), &str>) {
         let Some(asked) = self.asked.take_if(|asked| asked.ticket == ticket) else { return };
         self.refusal = result.err().map(str::to_owned);
-        let slots: Vec<Slot> = asked.values.keys().cloned().collect();
+        let slots: Vec<ParameterSlot> = asked.values.keys().cloned().collect();
         for (slot, value) in asked.values {
             if self.dirty.contains(&slot) {
                 // It was moved on meanwhile: the newer value stays.
@@ -332,7 +332,7 @@ impl Tuner {
     }
 
     /// The host did as it was asked, and its voice is still on the way.
-    fn believe(&mut self, slot: &Slot, value: f64) {
+    fn believe(&mut self, slot: &ParameterSlot, value: f64) {
         let Some((i, _)) = self.at(slot.key, &slot.parameter) else { return };
         let played = self.played.get_mut(&slot.key);
         if let Some(told) = played.and_then(|played| played.values.get_mut(i)) {

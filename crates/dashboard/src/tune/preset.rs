@@ -5,23 +5,21 @@ use std::ops::RangeInclusive;
 
 use telemetry::Parameter;
 
-/// How far values may lie from a straight line between the ends [share of the larger end].
+/// How far values may lie from a straight line between the ends (share of the larger end).
 const STRAIGHT: f64 = 1e-6;
 
 /// What is written.
 #[derive(Clone, Debug)]
-pub struct Preset<'a> {
-    /// Its title.
+pub struct SavedPreset<'a> {
     pub title: &'a str,
     /// The model.
     pub model: &'a str,
-    /// The model's parameters.
     pub parameters: &'a [Parameter],
     /// Which keys the values are of.
     pub range: RangeInclusive<u8>,
 }
 
-impl Preset<'_> {
+impl SavedPreset<'_> {
     /// The file's text: a number where all keys have it, else the values of both ends.
     ///
     /// `value` gives a parameter's value on a key.
@@ -81,7 +79,7 @@ mod tests {
     #[test]
     fn equal_values_are_a_number_and_graded_ones_two() {
         let parameters = [parameter("k2", "N/m"), parameter("m", "kg"), parameter("d", "m")];
-        let preset = Preset {
+        let preset = SavedPreset {
             title: "Soft \"one\"",
             model: "key-hammer-springs",
             parameters: &parameters,

@@ -6,14 +6,12 @@ use serde::{Deserialize, Serialize};
 
 /// Which parameter of which key.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
-pub struct Slot {
-    /// The key.
+pub struct ParameterSlot {
     pub key: u8,
-    /// The parameter's name.
     pub parameter: String,
 }
 
-impl Slot {
+impl ParameterSlot {
     /// The parameter `parameter` of `key`.
     pub fn new(key: u8, parameter: impl Into<String>) -> Self {
         Self { key, parameter: parameter.into() }
@@ -21,7 +19,7 @@ impl Slot {
 }
 
 /// Values by slot.
-pub type Values = BTreeMap<Slot, f64>;
+pub type SlotValues = BTreeMap<ParameterSlot, f64>;
 
 /// Values of all keys, as they once were.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
@@ -29,18 +27,18 @@ pub struct Snapshot {
     /// The models that the values are for, key by key.
     pub models: BTreeMap<u8, String>,
     /// The values: a list, because a slot is no name in JSON.
-    values: Vec<(Slot, f64)>,
+    values: Vec<(ParameterSlot, f64)>,
 }
 
 impl Snapshot {
     /// Keeps `values` of keys that are played by `models`.
-    pub fn new(models: BTreeMap<u8, String>, values: &Values) -> Self {
+    pub fn new(models: BTreeMap<u8, String>, values: &SlotValues) -> Self {
         Self { models, values: values.iter().map(|(slot, value)| (slot.clone(), *value)).collect() }
     }
 
     /// The values of keys that `models` still play.
-    pub fn values(&self, models: &BTreeMap<u8, String>) -> Values {
-        let of_same = |(slot, _): &&(Slot, f64)| {
+    pub fn values(&self, models: &BTreeMap<u8, String>) -> SlotValues {
+        let of_same = |(slot, _): &&(ParameterSlot, f64)| {
             self.models.get(&slot.key).is_some_and(|model| models.get(&slot.key) == Some(model))
         };
         self.values.iter().filter(of_same).cloned().collect()
@@ -48,8 +46,8 @@ impl Snapshot {
 }
 
 /// What lies between `from` (0) and `to` (1); where only one has a value, nothing does.
-pub fn between(from: &Values, to: &Values, share: f64) -> Values {
-    let mix = |(slot, a): (&Slot, &f64)| {
+pub fn between(from: &SlotValues, to: &SlotValues, share: f64) -> SlotValues {
+    let mix = |(slot, a): (&ParameterSlot, &f64)| {
         let b = to.get(slot)?;
         Some((slot.clone(), a + (b - a) * share))
     };
@@ -60,8 +58,8 @@ pub fn between(from: &Values, to: &Values, share: f64) -> Values {
 mod tests {
     use super::*;
 
-    fn values(list: &[(u8, &str, f64)]) -> Values {
-        list.iter().map(|(key, name, value)| (Slot::new(*key, *name), *value)).collect()
+    fn values(list: &[(u8, &str, f64)]) -> SlotValues {
+        list.iter().map(|(key, name, value)| (ParameterSlot::new(*key, *name), *value)).collect()
     }
 
     #[test]

@@ -5,7 +5,7 @@ use telemetry::{Catalogue, Voice};
 use super::*;
 
 const KEY: u8 = 39;
-const ALONE: (Link, RangeInclusive<u8>) = (Link::Alone, 0..=87);
+const ALONE: (LinkedKeys, RangeInclusive<u8>) = (LinkedKeys::Alone, 0..=87);
 
 fn voice(key: u8, revision: u32, model: &str, values: &[f64]) -> Update {
     Update::Voice(Voice {
@@ -36,7 +36,7 @@ fn tuner() -> Tuner {
 }
 
 fn edit(tuner: &mut Tuner, value: f64) {
-    tuner.edit(&Slot::new(KEY, "k"), value, (ALONE.0, &ALONE.1), None);
+    tuner.edit(&ParameterSlot::new(KEY, "k"), value, (ALONE.0, &ALONE.1), None);
 }
 
 #[track_caller]
@@ -128,8 +128,8 @@ fn values_stay_within_their_limits() {
     shows(&tuner, 0.0);
     edit(&mut tuner, f64::NAN);
     shows(&tuner, 0.0);
-    tuner.edit(&Slot::new(KEY, "nothing"), 1.0, (ALONE.0, &ALONE.1), None);
-    tuner.edit(&Slot::new(87, "k"), 1.0, (ALONE.0, &ALONE.1), None);
+    tuner.edit(&ParameterSlot::new(KEY, "nothing"), 1.0, (ALONE.0, &ALONE.1), None);
+    tuner.edit(&ParameterSlot::new(87, "k"), 1.0, (ALONE.0, &ALONE.1), None);
     assert_eq!(tuner.history().steps().len(), 2);
 }
 
@@ -170,8 +170,8 @@ fn one_goes_to_any_step_and_comes_back() {
 #[test]
 fn a_range_is_taken_back_as_one() {
     let mut tuner = tuner();
-    tuner.edit(&Slot::new(KEY, "k"), 40.0, (Link::Same, &(0..=87)), Some(1));
-    tuner.edit(&Slot::new(KEY, "k"), 50.0, (Link::Same, &(0..=87)), Some(1));
+    tuner.edit(&ParameterSlot::new(KEY, "k"), 40.0, (LinkedKeys::Same, &(0..=87)), Some(1));
+    tuner.edit(&ParameterSlot::new(KEY, "k"), 50.0, (LinkedKeys::Same, &(0..=87)), Some(1));
     assert_eq!(tuner.value(KEY + 1, "k"), Some(50.0));
     assert_eq!(send(&mut tuner, 1), [50.0; 3]);
     tuner.undo();
@@ -184,7 +184,7 @@ fn a_range_is_taken_back_as_one() {
 fn a_key_of_another_model_does_not_follow() {
     let mut tuner = tuner();
     tuner.take(&voice(KEY + 1, 2, "other", &[10.0, 0.5]));
-    tuner.edit(&Slot::new(KEY, "k"), 40.0, (Link::Same, &(0..=87)), None);
+    tuner.edit(&ParameterSlot::new(KEY, "k"), 40.0, (LinkedKeys::Same, &(0..=87)), None);
     assert_eq!(tuner.value(KEY - 1, "k"), Some(40.0));
     assert_eq!(tuner.value(KEY + 1, "k"), Some(10.0));
 }

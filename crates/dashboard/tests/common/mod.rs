@@ -10,14 +10,14 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use dashboard::demo::{Asked, Demo};
-use dashboard::{App, Clock, Memory, Pane};
+use dashboard::demo::{Demo, RequestLog};
+use dashboard::{App, Pane, SavedWindow, WallClock};
 use eframe::egui;
 use egui_kittest::{Harness, kittest::Queryable as _};
 use telemetry::source::Ticket;
-use telemetry::{Arrival, Request, Source, Standing, Topic};
+use telemetry::{Arrival, ConnectionState, Request, Source, Topic};
 
-/// When every test begins [ns since 1970].
+/// When every test begins (ns since 1970).
 const BEGAN: u64 = 1_800_000_000_000_000_000;
 
 /// A clock that a test sets.
@@ -37,7 +37,7 @@ impl Hand {
     }
 
     /// The clock that it sets.
-    pub(crate) fn clock(&self) -> Clock {
+    pub(crate) fn clock(&self) -> WallClock {
         let hand = Arc::clone(&self.0);
         Arc::new(move || BEGAN + hand.load(Ordering::Relaxed))
     }
@@ -48,7 +48,6 @@ impl Hand {
 pub(crate) enum Behind {
     /// A host that plays.
     Live,
-    /// A recording.
     Recording,
     /// A host that plays, and goes away when it is asked to stop.
     Vanishing,
@@ -56,11 +55,9 @@ pub(crate) enum Behind {
 
 /// A window, and what is behind it.
 pub(crate) struct Stage {
-    /// The window.
     pub(crate) harness: Harness<'static, App>,
-    /// The clock.
     pub(crate) hand: Hand,
-    asked: Asked,
+    asked: RequestLog,
 }
 
 /// A window that shows `pane` alone, three seconds after the beginning.
@@ -74,7 +71,7 @@ pub(crate) fn stage(pane: Pane, behind: Behind) -> Stage {
 #[expect(clippy::large_stack_frames, reason = "a window, once")]
 pub(crate) fn stage_with(
     behind: Behind,
-    memory: Option<Memory>,
+    memory: Option<SavedWindow>,
     set: impl FnOnce(&mut App),
 ) -> Stage {
     let hand = Hand::default();
@@ -89,7 +86,7 @@ pub(crate) fn stage_with(
 }
 
 /// The demonstration, and what it is asked.
-pub(crate) fn source(hand: &Hand, behind: Behind) -> (Box<dyn Source>, Asked) {
+pub(crate) fn source(hand: &Hand, behind: Behind) -> (Box<dyn Source>, RequestLog) {
     let demo = match behind {
         Behind::Live | Behind::Vanishing => Demo::live(hand.clock()),
         Behind::Recording => Demo::recording(hand.clock()),
@@ -132,10 +129,10 @@ impl Source for Vanishing {
         ticket
     }
 
-    fn standing(&self) -> Standing {
+    fn standing(&self) -> ConnectionState {
         match self.stopped {
-            Some(_) => Standing::Lost("the host ended the connection".to_owned()),
-            None => Standing::Live,
+            Some(_) => ConnectionState::Lost("the host ended the connection".to_owned()),
+            None => ConnectionState::Live,
         }
     }
 

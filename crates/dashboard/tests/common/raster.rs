@@ -8,11 +8,8 @@ use eframe::egui::{Color32, Pos2, Rect, TextureId, TexturesDelta};
 /// A picture, premultiplied.
 #[derive(Clone, Debug)]
 pub(crate) struct Picture {
-    /// Pixels across.
     pub(crate) width: usize,
-    /// Pixels down.
     pub(crate) height: usize,
-    /// Row by row.
     pub(crate) pixels: Vec<Color32>,
 }
 

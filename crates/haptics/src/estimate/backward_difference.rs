@@ -1,6 +1,6 @@
 //! The textbook estimator: differences of the last three positions.
 
-use super::{Estimator, Motion, assert_positive};
+use super::{Estimator, KeyMotion, assert_positive};
 
 /// First and second backward difference.
 ///
@@ -15,12 +15,12 @@ pub struct BackwardDifference {
     period: f64,
     position: f64,
     velocity: f64,
-    /// Between the last two samples [s].
+    /// Between the last two samples (s).
     elapsed: f64,
 }
 
 impl BackwardDifference {
-    /// Creates an estimator at rest at zero, for one sample each `period` [s].
+    /// Creates an estimator at rest at zero, for one sample each `period` (s).
     ///
     /// # Panics
     ///
@@ -32,14 +32,14 @@ impl BackwardDifference {
 }
 
 impl Estimator for BackwardDifference {
-    fn update(&mut self, position: f64, elapsed: f64) -> Motion {
+    fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion {
         let velocity = (position - self.position) / elapsed;
         // Each velocity is that in the middle of its interval.
         let acceleration = (velocity - self.velocity) / (0.5 * (self.elapsed + elapsed));
         self.position = position;
         self.velocity = velocity;
         self.elapsed = elapsed;
-        Motion { position, velocity, acceleration }
+        KeyMotion { position, velocity, acceleration }
     }
 
     fn reset(&mut self, position: f64) {
@@ -118,6 +118,6 @@ mod tests {
         let mut estimator = BackwardDifference::new(1e-3);
         estimator.update(1.0, 1e-3);
         estimator.reset(0.004);
-        assert_eq!(estimator.update(0.004, 1e-3), Motion::at_rest(0.004));
+        assert_eq!(estimator.update(0.004, 1e-3), KeyMotion::at_rest(0.004));
     }
 }

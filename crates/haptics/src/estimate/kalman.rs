@@ -7,7 +7,7 @@
 
 use nalgebra::{Matrix3, RowVector3, Vector3};
 
-use super::{Estimator, Motion, assert_positive};
+use super::{Estimator, KeyMotion, assert_positive};
 
 /// Riccati iterations before the gain is taken as it is.
 ///
@@ -43,9 +43,9 @@ const REST: f64 = 1e-6;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kalman {
     period: f64,
-    /// Displacement per period [m] below which motion is rest.
+    /// Displacement per period (m) below which motion is rest.
     rest: f64,
-    /// Corrections per metre of innovation when samples come regularly [1, 1/s, 1/s²].
+    /// Corrections per metre of innovation when samples come regularly (1, 1/s, 1/s²).
     gain: [f64; 3],
     /// q T⁵ / Δ².
     ratio: f64,
@@ -54,7 +54,7 @@ pub struct Kalman {
     /// The same now, if it is not that.
     unsteady: Option<Matrix3<f64>>,
     measured: f64,
-    /// Estimated minus measured position [m].
+    /// Estimated minus measured position (m).
     offset: f64,
     velocity: f64,
     acceleration: f64,
@@ -66,8 +66,8 @@ impl Kalman {
 
     /// Creates a filter at rest at zero. Not for the tick: iterates the Riccati recursion.
     ///
-    /// One sample each `period` [s], rounded to `quantum` [m]; `jerk_density` is the power
-    /// spectral density of the jerk that drives the key [m²/s⁵], larger for a faster and
+    /// One sample each `period` (s), rounded to `quantum` (m); `jerk_density` is the power
+    /// spectral density of the jerk that drives the key (m²/s⁵), larger for a faster and
     /// noisier estimate ([`Self::KEY_JERK_DENSITY`] is a start).
     ///
     /// # Panics
@@ -93,12 +93,12 @@ impl Kalman {
         }
     }
 
-    /// Returns the steady gains on position, velocity and acceleration [1, 1/s, 1/s²].
+    /// Returns the steady gains on position, velocity and acceleration (1, 1/s, 1/s²).
     pub const fn gain(&self) -> [f64; 3] {
         self.gain
     }
 
-    /// Returns the gain for a sample `elapsed` [s] after the last one.
+    /// Returns the gain for a sample `elapsed` (s) after the last one.
     fn next_gain(&mut self, elapsed: f64) -> [f64; 3] {
         let periods = (elapsed / self.period).min(FORGOTTEN);
         let is_regular = (periods - 1.0).abs() < STEADY;
@@ -115,7 +115,7 @@ impl Kalman {
         gain
     }
 
-    /// Moves the state to the next sample, `h` [s] later, whose position is `measured` [m].
+    /// Moves the state to the next sample, `h` (s) later, whose position is `measured` (m).
     fn predict(&mut self, measured: f64, h: f64) {
         self.offset += h * (self.velocity + 0.5 * h * self.acceleration);
         self.offset += self.measured - measured;
@@ -144,12 +144,12 @@ impl Kalman {
 }
 
 impl Estimator for Kalman {
-    fn update(&mut self, position: f64, elapsed: f64) -> Motion {
+    fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion {
         let gain = self.next_gain(elapsed);
         self.predict(position, elapsed);
         self.correct(gain);
         self.settle();
-        Motion {
+        KeyMotion {
             position: position + self.offset,
             velocity: self.velocity,
             acceleration: self.acceleration,
@@ -165,7 +165,7 @@ impl Estimator for Kalman {
     }
 }
 
-/// A gain in units of the period in those of the second [1, 1/s, 1/s²].
+/// A gain in units of the period in those of the second (1, 1/s, 1/s²).
 fn per_seconds(gain: &Vector3<f64>, period: f64) -> [f64; 3] {
     [gain[0], gain[1] / period, gain[2] / (period * period)]
 }
@@ -289,7 +289,7 @@ mod tests {
         }
     }
 
-    /// Root mean square velocity error [m/s] on a sine of 5 mm at 2 Hz, counted in 10 µm.
+    /// Root mean square velocity error (m/s) on a sine of 5 mm at 2 Hz, counted in 10 µm.
     fn velocity_error(mut estimator: impl Estimator) -> f64 {
         let (quantum, omega) = (1e-5, core::f64::consts::TAU * 2.0);
         let mut sum = 0.0;
@@ -325,13 +325,13 @@ mod tests {
         for _ in 0..1000 {
             estimator.update(rest, 1e-3);
         }
-        assert_eq!(estimator.update(rest, 1e-3), Motion::at_rest(rest));
+        assert_eq!(estimator.update(rest, 1e-3), KeyMotion::at_rest(rest));
     }
 
     #[test]
     fn uniform_acceleration_is_followed_without_bias() {
         let mut estimator = Kalman::new(1e-3, 1e-6, Kalman::KEY_JERK_DENSITY);
-        let mut motion = Motion::at_rest(0.0);
+        let mut motion = KeyMotion::at_rest(0.0);
         for tick in 0..200_u32 {
             let t = f64::from(tick) * 1e-3;
             motion = estimator.update(0.5 * 3.0 * t * t, 1e-3);
@@ -362,7 +362,7 @@ mod tests {
     #[test]
     fn irregular_samples_of_a_uniform_acceleration_leave_no_bias() {
         let mut estimator = Kalman::new(1e-3, 1e-6, Kalman::KEY_JERK_DENSITY);
-        let (mut t, mut motion) = (0.0, Motion::at_rest(0.0));
+        let (mut t, mut motion) = (0.0, KeyMotion::at_rest(0.0));
         for n in 0..2000_u32 {
             // Between a third of a period and three periods after each other.
             let elapsed = 1e-3 * (0.3 + 2.7 * f64::from(n * 7919 % 101) / 101.0);
@@ -378,6 +378,6 @@ mod tests {
         let mut estimator = Kalman::new(1e-3, 1e-6, Kalman::KEY_JERK_DENSITY);
         estimator.update(0.01, 1e-3);
         estimator.reset(0.004);
-        assert_eq!(estimator.update(0.004, 1e-3), Motion::at_rest(0.004));
+        assert_eq!(estimator.update(0.004, 1e-3), KeyMotion::at_rest(0.004));
     }
 }

@@ -12,23 +12,23 @@ pub use kalman::Kalman;
 
 /// Motion of a key's front at the latest sample, down positive.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Motion {
-    /// Position [m].
+pub struct KeyMotion {
+    /// Position (m).
     pub position: f64,
-    /// Velocity [m/s].
+    /// Velocity (m/s).
     pub velocity: f64,
-    /// Acceleration [m/s²].
+    /// Acceleration (m/s²).
     pub acceleration: f64,
 }
 
-impl Motion {
-    /// Returns rest at `position` [m].
+impl KeyMotion {
+    /// Returns rest at `position` (m).
     #[must_use]
     pub const fn at_rest(position: f64) -> Self {
         Self { position, velocity: 0.0, acceleration: 0.0 }
     }
 
-    /// Returns the motion `t` [s] later if the acceleration stays.
+    /// Returns the motion `t` (s) later if the acceleration stays.
     #[must_use]
     pub fn after(&self, t: f64) -> Self {
         let Self { position, velocity, acceleration } = *self;
@@ -42,15 +42,15 @@ impl Motion {
 
 /// Estimates motion from positions, one per period if all goes well.
 pub trait Estimator {
-    /// Takes the next measured position [m], finite, taken `elapsed` [s] after the one before,
+    /// Takes the next measured position (m), finite, taken `elapsed` (s) after the one before,
     /// above 0; returns the motion at that sample.
     ///
     /// # Real-time
     ///
     /// A fixed number of multiplications; no allocation, no loop.
-    fn update(&mut self, position: f64, elapsed: f64) -> Motion;
+    fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion;
 
-    /// Forgets the past: the key rests at `position` [m].
+    /// Forgets the past: the key rests at `position` (m).
     fn reset(&mut self, position: f64);
 }
 

@@ -7,7 +7,7 @@ pub struct Encoder {
 }
 
 impl Encoder {
-    /// Creates an encoder with `quantum` [m] per count.
+    /// Creates an encoder with `quantum` (m) per count.
     ///
     /// # Panics
     ///
@@ -17,12 +17,12 @@ impl Encoder {
         Self { quantum }
     }
 
-    /// Returns the displacement per count [m].
+    /// Returns the displacement per count (m).
     pub const fn quantum(&self) -> f64 {
         self.quantum
     }
 
-    /// Returns the count nearest to `position` [m]; stops at the ends of `i32`.
+    /// Returns the count nearest to `position` (m); stops at the ends of `i32`.
     ///
     /// Rounds rather than floors, so that [`Self::position`] has no bias.
     pub fn counts(&self, position: f64) -> i32 {
@@ -31,7 +31,7 @@ impl Encoder {
         counts
     }
 
-    /// Returns the position of `counts` [m], at the middle of the count.
+    /// Returns the position of `counts` (m), at the middle of the count.
     pub fn position(&self, counts: i32) -> f64 {
         f64::from(counts) * self.quantum
     }

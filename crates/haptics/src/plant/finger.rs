@@ -1,6 +1,6 @@
 //! The simulated finger: a small mass on a muscle's spring, with a soft pulp.
 
-use super::stroke::Command;
+use super::stroke::MuscleCommand;
 
 /// Height of a finger that is away [m]: well above any key.
 const AWAY: f64 = 20e-3;
@@ -8,15 +8,15 @@ const AWAY: f64 = 20e-3;
 /// Constants of a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FingerParameters {
-    /// Moving mass [kg].
+    /// Moving mass (kg).
     pub mass: f64,
-    /// Damping towards the commanded velocity [N s/m].
+    /// Damping towards the commanded velocity (N s/m).
     pub damping: f64,
-    /// Stiffness towards the commanded position [N/m].
+    /// Stiffness towards the commanded position (N/m).
     pub stiffness: f64,
-    /// Stiffness of the pulp [N/m].
+    /// Stiffness of the pulp (N/m).
     pub pulp_stiffness: f64,
-    /// Damping of the pulp [N s/m].
+    /// Damping of the pulp (N s/m).
     pub pulp_damping: f64,
 }
 
@@ -57,18 +57,18 @@ impl Finger {
         Self { parameters, position: -AWAY, velocity: 0.0 }
     }
 
-    /// Returns the position of the fingertip [m], down positive.
+    /// Returns the position of the fingertip (m), down positive.
     pub const fn position(&self) -> f64 {
         self.position
     }
 
-    /// Returns the velocity of the fingertip [m/s].
+    /// Returns the velocity of the fingertip (m/s).
     pub const fn velocity(&self) -> f64 {
         self.velocity
     }
 
     /// Moves the finger to where it is commanded, at the commanded velocity.
-    pub(super) const fn place(&mut self, command: Command) {
+    pub(super) const fn place(&mut self, command: MuscleCommand) {
         self.position = command.position;
         self.velocity = command.velocity;
     }
@@ -78,8 +78,8 @@ impl Finger {
         *self = Self::new(self.parameters);
     }
 
-    /// Returns the contact force with a key that is at `position` [m] and moves with
-    /// `velocity` [m/s], in newtons: up on the finger, down on the key, never negative.
+    /// Returns the contact force with a key that is at `position` (m) and moves with
+    /// `velocity` (m/s), in newtons: up on the finger, down on the key, never negative.
     pub fn contact(&self, position: f64, velocity: f64) -> f64 {
         let depth = self.position - position;
         if depth <= 0.0 {
@@ -90,8 +90,8 @@ impl Finger {
         (pulp_stiffness * depth + pulp_damping * rate).max(0.0)
     }
 
-    /// Advances by one substep `h` [s] towards the commanded `position` [m] and `velocity`
-    /// [m/s], against the `contact` force [N].
+    /// Advances by one substep `h` (s) towards the commanded `position` (m) and `velocity`
+    /// (m/s), against the `contact` force (N).
     ///
     /// Semi-implicit Euler with the muscle taken at the end of the substep, so any stiffness
     /// is stable.
@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn a_key_that_runs_away_is_not_pulled_back() {
         let mut finger = Finger::away();
-        finger.place(Command { position: 1e-4, velocity: 0.0 });
+        finger.place(MuscleCommand { position: 1e-4, velocity: 0.0 });
         assert_eq!(finger.contact(0.0, 10.0).to_bits(), 0.0_f64.to_bits());
         // 4000 N/m · 0.1 mm.
         assert!((finger.contact(0.0, 0.0) - 0.4).abs() < 1e-15);

@@ -1,12 +1,12 @@
 //! A gesture: what a finger's muscle commands during one stroke, as a function of time.
 
 use super::smooth::{quintic, quintic_slope};
-use super::stroke::{Command, Stroke};
+use super::stroke::{MuscleCommand, StrokeProfile};
 
-/// Height above the key to which a finger is lifted [m] (estimate).
+/// Height above the key to which a finger is lifted (m) (estimate).
 const LIFT_HEIGHT: f64 = 10e-3;
 
-/// Time that lifting takes [s] (estimate).
+/// Time that lifting takes (s) (estimate).
 const LIFT_TIME: f64 = 50e-3;
 
 /// How a finger meets the key.
@@ -31,15 +31,15 @@ pub enum Touch {
 /// is not known, and then be set to any time not yet passed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gesture {
-    /// Time at which the finger starts to move [s].
+    /// Time at which the finger starts to move (s).
     pub start: f64,
-    /// Time at which it starts to lift [s]; before `start` counts as `start`.
+    /// Time at which it starts to lift (s); before `start` counts as `start`.
     pub release: f64,
     /// How it meets the key.
     pub touch: Touch,
-    /// Commanded speed on the way down [m/s], meant for `0.02 ..= 3`.
+    /// Commanded speed on the way down (m/s), meant for `0.02 ..= 3`.
     pub speed: f64,
-    /// Commanded depth while the key is held [m], down positive; see [`Self::HOLD`].
+    /// Commanded depth while the key is held (m), down positive; see [`Self::HOLD`].
     pub hold: f64,
 }
 
@@ -47,7 +47,7 @@ impl Gesture {
     /// Hold depth for the default key and finger [m]: dip and 2 N at 400 N/m.
     pub const HOLD: f64 = 10.16e-3 + 2.0 / 400.0;
 
-    /// Returns the commanded position at `t` [s], in metres, down positive.
+    /// Returns the commanded position at `t` (s), in metres, down positive.
     ///
     /// # Real-time
     ///
@@ -56,7 +56,7 @@ impl Gesture {
         self.command(t).position
     }
 
-    /// Returns the commanded velocity at `t` [s], the position's derivative [m/s].
+    /// Returns the commanded velocity at `t` (s), the position's derivative (m/s).
     ///
     /// # Real-time
     ///
@@ -65,35 +65,35 @@ impl Gesture {
         self.command(t).velocity
     }
 
-    /// Returns the time at which the unhindered finger passes the key's rest position [s].
+    /// Returns the time at which the unhindered finger passes the key's rest position (s).
     ///
     /// The start if pressed; later if struck. The release is left out of account.
     pub fn arrival(&self) -> f64 {
-        self.start + Stroke::of(self).arrival()
+        self.start + StrokeProfile::of(self).arrival()
     }
 
-    /// Returns the time from which the finger is gone [s].
+    /// Returns the time from which the finger is gone (s).
     pub fn end(&self) -> f64 {
         self.lift_off() + LIFT_TIME
     }
 
-    /// Whether there is a finger at `t` [s], in `[start, end)`.
+    /// Whether there is a finger at `t` (s), in `[start, end)`.
     pub fn is_active(&self, t: f64) -> bool {
         self.start <= t && t < self.end()
     }
 
-    /// Time at which the finger starts to lift [s].
+    /// Time at which the finger starts to lift (s).
     const fn lift_off(&self) -> f64 {
         self.release.max(self.start)
     }
 
     /// Position and velocity at `t` [s]: the stroke, blended into the lifted finger.
-    pub(super) fn command(&self, t: f64) -> Command {
-        let down = Stroke::of(self).command(t - self.start);
+    pub(super) fn command(&self, t: f64) -> MuscleCommand {
+        let down = StrokeProfile::of(self).command(t - self.start);
         let x = (t - self.lift_off()) / LIFT_TIME;
         let (lifted, rate) = (quintic(x), quintic_slope(x) / LIFT_TIME);
         let way = -LIFT_HEIGHT - down.position;
-        Command {
+        MuscleCommand {
             position: down.position + lifted * way,
             velocity: down.velocity * (1.0 - lifted) + rate * way,
         }
@@ -111,7 +111,7 @@ mod tests {
         Gesture { start: 1.0, release, touch, speed, hold: Gesture::HOLD }
     }
 
-    /// Speeds of musical strokes, slow to fast [m/s].
+    /// Speeds of musical strokes, slow to fast (m/s).
     fn speeds() -> impl Iterator<Item = f64> {
         (0..=50).map(|i| 0.02 * 150.0_f64.powf(f64::from(i) / 50.0))
     }
@@ -119,8 +119,8 @@ mod tests {
     #[test]
     fn a_pressed_finger_starts_on_the_key_and_a_struck_one_above() {
         let at_start = |touch| endless(touch, 0.5).command(1.0);
-        assert_eq!(at_start(Touch::Pressed), Command { position: 0.0, velocity: 0.0 });
-        assert_eq!(at_start(Touch::Struck), Command { position: -0.02, velocity: 0.0 });
+        assert_eq!(at_start(Touch::Pressed), MuscleCommand { position: 0.0, velocity: 0.0 });
+        assert_eq!(at_start(Touch::Struck), MuscleCommand { position: -0.02, velocity: 0.0 });
     }
 
     #[test]
@@ -138,7 +138,7 @@ mod tests {
     fn it_settles_at_the_hold_depth() {
         for touch in [Touch::Pressed, Touch::Struck] {
             let command = endless(touch, 0.02).command(10.0);
-            assert_eq!(command, Command { position: Gesture::HOLD, velocity: 0.0 });
+            assert_eq!(command, MuscleCommand { position: Gesture::HOLD, velocity: 0.0 });
         }
     }
 

@@ -1,19 +1,19 @@
 //! The simulated key: a mass with friction that truly sticks, between two felts.
 
-use super::felt::{Felt, Resistance, Side};
+use super::felt::{Felt, FeltSide, Resistance};
 
 /// Constants of a key, all at its front.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeyParameters {
-    /// Moving mass [kg].
+    /// Moving mass (kg).
     pub mass: f64,
-    /// Viscous damping [N s/m].
+    /// Viscous damping (N s/m).
     pub damping: f64,
-    /// Friction while moving [N].
+    /// Friction while moving (N).
     pub coulomb: f64,
-    /// Friction that holds a key at rest [N]; at least `coulomb` is used.
+    /// Friction that holds a key at rest (N); at least `coulomb` is used.
     pub stiction: f64,
-    /// Constant load [N], up positive: above zero the unpowered key rises to its rest.
+    /// Constant load (N), up positive: above zero the unpowered key rises to its rest.
     pub weight: f64,
     /// Felt on which the key rests when it is up.
     pub rest_stop: Felt,
@@ -23,34 +23,34 @@ pub struct KeyParameters {
 
 /// A key's front: where it is and how fast it moves, down positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Key {
+pub struct KeyFront {
     parameters: KeyParameters,
     position: f64,
     velocity: f64,
 }
 
-impl Key {
+impl KeyFront {
     /// Creates a key at rest, touching its rest felt.
     pub const fn new(parameters: KeyParameters) -> Self {
         Self::placed(parameters, parameters.rest_stop.position, 0.0)
     }
 
-    /// Creates a key at `position` [m] moving with `velocity` [m/s].
+    /// Creates a key at `position` (m) moving with `velocity` (m/s).
     pub const fn placed(parameters: KeyParameters, position: f64, velocity: f64) -> Self {
         Self { parameters, position, velocity }
     }
 
-    /// Returns the position [m].
+    /// Returns the position (m).
     pub const fn position(&self) -> f64 {
         self.position
     }
 
-    /// Returns the velocity [m/s]; exactly zero while stuck.
+    /// Returns the velocity (m/s); exactly zero while stuck.
     pub const fn velocity(&self) -> f64 {
         self.velocity
     }
 
-    /// Advances by one substep `h` [s] under the outer `force` [N], up positive.
+    /// Advances by one substep `h` (s) under the outer `force` (N), up positive.
     ///
     /// Semi-implicit Euler, order 1: forces at the old position, damping and felts at the
     /// new velocity, then the position with the new velocity. Mechanical energy, felts
@@ -64,12 +64,12 @@ impl Key {
         self.position += h * self.velocity;
     }
 
-    /// Whether the key is stuck and stays so under the outer `force` [N], up positive.
+    /// Whether the key is stuck and stays so under the outer `force` (N), up positive.
     pub fn holds(&self, force: f64) -> bool {
         self.velocity == 0.0 && self.breakaway(force).is_none()
     }
 
-    /// Velocity after a substep [m/s]; zero if friction catches the key.
+    /// Velocity after a substep (m/s); zero if friction catches the key.
     fn next_velocity(&self, force: f64, h: f64) -> f64 {
         let direction = if self.velocity == 0.0 {
             match self.breakaway(force) {
@@ -91,7 +91,7 @@ impl Key {
         (grip < net.abs()).then(|| net.signum())
     }
 
-    /// Velocity after a substep in which friction acts against `direction` [m/s].
+    /// Velocity after a substep in which friction acts against `direction` (m/s).
     fn sliding_velocity(&self, force: f64, direction: f64, h: f64) -> f64 {
         let constants = &self.parameters;
         let push = -(force + constants.weight + direction * constants.coulomb);
@@ -100,13 +100,13 @@ impl Key {
         self.resistance(h).solve(inertia, momentum + h * push, h)
     }
 
-    /// Resistance of the nearer felt over `h` [s].
+    /// Resistance of the nearer felt over `h` (s).
     fn resistance(&self, h: f64) -> Resistance {
         let KeyParameters { rest_stop, bottom_stop, .. } = &self.parameters;
         if self.position - rest_stop.position < bottom_stop.position - self.position {
-            rest_stop.resistance(Side::Rest, self.position, h)
+            rest_stop.resistance(FeltSide::Rest, self.position, h)
         } else {
-            bottom_stop.resistance(Side::Bottom, self.position, h)
+            bottom_stop.resistance(FeltSide::Bottom, self.position, h)
         }
     }
 }
@@ -136,8 +136,8 @@ mod tests {
         KeyParameters { coulomb: 0.10, stiction: 0.12, ..free_key() }
     }
 
-    /// Kinetic energy, felts and load together [J].
-    fn energy(key: &Key) -> f64 {
+    /// Kinetic energy, felts and load together (J).
+    fn energy(key: &KeyFront) -> f64 {
         let constants = &key.parameters;
         let high = (constants.rest_stop.position - key.position).max(0.0);
         let deep = (key.position - constants.bottom_stop.position).max(0.0);
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn a_stuck_key_stays_exactly_put_below_stiction() {
-        let mut key = Key::placed(rough_key(), 0.004, 0.0);
+        let mut key = KeyFront::placed(rough_key(), 0.004, 0.0);
         let before = key;
         for force in [0.119, -0.119].repeat(5000) {
             assert!(key.holds(force));
@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn above_stiction_it_breaks_free_and_friction_drops() {
         for sign in [1.0, -1.0] {
-            let mut key = Key::placed(rough_key(), 0.004, 0.0);
+            let mut key = KeyFront::placed(rough_key(), 0.004, 0.0);
             assert!(!key.holds(sign * 0.121));
             key.step(sign * 0.121, H);
             let expected = -sign * H * (0.121 - 0.10) / 0.05;
@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn friction_stops_a_sliding_key_where_its_energy_is_spent() {
-        let (mut key, speed) = (Key::placed(rough_key(), 0.001, 0.1), 0.1_f64);
+        let (mut key, speed) = (KeyFront::placed(rough_key(), 0.001, 0.1), 0.1_f64);
         for _ in 0..2000 {
             key.step(0.0, H);
         }
@@ -186,7 +186,7 @@ mod tests {
         // The method's own closed form is x = a h² n (n + 1) / 2 = a t² / 2 + a t h / 2.
         let (acceleration, t) = (0.4 / 0.05, 0.04);
         for steps in [1000, 2000, 4000_u32] {
-            let mut key = Key::new(free_key());
+            let mut key = KeyFront::new(free_key());
             let h = t / f64::from(steps);
             (0..steps).for_each(|_| key.step(-0.4, h));
             let error = key.position() - 0.5 * acceleration * t * t;
@@ -201,7 +201,7 @@ mod tests {
     fn a_damped_fall_converges_to_the_closed_form_at_order_one() {
         let error = |steps: u32| {
             let damped = KeyParameters { damping: 2.0, weight: -0.5, ..free_key() };
-            let mut key = Key::new(damped);
+            let mut key = KeyFront::new(damped);
             let t = 0.02;
             (0..steps).for_each(|_| key.step(0.0, t / f64::from(steps)));
             let (tau, terminal) = (0.05 / 2.0, 0.5 / 2.0);
@@ -230,7 +230,7 @@ mod tests {
     /// Asserts that the energy falls from substep to substep, up to its rounding.
     #[track_caller]
     fn check_energy(parameters: KeyParameters, speed: f64, steps: u32) {
-        let mut key = Key::placed(parameters, 0.005, speed);
+        let mut key = KeyFront::placed(parameters, 0.005, speed);
         let mut before = energy(&key);
         for _ in 0..steps {
             key.step(0.0, H);
@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn a_bounce_on_a_lossless_felt_takes_half_a_period_of_its_oscillation() {
-        let mut key = Key::placed(free_key(), 0.01, 0.2);
+        let mut key = KeyFront::placed(free_key(), 0.01, 0.2);
         let h = 1e-6;
         let mut contact = 0.0;
         for _ in 0..100_000 {

@@ -18,6 +18,6 @@ pub use encoder::Encoder;
 pub use felt::Felt;
 pub use finger::{Finger, FingerParameters};
 pub use gesture::{Gesture, Touch};
-pub use key::{Key, KeyParameters};
+pub use key::{KeyFront, KeyParameters};
 pub use motor::{MAX_DELAY_STEPS, Motor, MotorParameters};
 pub use rig::{KeyRig, MAX_SUBSTEP, MAX_SUBSTEPS, RigParameters};

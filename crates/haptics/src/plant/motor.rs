@@ -3,15 +3,15 @@
 /// Longest delay of a command, in substeps: 3 ms at 50 µs.
 pub const MAX_DELAY_STEPS: usize = 60;
 
-/// Distance to the command [N] at which the lag is over: far below what any drive resolves.
+/// Distance to the command (N) at which the lag is over: far below what any drive resolves.
 const SETTLED: f64 = 1e-9;
 
 /// Constants of a motor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorParameters {
-    /// Largest force in either direction [N].
+    /// Largest force in either direction (N).
     pub limit: f64,
-    /// Bandwidth of the current loop [rad/s]; infinite for none.
+    /// Bandwidth of the current loop (rad/s); infinite for none.
     pub bandwidth: f64,
     /// Delay from command to effect, in substeps, `0 ..= MAX_DELAY_STEPS`.
     pub delay_steps: usize,
@@ -35,7 +35,7 @@ impl Motor {
         Self { parameters, command: 0.0, line, lag, force: 0.0 }
     }
 
-    /// Sets the force to hold from now on [N], up positive; saturates, and takes NaN as zero.
+    /// Sets the force to hold from now on (N), up positive; saturates, and takes NaN as zero.
     pub fn command(&mut self, newtons: f64) {
         let finite = if newtons.is_nan() { 0.0 } else { newtons };
         let command = finite.clamp(-self.parameters.limit, self.parameters.limit);
@@ -45,7 +45,7 @@ impl Motor {
         }
     }
 
-    /// Advances by `dt` [s] and returns the force on the key at its end [N], up positive.
+    /// Advances by `dt` (s) and returns the force on the key at its end (N), up positive.
     ///
     /// The lag is solved exactly, so the step response does not depend on `dt`.
     ///
@@ -60,7 +60,7 @@ impl Motor {
         self.force
     }
 
-    /// Returns the force on the key [N], up positive.
+    /// Returns the force on the key (N), up positive.
     pub const fn force(&self) -> f64 {
         self.force
     }
@@ -74,16 +74,16 @@ impl Motor {
 /// A first-order lag that remembers its last exponential.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Lag {
-    /// Bandwidth [rad/s].
+    /// Bandwidth (rad/s).
     bandwidth: f64,
-    /// Step of `share` [s].
+    /// Step of `share` (s).
     h: f64,
     /// Part of the gap that is closed within `h`.
     share: f64,
 }
 
 impl Lag {
-    /// Part of the gap that is closed within `h` [s].
+    /// Part of the gap that is closed within `h` (s).
     fn share(&mut self, h: f64) -> f64 {
         if h - self.h != 0.0 {
             self.h = h;

@@ -4,7 +4,7 @@ use super::encoder::Encoder;
 use super::felt::Felt;
 use super::finger::{Finger, FingerParameters};
 use super::gesture::Gesture;
-use super::key::{Key, KeyParameters};
+use super::key::{KeyFront, KeyParameters};
 use super::motor::{Motor, MotorParameters};
 
 /// Longest substep [s]: a hundredth of the fastest oscillation's period, 45 g on a felt.
@@ -19,13 +19,10 @@ const SUBSTEP_SLACK: f64 = 1e-9;
 /// Constants of a [`KeyRig`]; the default is the playable simulated keybed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigParameters {
-    /// The key.
     pub key: KeyParameters,
-    /// The motor.
     pub motor: MotorParameters,
-    /// The finger.
     pub finger: FingerParameters,
-    /// Displacement per encoder count [m].
+    /// Displacement per encoder count (m).
     pub quantum: f64,
 }
 
@@ -72,15 +69,15 @@ impl Default for RigParameters {
 /// A simulated key under a finger and a force, stepped tick by tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeyRig {
-    key: Key,
+    key: KeyFront,
     encoder: Encoder,
     motor: Motor,
     finger: Finger,
-    /// Start of the gesture that the finger plays [s]; none while it is away.
+    /// Start of the gesture that the finger plays (s); none while it is away.
     playing: Option<f64>,
-    /// Force between finger and key [N].
+    /// Force between finger and key (N).
     contact: f64,
-    /// How hard a weight lies on the key's front besides [N].
+    /// How hard a weight lies on the key's front besides (N).
     weight: f64,
 }
 
@@ -92,7 +89,7 @@ impl KeyRig {
     /// Unless the encoder's quantum is finite and positive.
     pub fn new(parameters: RigParameters) -> Self {
         Self {
-            key: Key::new(parameters.key),
+            key: KeyFront::new(parameters.key),
             encoder: Encoder::new(parameters.quantum),
             motor: Motor::new(parameters.motor),
             finger: Finger::new(parameters.finger),
@@ -102,7 +99,7 @@ impl KeyRig {
         }
     }
 
-    /// Advances by one tick, from `t` to `t + h` [s], with `force` [N] commanded throughout.
+    /// Advances by one tick, from `t` to `t + h` (s), with `force` (N) commanded throughout.
     ///
     /// `force` is up positive, on the finger. The finger is there while `gesture` is given
     /// and active; one with another start is another finger, placed where that gesture has
@@ -135,27 +132,27 @@ impl KeyRig {
         self.encoder.counts(self.key.position())
     }
 
-    /// Returns the displacement per count [m].
+    /// Returns the displacement per count (m).
     pub const fn quantum(&self) -> f64 {
         self.encoder.quantum()
     }
 
-    /// Returns the true position of the key's front [m], down positive.
+    /// Returns the true position of the key's front (m), down positive.
     pub const fn position(&self) -> f64 {
         self.key.position()
     }
 
-    /// Returns the true velocity of the key's front [m/s].
+    /// Returns the true velocity of the key's front (m/s).
     pub const fn velocity(&self) -> f64 {
         self.key.velocity()
     }
 
-    /// Returns the force of the motor on the key [N], up positive.
+    /// Returns the force of the motor on the key (N), up positive.
     pub const fn motor_force(&self) -> f64 {
         self.motor.force()
     }
 
-    /// Returns the force of the key on the finger [N], up positive, never negative.
+    /// Returns the force of the key on the finger (N), up positive, never negative.
     pub const fn finger_force(&self) -> f64 {
         self.contact
     }
@@ -170,7 +167,7 @@ impl KeyRig {
             && self.key.holds(self.motor.force() - self.weight)
     }
 
-    /// One substep from `t` to `t + h` [s].
+    /// One substep from `t` to `t + h` (s).
     fn step(&mut self, t: f64, h: f64, gesture: Option<&Gesture>) {
         let finger = match gesture {
             Some(gesture) if gesture.is_active(t) => self.play(t, h, gesture),
@@ -181,7 +178,7 @@ impl KeyRig {
         self.key.step(motor - self.contact, h);
     }
 
-    /// Moves the finger along its gesture; returns the contact force during it [N].
+    /// Moves the finger along its gesture; returns the contact force during it (N).
     fn play(&mut self, t: f64, h: f64, gesture: &Gesture) -> f64 {
         if self.playing.is_none_or(|start| start - gesture.start != 0.0) {
             self.playing = Some(gesture.start);
@@ -193,7 +190,7 @@ impl KeyRig {
         contact
     }
 
-    /// Takes the finger away; returns the contact force of none [N].
+    /// Takes the finger away; returns the contact force of none (N).
     const fn rest(&mut self) -> f64 {
         if self.playing.is_some() {
             self.playing = None;
@@ -203,7 +200,7 @@ impl KeyRig {
     }
 }
 
-/// Substeps of a tick of `h` [s], in `1 ..= MAX_SUBSTEPS`.
+/// Substeps of a tick of `h` (s), in `1 ..= MAX_SUBSTEPS`.
 fn substeps(h: f64) -> u32 {
     let wanted = (h / MAX_SUBSTEP - SUBSTEP_SLACK).ceil().clamp(1.0, f64::from(MAX_SUBSTEPS));
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped above")]

@@ -18,10 +18,10 @@ use super::smooth::{cubic, cubic_integral, quintic, quintic_slope};
 /// Speeds that a stroke keeps to [m/s]: slower never arrives, faster is no finger.
 const SPEEDS: (f64, f64) = (1e-3, 20.0);
 
-/// Shallowest hold depth [m], so that a stroke always has a way to go.
+/// Shallowest hold depth (m), so that a stroke always has a way to go.
 const MIN_HOLD: f64 = 1e-3;
 
-/// Height above the key from which a struck gesture starts [m] (estimate).
+/// Height above the key from which a struck gesture starts (m) (estimate).
 const STRIKE_HEIGHT: f64 = 20e-3;
 
 /// Part of the way to the hold depth within which a pressed gesture gains its speed.
@@ -36,27 +36,27 @@ const STRUCK_RUN_UP: f64 = 0.75;
 /// Overshoot of an infinitely fast stroke [m]: 20 N at 400 N/m.
 const OVERSHOOT: f64 = 50e-3;
 
-/// Speed at which half of the overshoot is reached [m/s].
+/// Speed at which half of the overshoot is reached (m/s).
 const OVERSHOOT_SPEED: f64 = 0.6;
 
-/// Time at the peak [s], for a key that lags behind to arrive.
+/// Time at the peak (s), for a key that lags behind to arrive.
 const DWELL: f64 = 20e-3;
 
-/// Time from the peak to the hold depth [s].
+/// Time from the peak to the hold depth (s).
 const SETTLE: f64 = 80e-3;
 
 /// What a muscle commands at one instant, down positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Command {
-    /// Position [m].
+pub(super) struct MuscleCommand {
+    /// Position (m).
     pub(super) position: f64,
-    /// Velocity [m/s].
+    /// Velocity (m/s).
     pub(super) velocity: f64,
 }
 
-/// One way down: its depths [m] and how long each part of it takes [s].
+/// One way down: its depths (m) and how long each part of it takes (s).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stroke {
+pub(super) struct StrokeProfile {
     from: f64,
     hold: f64,
     overshoot: f64,
@@ -66,7 +66,7 @@ pub(super) struct Stroke {
     brake: f64,
 }
 
-impl Stroke {
+impl StrokeProfile {
     /// The way down that `gesture` means.
     pub(super) fn of(gesture: &Gesture) -> Self {
         let speed = gesture.speed.max(SPEEDS.0).min(SPEEDS.1);
@@ -89,13 +89,13 @@ impl Stroke {
         }
     }
 
-    /// Time after its start at which the stroke passes the key's rest position [s].
+    /// Time after its start at which the stroke passes the key's rest position (s).
     pub(super) fn arrival(&self) -> f64 {
         if self.from < 0.0 { 0.5 * self.run_up - self.from / self.speed } else { 0.0 }
     }
 
-    /// Command at `elapsed` [s] after the start.
-    pub(super) fn command(&self, elapsed: f64) -> Command {
+    /// Command at `elapsed` (s) after the start.
+    pub(super) fn command(&self, elapsed: f64) -> MuscleCommand {
         let cruising = elapsed - self.run_up;
         let braking = cruising - self.cruise;
         let dwelling = braking - self.brake;
@@ -111,30 +111,30 @@ impl Stroke {
     }
 
     /// Command at the part `x` of the run-up.
-    fn running_up(&self, x: f64) -> Command {
-        Command {
+    fn running_up(&self, x: f64) -> MuscleCommand {
+        MuscleCommand {
             position: self.from + self.speed * self.run_up * cubic_integral(x),
             velocity: self.speed * cubic(x),
         }
     }
 
-    /// Command `elapsed` [s] after full speed.
-    fn cruising(&self, elapsed: f64) -> Command {
+    /// Command `elapsed` (s) after full speed.
+    fn cruising(&self, elapsed: f64) -> MuscleCommand {
         let position = self.from + self.speed * (0.5 * self.run_up + elapsed);
-        Command { position, velocity: self.speed }
+        MuscleCommand { position, velocity: self.speed }
     }
 
     /// Command at the part `x` of the brake.
-    fn braking(&self, x: f64) -> Command {
-        Command {
+    fn braking(&self, x: f64) -> MuscleCommand {
+        MuscleCommand {
             position: self.hold + self.speed * self.brake * (x - cubic_integral(x)),
             velocity: self.speed * (1.0 - cubic(x)),
         }
     }
 
     /// Command at the part `x` of the way back, from the peak to the hold depth.
-    fn settling(&self, x: f64) -> Command {
-        Command {
+    fn settling(&self, x: f64) -> MuscleCommand {
+        MuscleCommand {
             position: self.hold + self.overshoot * (1.0 - quintic(x)),
             velocity: -self.overshoot * quintic_slope(x) / SETTLE,
         }

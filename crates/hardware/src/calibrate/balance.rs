@@ -1,22 +1,22 @@
 //! How strong a motor is, by a weight that it balances.
 
-use super::hand::Hand;
+use super::hand::KeyPush;
 use super::trip::{AWAY, BACK, RATE};
-use super::{Fault, G, Next, Rested, Travelled};
+use super::{CalibrationFault, G, Next, Rested, Travelled};
 
-/// A key that stood still so long has come to its end [s].
+/// A key that stood still so long has come to its end (s).
 const SETTLED: f64 = 0.2;
-/// Gains that a motor can need [1].
+/// Gains that a motor can need (1).
 const GAINS: (f64, f64) = (0.1, 10.0);
 
 /// What a key with a weight on it does.
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum Phase {
+enum BalancePhase {
     /// It sinks under the weight.
     Sinking,
-    /// It has not left its bottom [m].
+    /// It has not left its bottom (m).
     Lifting { bottom: f64 },
-    /// It goes up; the push that lifted it [N].
+    /// It goes up; the push that lifted it (N).
     Rising { lifted_by: f64 },
     /// It has not left its rest.
     Lowering { lifted_by: f64 },
@@ -25,93 +25,93 @@ enum Phase {
 /// The measurement of one key on which the weight lies already.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Balance {
-    hand: Hand,
-    phase: Phase,
+    hand: KeyPush,
+    phase: BalancePhase,
     /// What the trip without the weight told.
     empty: Travelled,
-    /// The weight's force [N].
+    /// The weight's force (N).
     weight: f64,
-    /// Largest push [N].
+    /// Largest push (N).
     most: f64,
 }
 
 impl Balance {
-    /// Balances `mass` [kg] on a key that rested there and travelled so without it.
+    /// Balances `mass` (kg) on a key that rested there and travelled so without it.
     pub fn new(rested: &Rested, empty: &Travelled, mass: f64) -> Self {
         let weight = mass * G;
-        let hand = Hand::new(rested.position, rested.spread);
+        let hand = KeyPush::new(rested.position, rested.spread);
         // A motor of half its strength, and friction.
         let most = 2.0 * weight + 0.5;
-        Self { hand, phase: Phase::Sinking, empty: *empty, weight, most }
+        Self { hand, phase: BalancePhase::Sinking, empty: *empty, weight, most }
     }
 
-    /// Takes where the key is at `t` [s, m]; says how to push it, or the gain: what must be
-    /// asked of the motor for a newton [1].
+    /// Takes where the key is at `t` (s, m); says how to push it, or the gain: what must be
+    /// asked of the motor for a newton (1).
     ///
     /// # Errors
     /// The key does not sink, rise, or sink again.
-    pub fn advance(&mut self, t: f64, position: f64) -> Result<Next<f64>, Fault> {
+    pub fn advance(&mut self, t: f64, position: f64) -> Result<Next<f64>, CalibrationFault> {
         self.hand.feel(t, position)?;
         match self.phase {
-            Phase::Sinking => self.sink()?,
-            Phase::Lifting { bottom } => self.lift(bottom)?,
-            Phase::Rising { lifted_by } => self.rise(lifted_by)?,
-            Phase::Lowering { lifted_by } => {
+            BalancePhase::Sinking => self.sink()?,
+            BalancePhase::Lifting { bottom } => self.lift(bottom)?,
+            BalancePhase::Rising { lifted_by } => self.rise(lifted_by)?,
+            BalancePhase::Lowering { lifted_by } => {
                 self.hand.press(self.most, RATE);
                 if AWAY < self.hand.depth() {
                     return self.gain(lifted_by).map(Next::Done);
                 }
                 if self.most <= self.hand.push() {
-                    return Err(Fault::Stuck { push: self.most });
+                    return Err(CalibrationFault::Stuck { push: self.most });
                 }
             }
         }
         Ok(Next::Push(self.hand.push()))
     }
 
-    fn sink(&mut self) -> Result<(), Fault> {
+    fn sink(&mut self) -> Result<(), CalibrationFault> {
         if SETTLED < self.hand.still_for() {
             let travel = self.empty.bottom - self.hand.position() + self.hand.depth();
             if self.hand.depth() < travel - AWAY {
-                return Err(Fault::Floats { position: self.hand.depth() });
+                return Err(CalibrationFault::Floats { position: self.hand.depth() });
             }
-            self.phase = Phase::Lifting { bottom: self.hand.position() };
+            self.phase = BalancePhase::Lifting { bottom: self.hand.position() };
         }
         Ok(())
     }
 
-    fn lift(&mut self, bottom: f64) -> Result<(), Fault> {
+    fn lift(&mut self, bottom: f64) -> Result<(), CalibrationFault> {
         self.hand.press(-self.most, RATE);
         if self.hand.position() < bottom - AWAY {
-            self.phase = Phase::Rising { lifted_by: self.hand.push() };
+            self.phase = BalancePhase::Rising { lifted_by: self.hand.push() };
         }
         self.refuse_stuck()
     }
 
-    fn rise(&mut self, lifted_by: f64) -> Result<(), Fault> {
+    fn rise(&mut self, lifted_by: f64) -> Result<(), CalibrationFault> {
         self.hand.press(-self.most, RATE);
         if self.hand.depth() < BACK && SETTLED < self.hand.still_for() {
-            self.phase = Phase::Lowering { lifted_by };
+            self.phase = BalancePhase::Lowering { lifted_by };
         }
         self.refuse_stuck()
     }
 
-    fn refuse_stuck(&self) -> Result<(), Fault> {
+    fn refuse_stuck(&self) -> Result<(), CalibrationFault> {
         let push = self.hand.push();
         if push <= -self.most && SETTLED < self.hand.still_for() {
-            return Err(Fault::Stays { position: self.hand.depth(), push: self.most });
+            return Err(CalibrationFault::Stays { position: self.hand.depth(), push: self.most });
         }
         Ok(())
     }
 
-    fn gain(&self, lifted_by: f64) -> Result<f64, Fault> {
+    fn gain(&self, lifted_by: f64) -> Result<f64, CalibrationFault> {
         let float = 0.5 * (lifted_by + self.hand.push());
         let gain = (self.empty.float - float) / self.weight;
         let (least, most) = GAINS;
         if (least..=most).contains(&gain) {
             Ok(gain)
         } else {
-            Err(Fault::Gain { gain, least, most })
+            Err(CalibrationFault::Gain { gain, least, most })
         }
     }
 }

@@ -6,31 +6,31 @@ use firmware_protocol::key::KeyIndex;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus as _;
 
-use super::{Balance, Fault, Next, Rest, Rested, Travelled, Trip};
+use super::{Balance, CalibrationFault, Next, RestMeasurement, Rested, Travelled, TripMeasurement};
 use crate::keybed::{Armed, Keybed};
 use crate::pause::pause;
 
-/// A key of which nothing was heard for so long is given up [us].
+/// A key of which nothing was heard for so long is given up (us).
 const SILENT_US: u64 = 500_000;
-/// A sample that is so old is not used [us].
+/// A sample that is so old is not used (us).
 const STALE_US: u64 = 20_000;
-/// A push is taken back at this rate when a key is left [N/s].
+/// A push is taken back at this rate when a key is left (N/s).
 const RELEASE: f64 = 5.0;
 
 /// One of several keys of which it is measured where they rest.
 #[derive(Clone, Copy, Debug)]
 enum Resting {
     /// It is looked at.
-    At(Rest),
+    At(RestMeasurement),
     /// It was looked at.
-    Done(Result<Rested, Fault>),
+    Done(Result<Rested, CalibrationFault>),
 }
 
 impl Resting {
     /// What is said of a key of which nothing was heard.
-    const SILENT: Fault = Fault::Silent { seconds: SILENT_US as f64 * 2e-6 };
+    const SILENT: CalibrationFault = CalibrationFault::Silent { seconds: SILENT_US as f64 * 2e-6 };
 
-    /// Takes where the key is at `t` [s, m], if that is known.
+    /// Takes where the key is at `t` (s, m), if that is known.
     fn advance(&mut self, t: f64, position: Option<f64>) {
         let (Self::At(rest), Some(position)) = (&mut *self, position) else { return };
         match rest.advance(t, position) {
@@ -47,9 +47,9 @@ impl Resting {
         }
     }
 
-    const fn outcome(self) -> Result<Rested, Fault> {
+    const fn outcome(self) -> Result<Rested, CalibrationFault> {
         match self {
-            Self::At(_) => Err(Fault::Stopped),
+            Self::At(_) => Err(CalibrationFault::Stopped),
             Self::Done(outcome) => outcome,
         }
     }
@@ -65,18 +65,18 @@ pub enum Ending {
 }
 
 /// Looks whether measurements are to end, before each exchange.
-type Watch = Box<dyn FnMut(&mut Keybed<Armed>) -> Option<Ending>>;
+type StopCheck = Box<dyn FnMut(&mut Keybed<Armed>) -> Option<Ending>>;
 
 /// Armed boards whose keys are measured; all but the one at work feel no force.
 pub struct Bench {
     keybed: Keybed<Armed>,
-    watch: Watch,
+    watch: StopCheck,
     ending: Option<Ending>,
     samples: [KeySample; KEYS],
-    /// What is asked of the motors [N, up positive].
+    /// What is asked of the motors (N, up positive).
     forces: [f64; KEYS],
     tick: u64,
-    /// When the next exchange is due [us].
+    /// When the next exchange is due (us).
     due: u64,
 }
 
@@ -125,8 +125,8 @@ impl Bench {
     }
 
     /// Measures where all of `keys` rest, at once.
-    pub fn rests(&mut self, keys: &[KeyIndex]) -> Vec<Result<Rested, Fault>> {
-        let mut rests = vec![Resting::At(Rest::default()); keys.len()];
+    pub fn rests(&mut self, keys: &[KeyIndex]) -> Vec<Result<Rested, CalibrationFault>> {
+        let mut rests = vec![Resting::At(RestMeasurement::default()); keys.len()];
         let began = self.keybed.now_us();
         while self.ending.is_none() && rests.iter().any(|it| matches!(it, Resting::At(_))) {
             self.exchange();
@@ -144,13 +144,13 @@ impl Bench {
     ///
     /// # Errors
     /// What is wrong with the key.
-    pub fn trip(&mut self, key: KeyIndex, rested: &Rested) -> Result<Travelled, Fault> {
-        let mut trip = Trip::new(rested);
+    pub fn trip(&mut self, key: KeyIndex, rested: &Rested) -> Result<Travelled, CalibrationFault> {
+        let mut trip = TripMeasurement::new(rested);
         self.work(key, |t, position| trip.advance(t, position))
     }
 
-    /// Balances `mass` [kg], which lies on `key`; returns what must be asked of its motor for a
-    /// newton [1].
+    /// Balances `mass` (kg), which lies on `key`; returns what must be asked of its motor for a
+    /// newton (1).
     ///
     /// # Errors
     /// What is wrong with the key or the weight.
@@ -160,7 +160,7 @@ impl Bench {
         rested: &Rested,
         empty: &Travelled,
         mass: f64,
-    ) -> Result<f64, Fault> {
+    ) -> Result<f64, CalibrationFault> {
         let mut balance = Balance::new(rested, empty, mass);
         self.work(key, |t, position| balance.advance(t, position))
     }
@@ -176,21 +176,21 @@ impl Bench {
     fn work<T>(
         &mut self,
         key: KeyIndex,
-        mut advance: impl FnMut(f64, f64) -> Result<Next<T>, Fault>,
-    ) -> Result<T, Fault> {
+        mut advance: impl FnMut(f64, f64) -> Result<Next<T>, CalibrationFault>,
+    ) -> Result<T, CalibrationFault> {
         let armings = self.armings(key);
         let mut heard = self.keybed.now_us();
         let outcome = loop {
             self.exchange();
             if self.ending.is_some() {
-                break Err(Fault::Stopped);
+                break Err(CalibrationFault::Stopped);
             }
             let now = self.keybed.now_us();
             if armings.is_none() || self.keybed.armings(key) != armings {
-                break Err(Fault::Interrupted);
+                break Err(CalibrationFault::Interrupted);
             }
             if heard + SILENT_US < now {
-                break Err(Fault::Silent { seconds: SILENT_US as f64 * 1e-6 });
+                break Err(CalibrationFault::Silent { seconds: SILENT_US as f64 * 1e-6 });
             }
             let Some(position) = self.position(key) else { continue };
             heard = now;
@@ -248,14 +248,14 @@ impl Bench {
         self.keybed.send(self.tick, &self.forces);
     }
 
-    /// Where `key` is, if that is known [m].
+    /// Where `key` is, if that is known (m).
     fn position(&self, key: KeyIndex) -> Option<f64> {
         let KeySample { position, age, .. } = self.samples[key.index()];
         let age_us = u64::from(age).saturating_mul(self.keybed.period_us());
         (age_us <= STALE_US).then_some(position)
     }
 
-    /// The host's clock [s].
+    /// The host's clock (s).
     fn seconds(&self) -> f64 {
         self.keybed.now_us() as f64 * 1e-6
     }

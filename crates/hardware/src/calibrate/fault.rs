@@ -3,7 +3,7 @@
 /// Why a key could not be measured, and what to do.
 #[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
 #[expect(missing_docs, reason = "the sentences say it")]
-pub enum Fault {
+pub enum CalibrationFault {
     #[error("it was stopped")]
     Stopped,
     #[error("no samples came for {seconds} s; see its board's cable")]

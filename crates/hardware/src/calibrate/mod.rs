@@ -25,30 +25,29 @@ use crate::calibration::KeyCalibration;
 
 pub use balance::Balance;
 pub use bench::{Bench, Ending};
-pub use fault::Fault;
-pub use rest::{Rest, Rested};
-pub use trip::{Travelled, Trip};
+pub use fault::CalibrationFault;
+pub use rest::{RestMeasurement, Rested};
+pub use trip::{Travelled, TripMeasurement};
 
-/// Largest push on a key without a weight [N].
+/// Largest push on a key without a weight (N).
 pub const MOST_PUSH: f64 = 1.5;
-/// Ways that a key can go [m].
+/// Ways that a key can go (m).
 pub const TRAVELS: (f64, f64) = (5e-3, 20e-3);
-/// Weights that can be told from friction, and that a finger's key carries [kg].
+/// Weights that can be told from friction, and that a finger's key carries (kg).
 pub const WEIGHTS: (f64, f64) = (0.03, 0.15);
-/// Standard acceleration of free fall [m/s^2].
+/// Standard acceleration of free fall (m/s^2).
 pub const G: f64 = 9.806_65;
 
 /// What comes next.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Next<T> {
-    /// Push the key so much [N, down positive].
+    /// Push the key so much (N, down positive).
     Push(f64),
-    /// It is done.
     Done(T),
 }
 
 /// A key's calibration from what was measured where `nominal` said how it reads; `gain` is what
-/// must be asked of the motor for a newton [1].
+/// must be asked of the motor for a newton (1).
 pub fn calibrated(
     nominal: &KeyCalibration,
     rested: &Rested,

@@ -1,41 +1,41 @@
 //! Where a key is without a force.
 
-use super::{Fault, Next};
+use super::{CalibrationFault, Next};
 
-/// How long a key is looked at [s].
+/// How long a key is looked at (s).
 pub const TIME: f64 = 0.3;
-/// Largest spread of the readings of a key that nobody touches [m].
+/// Largest spread of the readings of a key that nobody touches (m).
 pub const MOST_SPREAD: f64 = 0.1e-3;
 /// Fewest samples of which a mean is taken.
 const FEWEST: u32 = 20;
-/// After so long there will not be enough samples [s].
+/// After so long there will not be enough samples (s).
 const PATIENCE: f64 = 3.0;
 
 /// The measurement of one key.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct Rest {
+pub struct RestMeasurement {
     began: Option<f64>,
     n: u32,
     sum: f64,
-    /// Lowest and highest reading [m].
+    /// Lowest and highest reading (m).
     range: Option<(f64, f64)>,
 }
 
 /// Where a key rests.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Rested {
-    /// The mean of its positions [m].
+    /// The mean of its positions (m).
     pub position: f64,
-    /// From the highest to the lowest of them [m].
+    /// From the highest to the lowest of them (m).
     pub spread: f64,
 }
 
-impl Rest {
-    /// Takes where the key is at `t` [s, m]; it must not be pushed.
+impl RestMeasurement {
+    /// Takes where the key is at `t` (s, m); it must not be pushed.
     ///
     /// # Errors
     /// The readings spread too much, or there are too few.
-    pub fn advance(&mut self, t: f64, position: f64) -> Result<Next<Rested>, Fault> {
+    pub fn advance(&mut self, t: f64, position: f64) -> Result<Next<Rested>, CalibrationFault> {
         let passed = t - *self.began.get_or_insert(t);
         self.n += 1;
         self.sum += position;
@@ -44,13 +44,13 @@ impl Rest {
         self.range = Some((low, high));
         let spread = high - low;
         if MOST_SPREAD < spread {
-            return Err(Fault::Noisy { spread, most: MOST_SPREAD });
+            return Err(CalibrationFault::Noisy { spread, most: MOST_SPREAD });
         }
         if TIME <= passed && FEWEST <= self.n {
             return Ok(Next::Done(Rested { position: self.sum / f64::from(self.n), spread }));
         }
         if PATIENCE < passed {
-            return Err(Fault::Silent { seconds: PATIENCE });
+            return Err(CalibrationFault::Silent { seconds: PATIENCE });
         }
         Ok(Next::Push(0.0))
     }

@@ -3,9 +3,9 @@
 use haptics::plant::{KeyRig, RigParameters};
 
 use super::trip::Travelled;
-use super::{Balance, Fault, Next, Rest, Rested, Trip};
+use super::{Balance, CalibrationFault, Next, RestMeasurement, Rested, TripMeasurement};
 
-/// Time between two exchanges [s].
+/// Time between two exchanges (s).
 const H: f64 = 1e-3;
 
 const RESTED: Rested = Rested { position: 0.0, spread: 0.0 };
@@ -16,8 +16,8 @@ fn work<T>(
     rig: RigParameters,
     strength: f64,
     read: impl Fn(f64) -> f64,
-    mut advance: impl FnMut(f64, f64) -> Result<Next<T>, Fault>,
-) -> Result<T, Fault> {
+    mut advance: impl FnMut(f64, f64) -> Result<Next<T>, CalibrationFault>,
+) -> Result<T, CalibrationFault> {
     let mut rig = KeyRig::new(rig);
     for tick in 0..100_000 {
         let t = f64::from(tick) * H;
@@ -30,8 +30,8 @@ fn work<T>(
     panic!("it never ended");
 }
 
-fn travelled(rig: RigParameters, strength: f64) -> Result<Travelled, Fault> {
-    let mut trip = Trip::new(&RESTED);
+fn travelled(rig: RigParameters, strength: f64) -> Result<Travelled, CalibrationFault> {
+    let mut trip = TripMeasurement::new(&RESTED);
     work(rig, strength, |x| x, |t, x| trip.advance(t, x))
 }
 
@@ -65,28 +65,34 @@ fn a_soft_felt_does_not_pass_for_a_key_that_breaks_away() {
 #[test]
 fn a_key_that_cannot_be_measured_says_why() {
     let jam = with(|rig| rig.key.stiction = 3.0);
-    assert!(matches!(travelled(jam, 1.0), Err(Fault::Stuck { .. })));
+    assert!(matches!(travelled(jam, 1.0), Err(CalibrationFault::Stuck { .. })));
     let short = with(|rig| rig.key.bottom_stop.position = 4e-3);
-    assert!(matches!(travelled(short, 1.0), Err(Fault::Short { .. })));
+    assert!(matches!(travelled(short, 1.0), Err(CalibrationFault::Short { .. })));
     let long = with(|rig| rig.key.bottom_stop.position = 25e-3);
-    assert!(matches!(travelled(long, 1.0), Err(Fault::RunsAway { .. })));
+    assert!(matches!(travelled(long, 1.0), Err(CalibrationFault::RunsAway { .. })));
     let lame = with(|rig| rig.key.weight = -0.3);
-    let mut trip = Trip::new(&RESTED);
+    let mut trip = TripMeasurement::new(&RESTED);
     let stuck = work(lame, 0.1, |x| x, |t, x| trip.advance(t, x));
-    assert!(matches!(stuck, Err(Fault::Stays { .. })), "{stuck:?}");
+    assert!(matches!(stuck, Err(CalibrationFault::Stays { .. })), "{stuck:?}");
 }
 
 #[test]
 fn a_sensor_that_reads_wrongly_says_how() {
     let read = |read: fn(f64) -> f64| {
-        let mut trip = Trip::new(&RESTED);
+        let mut trip = TripMeasurement::new(&RESTED);
         work(RigParameters::default(), 1.0, read, |t, x| trip.advance(t, x)).unwrap_err()
     };
-    assert!(matches!(read(|_| 1e-6), Fault::Stuck { .. }));
-    assert!(matches!(read(|x| -x), Fault::Backwards { .. }));
-    assert!(matches!(read(|x| 3.0 * x), Fault::RunsAway { .. }));
-    assert!(matches!(read(|x| if 4e-3 < x { x + 8e-3 } else { x }), Fault::Jumps { .. }));
-    assert!(matches!(read(|x| if 4e-3 < x { f64::NAN } else { x }), Fault::RunsAway { .. }));
+    assert!(matches!(read(|_| 1e-6), CalibrationFault::Stuck { .. }));
+    assert!(matches!(read(|x| -x), CalibrationFault::Backwards { .. }));
+    assert!(matches!(read(|x| 3.0 * x), CalibrationFault::RunsAway { .. }));
+    assert!(matches!(
+        read(|x| if 4e-3 < x { x + 8e-3 } else { x }),
+        CalibrationFault::Jumps { .. }
+    ));
+    assert!(matches!(
+        read(|x| if 4e-3 < x { f64::NAN } else { x }),
+        CalibrationFault::RunsAway { .. }
+    ));
 }
 
 #[test]
@@ -109,13 +115,13 @@ fn a_weight_that_is_not_there_is_missed() {
     let empty = travelled(RigParameters::default(), 1.0).unwrap();
     let mut balance = Balance::new(&RESTED, &empty, 0.05);
     let none = work(RigParameters::default(), 1.0, |x| x, |t, x| balance.advance(t, x));
-    assert!(matches!(none, Err(Fault::Floats { .. })), "{none:?}");
+    assert!(matches!(none, Err(CalibrationFault::Floats { .. })), "{none:?}");
 }
 
 #[test]
 fn a_key_rests_at_the_mean_of_its_readings_unless_they_spread() {
     let rest = |noise: f64| {
-        let mut rest = Rest::default();
+        let mut rest = RestMeasurement::default();
         for tick in 0..1_000 {
             let sign = if tick % 2 == 0 { 1.0 } else { -1.0 };
             match rest.advance(f64::from(tick) * H, 1e-3 + sign * noise)? {
@@ -128,5 +134,5 @@ fn a_key_rests_at_the_mean_of_its_readings_unless_they_spread() {
     let rested = rest(5e-6).unwrap();
     assert!((rested.position - 1e-3).abs() < 0.1e-6, "{rested:?}");
     assert!((rested.spread - 10e-6).abs() < 1e-9, "{rested:?}");
-    assert!(matches!(rest(60e-6), Err(Fault::Noisy { .. })));
+    assert!(matches!(rest(60e-6), Err(CalibrationFault::Noisy { .. })));
 }

@@ -3,25 +3,25 @@
 pub mod file;
 
 use firmware_protocol::frame::key_forces::KeySlopes;
-use firmware_protocol::quantity::{Counts, Millinewtons, Slope, Speed};
+use firmware_protocol::quantity::{Counts, Millinewtons, SlopeCode, SpeedCode};
 use scheduler::motion::KeySlope;
 
 /// How one key's encoder reads, and how strong its motor is.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeyCalibration {
-    /// Reading of the key at rest [counts].
+    /// Reading of the key at rest (counts).
     pub rest: Counts,
-    /// Displacement for each count, down positive [m].
+    /// Displacement for each count, down positive (m).
     pub quantum: f64,
-    /// What must be asked of the motor for a newton [1].
+    /// What must be asked of the motor for a newton (1).
     pub gain: f64,
-    /// Reading of the key on its bottom felt [counts].
+    /// Reading of the key on its bottom felt (counts).
     pub bottom: Counts,
-    /// Friction that holds the key where it is [N].
+    /// Friction that holds the key where it is (N).
     pub friction: f64,
 }
 
-/// How far a key goes down, as long as nobody has measured it [m].
+/// How far a key goes down, as long as nobody has measured it (m).
 const USUAL_TRAVEL: f64 = 10.16e-3;
 
 impl Default for KeyCalibration {
@@ -32,15 +32,15 @@ impl Default for KeyCalibration {
 
 /// Where a key was when it was measured.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Measured {
-    /// Displacement, down positive [m].
+pub struct MeasurementPoint {
+    /// Displacement, down positive (m).
     pub position: f64,
-    /// Speed, down positive [m/s].
+    /// Speed, down positive (m/s).
     pub velocity: f64,
 }
 
 impl KeyCalibration {
-    /// A key that nobody has measured, with a displacement of `quantum` [m] for each count.
+    /// A key that nobody has measured, with a displacement of `quantum` (m) for each count.
     pub fn nominal(quantum: f64) -> Self {
         let rest = Counts::default();
         let bottom = Counts::saturating(nearest(USUAL_TRAVEL / quantum));
@@ -59,28 +59,28 @@ impl KeyCalibration {
         Self { bottom: self.rest, ..self }
     }
 
-    /// How far the key goes down [m]; 0 if that is not known.
+    /// How far the key goes down (m); 0 if that is not known.
     pub fn travel(&self) -> f64 {
         self.position(self.bottom)
     }
 
-    /// Key-front displacement at a reading, down positive [m].
+    /// Key-front displacement at a reading, down positive (m).
     pub fn position(&self, counts: Counts) -> f64 {
         // Both have 24 bits, so the difference is exact.
         f64::from(counts.get() - self.rest.get()) * self.quantum
     }
 
-    /// The reading nearest to `position` [m]; the edge of 24 bits for what is beyond.
+    /// The reading nearest to `position` (m); the edge of 24 bits for what is beyond.
     pub fn counts(&self, position: f64) -> Counts {
         Counts::saturating(nearest(position / self.quantum).saturating_add(self.rest.get()))
     }
 
-    /// What to ask of this motor for `force` [N]; nothing at all if it is not finite.
+    /// What to ask of this motor for `force` (N); nothing at all if it is not finite.
     pub fn millinewtons(&self, force: f64) -> Millinewtons {
         millinewtons(force * self.gain)
     }
 
-    /// What to ask of this motor, where it was measured at `here`, for a force of `force` [N]
+    /// What to ask of this motor, where it was measured at `here`, for a force of `force` (N)
     /// that goes on with `slope` from another place.
     ///
     /// The slopes on the wire are coarse, the force is not: it is taken to `here` along the
@@ -90,10 +90,11 @@ impl KeyCalibration {
         &self,
         force: f64,
         slope: &KeySlope,
-        here: Measured,
+        here: MeasurementPoint,
     ) -> (Millinewtons, KeySlopes) {
-        let stiffness = Slope::toward_zero(nearest(slope.stiffness * self.gain / STIFFNESS_UNIT));
-        let damping = Slope::toward_zero(nearest(slope.damping * self.gain / DAMPING_UNIT));
+        let stiffness =
+            SlopeCode::toward_zero(nearest(slope.stiffness * self.gain / STIFFNESS_UNIT));
+        let damping = SlopeCode::toward_zero(nearest(slope.damping * self.gain / DAMPING_UNIT));
         let expected = here.position + here.velocity * slope.ahead;
         let moved = f64::from(stiffness.get()) * STIFFNESS_UNIT * (slope.position - expected)
             + f64::from(damping.get()) * DAMPING_UNIT * (slope.velocity - here.velocity);
@@ -106,35 +107,35 @@ impl KeyCalibration {
     }
 }
 
-/// Stiffness of one unit on the wire [N/m].
-const STIFFNESS_UNIT: f64 = Slope::STIFFNESS_UNIT as f64 * 1e-3;
-/// Damping of one unit on the wire [N s/m].
-const DAMPING_UNIT: f64 = Slope::DAMPING_UNIT as f64 * 1e-3;
-/// Largest force that a frame can hold [N].
+/// Stiffness of one unit on the wire (N/m).
+const STIFFNESS_UNIT: f64 = SlopeCode::STIFFNESS_UNIT as f64 * 1e-3;
+/// Damping of one unit on the wire (N s/m).
+const DAMPING_UNIT: f64 = SlopeCode::DAMPING_UNIT as f64 * 1e-3;
+/// Largest force that a frame can hold (N).
 const LARGEST: f64 = 32.767;
 
-/// The wire's value nearest to `force` [N]; no force at all if it is not finite.
+/// The wire's value nearest to `force` (N); no force at all if it is not finite.
 pub fn millinewtons(force: f64) -> Millinewtons {
     let force = if force.is_finite() { force } else { 0.0 };
     Millinewtons::saturating(nearest(force * 1e3))
 }
 
-/// The force [N] that a wire's value means.
+/// The force (N) that a wire's value means.
 pub fn newtons(force: Millinewtons) -> f64 {
     f64::from(force.get()) / 1e3
 }
 
-/// The speed [m/s] that a wire's value means.
-pub fn metres_per_second(speed: Speed) -> f64 {
-    f64::from(speed.get()) * (f64::from(Speed::MICROMETRES_PER_SECOND) * 1e-6)
+/// The speed (m/s) that a wire's value means.
+pub fn metres_per_second(speed: SpeedCode) -> f64 {
+    f64::from(speed.get()) * (f64::from(SpeedCode::MICROMETRES_PER_SECOND) * 1e-6)
 }
 
-/// The wire's value nearest to `speed` [m/s].
-pub fn speed(speed: f64) -> Speed {
-    Speed::saturating(nearest(speed * (1e6 / f64::from(Speed::MICROMETRES_PER_SECOND))))
+/// The wire's value nearest to `speed` (m/s).
+pub fn speed(speed: f64) -> SpeedCode {
+    SpeedCode::saturating(nearest(speed * (1e6 / f64::from(SpeedCode::MICROMETRES_PER_SECOND))))
 }
 
-/// The stiffness [N/m] and damping [N s/m] that the wire's values mean.
+/// The stiffness (N/m) and damping (N s/m) that the wire's values mean.
 pub fn slopes(slopes: KeySlopes) -> (f64, f64) {
     let KeySlopes { stiffness, damping } = slopes;
     (f64::from(stiffness.get()) * STIFFNESS_UNIT, f64::from(damping.get()) * DAMPING_UNIT)
@@ -220,7 +221,7 @@ mod tests {
         ) {
             let ahead = 0.5e-3;
             let slope = KeySlope { stiffness, damping, position, velocity, ahead };
-            let here = Measured { position: position + moved, velocity: velocity + faster };
+            let here = MeasurementPoint { position: position + moved, velocity: velocity + faster };
             let (there, sent) = KeyCalibration::default().sloped(force, &slope, here);
             let (k, b) = slopes(sent);
             let expected = here.position + here.velocity * ahead;

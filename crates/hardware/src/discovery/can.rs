@@ -33,7 +33,7 @@ pub struct CanInterface {
     pub is_up: bool,
     /// What the kernel says of its operation: `up`, `down`, `unknown` and others.
     pub state: String,
-    /// Longest frame with its head, as the kernel keeps it [bytes].
+    /// Longest frame with its head, as the kernel keeps it (bytes).
     pub mtu: Option<u32>,
     /// Frames that wait for the bus at most, if the kernel says.
     pub queue_length: Option<u32>,
@@ -54,7 +54,7 @@ pub struct CanInterface {
 pub fn can_interfaces() -> Result<Listing<CanInterface>, Error> {
     let mut listing = known_can_interfaces()?;
     if cfg!(target_os = "linux") {
-        let kernel = doctor::kernel::Version::read(Path::new("/"));
+        let kernel = doctor::kernel::KernelVersion::read(Path::new("/"));
         examine(&mut listing.found, &can_link::ask_ip(), kernel);
     }
     Ok(listing)
@@ -77,7 +77,7 @@ pub(crate) fn known_can_interfaces() -> Result<Listing<CanInterface>, Error> {
 fn examine(
     found: &mut [CanInterface],
     links: &BTreeMap<String, CanLink>,
-    kernel: Option<doctor::kernel::Version>,
+    kernel: Option<doctor::kernel::KernelVersion>,
 ) {
     for can in found {
         can.link = links.get(&can.name).cloned();

@@ -49,7 +49,6 @@ impl<T> Listing<T> {
 pub enum Obstacle {
     /// The user may not read and write the device.
     Forbidden {
-        /// The device.
         path: PathBuf,
         /// The group that may, if a group may.
         group: Option<String>,
@@ -60,10 +59,7 @@ pub enum Obstacle {
         command: String,
     },
     /// The interface is up, but carries no frames.
-    NotRunning {
-        /// Its name.
-        name: String,
-    },
+    NotRunning { name: String },
 }
 
 impl fmt::Display for Obstacle {

@@ -27,7 +27,7 @@ pub struct SerialPort {
     pub usb: Option<UsbIdentity>,
     /// Where it hangs, if it is a USB device.
     pub place: Option<UsbPlace>,
-    /// How long its adapter holds bytes back, if it is one that does [ms].
+    /// How long its adapter holds bytes back, if it is one that does (ms).
     pub latency: Option<u32>,
     /// Why it cannot be used, if that is known.
     pub obstacle: Option<Obstacle>,
@@ -38,11 +38,8 @@ pub struct SerialPort {
 /// What a USB device says of itself.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct UsbIdentity {
-    /// Vendor number.
     pub vendor: u16,
-    /// Product number.
     pub product: u16,
-    /// Serial number.
     pub serial: Option<String>,
     /// The maker's and the product's names, as far as they are told.
     pub name: String,

@@ -8,43 +8,42 @@ use haptics::plant::Gesture;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 
-use super::{Keybed, Line, address};
-use crate::courier::Courier;
+use super::{Keybed, NamedLink, address};
+use crate::courier::RequestChannel;
 use crate::link::Link as _;
-use crate::plan::{Medium, Seen};
+use crate::plan::{Medium, MeterWindow};
 use crate::refusal::{BoardName, Refusal};
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
-use crate::rt::bus::{Bus, LineStatistics};
-use crate::rt::glance::{BoardGlance, Glance};
+use crate::rt::bus::{KeybedBus, LineStatistics};
+use crate::rt::glance::{BoardGlance, LinkSnapshot};
 use crate::rt::lateness::Lateness;
-use crate::rt::steward::{Bar, Condition, Stage, Steward};
+use crate::rt::steward::{ArmLockout, ArmState, BoardSupervisor, Condition};
 use crate::topology::BoardPlace;
 
-/// Time in which the forces of a board grow once it renders them, and fade once it does not [us].
+/// Time in which the forces of a board grow once it renders them, and fade once it does not (us).
 const FADE_US: u64 = 20_000;
 
 /// Armed boards.
 #[derive(Debug)]
 pub struct Armed {
-    bus: Box<Bus>,
-    steward: Steward,
+    bus: Box<KeybedBus>,
+    steward: BoardSupervisor,
     names: Vec<BoardName>,
-    /// Time between two exchanges [us].
+    /// Time between two exchanges (us).
     period_us: u64,
     /// Frames from and to each board before the beginning.
     before: Vec<(u64, u64)>,
-    /// Since when the lines are metered [us].
+    /// Since when the lines are metered (us).
     since_us: u64,
     /// What the samples of each board usually take.
     lateness: Vec<Lateness>,
-    /// When tick 0 was due, but for a constant [us].
+    /// When tick 0 was due, but for a constant (us).
     first_us: Option<u64>,
 }
 
 /// What became of one board.
 #[derive(Clone, PartialEq, Debug)]
 pub struct BoardReport {
-    /// Which.
     pub name: BoardName,
     /// Where it is, and its keys.
     pub place: BoardPlace,
@@ -61,18 +60,22 @@ pub struct BoardReport {
 /// What became of one line.
 #[derive(Clone, PartialEq, Debug)]
 pub struct LineReport {
-    /// Which.
     pub name: String,
     /// What it has carried beside the boards' own counts.
     pub statistics: LineStatistics,
     /// What it is made of, if that is known.
     pub medium: Option<Medium>,
     /// How full it was, if its medium is known.
-    pub load: Option<Seen>,
+    pub load: Option<MeterWindow>,
 }
 
 impl Armed {
-    pub(super) fn new(bus: Bus, steward: Steward, names: Vec<BoardName>, period_us: u64) -> Self {
+    pub(super) fn new(
+        bus: KeybedBus,
+        steward: BoardSupervisor,
+        names: Vec<BoardName>,
+        period_us: u64,
+    ) -> Self {
         let before = vec![(0, 0); names.len()];
         let since_us = steward.now();
         let lateness = vec![Lateness::default(); names.len()];
@@ -123,7 +126,7 @@ impl Keybed<Armed> {
     pub fn attend(&mut self) {
         let Self { lines, stage: Armed { bus, steward, .. }, clock } = self;
         steward.set_now(clock());
-        for (index, Line { link, .. }) in lines.iter_mut().enumerate() {
+        for (index, NamedLink { link, .. }) in lines.iter_mut().enumerate() {
             if index < bus.n_lines() {
                 bus.receive(index, link, steward);
                 steward.attend(index, bus, link);
@@ -138,13 +141,13 @@ impl Keybed<Armed> {
     ///
     /// # Real-time
     /// Copies, and sorts 15 numbers; no heap.
-    pub fn glance(&self, place: usize) -> Option<Glance> {
+    pub fn glance(&self, place: usize) -> Option<LinkSnapshot> {
         let glance = self.stage.bus.glance(place)?;
         Some(match glance {
-            Glance::Line(..) => glance,
-            Glance::Board(board, it) => {
+            LinkSnapshot::Line(..) => glance,
+            LinkSnapshot::Board(board, it) => {
                 let care = self.stage.steward.care(board);
-                Glance::Board(board, BoardGlance { care, ..it })
+                LinkSnapshot::Board(board, BoardGlance { care, ..it })
             }
         })
     }
@@ -187,7 +190,7 @@ impl Keybed<Armed> {
         self.stage.bus.boards().iter().map(BoardEnd::terms)
     }
 
-    /// Time between two exchanges [us].
+    /// Time between two exchanges (us).
     pub const fn period_us(&self) -> u64 {
         self.stage.period_us
     }
@@ -198,7 +201,7 @@ impl Keybed<Armed> {
         self.stage.steward.armings(self.terms().position(has)?)
     }
 
-    /// From when on gestures and frames count: host time [us].
+    /// From when on gestures and frames count: host time (us).
     ///
     /// What has come before is thrown away.
     pub fn begin_at(&mut self, origin_us: u64) {
@@ -236,7 +239,7 @@ impl Keybed<Armed> {
             let place = board.terms().place;
             // Another number than that of any request that may be under way.
             let [first, ..] = (self.clock)().to_le_bytes();
-            let mut courier = Courier::new(place.board, first ^ 0x80);
+            let mut courier = RequestChannel::new(place.board, first ^ 0x80);
             courier.ask(Operation::Disarm, &Nothing);
             if let Some(frame) = courier.due(0) {
                 // A board that does not hear it is safe when its forces expire.
@@ -268,7 +271,7 @@ impl Keybed<Armed> {
         let Armed { bus, steward, since_us, .. } = &self.stage;
         let seconds = steward.now().saturating_sub(*since_us) as f64 * 1e-6;
         let lines = self.lines.iter().enumerate();
-        let report = |(index, line): (usize, &Line)| LineReport {
+        let report = |(index, line): (usize, &NamedLink)| LineReport {
             name: line.name.clone(),
             statistics: bus.line(index),
             medium: line.medium,
@@ -283,26 +286,28 @@ impl Keybed<Armed> {
         let refusal = |(index, report): (usize, BoardReport)| {
             let board = report.name;
             match report.condition.stage {
-                Stage::Barred(Bar::Latched(reason)) => Some(Refusal::Latched { board, reason }),
-                Stage::Barred(Bar::Declined(asked, status)) => {
+                ArmState::Barred(ArmLockout::Latched(reason)) => {
+                    Some(Refusal::Latched { board, reason })
+                }
+                ArmState::Barred(ArmLockout::Declined(asked, status)) => {
                     let link = address(&self.lines, &board.line);
                     Some(Refusal::Declined { board, link, asked, status })
                 }
-                Stage::Barred(Bar::Exchanged) => Some(Refusal::Exchanged { board }),
-                Stage::Barred(Bar::Clock(ppm)) => Some(Refusal::Clock { board, ppm }),
-                Stage::Barred(Bar::NoSamples) => Some(Refusal::NoSamples { board }),
-                Stage::Barred(Bar::Unreadable) => {
+                ArmState::Barred(ArmLockout::Exchanged) => Some(Refusal::Exchanged { board }),
+                ArmState::Barred(ArmLockout::Clock(ppm)) => Some(Refusal::Clock { board, ppm }),
+                ArmState::Barred(ArmLockout::NoSamples) => Some(Refusal::NoSamples { board }),
+                ArmState::Barred(ArmLockout::Unreadable) => {
                     let n_keys = report.place.n_keys;
                     Some(Refusal::Unreadable { board, n_keys })
                 }
-                Stage::Barred(Bar::StaysSafe) => Some(Refusal::StaysSafe { board }),
-                Stage::Armed if self.stage.steward.is_board_ready(index) => None,
-                Stage::Greeting
-                | Stage::Streaming
-                | Stage::Disarming
-                | Stage::Arming { .. }
-                | Stage::Confirming
-                | Stage::Armed => {
+                ArmState::Barred(ArmLockout::StaysSafe) => Some(Refusal::StaysSafe { board }),
+                ArmState::Armed if self.stage.steward.is_board_ready(index) => None,
+                ArmState::Greeting
+                | ArmState::Streaming
+                | ArmState::Disarming
+                | ArmState::Arming { .. }
+                | ArmState::Confirming
+                | ArmState::Armed => {
                     let asked = self.stage.steward.asked(index).unwrap_or(Operation::Hello);
                     Some(Refusal::NoAnswer { board, asked, seconds })
                 }
@@ -341,7 +346,7 @@ impl KeyBus for Keybed<Armed> {
     fn send_sloped(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
         let now_us = (self.clock)();
         let Self { lines, stage: Armed { bus, .. }, .. } = self;
-        for (index, Line { link, .. }) in lines.iter_mut().enumerate() {
+        for (index, NamedLink { link, .. }) in lines.iter_mut().enumerate() {
             if index < bus.n_lines() {
                 bus.send(index, now_us, forces, slopes, link);
             }

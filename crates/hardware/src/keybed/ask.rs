@@ -1,11 +1,11 @@
 //! Single requests outside the tick: asked, and waited for.
 
-use firmware_protocol::acyclic::{Operation, Reply, Status};
+use firmware_protocol::acyclic::{AcyclicReply, Operation, Status};
 use firmware_protocol::key::BoardId;
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 
-use super::{Keybed, LOOK, Line};
-use crate::courier::Courier;
+use super::{Keybed, LOOK, NamedLink};
+use crate::courier::RequestChannel;
 use crate::link::Link as _;
 use crate::pause::pause;
 use crate::refusal::{BoardName, Refusal};
@@ -15,7 +15,7 @@ use crate::refusal::{BoardName, Refusal};
 pub struct Asker {
     line: usize,
     name: BoardName,
-    courier: Courier,
+    courier: RequestChannel,
 }
 
 impl<S> Keybed<S> {
@@ -24,7 +24,7 @@ impl<S> Keybed<S> {
     /// Not while an armed keybed is attended: a board answers one request at a time.
     pub fn asker(&mut self, line: usize, board: BoardId) -> Asker {
         let [first, ..] = self.now_us().to_le_bytes();
-        let courier = Courier::new(board, first);
+        let courier = RequestChannel::new(board, first);
         let name = self.lines.get(line).map_or_else(String::new, |it| it.name.clone());
         let name = BoardName { line: name, number: board.number() };
         let mut asker = Asker { line, name, courier };
@@ -48,7 +48,7 @@ impl<S> Keybed<S> {
         let start = clock();
         let board = || asker.name.clone();
         asker.courier.ask(operation, record);
-        let Some(Line { link, address, .. }) = self.lines.get_mut(asker.line) else {
+        let Some(NamedLink { link, address, .. }) = self.lines.get_mut(asker.line) else {
             return Err(Refusal::Missing { board: board() });
         };
         loop {
@@ -77,12 +77,12 @@ impl<S> Keybed<S> {
 /// Takes what has come until it is the answer.
 fn hear<A: Record>(
     link: &mut (impl crate::link::Link + ?Sized),
-    courier: &mut Courier,
+    courier: &mut RequestChannel,
 ) -> Option<Result<A, Status>> {
     let mut frame = [0; MAX_FRAME];
     while let Ok(Some(len)) = link.try_recv(&mut frame) {
         let Some(heard) = courier.hear(&frame[..len.min(MAX_FRAME)]) else { continue };
-        let Reply { status, record, .. } = heard.reply;
+        let AcyclicReply { status, record, .. } = heard.reply;
         let is_done = status == Status::Done;
         return Some(if is_done { A::take(record).ok_or(Status::BadValue) } else { Err(status) });
     }

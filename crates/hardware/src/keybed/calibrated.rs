@@ -5,13 +5,13 @@ use firmware_protocol::frame::hello::feature;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 
-use super::{Armed, Keybed, LOOK, Line};
+use super::{Armed, Keybed, LOOK, NamedLink};
 use crate::link::{Link as _, RecvError};
 use crate::pause::pause;
 use crate::refusal::{BoardName, KeyRange, Refusals};
 use crate::rt::board::BoardTerms;
-use crate::rt::bus::Bus;
-use crate::rt::steward::{Agreed, Steward};
+use crate::rt::bus::KeybedBus;
+use crate::rt::steward::{Agreed, BoardSupervisor};
 use crate::topology::BoardPlace;
 
 /// The boards are known and measured.
@@ -25,13 +25,13 @@ pub struct Calibrated {
 /// What is agreed with all boards when they are armed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Terms {
-    /// Time between two exchanges [us].
+    /// Time between two exchanges (us).
     pub period_us: u16,
     /// How samples are packed.
     pub samples: SamplePacking,
     /// How forces are packed.
     pub forces: ForcePacking,
-    /// How long forces are valid after the samples that they answer [ms].
+    /// How long forces are valid after the samples that they answer (ms).
     pub valid_ms: u8,
 }
 
@@ -45,7 +45,7 @@ impl Keybed<Calibrated> {
     pub fn uncalibrated(&self) -> impl Iterator<Item = (BoardName, &str)> {
         let boards = self.stage.boards.iter().filter(|it| !it.is_calibrated());
         boards.map(|it| {
-            let Line { name, address, .. } = &self.lines[it.place.line];
+            let NamedLink { name, address, .. } = &self.lines[it.place.line];
             (BoardName { line: name.clone(), number: it.place.board.number() }, address.as_str())
         })
     }
@@ -77,8 +77,8 @@ impl Keybed<Calibrated> {
         });
         let names: Vec<_> = names.collect();
         let start = clock();
-        let steward = Steward::new(agreed, start);
-        let mut bus = Bus::new(&stage.boards);
+        let steward = BoardSupervisor::new(agreed, start);
+        let mut bus = KeybedBus::new(&stage.boards);
         for (index, line) in lines.iter().enumerate() {
             if let Some(medium) = line.medium {
                 bus.meter(index, medium);
@@ -104,7 +104,7 @@ impl Keybed<Calibrated> {
 
 /// Throws away what has come while nobody read: boards may have streamed to another host, and
 /// what a full queue had no room for would look like frames that were lost.
-fn forget_the_past(line: &mut Line) {
+fn forget_the_past(line: &mut NamedLink) {
     /// More than any queue holds.
     const MOST: usize = 100_000;
     for _ in 0..MOST {

@@ -5,7 +5,7 @@ use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking};
 use firmware_protocol::frame::key_samples::{SampleLayout, SamplePacking};
 use firmware_protocol::key::{BoardId, KeyIndex, PerKey};
 
-use super::{Calibrated, Keybed, Line};
+use super::{Calibrated, Keybed, NamedLink};
 use crate::calibration::KeyCalibration;
 use crate::refusal::{BoardName, KeyName, KeyRange, Refusal, Refusals, Uid};
 use crate::rt::board::BoardTerms;
@@ -13,18 +13,16 @@ use crate::topology::BoardPlace;
 
 /// A board that answered.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Found {
+pub struct FoundBoard {
     /// Which line it is on.
     pub line: usize,
-    /// Its number there.
     pub board: BoardId,
-    /// What it said.
     pub hello: Hello,
 }
 
-impl Found {
+impl FoundBoard {
     /// What it is called in sentences.
-    pub(super) fn name(&self, lines: &[Line]) -> BoardName {
+    pub(super) fn name(&self, lines: &[NamedLink]) -> BoardName {
         let line = lines.get(self.line).map_or_else(String::new, |line| line.name.clone());
         BoardName { line, number: self.board.number() }
     }
@@ -56,12 +54,12 @@ impl Found {
 /// The boards are known.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Identified {
-    pub(super) found: Vec<Found>,
+    pub(super) found: Vec<FoundBoard>,
 }
 
 /// What a scene says of boards.
 #[derive(Clone, PartialEq, Debug, Default)]
-pub struct Wanted {
+pub struct WantedBoards {
     /// How samples shall be packed.
     pub samples: SamplePacking,
     /// How forces shall be packed.
@@ -74,17 +72,17 @@ pub struct Wanted {
 
 impl Keybed<Identified> {
     /// The boards that answered.
-    pub fn boards(&self) -> &[Found] {
+    pub fn boards(&self) -> &[FoundBoard] {
         &self.stage.found
     }
 
     /// Leaves the boards alone that are not among those that `are_wanted`.
-    pub fn keep(&mut self, are_wanted: impl FnMut(&Found) -> bool) {
+    pub fn keep(&mut self, are_wanted: impl FnMut(&FoundBoard) -> bool) {
         self.stage.found.retain(are_wanted);
     }
 
     /// What the board is called in sentences.
-    pub fn name(&self, found: &Found) -> BoardName {
+    pub fn name(&self, found: &FoundBoard) -> BoardName {
         found.name(&self.lines)
     }
 
@@ -95,8 +93,8 @@ impl Keybed<Identified> {
     /// All that is wrong.
     pub fn calibrate(
         self,
-        wanted: &Wanted,
-        calibration: impl Fn(&Found, &BoardName) -> Result<PerKey<KeyCalibration>, Refusal>,
+        wanted: &WantedBoards,
+        calibration: impl Fn(&FoundBoard, &BoardName) -> Result<PerKey<KeyCalibration>, Refusal>,
     ) -> Result<Keybed<Calibrated>, Refusals> {
         let Self { lines, stage, clock } = self;
         let mut refusals = Vec::new();
@@ -129,7 +127,7 @@ impl Keybed<Identified> {
 /// What the host must know of a board at `place`.
 const fn terms(
     place: BoardPlace,
-    wanted: &Wanted,
+    wanted: &WantedBoards,
     calibration: &PerKey<KeyCalibration>,
 ) -> BoardTerms {
     BoardTerms {
@@ -141,7 +139,12 @@ const fn terms(
 }
 
 /// Refuses a board that cannot do what the scene wants.
-fn refuse_unable(found: &Found, name: &BoardName, wanted: &Wanted, refusals: &mut Vec<Refusal>) {
+fn refuse_unable(
+    found: &FoundBoard,
+    name: &BoardName,
+    wanted: &WantedBoards,
+    refusals: &mut Vec<Refusal>,
+) {
     let mut unable = |what, instead: String| {
         refusals.push(Refusal::Unable { board: name.clone(), what, instead });
     };
@@ -167,11 +170,12 @@ fn refuse_unable(found: &Found, name: &BoardName, wanted: &Wanted, refusals: &mu
 }
 
 /// Refuses keys that two boards carry.
-fn refuse_shared_keys(found: &[Found], lines: &[Line], refusals: &mut Vec<Refusal>) {
+fn refuse_shared_keys(found: &[FoundBoard], lines: &[NamedLink], refusals: &mut Vec<Refusal>) {
     for (n, one) in found.iter().enumerate() {
         for other in &found[n + 1..] {
-            let keys =
-                |it: &Found| it.hello.first_key..it.hello.first_key.saturating_add(it.hello.n_keys);
+            let keys = |it: &FoundBoard| {
+                it.hello.first_key..it.hello.first_key.saturating_add(it.hello.n_keys)
+            };
             let shared = keys(one).find(|key| keys(other).contains(key)).and_then(KeyIndex::new);
             if let Some(key) = shared {
                 let (one, other) = (one.name(lines), other.name(lines));
@@ -183,9 +187,9 @@ fn refuse_shared_keys(found: &[Found], lines: &[Line], refusals: &mut Vec<Refusa
 
 /// Refuses boards that are not what the scene says.
 fn refuse_other_boards(
-    found: &[Found],
-    wanted: &Wanted,
-    lines: &[Line],
+    found: &[FoundBoard],
+    wanted: &WantedBoards,
+    lines: &[NamedLink],
     refusals: &mut Vec<Refusal>,
 ) {
     for (line, number, scene) in &wanted.boards {
@@ -194,7 +198,7 @@ fn refuse_other_boards(
             number: *number,
         };
         let it = found.iter().find(|it| it.line == *line && it.board.number() == *number);
-        match it.map(Found::keys) {
+        match it.map(FoundBoard::keys) {
             None => refusals.push(Refusal::Missing { board }),
             Some(says) if says != *scene => {
                 refusals.push(Refusal::OtherKeys { board, says, scene: *scene });

@@ -21,7 +21,7 @@ use std::time::Duration;
 pub use armed::{Armed, BoardReport, LineReport};
 pub use ask::Asker;
 pub use calibrated::{Calibrated, Terms};
-pub use identified::{Found, Identified, Wanted};
+pub use identified::{FoundBoard, Identified, WantedBoards};
 pub use offline::Offline;
 
 use crate::link::Link;
@@ -30,16 +30,16 @@ use crate::plan::Medium;
 /// Boards on their lines, and how far they have been brought up.
 #[derive(Debug)]
 pub struct Keybed<S> {
-    lines: Vec<Line>,
+    lines: Vec<NamedLink>,
     stage: S,
-    clock: Clock,
+    clock: MicrosClock,
 }
 
-/// Reads the host's monotonic clock [us].
-pub type Clock = fn() -> u64;
+/// Reads the host's monotonic clock (us).
+pub type MicrosClock = fn() -> u64;
 
 /// A link with its name.
-pub struct Line {
+pub struct NamedLink {
     /// What it is called in sentences: a port, an interface.
     pub name: String,
     /// What a command takes for it, as `can:can0`.
@@ -50,7 +50,7 @@ pub struct Line {
     pub medium: Option<Medium>,
 }
 
-impl Line {
+impl NamedLink {
     /// A link of which only its name is known.
     pub fn new(name: impl Into<String>, link: Box<dyn Link + Send>) -> Self {
         let name = name.into();
@@ -58,7 +58,7 @@ impl Line {
     }
 }
 
-impl std::fmt::Debug for Line {
+impl std::fmt::Debug for NamedLink {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Line").field("name", &self.name).finish_non_exhaustive()
     }
@@ -75,14 +75,14 @@ impl<S> Keybed<S> {
         self.lines.iter().map(|line| line.medium)
     }
 
-    /// The host's clock now [us].
+    /// The host's clock now (us).
     pub fn now_us(&self) -> u64 {
         (self.clock)()
     }
 }
 
 /// What a command takes for the line that is called `name`.
-fn address(lines: &[Line], name: &str) -> String {
+fn address(lines: &[NamedLink], name: &str) -> String {
     let line = lines.iter().find(|line| line.name == name);
     line.map_or_else(|| name.to_owned(), |line| line.address.clone())
 }

@@ -5,19 +5,19 @@ use std::collections::BTreeMap;
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::hello::{Hello, Introduction};
-use firmware_protocol::frame::{DecodeError, Kind};
+use firmware_protocol::frame::{DecodeError, FrameKind};
 use firmware_protocol::key::BoardId;
 use firmware_protocol::schema;
 use firmware_protocol::version::PROTOCOL_VERSION;
 
-use super::{Clock, Found, Identified, Keybed, LOOK, Line};
+use super::{FoundBoard, Identified, Keybed, LOOK, MicrosClock, NamedLink};
 use crate::link::{Link as _, RecvError};
 use crate::pause::pause;
-use crate::refusal::{BoardName, Heard, Refusal, Refusals, Uid};
+use crate::refusal::{BoardName, LineTraffic, Refusal, Refusals, Uid};
 
-/// Time between two questions [us].
+/// Time between two questions (us).
 const ASK_US: u64 = 100_000;
-/// After this long without another hello, all have answered [us].
+/// After this long without another hello, all have answered (us).
 const QUIET_US: u64 = 300_000;
 
 /// Nothing is known of the boards.
@@ -26,7 +26,7 @@ pub struct Offline;
 
 impl Keybed<Offline> {
     /// Boards behind `lines`, which were opened before.
-    pub const fn new(lines: Vec<Line>, clock: Clock) -> Self {
+    pub const fn new(lines: Vec<NamedLink>, clock: MicrosClock) -> Self {
         Self { lines, stage: Offline, clock }
     }
 
@@ -73,7 +73,7 @@ impl Keybed<Offline> {
 }
 
 /// Asks on a line who is there.
-fn ask(line: &mut Line) {
+fn ask(line: &mut NamedLink) {
     let mut frame = [0; broadcast::MAX_LEN];
     let len = Broadcast::WhoIsThere { version: PROTOCOL_VERSION }.encode(&mut frame);
     // A line that does not take it is asked again.
@@ -94,7 +94,7 @@ struct Hearing {
 
 impl Hearing {
     /// Takes what has come; says whether there was a new hello.
-    fn listen(&mut self, line: &mut Line) -> bool {
+    fn listen(&mut self, line: &mut NamedLink) -> bool {
         let mut news = false;
         loop {
             let mut frame = [0; MAX_FRAME];
@@ -113,7 +113,7 @@ impl Hearing {
     /// Takes a frame; says whether it was a new hello.
     fn hear(&mut self, frame: &[u8]) -> bool {
         self.frames += 1;
-        if Kind::of(frame) != Some(Kind::Hello) {
+        if FrameKind::of(frame) != Some(FrameKind::Hello) {
             return false;
         }
         match Introduction::decode(frame) {
@@ -134,13 +134,13 @@ impl Hearing {
         self,
         index: usize,
         line: &str,
-        found: &mut Vec<Found>,
+        found: &mut Vec<FoundBoard>,
         refusals: &mut Vec<Refusal>,
     ) {
         let name = |number| BoardName { line: line.to_owned(), number };
         let Self { hellos, foreign, frames, corrupt, down } = self;
         if hellos.is_empty() && foreign.is_empty() {
-            let heard = Heard { frames, corrupt, down };
+            let heard = LineTraffic { frames, corrupt, down };
             refusals.push(Refusal::Silent { line: line.to_owned(), heard });
         }
         for (number, major) in foreign {
@@ -157,18 +157,18 @@ impl Hearing {
                 refusals.push(Refusal::Schema { board: name(number), theirs: hello.schema });
             }
             if let Some(board) = BoardId::new(number) {
-                found.push(Found { line: index, board, hello });
+                found.push(FoundBoard { line: index, board, hello });
             }
         }
     }
 }
 
 /// Refuses one board on two lines.
-fn refuse_twins(lines: &[Line], found: &[Found], refusals: &mut Vec<Refusal>) {
+fn refuse_twins(lines: &[NamedLink], found: &[FoundBoard], refusals: &mut Vec<Refusal>) {
     for (n, one) in found.iter().enumerate() {
         for other in &found[n + 1..] {
             if one.hello.uid == other.hello.uid {
-                let name = |it: &Found| it.name(lines);
+                let name = |it: &FoundBoard| it.name(lines);
                 let uid = Uid(one.hello.uid);
                 refusals.push(Refusal::SameBoard { one: name(one), other: name(other), uid });
             }

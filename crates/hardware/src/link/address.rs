@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 use super::Link;
-use super::can::{Can, CanMode, Side};
+use super::can::{BusSide, Can, CanMode};
 use crate::Error;
 
 /// Bits per second of a serial port of which nothing is said; USB devices ignore it.
@@ -13,16 +13,11 @@ pub const BAUD: u32 = 2_000_000;
 /// Where a link leads.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Address {
-    /// A serial port.
     Serial {
-        /// Its path.
         port: PathBuf,
-        /// Bits per second.
         baud: u32,
     },
-    /// A CAN interface.
     Can {
-        /// Its name.
         interface: String,
         /// What it carries.
         mode: CanMode,
@@ -62,7 +57,7 @@ impl Address {
     ///
     /// # Errors
     /// Says what is wrong with the port or interface, and what to do.
-    pub fn open(&self, side: Side) -> Result<Box<dyn Link + Send>, Error> {
+    pub fn open(&self, side: BusSide) -> Result<Box<dyn Link + Send>, Error> {
         match self {
             Self::Serial { port, baud } => open_serial(port, *baud),
             Self::Can { interface, mode } => Ok(Box::new(Can::open(interface, *mode, side)?)),

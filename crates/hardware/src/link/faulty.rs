@@ -12,7 +12,7 @@ const MAX_DELAYED: usize = 32;
 
 /// What happens to a frame, or to the link.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Fault {
+pub enum LinkFault {
     /// The frame never arrives.
     Drop,
     /// The frame arrives twice.
@@ -28,9 +28,7 @@ pub enum Fault {
 /// Which way a frame goes, as the host sees it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
-    /// Host to board.
     Send,
-    /// Board to host.
     Receive,
 }
 
@@ -39,10 +37,9 @@ pub enum Direction {
 pub struct Scripted {
     /// From the first of these exchanges up to, not including, the last.
     pub exchanges: Range<u64>,
-    /// Which way.
     pub direction: Direction,
     /// What happens to every frame then.
-    pub fault: Fault,
+    pub fault: LinkFault,
 }
 
 /// A fault that happens by chance.
@@ -50,8 +47,7 @@ pub struct Scripted {
 pub struct Chance {
     /// Share of the frames that it happens to, `0 ..= 1`, both ways.
     pub probability: f64,
-    /// What happens.
-    pub fault: Fault,
+    pub fault: LinkFault,
 }
 
 /// What shall go wrong on a link; by default, nothing.
@@ -86,8 +82,8 @@ pub struct Faults {
     plan: FaultPlan,
     random: Random,
     exchange: u64,
-    sent: Held,
-    received: Held,
+    sent: DelayedFrames,
+    received: DelayedFrames,
     counts: FaultCounts,
 }
 
@@ -96,7 +92,14 @@ impl Faults {
     pub fn new(plan: FaultPlan) -> Self {
         let random = Random(plan.seed);
         let counts = FaultCounts::default();
-        Self { plan, random, exchange: 0, sent: Held::new(), received: Held::new(), counts }
+        Self {
+            plan,
+            random,
+            exchange: 0,
+            sent: DelayedFrames::new(),
+            received: DelayedFrames::new(),
+            counts,
+        }
     }
 
     /// Goes on to the next exchange, which is what delays and scripts count in.
@@ -116,12 +119,12 @@ impl Faults {
 
     /// Whether the script has the link down for this call.
     fn is_down(&mut self, direction: Direction) -> bool {
-        let down = self.scripted(direction) == Some(Fault::Down);
+        let down = self.scripted(direction) == Some(LinkFault::Down);
         self.counts.down += u64::from(down);
         down
     }
 
-    fn scripted(&self, direction: Direction) -> Option<Fault> {
+    fn scripted(&self, direction: Direction) -> Option<LinkFault> {
         let fits = |step: &&Scripted| {
             step.direction == direction && step.exchanges.contains(&self.exchange)
         };
@@ -129,7 +132,7 @@ impl Faults {
     }
 
     /// Draws the fault that chance has for one frame.
-    fn chance(&mut self) -> Option<Fault> {
+    fn chance(&mut self) -> Option<LinkFault> {
         if self.plan.chances.is_empty() {
             return None;
         }
@@ -148,20 +151,20 @@ impl Faults {
         let fault = self.scripted(direction).or_else(|| self.chance());
         match fault {
             None => Passage::Now,
-            Some(Fault::Drop | Fault::Down) => {
+            Some(LinkFault::Drop | LinkFault::Down) => {
                 self.counts.dropped += 1;
                 Passage::Never
             }
-            Some(Fault::Duplicate) => {
+            Some(LinkFault::Duplicate) => {
                 self.counts.duplicated += 1;
                 Passage::Twice
             }
-            Some(Fault::FlipBit) => {
+            Some(LinkFault::FlipBit) => {
                 self.counts.flipped += 1;
                 flip(&mut self.random, parcel);
                 Passage::Now
             }
-            Some(Fault::Delay(exchanges)) => {
+            Some(LinkFault::Delay(exchanges)) => {
                 self.counts.delayed += 1;
                 Passage::At(self.exchange + u64::from(exchanges))
             }
@@ -255,12 +258,12 @@ impl<L: Link> Faulty<'_, L> {
 
 /// Frames that wait for their exchange.
 #[derive(Clone, Debug)]
-struct Held {
+struct DelayedFrames {
     places: Box<[(u64, Parcel)]>,
     n: usize,
 }
 
-impl Held {
+impl DelayedFrames {
     fn new() -> Self {
         let places = std::iter::repeat_n((0, Parcel::EMPTY), MAX_DELAYED).collect();
         Self { places, n: 0 }

@@ -26,7 +26,7 @@ pub struct Lasting {
     opened: Consumer<AnyLink>,
     /// Links that went down, on their way to be closed.
     closed: Producer<AnyLink>,
-    shared: Arc<Shared>,
+    shared: Arc<ReconnectState>,
     /// What those before this one were like, and counted.
     before: Health,
     reopened: u64,
@@ -34,7 +34,7 @@ pub struct Lasting {
 
 /// What both sides tell each other.
 #[derive(Debug, Default)]
-struct Shared {
+struct ReconnectState {
     /// A new link is wanted.
     wanted: AtomicBool,
     /// The owner is gone.
@@ -56,7 +56,7 @@ impl Lasting {
         let link = Some(open()?);
         let (newly, opened) = RingBuffer::new(1);
         let (closed, lately) = RingBuffer::new(2);
-        let shared = Arc::<Shared>::default();
+        let shared = Arc::<ReconnectState>::default();
         let its_shared = Arc::clone(&shared);
         let thread = std::thread::Builder::new().name("letoff-open".into());
         thread.spawn(move || attend(&open, newly, lately, &its_shared)).map_err(Error::Thread)?;
@@ -140,7 +140,7 @@ fn attend(
     open: &impl Fn() -> Result<AnyLink, Error>,
     mut newly: Producer<AnyLink>,
     mut lately: Consumer<AnyLink>,
-    shared: &Shared,
+    shared: &ReconnectState,
 ) {
     while !shared.over.load(Ordering::Acquire) {
         while let Ok(link) = lately.pop() {

@@ -21,13 +21,13 @@ impl Loopback {
     }
 
     /// The end that the host sends to and receives from.
-    pub const fn host_end(&mut self) -> End<'_> {
-        End { out: &mut self.to_board, back: &mut self.to_host }
+    pub const fn host_end(&mut self) -> LoopbackEnd<'_> {
+        LoopbackEnd { out: &mut self.to_board, back: &mut self.to_host }
     }
 
     /// The end that the board sends to and receives from.
-    pub const fn board_end(&mut self) -> End<'_> {
-        End { out: &mut self.to_host, back: &mut self.to_board }
+    pub const fn board_end(&mut self) -> LoopbackEnd<'_> {
+        LoopbackEnd { out: &mut self.to_host, back: &mut self.to_board }
     }
 
     /// Frames that were replaced before anybody received them.
@@ -38,12 +38,12 @@ impl Loopback {
 
 /// One end of a [`Loopback`], lent.
 #[derive(Debug)]
-pub struct End<'a> {
+pub struct LoopbackEnd<'a> {
     out: &'a mut Queue,
     back: &'a mut Queue,
 }
 
-impl Link for End<'_> {
+impl Link for LoopbackEnd<'_> {
     fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
         self.out.push(Parcel::new(frame)?);
         Ok(())

@@ -71,7 +71,7 @@ impl<L: Link + ?Sized> Link for Box<L> {
 pub enum SendError {
     /// The frame is longer than this link carries.
     TooLong {
-        /// Its length [bytes].
+        /// Its length (bytes).
         len: usize,
     },
     /// There is no room: what was sent before is still on its way.
@@ -85,7 +85,7 @@ pub enum SendError {
 pub enum RecvError {
     /// A frame is longer than the buffer, and lost.
     BufferTooShort {
-        /// Its length [bytes].
+        /// Its length (bytes).
         len: usize,
     },
     /// Something came that was no frame: checksum, stuffing, length, a lost piece, or an
@@ -102,7 +102,6 @@ pub struct Health {
     pub state: WireState,
     /// Transmission errors, as the controller counts them up and down.
     pub transmit_errors: u8,
-    /// Reception errors, likewise.
     pub receive_errors: u8,
     /// Reports of errors that came.
     pub reports: u64,
@@ -116,7 +115,6 @@ pub struct Health {
 /// What a controller does.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 pub enum WireState {
-    /// It takes part.
     #[default]
     Active,
     /// It has counted many errors.
@@ -134,7 +132,7 @@ struct Parcel {
     len: usize,
 }
 
-/// The longest parcel of the wires in memory: a frame with its framing [bytes].
+/// The longest parcel of the wires in memory: a frame with its framing (bytes).
 pub const MAX_LEN: usize = firmware_protocol::serial::MAX_WIRE;
 
 impl Parcel {

@@ -20,7 +20,7 @@ use super::{Health, Link, Parcel, RecvError, SendError};
 /// A frame that passed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
-    /// When, by the owner's clock [us].
+    /// When, by the owner's clock (us).
     pub(super) time_us: u64,
     /// Which way, from the end that is recorded.
     pub(super) direction: Direction,
@@ -53,7 +53,7 @@ impl Tape {
         (tape, Recording { ring: consumer })
     }
 
-    /// What time it is for the frames that follow [us].
+    /// What time it is for the frames that follow (us).
     pub const fn set_time(&mut self, time_us: u64) {
         self.time_us = time_us;
     }

@@ -180,7 +180,6 @@ pub struct Mistakes(Vec<Mistake>);
 pub struct Mistake {
     /// Its number, from 1.
     pub line: usize,
-    /// What is wrong.
     pub what: String,
 }
 

@@ -16,16 +16,10 @@ pub enum PortTrouble {
     Forbidden(Obstacle),
     /// The user may not, and the file's rights do not say why.
     #[error("the system does not allow it; see its rights: ls -l {path}")]
-    Refused {
-        /// The port.
-        path: PathBuf,
-    },
+    Refused { path: PathBuf },
     /// Another program has it.
     #[error("another program has it open; see which one: fuser -v {path}")]
-    Busy {
-        /// The port.
-        path: PathBuf,
-    },
+    Busy { path: PathBuf },
     /// It is there, and is something else, or broken.
     #[error("it does not work as a serial port: {0}; `letoff devices` says what is behind each")]
     Unfit(io::Error),
@@ -43,7 +37,6 @@ pub enum CanTrouble {
         /// Those that there are, or why there is none.
         there_are: String,
     },
-    /// It is down.
     #[error("{0}")]
     Down(Obstacle),
     /// It carries no CAN FD frames.
@@ -61,7 +54,6 @@ pub enum CanTrouble {
     /// The kernel does not know CAN.
     #[error("this kernel has no CAN sockets; load them: sudo modprobe can-raw")]
     NoSockets,
-    /// Anything else.
     #[error("{0}; `letoff devices` says how it is set up")]
     Other(io::Error),
 }

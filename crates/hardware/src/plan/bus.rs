@@ -16,13 +16,13 @@ use super::verdict::REFUSE;
 use super::{ForcePacking, Medium, SamplePacking};
 use crate::refusal::KeyRange;
 
-/// What time it is on the bus: kind, number, and 4 bytes of time [bytes].
+/// What time it is on the bus: kind, number, and 4 bytes of time (bytes).
 const SYNC: usize = 6;
-/// A request with nothing to say but what it is [bytes].
+/// A request with nothing to say but what it is (bytes).
 const REQUEST: usize = REQUEST_HEAD;
-/// The answer to a ping [bytes].
+/// The answer to a ping (bytes).
 const PONG: usize = REPLY_HEAD + Pong::LEN;
-/// What a board has counted [bytes].
+/// What a board has counted (bytes).
 const COUNTERS: usize = REPLY_HEAD + Counters::LEN;
 
 /// What a bus shall carry.
@@ -38,11 +38,10 @@ pub struct BusPlan {
     pub samples: SamplePacking,
     /// What they are told.
     pub forces: ForcePacking,
-    /// How often every key is sampled [Hz].
+    /// How often every key is sampled (Hz).
     pub sample_rate: f64,
-    /// How often every key is given a force [Hz].
+    /// How often every key is given a force (Hz).
     pub force_rate: f64,
-    /// What goes besides.
     pub extras: Extras,
 }
 
@@ -64,11 +63,11 @@ pub fn standard(boards: Range<usize>) -> Vec<KeyRange> {
 /// gestures of simulated fingers.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Extras {
-    /// How often the host tells its time, if forces are for all boards [Hz].
+    /// How often the host tells its time, if forces are for all boards (Hz).
     pub sync_rate: f64,
-    /// How often each board is asked for its time [Hz].
+    /// How often each board is asked for its time (Hz).
     pub ping_rate: f64,
-    /// How often each board is asked what it has counted [Hz].
+    /// How often each board is asked what it has counted (Hz).
     pub counters_rate: f64,
 }
 
@@ -85,7 +84,7 @@ impl Default for Extras {
 
 /// What a frame is for; the first is the most urgent.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-enum Kind {
+enum TrafficKind {
     Sync,
     Forces,
     Samples,
@@ -96,20 +95,20 @@ enum Kind {
 /// A frame that comes again and again.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Traffic {
-    kind: Kind,
-    /// Before it is framed [bytes].
+    kind: TrafficKind,
+    /// Before it is framed (bytes).
     bytes: usize,
-    /// How often [Hz].
+    /// How often (Hz).
     rate: f64,
 }
 
 impl Traffic {
     const fn is_cyclic(&self) -> bool {
-        matches!(self.kind, Kind::Forces | Kind::Samples)
+        matches!(self.kind, TrafficKind::Forces | TrafficKind::Samples)
     }
 
     const fn goes_down(&self) -> bool {
-        matches!(self.kind, Kind::Sync | Kind::Forces | Kind::Request)
+        matches!(self.kind, TrafficKind::Sync | TrafficKind::Forces | TrafficKind::Request)
     }
 
     /// Share of the medium's time.
@@ -127,7 +126,7 @@ impl BusPlan {
     }
 
     /// The rate at which all keys can be sampled and given a force, both in each cycle, if
-    /// the bus is taken as far as it may be [Hz]; infinite without boards.
+    /// the bus is taken as far as it may be (Hz); infinite without boards.
     pub fn max_rate(&self) -> f64 {
         let one = Self { sample_rate: 1.0, force_rate: 1.0, ..self.clone() };
         one.stretch(REFUSE)
@@ -143,18 +142,18 @@ impl BusPlan {
         factors.into_iter().fold(f64::INFINITY, f64::min).max(0.0)
     }
 
-    /// How long the most urgent frame waits for one that is on its way, at worst [us].
+    /// How long the most urgent frame waits for one that is on its way, at worst (us).
     pub fn blocking(&self) -> f64 {
         let lanes = self.lanes();
         lanes.iter().map(|lane| self.blocking_in(lane)).fold(0.0, f64::max)
     }
 
-    /// How long the least urgent of the force frames takes to arrive, at worst [us].
+    /// How long the least urgent of the force frames takes to arrive, at worst (us).
     ///
     /// None if it may wait for ever, or if there is none.
     pub fn force_response(&self) -> Option<f64> {
         let [down, _] = self.lanes();
-        let last = down.iter().rposition(|it| it.kind == Kind::Forces)?;
+        let last = down.iter().rposition(|it| it.kind == TrafficKind::Forces)?;
         let time = |it: &Traffic| self.medium.time(it.bytes, Stuffing::Most);
         let higher: Vec<_> = down
             .iter()
@@ -165,7 +164,7 @@ impl BusPlan {
         worst_response(self.blocking_in(&down), &higher, time(down.get(last)?))
     }
 
-    /// The longest time for which nothing else can be sent [us].
+    /// The longest time for which nothing else can be sent (us).
     fn blocking_in(&self, lane: &[Traffic]) -> f64 {
         let sent = lane.iter().filter(|it| 0.0 < it.rate);
         sent.map(|it| self.medium.blocking(it.bytes)).fold(0.0, f64::max)
@@ -192,18 +191,25 @@ impl BusPlan {
         let mut all: Vec<_> = self
             .force_frames()
             .into_iter()
-            .map(|bytes| of(Kind::Forces, bytes, self.force_rate))
+            .map(|bytes| of(TrafficKind::Forces, bytes, self.force_rate))
             .collect();
         let Extras { sync_rate, ping_rate, counters_rate } = self.extras;
         for keys in &self.boards {
-            all.push(of(Kind::Samples, self.samples.frame_len(keys.n.into()), self.sample_rate));
+            all.push(of(
+                TrafficKind::Samples,
+                self.samples.frame_len(keys.n.into()),
+                self.sample_rate,
+            ));
             for (reply, rate) in [(PONG, ping_rate), (COUNTERS, counters_rate)] {
-                all.extend([of(Kind::Request, REQUEST, rate), of(Kind::Reply, reply, rate)]);
+                all.extend([
+                    of(TrafficKind::Request, REQUEST, rate),
+                    of(TrafficKind::Reply, reply, rate),
+                ]);
             }
         }
         if self.is_for_all() {
             let listeners = if self.medium.reaches_all() { 1 } else { self.boards.len() };
-            all.extend(vec![of(Kind::Sync, SYNC, sync_rate); listeners]);
+            all.extend(vec![of(TrafficKind::Sync, SYNC, sync_rate); listeners]);
         }
         all.sort_by_key(|it| it.kind);
         all
@@ -214,7 +220,7 @@ impl BusPlan {
         self.forces == ForcePacking::Multicast16
     }
 
-    /// How long each of the force frames of a cycle is [bytes].
+    /// How long each of the force frames of a cycle is (bytes).
     fn force_frames(&self) -> Vec<usize> {
         if !self.is_for_all() {
             let len = |keys: &KeyRange| self.forces.frame_len(keys.n.into());
@@ -276,7 +282,7 @@ mod tests {
         use firmware_protocol::frame::broadcast::{Broadcast, MAX_LEN};
         assert_eq!(Broadcast::BusTime { host_us: u32::MAX }.encode(&mut [0; MAX_LEN]), SYNC);
         let syncs =
-            |plan: BusPlan| plan.traffic().iter().filter(|it| it.kind == Kind::Sync).count();
+            |plan: BusPlan| plan.traffic().iter().filter(|it| it.kind == TrafficKind::Sync).count();
         assert_eq!(syncs(plan(FD)), 0);
         assert_eq!(syncs(BusPlan { forces: ForcePacking::Multicast16, ..plan(FD) }), 1);
     }

@@ -5,22 +5,20 @@
 //! and tail are sent at the nominal rate, what is between at the data rate.
 
 /// Of a classic frame, what is never stuffed: CRC delimiter, ACK, ACK delimiter, 7 of the
-/// end, 3 of the pause [bits].
+/// end, 3 of the pause (bits).
 const CLASSIC_TAIL: usize = 13;
-/// Of a CAN FD frame, what follows at the nominal rate: ACK, ACK delimiter, 7, 3 [bits].
+/// Of a CAN FD frame, what follows at the nominal rate: ACK, ACK delimiter, 7, 3 (bits).
 const FD_TAIL: usize = 12;
-/// After the rate switch and before the payload: ESI, 4 of the length [bits].
+/// After the rate switch and before the payload: ESI, 4 of the length (bits).
 const FD_HEAD: usize = 5;
-/// The stuff bits' count, 3 and parity [bits].
+/// The stuff bits' count, 3 and parity (bits).
 const STUFF_COUNT: usize = 4;
 
 /// How long identifiers are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Id {
-    /// 11 bits.
     #[default]
     Standard,
-    /// 29 bits.
     Extended,
 }
 
@@ -43,7 +41,7 @@ impl Stuffing {
     }
 }
 
-/// Length of a classic frame with a payload of `bytes`, at most 8 [bits].
+/// Length of a classic frame with a payload of `bytes`, at most 8 (bits).
 pub const fn classic_bits(id: Id, bytes: usize, stuffing: Stuffing) -> usize {
     // Start, identifier, flags, length, and the CRC behind the payload.
     let fixed = match id {
@@ -54,7 +52,7 @@ pub const fn classic_bits(id: Id, bytes: usize, stuffing: Stuffing) -> usize {
     stuffed + stuffing.among(stuffed) + CLASSIC_TAIL
 }
 
-/// Time of a classic frame at `bitrate` [bit/s] on the bus [us].
+/// Time of a classic frame at `bitrate` (bit/s) on the bus (us).
 pub fn classic_time(id: Id, bytes: usize, stuffing: Stuffing, bitrate: u32) -> f64 {
     micros(classic_bits(id, bytes, stuffing), bitrate)
 }
@@ -62,9 +60,9 @@ pub fn classic_time(id: Id, bytes: usize, stuffing: Stuffing, bitrate: u32) -> f
 /// Length of a CAN FD frame, by the rate at which its bits are sent.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct FdBits {
-    /// At the nominal rate [bits].
+    /// At the nominal rate (bits).
     pub nominal: usize,
-    /// At the data rate [bits].
+    /// At the data rate (bits).
     pub data: usize,
 }
 
@@ -91,13 +89,13 @@ impl FdBits {
         }
     }
 
-    /// Its time on a bus of these rates [bit/s] [us].
+    /// Its time on a bus of these rates (bit/s) (us).
     pub fn time(self, nominal: u32, data: u32) -> f64 {
         micros(self.nominal, nominal) + micros(self.data, data)
     }
 }
 
-/// Time of so many bits at a rate [bit/s] [us].
+/// Time of so many bits at a rate (bit/s) (us).
 fn micros(bits: usize, rate: u32) -> f64 {
     bits as f64 * 1e6 / f64::from(rate)
 }

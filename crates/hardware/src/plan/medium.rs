@@ -8,26 +8,26 @@ use firmware_protocol::can::pieces::PIECE;
 
 use super::can::{self, FdBits, Id, Stuffing};
 use super::uart::{self, Wiring};
-use super::usb::Speed;
+use super::usb::UsbSpeed;
 
 /// What carries frames between the host and its boards.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Medium {
     /// Classic CAN; a frame goes in pieces of 7 bytes.
     ClassicCan {
-        /// Rate [bit/s].
+        /// Rate (bit/s).
         bitrate: u32,
     },
     /// CAN FD with rate switch; a frame above 64 bytes goes as several.
     CanFd {
-        /// Rate of head and tail [bit/s].
+        /// Rate of head and tail (bit/s).
         nominal: u32,
-        /// Rate of the rest [bit/s].
+        /// Rate of the rest (bit/s).
         data: u32,
     },
     /// An asynchronous serial line.
     Uart {
-        /// Rate [bit/s].
+        /// Rate (bit/s).
         baud: u32,
         /// Who may speak at a time.
         wiring: Wiring,
@@ -40,7 +40,7 @@ pub enum Medium {
 }
 
 impl Medium {
-    /// How long a frame of `bytes` has the medium for itself [us].
+    /// How long a frame of `bytes` has the medium for itself (us).
     ///
     /// # Real-time
     /// A few dozen operations, whatever the length.
@@ -55,18 +55,18 @@ impl Medium {
         full as f64 * self.piece_time(piece, stuffing) + last
     }
 
-    /// How long a frame of `bytes` keeps the most urgent other one waiting, at worst [us].
+    /// How long a frame of `bytes` keeps the most urgent other one waiting, at worst (us).
     pub fn blocking(self, bytes: usize) -> f64 {
         match self {
-            Self::UsbFullSpeed => Speed::Full.frame_time(),
-            Self::UsbHighSpeed => Speed::High.frame_time(),
+            Self::UsbFullSpeed => UsbSpeed::Full.frame_time(),
+            Self::UsbHighSpeed => UsbSpeed::High.frame_time(),
             Self::ClassicCan { .. } | Self::CanFd { .. } | Self::Uart { .. } => {
                 self.piece_time(self.piece(bytes), Stuffing::Most)
             }
         }
     }
 
-    /// Of a frame, what goes at once [bytes].
+    /// Of a frame, what goes at once (bytes).
     fn piece(self, bytes: usize) -> usize {
         match self {
             Self::ClassicCan { .. } => bytes.min(PIECE),
@@ -75,7 +75,7 @@ impl Medium {
         }
     }
 
-    /// How long a piece takes that goes at once [us].
+    /// How long a piece takes that goes at once (us).
     fn piece_time(self, bytes: usize, stuffing: Stuffing) -> f64 {
         match self {
             Self::ClassicCan { bitrate } => {
@@ -89,8 +89,8 @@ impl Medium {
             Self::Uart { baud, wiring: Wiring::HalfDuplex { turnaround } } => {
                 uart::time(bytes, baud) + f64::from(turnaround)
             }
-            Self::UsbFullSpeed => Speed::Full.time(uart::wire_bytes(bytes)),
-            Self::UsbHighSpeed => Speed::High.time(uart::wire_bytes(bytes)),
+            Self::UsbFullSpeed => UsbSpeed::Full.time(uart::wire_bytes(bytes)),
+            Self::UsbHighSpeed => UsbSpeed::High.time(uart::wire_bytes(bytes)),
         }
     }
 

@@ -14,10 +14,9 @@ struct Meter {
 
 /// What was seen in a window of time.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Seen {
-    /// Frames.
+pub struct MeterWindow {
     pub frames: u64,
-    /// How often a frame came [Hz].
+    /// How often a frame came (Hz).
     pub rate: f64,
     /// Share of the medium's time, if no payload needed a stuff bit.
     pub least: f64,
@@ -49,9 +48,9 @@ impl Meter {
     }
 
     /// What was seen in `seconds`.
-    fn seen(&self, seconds: f64) -> Seen {
+    fn seen(&self, seconds: f64) -> MeterWindow {
         let share = |micros: f64| micros * 1e-6 / seconds;
-        Seen {
+        MeterWindow {
             frames: self.frames,
             rate: self.frames as f64 / seconds,
             least: share(self.least),
@@ -97,10 +96,10 @@ impl LinkMeter {
 
     /// What was seen in `seconds`: of both directions together where they take turns, else of
     /// the busier one, as [`super::BusPlan::load`] has it.
-    pub fn seen(&self, seconds: f64) -> Seen {
+    pub fn seen(&self, seconds: f64) -> MeterWindow {
         let (down, up) = (self.down.seen(seconds), self.up.seen(seconds));
         if self.up.medium.is_shared() {
-            return Seen {
+            return MeterWindow {
                 frames: down.frames + up.frames,
                 rate: down.rate + up.rate,
                 least: down.least + up.least,

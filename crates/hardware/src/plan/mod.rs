@@ -26,7 +26,7 @@ pub mod verdict;
 
 pub use bus::{BusPlan, Extras, standard};
 pub use medium::Medium;
-pub use meter::{LinkMeter, Seen};
+pub use meter::{LinkMeter, MeterWindow};
 pub use packing::{ForcePacking, SamplePacking};
 pub use propose::Proposal;
-pub use verdict::Verdict;
+pub use verdict::BusVerdict;

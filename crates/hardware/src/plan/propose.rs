@@ -1,7 +1,7 @@
 //! The richest packing that a bus can carry at the wanted rates, or what it can carry.
 
 use super::verdict::WARN;
-use super::{BusPlan, ForcePacking, SamplePacking, Verdict};
+use super::{BusPlan, BusVerdict, ForcePacking, SamplePacking};
 
 /// All packings that go together, by what they tell of each key; of two that tell as much, first
 /// the one whose force depends on the key's own position, then the one with a frame for each
@@ -40,7 +40,7 @@ impl BusPlan {
     /// The richest packing with room to spare, else the leanest if it is only tight, else
     /// the leanest at lower rates, in the wanted proportion.
     pub fn propose(&self) -> Proposal {
-        let roomy = self.candidates().find(|it| it.verdict() == Verdict::Fits);
+        let roomy = self.candidates().find(|it| it.verdict() == BusVerdict::Fits);
         roomy.map_or_else(|| self.leanest(), Proposal::AsWanted)
     }
 
@@ -48,7 +48,7 @@ impl BusPlan {
     fn leanest(&self) -> Proposal {
         let by_load = |one: &Self, other: &Self| one.load().total_cmp(&other.load());
         let plan = self.candidates().min_by(by_load).unwrap_or_else(|| self.clone());
-        if plan.verdict() == Verdict::Refused {
+        if plan.verdict() == BusVerdict::Refused {
             let buses = plan.buses_needed();
             Proposal::Slower { plan: plan.slowed(), buses }
         } else {
@@ -82,7 +82,7 @@ impl BusPlan {
             let most = self.boards.len().div_ceil(*buses);
             self.boards.chunks(most).all(|boards| {
                 let part = Self { boards: boards.to_vec(), ..self.clone() };
-                part.verdict() == Verdict::Fits
+                part.verdict() == BusVerdict::Fits
             })
         })
     }
@@ -131,9 +131,9 @@ mod tests {
             (plan.samples, plan.forces),
             (SamplePacking::Position16, ForcePacking::Multicast16)
         );
-        assert_eq!((plan.verdict(), buses), (Verdict::Fits, Some(3)));
+        assert_eq!((plan.verdict(), buses), (BusVerdict::Fits, Some(3)));
         let faster = BusPlan { sample_rate: plan.sample_rate + 5.0, ..plan };
-        assert_eq!(faster.verdict(), Verdict::Tight);
+        assert_eq!(faster.verdict(), BusVerdict::Tight);
     }
 
     #[test]

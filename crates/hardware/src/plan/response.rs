@@ -3,20 +3,20 @@
 /// A frame that comes again and again.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Periodic {
-    /// From one to the next at least [us].
+    /// From one to the next at least (us).
     pub period: f64,
-    /// On the bus [us].
+    /// On the bus (us).
     pub time: f64,
 }
 
 /// Longer than any that converges in use; each step lasts for a frame at least.
 const MAX_STEPS: u32 = 100_000;
 
-/// From wanting to send a frame until it has arrived, at worst [us].
+/// From wanting to send a frame until it has arrived, at worst (us).
 ///
-/// The frame that is on the bus already ends first (`blocking`, the longest there is [us]);
+/// The frame that is on the bus already ends first (`blocking`, the longest there is (us));
 /// then go all of `higher`, as often as they come meanwhile; then the frame itself, for
-/// `own` [us]. `R = B + sum(ceil(R / P) T) + own`, from below until it stays.
+/// `own` (us). `R = B + sum(ceil(R / P) T) + own`, from below until it stays.
 ///
 /// None if `higher` leave no room, or if a number is not one.
 pub fn worst_response(blocking: f64, higher: &[Periodic], own: f64) -> Option<f64> {

@@ -2,7 +2,7 @@
 //!
 //! Each frame is sent with a CRC, without zeros (COBS), and with a zero behind it.
 
-/// Checksum of a frame [bytes].
+/// Checksum of a frame (bytes).
 const CRC: usize = 2;
 /// Bits on the line for each byte: start, 8, stop.
 const BITS_PER_BYTE: f64 = 10.0;
@@ -16,12 +16,12 @@ pub enum Wiring {
     FullDuplex,
     /// One pair for all, as in RS-485: host and boards take turns.
     HalfDuplex {
-        /// Silence before each frame, until its sender has the line [us].
+        /// Silence before each frame, until its sender has the line (us).
         turnaround: u32,
     },
 }
 
-/// What a frame of `bytes` is on the wire at most [bytes].
+/// What a frame of `bytes` is on the wire at most (bytes).
 pub const fn wire_bytes(bytes: usize) -> usize {
     let checked = bytes + CRC;
     let code = 1 + checked / COBS_RUN;
@@ -29,7 +29,7 @@ pub const fn wire_bytes(bytes: usize) -> usize {
     checked + code + delimiter
 }
 
-/// Time of a frame at `baud` [bit/s] on a line that its sender has [us].
+/// Time of a frame at `baud` (bit/s) on a line that its sender has (us).
 pub fn time(bytes: usize, baud: u32) -> f64 {
     wire_bytes(bytes) as f64 * BITS_PER_BYTE * 1e6 / f64::from(baud)
 }

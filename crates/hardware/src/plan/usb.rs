@@ -4,15 +4,15 @@
 
 /// How fast a device signals.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Speed {
+pub enum UsbSpeed {
     /// 12 Mbit/s, frames of 1 ms; all such devices behind one transaction translator share it.
     Full,
     /// 480 Mbit/s, frames of 125 us.
     High,
 }
 
-impl Speed {
-    /// Most payload of one transaction [bytes].
+impl UsbSpeed {
+    /// Most payload of one transaction (bytes).
     pub const fn payload(self) -> usize {
         match self {
             Self::Full => 64,
@@ -20,7 +20,7 @@ impl Speed {
         }
     }
 
-    /// What a transaction takes besides its payload [bytes].
+    /// What a transaction takes besides its payload (bytes).
     const fn overhead(self) -> usize {
         match self {
             Self::Full => 13,
@@ -28,7 +28,7 @@ impl Speed {
         }
     }
 
-    /// What one frame has room for [bytes].
+    /// What one frame has room for (bytes).
     const fn budget(self) -> usize {
         match self {
             Self::Full => 1_500,
@@ -36,7 +36,7 @@ impl Speed {
         }
     }
 
-    /// How long a frame is [us].
+    /// How long a frame is (us).
     pub const fn frame_time(self) -> f64 {
         match self {
             Self::Full => 1_000.0,
@@ -49,7 +49,7 @@ impl Speed {
         self.budget() / (self.overhead() + bytes)
     }
 
-    /// What a transfer takes of a frame's budget [bytes].
+    /// What a transfer takes of a frame's budget (bytes).
     ///
     /// A transfer ends with a transaction that is not full; one that fills its last needs
     /// an empty one behind it.
@@ -58,7 +58,7 @@ impl Speed {
         bytes + transactions * self.overhead()
     }
 
-    /// Share of the wire's time, as time, that a transfer takes [us].
+    /// Share of the wire's time, as time, that a transfer takes (us).
     pub const fn time(self, bytes: usize) -> f64 {
         self.cost(bytes) as f64 / self.budget() as f64 * self.frame_time()
     }
@@ -70,9 +70,9 @@ mod tests {
 
     #[test]
     fn a_transfer_that_fills_its_last_transaction_costs_an_empty_one_more() {
-        assert_eq!(Speed::Full.cost(63), 63 + 13);
-        assert_eq!(Speed::Full.cost(64), 64 + 2 * 13);
-        assert_eq!(Speed::Full.cost(65), 65 + 2 * 13);
-        assert_eq!(Speed::High.cost(512), 512 + 2 * 55);
+        assert_eq!(UsbSpeed::Full.cost(63), 63 + 13);
+        assert_eq!(UsbSpeed::Full.cost(64), 64 + 2 * 13);
+        assert_eq!(UsbSpeed::Full.cost(65), 65 + 2 * 13);
+        assert_eq!(UsbSpeed::High.cost(512), 512 + 2 * 55);
     }
 }

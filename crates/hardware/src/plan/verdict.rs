@@ -9,7 +9,7 @@ pub const REFUSE: f64 = 0.80;
 
 /// Whether a bus can carry what is planned.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Verdict {
+pub enum BusVerdict {
     /// With room to spare.
     Fits,
     /// Above 70 %: repeats after an error delay what comes next.
@@ -18,7 +18,7 @@ pub enum Verdict {
     Refused,
 }
 
-impl Verdict {
+impl BusVerdict {
     /// The verdict on a load; a load that is no number is refused.
     pub fn of(load: f64) -> Self {
         if load <= WARN {
@@ -33,23 +33,23 @@ impl Verdict {
 
 impl BusPlan {
     /// Whether the bus can carry this.
-    pub fn verdict(&self) -> Verdict {
-        Verdict::of(self.load())
+    pub fn verdict(&self) -> BusVerdict {
+        BusVerdict::of(self.load())
     }
 
     /// What the bus would carry, whether it can, and what to do if not.
     pub fn sentence(&self) -> String {
         let (what, load) = (self.what(), 100.0 * self.load());
         match self.verdict() {
-            Verdict::Fits => format!("{what} take {load:.1} % of its time{}", self.arrival()),
-            Verdict::Tight => format!(
+            BusVerdict::Fits => format!("{what} take {load:.1} % of its time{}", self.arrival()),
+            BusVerdict::Tight => format!(
                 "{what} take {load:.1} % of its time{}; above {:.0} % a repeated frame delays \
                  others: {}",
                 self.arrival(),
                 100.0 * WARN,
                 self.way_out(WARN)
             ),
-            Verdict::Refused => format!(
+            BusVerdict::Refused => format!(
                 "{what} would take {load:.1} % of its time, and {:.0} % is the most: {}",
                 100.0 * REFUSE,
                 self.way_out(REFUSE)
@@ -118,11 +118,11 @@ mod tests {
 
     #[test]
     fn seventy_percent_fits_and_eighty_is_tight() {
-        use Verdict::{Fits, Refused, Tight};
+        use BusVerdict::{Fits, Refused, Tight};
         for (load, verdict) in [(0.7, Fits), (0.701, Tight), (0.8, Tight), (0.801, Refused)] {
-            assert_eq!(Verdict::of(load), verdict, "{load}");
+            assert_eq!(BusVerdict::of(load), verdict, "{load}");
         }
-        assert_eq!(Verdict::of(f64::NAN), Refused);
+        assert_eq!(BusVerdict::of(f64::NAN), Refused);
     }
 
     #[test]

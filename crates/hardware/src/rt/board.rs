@@ -151,7 +151,7 @@ impl BoardEnd {
         news
     }
 
-    /// How long `samples` were taken after the newest before them by the board's clock [s], if
+    /// How long `samples` were taken after the newest before them by the board's clock (s), if
     /// they are the next.
     fn elapsed(&self, samples: &KeySamples, tick: u64) -> Option<f64> {
         let (newest, _tick) = self.newest.as_ref()?;
@@ -242,10 +242,10 @@ impl BoardEnd {
         slot: usize,
         newest: &KeySamples,
         calibration: &KeyCalibration,
-    ) -> calibration::Measured {
+    ) -> calibration::MeasurementPoint {
         let counts = newest.positions.as_slice().get(slot).copied().unwrap_or_default();
         let speed = newest.velocities.as_slice().get(slot).copied().unwrap_or_default();
-        calibration::Measured {
+        calibration::MeasurementPoint {
             position: calibration.position(counts),
             velocity: calibration::metres_per_second(speed),
         }

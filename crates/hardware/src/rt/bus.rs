@@ -11,14 +11,14 @@
 //! waits for a better time.
 
 use firmware_protocol::MAX_FRAME;
-use firmware_protocol::frame::{Kind, board_of};
+use firmware_protocol::frame::{FrameKind, board_of};
 use firmware_protocol::key::BoardId;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 
 use super::board::{BoardEnd, BoardStatistics, BoardTerms};
 use super::multicast::Multicast;
 use crate::link::{Health, Link, RecvError};
-use crate::plan::{LinkMeter, Medium, Seen};
+use crate::plan::{LinkMeter, Medium, MeterWindow};
 
 /// Frames taken from one line in one tick; the rest waits for the next.
 const MAX_FRAMES: usize = 128;
@@ -46,7 +46,7 @@ pub struct LineStatistics {
 
 /// The host's end of the boards, with the newest sample of every key.
 #[derive(Clone, Debug)]
-pub struct Bus {
+pub struct KeybedBus {
     tick: Option<u64>,
     samples: [KeySample; KEYS],
     boards: Vec<BoardEnd>,
@@ -118,7 +118,7 @@ impl Acyclic for Unread {
     fn hear(&mut self, _line: usize, _frame: &[u8]) {}
 }
 
-impl Bus {
+impl KeybedBus {
     /// A bus that has not heard of any of `boards`: all keys up, samples never taken.
     ///
     /// No two boards on one line may have the same number.
@@ -215,7 +215,7 @@ impl Bus {
         self.boards.get(board).is_some_and(|it| it.has_news(tick))
     }
 
-    /// Says how long before this tick the newest samples of a board were taken [ticks], as in
+    /// Says how long before this tick the newest samples of a board were taken (ticks), as in
     /// [`KeySample::taken`].
     pub fn date(&mut self, board: usize, taken: f64) {
         let Some(end) = self.boards.get(board) else { return };
@@ -231,7 +231,7 @@ impl Bus {
         &self.samples
     }
 
-    /// Sends the boards on `line` their shares of the forces [N, up positive] at `now_us`.
+    /// Sends the boards on `line` their shares of the forces (N, up positive) at `now_us`.
     ///
     /// A board that was never heard is sent nothing, unless it takes what is for all: there is
     /// nothing to answer. One that renders no force, or shall not, is sent none.
@@ -288,7 +288,7 @@ impl Bus {
 
     /// How full `line` was in the `seconds` since it is metered; none if its medium is not
     /// known.
-    pub fn load(&self, line: usize, seconds: f64) -> Option<Seen> {
+    pub fn load(&self, line: usize, seconds: f64) -> Option<MeterWindow> {
         Some(self.lines.get(line)?.meter.as_ref()?.seen(seconds))
     }
 
@@ -329,14 +329,14 @@ impl Bus {
     /// Reads one frame.
     fn read(&mut self, line: usize, frame: &[u8], acyclic: &mut impl Acyclic) {
         self.lines[line].saw_up(frame.len());
-        match (Kind::of(frame), self.board_on(line, frame)) {
-            (Some(Kind::KeySamples), Some(index)) => {
+        match (FrameKind::of(frame), self.board_on(line, frame)) {
+            (Some(FrameKind::KeySamples), Some(index)) => {
                 let board = &mut self.boards[index];
                 if board.hear(frame, self.tick.unwrap_or_default()) {
                     board.publish(&mut self.samples);
                 }
             }
-            (Some(Kind::Reply | Kind::Hello), Some(_)) => acyclic.hear(line, frame),
+            (Some(FrameKind::Reply | FrameKind::Hello), Some(_)) => acyclic.hear(line, frame),
             _ => self.lines[line].statistics.foreign += 1,
         }
     }

@@ -2,13 +2,13 @@
 //! tick that looks costs the same as any other.
 
 use super::board::BoardStatistics;
-use super::bus::{Bus, LineStatistics};
-use super::steward::Stage;
+use super::bus::{KeybedBus, LineStatistics};
+use super::steward::ArmState;
 use crate::plan::LinkMeter;
 
 /// A line or a board as it is now; counts are since the start.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Glance {
+pub enum LinkSnapshot {
     /// A line, by its number.
     Line(usize, LineGlance),
     /// A board, by its place among all boards.
@@ -30,32 +30,32 @@ pub struct BoardGlance {
     /// What it has sent and was sent.
     pub statistics: BoardStatistics,
     /// How it is looked after, if somebody does.
-    pub care: Option<Care>,
+    pub care: Option<BoardStatus>,
 }
 
 /// How a board is looked after.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Care {
+pub struct BoardStatus {
     /// How far it has been brought up.
-    pub stage: Stage,
+    pub stage: ArmState,
     /// Times that it was armed.
     pub armings: u64,
-    /// Median of the latest round trips [us], if there were any.
+    /// Median of the latest round trips (us), if there were any.
     pub round_trip_us: Option<u32>,
 }
 
-impl Bus {
+impl KeybedBus {
     /// The line or board at `place`, lines first; nothing behind the last.
     ///
     /// # Real-time
     /// Copies; no heap.
-    pub fn glance(&self, place: usize) -> Option<Glance> {
+    pub fn glance(&self, place: usize) -> Option<LinkSnapshot> {
         let Some(board) = place.checked_sub(self.n_lines()) else {
             let (statistics, meter) = (self.line(place), self.line_meter(place));
-            return Some(Glance::Line(place, LineGlance { statistics, meter }));
+            return Some(LinkSnapshot::Line(place, LineGlance { statistics, meter }));
         };
         let statistics = self.boards().get(board)?.statistics();
-        Some(Glance::Board(board, BoardGlance { statistics, care: None }))
+        Some(LinkSnapshot::Board(board, BoardGlance { statistics, care: None }))
     }
 }
 
@@ -69,9 +69,9 @@ mod tests {
     fn lines_come_before_boards_and_then_nothing() {
         let keybed = SimulatedKeybed::new(1e-3, RigParameters::default()).unwrap();
         let seen: Vec<_> = (0..17).map(|place| keybed.glance(place)).collect();
-        assert!(matches!(seen[7], Some(Glance::Line(7, _))), "{:?}", seen[7]);
-        assert!(matches!(seen[8], Some(Glance::Board(0, _))), "{:?}", seen[8]);
-        assert!(matches!(seen[15], Some(Glance::Board(7, _))), "{:?}", seen[15]);
+        assert!(matches!(seen[7], Some(LinkSnapshot::Line(7, _))), "{:?}", seen[7]);
+        assert!(matches!(seen[8], Some(LinkSnapshot::Board(0, _))), "{:?}", seen[8]);
+        assert!(matches!(seen[15], Some(LinkSnapshot::Board(7, _))), "{:?}", seen[15]);
         assert_eq!(seen[16], None);
     }
 }

@@ -6,14 +6,14 @@
 /// Samples over which what is usual is averaged.
 const MEMORY: f64 = 512.0;
 
-/// By how much a sample may be earlier than usual [periods]; the boards' clocks and the host's
+/// By how much a sample may be earlier than usual (periods); the boards' clocks and the host's
 /// ticks slide past each other by less than one.
 const MOST_EARLY: f64 = 1.5;
 
 /// What the samples of one board usually take.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Lateness {
-    /// Mean age of those that had just come [us].
+    /// Mean age of those that had just come (us).
     usual_us: f64,
     /// How many that were; no more than [`MEMORY`].
     n: f64,
@@ -32,7 +32,7 @@ impl Lateness {
         self.usual_us += (f64::from(age_us) - self.usual_us) / self.n;
     }
 
-    /// By how much a sample of `age_us` is older than usual [us]; 0 as long as nothing is.
+    /// By how much a sample of `age_us` is older than usual (us); 0 as long as nothing is.
     pub fn of(&self, age_us: i32) -> f64 {
         if self.n == 0.0 { 0.0 } else { f64::from(age_us) - self.usual_us }
     }

@@ -1,6 +1,6 @@
 //! What the sequence numbers of one sender tell: what is new, what never came.
 
-use firmware_protocol::sequence::{Arrival, Sequence};
+use firmware_protocol::sequence::{FrameOrder, SequenceNumber};
 
 /// Ticks of silence after which any number is news: well inside the half circle in which
 /// numbers can be ordered, even if two frames come in one tick.
@@ -9,7 +9,7 @@ const FORGET_TICKS: u64 = 60;
 /// The newest frame of one sender, and counts of all others.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Loss {
-    newest: Option<(Sequence, u64)>,
+    newest: Option<(SequenceNumber, u64)>,
     counts: LossCounts,
 }
 
@@ -33,19 +33,19 @@ impl Loss {
     ///
     /// # Real-time
     /// A few comparisons.
-    pub fn accept(&mut self, sequence: Sequence, tick: u64) -> bool {
+    pub fn accept(&mut self, sequence: SequenceNumber, tick: u64) -> bool {
         let news = match self.remembered(tick).map(|newest| sequence.after(newest)) {
-            None | Some(Arrival::Newer { missing: 0 }) => true,
-            Some(Arrival::Newer { missing }) => {
+            None | Some(FrameOrder::Newer { missing: 0 }) => true,
+            Some(FrameOrder::Newer { missing }) => {
                 self.counts.gaps += 1;
                 self.counts.missing += u64::from(missing);
                 true
             }
-            Some(Arrival::Repeated) => {
+            Some(FrameOrder::Repeated) => {
                 self.counts.repeated += 1;
                 false
             }
-            Some(Arrival::Older) => {
+            Some(FrameOrder::Older) => {
                 self.counts.overtaken += 1;
                 false
             }
@@ -58,9 +58,9 @@ impl Loss {
     }
 
     /// Whether a frame that comes in `tick` follows on the newest.
-    pub fn is_next(&self, sequence: Sequence, tick: u64) -> bool {
+    pub fn is_next(&self, sequence: SequenceNumber, tick: u64) -> bool {
         let arrival = self.remembered(tick).map(|newest| sequence.after(newest));
-        matches!(arrival, Some(Arrival::Newer { missing: 0 }))
+        matches!(arrival, Some(FrameOrder::Newer { missing: 0 }))
     }
 
     /// The counts so far.
@@ -73,7 +73,7 @@ impl Loss {
         self.newest = None;
     }
 
-    fn remembered(&self, tick: u64) -> Option<Sequence> {
+    fn remembered(&self, tick: u64) -> Option<SequenceNumber> {
         let (sequence, at) = self.newest?;
         (tick.saturating_sub(at) < FORGET_TICKS).then_some(sequence)
     }
@@ -87,8 +87,10 @@ mod tests {
     #[track_caller]
     fn check(frames: &[(u8, u64)], news: &[bool]) -> LossCounts {
         let mut loss = Loss::default();
-        let got: Vec<_> =
-            frames.iter().map(|(number, tick)| loss.accept(Sequence(*number), *tick)).collect();
+        let got: Vec<_> = frames
+            .iter()
+            .map(|(number, tick)| loss.accept(SequenceNumber(*number), *tick))
+            .collect();
         assert_eq!(got, news);
         loss.counts()
     }

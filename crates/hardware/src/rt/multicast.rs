@@ -4,19 +4,19 @@ use firmware_protocol::MAX_FRAME;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::multicast_forces::{GROUP, GROUPS, MulticastForces};
 use firmware_protocol::quantity::Millinewtons;
-use firmware_protocol::sequence::Sequence;
+use firmware_protocol::sequence::SequenceNumber;
 use scheduler::motion::KEYS;
 
 use super::board::BoardTerms;
 use crate::clock::low;
 
-/// Time between two frames of bus time [us].
+/// Time between two frames of bus time (us).
 const SYNC_US: u64 = 20_000;
 
 /// What a line with multicast remembers.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Multicast {
-    sequences: [Sequence; GROUPS],
+    sequences: [SequenceNumber; GROUPS],
     next_sync: u64,
 }
 

@@ -15,19 +15,19 @@
 
 use crate::calibration::KeyCalibration;
 
-/// Fastest key [m/s].
+/// Fastest key (m/s).
 const FASTEST: f64 = 5.0;
 
-/// Acceleration to and fro, from sample to sample, that a key can have [m/s²].
+/// Acceleration to and fro, from sample to sample, that a key can have (m/s²).
 const MOST_TO_AND_FRO: f64 = 125.0;
 
-/// Least room beyond rest and bottom [m].
+/// Least room beyond rest and bottom (m).
 const LEAST_ROOM: f64 = 4e-3;
 
-/// What implausible readings may add up to before their key is muted [s].
+/// What implausible readings may add up to before their key is muted (s).
 const PATIENCE: f64 = 0.128;
 
-/// The same before its readings are not used any more [s].
+/// The same before its readings are not used any more (s).
 const DOUBT: f64 = 0.032;
 
 /// How much faster readings that cannot be add up than others take away.
@@ -44,7 +44,6 @@ const PLACES: usize = 5;
 pub enum Implausible {
     /// They lie far above its rest or below its bottom.
     Beyond,
-    /// They jump.
     Jumping,
     /// They go to and fro faster than motor and finger can move it.
     Noisy,
@@ -53,12 +52,12 @@ pub enum Implausible {
 /// The readings of one key.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct KeyCheck {
-    /// The newest places [m], the newest last, and how many there are.
+    /// The newest places (m), the newest last, and how many there are.
     places: [f64; PLACES],
     n: usize,
-    /// Time since the newest of them [s].
+    /// Time since the newest of them (s).
     since: f64,
-    /// What implausible readings have added up to [s].
+    /// What implausible readings have added up to (s).
     charge: f64,
     muted: Option<Implausible>,
 }
@@ -74,7 +73,7 @@ impl KeyCheck {
         self.n = 0;
     }
 
-    /// Takes a reading at `position` [m], `elapsed` [s] after the one before if it follows on
+    /// Takes a reading at `position` (m), `elapsed` (s) after the one before if it follows on
     /// that; says whether it may be used.
     ///
     /// # Real-time
@@ -112,7 +111,7 @@ impl KeyCheck {
         is_possible && self.charge < DOUBT
     }
 
-    /// What is wrong with a reading at `position` [m], if anything is.
+    /// What is wrong with a reading at `position` (m), if anything is.
     fn wrong(
         &self,
         position: f64,
@@ -158,7 +157,7 @@ mod tests {
         KeyCalibration::nominal(1e-6)
     }
 
-    /// Readings [m] that follow on each other every [`H`]: which were used, and the check.
+    /// Readings (m) that follow on each other every [`H`]: which were used, and the check.
     fn read(positions: impl IntoIterator<Item = f64>) -> (Vec<bool>, KeyCheck) {
         let mut check = KeyCheck::default();
         let used = positions.into_iter().enumerate();

@@ -21,17 +21,17 @@ use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::acyclic::{Operation, Status};
-use firmware_protocol::frame::Kind;
+use firmware_protocol::frame::FrameKind;
 use firmware_protocol::frame::hello::{Hello, Introduction, safe_reason};
 use firmware_protocol::{Nothing, Record as _, schema};
 use haptics::plant::{Gesture, Touch};
 
 use super::board::BoardStatistics;
-use super::bus::{Acyclic, Bus};
-use super::glance::Care;
+use super::bus::{Acyclic, KeybedBus};
+use super::glance::BoardStatus;
 use super::trips::Trips;
-use crate::clock::{ClockModel, Told};
-use crate::courier::{Courier, Heard};
+use crate::clock::{ClockModel, ClockUpdate};
+use crate::courier::{ReceivedReply, RequestChannel};
 use crate::keybed::Terms;
 use crate::topology::BoardPlace;
 
@@ -42,45 +42,42 @@ const QUICK_PINGS: u32 = 8;
 /// apart tell a rate better.
 const MOST_QUICK_PINGS: u32 = 32;
 
-/// Time between two of them, and between more until the clock's rate is known [us].
+/// Time between two of them, and between more until the clock's rate is known (us).
 const QUICK_PING_US: u64 = 10_000;
-/// Time between two round trips afterwards [us].
+/// Time between two round trips afterwards (us).
 const PING_US: u64 = 50_000;
-/// Time between two looks at a board's counts [us].
+/// Time between two looks at a board's counts (us).
 const COUNTERS_US: u64 = 1_000_000;
-/// How long before its time a gesture is handed over [us].
+/// How long before its time a gesture is handed over (us).
 const AHEAD_US: u64 = 1_000_000;
-/// Time after which an attempt to bring a board up is made again [us].
+/// Time after which an attempt to bring a board up is made again (us).
 const AGAIN_US: u64 = 100_000;
-/// A board that renders no force for so long though it was armed has tripped [us].
+/// A board that renders no force for so long though it was armed has tripped (us).
 const FLAGGED_US: u64 = 5_000;
-/// How long a light shows which board it is on [s].
+/// How long a light shows which board it is on (s).
 pub const LIGHT_S: u8 = 10;
-/// A board that sent nothing for so long is gone [us].
+/// A board that sent nothing for so long is gone (us).
 const SILENT_US: u64 = 100_000;
-/// A board that was armed for a shorter time than this is not armed again at once [us].
+/// A board that was armed for a shorter time than this is not armed again at once (us).
 const SHORT_US: u64 = 1_000_000;
 /// Attempts to arm a board until it is left alone.
 const MOST_ATTEMPTS: u8 = 5;
-/// For so long [us].
+/// For so long (us).
 const LEFT_ALONE_US: u64 = 10_000_000;
 
 /// What is agreed with one board.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Agreed {
-    /// Where it is.
     pub place: BoardPlace,
-    /// Who it is.
     pub uid: [u8; 6],
-    /// When in the period it begins to send [us].
+    /// When in the period it begins to send (us).
     pub phase_us: u16,
-    /// The rest.
     pub terms: Terms,
 }
 
 /// How far a board has been brought up.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Stage {
+pub enum ArmState {
     /// It is asked who it is.
     Greeting,
     /// It is asked for samples.
@@ -89,27 +86,25 @@ pub enum Stage {
     Disarming,
     /// It is told to render forces.
     Arming {
-        /// What it said.
         nonce: u32,
     },
     /// It says that it renders forces; samples that say so too are waited for.
     Confirming,
-    /// It renders forces.
     Armed,
     /// It may not be armed: somebody has to see to it.
-    Barred(Bar),
+    Barred(ArmLockout),
 }
 
 /// Why a board may not be armed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Bar {
+pub enum ArmLockout {
     /// It renders no force, for this reason.
     Latched(u8),
     /// It answered this to that.
     Declined(Operation, Status),
     /// Another board has taken its place, or its firmware was changed.
     Exchanged,
-    /// Its clock runs too fast by so much [1e-6], more than is accepted.
+    /// Its clock runs too fast by so much (1e-6), more than is accepted.
     Clock(i32),
     /// It said that it was armed, and sent no samples.
     NoSamples,
@@ -119,7 +114,7 @@ pub enum Bar {
     StaysSafe,
 }
 
-impl Bar {
+impl ArmLockout {
     /// Whether it is tried again after a while.
     const fn ends(self) -> bool {
         match self {
@@ -131,10 +126,10 @@ impl Bar {
 
 /// The care of one board.
 #[derive(Clone, Debug)]
-struct Charge {
+struct BoardSession {
     agreed: Agreed,
-    courier: Courier,
-    stage: Stage,
+    courier: RequestChannel,
+    stage: ArmState,
     clock: ClockModel,
     trips: Trips,
     counters: Option<Counters>,
@@ -142,7 +137,7 @@ struct Charge {
     armings: u64,
     /// Times that its clock jumped.
     jumps: u64,
-    /// Not before then is it asked again [us].
+    /// Not before then is it asked again (us).
     rest_until: u64,
     n_pings: u32,
     next_ping: u64,
@@ -151,27 +146,27 @@ struct Charge {
     declined: u64,
     /// It has started anew, and its numbers with it.
     is_anew: bool,
-    /// When its samples were last seen without the flag, and seen at all [us].
+    /// When its samples were last seen without the flag, and seen at all (us).
     clear: u64,
     heard: u64,
     frames: u64,
-    /// Since when it is armed, or said so [us], and how many frames had been refused by then.
+    /// Since when it is armed, or said so (us), and how many frames had been refused by then.
     since: u64,
     refused: u64,
     /// Attempts to arm it since it was armed last.
     attempts: u8,
-    /// Until when it is left alone after too many [us].
+    /// Until when it is left alone after too many (us).
     barred_until: u64,
     /// It shall be told to let go of all forces.
     lets_go: bool,
-    fingers: Fingers,
+    fingers: GestureQueue,
     /// It shall show its light.
     is_sought: bool,
 }
 
 /// Gestures that wait to be handed over, in the order of their starts.
 #[derive(Clone, Debug, Default)]
-struct Fingers {
+struct GestureQueue {
     gestures: Vec<(u8, Gesture)>,
     next: usize,
 }
@@ -180,14 +175,14 @@ struct Fingers {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Condition {
     /// How far it has been brought up.
-    pub stage: Stage,
+    pub stage: ArmState,
     /// Times that it was armed.
     pub armings: u64,
     /// Times that its clock jumped.
     pub jumps: u64,
-    /// Its drift [1e-6].
+    /// Its drift (1e-6).
     pub drift_ppm: f64,
-    /// Median, 99th hundredth and longest of the last round trips [us].
+    /// Median, 99th hundredth and longest of the last round trips (us).
     pub round_trips_us: Option<[u32; 3]>,
     /// What it has counted itself, a second ago at most.
     pub counters: Option<Counters>,
@@ -197,21 +192,21 @@ pub struct Condition {
 
 /// The care of all boards.
 #[derive(Clone, Debug)]
-pub struct Steward {
-    charges: Vec<Charge>,
+pub struct BoardSupervisor {
+    charges: Vec<BoardSession>,
     now: u64,
-    /// Host time of the performance's beginning [us].
+    /// Host time of the performance's beginning (us).
     origin: Option<u64>,
 }
 
-impl Steward {
-    /// Cares for boards in the order in which the bus has them; `now` [us].
+impl BoardSupervisor {
+    /// Cares for boards in the order in which the bus has them; `now` (us).
     pub fn new(agreed: Vec<Agreed>, now: u64) -> Self {
-        let charges = agreed.into_iter().map(|agreed| Charge::new(agreed, now)).collect();
+        let charges = agreed.into_iter().map(|agreed| BoardSession::new(agreed, now)).collect();
         Self { charges, now, origin: None }
     }
 
-    /// Hands these gestures over to the key in `slot` of a board in time, from `origin` [us] on.
+    /// Hands these gestures over to the key in `slot` of a board in time, from `origin` (us) on.
     ///
     /// Not for the tick.
     pub fn play(&mut self, board: usize, slot: u8, gestures: &[Gesture]) {
@@ -221,17 +216,17 @@ impl Steward {
         fingers.gestures.sort_by(|one, other| one.1.start.total_cmp(&other.1.start));
     }
 
-    /// From when on gestures count [us].
+    /// From when on gestures count (us).
     pub const fn begin_at(&mut self, origin: u64) {
         self.origin = Some(origin);
     }
 
-    /// What time it was when it was last looked at [us].
+    /// What time it was when it was last looked at (us).
     pub const fn now(&self) -> u64 {
         self.now
     }
 
-    /// Takes what time it is [us].
+    /// Takes what time it is (us).
     pub const fn set_now(&mut self, now: u64) {
         self.now = now;
     }
@@ -243,7 +238,7 @@ impl Steward {
     pub fn attend(
         &mut self,
         line: usize,
-        bus: &mut Bus,
+        bus: &mut KeybedBus,
         link: &mut (impl crate::link::Link + ?Sized),
     ) {
         let (now, origin) = (self.now, self.origin);
@@ -252,7 +247,7 @@ impl Steward {
             charge.watch(now, board, bus);
             let is_lost = charge.courier.gave_up(now);
             // One that is barred goes on waiting for somebody, who will want to see its light.
-            if is_lost && !matches!(charge.stage, Stage::Barred(_)) {
+            if is_lost && !matches!(charge.stage, ArmState::Barred(_)) {
                 charge.greet(now + AGAIN_US);
             }
             if charge.courier.is_free() && charge.rest_until <= now {
@@ -268,31 +263,31 @@ impl Steward {
 
     /// Whether every board renders forces and its clock is known.
     pub fn is_ready(&self) -> bool {
-        self.charges.iter().all(Charge::is_ready)
+        self.charges.iter().all(BoardSession::is_ready)
     }
 
     /// Whether this one does.
     pub fn is_board_ready(&self, board: usize) -> bool {
-        self.charges.get(board).is_some_and(Charge::is_ready)
+        self.charges.get(board).is_some_and(BoardSession::is_ready)
     }
 
     /// Whether a board renders forces now.
     pub fn renders(&self, board: usize) -> bool {
-        self.charges.get(board).is_some_and(|it| it.stage == Stage::Armed)
+        self.charges.get(board).is_some_and(|it| it.stage == ArmState::Armed)
     }
 
     /// Whether there is nothing to wait for: every board is ready, or may not be armed.
     pub fn is_settled(&self) -> bool {
-        self.charges.iter().all(|it| it.is_ready() || matches!(it.stage, Stage::Barred(_)))
+        self.charges.iter().all(|it| it.is_ready() || matches!(it.stage, ArmState::Barred(_)))
     }
 
     /// Whether a board was stopped or has failed, and somebody has to see to it.
     pub fn is_latched(&self, board: usize) -> bool {
         let stage = self.charges.get(board).map(|it| it.stage);
-        matches!(stage, Some(Stage::Barred(Bar::Latched(_))))
+        matches!(stage, Some(ArmState::Barred(ArmLockout::Latched(_))))
     }
 
-    /// How long before the host's `at_us` the samples with this stamp were taken by a board [us].
+    /// How long before the host's `at_us` the samples with this stamp were taken by a board (us).
     pub fn age_us(&self, board: usize, at_us: u64, stamp_us: u16) -> Option<i32> {
         self.charges.get(board)?.clock.age_us(at_us, stamp_us)
     }
@@ -308,10 +303,10 @@ impl Steward {
     ///
     /// # Real-time
     /// Sorts 15 numbers; no heap.
-    pub fn care(&self, board: usize) -> Option<Care> {
+    pub fn care(&self, board: usize) -> Option<BoardStatus> {
         let it = self.charges.get(board)?;
         let round_trip_us = it.trips.recent();
-        Some(Care { stage: it.stage, armings: it.armings, round_trip_us })
+        Some(BoardStatus { stage: it.stage, armings: it.armings, round_trip_us })
     }
 
     /// What a board is like.
@@ -333,29 +328,30 @@ impl Steward {
     /// Times that a board was armed, if it is now.
     pub fn armings(&self, board: usize) -> Option<u64> {
         let charge = self.charges.get(board)?;
-        (charge.stage == Stage::Armed).then_some(charge.armings)
+        (charge.stage == ArmState::Armed).then_some(charge.armings)
     }
 
     /// Which operation a board has been asked for as long as it is brought up.
     pub fn asked(&self, board: usize) -> Option<Operation> {
         Some(match self.charges.get(board)?.stage {
-            Stage::Greeting => Operation::Hello,
-            Stage::Streaming => Operation::Stream,
-            Stage::Disarming => Operation::Disarm,
-            Stage::Arming { .. } => Operation::Arm,
-            Stage::Confirming | Stage::Armed => Operation::Ping,
-            Stage::Barred(_) => return None,
+            ArmState::Greeting => Operation::Hello,
+            ArmState::Streaming => Operation::Stream,
+            ArmState::Disarming => Operation::Disarm,
+            ArmState::Arming { .. } => Operation::Arm,
+            ArmState::Confirming | ArmState::Armed => Operation::Ping,
+            ArmState::Barred(_) => return None,
         })
     }
 }
 
-impl Acyclic for Steward {
+impl Acyclic for BoardSupervisor {
     fn hear(&mut self, line: usize, frame: &[u8]) {
         let board = firmware_protocol::frame::board_of(frame);
-        let is_it =
-            |it: &&mut Charge| it.agreed.place.line == line && Some(it.agreed.place.board) == board;
+        let is_it = |it: &&mut BoardSession| {
+            it.agreed.place.line == line && Some(it.agreed.place.board) == board
+        };
         let Some(charge) = self.charges.iter_mut().find(is_it) else { return };
-        if Kind::of(frame) == Some(Kind::Hello) {
+        if FrameKind::of(frame) == Some(FrameKind::Hello) {
             charge.was_introduced(frame, self.now);
         } else if let Some(heard) = charge.courier.hear(frame) {
             charge.was_answered(&heard, self.now);
@@ -363,14 +359,14 @@ impl Acyclic for Steward {
     }
 }
 
-impl Charge {
+impl BoardSession {
     fn new(agreed: Agreed, now: u64) -> Self {
         // Another host's last request may have had any number.
         let [first, ..] = now.to_le_bytes();
         Self {
-            courier: Courier::new(agreed.place.board, first),
+            courier: RequestChannel::new(agreed.place.board, first),
             agreed,
-            stage: Stage::Greeting,
+            stage: ArmState::Greeting,
             clock: ClockModel::default(),
             trips: Trips::default(),
             counters: None,
@@ -390,24 +386,24 @@ impl Charge {
             attempts: 0,
             barred_until: 0,
             lets_go: false,
-            fingers: Fingers::default(),
+            fingers: GestureQueue::default(),
             is_sought: false,
         }
     }
 
     /// Whether it renders forces and its clock is known.
     fn is_ready(&self) -> bool {
-        self.stage == Stage::Armed && QUICK_PINGS <= self.n_pings && self.clock.is_known()
+        self.stage == ArmState::Armed && QUICK_PINGS <= self.n_pings && self.clock.is_known()
     }
 
-    /// Begins to bring the board up, not before `rest_until` [us].
+    /// Begins to bring the board up, not before `rest_until` (us).
     const fn greet(&mut self, rest_until: u64) {
-        self.stage = Stage::Greeting;
+        self.stage = ArmState::Greeting;
         self.rest_until = rest_until;
     }
 
     /// Looks whether an armed board is still there and renders forces.
-    fn watch(&mut self, now: u64, board: usize, bus: &mut Bus) {
+    fn watch(&mut self, now: u64, board: usize, bus: &mut KeybedBus) {
         if std::mem::take(&mut self.is_anew) {
             bus.forget(board);
             bus.unmute(board);
@@ -420,16 +416,16 @@ impl Charge {
                 self.clear = now;
             }
         }
-        if matches!(self.stage, Stage::Confirming | Stage::Armed)
+        if matches!(self.stage, ArmState::Confirming | ArmState::Armed)
             && self.clock.is_beyond_tolerance()
         {
-            self.bar(Bar::Clock(millionths(self.clock.drift_ppm())), now);
+            self.bar(ArmLockout::Clock(millionths(self.clock.drift_ppm())), now);
             self.lets_go = true;
-        } else if self.stage == Stage::Confirming {
+        } else if self.stage == ArmState::Confirming {
             self.confirm(now, &statistics);
-        } else if matches!(self.stage, Stage::Arming { .. }) {
+        } else if matches!(self.stage, ArmState::Arming { .. }) {
             self.refused = statistics.refused;
-        } else if self.stage == Stage::Armed {
+        } else if self.stage == ArmState::Armed {
             let is_silent = self.heard + SILENT_US < now;
             let is_flagged = self.clear + FLAGGED_US < self.heard;
             if is_silent {
@@ -439,7 +435,8 @@ impl Charge {
             if is_silent || is_flagged {
                 self.greet(self.next_attempt(now));
             }
-        } else if matches!(self.stage, Stage::Barred(bar) if bar.ends()) && self.barred_until <= now
+        } else if matches!(self.stage, ArmState::Barred(bar) if bar.ends())
+            && self.barred_until <= now
         {
             self.attempts = MOST_ATTEMPTS - 1;
             self.greet(now);
@@ -454,23 +451,23 @@ impl Charge {
     /// Looks whether a board that says that it is armed sends samples that say so too.
     fn confirm(&mut self, now: u64, statistics: &BoardStatistics) {
         if self.heard == now && !statistics.is_safe {
-            self.stage = Stage::Armed;
+            self.stage = ArmState::Armed;
             self.armings += 1;
             (self.since, self.attempts) = (now, 0);
         } else if self.since + SILENT_US < now {
             let why = if self.since < self.heard {
-                Bar::StaysSafe
+                ArmLockout::StaysSafe
             } else if self.refused < statistics.refused {
-                Bar::Unreadable
+                ArmLockout::Unreadable
             } else {
-                Bar::NoSamples
+                ArmLockout::NoSamples
             };
             self.has_failed(why, now);
         }
     }
 
     /// Ends an attempt to arm the board: there is another one, unless there were too many.
-    const fn has_failed(&mut self, why: Bar, now: u64) {
+    const fn has_failed(&mut self, why: ArmLockout, now: u64) {
         if self.attempts < MOST_ATTEMPTS {
             self.greet(now + AGAIN_US);
         } else {
@@ -479,8 +476,8 @@ impl Charge {
     }
 
     /// Arms the board no more, for some time or for good.
-    const fn bar(&mut self, why: Bar, now: u64) {
-        self.stage = Stage::Barred(why);
+    const fn bar(&mut self, why: ArmLockout, now: u64) {
+        self.stage = ArmState::Barred(why);
         self.barred_until = now + LEFT_ALONE_US;
     }
 
@@ -492,23 +489,23 @@ impl Charge {
         }
         let terms = self.agreed.terms;
         match self.stage {
-            Stage::Greeting => self.courier.ask(Operation::Hello, &Nothing),
-            Stage::Streaming => {
+            ArmState::Greeting => self.courier.ask(Operation::Hello, &Nothing),
+            ArmState::Streaming => {
                 let (period_us, phase_us) = (terms.period_us, self.agreed.phase_us);
                 let packing = terms.samples as u8;
                 self.courier.ask(Operation::Stream, &Stream { period_us, packing, phase_us });
             }
-            Stage::Disarming => self.courier.ask(Operation::Disarm, &Nothing),
-            Stage::Arming { nonce } => {
+            ArmState::Disarming => self.courier.ask(Operation::Disarm, &Nothing),
+            ArmState::Arming { nonce } => {
                 let (packing, valid_ms) = (terms.forces as u8, terms.valid_ms);
                 self.courier.ask(Operation::Arm, &Arm { nonce, packing, valid_ms });
             }
-            Stage::Armed | Stage::Barred(_) if self.is_sought => {
+            ArmState::Armed | ArmState::Barred(_) if self.is_sought => {
                 self.is_sought = false;
                 self.courier.ask(Operation::Light, &Light { seconds: LIGHT_S });
             }
-            Stage::Armed => self.run_errands(now, origin),
-            Stage::Confirming | Stage::Barred(_) => {}
+            ArmState::Armed => self.run_errands(now, origin),
+            ArmState::Confirming | ArmState::Barred(_) => {}
         }
     }
 
@@ -554,7 +551,7 @@ impl Charge {
     fn was_introduced(&mut self, frame: &[u8], now: u64) {
         let Ok(it) = Introduction::decode(frame) else { return };
         if it.hello.uid == self.agreed.uid && it.hello.safe_reason == safe_reason::NEVER_ARMED {
-            let is_clock_to_blame = matches!(self.stage, Stage::Barred(Bar::Clock(_)));
+            let is_clock_to_blame = matches!(self.stage, ArmState::Barred(ArmLockout::Clock(_)));
             self.clock =
                 if is_clock_to_blame { ClockModel::default() } else { self.clock.set_anew() };
             (self.n_pings, self.is_anew, self.attempts) = (0, true, 0);
@@ -563,25 +560,25 @@ impl Charge {
     }
 
     /// Hears an answer, and goes on.
-    fn was_answered(&mut self, heard: &Heard<'_>, now: u64) {
-        let Heard { reply, operation, sent_us } = *heard;
+    fn was_answered(&mut self, heard: &ReceivedReply<'_>, now: u64) {
+        let ReceivedReply { reply, operation, sent_us } = *heard;
         if reply.status != Status::Done {
             self.was_declined(operation, reply.status, now);
             return;
         }
         match (operation, self.stage) {
-            (Operation::Hello, Stage::Greeting) => {
+            (Operation::Hello, ArmState::Greeting) => {
                 self.stage = Hello::take(reply.record)
-                    .map_or(Stage::Greeting, |hello| next_stage(&hello, &self.agreed));
+                    .map_or(ArmState::Greeting, |hello| next_stage(&hello, &self.agreed));
             }
-            (Operation::Stream, Stage::Streaming) => self.attempt(),
-            (Operation::Disarm, Stage::Disarming) => {
+            (Operation::Stream, ArmState::Streaming) => self.attempt(),
+            (Operation::Disarm, ArmState::Disarming) => {
                 if let Some(Disarmed { nonce }) = Disarmed::take(reply.record) {
-                    self.stage = Stage::Arming { nonce };
+                    self.stage = ArmState::Arming { nonce };
                 }
             }
-            (Operation::Arm, Stage::Arming { .. }) => {
-                (self.stage, self.since) = (Stage::Confirming, now);
+            (Operation::Arm, ArmState::Arming { .. }) => {
+                (self.stage, self.since) = (ArmState::Confirming, now);
             }
             (Operation::Ping, _) => {
                 if let Some(Pong { board_us }) = Pong::take(reply.record) {
@@ -597,17 +594,17 @@ impl Charge {
 
     /// Begins to arm the board.
     const fn attempt(&mut self) {
-        self.stage = Stage::Disarming;
+        self.stage = ArmState::Disarming;
         self.attempts = self.attempts.saturating_add(1);
     }
 
     /// Hears that the board does not do what it was asked.
     fn was_declined(&mut self, operation: Operation, status: Status, now: u64) {
-        if matches!(self.stage, Stage::Barred(_)) {
+        if matches!(self.stage, ArmState::Barred(_)) {
             self.declined += 1;
             return;
         }
-        let declined = Bar::Declined(operation, status);
+        let declined = ArmLockout::Declined(operation, status);
         let nonce_is_old = status == Status::WrongNonce
             || operation == Operation::Arm && status == Status::WrongState;
         let brings_up = matches!(
@@ -635,8 +632,8 @@ impl Charge {
         let Some(sent_us) = sent_us else { return };
         self.trips.push(now.saturating_sub(sent_us));
         match self.clock.learn(sent_us, board_us, now) {
-            Told::News => self.n_pings = self.n_pings.saturating_add(1),
-            Told::Jumped => {
+            ClockUpdate::News => self.n_pings = self.n_pings.saturating_add(1),
+            ClockUpdate::Jumped => {
                 self.jumps += 1;
                 self.n_pings = 0;
             }
@@ -645,20 +642,20 @@ impl Charge {
 }
 
 /// What follows a hello: whether the board may be armed.
-fn next_stage(hello: &Hello, agreed: &Agreed) -> Stage {
+fn next_stage(hello: &Hello, agreed: &Agreed) -> ArmState {
     let is_same = hello.uid == agreed.uid && hello.schema == schema::HASH;
     if !is_same {
-        return Stage::Barred(Bar::Exchanged);
+        return ArmState::Barred(ArmLockout::Exchanged);
     }
     match hello.safe_reason {
         latched @ (safe_reason::EMERGENCY_STOP | safe_reason::KEY_FAULT) => {
-            Stage::Barred(Bar::Latched(latched))
+            ArmState::Barred(ArmLockout::Latched(latched))
         }
-        _ => Stage::Streaming,
+        _ => ArmState::Streaming,
     }
 }
 
-/// Whole microseconds in a time that is not negative [s].
+/// Whole microseconds in a time that is not negative (s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn microseconds(seconds: f64) -> u64 {
     (seconds * 1e6).round() as u64

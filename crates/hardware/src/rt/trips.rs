@@ -6,7 +6,7 @@ const WINDOW: usize = 256;
 /// Round trips of which a median is taken while a run goes on.
 const RECENT: usize = 15;
 
-/// The last 256 round trips [us].
+/// The last 256 round trips (us).
 #[derive(Clone, Debug)]
 pub(super) struct Trips {
     lengths: [u32; WINDOW],
@@ -20,13 +20,13 @@ impl Default for Trips {
 }
 
 impl Trips {
-    /// Remembers one [us].
+    /// Remembers one (us).
     pub(super) fn push(&mut self, length: u64) {
         self.lengths[self.n % WINDOW] = u32::try_from(length).unwrap_or(u32::MAX);
         self.n += 1;
     }
 
-    /// Median of the latest [us], cheap enough for a tick; none if there is none.
+    /// Median of the latest (us), cheap enough for a tick; none if there is none.
     pub(super) fn recent(&self) -> Option<u32> {
         let n = self.n.min(RECENT);
         let mut latest = [0; RECENT];
@@ -38,7 +38,7 @@ impl Trips {
         latest.get(n / 2).copied()
     }
 
-    /// Median, 99th hundredth and longest [us]; none if there is none.
+    /// Median, 99th hundredth and longest (us); none if there is none.
     pub(super) fn quantiles(&self) -> Option<[u32; 3]> {
         let n = self.n.min(WINDOW);
         let mut sorted = self.lengths;

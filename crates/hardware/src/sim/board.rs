@@ -11,7 +11,7 @@ use firmware_protocol::frame::broadcast::Broadcast;
 use firmware_protocol::frame::hello::{Hello, Introduction, MAGIC, feature, safe_reason};
 use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
-use firmware_protocol::frame::{Header, Kind, board_of};
+use firmware_protocol::frame::{FrameKind, Header, board_of};
 use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
 use firmware_protocol::version::PROTOCOL_VERSION;
 use firmware_protocol::{key, schema};
@@ -19,12 +19,12 @@ use haptics::plant::{Gesture, KeyRig, RigParameters};
 use serde::Serialize;
 
 use super::bus_time::BusTime;
-use super::guard::{Fed, Guard};
-use super::history::History;
-use super::key::{Plant, Progress};
+use super::guard::{ForceDecision, ForceInterlock};
+use super::history::SampleHistory;
+use super::key::{Plant, SampleProgress};
 use super::law::Law;
 use super::multicast::Groups;
-use super::requests::Desk;
+use super::requests::BoardRequestHandler;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
 use crate::clock::low;
@@ -60,7 +60,7 @@ pub struct BoardCounts {
     pub trips: u64,
     /// Times that it was armed.
     pub armings: u64,
-    /// Oldest samples that forces which were rendered answered [us].
+    /// Oldest samples that forces which were rendered answered (us).
     pub oldest_us: u64,
 }
 
@@ -69,7 +69,6 @@ pub struct BoardCounts {
 pub struct BoardMake {
     /// Its number on its link.
     pub id: BoardId,
-    /// Its first key.
     pub first_key: u8,
     /// Its keys, `1 ..= 12`.
     pub n_keys: usize,
@@ -77,33 +76,32 @@ pub struct BoardMake {
     pub period: f64,
     /// What its keys are made of.
     pub rig: RigParameters,
-    /// What its encoders read when keys are at rest [counts].
+    /// What its encoders read when keys are at rest (counts).
     pub offset: i32,
-    /// Force of its motors for a newton that is asked for [1].
+    /// Force of its motors for a newton that is asked for (1).
     pub strength: f64,
     /// What it says of itself that is not true.
-    pub guise: Guise,
+    pub guise: FakeIdentity,
 }
 
 /// What a board says of itself that is not true; by default nothing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Guise {
+pub struct FakeIdentity {
     /// Another major version of the protocol.
     pub major: Option<u8>,
     /// Another hash of the cyclic layouts.
     pub schema: Option<u64>,
     /// Other keys: the first, and how many.
     pub keys: Option<(u8, u8)>,
-    /// Somebody else's id.
     pub uid: Option<[u8; 6]>,
 }
 
 impl BoardMake {
-    /// A board of the standard compass, in ticks of `period` [s].
+    /// A board of the standard compass, in ticks of `period` (s).
     pub fn standard(id: BoardId, period: f64, rig: RigParameters) -> Self {
         let first_key = u8::try_from(id.keys().start).unwrap_or_default();
         let (n_keys, offset, strength) = (KEYS_PER_BOARD, 0, 1.0);
-        let guise = Guise::default();
+        let guise = FakeIdentity::default();
         Self { id, first_key, n_keys, period, rig, offset, strength, guise }
     }
 
@@ -117,10 +115,10 @@ impl BoardMake {
 #[derive(Clone, Debug)]
 pub struct SimulatedBoard {
     pub(super) make: BoardMake,
-    pub(super) progress: Progress,
+    pub(super) progress: SampleProgress,
     pub(super) keys: Vec<Plant>,
-    pub(super) guard: Guard,
-    pub(super) desk: Desk,
+    pub(super) guard: ForceInterlock,
+    pub(super) desk: BoardRequestHandler,
     pub(super) samples: SampleLayout,
     pub(super) forces: ForceLayout,
     /// Ticks between two frames of samples, and how many are left; none for no samples.
@@ -129,8 +127,8 @@ pub struct SimulatedBoard {
     pub(super) laws: PerKey<Law>,
     pub(super) bus_time: BusTime,
     pub(super) groups: Groups,
-    history: History,
-    /// How much its clock was set back [us].
+    history: SampleHistory,
+    /// How much its clock was set back (us).
     late_us: u64,
     /// Which frame of samples was answered last.
     answered: Option<u64>,
@@ -150,10 +148,10 @@ impl SimulatedBoard {
         }
         Ok(Self {
             make,
-            progress: Progress::new(make.period)?,
+            progress: SampleProgress::new(make.period)?,
             keys: (0..make.n_keys).map(|_| Plant::new(make.rig, make.offset)).collect(),
-            guard: Guard::new(u32::from(make.id.number()) + 1),
-            desk: Desk::new(make),
+            guard: ForceInterlock::new(u32::from(make.id.number()) + 1),
+            desk: BoardRequestHandler::new(make),
             samples: SampleLayout { packing: SamplePacking::Position24, n_keys: make.n_keys },
             forces: ForceLayout { packing: ForcePacking::Force16, n_keys: make.n_keys },
             every: None,
@@ -161,7 +159,7 @@ impl SimulatedBoard {
             laws: PerKey::collect(std::iter::repeat_n(Law::default(), make.n_keys)),
             bus_time: BusTime::default(),
             groups: Groups::default(),
-            history: History::new(),
+            history: SampleHistory::new(),
             late_us: 0,
             answered: None,
             reported: None,
@@ -183,7 +181,7 @@ impl SimulatedBoard {
         }
     }
 
-    /// Lays a weight on the key in `slot` [N]; 0 takes it away.
+    /// Lays a weight on the key in `slot` (N); 0 takes it away.
     pub fn lay(&mut self, slot: usize, newtons: f64) {
         if let Some(key) = self.keys.get_mut(slot) {
             key.lay(newtons);
@@ -259,7 +257,7 @@ impl SimulatedBoard {
 
     /// Who it is.
     pub fn introduction(&self) -> Introduction {
-        let Guise { major, schema, keys, uid } = self.make.guise;
+        let FakeIdentity { major, schema, keys, uid } = self.make.guise;
         let n_keys = u8::try_from(self.make.n_keys).unwrap_or(u8::MAX);
         let (first_key, n_keys) = keys.unwrap_or((self.make.first_key, n_keys));
         let hello = Hello {
@@ -286,7 +284,7 @@ impl SimulatedBoard {
         Introduction { board: self.make.id, safe: self.is_safe(), hello }
     }
 
-    /// Sets the clock that it tells others back by so much [us]; it goes on living by its own.
+    /// Sets the clock that it tells others back by so much (us); it goes on living by its own.
     pub const fn set_clock_back(&mut self, by_us: u64) {
         self.late_us = self.late_us.saturating_add(by_us);
     }
@@ -304,12 +302,12 @@ impl SimulatedBoard {
         self.guard.trip(reason, self.now_us());
     }
 
-    /// Its clock now [us], as requests see it.
+    /// Its clock now (us), as requests see it.
     pub(super) fn clock_us(&self) -> u32 {
         low(self.told_us(self.now_us()))
     }
 
-    /// Its clock now [us].
+    /// Its clock now (us).
     pub(super) fn now_us(&self) -> u64 {
         self.progress.now_us()
     }
@@ -337,15 +335,15 @@ impl SimulatedBoard {
     /// Takes one frame.
     fn hear(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
         let is_mine = board_of(frame) == Some(self.make.id);
-        match Kind::of(frame) {
-            Some(Kind::KeyForces) if is_mine => match KeyForces::decode(frame, self.forces) {
+        match FrameKind::of(frame) {
+            Some(FrameKind::KeyForces) if is_mine => match KeyForces::decode(frame, self.forces) {
                 Ok(forces) => self.take(from_us, &forces),
                 Err(_why) => self.counts.refused += 1,
             },
-            Some(Kind::MulticastForces) => self.take_multicast(from_us, frame),
-            Some(Kind::Request) if is_mine => self.serve(from_us, frame, link),
-            Some(Kind::Broadcast) => self.obey(from_us, frame, link),
-            Some(Kind::KeyForces | Kind::Request) => {}
+            Some(FrameKind::MulticastForces) => self.take_multicast(from_us, frame),
+            Some(FrameKind::Request) if is_mine => self.serve(from_us, frame, link),
+            Some(FrameKind::Broadcast) => self.obey(from_us, frame, link),
+            Some(FrameKind::KeyForces | FrameKind::Request) => {}
             _ => self.counts.refused += 1,
         }
     }
@@ -377,9 +375,9 @@ impl SimulatedBoard {
             return;
         }
         match self.guard.feed(sent.taken_us, now_us) {
-            Fed::Stale => self.counts.stale += 1,
-            Fed::Unarmed => self.counts.unarmed += 1,
-            Fed::Rendered => {
+            ForceDecision::Stale => self.counts.stale += 1,
+            ForceDecision::Unarmed => self.counts.unarmed += 1,
+            ForceDecision::Rendered => {
                 let passed = self.answered.map_or(0, |it| sent.number.saturating_sub(it + 1));
                 self.counts.unanswered += passed;
                 self.counts.forces += 1;
@@ -450,19 +448,19 @@ impl SimulatedBoard {
     }
 }
 
-/// The rate of a period [s], as a hello says it [1/s].
+/// The rate of a period (s), as a hello says it (1/s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn rate(period: f64) -> u16 {
     (1.0 / period).round() as u16
 }
 
-/// A quantum [m], as a hello says it [nm].
+/// A quantum (m), as a hello says it (nm).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn nanometres(quantum: f64) -> u32 {
     (quantum * 1e9).round() as u32
 }
 
-/// A force [N], as a hello says it [mN].
+/// A force (N), as a hello says it (mN).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn millinewtons(force: f64) -> u16 {
     (force * 1e3).round() as u16

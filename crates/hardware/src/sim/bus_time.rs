@@ -1,26 +1,26 @@
 //! What time it is on the bus, as a board knows it: the age of forces that are for all.
 
 use firmware_protocol::frame::multicast_forces::GROUPS;
-use firmware_protocol::sequence::{Arrival, Sequence};
+use firmware_protocol::sequence::{FrameOrder, SequenceNumber};
 
 use crate::clock::low;
 
-/// After this long without bus time nothing is known of it [us].
+/// After this long without bus time nothing is known of it (us).
 const FORGET_US: u64 = 1_000_000;
 
-/// Ages beyond this cannot be told from the future: half of what 16 bits hold [us].
+/// Ages beyond this cannot be told from the future: half of what 16 bits hold (us).
 const OLDEST_US: u16 = 32_000;
 
-/// Silence after which any frame is news [us].
+/// Silence after which any frame is news (us).
 const SILENCE_US: u64 = 60_000;
 
 /// Bus time as a board knows it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct BusTime {
-    /// Own time minus bus time, low bits [us], and when it was heard [us].
+    /// Own time minus bus time, low bits (us), and when it was heard (us).
     offset: Option<(u32, u64)>,
-    /// The newest frame of each group, and when it came [us].
-    newest: [Option<(Sequence, u64)>; GROUPS],
+    /// The newest frame of each group, and when it came (us).
+    newest: [Option<(SequenceNumber, u64)>; GROUPS],
 }
 
 impl BusTime {
@@ -29,7 +29,7 @@ impl BusTime {
         self.offset = Some((low(now_us).wrapping_sub(host_us), now_us));
     }
 
-    /// How long ago the bus's clock showed a time with these low bits [us]; none if that
+    /// How long ago the bus's clock showed a time with these low bits (us); none if that
     /// cannot be told.
     pub(super) fn age_us(&self, now_us: u64, stamp_us: u16) -> Option<u64> {
         let (offset, heard_us) = self.offset?;
@@ -46,11 +46,11 @@ impl BusTime {
     }
 
     /// Whether a frame of `group` is newer than all before.
-    pub(super) fn accept(&mut self, group: u8, sequence: Sequence, now_us: u64) -> bool {
+    pub(super) fn accept(&mut self, group: u8, sequence: SequenceNumber, now_us: u64) -> bool {
         let Some(newest) = self.newest.get_mut(usize::from(group)) else { return false };
         let is_newer = newest.is_none_or(|(before, at)| {
             let arrival = sequence.after(before);
-            SILENCE_US < now_us.saturating_sub(at) || matches!(arrival, Arrival::Newer { .. })
+            SILENCE_US < now_us.saturating_sub(at) || matches!(arrival, FrameOrder::Newer { .. })
         });
         if is_newer {
             *newest = Some((sequence, now_us));
@@ -79,7 +79,7 @@ mod tests {
     #[test]
     fn an_overtaken_frame_is_no_news() {
         let mut time = BusTime::default();
-        let news = |time: &mut BusTime, n, at| time.accept(1, Sequence(n), at);
+        let news = |time: &mut BusTime, n, at| time.accept(1, SequenceNumber(n), at);
         assert!(news(&mut time, 7, 0) && news(&mut time, 9, 1_000));
         assert!(!news(&mut time, 8, 2_000) && !news(&mut time, 9, 2_000));
         assert!(news(&mut time, 3, 100_000), "after a silence");

@@ -13,17 +13,17 @@
 //! A board that was stopped, or whose key failed, is safe for good: that takes the place of any
 //! lesser reason, and no request undoes it. Only its power does.
 //!
-//! Times are the board's own [us].
+//! Times are the board's own (us).
 
 use firmware_protocol::acyclic::arm::FADE_MS;
 use firmware_protocol::frame::hello::safe_reason;
 
-/// Time in which a force fades [us].
+/// Time in which a force fades (us).
 const FADE_US: f64 = FADE_MS as f64 * 1e3;
 
 /// What a board may do.
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum State {
+enum InterlockState {
     /// Nothing, for this reason; the force of before fades from then on, if there was one.
     Safe { reason: u8, fades_us: Option<u64> },
     /// Nothing yet; whoever says this nonce may arm it.
@@ -34,9 +34,9 @@ enum State {
 
 /// The guard of one board.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Guard {
-    state: State,
-    /// How long forces are valid [us].
+pub(super) struct ForceInterlock {
+    state: InterlockState,
+    /// How long forces are valid (us).
     valid_us: u64,
     /// What the next nonce is made of.
     seed: u32,
@@ -55,10 +55,10 @@ pub(super) enum NotArmed {
     WrongNonce,
 }
 
-impl Guard {
+impl ForceInterlock {
     /// A board that was just switched on.
     pub(super) const fn new(seed: u32) -> Self {
-        let state = State::Safe { reason: safe_reason::NEVER_ARMED, fades_us: None };
+        let state = InterlockState::Safe { reason: safe_reason::NEVER_ARMED, fades_us: None };
         Self { state, valid_us: 0, seed, trips: 0, armings: 0 }
     }
 
@@ -68,50 +68,58 @@ impl Guard {
             return None;
         }
         self.seed = self.seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        self.state = State::Disarmed { nonce: self.seed, fades_us: self.fades_us(now_us) };
+        self.state = InterlockState::Disarmed { nonce: self.seed, fades_us: self.fades_us(now_us) };
         Some(self.seed)
     }
 
     /// Whether it is safe for good.
     const fn is_latched(&self) -> bool {
-        matches!(self.state, State::Safe { reason, .. } if latches(reason))
+        matches!(self.state, InterlockState::Safe { reason, .. } if latches(reason))
     }
 
     /// From when on the last forces fade if they are taken away at `now_us`; none if there are
     /// none. What has expired before has begun to fade then, and nothing fades twice.
     const fn fades_us(&self, now_us: u64) -> Option<u64> {
         match self.state {
-            State::Safe { fades_us, .. } | State::Disarmed { fades_us, .. } => fades_us,
-            State::Armed { expires_us: Some(expires_us) } if now_us < expires_us => Some(now_us),
-            State::Armed { expires_us } => expires_us,
+            InterlockState::Safe { fades_us, .. } | InterlockState::Disarmed { fades_us, .. } => {
+                fades_us
+            }
+            InterlockState::Armed { expires_us: Some(expires_us) } if now_us < expires_us => {
+                Some(now_us)
+            }
+            InterlockState::Armed { expires_us } => expires_us,
         }
     }
 
     /// Arms the board for forces that are valid for `valid_us`.
     pub(super) const fn arm(&mut self, nonce: u32, valid_us: u64) -> Result<(), NotArmed> {
         match self.state {
-            State::Disarmed { nonce: given, .. } if given == nonce => {
+            InterlockState::Disarmed { nonce: given, .. } if given == nonce => {
                 self.force_armed(valid_us);
                 Ok(())
             }
-            State::Disarmed { .. } => Err(NotArmed::WrongNonce),
-            State::Safe { .. } | State::Armed { .. } => Err(NotArmed::NotDisarmed),
+            InterlockState::Disarmed { .. } => Err(NotArmed::WrongNonce),
+            InterlockState::Safe { .. } | InterlockState::Armed { .. } => {
+                Err(NotArmed::NotDisarmed)
+            }
         }
     }
 
     /// Arms the board without asking, as in a simulation without a link.
     pub(super) const fn force_armed(&mut self, valid_us: u64) {
-        self.state = State::Armed { expires_us: None };
+        self.state = InterlockState::Armed { expires_us: None };
         self.valid_us = valid_us;
         self.armings = self.armings.saturating_add(1);
     }
 
     /// Takes note of forces that answer samples of `answered_us`; says whether they may be
     /// rendered.
-    pub(super) const fn feed(&mut self, answered_us: u64, now_us: u64) -> Fed {
+    pub(super) const fn feed(&mut self, answered_us: u64, now_us: u64) -> ForceDecision {
         let fed = self.judge(answered_us, now_us);
         let until_us = answered_us.saturating_add(self.valid_us);
-        if let (Fed::Rendered, State::Armed { expires_us }) = (fed, &mut self.state) {
+        if let (ForceDecision::Rendered, InterlockState::Armed { expires_us }) =
+            (fed, &mut self.state)
+        {
             *expires_us = match *expires_us {
                 Some(later_us) if until_us < later_us => Some(later_us),
                 Some(_) | None => Some(until_us),
@@ -121,27 +129,27 @@ impl Guard {
     }
 
     /// Whether forces that answer samples of `answered_us` may be rendered.
-    pub(super) const fn judge(&self, answered_us: u64, now_us: u64) -> Fed {
+    pub(super) const fn judge(&self, answered_us: u64, now_us: u64) -> ForceDecision {
         let expires_us = answered_us.saturating_add(self.valid_us);
         match self.state {
-            State::Armed { .. } if now_us <= expires_us => Fed::Rendered,
-            State::Armed { .. } => Fed::Stale,
+            InterlockState::Armed { .. } if now_us <= expires_us => ForceDecision::Rendered,
+            InterlockState::Armed { .. } => ForceDecision::Stale,
             // A board that was never armed cannot tell.
-            State::Safe { .. } | State::Disarmed { .. }
+            InterlockState::Safe { .. } | InterlockState::Disarmed { .. }
                 if 0 < self.valid_us && expires_us < now_us =>
             {
-                Fed::Stale
+                ForceDecision::Stale
             }
-            State::Safe { .. } | State::Disarmed { .. } => Fed::Unarmed,
+            InterlockState::Safe { .. } | InterlockState::Disarmed { .. } => ForceDecision::Unarmed,
         }
     }
 
     /// Goes safe for `reason`; a board that is safe already keeps its first reason, unless this
     /// one is for good and the first is not.
     pub(super) const fn trip(&mut self, reason: u8, now_us: u64) {
-        let is_safe = matches!(self.state, State::Safe { .. });
+        let is_safe = matches!(self.state, InterlockState::Safe { .. });
         if !self.is_latched() && (!is_safe || latches(reason)) {
-            self.state = State::Safe { reason, fades_us: self.fades_us(now_us) };
+            self.state = InterlockState::Safe { reason, fades_us: self.fades_us(now_us) };
         }
     }
 
@@ -149,15 +157,15 @@ impl Guard {
     /// render, `0 ..= 1`.
     pub(super) fn share(&mut self, now_us: u64) -> f64 {
         match self.state {
-            State::Armed { expires_us: None } => 0.0,
-            State::Armed { expires_us: Some(expires_us) } if now_us <= expires_us => 1.0,
-            State::Armed { expires_us: Some(expires_us) } => {
+            InterlockState::Armed { expires_us: None } => 0.0,
+            InterlockState::Armed { expires_us: Some(expires_us) } if now_us <= expires_us => 1.0,
+            InterlockState::Armed { expires_us: Some(expires_us) } => {
                 self.trips = self.trips.saturating_add(1);
                 let fades_us = Some(expires_us);
-                self.state = State::Safe { reason: safe_reason::SILENCE, fades_us };
+                self.state = InterlockState::Safe { reason: safe_reason::SILENCE, fades_us };
                 self.share(now_us)
             }
-            State::Safe { fades_us, .. } | State::Disarmed { fades_us, .. } => {
+            InterlockState::Safe { fades_us, .. } | InterlockState::Disarmed { fades_us, .. } => {
                 let left = |since_us| 1.0 - now_us.saturating_sub(since_us) as f64 / FADE_US;
                 fades_us.map_or(0.0, left).max(0.0)
             }
@@ -166,15 +174,15 @@ impl Guard {
 
     /// Whether forces are rendered.
     pub(super) const fn is_armed(&self) -> bool {
-        matches!(self.state, State::Armed { .. })
+        matches!(self.state, InterlockState::Armed { .. })
     }
 
     /// Why no forces are rendered, as the hello says it.
     pub(super) const fn reason(&self) -> u8 {
         match self.state {
-            State::Safe { reason, .. } => reason,
-            State::Disarmed { .. } => safe_reason::DISARMED,
-            State::Armed { .. } => safe_reason::NONE,
+            InterlockState::Safe { reason, .. } => reason,
+            InterlockState::Disarmed { .. } => safe_reason::DISARMED,
+            InterlockState::Armed { .. } => safe_reason::NONE,
         }
     }
 
@@ -191,8 +199,7 @@ const fn latches(reason: u8) -> bool {
 
 /// What becomes of forces that came.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Fed {
-    /// They are rendered.
+pub(super) enum ForceDecision {
     Rendered,
     /// They are too old.
     Stale,
@@ -206,8 +213,8 @@ mod tests {
 
     const VALID: u64 = 20_000;
 
-    fn armed() -> Guard {
-        let mut guard = Guard::new(7);
+    fn armed() -> ForceInterlock {
+        let mut guard = ForceInterlock::new(7);
         let nonce = guard.disarm(0).unwrap();
         assert_eq!(guard.arm(nonce, VALID), Ok(()));
         guard
@@ -215,7 +222,7 @@ mod tests {
 
     #[test]
     fn it_is_armed_by_the_nonce_that_was_given_out_and_only_once() {
-        let mut guard = Guard::new(7);
+        let mut guard = ForceInterlock::new(7);
         assert_eq!(guard.arm(7, VALID), Err(NotArmed::NotDisarmed));
         let (old, nonce) = (guard.disarm(0).unwrap(), guard.disarm(0).unwrap());
         assert_ne!(old, nonce);
@@ -234,7 +241,7 @@ mod tests {
     #[test]
     fn a_force_expires_and_fades_within_10_ms() {
         let mut guard = armed();
-        assert_eq!(guard.feed(1_000, 1_500), Fed::Rendered);
+        assert_eq!(guard.feed(1_000, 1_500), ForceDecision::Rendered);
         assert!(1.0 <= guard.share(21_000));
         let shares: Vec<_> = (0..12).map(|ms| guard.share(21_001 + 1_000 * ms)).collect();
         assert!(shares.is_sorted_by(|one, next| next <= one), "{shares:?}");
@@ -245,21 +252,21 @@ mod tests {
     #[test]
     fn it_stays_safe_until_it_is_disarmed_and_armed() {
         let mut guard = armed();
-        assert_eq!(guard.feed(0, 0), Fed::Rendered);
+        assert_eq!(guard.feed(0, 0), ForceDecision::Rendered);
         assert!(guard.share(50_000) <= 0.0);
-        assert_eq!(guard.feed(50_000, 50_000), Fed::Unarmed);
+        assert_eq!(guard.feed(50_000, 50_000), ForceDecision::Unarmed);
         let nonce = guard.disarm(60_000).unwrap();
-        assert_eq!(guard.feed(60_000, 60_000), Fed::Unarmed);
+        assert_eq!(guard.feed(60_000, 60_000), ForceDecision::Unarmed);
         assert_eq!(guard.arm(nonce, VALID), Ok(()));
-        assert_eq!(guard.feed(60_000, 60_000), Fed::Rendered);
+        assert_eq!(guard.feed(60_000, 60_000), ForceDecision::Rendered);
         assert!(1.0 <= guard.share(61_000));
     }
 
     #[test]
     fn a_force_that_answers_old_samples_is_stale_and_does_not_feed() {
         let mut guard = armed();
-        assert_eq!(guard.feed(0, 0), Fed::Rendered);
-        assert_eq!(guard.feed(0, 20_001), Fed::Stale);
+        assert_eq!(guard.feed(0, 0), ForceDecision::Rendered);
+        assert_eq!(guard.feed(0, 20_001), ForceDecision::Stale);
         assert!(guard.share(20_001) < 1.0 && !guard.is_armed());
     }
 
@@ -270,7 +277,7 @@ mod tests {
         let _silent = silent.feed(0, 0);
         assert!(silent.share(VALID + 5_000) < 1.0 && silent.reason() == SILENCE);
         let _disarmed = disarmed.disarm(VALID + 5_000).unwrap();
-        for guard in [Guard::new(7), silent, disarmed, armed()] {
+        for guard in [ForceInterlock::new(7), silent, disarmed, armed()] {
             check_latched(guard, EMERGENCY_STOP, KEY_FAULT);
             check_latched(guard, KEY_FAULT, EMERGENCY_STOP);
             let mut guard = guard;
@@ -281,7 +288,7 @@ mod tests {
 
     /// Asserts that `reason` replaces whatever there was, and that nothing replaces it.
     #[track_caller]
-    fn check_latched(mut guard: Guard, reason: u8, other: u8) {
+    fn check_latched(mut guard: ForceInterlock, reason: u8, other: u8) {
         for later in [reason, other, safe_reason::SILENCE] {
             guard.trip(later, VALID + 6_000);
             assert_eq!(guard.reason(), reason);
@@ -293,7 +300,7 @@ mod tests {
 
     #[test]
     fn what_fades_or_has_faded_does_not_come_back_with_another_reason() {
-        let away: [fn(&mut Guard, u64); 2] = [
+        let away: [fn(&mut ForceInterlock, u64); 2] = [
             |guard, now_us| guard.trip(safe_reason::EMERGENCY_STOP, now_us),
             |guard, now_us| _ = guard.disarm(now_us),
         ];

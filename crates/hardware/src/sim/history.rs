@@ -3,14 +3,13 @@
 use firmware_protocol::acyclic::arm::HISTORY;
 use firmware_protocol::frame::Header;
 use firmware_protocol::frame::key_samples::KeySamples;
-use firmware_protocol::sequence::Sequence;
+use firmware_protocol::sequence::SequenceNumber;
 
 /// A frame of samples, and when it was taken.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Sent {
-    /// The frame.
     pub(super) samples: KeySamples,
-    /// Board time [us].
+    /// Board time (us).
     pub(super) taken_us: u64,
     /// Which it was, counted from the first.
     pub(super) number: u64,
@@ -18,22 +17,22 @@ pub(super) struct Sent {
 
 /// The last 64 frames of samples.
 #[derive(Clone, Debug)]
-pub(super) struct History {
+pub(super) struct SampleHistory {
     sent: Box<[Option<Sent>; HISTORY]>,
     /// How many were sent.
     n: u64,
 }
 
-impl History {
+impl SampleHistory {
     /// Nothing was sent yet.
     pub(super) fn new() -> Self {
         Self { sent: Box::new([None; HISTORY]), n: 0 }
     }
 
     /// The number of the next frame.
-    pub(super) const fn next_sequence(&self) -> Sequence {
+    pub(super) const fn next_sequence(&self) -> SequenceNumber {
         let [low, ..] = self.n.to_le_bytes();
-        Sequence(low)
+        SequenceNumber(low)
     }
 
     /// Remembers a frame.
@@ -53,7 +52,7 @@ impl History {
 }
 
 /// Where the frame with this number is kept.
-const fn place(sequence: Sequence) -> usize {
+const fn place(sequence: SequenceNumber) -> usize {
     sequence.0 as usize % HISTORY
 }
 
@@ -64,7 +63,7 @@ mod tests {
     use super::*;
     use firmware_protocol::key::{BoardId, PerKey};
 
-    fn samples(history: &History, stamp_us: u16) -> KeySamples {
+    fn samples(history: &SampleHistory, stamp_us: u16) -> KeySamples {
         let board = BoardId::new(1).unwrap();
         let sequence = history.next_sequence();
         let header = Header { board, sequence, stamp_us, flag: false };
@@ -73,7 +72,7 @@ mod tests {
 
     #[test]
     fn only_the_last_64_can_be_answered_and_only_by_number_and_time() {
-        let mut history = History::new();
+        let mut history = SampleHistory::new();
         let mut frames = Vec::new();
         for n in 0..300_u16 {
             let frame = samples(&history, n.wrapping_mul(1_000));

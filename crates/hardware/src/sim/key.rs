@@ -8,7 +8,7 @@ use firmware_protocol::quantity::Counts;
 use haptics::plant::{Gesture, KeyRig, RigParameters};
 use scheduler::motion::{KeySample, KeySlope, Moment};
 
-use super::guard::{Fed, Guard};
+use super::guard::{ForceDecision, ForceInterlock};
 use super::law::Law;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
@@ -17,24 +17,24 @@ use crate::calibration::{self, KeyCalibration};
 /// and the force to fade at 8 kHz. In those beyond nothing moves.
 const MAX_CATCH_UP: u64 = 256;
 
-/// Longest period of a tick [s].
+/// Longest period of a tick (s).
 const MAX_PERIOD: f64 = 1.0;
 
 /// A key under its motor and under the fingers that will play it.
 #[derive(Clone, Debug)]
 pub(super) struct Plant {
     rig: KeyRig,
-    /// What the encoder reads beside the position [counts].
+    /// What the encoder reads beside the position (counts).
     offset: i32,
     gestures: Vec<Gesture>,
     /// The first gesture that is not over yet.
     current: usize,
-    /// Force of the last tick [N].
+    /// Force of the last tick (N).
     force: f64,
 }
 
 impl Plant {
-    /// A key at rest whose encoder reads `offset` [counts] there.
+    /// A key at rest whose encoder reads `offset` (counts) there.
     pub(super) fn new(rig: RigParameters, offset: i32) -> Self {
         Self { rig: KeyRig::new(rig), offset, gestures: Vec::new(), current: 0, force: 0.0 }
     }
@@ -46,7 +46,7 @@ impl Plant {
         self.current = 0;
     }
 
-    /// Lays a weight on the key [N]; 0 takes it away.
+    /// Lays a weight on the key (N); 0 takes it away.
     pub(super) fn lay(&mut self, newtons: f64) {
         self.rig.lay(newtons);
     }
@@ -59,12 +59,12 @@ impl Plant {
         self.gestures.insert(place, gesture);
     }
 
-    /// Position [m] as the encoder reads it, and velocity [m/s].
+    /// Position (m) as the encoder reads it, and velocity (m/s).
     pub(super) fn measured(&self) -> (f64, f64) {
         (f64::from(self.counts().get()) * self.rig.quantum(), self.rig.velocity())
     }
 
-    /// Advances from `t` to `t + h` [s] with `force` [N] held; a key at rest is left alone.
+    /// Advances from `t` to `t + h` (s) with `force` (N) held; a key at rest is left alone.
     pub(super) fn advance(&mut self, t: f64, h: f64, force: f64) {
         let gesture = self.gesture(t, h);
         let same = force.to_bits() == self.force.to_bits();
@@ -92,7 +92,7 @@ impl Plant {
         KeyCalibration { rest, bottom, ..nominal }
     }
 
-    /// The gesture of the tick from `t` to `t + h` [s].
+    /// The gesture of the tick from `t` to `t + h` (s).
     ///
     /// A finger that is there goes on until another one's time has come; one that comes
     /// within the tick is given beforehand, so that it starts at its own time.
@@ -114,13 +114,13 @@ impl Plant {
 
 /// How far a simulation has come: the tick whose samples it has given.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Progress {
+pub(super) struct SampleProgress {
     period: f64,
     tick: Option<u64>,
 }
 
-impl Progress {
-    /// A simulation that has not begun, in ticks of `period` [s].
+impl SampleProgress {
+    /// A simulation that has not begun, in ticks of `period` (s).
     pub(super) fn new(period: f64) -> Result<Self, Error> {
         if 0.0 < period && period <= MAX_PERIOD {
             Ok(Self { period, tick: None })
@@ -141,7 +141,7 @@ impl Progress {
         self.tick.is_none()
     }
 
-    /// Start of `tick` [us].
+    /// Start of `tick` (us).
     pub(super) fn us(&self, tick: u64) -> u64 {
         #[expect(
             clippy::cast_possible_truncation,
@@ -152,17 +152,17 @@ impl Progress {
         us
     }
 
-    /// Start of the tick that has come [us]; 0 before the first.
+    /// Start of the tick that has come (us); 0 before the first.
     pub(super) fn now_us(&self) -> u64 {
         self.us(self.tick.unwrap_or_default())
     }
 
-    /// Start of `tick` [s].
+    /// Start of `tick` (s).
     pub(super) fn seconds(&self, tick: u64) -> f64 {
         Moment { tick, theta: 0.0 }.seconds(self.period)
     }
 
-    /// Length of a tick [s].
+    /// Length of a tick (s).
     pub(super) const fn period(&self) -> f64 {
         self.period
     }
@@ -176,27 +176,27 @@ impl Progress {
 pub struct SimulatedKey {
     plant: Plant,
     calibration: KeyCalibration,
-    guard: Guard,
-    progress: Progress,
+    guard: ForceInterlock,
+    progress: SampleProgress,
     law: Law,
-    /// A law that has come since the sample that it answers, taken then [us].
+    /// A law that has come since the sample that it answers, taken then (us).
     answer: Option<(u64, Law)>,
 }
 
 impl SimulatedKey {
-    /// A key at rest, in ticks of `period` [s].
+    /// A key at rest, in ticks of `period` (s).
     ///
     /// # Errors
     /// Refuses a period that is not above 0 and up to 1 s.
     pub fn new(period: f64, rig: RigParameters) -> Result<Self, Error> {
         let plant = Plant::new(rig, 0);
-        let mut guard = Guard::new(0);
+        let mut guard = ForceInterlock::new(0);
         guard.force_armed(u64::from(VALID_MS) * 1_000);
         Ok(Self {
             calibration: plant.calibration(),
             plant,
             guard,
-            progress: Progress::new(period)?,
+            progress: SampleProgress::new(period)?,
             law: Law::default(),
             answer: None,
         })
@@ -217,7 +217,7 @@ impl SimulatedKey {
         for step in self.progress.go_on(tick) {
             let now_us = self.progress.us(step);
             if let Some((answered_us, law)) = self.answer.take()
-                && self.guard.feed(answered_us, now_us) == Fed::Rendered
+                && self.guard.feed(answered_us, now_us) == ForceDecision::Rendered
             {
                 self.law = law;
             }
@@ -227,7 +227,7 @@ impl SimulatedKey {
         KeySample::fresh(self.calibration.position(self.plant.counts()))
     }
 
-    /// Takes the force [N, up positive] that holds until the next one, as `slope` says.
+    /// Takes the force (N, up positive) that holds until the next one, as `slope` says.
     ///
     /// A safe key takes none, see [`Self::is_safe`]; nor does one that gave no sample yet.
     ///
@@ -237,17 +237,17 @@ impl SimulatedKey {
         if !self.is_safe() && !self.progress.is_new() {
             let (position, velocity) = self.plant.measured();
             let velocity = calibration::metres_per_second(calibration::speed(velocity));
-            let here = calibration::Measured { position, velocity };
+            let here = calibration::MeasurementPoint { position, velocity };
             let (force, slopes) = self.calibration.sloped(force, slope, here);
             let law = Law::here(force, slopes, (position, velocity), self.progress.now_us());
             self.answer = Some((self.progress.now_us(), law));
         }
     }
 
-    /// Advances the plant over a tick that starts at `t` [s]; a force that goes on is worked
+    /// Advances the plant over a tick that starts at `t` (s); a force that goes on is worked
     /// out as often as a board does it.
     fn render(&mut self, t: f64, share: f64) {
-        /// How often a board works out a force that goes on [s].
+        /// How often a board works out a force that goes on (s).
         const LAW_PERIOD: f64 = 100e-6;
         let h = self.progress.period();
         if self.law.is_held() {

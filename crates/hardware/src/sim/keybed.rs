@@ -14,8 +14,8 @@ use crate::link::faulty::{FaultCounts, FaultPlan, Faults};
 use crate::link::framed::Framing;
 use crate::link::loopback::Loopback;
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
-use crate::rt::bus::{Bus, LineStatistics, Unread};
-use crate::rt::glance::Glance;
+use crate::rt::bus::{KeybedBus, LineStatistics, Unread};
+use crate::rt::glance::LinkSnapshot;
 use crate::topology;
 
 /// Frames that a wire holds: those of one tick, and what faults repeat or delay into it.
@@ -25,13 +25,13 @@ const WIRE_CAPACITY: usize = 8;
 #[derive(Clone, Debug)]
 pub struct SimulatedKeybed {
     /// Away from the stack, where whoever owns a keybed would have to find room for it.
-    bus: Box<Bus>,
-    lines: Vec<Line>,
+    bus: Box<KeybedBus>,
+    lines: Vec<SimulatedLine>,
 }
 
 /// A board, its wire, and what goes wrong on it.
 #[derive(Clone, Debug)]
-struct Line {
+struct SimulatedLine {
     board: SimulatedBoard,
     wire: Loopback,
     faults: Faults,
@@ -40,13 +40,14 @@ struct Line {
 }
 
 impl SimulatedKeybed {
-    /// A keybed at rest whose keys are all alike, in ticks of `period` [s].
+    /// A keybed at rest whose keys are all alike, in ticks of `period` (s).
     ///
     /// # Errors
     /// Refuses a period that is not above 0 and up to 1 s.
     pub fn new(period: f64, rig: RigParameters) -> Result<Self, Error> {
-        let lines: Vec<Line> =
-            BoardId::all().map(|id| Line::new(id, period, rig)).collect::<Result<_, _>>()?;
+        let lines: Vec<SimulatedLine> = BoardId::all()
+            .map(|id| SimulatedLine::new(id, period, rig))
+            .collect::<Result<_, _>>()?;
         let places = topology::standard();
         let terms: Vec<_> = places
             .iter()
@@ -58,7 +59,7 @@ impl SimulatedKeybed {
                 calibration: PerKey::collect(line.board.calibration()),
             })
             .collect();
-        Ok(Self { bus: Box::new(Bus::new(&terms)), lines })
+        Ok(Self { bus: Box::new(KeybedBus::new(&terms)), lines })
     }
 
     /// Plays `gestures` on `key` from now on instead of those before.
@@ -92,7 +93,7 @@ impl SimulatedKeybed {
     }
 
     /// The line or board at `place`, lines first, as it is now; nothing behind the last.
-    pub fn glance(&self, place: usize) -> Option<Glance> {
+    pub fn glance(&self, place: usize) -> Option<LinkSnapshot> {
         self.bus.glance(place)
     }
 
@@ -129,7 +130,8 @@ impl KeyBus for SimulatedKeybed {
     /// One tick of 88 plants for each tick since the last call, at most 256; no heap.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
         self.bus.begin(tick);
-        for (index, Line { board, wire, faults, framing, .. }) in self.lines.iter_mut().enumerate()
+        for (index, SimulatedLine { board, wire, faults, framing, .. }) in
+            self.lines.iter_mut().enumerate()
         {
             let [host, away] = framing;
             board.advance(tick, &mut away.around(wire.board_end()));
@@ -152,7 +154,9 @@ impl KeyBus for SimulatedKeybed {
     /// # Real-time
     /// Eight frames; no heap.
     fn send_sloped(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
-        for (index, Line { wire, faults, framing, .. }) in self.lines.iter_mut().enumerate() {
+        for (index, SimulatedLine { wire, faults, framing, .. }) in
+            self.lines.iter_mut().enumerate()
+        {
             let [host, _away] = framing;
             let mut link = host.around(faults.around(wire.host_end()));
             self.bus.send(index, 0, forces, slopes, &mut link);
@@ -161,7 +165,7 @@ impl KeyBus for SimulatedKeybed {
     }
 }
 
-impl Line {
+impl SimulatedLine {
     fn new(id: BoardId, period: f64, rig: RigParameters) -> Result<Self, Error> {
         Ok(Self {
             board: SimulatedBoard::new(BoardMake::standard(id, period, rig))?.armed(),

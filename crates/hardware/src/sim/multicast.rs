@@ -10,10 +10,10 @@ use firmware_protocol::frame::multicast_forces::{GROUP, GROUPS, MulticastForces}
 use firmware_protocol::quantity::Millinewtons;
 
 use super::board::SimulatedBoard;
-use super::guard::Fed;
+use super::guard::ForceDecision;
 use super::law::Law;
 
-/// When the newest forces of each group were worked out, since the board was armed [us].
+/// When the newest forces of each group were worked out, since the board was armed (us).
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Groups {
     taken_us: [Option<u64>; GROUPS],
@@ -59,9 +59,9 @@ impl SimulatedBoard {
             Law::here(force, KeySlopes::default(), (0.0, 0.0), from_us)
         };
         match self.guard.judge(taken_us, from_us) {
-            Fed::Stale => self.counts.stale += 1,
-            Fed::Unarmed => self.counts.unarmed += 1,
-            Fed::Rendered => {
+            ForceDecision::Stale => self.counts.stale += 1,
+            ForceDecision::Unarmed => self.counts.unarmed += 1,
+            ForceDecision::Rendered => {
                 self.counts.forces += 1;
                 self.counts.oldest_us = self.counts.oldest_us.max(age_us);
                 let forces = &frame.forces[shared.start - first..shared.end - first];

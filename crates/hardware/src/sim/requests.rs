@@ -9,7 +9,7 @@ use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::stream::Stream;
-use firmware_protocol::acyclic::{Operation, Request, Status, encode_reply};
+use firmware_protocol::acyclic::{AcyclicRequest, Operation, Status, encode_reply};
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::key::MOST_KEYS;
@@ -25,17 +25,17 @@ const LOG: usize = 32;
 
 /// What requests read and write.
 #[derive(Clone, Debug)]
-pub(super) struct Desk {
+pub(super) struct BoardRequestHandler {
     settings: [i32; setting::COUNT as usize],
     calibration: [Option<KeyCalibration>; MOST_KEYS],
     log: Vec<LogLine>,
     /// The last reply, in case its request comes again: its number and operation.
     last: Option<((u8, u8), [u8; MAX_FRAME], usize)>,
-    /// The light is on until then [us].
+    /// The light is on until then (us).
     light_until_us: u64,
 }
 
-impl Desk {
+impl BoardRequestHandler {
     /// The settings that `make` comes with.
     pub(super) fn new(make: BoardMake) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "a motor's force")]
@@ -73,21 +73,21 @@ impl Desk {
 }
 
 /// Reads a request's record.
-fn record<R: Record>(request: &Request<'_>) -> Result<R, Status> {
+fn record<R: Record>(request: &AcyclicRequest<'_>) -> Result<R, Status> {
     R::take(request.record).ok_or(Status::BadValue)
 }
 
 /// A reply, built in place.
-struct Answer<'a> {
-    request: Request<'a>,
+struct ReplyBuffer<'a> {
+    request: AcyclicRequest<'a>,
     operation: u8,
     bytes: [u8; MAX_FRAME],
     len: usize,
 }
 
-impl Answer<'_> {
+impl ReplyBuffer<'_> {
     fn with<R: Record>(&mut self, outcome: Result<R, Status>) {
-        let Request { board, id, .. } = self.request;
+        let AcyclicRequest { board, id, .. } = self.request;
         self.len = encode_reply(board, id, self.operation, outcome, &mut self.bytes);
     }
 }
@@ -97,7 +97,7 @@ impl SimulatedBoard {
     ///
     /// What it asks for holds from `from_us` on; what it is told is by the clock.
     pub(super) fn serve(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
-        let Ok(request) = Request::decode(frame) else {
+        let Ok(request) = AcyclicRequest::decode(frame) else {
             self.counts.refused += 1;
             return;
         };
@@ -107,7 +107,7 @@ impl SimulatedBoard {
         match self.desk.last {
             Some((last, bytes, len)) if last == this => self.send(&bytes[..len], link),
             Some(_) | None => {
-                let mut answer = Answer { request, operation, bytes: [0; MAX_FRAME], len: 0 };
+                let mut answer = ReplyBuffer { request, operation, bytes: [0; MAX_FRAME], len: 0 };
                 self.work_out(from_us, &mut answer);
                 self.desk.last = Some((this, answer.bytes, answer.len));
                 self.send(&answer.bytes[..answer.len], link);
@@ -116,7 +116,7 @@ impl SimulatedBoard {
     }
 
     /// Does what is asked for, and writes the answer.
-    fn work_out(&mut self, from_us: u64, answer: &mut Answer<'_>) {
+    fn work_out(&mut self, from_us: u64, answer: &mut ReplyBuffer<'_>) {
         let request = answer.request;
         let Ok(operation) = request.operation else {
             return answer.with(Err::<Nothing, _>(Status::Unknown));
@@ -273,7 +273,7 @@ impl SimulatedBoard {
     }
 }
 
-/// The whole time [us] near `now_us` whose low half is `low`.
+/// The whole time (us) near `now_us` whose low half is `low`.
 fn whole(now_us: u64, low: u32) -> u64 {
     let [a, b, c, d, ..] = now_us.to_le_bytes();
     let ahead = low.wrapping_sub(u32::from_le_bytes([a, b, c, d])).cast_signed();

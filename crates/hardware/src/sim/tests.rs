@@ -1,8 +1,8 @@
 //! One simulated board on a wire in memory, and what it does with what it is told.
 
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
-use firmware_protocol::acyclic::{Operation, Reply, Status, encode_request};
-use firmware_protocol::frame::Kind;
+use firmware_protocol::acyclic::{AcyclicReply, Operation, Status, encode_request};
+use firmware_protocol::frame::FrameKind;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::hello::{Hello, safe_reason};
 use firmware_protocol::frame::key_forces::{self, ForcePacking, KeyForces};
@@ -10,7 +10,7 @@ use firmware_protocol::frame::key_samples::KeySamples;
 use firmware_protocol::frame::multicast_forces::{GROUP, MulticastForces};
 use firmware_protocol::key::{BoardId, PerKey};
 use firmware_protocol::quantity::Millinewtons;
-use firmware_protocol::sequence::Sequence;
+use firmware_protocol::sequence::SequenceNumber;
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use haptics::plant::RigParameters;
 
@@ -18,7 +18,7 @@ use super::board::{BoardMake, SimulatedBoard};
 use crate::link::Link as _;
 use crate::link::loopback::Loopback;
 
-/// A tick [us].
+/// A tick (us).
 const TICK_US: u64 = 1_000;
 /// What it is given [mN]: keys are held on their felts.
 const DOWN: i32 = -2_000;
@@ -31,7 +31,7 @@ struct Bench {
     next_id: u8,
     replies: Vec<Vec<u8>>,
     newest: Option<KeySamples>,
-    sequences: [Sequence; 3],
+    sequences: [SequenceNumber; 3],
 }
 
 impl Bench {
@@ -41,7 +41,7 @@ impl Bench {
         let make = BoardMake::standard(id, TICK_US as f64 * 1e-6, RigParameters::default());
         let board = SimulatedBoard::new(make).unwrap().armed();
         let (wire, replies) = (Loopback::new(512), Vec::new());
-        let (newest, sequences) = (None, [Sequence::default(); 3]);
+        let (newest, sequences) = (None, [SequenceNumber::default(); 3]);
         let mut bench = Self { board, wire, tick: 0, next_id: 0, replies, newest, sequences };
         bench.live(1);
         bench
@@ -57,8 +57,8 @@ impl Bench {
         self.board.advance(self.tick, &mut self.wire.board_end());
         let mut bytes = [0; MAX_FRAME];
         while let Ok(Some(len)) = self.wire.host_end().try_recv(&mut bytes) {
-            match Kind::of(&bytes[..len]) {
-                Some(Kind::KeySamples) => {
+            match FrameKind::of(&bytes[..len]) {
+                Some(FrameKind::KeySamples) => {
                     self.newest = KeySamples::decode(&bytes[..len], self.board.samples).ok();
                 }
                 _ => self.replies.push(bytes[..len].to_vec()),
@@ -89,7 +89,7 @@ impl Bench {
         self.request(operation, record);
         self.live(1);
         let frame = self.replies.pop().unwrap();
-        let reply = Reply::decode(&frame).unwrap();
+        let reply = AcyclicReply::decode(&frame).unwrap();
         if reply.status == Status::Done {
             Ok(A::take(reply.record).unwrap())
         } else {
@@ -125,7 +125,7 @@ impl Bench {
         assert!(1.9 < self.force(0), "{} N", self.force(0));
     }
 
-    /// What the host's clock shows, which began long before [us].
+    /// What the host's clock shows, which began long before (us).
     fn host_us(&self) -> u32 {
         u32::try_from(self.tick * TICK_US + 7_000_123).unwrap()
     }
@@ -156,7 +156,7 @@ impl Bench {
         }
     }
 
-    /// Force of the motor in `slot` [N].
+    /// Force of the motor in `slot` (N).
     fn force(&self, slot: usize) -> f64 {
         self.board.rig(slot).unwrap().motor_force().abs()
     }

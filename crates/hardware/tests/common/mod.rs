@@ -15,7 +15,7 @@ use firmware_protocol::key::BoardId;
 use firmware_protocol::key::PerKey;
 use haptics::plant::RigParameters;
 use hardware::calibration::KeyCalibration;
-use hardware::keybed::{Found, Keybed, Line, Offline};
+use hardware::keybed::{FoundBoard, Keybed, NamedLink, Offline};
 use hardware::link::{Link, RecvError, SendError};
 use hardware::refusal::{BoardName, Refusal};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
@@ -110,14 +110,14 @@ pub fn keybed(numbers: &[u8]) -> (Keybed<Offline>, Vec<Living>) {
     let (mut lines, mut boards) = (Vec::new(), Vec::new());
     for number in numbers {
         let (host, away) = pair();
-        lines.push(Line::new(format!("socket {number}"), Box::new(host)));
+        lines.push(NamedLink::new(format!("socket {number}"), Box::new(host)));
         boards.push(Living::start(board(*number), away));
     }
     (Keybed::new(lines, now_us), boards)
 }
 
 /// Keys that read as their boards say.
-pub fn nominal(found: &Found, _name: &BoardName) -> Result<PerKey<KeyCalibration>, Refusal> {
+pub fn nominal(found: &FoundBoard, _name: &BoardName) -> Result<PerKey<KeyCalibration>, Refusal> {
     let n = usize::from(found.hello.n_keys);
     Ok(PerKey::collect(std::iter::repeat_n(found.nominal(), n)))
 }

@@ -13,7 +13,7 @@ fn fd_bits(id: Id, bytes: usize, stuffing: Stuffing) -> (usize, usize) {
     (bits.nominal, bits.data)
 }
 
-/// Time at 1 Mbit/s and so many [us].
+/// Time at 1 Mbit/s and so many (us).
 fn fd_time(bytes: usize, stuffing: Stuffing, data: u32) -> f64 {
     FdBits::of(Standard, bytes, stuffing).time(1_000_000, data)
 }
@@ -36,7 +36,7 @@ fn classic_frames_have_the_lengths_of_the_table() {
     assert_eq!((classic_bits(Extended, 8, Fewest), classic_bits(Extended, 8, Most)), (131, 160));
 }
 
-/// Payload [bytes], data bits fewest and most, time at 1/5 Mbit/s least and most, at 1/8 [us].
+/// Payload (bytes), data bits fewest and most, time at 1/5 Mbit/s least and most, at 1/8 (us).
 type FdRow = (usize, usize, usize, f64, f64, f64);
 
 const FD: [FdRow; 8] = [

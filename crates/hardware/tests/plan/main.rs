@@ -7,7 +7,7 @@ mod rates;
 mod serial;
 mod shares;
 
-/// A rate as the tables have it [Hz].
+/// A rate as the tables have it (Hz).
 fn hertz(rate: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some kilohertz")]
     let whole = rate.round() as u32;

@@ -26,14 +26,14 @@ pub(crate) fn plan(medium: Medium, buses: usize, up: SamplePacking, down: ForceP
     }
 }
 
-/// Asserts the highest rates with 1, 2, 4 and 8 buses [Hz].
+/// Asserts the highest rates with 1, 2, 4 and 8 buses (Hz).
 #[track_caller]
 fn check(medium: Medium, up: SamplePacking, down: ForcePacking, rates: [u32; 4]) {
     let got = [1, 2, 4, 8].map(|buses| hertz(plan(medium, buses, up, down).max_rate()));
     assert_eq!(got, rates, "{up:?} and {down:?} over {medium}");
 }
 
-/// The same for packings that are only lengths [bytes].
+/// The same for packings that are only lengths (bytes).
 #[track_caller]
 fn check_bytes(medium: Medium, up: usize, down: usize, rates: [u32; 4]) {
     let cycle = medium.time(up, Stuffing::Most) + medium.time(down, Stuffing::Most);
@@ -112,7 +112,7 @@ fn without_their_headers_frames_over_classic_can_reach_the_rates_of_the_table() 
 }
 
 /// Only the keys that move, behind a header of 6 bytes that says which: the cycle of a bus on
-/// whose boards so many move, with positions and velocities up and forces down [us].
+/// whose boards so many move, with positions and velocities up and forces down (us).
 fn masked(active: &[usize]) -> f64 {
     let time = |bytes| FD5.time(bytes, Stuffing::Most);
     active.iter().map(|keys| time(6 + 4 * keys) + time(6 + 2 * keys)).sum()

@@ -1,7 +1,7 @@
 //! Highest rates over serial lines and USB.
 
 use hardware::plan::uart::{Wiring, wire_bytes};
-use hardware::plan::usb::Speed;
+use hardware::plan::usb::UsbSpeed;
 use hardware::plan::{BusPlan, Extras, ForcePacking, Medium, SamplePacking, standard};
 use hardware::refusal::KeyRange;
 
@@ -11,7 +11,7 @@ use SamplePacking::{Position16, Position16Velocity, Position24, Position24Veloci
 const PACKINGS: [SamplePacking; 4] =
     [Position16, Position24, Position16Velocity, Position24Velocity];
 
-/// Highest rates with these boards, for each packing [Hz].
+/// Highest rates with these boards, for each packing (Hz).
 fn rates(medium: Medium, boards: &[KeyRange]) -> [u32; 4] {
     PACKINGS.map(|samples| {
         let plan = BusPlan {
@@ -39,8 +39,8 @@ fn frames_on_the_wire_have_the_lengths_of_the_table() {
 /// One for all keys.
 const HUB: [KeyRange; 1] = [KeyRange { first: 0, n: 88 }];
 
-/// Rate [Mbaud]; rates of a board's own link, of one for all 88 keys, of a line for eight
-/// boards [Hz].
+/// Rate (Mbaud); rates of a board's own link, of one for all 88 keys, of a line for eight
+/// boards (Hz).
 type Row = (u32, [u32; 4], [u32; 4], [u32; 4]);
 
 #[rustfmt::skip]
@@ -68,7 +68,7 @@ fn serial_lines_reach_the_rates_of_the_table() {
 fn a_frame_of_usb_has_room_for_as_many_transactions_as_its_standard_says() {
     let full = [(1, 107), (2, 100), (4, 88), (8, 71), (16, 51), (32, 33), (64, 19)];
     for (bytes, transactions) in full {
-        assert_eq!(Speed::Full.transactions_per_frame(bytes), transactions, "{bytes} bytes");
+        assert_eq!(UsbSpeed::Full.transactions_per_frame(bytes), transactions, "{bytes} bytes");
     }
     let high = [
         (1, 133),
@@ -83,14 +83,14 @@ fn a_frame_of_usb_has_room_for_as_many_transactions_as_its_standard_says() {
         (512, 13),
     ];
     for (bytes, transactions) in high {
-        assert_eq!(Speed::High.transactions_per_frame(bytes), transactions, "{bytes} bytes");
+        assert_eq!(UsbSpeed::High.transactions_per_frame(bytes), transactions, "{bytes} bytes");
     }
 }
 
 #[test]
 fn a_cycle_of_eight_full_speed_boards_takes_what_the_table_says() {
     let costs = PACKINGS.map(|packing| {
-        let cost = |bytes| Speed::Full.cost(wire_bytes(bytes));
+        let cost = |bytes| UsbSpeed::Full.cost(wire_bytes(bytes));
         8 * (cost(packing.frame_len(11)) + cost(ForcePacking::Force16.frame_len(11)))
     });
     assert_eq!(costs, [688, 776, 864, 952]);

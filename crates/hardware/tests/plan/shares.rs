@@ -2,18 +2,18 @@
 
 use ForcePacking::{Force16, Multicast16};
 use SamplePacking::{Position16, Position16Velocity, Position24Velocity};
-use hardware::plan::{BusPlan, Extras, ForcePacking, Medium, SamplePacking, Verdict};
+use hardware::plan::{BusPlan, BusVerdict, Extras, ForcePacking, Medium, SamplePacking};
 
 use super::rates::{CLASSIC, FD5, FD8, plan};
 
-/// Asserts the load of the fullest of so many buses [%].
+/// Asserts the load of the fullest of so many buses (%).
 #[track_caller]
 fn check(plan: &BusPlan, [sample_rate, force_rate]: [f64; 2], percent: f64) {
     let plan = BusPlan { sample_rate, force_rate, ..plan.clone() };
     let got = 100.0 * plan.load();
     // The table is rounded to a tenth.
     assert!((got - percent).abs() < 0.051, "{got} %, not {percent}");
-    assert_eq!(plan.verdict(), Verdict::Fits);
+    assert_eq!(plan.verdict(), BusVerdict::Fits);
 }
 
 #[test]

@@ -28,14 +28,13 @@ impl AuditCell {
     }
 }
 
-/// An energy audit as reports show it [J].
+/// An energy audit as reports show it (J).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct AuditReport {
     /// Work done by the fingers on the voices.
     pub supplied: f64,
     /// Taken by dampers and friction inside the models.
     pub dissipated: f64,
-    /// Change at impacts.
     pub jumps: f64,
     /// Change of what the models store.
     pub stored: f64,

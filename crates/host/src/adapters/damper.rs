@@ -8,24 +8,24 @@ use scheduler::motion::{KeyEvent, Moment};
 /// Key-front travel at which the damper leaves the string [m]: half of the dip (S).
 const LIFT: f64 = 5.0e-3;
 
-/// Travel at which it is back on the string [m]. The hysteresis is hundreds of encoder
+/// Travel at which it is back on the string (m). The hysteresis is hundreds of encoder
 /// counts, so that a key held at the threshold does not chatter.
 const FALL: f64 = 4.6e-3;
 
 /// A damper.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Damper {
+pub struct DamperTracker {
     lifted: bool,
     position: f64,
 }
 
-impl Damper {
-    /// On the string or off it, by the key's position [m].
+impl DamperTracker {
+    /// On the string or off it, by the key's position (m).
     pub const fn new(position: f64) -> Self {
         Self { lifted: position > LIFT, position }
     }
 
-    /// Follows the key to `position` [m] at the start of `tick`; `period` in [s].
+    /// Follows the key to `position` (m) at the start of `tick`; `period` in (s).
     pub fn follow(&mut self, tick: u64, position: f64, period: f64) -> Option<(Moment, KeyEvent)> {
         let before = std::mem::replace(&mut self.position, position);
         let threshold = if self.lifted { FALL } else { LIFT };
@@ -51,7 +51,7 @@ mod tests {
 
     #[test]
     fn it_lifts_and_falls_between_the_samples() {
-        let mut damper = Damper::new(0.0);
+        let mut damper = DamperTracker::new(0.0);
         assert_eq!(damper.follow(1, 4.9e-3, 1e-3), None);
         let (at, event) = damper.follow(2, 5.1e-3, 1e-3).expect("a lift");
         assert_eq!((at.tick, event), (1, KeyEvent::DamperLift));
@@ -65,7 +65,7 @@ mod tests {
 
     #[test]
     fn a_key_held_at_the_threshold_does_not_chatter() {
-        let mut damper = Damper::new(0.0);
+        let mut damper = DamperTracker::new(0.0);
         let events = (0..1000)
             .zip(0_usize..)
             .filter_map(|(tick, n)| damper.follow(tick, 5.0e-3 + [0.0, 1e-5, -1e-5][n % 3], 1e-3));

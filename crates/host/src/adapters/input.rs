@@ -1,6 +1,6 @@
 //! From samples to a model's input: estimate, then continue over the tick.
 
-use haptics::{BackwardDifference, Estimator as _, Kalman, Motion as KeyMotion};
+use haptics::{BackwardDifference, Estimator as _, Kalman, KeyMotion};
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 use scheduler::motion::KeySample;
 use scheduler::safety::MAX_EXTRAPOLATED;
@@ -10,7 +10,6 @@ use scheduler::safety::MAX_EXTRAPOLATED;
 pub enum AnyEstimator {
     /// First and second backward differences.
     BackwardDifference(BackwardDifference),
-    /// Constant-acceleration Kalman filter.
     Kalman(Kalman),
 }
 
@@ -46,38 +45,37 @@ pub struct InputPath {
     continuation: Continuation,
     /// Model input per metre.
     scale: f64,
-    /// Tick [s].
+    /// Tick (s).
     h: f64,
     /// The motion at the newest sample.
     last: KeyMotion,
     /// The tick that was asked for last, if there was one.
     tick: Option<u64>,
-    /// How long before that tick this sample was taken [ticks].
+    /// How long before that tick this sample was taken (ticks).
     since: f64,
 }
 
 /// The input over one tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Followed {
-    /// Of the model.
     pub signal: Cubic,
-    /// Where the key is at the start of the tick [m].
+    /// Where the key is at the start of the tick (m).
     pub position: f64,
-    /// How much after the usual its newest sample was taken before that [s].
+    /// How much after the usual its newest sample was taken before that (s).
     pub late: f64,
 }
 
-/// Samples closer than this are one and the same [ticks].
+/// Samples closer than this are one and the same (ticks).
 const NEWS: f64 = 1e-3;
 
-/// How far motion is continued from a sample, or taken back from one that was early [ticks].
+/// How far motion is continued from a sample, or taken back from one that was early (ticks).
 const MOST_AHEAD: f64 = 1.0;
 
 /// After so long without a sample nothing is known of a key's motion [s]: a stroke takes as long.
 const FORGOTTEN: f64 = 10e-3;
 
 impl InputPath {
-    /// A path with ticks of `h` [s] for a model whose input is `scale` per metre.
+    /// A path with ticks of `h` (s) for a model whose input is `scale` per metre.
     pub fn new(
         estimator: AnyEstimator,
         reconstruction: Option<Reconstruction>,
@@ -91,7 +89,7 @@ impl InputPath {
         Self { estimator, continuation, scale, h, last, tick: None, since: 0.0 }
     }
 
-    /// At rest at `position` [m] since the next tick; returns the input there.
+    /// At rest at `position` (m) since the next tick; returns the input there.
     pub fn reset(&mut self, position: f64) -> pode::Motion {
         self.estimator.reset(position);
         if let Continuation::Samples(kind, reconstructor) = &mut self.continuation {
@@ -102,7 +100,7 @@ impl InputPath {
         pode::Motion { position: position * self.scale, ..pode::Motion::default() }
     }
 
-    /// Goes on to `tick`; says how long after the one before `sample` was taken [ticks], if it is
+    /// Goes on to `tick`; says how long after the one before `sample` was taken (ticks), if it is
     /// a new one.
     pub fn go_on(&mut self, tick: u64, sample: &KeySample) -> Option<f64> {
         let Some(before) = self.tick.replace(tick) else {
@@ -116,12 +114,12 @@ impl InputPath {
         is_news.then_some(elapsed)
     }
 
-    /// How long after the newest sample the tick begins, as far as motion is continued [s].
+    /// How long after the newest sample the tick begins, as far as motion is continued (s).
     const fn ahead(&self) -> f64 {
         self.since.clamp(-MOST_AHEAD, MOST_AHEAD) * self.h
     }
 
-    /// Takes a position [m] that was taken `elapsed` [s] after the one before.
+    /// Takes a position (m) that was taken `elapsed` (s) after the one before.
     fn learn(&mut self, position: f64, elapsed: f64) {
         self.last = if FORGOTTEN.max(1.5 * self.h) < elapsed {
             self.estimator.reset(position);
@@ -173,7 +171,7 @@ mod tests {
         path
     }
 
-    /// Follows a key that moves at `speed` [m/s] for `ticks`, each sample `late` [ticks].
+    /// Follows a key that moves at `speed` (m/s) for `ticks`, each sample `late` (ticks).
     fn moved(path: &mut InputPath, speed: f64, ticks: u64, late: f64) {
         for tick in 0..ticks {
             let position = speed * (tick as f64 - late) * H;

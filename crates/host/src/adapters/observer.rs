@@ -3,18 +3,17 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
-use midi::{EventKind, KeyEvent as MidiEvent};
+use midi::{EventKind, NoteEvent as MidiEvent};
 use rtrb::Producer;
 use scheduler::motion::{KeyEvent, Moment};
-use scheduler::port::{Seen, TickObserver};
-use scheduler::voice::{Turn, VoiceFault};
+use scheduler::port::{FinishedTick, TickObserver};
+use scheduler::voice::{VoiceFault, VoiceOutput};
 
-use crate::bell::Bell;
+use crate::bell::WakeFd;
 
 /// What anybody may look at while the host runs.
 #[derive(Debug, Default)]
 pub struct LiveCounters {
-    /// Ticks done.
     pub ticks: AtomicU64,
     /// Keys whose voice ran its equations in the last tick.
     pub active: AtomicU32,
@@ -28,13 +27,10 @@ pub struct LiveCounters {
     pub muted: [AtomicU64; 2],
     /// Key events that found no room in the ring or in their turn.
     pub dropped: AtomicU64,
-    /// CPU time of the last ticks, smoothed [ns].
+    /// CPU time of the last ticks, smoothed (ns).
     pub work_ns: AtomicU64,
-    /// Missed deadlines.
     pub missed: AtomicU64,
-    /// Derivatives evaluated.
     pub derivatives: AtomicU64,
-    /// Guards evaluated.
     pub guards: AtomicU64,
 }
 
@@ -49,22 +45,22 @@ impl LiveCounters {
 
 /// Publishes what happened in a tick; full is dropped and counted.
 #[derive(Debug)]
-pub struct Publisher {
+pub struct TickPublisher {
     ring: Producer<MidiEvent>,
-    bell: Arc<Bell>,
+    bell: Arc<WakeFd>,
     counters: Arc<LiveCounters>,
-    /// Moves of the sustain pedal, in order of time: when [s], and how deep.
+    /// Moves of the sustain pedal, in order of time: when (s), and how deep.
     pedals: Box<[(f64, f64)]>,
     next_pedal: usize,
-    /// Tick [s].
+    /// Tick (s).
     period: f64,
 }
 
-impl Publisher {
+impl TickPublisher {
     /// Publishes into `ring`, rings `bell`, and counts; also plays `pedals`.
     pub fn new(
         ring: Producer<MidiEvent>,
-        bell: Arc<Bell>,
+        bell: Arc<WakeFd>,
         counters: Arc<LiveCounters>,
         pedals: Box<[(f64, f64)]>,
         period: f64,
@@ -72,7 +68,7 @@ impl Publisher {
         Self { ring, bell, counters, pedals, next_pedal: 0, period }
     }
 
-    /// Plays `pedals` from now on: when [s], and how deep, in order of time.
+    /// Plays `pedals` from now on: when (s), and how deep, in order of time.
     pub fn set_pedals(&mut self, pedals: Box<[(f64, f64)]>) {
         (self.pedals, self.next_pedal) = (pedals, 0);
     }
@@ -82,7 +78,7 @@ impl Publisher {
     ///
     /// # Real-time
     /// One write of at most all events of a tick and all moves of the pedal that are left.
-    fn publish(&mut self, seen: &Seen<'_>, sums: &mut Sums) {
+    fn publish(&mut self, seen: &FinishedTick<'_>, sums: &mut Sums) {
         let period = self.period;
         let end = Moment { tick: seen.tick, theta: 1.0 }.seconds(period);
         let pedals = self.pedals.get(self.next_pedal..).unwrap_or_default();
@@ -115,7 +111,6 @@ impl Publisher {
 /// Sums over one tick's turns.
 #[derive(Debug, Default)]
 struct Sums {
-    /// Key events.
     heard: usize,
     active: u32,
     faults: u64,
@@ -130,7 +125,7 @@ struct Sums {
 }
 
 impl Sums {
-    fn add(&mut self, key: usize, turn: &Turn) {
+    fn add(&mut self, key: usize, turn: &VoiceOutput) {
         let events = turn.events.as_slice();
         let is_strike = |event: &&(Moment, KeyEvent)| matches!(event.1, KeyEvent::Strike { .. });
         self.heard += events.len();
@@ -148,8 +143,8 @@ impl Sums {
     }
 }
 
-impl TickObserver for Publisher {
-    fn observe(&mut self, seen: &Seen<'_>) {
+impl TickObserver for TickPublisher {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
         let tick = seen.tick;
         let mut sums = Sums::default();
         for (key, turn) in seen.turns.iter().enumerate() {

@@ -6,12 +6,12 @@ use std::sync::Arc;
 use haptics::{EnergyBound, ForceGate, PassivityObserver};
 use models::Playable;
 use pode::{Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch};
-use scheduler::look::{Look, MAX_STATES, Switch, Switches};
+use scheduler::look::{MAX_STATES, ModelSnapshot, Switch, Switches};
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
-use scheduler::voice::{Events, Turn, Voice, VoiceFault, Work};
+use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
 
 use super::audit::AuditCell;
-use super::damper::Damper;
+use super::damper::DamperTracker;
 use super::input::{Followed, InputPath};
 
 /// A voice that can be copied, for rehearsals.
@@ -26,18 +26,18 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     simulator: Simulator<M, T>,
     input: InputPath,
     gate: ForceGate,
-    damper: Damper,
-    rest: Rest,
+    damper: DamperTracker,
+    rest: RestDetector,
     audit: EnergyAudit,
     passivity: PassivityObserver,
     cell: Arc<AuditCell>,
-    /// Tick [s].
+    /// Tick (s).
     h: f64,
-    slopes: Slopes,
+    slopes: SlopeOutput,
     revision: u32,
 }
 
-/// Hammer speed below which a string is touched but does not sound [m/s].
+/// Hammer speed below which a string is touched but does not sound (m/s).
 ///
 /// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so
 /// that the limit lies below the softest MIDI velocity of the Disklavier's curve.
@@ -48,7 +48,7 @@ const LONGEST_WAY: f64 = 0.02;
 
 /// What a voice is built from, besides its model.
 #[derive(Clone, Debug)]
-pub struct Fittings {
+pub struct VoiceSettings {
     /// From samples to the model's input.
     pub input: InputPath,
     /// Force and slew limits.
@@ -57,17 +57,17 @@ pub struct Fittings {
     pub limits: Limits,
     /// Where the energy audit is published.
     pub cell: Arc<AuditCell>,
-    /// Tick [s].
+    /// Tick (s).
     pub h: f64,
     /// Whether the boards render slopes.
-    pub slopes: Slopes,
+    pub slopes: SlopeOutput,
     /// Its number among all voices of a run.
     pub revision: u32,
 }
 
 /// Whether a voice works out how its force goes on between two ticks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Slopes {
+pub enum SlopeOutput {
     /// Nobody would use it.
     #[default]
     Unused,
@@ -77,16 +77,16 @@ pub enum Slopes {
 
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// A voice at rest with its key up.
-    pub fn new(model: M, stepper: T, fittings: Fittings) -> Self {
-        let Fittings { input, gate, limits, cell, h, slopes, revision } = fittings;
+    pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
+        let VoiceSettings { input, gate, limits, cell, h, slopes, revision } = fittings;
         let (mode, state) = model.at_rest(&Motion::default());
         let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit()), h);
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
             input,
             gate,
-            damper: Damper::new(0.0),
-            rest: Rest::new(h),
+            damper: DamperTracker::new(0.0),
+            rest: RestDetector::new(h),
             audit: EnergyAudit::default(),
             passivity,
             cell,
@@ -97,20 +97,20 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     }
 
     /// What the model is like under `input`.
-    fn look(&self, input: &Motion) -> Look {
+    fn look(&self, input: &Motion) -> ModelSnapshot {
         const { assert!(M::STATES.len() <= MAX_STATES, "raise MAX_STATES of scheduler::look") }
-        let mut look = Look {
+        let mut look = ModelSnapshot {
             revision: self.revision,
             mode: number::<M>(self.simulator.mode()),
             input: [input.position, input.rate, input.acceleration, input.jerk],
-            ..Look::default()
+            ..ModelSnapshot::default()
         };
         look.show(pode::State::entries(self.simulator.state()));
         look
     }
 
     /// How the mean force of a tick without events goes on around the middle of that tick, at
-    /// whose start the newest sample was `late` [s].
+    /// whose start the newest sample was `late` (s).
     ///
     /// # Real-time
     /// At most four readouts.
@@ -136,7 +136,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         (audit.residual() - self.audit.residual()).abs() <= most
     }
 
-    fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+    fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         turn.begin();
         let is_passive = self.passivity.is_passive(tick, sample.position);
         let Followed { signal, position, late } = self.input.follow(tick, sample);
@@ -155,10 +155,10 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let gated = self.gate.apply(done.mean_readout * per_metre, self.h);
         turn.force = gated.force;
         let is_free = gated.finite && !gated.limited && !gated.slewed && done.work.events == 0;
-        if self.slopes == Slopes::Rendered && is_free {
+        if self.slopes == SlopeOutput::Rendered && is_free {
             turn.slope = self.slope(&signal.at(0.5), late);
         }
-        turn.work = Work {
+        turn.work = VoiceWork {
             derivatives: done.work.derivatives,
             guards: done.work.guards,
             events: done.work.events,
@@ -179,20 +179,20 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
 }
 
 impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
-        let mut turn = Turn::default();
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
+        let mut turn = VoiceOutput::default();
         self.tick_into(tick, sample, &mut turn);
         turn
     }
 
-    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         if let Some(force) = self.rest.force_at(sample.position) {
             self.input.go_on(tick, sample);
             turn.rest_at(force);
         } else if sample.position.is_finite() && sample.taken.is_finite() {
             self.advance(tick, sample, turn);
         } else {
-            *turn = Turn::faulty(VoiceFault::BadSample);
+            *turn = VoiceOutput::faulty(VoiceFault::BadSample);
         }
     }
 
@@ -200,9 +200,9 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         let input = self.input.reset(sample.position);
         let (mode, state) = self.simulator.model().at_rest(&input);
         self.simulator.place(mode, state);
-        self.damper = Damper::new(sample.position);
+        self.damper = DamperTracker::new(sample.position);
         self.passivity.reset();
-        self.rest = Rest::new(self.h);
+        self.rest = RestDetector::new(self.h);
     }
 
     fn retune(&mut self, donor: &mut dyn Any) -> bool {
@@ -212,7 +212,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         donor.simulator.set_model(mine);
         std::mem::swap(&mut self.revision, &mut donor.revision);
         // What was at rest may not be any more, and what was stored is another amount.
-        self.rest = Rest::new(self.h);
+        self.rest = RestDetector::new(self.h);
         self.passivity.reset();
         true
     }
@@ -234,7 +234,7 @@ where
 
 /// Whether a voice has come to rest, so that its equations can be skipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Rest {
+struct RestDetector {
     position: f64,
     force: f64,
     /// Ticks for which neither key nor model has moved.
@@ -243,11 +243,11 @@ struct Rest {
     patience: u32,
 }
 
-impl Rest {
-    /// Time without any movement after which a voice sleeps [s].
+impl RestDetector {
+    /// Time without any movement after which a voice sleeps (s).
     const PATIENCE: f64 = 20e-3;
 
-    /// Nothing is known to be still; ticks take `h` [s].
+    /// Nothing is known to be still; ticks take `h` (s).
     fn new(h: f64) -> Self {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "2 to 200")]
         let patience = (Self::PATIENCE / h).round().clamp(1.0, 1e6) as u32;
@@ -261,7 +261,7 @@ impl Rest {
         (self.position, self.force) = (position, force);
     }
 
-    /// The force to hold if the voice sleeps and the key is still at `position` [m].
+    /// The force to hold if the voice sleeps and the key is still at `position` (m).
     fn force_at(&self, position: f64) -> Option<f64> {
         let asleep = self.still >= self.patience;
         (asleep && self.position.to_bits() == position.to_bits()).then_some(self.force)
@@ -277,7 +277,7 @@ const STILL_SPEED: f64 = 5e-4;
 /// finger, a tenth of what the wire resolves.
 const STILL_ACCELERATION: f64 = 2e-2;
 
-/// Whether a coordinate or a speed changed from `before` to `after`, `h` [s] later, by what
+/// Whether a coordinate or a speed changed from `before` to `after`, `h` (s) later, by what
 /// counts as motion.
 ///
 /// Both are asked by their rate: how far something moves in a tick says nothing of how fast it
@@ -307,14 +307,15 @@ impl<M: Playable> Watch<M> for Strikes<'_> {
     fn piece<S: Signal<Motion>>(&mut self, _model: &M, _piece: &Piece<'_, M, S>) {}
 
     fn event(&mut self, model: &M, event: &Event<'_, M>) {
-        let guard = if let pode::Cause::Guard(spec) = event.cause { spec.id.0 } else { u8::MAX };
+        let guard =
+            if let pode::EventCause::Guard(spec) = event.cause { spec.id.0 } else { u8::MAX };
         self.switches.push(Switch {
             theta: event.theta,
             from: number::<M>(event.before.0),
             to: number::<M>(event.after.0),
             guard,
         });
-        let pode::Cause::Guard(spec) = event.cause else { return };
+        let pode::EventCause::Guard(spec) = event.cause else { return };
         let sounding = model.sounding(spec.id, &event.before.1);
         if let Some(sounding) = sounding.filter(|it| it.speed >= SOFTEST_TONE) {
             let at = Moment { tick: self.tick, theta: event.theta };
@@ -356,13 +357,13 @@ mod tests {
     /// A ball that weighs nothing, on a key that is not touched.
     fn weightless(h: f64) -> RenderedKey<BouncingBall, pode::stepper::Rk4> {
         let estimator = AnyEstimator::Kalman(Kalman::new(h, 1e-6, 10.0));
-        let fittings = Fittings {
+        let fittings = VoiceSettings {
             input: InputPath::new(estimator, None, -5.0, h),
             gate: ForceGate::new(25.0, 2e4).unwrap(),
             limits: Limits::default(),
             cell: Arc::default(),
             h,
-            slopes: Slopes::Unused,
+            slopes: SlopeOutput::Unused,
             revision: 0,
         };
         let model = BouncingBall { g: 0.0, restitution: 0.5, mass: 0.01, y0: 0.1, scale: -5.0 };

@@ -7,9 +7,9 @@ use std::path::PathBuf;
 use firmware_protocol::frame::hello::feature;
 use firmware_protocol::key::PerKey;
 use hardware::calibration::{KeyCalibration, file};
-use hardware::keybed::{Armed, Found, Keybed, Line};
+use hardware::keybed::{Armed, FoundBoard, Keybed, NamedLink};
 use hardware::link::address::Address;
-use hardware::link::can::{CanMode, Side};
+use hardware::link::can::{BusSide, CanMode};
 use hardware::link::lasting::Lasting;
 use hardware::plan::Medium;
 use hardware::plan::uart::Wiring;
@@ -20,31 +20,31 @@ use crate::config::{BoardBus, Boards};
 use crate::control::BoardsTold;
 use crate::realtime::clock;
 
-/// How long boards may take to answer, and to be armed [us].
+/// How long boards may take to answer, and to be armed (us).
 pub(crate) const PATIENCE_US: u64 = 4_000_000;
 
 /// Begins of the names of serial ports whose bits take their time on a wire.
 const UARTS: [&str; 7] = ["ttyS", "ttyUSB", "ttyAMA", "ttyO", "ttyTHS", "ttymxc", "cu.usbserial"];
 
-/// The host's clock, as boards' clocks are compared with it [us].
+/// The host's clock, as boards' clocks are compared with it (us).
 pub(crate) fn now_us() -> u64 {
     clock::monotonic().as_u64() / 1_000
 }
 
 /// Opens a link that is opened again whenever it goes down.
-pub(crate) fn open(bus: &BoardBus) -> Result<Line, hardware::Error> {
+pub(crate) fn open(bus: &BoardBus) -> Result<NamedLink, hardware::Error> {
     let address = bus.address.clone();
-    let link = Lasting::open(move || address.open(Side::Host))?;
+    let link = Lasting::open(move || address.open(BusSide::Host))?;
     let medium = medium(bus).filter(|_| !is_virtual(&bus.address));
     let (name, address) = (bus.address.name(), bus.address.to_string());
-    Ok(Line { name, address, link: Box::new(link), medium })
+    Ok(NamedLink { name, address, link: Box::new(link), medium })
 }
 
 /// Opens all links.
 ///
 /// # Errors
 /// All that cannot be opened, a sentence on each, ready to be said after "letoff: ".
-pub(crate) fn open_all(buses: &[BoardBus]) -> Result<Vec<Line>, String> {
+pub(crate) fn open_all(buses: &[BoardBus]) -> Result<Vec<NamedLink>, String> {
     let (mut lines, mut wrong) = (Vec::new(), Vec::new());
     for bus in buses {
         match open(bus) {
@@ -92,7 +92,7 @@ pub(crate) fn folder(boards: &Boards) -> Option<PathBuf> {
 /// How the keys of a board behind one of the `boards`' buses read: from its file; a simulated
 /// board reads as it says.
 pub(crate) fn calibration(
-    found: &Found,
+    found: &FoundBoard,
     name: &BoardName,
     boards: &Boards,
 ) -> Result<PerKey<KeyCalibration>, Refusal> {
@@ -132,18 +132,18 @@ pub(crate) fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
 }
 
 /// Keys that read as their board says.
-fn nominal(found: &Found) -> PerKey<KeyCalibration> {
+fn nominal(found: &FoundBoard) -> PerKey<KeyCalibration> {
     alike(found, found.nominal())
 }
 
 /// Keys that are to be measured: how they read is as their board says, where they are may be
 /// anywhere.
-pub(crate) fn unmeasured(found: &Found) -> PerKey<KeyCalibration> {
+pub(crate) fn unmeasured(found: &FoundBoard) -> PerKey<KeyCalibration> {
     alike(found, found.nominal().unmeasured())
 }
 
 /// Keys that all read in the same way.
-fn alike(found: &Found, calibration: KeyCalibration) -> PerKey<KeyCalibration> {
+fn alike(found: &FoundBoard, calibration: KeyCalibration) -> PerKey<KeyCalibration> {
     PerKey::collect(std::iter::repeat_n(calibration, usize::from(found.hello.n_keys)))
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use firmware_protocol::key::BOARDS;
 use hardware::keybed::{Calibrated, Keybed};
-use hardware::plan::{BusPlan, Extras, Verdict, standard};
+use hardware::plan::{BusPlan, BusVerdict, Extras, standard};
 use hardware::refusal::KeyRange;
 
 use crate::config::{BoardBus, Boards};
@@ -67,7 +67,7 @@ pub(crate) fn found(
 /// What plans with this verdict say.
 pub(crate) fn sentences<'a, P: IntoIterator<Item = &'a BusPlan>>(
     plans: P,
-    verdict: Verdict,
+    verdict: BusVerdict,
 ) -> Vec<String> {
     let plans = plans.into_iter().filter(|plan| plan.verdict() == verdict);
     plans.map(BusPlan::sentence).collect()
@@ -168,7 +168,7 @@ mod tests {
         }
         let plans = listed(&some, 1_000);
         assert_eq!(plans.iter().map(|it| it.name.as_str()).collect::<Vec<_>>(), ["can0"]);
-        let said = sentences(&plans, Verdict::Refused);
+        let said = sentences(&plans, BusVerdict::Refused);
         assert!(said[0].contains("would take") && said[0].contains("divide"), "{said:?}");
     }
 }

@@ -4,7 +4,7 @@
 pub(super) const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
                                can:INTERFACE or classic-can:INTERFACE; once for each";
 
-/// A length of time [s], above 0.
+/// A length of time (s), above 0.
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
     match number(text)? {
         seconds if seconds > 0.0 => Ok(seconds),

@@ -13,7 +13,7 @@ use firmware_protocol::key::{BoardId, KEYS, KEYS_PER_BOARD};
 use haptics::RigParameters;
 use hardware::link::address::Address;
 use hardware::link::wire::WirePlan;
-use hardware::sim::board::{BoardMake, Guise};
+use hardware::sim::board::{BoardMake, FakeIdentity};
 use scheduler::time::Nanos;
 use serde::Serialize;
 
@@ -21,10 +21,10 @@ use super::arguments::{number, ratio, seconds, share};
 use super::signals::Signals;
 use super::{Failure, print_json, system};
 use crate::config::keys_named;
-use crate::simulated::fate::Fate;
-use crate::simulated::{Epitaph, Living, Place, fates_of, live, place};
+use crate::simulated::fate::FaultScript;
+use crate::simulated::{BoardProcess, ExitReport, WireEndpoint, fates_of, live, place};
 
-/// How often a simulated board works out its motors' forces [s].
+/// How often a simulated board works out its motors' forces (s).
 const LAW_PERIOD: f64 = 100e-6;
 
 /// What `letoff board` takes.
@@ -40,7 +40,7 @@ pub struct BoardArgs {
     /// Number of the board, or of the first.
     #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=14))]
     pub number: u8,
-    /// How many boards.
+    /// How many boards to simulate.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=15))]
     pub count: u8,
     /// Keys of the (first) board; without it eleven keys, those of its number.
@@ -65,20 +65,20 @@ pub struct BoardArgs {
     /// Folder for links of fixed names to the pseudo-terminals: board0, board1 and so on.
     #[arg(long, value_name = "FOLDER")]
     pub links: Option<PathBuf>,
-    /// What their encoders read when keys are at rest [counts].
+    /// What their encoders read when keys are at rest (counts).
     #[arg(long, default_value_t = 0, value_name = "COUNTS", allow_negative_numbers = true)]
     pub offset: i32,
     /// Force of their motors for a newton that is asked for.
     #[arg(long, default_value_t = 1.0, value_name = "RATIO", value_parser = ratio,
           allow_negative_numbers = true)]
     pub strength: f64,
-    /// How much too fast their clocks run [1e-6].
+    /// How much too fast their clocks run (1e-6).
     #[arg(long, default_value_t = 0.0, value_name = "PPM", value_parser = number,
           allow_negative_numbers = true)]
     pub drift: f64,
     /// What happens to a board, and when: NUMBER@SECONDS:WHAT, from its first arming on.
-    #[arg(long = "fate", value_name = "FATE", value_parser = Fate::parse)]
-    pub fates: Vec<Fate>,
+    #[arg(long = "fate", value_name = "FATE", value_parser = FaultScript::parse)]
+    pub fates: Vec<FaultScript>,
     /// Another major version of the protocol that they say they speak.
     #[arg(long, value_name = "MAJOR")]
     pub say_major: Option<u8>,
@@ -91,7 +91,7 @@ pub struct BoardArgs {
     /// The id that they all say they have, as six numbers.
     #[arg(long, value_name = "NUMBER")]
     pub say_uid: Option<u8>,
-    /// How long they live [s]; without it, until they are stopped.
+    /// How long they live (s); without it, until they are stopped.
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub duration: Option<f64>,
     /// Prints where they are, on one line, and in the end what became of them, both as JSON.
@@ -131,22 +131,26 @@ pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> 
             }
         }
     })?;
-    let epitaphs: Vec<_> = boards.iter().map(Living::epitaph).collect();
-    if args.json { print_json(&epitaphs, out) } else { Ok(write!(out, "{}", Table(&epitaphs))?) }
+    let epitaphs: Vec<_> = boards.iter().map(BoardProcess::epitaph).collect();
+    if args.json {
+        print_json(&epitaphs, out)
+    } else {
+        Ok(write!(out, "{}", BoardTable(&epitaphs))?)
+    }
 }
 
 /// Says which board shows its light, for whoever looks for it.
-fn shine(board: &Living) {
+fn shine(board: &BoardProcess) {
     let _nobody_reads = writeln!(io::stderr(), "{} shows its light", board.address());
 }
 
 /// The boards that are asked for, where they are asked for.
-fn boards(args: &BoardArgs) -> Result<Vec<Living>, Failure> {
+fn boards(args: &BoardArgs) -> Result<Vec<BoardProcess>, Failure> {
     refuse_nobodys_fates(args)?;
     let at = if let Some(address) = &args.on {
-        Place::Shared(address.clone())
+        WireEndpoint::Shared(address.clone())
     } else if args.loss.is_some() || args.flip.is_some() || args.baud.is_some() {
-        Place::Wire(WirePlan {
+        WireEndpoint::Wire(WirePlan {
             seed: args.seed.unwrap_or(1),
             baud: args.baud,
             loss: args.loss.unwrap_or(0.0),
@@ -154,7 +158,7 @@ fn boards(args: &BoardArgs) -> Result<Vec<Living>, Failure> {
             ..WirePlan::default()
         })
     } else {
-        Place::Pty
+        WireEndpoint::Pty
     };
     (0..args.count).map(|n| board(args, n, &at)).collect()
 }
@@ -175,14 +179,14 @@ fn refuse_nobodys_fates(args: &BoardArgs) -> Result<(), Failure> {
 }
 
 /// The n-th board.
-fn board(args: &BoardArgs, n: u8, at: &Place) -> Result<Living, Failure> {
+fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Failure> {
     let usage = |error: hardware::Error| Failure::Usage(error.to_string());
     let number = args.number.saturating_add(n);
     let id = BoardId::new(number).ok_or_else(|| {
         Failure::Usage(format!("no board has the number {number}; they end at 14"))
     })?;
     let (first_key, n_keys) = keys(args, n, number)?;
-    let guise = Guise {
+    let guise = FakeIdentity {
         major: args.say_major,
         schema: args.say_schema,
         keys: args.say_keys,
@@ -192,7 +196,7 @@ fn board(args: &BoardArgs, n: u8, at: &Place) -> Result<Living, Failure> {
     let (period, offset, strength) = (LAW_PERIOD, args.offset, args.strength);
     let make = BoardMake { id, first_key, n_keys, period, rig, offset, strength, guise };
     let placed = place(id, at).map_err(usage)?;
-    Living::new(make, placed, args.drift, fates_of(&args.fates, number)).map_err(usage)
+    BoardProcess::new(make, placed, args.drift, fates_of(&args.fates, number)).map_err(usage)
 }
 
 /// Keys of the n-th board, which has this number: the first, and how many.
@@ -213,7 +217,7 @@ fn keys(args: &BoardArgs, n: u8, number: u8) -> Result<(u8, usize), Failure> {
 }
 
 /// Makes links of fixed names to the boards' ports.
-fn link_names(boards: &[Living], folder: &Path) -> Result<(), Failure> {
+fn link_names(boards: &[BoardProcess], folder: &Path) -> Result<(), Failure> {
     let refuse = |path: &Path, error: io::Error| {
         Failure::Usage(format!(
             "--links: {} cannot be made: {error}; give a folder in which you may write",
@@ -241,7 +245,11 @@ struct Whereabouts<'a> {
 }
 
 /// Says which boards there are, and how a host reaches them.
-fn introduce(boards: &[Living], args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> {
+fn introduce(
+    boards: &[BoardProcess],
+    args: &BoardArgs,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
     let boards = boards.iter().map(|living| Whereabouts {
         number: living.board().make().id.number(),
         keys: living.keys().to_string(),
@@ -262,9 +270,9 @@ fn introduce(boards: &[Living], args: &BoardArgs, out: &mut dyn Write) -> Result
 }
 
 /// What became of the boards, as a table.
-struct Table<'a>(&'a [Epitaph]);
+struct BoardTable<'a>(&'a [ExitReport]);
 
-impl fmt::Display for Table<'_> {
+impl fmt::Display for BoardTable<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,

@@ -13,7 +13,7 @@ use crate::config::check_file;
 #[command(after_help = "Example:
   letoff check my-scene.toml")]
 pub struct CheckArgs {
-    /// Scenes or instruments.
+    /// The scenes or instruments to check.
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
     /// Prints the mistakes as JSON.

@@ -47,7 +47,7 @@ const LOOK: Duration = Duration::from_millis(100);
 
 /// What a window looks at.
 #[derive(Clone, PartialEq, Eq, Debug)]
-struct Place {
+struct DashTarget {
     /// An address or a recording.
     target: String,
     /// What a host must be told.
@@ -84,7 +84,7 @@ pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
 /// Prints where other people's viewers find the host that runs here.
 fn print(out: &mut dyn Write) -> Result<(), Failure> {
     let place = whereabouts();
-    let Place { target, token, fingerprint } = place.map_err(|absent| match absent {
+    let DashTarget { target, token, fingerprint } = place.map_err(|absent| match absent {
         Absent::Nobody(why) | Absent::Refused(why) => Failure::Running(why),
     })?;
     let token = token.map_or_else(String::new, |token| format!("/?token={token}"));
@@ -96,10 +96,10 @@ fn print(out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 /// What the window shall look at; none if a host is to be started for it.
-fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<Place>, Failure> {
+fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<DashTarget>, Failure> {
     if let Some(target) = &args.target {
         let (target, fingerprint) = (target.clone(), args.fingerprint.clone());
-        return Ok(Some(Place { target, token: None, fingerprint }));
+        return Ok(Some(DashTarget { target, token: None, fingerprint }));
     }
     match whereabouts() {
         Ok(place) => Ok(Some(place)),
@@ -111,7 +111,7 @@ fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<Place>, Failure
     }
 }
 
-impl Place {
+impl DashTarget {
     /// Where a host says that it streams: its fingerprint, if it has one, stands behind a `#`.
     fn said(address: &str, token: Option<String>) -> Self {
         let (target, fingerprint) = match address.split_once('#') {
@@ -145,9 +145,9 @@ enum Absent {
 }
 
 /// Where the host that runs here streams, and what it must be told.
-fn whereabouts() -> Result<Place, Absent> {
+fn whereabouts() -> Result<DashTarget, Absent> {
     match send(&socket_path(), &Request::Where {}) {
-        Ok(Ok(Reply::Where { address, token })) => Ok(Place::said(&address, token)),
+        Ok(Ok(Reply::Where { address, token })) => Ok(DashTarget::said(&address, token)),
         Ok(Ok(Reply::Done { .. } | Reply::Stopped { .. } | Reply::Scene { .. })) => {
             Err(Absent::Refused("the host that runs here said something else".into()))
         }
@@ -171,7 +171,7 @@ fn wants_one(why: &str, out: &mut dyn Write) -> Result<bool, Failure> {
 
 /// Starts a host on the simulated keybed, which nobody plays but the window, and waits until it
 /// answers; nothing if a signal came before.
-async fn start(signals: &mut Signals) -> Result<Option<(Owned, Place)>, Failure> {
+async fn start(signals: &mut Signals) -> Result<Option<(Owned, DashTarget)>, Failure> {
     let failed = |error| Failure::Running(format!("the host cannot be started: {error}"));
     let own = std::env::current_exe().map_err(failed)?;
     let mut host = Command::new(own);
@@ -195,7 +195,7 @@ async fn start(signals: &mut Signals) -> Result<Option<(Owned, Place)>, Failure>
 }
 
 /// Where the host that was started streams, if it answers by now.
-fn look(deadline: Instant) -> Result<Option<Place>, Failure> {
+fn look(deadline: Instant) -> Result<Option<DashTarget>, Failure> {
     match whereabouts() {
         Ok(place) => Ok(Some(place)),
         Err(Absent::Nobody(_)) if Instant::now() < deadline => Ok(None),
@@ -236,13 +236,13 @@ mod tests {
 
     #[test]
     fn a_host_s_fingerprint_stands_behind_its_address() {
-        let place = |target: &str, fingerprint: Option<&str>| Place {
+        let place = |target: &str, fingerprint: Option<&str>| DashTarget {
             target: target.to_owned(),
             token: None,
             fingerprint: fingerprint.map(str::to_owned),
         };
-        assert_eq!(Place::said("ws://127.0.0.1:1", None), place("ws://127.0.0.1:1", None));
-        let said = Place::said("wss://[::1]:1#AB:CD", None);
+        assert_eq!(DashTarget::said("ws://127.0.0.1:1", None), place("ws://127.0.0.1:1", None));
+        let said = DashTarget::said("wss://[::1]:1#AB:CD", None);
         assert_eq!(said, place("wss://[::1]:1", Some("AB:CD")));
     }
 }

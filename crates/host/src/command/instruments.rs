@@ -43,7 +43,7 @@ pub enum Action {
 }
 
 #[derive(Serialize)]
-struct Listing {
+struct InstrumentListing {
     instruments: Vec<InstrumentInfo>,
     models: Vec<ModelInfo>,
 }
@@ -71,8 +71,8 @@ struct PresetInfo {
     doc: &'static str,
 }
 
-impl From<&catalogue::Entry> for ModelInfo {
-    fn from(entry: &catalogue::Entry) -> Self {
+impl From<&catalogue::ModelEntry> for ModelInfo {
+    fn from(entry: &catalogue::ModelEntry) -> Self {
         let parameter = |(index, it): (usize, &models::Parameter)| ParameterInfo {
             name: it.name,
             unit: it.unit,
@@ -101,7 +101,7 @@ pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Fai
     let models = chosen(args.model.as_deref())?;
     let instruments = instruments();
     if args.json {
-        return print_json(&Listing { instruments, models }, out);
+        return print_json(&InstrumentListing { instruments, models }, out);
     }
     if args.model.is_none() {
         writeln!(out, "Instruments (a scene's `instrument = \"…\"`):")?;

@@ -6,8 +6,8 @@ use std::time::SystemTime;
 
 use clap::{Args, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
-use lab::accuracy::{Choice, Effort, METHODS, Sequence, Unknown, measure};
-use lab::report::{self, Machine, PAGE, Report, read_peers};
+use lab::accuracy::{Effort, METHODS, SequenceVerdict, StudyChoice, Unknown, measure};
+use lab::report::{self, Machine, PAGE, StudyReport, read_peers};
 use lab::scenario::SCENARIOS;
 
 use super::{Failure, print_json};
@@ -16,14 +16,13 @@ use crate::names::{choice, quoted};
 /// What `letoff lab` takes.
 #[derive(Clone, Debug, Args)]
 pub struct LabArgs {
-    /// Which study.
     #[command(subcommand)]
-    pub study: Study,
+    pub study: StudyCommand,
 }
 
 /// A study.
 #[derive(Clone, Debug, Subcommand)]
-pub enum Study {
+pub enum StudyCommand {
     /// Speed against error of every method, on problems whose answers are known.
     Accuracy(AccuracyArgs),
 }
@@ -35,10 +34,10 @@ pub struct AccuracyArgs {
     /// Folder for the report: index.html, accuracy.csv, and a plot for each scenario.
     #[arg(long, value_name = "DIR", required_unless_present = "json")]
     pub out: Option<PathBuf>,
-    /// Only these scenarios.
+    /// Studies only the scenarios of these names.
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub scenario: Vec<String>,
-    /// Only these methods.
+    /// Studies only the methods of these names.
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub method: Vec<String>,
     /// Every second step only, and little time for each run: for a look, not for a claim.
@@ -76,7 +75,7 @@ Exit codes: 0 done; 1 a file could not be written; 2 wrong usage or file.",
 /// Does a study.
 pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match &args.study {
-        Study::Accuracy(args) => accuracy(args, out),
+        StudyCommand::Accuracy(args) => accuracy(args, out),
     }
 }
 
@@ -99,10 +98,10 @@ fn accuracy(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 /// What is asked for, or every mistake in a sentence of its own.
-fn check(args: &AccuracyArgs) -> Result<(Choice, Report), Vec<String>> {
+fn check(args: &AccuracyArgs) -> Result<(StudyChoice, StudyReport), Vec<String>> {
     let mut mistakes = Vec::new();
     let effort = if args.quick { Effort::QUICK } else { Effort::FULL };
-    let chosen = Choice::new(&args.scenario, &args.method, effort);
+    let chosen = StudyChoice::new(&args.scenario, &args.method, effort);
     let chosen = chosen.map_err(|unknown| mistakes.extend(unknown.iter().map(sentence)));
     let peers = args.peers.as_deref().map_or_else(|| Ok(Vec::new()), read_peers);
     let peers = peers.map_err(|error| mistakes.push(error.to_string()));
@@ -113,7 +112,7 @@ fn check(args: &AccuracyArgs) -> Result<(Choice, Report), Vec<String>> {
     match (chosen, peers) {
         (Ok(choice), Ok(peers)) if mistakes.is_empty() => {
             let (machine, date) = (Machine::this(), SystemTime::now());
-            Ok((choice, Report { machine, date, measured: Vec::new(), peers }))
+            Ok((choice, StudyReport { machine, date, measured: Vec::new(), peers }))
         }
         _ => Err(mistakes),
     }
@@ -126,9 +125,9 @@ fn sentence(unknown: &Unknown) -> String {
 }
 
 /// Says in a line what has been done.
-fn tell(args: &AccuracyArgs, report: &Report, out: &mut dyn Write) -> Result<(), Failure> {
+fn tell(args: &AccuracyArgs, report: &StudyReport, out: &mut dyn Write) -> Result<(), Failure> {
     let rows = || report.measured.iter().flat_map(|measured| &measured.rows);
-    let wrong = rows().filter(|row| row.verdict.sequence != Sequence::Right).count();
+    let wrong = rows().filter(|row| row.verdict.sequence != SequenceVerdict::Right).count();
     let page = args.out.as_deref().map(|folder| folder.join(PAGE)).unwrap_or_default();
     Ok(writeln!(
         out,

@@ -16,9 +16,9 @@ pub(super) const REFRESH: Duration = Duration::from_millis(200);
 
 /// The rehearsal of a performance.
 #[derive(Clone, Debug)]
-pub(super) struct Rehearsal(ProgressBar);
+pub(super) struct RehearsalProgress(ProgressBar);
 
-impl Rehearsal {
+impl RehearsalProgress {
     pub(super) fn new() -> Self {
         let bar = ProgressBar::new(0).with_message("rehearsing");
         Self(bar.with_style(style("{msg:12} {wide_bar} {pos}/{len} strokes {eta}")))
@@ -36,12 +36,12 @@ impl Rehearsal {
 
 /// One line about a running host.
 #[derive(Debug)]
-pub(super) struct Line {
+pub(super) struct StatusLine {
     bar: ProgressBar,
     tick_hz: f64,
 }
 
-impl Line {
+impl StatusLine {
     /// For a run of `ticks` at `tick_hz`; without an end it shows no bar.
     pub(super) fn new(tick_hz: u32, ticks: Option<u64>) -> Self {
         let bar = ticks.map_or_else(ProgressBar::no_length, ProgressBar::new);

@@ -17,9 +17,9 @@ const WAITING: usize = 256;
 /// A pipe that nobody reads blocks who writes into it: that is this thread, and never the one that
 /// hears signals.
 #[derive(Debug)]
-pub(super) struct Log {
+pub(super) struct StderrLog {
     lines: Option<SyncSender<String>>,
-    shared: Arc<Shared>,
+    shared: Arc<LogState>,
     /// Closed when all is written.
     written: Receiver<()>,
 }
@@ -28,17 +28,17 @@ pub(super) struct Log {
 #[derive(Clone, Debug)]
 pub(super) struct LogLines {
     lines: Option<SyncSender<String>>,
-    shared: Arc<Shared>,
+    shared: Arc<LogState>,
 }
 
 #[derive(Debug, Default)]
-struct Shared {
+struct LogState {
     /// What is drawn at the end of the terminal, if anything is.
     bar: Mutex<Option<ProgressBar>>,
     left_out: std::sync::atomic::AtomicU64,
 }
 
-impl Log {
+impl StderrLog {
     /// A log that writes nothing.
     pub(super) fn quiet() -> Self {
         Self { lines: None, shared: Arc::default(), written: mpsc::channel().1 }
@@ -49,7 +49,7 @@ impl Log {
     /// # Errors
     /// If the system gives no thread.
     pub(super) fn start() -> io::Result<Self> {
-        let shared = Arc::new(Shared::default());
+        let shared = Arc::new(LogState::default());
         let (ended, written) = mpsc::channel();
         let (lines, to_write) = mpsc::sync_channel(WAITING);
         let its = Arc::clone(&shared);
@@ -87,7 +87,7 @@ impl LogLines {
     }
 }
 
-impl Drop for Log {
+impl Drop for StderrLog {
     /// Waits until what was said is written, unless nobody reads it.
     fn drop(&mut self) {
         /// Longer than a terminal takes.
@@ -97,7 +97,7 @@ impl Drop for Log {
     }
 }
 
-fn write(lines: &Receiver<String>, shared: &Shared) {
+fn write(lines: &Receiver<String>, shared: &LogState) {
     use std::sync::atomic::Ordering::Relaxed;
     for line in lines {
         let left_out = shared.left_out.swap(0, Relaxed);

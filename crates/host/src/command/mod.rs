@@ -39,7 +39,6 @@ use crate::simulate::SimulateArgs;
 #[derive(Debug, Parser)]
 #[command(name = "letoff", version, about, arg_required_else_help = true)]
 pub struct Letoff {
-    /// What to do.
     #[command(subcommand)]
     pub command: Command,
 }

@@ -5,10 +5,10 @@ use std::io::Write;
 use clap::Args;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
-use hardware::plan::{BusPlan, Proposal, Verdict};
+use hardware::plan::{BusPlan, BusVerdict, Proposal};
 use serde::Serialize;
 
-use super::target::Target;
+use super::target::SceneTarget;
 use super::{Failure, print_json};
 use crate::boards::planning::{self, NoPlan};
 use crate::config::{BoardBus, Boards, FORCES, SAMPLES};
@@ -23,7 +23,7 @@ Boards that the scene does not list are the standard ones: 8 of 11 keys, spread 
 pub struct PlanArgs {
     /// What shall be planned.
     #[command(flatten)]
-    pub target: Target,
+    pub target: SceneTarget,
     /// Prints the plan as JSON.
     #[arg(long)]
     pub json: bool,
@@ -31,7 +31,7 @@ pub struct PlanArgs {
 
 /// What one link would carry.
 #[derive(Debug, Serialize)]
-struct Row {
+struct PlanRow {
     link: String,
     /// What it is made of; nothing if that is not known or takes no time.
     medium: Option<String>,
@@ -78,17 +78,17 @@ pub(super) fn run(args: &PlanArgs, out: &mut dyn Write) -> Result<(), Failure> {
     } else {
         print(&rows, out)?;
     }
-    let refused = planning::sentences(plans.iter().flatten(), Verdict::Refused);
+    let refused = planning::sentences(plans.iter().flatten(), BusVerdict::Refused);
     if refused.is_empty() { Ok(()) } else { Err(Failure::Usage(refused.join("\nletoff: "))) }
 }
 
-fn rows(boards: &Boards, plans: &[Result<BusPlan, NoPlan>]) -> Vec<Row> {
+fn rows(boards: &Boards, plans: &[Result<BusPlan, NoPlan>]) -> Vec<PlanRow> {
     boards.buses.iter().zip(plans).map(|(bus, plan)| row(bus, plan)).collect()
 }
 
-fn row(bus: &BoardBus, plan: &Result<BusPlan, NoPlan>) -> Row {
+fn row(bus: &BoardBus, plan: &Result<BusPlan, NoPlan>) -> PlanRow {
     let medium = crate::boards::medium(bus).filter(|_| *plan != Err(NoPlan::Virtual));
-    Row {
+    PlanRow {
         link: bus.address.name(),
         medium: medium.map(|it| it.to_string()),
         planned: plan.as_ref().ok().map(planned),
@@ -111,9 +111,9 @@ fn planned(plan: &BusPlan) -> Planned {
         force_response_us: plan.force_response(),
         blocking_us: plan.blocking(),
         verdict: match plan.verdict() {
-            Verdict::Fits => "fits",
-            Verdict::Tight => "tight",
-            Verdict::Refused => "refused",
+            BusVerdict::Fits => "fits",
+            BusVerdict::Tight => "tight",
+            BusVerdict::Refused => "refused",
         },
         proposal: match plan.propose() {
             Proposal::AsWanted(it) => proposal(&it, Some(1)),
@@ -166,7 +166,7 @@ fn name<T: PartialEq + Copy>(names: &[(&'static str, T)], wanted: T) -> &'static
 const _: () = assert!(SAMPLES.len() == SamplePacking::ALL.len());
 const _: () = assert!(FORCES.len() == ForcePacking::ALL.len());
 
-fn print(rows: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
+fn print(rows: &[PlanRow], out: &mut dyn Write) -> Result<(), Failure> {
     writeln!(
         out,
         "{:16} {:24} {:>6} {:>5} {:>6} {:>8} {:>7} {:>9} {:>9}  verdict",
@@ -202,7 +202,10 @@ mod tests {
 
     fn args(links: &[&str]) -> PlanArgs {
         let links = links.iter().map(|it| Address::parse(it).unwrap()).collect();
-        PlanArgs { target: Target { scene: "default".into(), links, set: Vec::new() }, json: false }
+        PlanArgs {
+            target: SceneTarget { scene: "default".into(), links, set: Vec::new() },
+            json: false,
+        }
     }
 
     fn planned(args: &PlanArgs) -> (String, Result<(), Failure>) {

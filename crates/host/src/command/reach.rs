@@ -7,22 +7,23 @@ use telemetry::stream::{Closer, Publisher};
 use tokio::task::JoinHandle;
 
 use super::{Failure, streaming, tell};
-use crate::config::{Links, Scene};
+use crate::config::{LinksConfig, Scene};
 use crate::control::{
-    Answers, Clients, Patchbay, Server, StreamSink, Studio, Switchboard, serve, socket_path,
+    Answers, Clients, ControlServer, RequestHandler, RunHandle, StreamSink, VoiceSwitcher, serve,
+    socket_path,
 };
-use crate::session::Session;
+use crate::session::RunSession;
 
 /// How others reach a running command.
 #[derive(Debug, Default)]
 pub(super) struct Reach {
     clients: Clients,
-    stream: Option<Stream>,
+    stream: Option<ServedStream>,
 }
 
 /// A stream that is served.
 #[derive(Debug)]
-struct Stream {
+struct ServedStream {
     publisher: Publisher,
     closer: Closer,
     /// Where, in a sentence.
@@ -37,27 +38,27 @@ impl Reach {
     /// If the stream that was asked for cannot be had.
     pub(super) fn open(
         scene: &Scene,
-        patchbay: &Arc<Patchbay>,
-        wanted: Option<streaming::Wanted>,
+        patchbay: &Arc<RunHandle>,
+        wanted: Option<streaming::WantedStream>,
     ) -> Result<Self, Failure> {
-        let switchboard = Arc::new(Switchboard::new(scene.clone(), Arc::clone(patchbay)));
+        let switchboard = Arc::new(VoiceSwitcher::new(scene.clone(), Arc::clone(patchbay)));
         let stream = wanted.map(|wanted| stream(wanted, &switchboard)).transpose()?.flatten();
         Ok(Self { clients: listen(switchboard), stream })
     }
 
     /// Lets those who follow the stream see what `session` does.
-    pub(super) fn observe(&self, session: &Session) {
+    pub(super) fn observe(&self, session: &RunSession) {
         if let Some(stream) = &self.stream {
             session.observe(Box::new(StreamSink::new(stream.publisher.clone())));
         }
     }
 
     /// What is said when the run has begun.
-    pub(super) fn news(&self, scene: &Scene, session: &Session) -> Vec<String> {
+    pub(super) fn news(&self, scene: &Scene, session: &RunSession) -> Vec<String> {
         let (name, hz, n_voices) = (&scene.name, session.tick_hz(), session.n_voices());
         let keys = match &scene.links {
-            Links::Simulated => "simulated keys".to_owned(),
-            Links::Boards(boards) => format!("boards on {} links", boards.buses.len()),
+            LinksConfig::Simulated => "simulated keys".to_owned(),
+            LinksConfig::Boards(boards) => format!("boards on {} links", boards.buses.len()),
         };
         let midi = session.midi();
         let plays = format!("plays {name:?}: {n_voices} voices at {hz} Hz on {keys}; MIDI: {midi}");
@@ -84,7 +85,7 @@ impl Reach {
 pub(super) fn listen<A: Answers>(answers: Arc<A>) -> Clients {
     let clients = Clients::default();
     let path = socket_path();
-    match Server::listen(&path) {
+    match ControlServer::listen(&path) {
         Ok(server) => {
             // Ends with the runtime, and takes the socket with it.
             tokio::spawn(serve(server, answers, clients.clone()));
@@ -101,9 +102,9 @@ pub(super) fn listen<A: Answers>(answers: Arc<A>) -> Clients {
 
 /// Streams to dashboards and viewers, and hears what they ask.
 fn stream(
-    wanted: streaming::Wanted,
-    switchboard: &Arc<Switchboard>,
-) -> Result<Option<Stream>, Failure> {
+    wanted: streaming::WantedStream,
+    switchboard: &Arc<VoiceSwitcher>,
+) -> Result<Option<ServedStream>, Failure> {
     let Some(server) = wanted.listen()? else { return Ok(None) };
     let mut address = server.url();
     let news = wanted.news(&address);
@@ -116,7 +117,7 @@ fn stream(
     }
     switchboard.streams_at(address, wanted.owner());
     let (publisher, closer) = (server.publisher(), server.closer());
-    let studio = Arc::new(Studio::new(Arc::clone(switchboard), wanted.folders));
+    let studio = Arc::new(RequestHandler::new(Arc::clone(switchboard), wanted.folders));
     let serving = tokio::spawn(telemetry::stream::serve(server, studio));
-    Ok(Some(Stream { publisher, closer, news, serving }))
+    Ok(Some(ServedStream { publisher, closer, news, serving }))
 }

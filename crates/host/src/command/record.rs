@@ -18,7 +18,6 @@ pub struct RecordArgs {
     /// The file, which must not be there yet.
     #[arg(value_name = "FILE.mcap")]
     pub file: PathBuf,
-    /// The run.
     #[command(flatten)]
     pub run: RunArgs,
 }

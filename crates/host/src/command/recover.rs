@@ -34,13 +34,11 @@ pub struct RecoverArgs {
 /// What was saved, for a program.
 #[derive(Debug, Serialize)]
 struct Saved {
-    /// The new file.
     file: String,
-    /// Messages in it.
     messages: u64,
-    /// From the first to the last of them [s].
+    /// From the first to the last of them (s).
     seconds: f64,
-    /// At the old file's end, and of no use [B].
+    /// At the old file's end, and of no use (B).
     cut_bytes: u64,
     /// Pieces that are damaged, up to a second each.
     damaged: u64,

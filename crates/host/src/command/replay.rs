@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use telemetry::recording::{ReadError, Recording, Selection, export_csv};
 
 use super::{Failure, print_json, tell};
-use crate::replay::{Missing, Replayed, replay};
+use crate::replay::{MissingTicks, Replayed, replay};
 
 /// What `letoff replay` takes.
 #[derive(Clone, Debug, Args)]
@@ -16,7 +16,7 @@ use crate::replay::{Missing, Replayed, replay};
   letoff replay take1.mcap                    runs it again; says the first bit that differs
   letoff replay take1.mcap --export take1     keys and events as CSV files in a folder")]
 pub struct ReplayArgs {
-    /// The recording.
+    /// The recording to replay.
     #[arg(value_name = "FILE.mcap")]
     pub file: PathBuf,
     /// Writes it as CSV into this folder instead.
@@ -95,8 +95,8 @@ fn print(it: &Replayed, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 /// What is missing, in a sentence.
-fn words(missing: &Missing) -> String {
-    let Missing { from, from_s, why, .. } = missing;
+fn words(missing: &MissingTicks) -> String {
+    let MissingTicks { from, from_s, why, .. } = missing;
     match (missing.to, missing.to_s) {
         (Some(to), Some(to_s)) => {
             format!("ticks {from} to {to} ({from_s:.3} s to {to_s:.3} s) are missing: {why}")

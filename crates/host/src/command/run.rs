@@ -8,17 +8,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 
 use super::arguments::seconds;
-use super::log::Log;
+use super::log::StderrLog;
 use super::reach::Reach;
 use super::signals::Signals;
 use super::streaming::{self, StreamArgs};
-use super::target::Target;
+use super::target::SceneTarget;
 use super::{Failure, live, print_json, system, tell};
-use crate::config::{Links, Override, Scene};
-use crate::control::{BoardsTold, Patchbay};
-use crate::observe::{BlackBoxSink, LogSink, Recording};
-use crate::report::Report;
-use crate::session::{Options, Session, SessionError};
+use crate::config::{LinksConfig, Override, Scene};
+use crate::control::{BoardsTold, RunHandle};
+use crate::observe::{BlackBoxSink, LogSink, RecordingHandle};
+use crate::report::RunReport;
+use crate::session::{RunOptions, RunSession, SessionError};
 
 /// What `letoff run` takes.
 #[derive(Clone, Debug, Args)]
@@ -31,11 +31,11 @@ use crate::session::{Options, Session, SessionError};
 pub struct RunArgs {
     /// What shall be run.
     #[command(flatten)]
-    pub target: Target,
+    pub target: SceneTarget,
     /// The scene again, for those who prefer it as an option.
     #[arg(long = "scene", value_name = "SCENE", conflicts_with = "scene")]
     pub scene_option: Option<String>,
-    /// Length of the run [s]; without it, to the end of the performance.
+    /// Length of the run (s); without it, to the end of the performance.
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub duration: Option<f64>,
     /// What the virtual pianist plays: an embedded piece's name or a MIDI file.
@@ -88,7 +88,7 @@ impl RunArgs {
 pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let scene = Scene::load_as_typed(args.scene(), &args.overrides())
         .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
-    let options = Options { duration: args.duration, virtual_time: args.virtual_time };
+    let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
     // A mistake is told before anything is rehearsed or recorded.
     let stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;
     let Some(report) = perform(&scene, options, args, stream)? else {
@@ -120,7 +120,7 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
 ///
 /// A run that `letoff stop` ended has done what it was asked, whatever came before: an exit code
 /// of failure would have a supervisor start it again, forces and all.
-fn without_faults(report: &Report) -> Result<(), Failure> {
+fn without_faults(report: &RunReport) -> Result<(), Failure> {
     if report.faults == 0 {
         return Ok(());
     }
@@ -140,10 +140,10 @@ fn without_faults(report: &Report) -> Result<(), Failure> {
 /// began.
 fn perform(
     scene: &Scene,
-    options: Options,
+    options: RunOptions,
     args: &RunArgs,
-    wanted: Option<streaming::Wanted>,
-) -> Result<Option<Box<Report>>, Failure> {
+    wanted: Option<streaming::WantedStream>,
+) -> Result<Option<Box<RunReport>>, Failure> {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     let runtime = runtime.map_err(system)?;
     let ended = runtime.block_on(host(scene, options, args, wanted));
@@ -156,14 +156,14 @@ fn perform(
 
 async fn host(
     scene: &Scene,
-    options: Options,
+    options: RunOptions,
     args: &RunArgs,
-    wanted: Option<streaming::Wanted>,
-) -> Result<Option<Box<Report>>, Failure> {
+    wanted: Option<streaming::WantedStream>,
+) -> Result<Option<Box<RunReport>>, Failure> {
     let mut signals = Signals::new().map_err(system)?;
     let is_quiet = args.quiet || options.virtual_time;
-    let log = if is_quiet { Log::quiet() } else { Log::start().map_err(system)? };
-    let patchbay = Arc::new(Patchbay::default());
+    let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
+    let patchbay = Arc::new(RunHandle::default());
     // In virtual time there is nobody to talk to.
     let reach = if options.virtual_time {
         Reach::default()
@@ -180,12 +180,12 @@ async fn host(
         keep_black_box(&session, args.black_box.as_deref());
         let lines = log.lines();
         let sink = LogSink::new(Box::new(move |it| lines.say(it)));
-        let has_boards = matches!(scene.links, Links::Boards(_));
+        let has_boards = matches!(scene.links, LinksConfig::Boards(_));
         session.observe(Box::new(if has_boards { sink.naming_boards() } else { sink }));
     }
     reach.observe(&session);
     let counters = session.counters();
-    let line = live::Line::new(session.tick_hz(), session.ticks());
+    let line = live::StatusLine::new(session.tick_hz(), session.ticks());
     log.draw_above(line.bar());
     let mut news = Some(reach.news(scene, &session));
     let stop = Arc::new(AtomicBool::new(false));
@@ -224,14 +224,14 @@ const STOPPED: &str = "the host was stopped: no board renders a force until it i
 /// Prepares the run; nothing if a stop or a signal comes before it is ready.
 async fn prepare(
     scene: &Scene,
-    options: Options,
-    patchbay: &Arc<Patchbay>,
+    options: RunOptions,
+    patchbay: &Arc<RunHandle>,
     signals: &mut Signals,
-) -> Result<Option<Session>, Failure> {
-    let rehearsal = live::Rehearsal::new();
+) -> Result<Option<RunSession>, Failure> {
+    let rehearsal = live::RehearsalProgress::new();
     let (scene, its_patchbay, shown) = (scene.clone(), Arc::clone(patchbay), rehearsal.clone());
     let preparing = tokio::task::spawn_blocking(move || {
-        Session::prepare_behind(its_patchbay, &scene, options, &|progress| shown.show(progress))
+        RunSession::prepare_behind(its_patchbay, &scene, options, &|progress| shown.show(progress))
     });
     let prepared = tokio::select! {
         biased;
@@ -249,15 +249,15 @@ async fn prepare(
 }
 
 /// Records all that the session will do into `file`.
-fn record(session: &Session, file: &Path) -> Result<Recording, Failure> {
-    let begun = Recording::begin(file).map_err(|error| Failure::Usage(error.to_string()))?;
+fn record(session: &RunSession, file: &Path) -> Result<RecordingHandle, Failure> {
+    let begun = RecordingHandle::begin(file).map_err(|error| Failure::Usage(error.to_string()))?;
     let (recording, sink) = begun;
     session.observe(sink);
     Ok(recording)
 }
 
 /// Keeps the last seconds for when a voice fails.
-fn keep_black_box(session: &Session, folder: Option<&Path>) {
+fn keep_black_box(session: &RunSession, folder: Option<&Path>) {
     let folder = match folder {
         Some(folder) if folder == Path::new("none") => return,
         Some(folder) => folder.to_owned(),

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use hardware::calibration::file::usual_folder;
 use telemetry::stream::server::{Tls, Token};
-use telemetry::stream::{Role, Server, Settings};
+use telemetry::stream::{Role, ServerSettings, StreamServer};
 
 use super::{Failure, tell, tokens};
 use crate::control::Folders;
@@ -49,8 +49,8 @@ const DEFAULT: &str = "127.0.0.1:8765";
 
 /// The stream that the options ask for.
 #[derive(Debug)]
-pub(super) struct Wanted {
-    settings: Settings,
+pub(super) struct WantedStream {
+    settings: ServerSettings,
     /// Where clients may name files.
     pub(super) folders: Folders,
     /// Nobody asked for it: it is what is done without options.
@@ -62,21 +62,21 @@ impl StreamArgs {
     ///
     /// # Errors
     /// What is wrong with them, in a sentence.
-    pub(super) fn wanted(&self, name: &str, folder: &Path) -> Result<Option<Wanted>, String> {
+    pub(super) fn wanted(&self, name: &str, folder: &Path) -> Result<Option<WantedStream>, String> {
         if self.listen == "none" {
             return Ok(None);
         }
         let address: SocketAddr = self.listen.parse().map_err(|_no_address| {
             format!("--listen {} is no address and port: write {DEFAULT} or none", self.listen)
         })?;
-        let mut settings = Settings {
+        let mut settings = ServerSettings {
             address,
             name: format!("letoff: {name}"),
             origins: self.origin.clone(),
             tokens: self.tokens.as_deref().map_or_else(|| Ok(Vec::new()), tokens::read)?,
             tls: self.tls.as_deref().map(|tls| certificate(tls, folder)).transpose()?,
             insecure: self.insecure,
-            ..Settings::default()
+            ..ServerSettings::default()
         };
         settings.check().map_err(|error| error.to_string())?;
         if settings.tokens.is_empty() && !self.insecure {
@@ -84,7 +84,7 @@ impl StreamArgs {
             settings.tokens.push(Token::random(Role::Owner).map_err(|error| error.to_string())?);
         }
         let is_usual = self.listen == DEFAULT && self.tokens.is_none() && self.tls.is_none();
-        Ok(Some(Wanted { settings, folders: self.folders(), is_usual }))
+        Ok(Some(WantedStream { settings, folders: self.folders(), is_usual }))
     }
 
     /// Where clients may name files: folders that were given, or the user's own.
@@ -105,18 +105,18 @@ pub(super) fn own_state_folder() -> Option<PathBuf> {
     Some(state.join("letoff"))
 }
 
-impl Wanted {
+impl WantedStream {
     /// Listens; nothing if it cannot and nobody asked for it.
     ///
     /// # Errors
     /// Why it cannot, in a sentence; an address that is taken or not there yet may be free later.
-    pub(super) fn listen(&self) -> Result<Option<Server>, Failure> {
+    pub(super) fn listen(&self) -> Result<Option<StreamServer>, Failure> {
         let Self { settings, is_usual, .. } = self;
-        let listened = match Server::listen(settings.clone()) {
+        let listened = match StreamServer::listen(settings.clone()) {
             // Another host has the usual port; who looks for this one asks it.
             Err(error) if error.kind() == io::ErrorKind::AddrInUse && *is_usual => {
                 let address = SocketAddr::new(settings.address.ip(), 0);
-                Server::listen(Settings { address, ..settings.clone() })
+                StreamServer::listen(ServerSettings { address, ..settings.clone() })
             }
             listened => listened,
         };

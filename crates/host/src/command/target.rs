@@ -5,11 +5,11 @@ use hardware::link::address::Address;
 
 use super::Failure;
 use super::arguments::{LINK, assignment};
-use crate::config::{Boards, Links, Override, Scene, link_overrides};
+use crate::config::{Boards, LinksConfig, Override, Scene, link_overrides};
 
 /// A scene, with other links or values than its own.
 #[derive(Clone, Debug, Args)]
-pub struct Target {
+pub struct SceneTarget {
     /// A scene's name or file.
     #[arg(default_value = "default")]
     pub scene: String,
@@ -21,20 +21,20 @@ pub struct Target {
     pub set: Vec<(String, String)>,
 }
 
-impl Target {
+impl SceneTarget {
     /// Everything that overrides the scene, single values last.
     pub(super) fn overrides(&self) -> Vec<Override> {
         let set = self.set.iter().cloned().map(Override::from);
         link_overrides(&self.links).into_iter().chain(set).collect()
     }
 
-    /// The scene's rate [Hz], and its boards.
+    /// The scene's rate (Hz), and its boards.
     pub(super) fn boards(&self) -> Result<(u32, Boards), Failure> {
         let scene = Scene::load_as_typed(&self.scene, &self.overrides())
             .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
         match scene.links {
-            Links::Boards(boards) if !boards.buses.is_empty() => Ok((scene.tick_hz, boards)),
-            Links::Boards(_) | Links::Simulated => Err(Failure::Usage(format!(
+            LinksConfig::Boards(boards) if !boards.buses.is_empty() => Ok((scene.tick_hz, boards)),
+            LinksConfig::Boards(_) | LinksConfig::Simulated => Err(Failure::Usage(format!(
                 "the scene {:?} has no boards: give --link serial:PORT or --link can:INTERFACE, \
                  or a scene whose [links] have some",
                 scene.name

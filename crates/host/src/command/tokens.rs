@@ -10,7 +10,7 @@ use telemetry::stream::server::Token;
 
 use super::tell;
 
-/// Longest file [bytes].
+/// Longest file (bytes).
 const LONGEST: u64 = 1 << 16;
 
 /// Of a file's mode: others may read, or write.

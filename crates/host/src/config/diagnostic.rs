@@ -13,9 +13,7 @@ pub struct Diagnostic {
     pub line: Option<usize>,
     /// Column in characters, from 1.
     pub column: Option<usize>,
-    /// What is wrong.
     pub message: String,
-    /// What to do.
     pub help: String,
 }
 

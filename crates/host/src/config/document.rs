@@ -2,7 +2,7 @@
 
 use toml_edit::{Document, InlineTable, Item, Key, Table, TableLike};
 
-use super::report::{Place, Report};
+use super::report::{Location, MistakeList};
 
 /// Lines that are left out in turn because they are no TOML, to find more mistakes after them.
 const MOST_BROKEN_LINES: usize = 20;
@@ -10,28 +10,28 @@ const MOST_BROKEN_LINES: usize = 20;
 /// A value and where it stands.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Node {
-    pub(super) place: Place,
-    pub(super) value: Value,
+    pub(super) place: Location,
+    pub(super) value: TomlValue,
 }
 
 /// What TOML can say.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum Value {
+pub(super) enum TomlValue {
     Text(String),
     Integer(i64),
     Float(f64),
     Truth(bool),
     Date,
     List(Vec<Node>),
-    Table(Vec<Entry>),
+    Table(Vec<DocumentEntry>),
 }
 
 /// A name with its value.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Entry {
+pub(super) struct DocumentEntry {
     pub(super) name: String,
     /// Where the name stands.
-    pub(super) place: Place,
+    pub(super) place: Location,
     pub(super) node: Node,
 }
 
@@ -39,51 +39,51 @@ impl Node {
     /// What it is, for people.
     pub(super) const fn kind(&self) -> &'static str {
         match self.value {
-            Value::Text(_) => "text",
-            Value::Integer(_) | Value::Float(_) => "a number",
-            Value::Truth(_) => "true or false",
-            Value::Date => "a date",
-            Value::List(_) => "a list",
-            Value::Table(_) => "a table",
+            TomlValue::Text(_) => "text",
+            TomlValue::Integer(_) | TomlValue::Float(_) => "a number",
+            TomlValue::Truth(_) => "true or false",
+            TomlValue::Date => "a date",
+            TomlValue::List(_) => "a list",
+            TomlValue::Table(_) => "a table",
         }
     }
 
     /// The entries, if it is a table.
-    pub(super) fn entries(&self) -> Option<&[Entry]> {
+    pub(super) fn entries(&self) -> Option<&[DocumentEntry]> {
         match &self.value {
-            Value::Table(entries) => Some(entries),
-            Value::Text(_)
-            | Value::Integer(_)
-            | Value::Float(_)
-            | Value::Truth(_)
-            | Value::Date
-            | Value::List(_) => None,
+            TomlValue::Table(entries) => Some(entries),
+            TomlValue::Text(_)
+            | TomlValue::Integer(_)
+            | TomlValue::Float(_)
+            | TomlValue::Truth(_)
+            | TomlValue::Date
+            | TomlValue::List(_) => None,
         }
     }
 
     /// The items, if it is a list.
     pub(super) fn items(&self) -> Option<&[Self]> {
         match &self.value {
-            Value::List(nodes) => Some(nodes),
-            Value::Text(_)
-            | Value::Integer(_)
-            | Value::Float(_)
-            | Value::Truth(_)
-            | Value::Date
-            | Value::Table(_) => None,
+            TomlValue::List(nodes) => Some(nodes),
+            TomlValue::Text(_)
+            | TomlValue::Integer(_)
+            | TomlValue::Float(_)
+            | TomlValue::Truth(_)
+            | TomlValue::Date
+            | TomlValue::Table(_) => None,
         }
     }
 
     /// The item with this index, if it is a list with so many.
     pub(super) fn item_mut(&mut self, index: usize) -> Option<&mut Self> {
-        if let Value::List(nodes) = &mut self.value { nodes.get_mut(index) } else { None }
+        if let TomlValue::List(nodes) = &mut self.value { nodes.get_mut(index) } else { None }
     }
 
     /// The value of an override: TOML, or text without its quotes.
-    pub(super) fn overriding(text: &str, place: Place) -> Self {
+    pub(super) fn overriding(text: &str, place: Location) -> Self {
         match text.parse::<toml_edit::Value>() {
             Ok(value) => from_value(&value, &|_| place),
-            Err(_no_toml) => Self { place, value: Value::Text(text.to_owned()) },
+            Err(_no_toml) => Self { place, value: TomlValue::Text(text.to_owned()) },
         }
     }
 }
@@ -91,7 +91,7 @@ impl Node {
 /// Reads the report's file; says every line that is no TOML and reads on without it.
 ///
 /// Nothing comes back where what is left could not be understood.
-pub(super) fn parse(report: &mut Report<'_>) -> Option<Node> {
+pub(super) fn parse(report: &mut MistakeList<'_>) -> Option<Node> {
     let mut text = report.source().text.clone();
     let mut left_out = Vec::new();
     for _ in 0..MOST_BROKEN_LINES {
@@ -109,7 +109,11 @@ pub(super) fn parse(report: &mut Report<'_>) -> Option<Node> {
             return None;
         }
         let message = error.message().replace(['\n', '\r'], " ");
-        report.say(Place::At(offset), format!("this is not TOML, {message}"), "correct the line");
+        report.say(
+            Location::At(offset),
+            format!("this is not TOML, {message}"),
+            "correct the line",
+        );
         let was_header = text[start..end].trim_start().starts_with('[');
         text.replace_range(start..end, &" ".repeat(end - start));
         left_out.push(start);
@@ -122,20 +126,20 @@ pub(super) fn parse(report: &mut Report<'_>) -> Option<Node> {
 }
 
 /// The place of something that was parsed.
-fn at(span: Option<std::ops::Range<usize>>) -> Place {
-    Place::At(span.map_or(0, |span| span.start))
+fn at(span: Option<std::ops::Range<usize>>) -> Location {
+    Location::At(span.map_or(0, |span| span.start))
 }
 
-type Locate<'a> = &'a dyn Fn(Option<std::ops::Range<usize>>) -> Place;
+type Locate<'a> = &'a dyn Fn(Option<std::ops::Range<usize>>) -> Location;
 
 fn from_item(item: &Item, locate: Locate<'_>) -> Node {
     match item {
-        Item::None => Node { place: locate(None), value: Value::Table(Vec::new()) },
+        Item::None => Node { place: locate(None), value: TomlValue::Table(Vec::new()) },
         Item::Value(value) => from_value(value, locate),
         Item::Table(table) => from_table(table, table.span(), locate),
         Item::ArrayOfTables(tables) => {
             let nodes = tables.iter().map(|table: &Table| from_table(table, table.span(), locate));
-            Node { place: locate(tables.span()), value: Value::List(nodes.collect()) }
+            Node { place: locate(tables.span()), value: TomlValue::List(nodes.collect()) }
         }
     }
 }
@@ -143,13 +147,13 @@ fn from_item(item: &Item, locate: Locate<'_>) -> Node {
 fn from_value(value: &toml_edit::Value, locate: Locate<'_>) -> Node {
     use toml_edit::Value as Toml;
     let plain = match value {
-        Toml::String(text) => Value::Text(text.value().clone()),
-        Toml::Integer(number) => Value::Integer(*number.value()),
-        Toml::Float(number) => Value::Float(*number.value()),
-        Toml::Boolean(truth) => Value::Truth(*truth.value()),
-        Toml::Datetime(_) => Value::Date,
+        Toml::String(text) => TomlValue::Text(text.value().clone()),
+        Toml::Integer(number) => TomlValue::Integer(*number.value()),
+        Toml::Float(number) => TomlValue::Float(*number.value()),
+        Toml::Boolean(truth) => TomlValue::Truth(*truth.value()),
+        Toml::Datetime(_) => TomlValue::Date,
         Toml::Array(list) => {
-            Value::List(list.iter().map(|value| from_value(value, locate)).collect())
+            TomlValue::List(list.iter().map(|value| from_value(value, locate)).collect())
         }
         Toml::InlineTable(table) => return from_inline(table, locate),
     };
@@ -171,7 +175,7 @@ fn from_table(
             Some(span) => locate(Some(span)),
             None => node.place,
         };
-        Entry { name: name.to_owned(), place, node }
+        DocumentEntry { name: name.to_owned(), place, node }
     });
-    Node { value: Value::Table(entries.collect()), place: locate(span) }
+    Node { value: TomlValue::Table(entries.collect()), place: locate(span) }
 }

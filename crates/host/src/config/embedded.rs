@@ -2,13 +2,13 @@
 
 /// Embedded TOML files of one kind.
 #[derive(Debug)]
-pub(super) struct Shelf {
+pub(super) struct EmbeddedFiles {
     /// What they are, in the singular.
     pub(super) what: &'static str,
     files: &'static [(&'static str, &'static str)],
 }
 
-impl Shelf {
+impl EmbeddedFiles {
     /// The text of the file called `name`.
     pub(super) fn find(&self, name: &str) -> Option<&'static str> {
         self.files.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
@@ -29,13 +29,13 @@ macro_rules! configs {
 }
 
 /// The scenes.
-pub(super) const SCENES: Shelf = Shelf {
+pub(super) const SCENES: EmbeddedFiles = EmbeddedFiles {
     what: "scene",
     files: configs!(include_str, "scenes", ".toml": "default", "bach", "paper", "mixed", "fast"),
 };
 
 /// The instruments.
-pub(super) const INSTRUMENTS: Shelf = Shelf {
+pub(super) const INSTRUMENTS: EmbeddedFiles = EmbeddedFiles {
     what: "instrument",
     files: configs!(
         include_str, "instruments", ".toml":

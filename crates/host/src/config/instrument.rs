@@ -3,16 +3,16 @@
 use std::path::Path;
 
 use models::Preset;
-use models::catalogue::Entry;
+use models::catalogue::ModelEntry;
 use serde::Serialize;
 
 use super::diagnostic::Diagnostics;
 use super::document;
 use super::embedded::INSTRUMENTS;
 use super::needs::Needs;
-use super::read::Reader;
-use super::report::Report;
-use super::source::{Missing, Source, refuse};
+use super::read::TableReader;
+use super::report::MistakeList;
+use super::source::{SourceError, SourceText, refuse};
 use super::voicing::Voicing;
 
 /// A checked instrument.
@@ -36,17 +36,17 @@ impl Instrument {
     ///
     /// All that is wrong with it.
     pub fn load(name_or_path: &str) -> Result<Self, Diagnostics> {
-        let source = Source::find(&INSTRUMENTS, name_or_path, Path::new(""));
+        let source = SourceText::find(&INSTRUMENTS, name_or_path, Path::new(""));
         Self::check(&source.map_err(|missing| match missing {
-            Missing::Unknown((message, help)) => {
+            SourceError::Unknown((message, help)) => {
                 refuse(Path::new(name_or_path), None, message, help)
             }
-            Missing::Unreadable(diagnostics) => diagnostics,
+            SourceError::Unreadable(diagnostics) => diagnostics,
         })?)
     }
 
     /// The model that every key has.
-    pub const fn model(&self) -> &'static Entry {
+    pub const fn model(&self) -> &'static ModelEntry {
         self.voicing.model
     }
 
@@ -56,11 +56,11 @@ impl Instrument {
     }
 
     /// Reads an instrument from `source`.
-    pub(super) fn check(source: &Source) -> Result<Self, Diagnostics> {
-        let mut report = Report::new(source, &[]);
+    pub(super) fn check(source: &SourceText) -> Result<Self, Diagnostics> {
+        let mut report = MistakeList::new(source, &[]);
         let root = document::parse(&mut report);
         let read = root.and_then(|root| {
-            let mut reader = Reader::new(&mut report, &source.name, &root)?;
+            let mut reader = TableReader::new(&mut report, &source.name, &root)?;
             let instrument = Self::read(&mut report, &mut reader);
             reader.finish(&mut report);
             instrument
@@ -68,7 +68,7 @@ impl Instrument {
         report.verdict(read)
     }
 
-    fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<Self> {
         let source = report.source();
         let title = reader.text(report, "title").map_or_else(|| source.name.clone(), |(t, _)| t);
         let doc = reader.text(report, "doc").map_or_else(String::new, |(doc, _)| doc);
@@ -90,7 +90,7 @@ impl Instrument {
 /// has both or no preset is named, since the parameters may be anybody's then.
 ///
 /// What is known of an instrument's stability is known of its model, too.
-pub(super) fn known_as(model: &Entry, preset: Option<&Preset>) -> Option<Instrument> {
+pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<Instrument> {
     let all = || INSTRUMENTS.names().filter_map(|name| Instrument::load(name).ok());
     let of_model = |it: &Instrument| it.voicing.model.name == model.name;
     let same = |it: &Instrument| preset.is_some_and(|preset| it.voicing.preset.name == preset.name);

@@ -1,15 +1,15 @@
 //! `[[keys]]`: which keys are what.
 
-use models::catalogue::Entry;
+use models::catalogue::ModelEntry;
 
-use super::document::{Node, Value};
+use super::document::{Node, TomlValue};
 use super::embedded::INSTRUMENTS;
 use super::instrument::{Instrument, known_as};
-use super::needs::Loop;
-use super::range::{KeyRange, Refusal};
-use super::read::{self, Reader};
-use super::report::{Place, Report};
-use super::source::{Missing, Source};
+use super::needs::LoopSettings;
+use super::range::{KeyRange, RangeError};
+use super::read::{self, TableReader};
+use super::report::{Location, MistakeList};
+use super::source::{SourceError, SourceText};
 use super::voicing::Voicing;
 use crate::names::quoted;
 
@@ -17,7 +17,7 @@ use crate::names::quoted;
 #[derive(Clone, Debug)]
 pub struct KeyVoice {
     /// Its model.
-    pub model: &'static Entry,
+    pub model: &'static ModelEntry,
     /// One value per parameter of the model, in the unit of each.
     pub values: Vec<f64>,
 }
@@ -29,9 +29,9 @@ const KEYS: usize = midi::KEYS as usize;
 ///
 /// Refuses instruments that are not stable `in_loop`, if there is one.
 pub(super) fn read(
-    report: &mut Report<'_>,
-    reader: &mut Reader<'_>,
-    in_loop: Option<Loop<'_>>,
+    report: &mut MistakeList<'_>,
+    reader: &mut TableReader<'_>,
+    in_loop: Option<LoopSettings<'_>>,
 ) -> Vec<Option<KeyVoice>> {
     let mut voices = vec![None; KEYS];
     let Some(entry) = reader.take("keys") else {
@@ -39,7 +39,7 @@ pub(super) fn read(
         report.miss(reader.place, "the scene has no keys", help);
         return voices;
     };
-    let Value::List(ranges) = &entry.node.value else {
+    let TomlValue::List(ranges) = &entry.node.value else {
         read::wrong_type(report, "keys", &entry.node, "a list", "write it as [[keys]]");
         return voices;
     };
@@ -60,16 +60,16 @@ pub(super) fn read(
 }
 
 /// A range that was read, and where.
-type Taken = (KeyRange, Place);
+type ReadRange = (KeyRange, Location);
 
 /// Reads one `[[keys]]` table; all of it, even if part of it is wrong.
 fn read_range(
-    report: &mut Report<'_>,
+    report: &mut MistakeList<'_>,
     node: &Node,
-    taken: &mut Vec<Taken>,
-    in_loop: Option<Loop<'_>>,
+    taken: &mut Vec<ReadRange>,
+    in_loop: Option<LoopSettings<'_>>,
 ) -> Option<(KeyRange, Voicing)> {
-    let mut reader = Reader::new(report, "[keys]", node)?;
+    let mut reader = TableReader::new(report, "[keys]", node)?;
     let range = read_bounds(report, &mut reader);
     if let Some(range) = range {
         refuse_overlap(report, range, taken);
@@ -87,13 +87,13 @@ fn read_range(
     Some((range?.0, voicing?))
 }
 
-fn read_bounds(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Taken> {
+fn read_bounds(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<ReadRange> {
     let Some(entry) = reader.take("range") else {
         report.miss(reader.place, "these keys have no range", "add range = \"A0..C8\"");
         return None;
     };
     let place = entry.node.place;
-    let text = if let Value::Integer(number) = entry.node.value {
+    let text = if let TomlValue::Integer(number) = entry.node.value {
         number.to_string()
     } else {
         read::text(report, "range", &entry.node)?
@@ -107,24 +107,24 @@ fn read_bounds(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Taken
     }
 }
 
-fn refuse_range(report: &mut Report<'_>, place: Place, text: &str, refusal: &Refusal) {
+fn refuse_range(report: &mut MistakeList<'_>, place: Location, text: &str, refusal: &RangeError) {
     let (message, help) = match refusal {
-        Refusal::NoNote(note) => (
+        RangeError::NoNote(note) => (
             format!("{} in the range is no note", quoted(note)),
             "write notes from A0 to C8 or MIDI numbers from 21 to 108, as \"A0..C8\"",
         ),
-        Refusal::OffKeyboard(note) => (
+        RangeError::OffKeyboard(note) => (
             format!("{} is not on the keyboard", quoted(note)),
             "stay within A0..C8, which is 21..108",
         ),
-        Refusal::Backwards => {
+        RangeError::Backwards => {
             (format!("the range {} runs backwards", quoted(text)), "put the lower note first")
         }
     };
     report.say(place, message, help);
 }
 
-fn refuse_overlap(report: &mut Report<'_>, (range, place): Taken, taken: &[Taken]) {
+fn refuse_overlap(report: &mut MistakeList<'_>, (range, place): ReadRange, taken: &[ReadRange]) {
     for (other, other_place) in taken {
         if let Some(shared) = range.shared(*other) {
             let first = report.describe(*other_place);
@@ -136,9 +136,9 @@ fn refuse_overlap(report: &mut Report<'_>, (range, place): Taken, taken: &[Taken
 
 /// Reads `instrument`, or `model` and `preset`.
 fn read_voicing(
-    report: &mut Report<'_>,
-    reader: &mut Reader<'_>,
-    in_loop: Option<Loop<'_>>,
+    report: &mut MistakeList<'_>,
+    reader: &mut TableReader<'_>,
+    in_loop: Option<LoopSettings<'_>>,
 ) -> Option<Voicing> {
     let model = reader.take("model");
     let preset = reader.take("preset");
@@ -164,15 +164,15 @@ fn read_voicing(
 }
 
 fn read_instrument(
-    report: &mut Report<'_>,
-    place: Place,
+    report: &mut MistakeList<'_>,
+    place: Location,
     name: &str,
-    in_loop: Option<Loop<'_>>,
+    in_loop: Option<LoopSettings<'_>>,
 ) -> Option<Voicing> {
-    let found = match Source::find(&INSTRUMENTS, name, report.folder(place)) {
+    let found = match SourceText::find(&INSTRUMENTS, name, report.folder(place)) {
         Ok(source) => Instrument::check(&source),
-        Err(Missing::Unreadable(diagnostics)) => Err(diagnostics),
-        Err(Missing::Unknown((message, help))) => {
+        Err(SourceError::Unreadable(diagnostics)) => Err(diagnostics),
+        Err(SourceError::Unknown((message, help))) => {
             report.say(place, message, help);
             return None;
         }
@@ -191,12 +191,12 @@ fn read_instrument(
 
 /// Reports an instrument at `place` that makes energy in the scene's loop.
 fn refuse_unstable(
-    report: &mut Report<'_>,
-    place: Place,
+    report: &mut MistakeList<'_>,
+    place: Location,
     instrument: &Instrument,
-    in_loop: Option<Loop<'_>>,
+    in_loop: Option<LoopSettings<'_>>,
 ) {
-    let Some(Loop { tick_hz, render }) = in_loop else { return };
+    let Some(LoopSettings { tick_hz, render }) = in_loop else { return };
     if let Some(unmet) = instrument.needs.unmet(&instrument.name, tick_hz, render) {
         report.say(place, unmet.lacks, unmet.help);
     }

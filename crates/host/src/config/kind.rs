@@ -7,9 +7,9 @@ use serde::Serialize;
 use super::diagnostic::Diagnostics;
 use super::document;
 use super::instrument::Instrument;
-use super::report::{Place, Report};
+use super::report::{Location, MistakeList};
 use super::scene::Scene;
-use super::source::Source;
+use super::source::SourceText;
 
 /// Names that only a scene has.
 const SCENE: [&str; 7] = ["tick_hz", "lanes", "render", "keys", "links", "midi", "pianist"];
@@ -20,14 +20,12 @@ const INSTRUMENT: [&str; 6] = ["doc", "model", "preset", "offline", "stable", "p
 /// What a file is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Kind {
-    /// A scene.
+pub enum FileKind {
     Scene,
-    /// An instrument.
     Instrument,
 }
 
-impl Kind {
+impl FileKind {
     /// Its word for people.
     pub const fn name(self) -> &'static str {
         match self {
@@ -42,22 +40,22 @@ impl Kind {
 /// # Errors
 ///
 /// All that is wrong with it, or that it is neither.
-pub fn check_file(path: &Path) -> Result<Kind, Diagnostics> {
-    check(&Source::read(path)?)
+pub fn check_file(path: &Path) -> Result<FileKind, Diagnostics> {
+    check(&SourceText::read(path)?)
 }
 
 /// As [`check_file`], of a text that was read.
-pub(super) fn check(source: &Source) -> Result<Kind, Diagnostics> {
+pub(super) fn check(source: &SourceText) -> Result<FileKind, Diagnostics> {
     let kind = kind_of(source)?;
     match kind {
-        Kind::Scene => Scene::check(source, &[]).map(|_scene| kind),
-        Kind::Instrument => Instrument::check(source).map(|_instrument| kind),
+        FileKind::Scene => Scene::check(source, &[]).map(|_scene| kind),
+        FileKind::Instrument => Instrument::check(source).map(|_instrument| kind),
     }
 }
 
 /// What `source` has more of: a scene's names, or an instrument's.
-fn kind_of(source: &Source) -> Result<Kind, Diagnostics> {
-    let mut report = Report::new(source, &[]);
+fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
+    let mut report = MistakeList::new(source, &[]);
     let root = document::parse(&mut report);
     let entries = root.as_ref().and_then(document::Node::entries).unwrap_or_default();
     let count = |names: &[&str]| {
@@ -66,11 +64,11 @@ fn kind_of(source: &Source) -> Result<Kind, Diagnostics> {
     let kind = match (count(&SCENE), count(&INSTRUMENT)) {
         (0, 0) => {
             let help = "a scene has [[keys]], an instrument has a model";
-            report.miss(Place::At(0), "this is neither a scene nor an instrument", help);
+            report.miss(Location::At(0), "this is neither a scene nor an instrument", help);
             None
         }
-        (scene, instrument) if instrument <= scene => Some(Kind::Scene),
-        _ => Some(Kind::Instrument),
+        (scene, instrument) if instrument <= scene => Some(FileKind::Scene),
+        _ => Some(FileKind::Instrument),
     };
     // Whoever checks the file says again what is no TOML.
     match kind {

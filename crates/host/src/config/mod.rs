@@ -47,11 +47,13 @@ pub use diagnostic::{Diagnostic, Diagnostics};
 pub use embedded::{performances, scenes};
 pub use instrument::{Instrument, InstrumentInfo, instruments};
 pub use keys::KeyVoice;
-pub use kind::{Kind, check_file};
-pub use links::{BoardBus, Boards, FORCES, Links, SAMPLES, overrides as link_overrides, period_us};
+pub use kind::{FileKind, check_file};
+pub use links::{
+    BoardBus, Boards, FORCES, LinksConfig, SAMPLES, overrides as link_overrides, period_us,
+};
 pub use needs::{Needs, Unmet};
 pub use overrides::Override;
 pub use range::keys_named;
-pub use render::{EstimatorName, Reconstruction, Render, StepperName};
-pub use scene::{Lanes, Midi, MidiOutput, PerformanceSource, Scene};
+pub use render::{EstimatorName, InputReconstruction, Render, StepperName};
+pub use scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
 pub use write::written;

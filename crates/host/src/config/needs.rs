@@ -2,9 +2,9 @@
 
 use super::document::Node;
 use super::quantity::number;
-use super::read::{self, Reader};
-use super::render::{EstimatorName, JERK_DENSITY, Reconstruction, Render};
-use super::report::Report;
+use super::read::{self, TableReader};
+use super::render::{EstimatorName, InputReconstruction, JERK_DENSITY, Render};
+use super::report::MistakeList;
 use super::scene::TICK_HZ;
 
 /// What a scene must have for an instrument to be quiet when its keys are left alone.
@@ -26,7 +26,7 @@ struct Stable {
     /// Slowest tick \[Hz\].
     min_tick_hz: Option<u32>,
     estimator: Option<EstimatorName>,
-    reconstruction: Option<Reconstruction>,
+    reconstruction: Option<InputReconstruction>,
     /// Slowest Kalman filter \[m²/s⁵\].
     min_jerk_density: Option<f64>,
     /// Quickest Kalman filter \[m²/s⁵\].
@@ -38,13 +38,12 @@ struct Stable {
 pub struct Unmet {
     /// What is needed, and what there is instead.
     pub lacks: String,
-    /// What to do.
     pub help: String,
 }
 
 impl Needs {
     /// Reads `offline` and the tables `stable` of an instrument, of which one must be met.
-    pub(super) fn read(report: &mut Report<'_>, instrument: &mut Reader<'_>) -> Self {
+    pub(super) fn read(report: &mut MistakeList<'_>, instrument: &mut TableReader<'_>) -> Self {
         let offline = instrument.text(report, "offline").map(|(why, _place)| why);
         let Some(entry) = instrument.take("stable") else {
             return Self { offline, stable: Vec::new() };
@@ -90,10 +89,10 @@ impl Needs {
 }
 
 impl Stable {
-    fn read(report: &mut Report<'_>, node: &Node) -> Option<Self> {
-        let mut reader = Reader::new(report, "[stable]", node)?;
+    fn read(report: &mut MistakeList<'_>, node: &Node) -> Option<Self> {
+        let mut reader = TableReader::new(report, "[stable]", node)?;
         let estimators = EstimatorName::ALL.map(|all| (all.name(), all));
-        let reconstructions = Reconstruction::ALL.map(|all| (all.name(), all));
+        let reconstructions = InputReconstruction::ALL.map(|all| (all.name(), all));
         let stable = Self {
             min_tick_hz: reader.whole(report, "min_tick_hz", TICK_HZ),
             estimator: reader.choice(report, "estimator", "there is no estimator", &estimators),
@@ -171,7 +170,7 @@ struct Lack {
 
 /// Tick rates and estimators of a scene that its instruments are compared with.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Loop<'a> {
+pub(super) struct LoopSettings<'a> {
     pub(super) tick_hz: u32,
     pub(super) render: &'a Render,
 }

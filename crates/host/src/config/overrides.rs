@@ -2,8 +2,8 @@
 //!
 //! A number in a path is a place in a list: `links.bus.0.bit_rate` is that of the first bus.
 
-use super::document::{Entry, Node, Value};
-use super::report::{Place, Report};
+use super::document::{DocumentEntry, Node, TomlValue};
+use super::report::{Location, MistakeList};
 use crate::names::quoted;
 
 /// Names in the longest path that means anything are four: `keys.0.parameters.restitution`.
@@ -15,9 +15,7 @@ const VOICE: [&str; 3] = ["instrument", "model", "preset"];
 /// A value of a scene that the command line replaces.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Override {
-    /// Its dotted path.
     pub name: String,
-    /// What it becomes.
     pub value: String,
     /// What was typed for it, as `--link can:can0`.
     pub typed: String,
@@ -33,9 +31,9 @@ impl From<(String, String)> for Override {
 /// Puts `overrides` into the scene `root`, the last of a name winning.
 ///
 /// `keys.0.…` means the first key range, and `keys.…` all of them.
-pub(super) fn apply(report: &mut Report<'_>, root: &mut Node, overrides: &[Override]) {
+pub(super) fn apply(report: &mut MistakeList<'_>, root: &mut Node, overrides: &[Override]) {
     for (index, Override { name, value, .. }) in overrides.iter().enumerate() {
-        let place = Place::Override(index);
+        let place = Location::Override(index);
         let steps: Vec<&str> = name.split('.').map(str::trim).collect();
         if steps.iter().any(|step| step.is_empty()) || DEEPEST < steps.len() {
             let help = "write it as render.stepper=heun or keys.0.instrument=grand-reduced";
@@ -51,7 +49,7 @@ pub(super) fn apply(report: &mut Report<'_>, root: &mut Node, overrides: &[Overr
 }
 
 /// Sets the value at `steps` of some or all key ranges.
-fn set_keys(report: &mut Report<'_>, root: &mut Node, steps: &[&str], value: &Node) {
+fn set_keys(report: &mut MistakeList<'_>, root: &mut Node, steps: &[&str], value: &Node) {
     let (chosen, steps) = match steps {
         [first, rest @ ..] => match first.parse::<usize>() {
             Ok(range) => (Some(range), rest),
@@ -84,9 +82,9 @@ fn set_keys(report: &mut Report<'_>, root: &mut Node, steps: &[&str], value: &No
 }
 
 fn ranges_of(root: &mut Node) -> &mut [Node] {
-    let Value::Table(entries) = &mut root.value else { return &mut [] };
+    let TomlValue::Table(entries) = &mut root.value else { return &mut [] };
     match entries.iter_mut().find(|entry| entry.name == "keys").map(|entry| &mut entry.node.value) {
-        Some(Value::List(ranges)) => ranges,
+        Some(TomlValue::List(ranges)) => ranges,
         _ => &mut [],
     }
 }
@@ -96,16 +94,16 @@ fn replace_voice(range: &mut Node, steps: &[&str]) {
     if !matches!(steps, ["instrument" | "model"]) {
         return;
     }
-    if let Value::Table(entries) = &mut range.value {
+    if let TomlValue::Table(entries) = &mut range.value {
         entries.retain(|entry| {
-            matches!(entry.place, Place::Override(_)) || !VOICE.contains(&entry.name.as_str())
+            matches!(entry.place, Location::Override(_)) || !VOICE.contains(&entry.name.as_str())
         });
     }
 }
 
 /// Sets the value at `steps` of a table, of which the first `depth` have led to `node`; whether
 /// it belongs there is checked later.
-fn set(report: &mut Report<'_>, node: &mut Node, steps: &[&str], depth: usize, value: &Node) {
+fn set(report: &mut MistakeList<'_>, node: &mut Node, steps: &[&str], depth: usize, value: &Node) {
     let Some(step) = steps.get(depth) else {
         node.clone_from(value);
         return;
@@ -121,7 +119,7 @@ fn set(report: &mut Report<'_>, node: &mut Node, steps: &[&str], depth: usize, v
     if node.entries().is_none() {
         *node = empty(value.place);
     }
-    let Value::Table(entries) = &mut node.value else { return };
+    let TomlValue::Table(entries) = &mut node.value else { return };
     let entry = entry(entries, step, value.place);
     if depth + 1 == steps.len() {
         entry.place = value.place;
@@ -130,17 +128,21 @@ fn set(report: &mut Report<'_>, node: &mut Node, steps: &[&str], depth: usize, v
 }
 
 /// The entry called `name`; made if it is not there.
-fn entry<'a>(entries: &'a mut Vec<Entry>, name: &str, place: Place) -> &'a mut Entry {
+fn entry<'a>(
+    entries: &'a mut Vec<DocumentEntry>,
+    name: &str,
+    place: Location,
+) -> &'a mut DocumentEntry {
     let found = entries.iter().position(|entry| entry.name == name);
     let index = found.unwrap_or_else(|| {
-        entries.push(Entry { name: name.to_owned(), place, node: empty(place) });
+        entries.push(DocumentEntry { name: name.to_owned(), place, node: empty(place) });
         entries.len() - 1
     });
     &mut entries[index]
 }
 
 /// Reports that `node`, to which `path` leads, has no such item.
-fn refuse_item(report: &mut Report<'_>, node: &Node, path: &[&str], place: Place) {
+fn refuse_item(report: &mut MistakeList<'_>, node: &Node, path: &[&str], place: Location) {
     let path = path.join(".");
     let n = node.items().map_or(0, <[Node]>::len);
     let help = match n {
@@ -152,6 +154,6 @@ fn refuse_item(report: &mut Report<'_>, node: &Node, path: &[&str], place: Place
     report.miss(place, format!("{} {what}", quoted(&path)), help);
 }
 
-const fn empty(place: Place) -> Node {
-    Node { place, value: Value::Table(Vec::new()) }
+const fn empty(place: Location) -> Node {
+    Node { place, value: TomlValue::Table(Vec::new()) }
 }

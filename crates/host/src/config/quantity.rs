@@ -32,7 +32,7 @@ impl Quantity {
 
 /// Why text is not the quantity that was asked for.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum Refusal {
+pub(super) enum QuantityError {
     /// It does not begin with a number.
     NoNumber,
     /// There is a number and no unit.
@@ -58,18 +58,18 @@ pub(super) fn number(value: f64) -> String {
 /// # Errors
 ///
 /// If it is no number, or one of something else.
-pub(super) fn parse(text: &str, unit: &str) -> Result<f64, Refusal> {
-    let (value, given) = split(text.trim()).ok_or(Refusal::NoNumber)?;
+pub(super) fn parse(text: &str, unit: &str) -> Result<f64, QuantityError> {
+    let (value, given) = split(text.trim()).ok_or(QuantityError::NoNumber)?;
     match exponent(given, unit) {
         Some(exponent) => Ok(scaled(value, exponent)),
-        None if given.is_empty() => Err(Refusal::NoUnit(value)),
-        None => Err(Refusal::WrongUnit(value, given.to_owned())),
+        None if given.is_empty() => Err(QuantityError::NoUnit(value)),
+        None => Err(QuantityError::WrongUnit(value, given.to_owned())),
     }
 }
 
 /// The number at the beginning, and what follows it.
 fn split(text: &str) -> Option<(f64, &str)> {
-    /// Longest number that is read [bytes].
+    /// Longest number that is read (bytes).
     const LONGEST: usize = 40;
     let is_part = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
     let len = text.find(|c: char| !is_part(c)).unwrap_or(text.len());
@@ -132,12 +132,12 @@ mod tests {
     use super::*;
 
     #[track_caller]
-    fn check(text: &str, unit: &str, expected: &Result<f64, Refusal>) {
+    fn check(text: &str, unit: &str, expected: &Result<f64, QuantityError>) {
         assert_eq!(parse(text, unit), *expected, "{text:?} in {unit}");
     }
 
-    fn wrong(value: f64, unit: &str) -> Result<f64, Refusal> {
-        Err(Refusal::WrongUnit(value, unit.to_owned()))
+    fn wrong(value: f64, unit: &str) -> Result<f64, QuantityError> {
+        Err(QuantityError::WrongUnit(value, unit.to_owned()))
     }
 
     #[test]
@@ -175,13 +175,13 @@ mod tests {
     #[test]
     fn what_is_meant_otherwise_is_refused() {
         check("20 kg", "N", &wrong(20.0, "kg"));
-        check("20", "N", &Err(Refusal::NoUnit(20.0)));
+        check("20", "N", &Err(QuantityError::NoUnit(20.0)));
         check("2 MN", "N", &wrong(2.0, "MN"));
         check("2 mm2", "m²", &wrong(2.0, "mm2"));
         check("2 km", "m/s", &wrong(2.0, "km"));
         check("2 eV", "s", &wrong(2.0, "eV"));
         for text in ["", "N", "fast", "nan N", "inf N", "--1 N", "½ N"] {
-            check(text, "N", &Err(Refusal::NoNumber));
+            check(text, "N", &Err(QuantityError::NoNumber));
         }
     }
 

@@ -17,7 +17,7 @@ pub(super) struct KeyRange {
 
 /// Why text is no range of keys.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum Refusal {
+pub(super) enum RangeError {
     /// This is neither a note's name nor a number.
     NoNote(String),
     /// This note is not on the keyboard.
@@ -28,10 +28,10 @@ pub(super) enum Refusal {
 
 impl KeyRange {
     /// Reads `"A0..C8"`, `"21..108"` or a single note.
-    pub(super) fn parse(text: &str) -> Result<Self, Refusal> {
+    pub(super) fn parse(text: &str) -> Result<Self, RangeError> {
         let (first, last) = text.split_once("..").unwrap_or((text, text));
         let range = Self { first: key(first)?, last: key(last)? };
-        if range.first <= range.last { Ok(range) } else { Err(Refusal::Backwards) }
+        if range.first <= range.last { Ok(range) } else { Err(RangeError::Backwards) }
     }
 
     /// The keys of both, if there are any.
@@ -48,9 +48,9 @@ impl KeyRange {
 /// What is wrong with it, in a sentence.
 pub fn keys_named(text: &str) -> Result<std::ops::RangeInclusive<u8>, String> {
     let range = KeyRange::parse(text).map_err(|refusal| match refusal {
-        Refusal::NoNote(note) => format!("\"{note}\" is no note: write C4..B5 or 60..83"),
-        Refusal::OffKeyboard(note) => format!("\"{note}\" is not on the keyboard, A0 to C8"),
-        Refusal::Backwards => format!("\"{text}\" goes backwards: write the lower note first"),
+        RangeError::NoNote(note) => format!("\"{note}\" is no note: write C4..B5 or 60..83"),
+        RangeError::OffKeyboard(note) => format!("\"{note}\" is not on the keyboard, A0 to C8"),
+        RangeError::Backwards => format!("\"{text}\" goes backwards: write the lower note first"),
     })?;
     Ok(range.first..=range.last)
 }
@@ -76,14 +76,14 @@ fn write_note(f: &mut fmt::Formatter<'_>, key: u8) -> fmt::Result {
 }
 
 /// The key of a note's name or MIDI number.
-fn key(text: &str) -> Result<u8, Refusal> {
+fn key(text: &str) -> Result<u8, RangeError> {
     let text = text.trim();
     let number = match text.parse::<i64>() {
         Ok(number) => number,
-        Err(_no_number) => named(text).ok_or_else(|| Refusal::NoNote(text.to_owned()))?,
+        Err(_no_number) => named(text).ok_or_else(|| RangeError::NoNote(text.to_owned()))?,
     };
     let note = u8::try_from(number).ok().and_then(Note::from_number);
-    note.map(Note::key).ok_or_else(|| Refusal::OffKeyboard(text.to_owned()))
+    note.map(Note::key).ok_or_else(|| RangeError::OffKeyboard(text.to_owned()))
 }
 
 /// MIDI number of a note's name, wherever it lies.
@@ -136,14 +136,14 @@ mod tests {
     #[test]
     fn what_is_no_range_is_refused_with_the_reason() {
         let check = |text, refusal| assert_eq!(KeyRange::parse(text), Err(refusal), "{text}");
-        check("C4..B3", Refusal::Backwards);
-        check("G0..C8", Refusal::OffKeyboard("G0".to_owned()));
-        check("21..109", Refusal::OffKeyboard("109".to_owned()));
-        check("C99999", Refusal::NoNote("C99999".to_owned()));
-        check("H2", Refusal::NoNote("H2".to_owned()));
-        check("A0-C8", Refusal::NoNote("A0-C8".to_owned()));
-        check("", Refusal::NoNote(String::new()));
-        check("A0..", Refusal::NoNote(String::new()));
+        check("C4..B3", RangeError::Backwards);
+        check("G0..C8", RangeError::OffKeyboard("G0".to_owned()));
+        check("21..109", RangeError::OffKeyboard("109".to_owned()));
+        check("C99999", RangeError::NoNote("C99999".to_owned()));
+        check("H2", RangeError::NoNote("H2".to_owned()));
+        check("A0-C8", RangeError::NoNote("A0-C8".to_owned()));
+        check("", RangeError::NoNote(String::new()));
+        check("A0..", RangeError::NoNote(String::new()));
     }
 
     #[test]

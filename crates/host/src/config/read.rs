@@ -1,27 +1,27 @@
 //! Typed access to a table: what is wrong is reported, what nobody asked for too.
 
-use super::document::{Entry, Node, Value};
-use super::quantity::{self, Quantity, Refusal};
-use super::report::{Place, Report};
+use super::document::{DocumentEntry, Node, TomlValue};
+use super::quantity::{self, Quantity, QuantityError};
+use super::report::{Location, MistakeList};
 use crate::names::{choice, quoted};
 
 /// Reads the entries of one table.
 #[derive(Debug)]
-pub(super) struct Reader<'a> {
-    entries: &'a [Entry],
+pub(super) struct TableReader<'a> {
+    entries: &'a [DocumentEntry],
     /// Where the table stands.
-    pub(super) place: Place,
+    pub(super) place: Location,
     /// Every name that was asked for.
     known: Vec<&'static str>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> TableReader<'a> {
     /// Of `node`, called `name`; reports what is not a table.
-    pub(super) fn new(report: &mut Report<'_>, name: &str, node: &'a Node) -> Option<Self> {
+    pub(super) fn new(report: &mut MistakeList<'_>, name: &str, node: &'a Node) -> Option<Self> {
         let Some(entries) = node.entries() else {
             let help = match node.place {
-                Place::At(_) => format!("write it as [{name}]"),
-                Place::Override(_) => "set the values in it one by one".to_owned(),
+                Location::At(_) => format!("write it as [{name}]"),
+                Location::Override(_) => "set the values in it one by one".to_owned(),
             };
             wrong_type(report, name, node, "a table", &help);
             return None;
@@ -30,7 +30,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The entry called `name`, if it is there.
-    pub(super) fn take(&mut self, name: &'static str) -> Option<&'a Entry> {
+    pub(super) fn take(&mut self, name: &'static str) -> Option<&'a DocumentEntry> {
         if !self.known.contains(&name) {
             self.known.push(name);
         }
@@ -38,7 +38,11 @@ impl<'a> Reader<'a> {
     }
 
     /// The table called `name`, if it is there.
-    pub(super) fn table(&mut self, report: &mut Report<'_>, name: &'static str) -> Option<Self> {
+    pub(super) fn table(
+        &mut self,
+        report: &mut MistakeList<'_>,
+        name: &'static str,
+    ) -> Option<Self> {
         let entry = self.take(name)?;
         Self::new(report, name, &entry.node)
     }
@@ -46,7 +50,7 @@ impl<'a> Reader<'a> {
     /// The number called `name`, if it is there and right.
     pub(super) fn number(
         &mut self,
-        report: &mut Report<'_>,
+        report: &mut MistakeList<'_>,
         name: &'static str,
         quantity: Quantity,
     ) -> Option<f64> {
@@ -57,7 +61,7 @@ impl<'a> Reader<'a> {
     /// The whole number called `name`, if it is there and right.
     pub(super) fn whole(
         &mut self,
-        report: &mut Report<'_>,
+        report: &mut MistakeList<'_>,
         name: &'static str,
         quantity: Quantity,
     ) -> Option<u32> {
@@ -68,9 +72,9 @@ impl<'a> Reader<'a> {
     /// The text called `name`, if it is there and not empty, with its place.
     pub(super) fn text(
         &mut self,
-        report: &mut Report<'_>,
+        report: &mut MistakeList<'_>,
         name: &'static str,
-    ) -> Option<(String, Place)> {
+    ) -> Option<(String, Location)> {
         let entry = self.take(name)?;
         text(report, name, &entry.node).map(|text| (text, entry.node.place))
     }
@@ -80,7 +84,7 @@ impl<'a> Reader<'a> {
     /// `refusal` is said before a wrong name, as "there is no stepper".
     pub(super) fn choice<T: Copy>(
         &mut self,
-        report: &mut Report<'_>,
+        report: &mut MistakeList<'_>,
         name: &'static str,
         refusal: &str,
         all: &[(&str, T)],
@@ -99,7 +103,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reports every entry that was never asked for.
-    pub(super) fn finish(self, report: &mut Report<'_>) {
+    pub(super) fn finish(self, report: &mut MistakeList<'_>) {
         for entry in self.entries {
             if !self.known.contains(&entry.name.as_str()) {
                 let message = format!("there is no key {} here", quoted(&entry.name));
@@ -113,8 +117,8 @@ impl<'a> Reader<'a> {
 ///
 /// `refusal` is said before the name, as "there is no stepper".
 pub(super) fn unknown(
-    report: &mut Report<'_>,
-    place: Place,
+    report: &mut MistakeList<'_>,
+    place: Location,
     refusal: &str,
     wanted: &str,
     known: impl IntoIterator<Item = impl AsRef<str>>,
@@ -124,7 +128,7 @@ pub(super) fn unknown(
 
 /// Reports that `node`, called `name`, should be something else.
 pub(super) fn wrong_type(
-    report: &mut Report<'_>,
+    report: &mut MistakeList<'_>,
     name: &str,
     node: &Node,
     expected: &str,
@@ -135,19 +139,19 @@ pub(super) fn wrong_type(
 }
 
 /// The text of `node`, if it is any.
-fn plain_text(report: &Report<'_>, node: &Node) -> Option<String> {
+fn plain_text(report: &MistakeList<'_>, node: &Node) -> Option<String> {
     match &node.value {
-        Value::Text(text) => Some(text.clone()),
+        TomlValue::Text(text) => Some(text.clone()),
         // On the command line quotes are the shell's, so `title=1984` is meant as text.
-        Value::Integer(_) | Value::Float(_) | Value::Truth(_) | Value::Date => {
+        TomlValue::Integer(_) | TomlValue::Float(_) | TomlValue::Truth(_) | TomlValue::Date => {
             report.overriding(node.place).map(str::to_owned)
         }
-        Value::List(_) | Value::Table(_) => None,
+        TomlValue::List(_) | TomlValue::Table(_) => None,
     }
 }
 
 /// The text of `node`, called `name`; not empty.
-pub(super) fn text(report: &mut Report<'_>, name: &str, node: &Node) -> Option<String> {
+pub(super) fn text(report: &mut MistakeList<'_>, name: &str, node: &Node) -> Option<String> {
     let Some(text) = plain_text(report, node) else {
         wrong_type(report, name, node, "text", "write it in quotes");
         return None;
@@ -162,22 +166,22 @@ pub(super) fn text(report: &mut Report<'_>, name: &str, node: &Node) -> Option<S
 
 /// The number of `node`, called `name`, in SI; within its range.
 pub(super) fn number(
-    report: &mut Report<'_>,
+    report: &mut MistakeList<'_>,
     name: &str,
     node: &Node,
     quantity: Quantity,
 ) -> Option<f64> {
     let value = match &node.value {
-        Value::Integer(value) => *value as f64,
-        Value::Float(value) => *value,
-        Value::Text(text) => match quantity::parse(text, quantity.unit) {
+        TomlValue::Integer(value) => *value as f64,
+        TomlValue::Float(value) => *value,
+        TomlValue::Text(text) => match quantity::parse(text, quantity.unit) {
             Ok(value) => value,
             Err(refusal) => {
                 refuse(report, name, node.place, text, &refusal, quantity);
                 return None;
             }
         },
-        Value::Truth(_) | Value::Date | Value::List(_) | Value::Table(_) => {
+        TomlValue::Truth(_) | TomlValue::Date | TomlValue::List(_) | TomlValue::Table(_) => {
             let help = format!("give {}", quantity.show_range());
             wrong_type(report, name, node, "a number", &help);
             return None;
@@ -193,7 +197,7 @@ pub(super) fn number(
 
 /// The whole number of `node`, called `name`; within its range of small positive numbers.
 pub(super) fn whole(
-    report: &mut Report<'_>,
+    report: &mut MistakeList<'_>,
     name: &str,
     node: &Node,
     quantity: Quantity,
@@ -214,7 +218,7 @@ pub(super) fn whole(
 }
 
 /// The nodes of a list of tables.
-pub(super) fn tables<'a>(report: &mut Report<'_>, name: &str, node: &'a Node) -> &'a [Node] {
+pub(super) fn tables<'a>(report: &mut MistakeList<'_>, name: &str, node: &'a Node) -> &'a [Node] {
     node.items().unwrap_or_else(|| {
         wrong_type(report, name, node, "a list", &format!("write it as [[{name}]]"));
         &[]
@@ -223,11 +227,11 @@ pub(super) fn tables<'a>(report: &mut Report<'_>, name: &str, node: &'a Node) ->
 
 /// Reports that `text` is not the quantity called `name`.
 fn refuse(
-    report: &mut Report<'_>,
+    report: &mut MistakeList<'_>,
     name: &str,
-    place: Place,
+    place: Location,
     text: &str,
-    refusal: &Refusal,
+    refusal: &QuantityError,
     quantity: Quantity,
 ) {
     let name = quoted(name);
@@ -236,12 +240,12 @@ fn refuse(
         unit => format!("give it in {unit}, as \"{}\"", quantity.show(value)),
     };
     let (message, help) = match refusal {
-        Refusal::NoNumber => (
+        QuantityError::NoNumber => (
             format!("{name} is {}, not a number", quoted(text)),
             format!("give {}", quantity.show_range()),
         ),
-        Refusal::NoUnit(value) => (format!("{name} is text without a unit"), example(*value)),
-        Refusal::WrongUnit(value, unit) => {
+        QuantityError::NoUnit(value) => (format!("{name} is text without a unit"), example(*value)),
+        QuantityError::WrongUnit(value, unit) => {
             (format!("{name} has the wrong unit {}", quoted(unit)), example(*value))
         }
     };

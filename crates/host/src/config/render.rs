@@ -5,8 +5,8 @@ use pode::input::Reconstruction as Samples;
 use pode::{Limits, Stepper as _, stepper};
 
 use super::quantity::Quantity;
-use super::read::Reader;
-use super::report::{Place, Report};
+use super::read::TableReader;
+use super::report::{Location, MistakeList};
 
 const LONGEST_STEP: Quantity = Quantity { unit: "s", range: (1e-6, 0.1) };
 
@@ -27,11 +27,10 @@ const SLEW_LIMIT: Quantity = Quantity { unit: "N/s", range: (1.0, 1e7) };
 /// How a voice is computed, and what the finger may feel at most.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Render {
-    /// The method.
     pub stepper: StepperName,
     /// Relative error per radian of a mode's fastest motion that `by-need` may make.
     pub error_budget: f64,
-    /// Longest step [s]; the model's own limit holds too.
+    /// Longest step (s); the model's own limit holds too.
     pub longest_step: f64,
     /// Width to which an event is located, as a fraction of the tick.
     pub event_tolerance: f64,
@@ -41,10 +40,10 @@ pub struct Render {
     /// the smoother and slower. Rigid models need it small, see key_hammer_rigid's README.
     pub jerk_density: f64,
     /// How that motion goes on over the tick.
-    pub reconstruction: Reconstruction,
-    /// Largest force [N].
+    pub reconstruction: InputReconstruction,
+    /// Largest force (N).
     pub force_limit: f64,
-    /// Fastest change of force [N/s].
+    /// Fastest change of force (N/s).
     pub slew_limit: f64,
 }
 
@@ -57,7 +56,7 @@ impl Default for Render {
             event_tolerance: Limits::default().event_tolerance,
             estimator: EstimatorName::Kalman,
             jerk_density: Kalman::KEY_JERK_DENSITY,
-            reconstruction: Reconstruction::Estimate,
+            reconstruction: InputReconstruction::Estimate,
             force_limit: 25.0,
             slew_limit: 2e4,
         }
@@ -139,14 +138,14 @@ impl EstimatorName {
 
 /// How the key's motion goes on between two samples.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Reconstruction {
+pub enum InputReconstruction {
     /// Ballistic, from what the estimator says.
     Estimate,
     /// From the samples alone.
     Samples(Samples),
 }
 
-impl Reconstruction {
+impl InputReconstruction {
     /// Every reconstruction, the default first.
     pub const ALL: [Self; 5] = [
         Self::Estimate,
@@ -169,12 +168,16 @@ impl Reconstruction {
 }
 
 /// Reads the table `render` for ticks at `tick_hz`; the default for what is not there.
-pub(super) fn read(report: &mut Report<'_>, scene: &mut Reader<'_>, tick_hz: u32) -> Render {
+pub(super) fn read(
+    report: &mut MistakeList<'_>,
+    scene: &mut TableReader<'_>,
+    tick_hz: u32,
+) -> Render {
     let mut render = Render::default();
     let Some(mut reader) = scene.table(report, "render") else { return render };
     let steppers: Vec<_> = StepperName::ALL.iter().map(|all| (all.name(), *all)).collect();
     let estimators = EstimatorName::ALL.map(|all| (all.name(), all));
-    let reconstructions = Reconstruction::ALL.map(|all| (all.name(), all));
+    let reconstructions = InputReconstruction::ALL.map(|all| (all.name(), all));
 
     keep(&mut render.stepper, reader.choice(report, "stepper", "there is no stepper", &steppers));
     keep(&mut render.error_budget, reader.number(report, "error_budget", ERROR_BUDGET));
@@ -206,7 +209,12 @@ fn keep<T>(kept: &mut T, read: Option<T>) {
 }
 
 /// Reports a step of which more are needed than a tick may take.
-fn refuse_too_short(report: &mut Report<'_>, place: Place, longest_step: f64, tick_hz: u32) {
+fn refuse_too_short(
+    report: &mut MistakeList<'_>,
+    place: Location,
+    longest_step: f64,
+    tick_hz: u32,
+) {
     let limits = Limits::default();
     // An event may cut a step in two.
     let most = f64::from(limits.pieces.saturating_sub(limits.events).max(1));

@@ -4,14 +4,14 @@ use std::path::Path;
 
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::overrides::Override;
-use super::source::Source;
+use super::source::SourceText;
 
 /// Mistakes reported of one file; whoever made so many does not read on.
 const MOST: usize = 100;
 
 /// Where something stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Place {
+pub(super) enum Location {
     /// At a byte of the file.
     At(usize),
     /// In the override with this index.
@@ -20,8 +20,8 @@ pub(super) enum Place {
 
 /// The mistakes found so far in one file and its overrides.
 #[derive(Debug)]
-pub(super) struct Report<'a> {
-    source: &'a Source,
+pub(super) struct MistakeList<'a> {
+    source: &'a SourceText,
     overrides: &'a [Override],
     /// Byte at which each line starts.
     lines: Vec<usize>,
@@ -30,39 +30,39 @@ pub(super) struct Report<'a> {
     found: Vec<Diagnostic>,
 }
 
-impl<'a> Report<'a> {
+impl<'a> MistakeList<'a> {
     /// Nothing is wrong yet.
-    pub(super) fn new(source: &'a Source, overrides: &'a [Override]) -> Self {
+    pub(super) fn new(source: &'a SourceText, overrides: &'a [Override]) -> Self {
         let ends = source.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
         let lines = std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect();
         Self { source, overrides, lines, broken: false, found: Vec::new() }
     }
 
     /// The file that is read.
-    pub(super) const fn source(&self) -> &'a Source {
+    pub(super) const fn source(&self) -> &'a SourceText {
         self.source
     }
 
     /// What a relative path written at `place` is relative to.
-    pub(super) fn folder(&self, place: Place) -> &'a Path {
+    pub(super) fn folder(&self, place: Location) -> &'a Path {
         match place {
-            Place::At(_) => &self.source.folder,
-            Place::Override(_) => Path::new(""),
+            Location::At(_) => &self.source.folder,
+            Location::Override(_) => Path::new(""),
         }
     }
 
     /// The value of the override at `place`, as it was written, if there is one.
-    pub(super) fn overriding(&self, place: Place) -> Option<&'a str> {
+    pub(super) fn overriding(&self, place: Location) -> Option<&'a str> {
         match place {
-            Place::At(_) => None,
-            Place::Override(index) => self.overrides.get(index).map(|it| it.value.as_str()),
+            Location::At(_) => None,
+            Location::Override(index) => self.overrides.get(index).map(|it| it.value.as_str()),
         }
     }
 
     /// Records that `message` is wrong at `place`, and that `help` would put it right.
     pub(super) fn say(
         &mut self,
-        place: Place,
+        place: Location,
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
@@ -79,10 +79,10 @@ impl<'a> Report<'a> {
         });
     }
 
-    /// As [`Report::say`], for something that is not there.
+    /// As [`MistakeList::say`], for something that is not there.
     pub(super) fn miss(
         &mut self,
-        place: Place,
+        place: Location,
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
@@ -105,17 +105,17 @@ impl<'a> Report<'a> {
     }
 
     /// "line 3", or the override, for a message that points at a second place.
-    pub(super) fn describe(&self, place: Place) -> String {
+    pub(super) fn describe(&self, place: Location) -> String {
         match self.locate(place) {
             (_, Some((line, _))) => format!("line {line}"),
             (file, None) => file,
         }
     }
 
-    fn locate(&self, place: Place) -> (String, Option<(usize, usize)>) {
+    fn locate(&self, place: Location) -> (String, Option<(usize, usize)>) {
         match place {
-            Place::At(offset) => (self.source.file.clone(), Some(self.position(offset))),
-            Place::Override(index) => {
+            Location::At(offset) => (self.source.file.clone(), Some(self.position(offset))),
+            Location::Override(index) => {
                 let typed = self.overrides.get(index).map(|it| &it.typed);
                 (typed.unwrap_or(&self.source.file).clone(), None)
             }

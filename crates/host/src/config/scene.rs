@@ -5,20 +5,20 @@ use std::path::{Path, PathBuf};
 use midi::VelocityCurve;
 
 use super::diagnostic::Diagnostics;
-use super::document::{self, Value};
+use super::document::{self, TomlValue};
 use super::embedded::{PERFORMANCES, SCENES};
 use super::keys::{self, KeyVoice};
-use super::links::{self, Links, Rate};
-use super::needs::Loop;
+use super::links::{self, LinksConfig, Rate};
+use super::needs::LoopSettings;
 use super::overrides::{self, Override};
 use super::quantity::Quantity;
-use super::read::{self, Reader};
+use super::read::{self, TableReader};
 use super::render::{self, Render};
-use super::report::{Place, Report};
-use super::source::{Missing, Source, no_file, refuse};
+use super::report::{Location, MistakeList};
+use super::source::{SourceError, SourceText, no_file, refuse};
 use crate::names::{choice, quoted};
 
-/// The tick's rate on hardware [Hz].
+/// The tick's rate on hardware (Hz).
 const DEFAULT_TICK_HZ: u32 = 1000;
 
 pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
@@ -32,17 +32,16 @@ pub struct Scene {
     pub name: String,
     /// What it is, in a few words.
     pub title: String,
-    /// Ticks in a second, 100 ..= 10000 [Hz].
+    /// Ticks in a second, 100 ..= 10000 (Hz).
     pub tick_hz: u32,
     /// Threads of the tick.
-    pub lanes: Lanes,
+    pub lanes: LaneCount,
     /// How a voice is computed.
     pub render: Render,
     /// What each of the 88 keys is; none where it is silent.
     pub keys: Vec<Option<KeyVoice>>,
     /// Where the keys are.
-    pub links: Links,
-    /// Where strikes go.
+    pub links: LinksConfig,
     pub midi: Midi,
     /// What the virtual pianist plays, if there is one.
     pub performance: Option<PerformanceSource>,
@@ -50,7 +49,7 @@ pub struct Scene {
 
 /// Threads of the tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Lanes {
+pub enum LaneCount {
     /// One for each processor, at most 16.
     Auto,
     /// So many, 1 ..= 16.
@@ -69,7 +68,6 @@ pub struct Midi {
 /// A MIDI port or file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum MidiOutput {
-    /// Nowhere.
     None,
     /// A port of our own, to which other programs connect.
     Virtual,
@@ -84,7 +82,6 @@ pub enum MidiOutput {
 pub enum PerformanceSource {
     /// An embedded one: its name and the MIDI file.
     Embedded(&'static str, &'static [u8]),
-    /// A MIDI file.
     Path(PathBuf),
 }
 
@@ -127,12 +124,12 @@ impl Scene {
     ///
     /// All that is wrong with the scene and with the overrides.
     pub fn load_as_typed(name_or_path: &str, overrides: &[Override]) -> Result<Self, Diagnostics> {
-        let source = Source::find(&SCENES, name_or_path, Path::new(""));
+        let source = SourceText::find(&SCENES, name_or_path, Path::new(""));
         let source = source.map_err(|missing| match missing {
-            Missing::Unknown((message, help)) => {
+            SourceError::Unknown((message, help)) => {
                 refuse(Path::new(name_or_path), None, message, help)
             }
-            Missing::Unreadable(diagnostics) => diagnostics,
+            SourceError::Unreadable(diagnostics) => diagnostics,
         })?;
         Self::check(&source, overrides)
     }
@@ -146,25 +143,25 @@ impl Scene {
     ///
     /// All that is wrong with it.
     pub fn from_text(name: &str, text: String) -> Result<Self, Diagnostics> {
-        let source = Source::from_bytes(Path::new(name), text.into_bytes())?;
+        let source = SourceText::from_bytes(Path::new(name), text.into_bytes())?;
         Self::read_from(&source, &[], Stability::Recorded)
     }
 
     /// Reads a scene from `source`.
-    pub(super) fn check(source: &Source, overrides: &[Override]) -> Result<Self, Diagnostics> {
+    pub(super) fn check(source: &SourceText, overrides: &[Override]) -> Result<Self, Diagnostics> {
         Self::read_from(source, overrides, Stability::Required)
     }
 
     fn read_from(
-        source: &Source,
+        source: &SourceText,
         overrides: &[Override],
         stability: Stability,
     ) -> Result<Self, Diagnostics> {
-        let mut report = Report::new(source, overrides);
+        let mut report = MistakeList::new(source, overrides);
         let root = document::parse(&mut report);
         let read = root.and_then(|mut root| {
             overrides::apply(&mut report, &mut root, overrides);
-            let mut reader = Reader::new(&mut report, &source.name, &root)?;
+            let mut reader = TableReader::new(&mut report, &source.name, &root)?;
             let scene = Self::read(&mut report, &mut reader, stability);
             reader.finish(&mut report);
             Some(scene)
@@ -173,15 +170,19 @@ impl Scene {
     }
 
     /// Reads everything, with a default for what is missing or wrong.
-    fn read(report: &mut Report<'_>, reader: &mut Reader<'_>, stability: Stability) -> Self {
+    fn read(
+        report: &mut MistakeList<'_>,
+        reader: &mut TableReader<'_>,
+        stability: Stability,
+    ) -> Self {
         let name = report.source().name.clone();
         let title = reader.text(report, "title").map_or_else(|| name.clone(), |(title, _)| title);
         let rate = read_tick_hz(report, reader);
         let tick_hz = rate.map_or(DEFAULT_TICK_HZ, |rate| rate.hz);
-        let lanes = read_lanes(report, reader).unwrap_or(Lanes::Auto);
+        let lanes = read_lanes(report, reader).unwrap_or(LaneCount::Auto);
         let render = render::read(report, reader, tick_hz);
         let in_loop = match stability {
-            Stability::Required => Some(Loop { tick_hz, render: &render }),
+            Stability::Required => Some(LoopSettings { tick_hz, render: &render }),
             Stability::Recorded => None,
         };
         let keys = keys::read(report, reader, in_loop);
@@ -192,27 +193,27 @@ impl Scene {
     }
 }
 
-fn read_tick_hz(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Rate> {
+fn read_tick_hz(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<Rate> {
     let node = &reader.take("tick_hz")?.node;
     let hz = read::whole(report, "tick_hz", node, TICK_HZ)?;
     Some(Rate { hz, place: node.place })
 }
 
-fn read_lanes(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Lanes> {
+fn read_lanes(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<LaneCount> {
     let node = &reader.take("lanes")?.node;
-    if let Value::Text(text) = &node.value {
+    if let TomlValue::Text(text) = &node.value {
         if text == "auto" {
-            return Some(Lanes::Auto);
+            return Some(LaneCount::Auto);
         }
         let message = format!("\"lanes\" is {}", quoted(text));
         report.say(node.place, message, "give \"auto\" or a number, 1 to 16");
         return None;
     }
     let count = read::whole(report, "lanes", node, LANES)?;
-    Some(Lanes::Count(usize::try_from(count).unwrap_or(1)))
+    Some(LaneCount::Count(usize::try_from(count).unwrap_or(1)))
 }
 
-fn read_midi(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Midi {
+fn read_midi(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Midi {
     let mut midi = Midi { output: MidiOutput::None, curve: VelocityCurve::default() };
     let Some(mut reader) = scene.table(report, "midi") else { return midi };
     if let Some((output, _)) = reader.text(report, "output") {
@@ -241,7 +242,10 @@ fn midi_output(output: String) -> MidiOutput {
     }
 }
 
-fn read_pianist(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Option<PerformanceSource> {
+fn read_pianist(
+    report: &mut MistakeList<'_>,
+    scene: &mut TableReader<'_>,
+) -> Option<PerformanceSource> {
     let mut reader = scene.table(report, "pianist")?;
     let performance = reader.text(report, "performance");
     if reader.take("performance").is_none() {
@@ -255,8 +259,8 @@ fn read_pianist(report: &mut Report<'_>, scene: &mut Reader<'_>) -> Option<Perfo
 
 /// The embedded performance or the file that is `wanted`; "none" is no performance.
 fn find_performance(
-    report: &mut Report<'_>,
-    place: Place,
+    report: &mut MistakeList<'_>,
+    place: Location,
     wanted: &str,
 ) -> Option<PerformanceSource> {
     if wanted == "none" {

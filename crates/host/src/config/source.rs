@@ -5,28 +5,27 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use super::diagnostic::{Diagnostic, Diagnostics};
-use super::embedded::Shelf;
+use super::embedded::EmbeddedFiles;
 use crate::names;
 
-/// Longest file that is read [bytes]; the largest scene of ours has two thousand.
+/// Longest file that is read (bytes); the largest scene of ours has two thousand.
 const LONGEST: u64 = 1 << 18;
 
 /// A text, and where it came from.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Source {
+pub(super) struct SourceText {
     /// Its name in diagnostics.
     pub(super) file: String,
     /// Its name in lists: the file's, without the ending.
     pub(super) name: String,
     /// What relative paths in it are relative to.
     pub(super) folder: PathBuf,
-    /// The text.
     pub(super) text: String,
 }
 
-impl Source {
+impl SourceText {
     /// An embedded file of `shelf` called `name`.
-    pub(super) fn embedded(shelf: &Shelf, name: &str) -> Option<Self> {
+    pub(super) fn embedded(shelf: &EmbeddedFiles, name: &str) -> Option<Self> {
         let text = shelf.find(name)?;
         Some(Self {
             file: format!("configs/{}s/{name}.toml", shelf.what),
@@ -64,15 +63,19 @@ impl Source {
     /// # Errors
     ///
     /// What is wrong and what to do, where there is no such thing; or that the file cannot be read.
-    pub(super) fn find(shelf: &Shelf, wanted: &str, folder: &Path) -> Result<Self, Missing> {
+    pub(super) fn find(
+        shelf: &EmbeddedFiles,
+        wanted: &str,
+        folder: &Path,
+    ) -> Result<Self, SourceError> {
         if let Some(source) = Self::embedded(shelf, wanted) {
             return Ok(source);
         }
         let path = folder.join(wanted);
         if path.is_file() {
-            return Self::read(&path).map_err(Missing::Unreadable);
+            return Self::read(&path).map_err(SourceError::Unreadable);
         }
-        Err(Missing::Unknown(if is_path(wanted) {
+        Err(SourceError::Unknown(if is_path(wanted) {
             no_file(&path)
         } else {
             (
@@ -83,9 +86,9 @@ impl Source {
     }
 }
 
-/// Why there is no [`Source`].
+/// Why there is no [`SourceText`].
 #[derive(Debug)]
-pub(super) enum Missing {
+pub(super) enum SourceError {
     /// There is no such thing: what is wrong, and what to do.
     Unknown((String, String)),
     /// It is there and cannot be read.

@@ -1,12 +1,12 @@
 //! What a range of keys is: a model, a preset, and the parameters that differ from it.
 
-use models::catalogue::{self, Entry};
+use models::catalogue::{self, ModelEntry};
 use models::{Parameter, Preset};
 
-use super::document::{Node, Value};
+use super::document::{Node, TomlValue};
 use super::quantity::Quantity;
-use super::read::{self, Reader, unknown};
-use super::report::{Place, Report};
+use super::read::{self, TableReader, unknown};
+use super::report::{Location, MistakeList};
 use crate::names::quoted;
 
 /// Index of the compass's last key.
@@ -33,14 +33,14 @@ impl Graded {
 /// A model with a value for each of its parameters on each key.
 #[derive(Clone, Debug)]
 pub(super) struct Voicing {
-    pub(super) model: &'static Entry,
+    pub(super) model: &'static ModelEntry,
     pub(super) preset: &'static Preset,
     /// What differs from the preset, by parameter.
     changed: Vec<Option<Graded>>,
 }
 
 impl Voicing {
-    const fn new(model: &'static Entry, preset: &'static Preset) -> Self {
+    const fn new(model: &'static ModelEntry, preset: &'static Preset) -> Self {
         Self { model, preset, changed: Vec::new() }
     }
 
@@ -54,7 +54,7 @@ impl Voicing {
     }
 
     /// Reads the keys `model` and `preset`; the model's first preset if none is named.
-    pub(super) fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<Self> {
+    pub(super) fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<Self> {
         let model = reader.text(report, "model");
         let preset = reader.text(report, "preset");
         let (name, place) = model?;
@@ -80,7 +80,11 @@ impl Voicing {
     }
 
     /// Reads the table `parameters`, if there is one.
-    pub(super) fn read_parameters(&mut self, report: &mut Report<'_>, reader: &mut Reader<'_>) {
+    pub(super) fn read_parameters(
+        &mut self,
+        report: &mut MistakeList<'_>,
+        reader: &mut TableReader<'_>,
+    ) {
         let Some(entry) = reader.take("parameters") else { return };
         let Some(entries) = entry.node.entries() else {
             let help = "write it as a table of the model's parameters";
@@ -100,7 +104,7 @@ impl Voicing {
         }
     }
 
-    fn unknown_parameter(&self, report: &mut Report<'_>, place: Place, name: &str) {
+    fn unknown_parameter(&self, report: &mut MistakeList<'_>, place: Location, name: &str) {
         let refusal = format!("{} has no parameter", self.model.name);
         let known = self.model.parameters.iter().map(|parameter| parameter.name);
         unknown(report, place, &refusal, name, known);
@@ -108,14 +112,14 @@ impl Voicing {
 }
 
 /// A number, or `{ bass = …, treble = … }`.
-fn read_graded(report: &mut Report<'_>, parameter: &Parameter, node: &Node) -> Option<Graded> {
+fn read_graded(report: &mut MistakeList<'_>, parameter: &Parameter, node: &Node) -> Option<Graded> {
     let quantity = Quantity { unit: parameter.unit, range: parameter.range };
-    if !matches!(node.value, Value::Table(_)) {
+    if !matches!(node.value, TomlValue::Table(_)) {
         let value = read::number(report, parameter.name, node, quantity)?;
         return Some(Graded { bass: value, treble: value });
     }
-    let mut reader = Reader::new(report, parameter.name, node)?;
-    let mut end = |report: &mut Report<'_>, name| {
+    let mut reader = TableReader::new(report, parameter.name, node)?;
+    let mut end = |report: &mut MistakeList<'_>, name| {
         let value = reader.take(name);
         if value.is_none() {
             let message = format!("{} is graded but has no {name}", quoted(parameter.name));

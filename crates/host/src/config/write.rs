@@ -3,14 +3,14 @@
 use hardware::link::address::Address;
 use hardware::link::can::CanMode;
 use hardware::refusal::KeyRange as BoardKeys;
-use models::catalogue::Entry;
+use models::catalogue::ModelEntry;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value, value};
 
 use super::keys::KeyVoice;
-use super::links::{BoardBus, Boards, FORCES, Links, SAMPLES, bus_at};
+use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
 use super::range::name as key;
 use super::render::Render;
-use super::scene::{Lanes, Midi, MidiOutput, PerformanceSource, Scene};
+use super::scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
 
 /// The text of `scene`; read again it is the same scene to the last bit.
 pub fn written(scene: &Scene) -> String {
@@ -18,8 +18,8 @@ pub fn written(scene: &Scene) -> String {
     document["title"] = value(scene.title.as_str());
     document["tick_hz"] = value(i64::from(scene.tick_hz));
     document["lanes"] = match scene.lanes {
-        Lanes::Auto => value("auto"),
-        Lanes::Count(count) => value(i64::try_from(count).unwrap_or(1)),
+        LaneCount::Auto => value("auto"),
+        LaneCount::Count(count) => value(i64::try_from(count).unwrap_or(1)),
     };
     document["render"] = Item::Table(render(&scene.render));
     document["links"] = Item::Table(links(&scene.links));
@@ -67,9 +67,9 @@ fn midi(it: &Midi) -> Table {
     table
 }
 
-fn links(it: &Links) -> Table {
+fn links(it: &LinksConfig) -> Table {
     let mut table = Table::new();
-    let Links::Boards(boards) = it else {
+    let LinksConfig::Boards(boards) = it else {
         table["kind"] = value("simulated");
         return table;
     };
@@ -152,7 +152,7 @@ fn entry(voice: &KeyVoice, first: usize, last: usize) -> Table {
     table
 }
 
-fn parameters(model: &Entry, values: &[f64]) -> InlineTable {
+fn parameters(model: &ModelEntry, values: &[f64]) -> InlineTable {
     model.parameters.iter().zip(values).map(|(it, value)| (it.name, Value::from(*value))).collect()
 }
 
@@ -161,13 +161,13 @@ mod tests {
     use std::path::Path;
 
     use super::super::embedded::SCENES;
-    use super::super::source::Source;
+    use super::super::source::SourceText;
     use super::*;
 
     /// `scene` as it is read again.
     fn again(scene: &Scene) -> Scene {
         let text = written(scene).into_bytes();
-        let source = Source::from_bytes(Path::new("again.toml"), text).expect("a text");
+        let source = SourceText::from_bytes(Path::new("again.toml"), text).expect("a text");
         Scene::check(&source, &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
     }
 

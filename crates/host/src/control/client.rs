@@ -35,11 +35,9 @@ pub enum ControlError {
         path = .path.display()
     )]
     NotYours {
-        /// Where it listens.
         path: PathBuf,
         /// Whose it is, in words.
         owner: String,
-        /// What was typed.
         command: &'static str,
     },
     /// What listens there was started by somebody who could not be trusted with it.
@@ -48,12 +46,7 @@ pub enum ControlError {
          it is, and give LETOFF_SOCKET the path of your own",
         path = .path.display()
     )]
-    Impostor {
-        /// Where it listens.
-        path: PathBuf,
-        /// Who started it.
-        uid: u32,
-    },
+    Impostor { path: PathBuf, uid: u32 },
     /// The host took the request, or not even that, and says nothing.
     #[error(
         "the host{} gave no answer within {} s: it hangs. Boards that hear nothing from it take \
@@ -72,7 +65,6 @@ pub enum ControlError {
     /// The host went away or the connection failed.
     #[error("the host did not answer: {0}")]
     Silent(io::Error),
-    /// Something else answered.
     #[error("what answered is no host of this version: {0}")]
     Foreign(#[from] serde_json::Error),
 }

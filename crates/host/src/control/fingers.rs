@@ -14,13 +14,13 @@ pub type Connection = Option<u64>;
 /// Of the ring's places one is always kept free for each key that is pressed, so that letting go
 /// never fails.
 #[derive(Debug)]
-pub struct Fingers {
+pub struct FingerQueue {
     weights: Producer<(KeyIndex, f64)>,
     /// The keys that are pressed, and by whom last.
     pressed: BTreeMap<u8, (KeyIndex, Connection)>,
 }
 
-impl Fingers {
+impl FingerQueue {
     /// Nothing is pressed.
     pub const fn new(weights: Producer<(KeyIndex, f64)>) -> Self {
         Self { weights, pressed: BTreeMap::new() }
@@ -66,9 +66,9 @@ mod tests {
     use super::*;
     use rtrb::{Consumer, RingBuffer};
 
-    fn fingers(room: usize) -> (Fingers, Consumer<(KeyIndex, f64)>) {
+    fn fingers(room: usize) -> (FingerQueue, Consumer<(KeyIndex, f64)>) {
         let (weights, laid) = RingBuffer::new(room);
-        (Fingers::new(weights), laid)
+        (FingerQueue::new(weights), laid)
     }
 
     fn key(number: u8) -> KeyIndex {

@@ -24,13 +24,13 @@ mod tuning;
 
 pub use client::{ControlError, send, send_within};
 pub use emergency::{BoardsTold, EmergencyStop};
-pub use fingers::{Connection, Fingers};
+pub use fingers::{Connection, FingerQueue};
 pub use folders::Folders;
-pub use patchbay::{Lights, Lit, Patchbay};
+pub use patchbay::{IdentifyTarget, Lights, RunHandle};
 pub use place::socket_path;
-pub use server::{Answers, Clients, Server, serve};
-pub use stream::{StreamSink, Studio};
-pub use switchboard::Switchboard;
+pub use server::{Answers, Clients, ControlServer, serve};
+pub use stream::{RequestHandler, StreamSink};
+pub use switchboard::VoiceSwitcher;
 
 pub use telemetry::{Reply, Request};
 

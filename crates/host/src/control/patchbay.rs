@@ -9,30 +9,26 @@ use pode::EnergyAudit;
 use rtrb::Producer;
 use telemetry::{Log, Update, log};
 
-use super::{Connection, EmergencyStop, Fingers};
+use super::{Connection, EmergencyStop, FingerQueue};
 use crate::adapters::audit::AuditCell;
-use crate::observe::{Recording, Told};
+use crate::observe::{RecordingHandle, TelemetryMessage};
 use crate::realtime::pool::{BoxedVoice, VoiceSwaps, Way};
 
 /// Off the tick on both sides; the tick itself only sees the rings behind it.
 #[derive(Debug, Default)]
-pub struct Patchbay {
+pub struct RunHandle {
     /// The way into the lanes, while there are any.
     swaps: Mutex<Option<VoiceSwaps>>,
     /// The audits of all voices that ever played.
     audits: Mutex<Audits>,
-    /// Everything shall stop.
     pub emergency: EmergencyStop,
     /// The fingers of a simulated keybed.
-    fingers: Mutex<Option<Fingers>>,
-    /// Of boards.
+    fingers: Mutex<Option<FingerQueue>>,
     lights: Mutex<Option<Lights>>,
     /// What is being recorded since somebody asked for it.
-    recording: Mutex<Option<Recording>>,
-    /// Voices so far.
+    recording: Mutex<Option<RecordingHandle>>,
     voices: AtomicU32,
-    /// To whoever observes.
-    told: Mutex<Option<mpsc::Sender<Told>>>,
+    told: Mutex<Option<mpsc::Sender<TelemetryMessage>>>,
 }
 
 /// What is said of a host that is being prepared, or has ended.
@@ -51,29 +47,28 @@ struct Audits {
 #[derive(Debug)]
 pub struct Lights {
     /// In the order in which the bus has them.
-    pub boards: Vec<Lit>,
+    pub boards: Vec<IdentifyTarget>,
     /// Takes a place among them.
     pub sought: Producer<usize>,
 }
 
 /// A board that has a light.
 #[derive(Debug)]
-pub struct Lit {
+pub struct IdentifyTarget {
     /// Which link it is on.
     pub line: u32,
     /// What that is called.
     pub name: String,
-    /// Its number there.
     pub board: u32,
 }
 
-impl std::fmt::Display for Lit {
+impl std::fmt::Display for IdentifyTarget {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "board {} on {} (link {})", self.board, self.name, self.line)
     }
 }
 
-impl Patchbay {
+impl RunHandle {
     /// Lets voices in.
     pub fn open(&self, swaps: VoiceSwaps) {
         *lock(&self.swaps) = Some(swaps);
@@ -85,12 +80,12 @@ impl Patchbay {
     }
 
     /// Tells `told` of what is sent from now on.
-    pub fn connect(&self, told: mpsc::Sender<Told>) {
+    pub fn connect(&self, told: mpsc::Sender<TelemetryMessage>) {
         *lock(&self.told) = Some(told);
     }
 
     /// Tells whoever observes, if anybody does.
-    pub fn tell(&self, told: Told) {
+    pub fn tell(&self, told: TelemetryMessage) {
         if let Some(sender) = lock(&self.told).as_ref() {
             // Who does not listen any more need not know.
             let _gone = sender.send(told);
@@ -100,7 +95,7 @@ impl Patchbay {
     /// Writes a sentence into the host's log.
     pub fn log(&self, text: String) {
         let entry = Log { level: log::Level::Info.into(), text };
-        self.tell(Told::Update(Box::new(Update::Log(entry))));
+        self.tell(TelemetryMessage::Update(Box::new(Update::Log(entry))));
     }
 
     /// A number for one more voice, from 1.
@@ -116,7 +111,7 @@ impl Patchbay {
         &self,
         voices: Vec<(usize, BoxedVoice)>,
         way: Way,
-        told: Vec<Told>,
+        told: Vec<TelemetryMessage>,
     ) -> Result<usize, String> {
         let mut swaps = lock(&self.swaps);
         let swaps = swaps.as_mut().ok_or(NOT_RUNNING)?;
@@ -143,7 +138,7 @@ impl Patchbay {
             .ok_or_else(|| self.lack("these keys are simulated here, and have no lights"))?;
         let which = boards.iter().position(|it| (it.line, it.board) == (line, board));
         let which = which.ok_or_else(|| {
-            let all: Vec<_> = boards.iter().map(Lit::to_string).collect();
+            let all: Vec<_> = boards.iter().map(IdentifyTarget::to_string).collect();
             format!("there is no board {board} on link {line}, but {}", all.join(", "))
         })?;
         sought.push(which).map_err(|_full| "too many lights are wanted at once; try again")?;
@@ -167,10 +162,10 @@ impl Patchbay {
         if let Some(going) = recording.as_ref().filter(|it| it.report().trouble.is_none()) {
             return Err(format!("{} is being recorded: end it first", going.report().file));
         }
-        let begun = Recording::begin(std::path::Path::new(file));
+        let begun = RecordingHandle::begin(std::path::Path::new(file));
         let (begun, sink) = begun.map_err(|error| error.to_string())?;
         *recording = Some(begun);
-        self.tell(Told::Sink(sink));
+        self.tell(TelemetryMessage::Sink(sink));
         Ok(format!("{file} is being recorded"))
     }
 
@@ -181,7 +176,7 @@ impl Patchbay {
 
     /// Lets weights be laid on simulated keys.
     pub fn lend_fingers(&self, weights: Producer<(KeyIndex, f64)>) {
-        *lock(&self.fingers) = Some(Fingers::new(weights));
+        *lock(&self.fingers) = Some(FingerQueue::new(weights));
     }
 
     /// Presses a simulated key with `newtons` for `by`; 0 lets go.
@@ -189,7 +184,7 @@ impl Patchbay {
     /// # Errors
     /// If there is no such key, or it is a real one, or too much is waiting, in a sentence.
     pub fn press(&self, key: u8, newtons: f64, by: Connection) -> Result<(), String> {
-        /// A finger's weight and a blow with it [N].
+        /// A finger's weight and a blow with it (N).
         const HARDEST: f64 = 50.0;
         let key =
             KeyIndex::new(key).ok_or_else(|| format!("there is no key {key}, give 0 to 87"))?;
@@ -258,7 +253,7 @@ mod tests {
 
     #[test]
     fn voices_that_are_gone_stay_in_the_sum_and_take_no_room() {
-        let patchbay = Patchbay::default();
+        let patchbay = RunHandle::default();
         let audit = EnergyAudit { supplied: 1.0, ..EnergyAudit::default() };
         for _ in 0..100 {
             patchbay.new_cell().publish(&audit);
@@ -271,11 +266,11 @@ mod tests {
 
     #[test]
     fn a_board_that_is_not_there_is_refused_with_those_that_are() {
-        let patchbay = Patchbay::default();
+        let patchbay = RunHandle::default();
         let refused = patchbay.identify(0, 3).unwrap_err();
         assert!(refused.contains("not running yet"), "{refused}");
         let (sought, mut shown) = rtrb::RingBuffer::new(1);
-        let lit = |line, board| Lit { line, name: format!("can{line}"), board };
+        let lit = |line, board| IdentifyTarget { line, name: format!("can{line}"), board };
         patchbay.lend_lights(Lights { boards: vec![lit(0, 3), lit(1, 3)], sought });
         let refused = patchbay.identify(0, 4).unwrap_err();
         assert!(refused.contains("board 3 on can1 (link 1)"), "{refused}");

@@ -13,7 +13,7 @@ use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, Buf
 use tokio::net::{UnixListener, UnixStream};
 use tokio::sync::Semaphore;
 
-use super::{Answer, Request, Switchboard, place};
+use super::{Answer, Request, VoiceSwitcher, place};
 
 /// Longest request in bytes; a sentence would do.
 const MAX_REQUEST: u64 = 4096;
@@ -33,7 +33,7 @@ pub trait Answers: Send + Sync + 'static {
     fn reply_to(&self, request: &Request) -> Answer;
 }
 
-impl Answers for Switchboard {
+impl Answers for VoiceSwitcher {
     fn reply_to(&self, request: &Request) -> Answer {
         let who = if matches!(request, Request::Stop {}) { "`letoff stop`" } else { "letoff" };
         self.answer(request, who)
@@ -42,14 +42,14 @@ impl Answers for Switchboard {
 
 /// A socket that is removed when the host ends.
 #[derive(Debug)]
-pub struct Server {
+pub struct ControlServer {
     listener: UnixListener,
     path: PathBuf,
     /// The file that was made: its device and number.
     made: (u64, u64),
 }
 
-impl Server {
+impl ControlServer {
     /// Listens at `path`, for this user only; a socket that a killed host of this user left is
     /// replaced, and anything else that is there is left alone.
     ///
@@ -73,7 +73,7 @@ fn file(path: &Path) -> io::Result<(u64, u64)> {
     Ok((found.dev(), found.ino()))
 }
 
-impl Drop for Server {
+impl Drop for ControlServer {
     fn drop(&mut self) {
         // Somebody may have removed it already, and put something else there.
         if file(&self.path).is_ok_and(|there| there == self.made) {
@@ -104,7 +104,7 @@ impl Clients {
 
 /// Answers clients, so many at once, until it is dropped.
 #[expect(clippy::infinite_loop, reason = "whoever spawned it ends it")]
-pub async fn serve<A: Answers>(server: Server, answers: Arc<A>, clients: Clients) {
+pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: Clients) {
     /// How long to wait when the system has no more descriptors.
     const PAUSE: Duration = Duration::from_millis(50);
     loop {

@@ -5,18 +5,18 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 
 use telemetry::request::Change;
-use telemetry::stream::{Backend, Publisher, Value, Who};
+use telemetry::stream::{Backend, ParameterSetting, Publisher, Who};
 use telemetry::{Reply, Request, Topic, Update};
 
-use super::{Folders, Switchboard};
-use crate::observe::Sink;
+use super::{Folders, VoiceSwitcher};
+use crate::observe::MessageSink;
 
 /// Gives what the pump makes to those who follow.
 #[derive(Debug)]
 pub struct StreamSink {
     publisher: Publisher,
     /// The values of each key's voice, as those who follow parameters know them.
-    told: BTreeMap<u32, Vec<Value>>,
+    told: BTreeMap<u32, Vec<ParameterSetting>>,
     /// How often somebody had begun to follow something.
     followings: u64,
 }
@@ -31,7 +31,8 @@ impl StreamSink {
     fn tell_changed(&mut self, voice: &telemetry::Voice) {
         let values = values_of(voice);
         let before = self.told.get(&voice.key);
-        let is_new = |value: &&Value| before.is_none_or(|before| !before.contains(value));
+        let is_new =
+            |value: &&ParameterSetting| before.is_none_or(|before| !before.contains(value));
         let changed: Vec<_> = values.iter().filter(is_new).cloned().collect();
         if !changed.is_empty() {
             self.publisher.parameters_changed(&changed);
@@ -40,7 +41,7 @@ impl StreamSink {
     }
 }
 
-impl Sink for StreamSink {
+impl MessageSink for StreamSink {
     fn take(&mut self, at: u64, update: &Update) {
         self.publisher.publish(at, update);
         if let Update::Voice(voice) = update {
@@ -60,26 +61,26 @@ impl Sink for StreamSink {
 }
 
 /// The values of a voice as the stream's parameters.
-fn values_of(voice: &telemetry::Voice) -> Vec<Value> {
+fn values_of(voice: &telemetry::Voice) -> Vec<ParameterSetting> {
     let Some(model) = models::catalogue::find(&voice.model) else { return Vec::new() };
     let key = u8::try_from(voice.key).unwrap_or(u8::MAX);
     let value = |(parameter, value): (&models::Parameter, &f64)| {
         let change = Change { key, parameter: parameter.name.to_owned(), value: *value };
-        Value { name: change.name(), value: *value }
+        ParameterSetting { name: change.name(), value: *value }
     };
     model.parameters.iter().zip(&voice.values).map(value).collect()
 }
 
 /// Answers what clients of the stream ask.
 #[derive(Debug)]
-pub struct Studio {
-    switchboard: Arc<Switchboard>,
+pub struct RequestHandler {
+    switchboard: Arc<VoiceSwitcher>,
     folders: Folders,
 }
 
-impl Studio {
+impl RequestHandler {
     /// Asks `switchboard`; files that clients name are in `folders`.
-    pub const fn new(switchboard: Arc<Switchboard>, folders: Folders) -> Self {
+    pub const fn new(switchboard: Arc<VoiceSwitcher>, folders: Folders) -> Self {
         Self { switchboard, folders }
     }
 
@@ -103,10 +104,10 @@ impl Studio {
     }
 }
 
-impl Backend for Studio {
-    fn parameters(&self, names: Option<&[String]>) -> Vec<Value> {
+impl Backend for RequestHandler {
+    fn parameters(&self, names: Option<&[String]>) -> Vec<ParameterSetting> {
         let all = self.switchboard.values();
-        let value = |it: &Change| Value { name: it.name(), value: it.value };
+        let value = |it: &Change| ParameterSetting { name: it.name(), value: it.value };
         let Some(names) = names else { return all.iter().map(value).collect() };
         let wanted = names.iter().filter_map(|name| Change::named(name, 0.0));
         let find = |wanted: Change| {

@@ -6,28 +6,28 @@ use std::sync::{Arc, Mutex, PoisonError};
 use telemetry::request::Change;
 use telemetry::{Event, Reply, Request, Update, event};
 
-use super::tuning::Playing;
-use super::{Connection, Patchbay};
-use crate::assemble::Assembler;
+use super::tuning::CurrentVoices;
+use super::{Connection, RunHandle};
+use crate::assemble::VoiceBuilder;
 use crate::config::{Instrument, KeyVoice, Scene, keys_named, written};
-use crate::observe::{self, Origin, Told};
+use crate::observe::{self, Origin, TelemetryMessage};
 use crate::realtime::pool::{BoxedVoice, Way};
 
 /// Builds voices for a running scene and hands them to its lanes.
 #[derive(Debug)]
-pub struct Switchboard {
+pub struct VoiceSwitcher {
     scene: Scene,
-    patchbay: Arc<Patchbay>,
+    patchbay: Arc<RunHandle>,
     /// One change at a time, each on top of those before.
-    playing: Mutex<Playing>,
+    playing: Mutex<CurrentVoices>,
     /// Where the host streams, and what it must be told.
     stream: Mutex<Option<(String, Option<String>)>>,
 }
 
-impl Switchboard {
+impl VoiceSwitcher {
     /// For the host that runs `scene` and opens `patchbay` while it does.
-    pub fn new(scene: Scene, patchbay: Arc<Patchbay>) -> Self {
-        let playing = Mutex::new(Playing::new(scene.keys.clone()));
+    pub fn new(scene: Scene, patchbay: Arc<RunHandle>) -> Self {
+        let playing = Mutex::new(CurrentVoices::new(scene.keys.clone()));
         Self { scene, patchbay, playing, stream: Mutex::default() }
     }
 
@@ -95,7 +95,7 @@ impl Switchboard {
     }
 
     /// What it puts voices, fingers and stops into.
-    pub(super) fn patchbay(&self) -> &Patchbay {
+    pub(super) fn patchbay(&self) -> &RunHandle {
         &self.patchbay
     }
 
@@ -135,12 +135,12 @@ impl Switchboard {
     /// Builds `voices`, tells of them, and sends them to their keys.
     fn put_in(
         &self,
-        playing: &mut Playing,
+        playing: &mut CurrentVoices,
         voices: BTreeMap<u8, KeyVoice>,
         instrument: Option<&str>,
         (way, who): (Way, &str),
     ) -> Result<(), String> {
-        let assembler = Assembler::new(&self.scene).map_err(|error| error.to_string())?;
+        let assembler = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
         let mut built: Vec<(usize, BoxedVoice)> = Vec::new();
         let mut told = Vec::new();
         for (key, voice) in &voices {
@@ -172,6 +172,6 @@ impl Switchboard {
             text: format!("{who}: {text}"),
             ..Event::default()
         };
-        self.patchbay.tell(Told::Update(Box::new(Update::Event(event))));
+        self.patchbay.tell(TelemetryMessage::Update(Box::new(Update::Event(event))));
     }
 }

@@ -11,7 +11,7 @@ use crate::observe::instrument_of;
 
 /// What plays on each key now.
 #[derive(Clone, Debug)]
-pub(super) struct Playing {
+pub(super) struct CurrentVoices {
     pub(super) keys: Vec<Option<KeyVoice>>,
     /// The instruments that they came from, as far as that is known.
     pub(super) instruments: Vec<Option<String>>,
@@ -20,7 +20,7 @@ pub(super) struct Playing {
 /// Mistakes that are told at once.
 const MOST_TOLD: usize = 5;
 
-impl Playing {
+impl CurrentVoices {
     /// As a scene begins.
     pub(super) fn new(keys: Vec<Option<KeyVoice>>) -> Self {
         let of = |(key, voice): (u8, &Option<KeyVoice>)| instrument_of(key, voice.as_ref()?);
@@ -79,8 +79,8 @@ mod tests {
     use super::*;
     use crate::config::Scene;
 
-    fn playing() -> Playing {
-        Playing::new(Scene::load("default", &[]).expect("the default scene").keys)
+    fn playing() -> CurrentVoices {
+        CurrentVoices::new(Scene::load("default", &[]).expect("the default scene").keys)
     }
 
     fn change(key: u8, parameter: &str, value: f64) -> Change {

@@ -3,8 +3,8 @@
 use scheduler::voice::VoiceFault;
 use telemetry::{KeyBlock, KeyState};
 
-use super::Eye;
-use crate::adapters::tap::{KeyRow, Stands};
+use super::ModelProbe;
+use crate::adapters::tap::{KeyRow, RowFlags};
 
 /// Bits of `KeyBlock.flags`.
 pub(crate) mod flag {
@@ -15,7 +15,7 @@ pub(crate) mod flag {
 }
 
 /// A row's flags.
-pub(super) const fn flags(stands: Stands) -> u8 {
+pub(super) const fn flags(stands: RowFlags) -> u8 {
     (if stands.idle { flag::IDLE } else { 0 })
         | (if stands.late { flag::LATE } else { 0 })
         | (if stands.fresh { flag::FRESH } else { 0 })
@@ -43,7 +43,7 @@ pub(super) struct BlockBuilder {
 
 impl BlockBuilder {
     /// Adds a row that `eye` looks at, if its model is known.
-    pub(super) fn push(&mut self, row: &KeyRow, flags: u8, eye: Option<&dyn Eye>) {
+    pub(super) fn push(&mut self, row: &KeyRow, flags: u8, eye: Option<&dyn ModelProbe>) {
         let block = &mut self.block;
         if block.after.is_empty() {
             (block.key, block.tick) = (row.key.into(), row.tick);

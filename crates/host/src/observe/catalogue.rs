@@ -1,12 +1,12 @@
 //! What there is to see and to change, as a message.
 
-use models::catalogue::{ENTRIES, Entry};
+use models::catalogue::{ENTRIES, ModelEntry};
 use scheduler::motion::KEYS;
 use telemetry::{Catalogue, Instrument, Model, Parameter};
 
 use super::embedded;
 use super::eye::{modes, signals};
-use crate::config::{self, Links, Scene};
+use crate::config::{self, LinksConfig, Scene};
 
 /// The catalogue of a host that runs `scene`; when it began is not known yet.
 pub fn catalogue(scene: &Scene) -> Catalogue {
@@ -18,13 +18,13 @@ pub fn catalogue(scene: &Scene) -> Catalogue {
         slew_limit: scene.render.slew_limit,
         models: ENTRIES.iter().map(model).collect(),
         instruments: instruments(),
-        fingers: scene.links == Links::Simulated,
+        fingers: scene.links == LinksConfig::Simulated,
         scene_text: config::written(scene),
         ..Catalogue::default()
     }
 }
 
-fn model(entry: &Entry) -> Model {
+fn model(entry: &ModelEntry) -> Model {
     Model {
         name: entry.name.to_owned(),
         summary: entry.summary.to_owned(),

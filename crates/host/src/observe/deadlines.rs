@@ -1,7 +1,7 @@
 //! All ticks so far, as distributions.
 
 use hdrhistogram::Histogram;
-use scheduler::deadline::{Cause, Outcome};
+use scheduler::deadline::{MissCause, Outcome};
 use telemetry::{Deadlines, Spread};
 
 use super::pulses::PulseRow;
@@ -43,9 +43,9 @@ impl DeadlinesBuilder {
         let Outcome::Missed(cause) = pulse.outcome else { return };
         counts.missed += 1;
         *match cause {
-            Cause::OwnWork => &mut counts.own_work,
-            Cause::WokenLate => &mut counts.woken_late,
-            Cause::Preempted => &mut counts.preempted,
+            MissCause::OwnWork => &mut counts.own_work,
+            MissCause::WokenLate => &mut counts.woken_late,
+            MissCause::Preempted => &mut counts.preempted,
         } += 1;
     }
 
@@ -60,7 +60,7 @@ impl DeadlinesBuilder {
     }
 }
 
-/// A histogram with edges that double, of the times up to its largest [us].
+/// A histogram with edges that double, of the times up to its largest (us).
 fn spread(histogram: &Histogram<u64>) -> Spread {
     let Quantiles { p50, p99, p99_9, max } = Quantiles::of(histogram);
     let bins = histogram.iter_log(1_000, 2.0);

@@ -5,7 +5,7 @@ use scheduler::motion::{KeyEvent, Moment};
 use scheduler::voice::VoiceFault;
 use telemetry::{Event, event::Kind};
 
-use super::Eye;
+use super::ModelProbe;
 use super::pulses::{PulseRow, words};
 use crate::adapters::tap::{KeyRow, TickRow};
 
@@ -18,7 +18,7 @@ fn at(kind: Kind, key: u8, Moment { tick, theta }: Moment) -> Event {
 }
 
 /// A change of mode in `tick`.
-pub(super) fn switch(tick: u64, key: u8, it: &Switch, eye: Option<&dyn Eye>) -> Event {
+pub(super) fn switch(tick: u64, key: u8, it: &Switch, eye: Option<&dyn ModelProbe>) -> Event {
     let guard = eye.and_then(|eye| eye.guard(it.from, it.guard)).unwrap_or_default();
     Event {
         from: it.from.into(),
@@ -89,7 +89,7 @@ pub(super) fn miss(pulse: &PulseRow) -> Option<Event> {
     words(pulse.outcome).map(|text| of_none(Kind::Miss, pulse.tick, text.to_owned()))
 }
 
-/// The sustain pedal will move at `at` [s] to `depth`, 0 to 1.
+/// The sustain pedal will move at `at` (s) to `depth`, 0 to 1.
 pub fn pedal((at, depth): (f64, f64)) -> Event {
     Event { at, speed: depth, ..of_none(Kind::Pedal, 0, String::new()) }
 }

@@ -6,16 +6,16 @@ use models::Playable;
 use models::catalogue::{self, Visitor};
 use models::draw::{Body, Coil, Ends, Follow, Material, Sketch};
 use pode::Motion;
-use scheduler::look::{Look, MAX_STATES};
+use scheduler::look::{MAX_STATES, ModelSnapshot};
 use telemetry::{Drawing, Follower, Outline, Signal, outline, signal};
 
 use super::short;
 
 /// A model with values, seen from outside.
-pub trait Eye: Send {
+pub trait ModelProbe: Send {
     /// Appends the signals in the order of [`signals`]: states, guards, outputs. A guard that is
     /// not watched in the present mode is not a number.
-    fn see(&self, look: &Look, signals: &mut Vec<f32>);
+    fn see(&self, look: &ModelSnapshot, signals: &mut Vec<f32>);
 
     /// The name of a guard that fired in `mode`; none if it is not watched there.
     fn guard(&self, mode: u8, guard: u8) -> Option<&'static str>;
@@ -25,7 +25,7 @@ pub trait Eye: Send {
 }
 
 /// An eye for the model called `name` with one value per parameter.
-pub fn eye(name: &str, values: &[f64]) -> Option<Box<dyn Eye>> {
+pub fn eye(name: &str, values: &[f64]) -> Option<Box<dyn ModelProbe>> {
     catalogue::visit(name, Opened(values))
 }
 
@@ -42,7 +42,7 @@ pub fn modes(name: &str) -> Vec<String> {
 struct Opened<'a>(&'a [f64]);
 
 impl Visitor for Opened<'_> {
-    type Output = Box<dyn Eye>;
+    type Output = Box<dyn ModelProbe>;
 
     fn visit<M: Playable>(self) -> Self::Output {
         const {
@@ -92,21 +92,23 @@ impl Visitor for Modes {
 }
 
 /// A guard, and the modes in which it is watched.
-struct Watched {
+struct WatchedGuard {
     id: pode::GuardId,
     name: &'static str,
     modes: Vec<u8>,
 }
 
 /// Every guard of a model, in the order in which its modes name them.
-fn guards<M: Playable>() -> Vec<Watched> {
+fn guards<M: Playable>() -> Vec<WatchedGuard> {
     let model = M::with_values(&[]);
-    let mut all: Vec<Watched> = Vec::new();
+    let mut all: Vec<WatchedGuard> = Vec::new();
     for (number, (mode, _name)) in (0..).zip(M::MODES) {
         for spec in model.guards(*mode) {
             match all.iter_mut().find(|guard| guard.id == spec.id) {
                 Some(guard) => guard.modes.push(number),
-                None => all.push(Watched { id: spec.id, name: spec.name, modes: vec![number] }),
+                None => {
+                    all.push(WatchedGuard { id: spec.id, name: spec.name, modes: vec![number] })
+                }
             }
         }
     }
@@ -117,11 +119,11 @@ struct ModelEye<M: Playable> {
     model: M,
     /// A state to write others into.
     shape: M::State,
-    guards: Vec<Watched>,
+    guards: Vec<WatchedGuard>,
 }
 
 impl<M: Playable> ModelEye<M> {
-    fn mode(look: &Look) -> Option<M::Mode> {
+    fn mode(look: &ModelSnapshot) -> Option<M::Mode> {
         M::MODES.get(usize::from(look.mode)).map(|(mode, _name)| *mode)
     }
 }
@@ -129,8 +131,8 @@ impl<M: Playable> ModelEye<M> {
 /// Most outputs that a model has.
 const MOST_OUTPUTS: usize = 16;
 
-impl<M: Playable> Eye for ModelEye<M> {
-    fn see(&self, look: &Look, signals: &mut Vec<f32>) {
+impl<M: Playable> ModelProbe for ModelEye<M> {
+    fn see(&self, look: &ModelSnapshot, signals: &mut Vec<f32>) {
         let wanted = signals.len() + M::STATES.len() + self.guards.len() + M::OUTPUTS.len();
         signals.extend(look.state.iter().take(M::STATES.len()).map(|value| short(*value)));
         let Some(mode) = Self::mode(look) else {
@@ -154,7 +156,7 @@ impl<M: Playable> Eye for ModelEye<M> {
     }
 
     fn guard(&self, mode: u8, guard: u8) -> Option<&'static str> {
-        let is_it = |it: &&Watched| it.id.0 == guard && it.modes.contains(&mode);
+        let is_it = |it: &&WatchedGuard| it.id.0 == guard && it.modes.contains(&mode);
         self.guards.iter().find(is_it).map(|it| it.name)
     }
 
@@ -242,8 +244,8 @@ mod tests {
             let mut signals = Vec::new();
             for mode in 0..modes(entry.name).len() {
                 let mode = u8::try_from(mode).expect("few modes");
-                eye.see(&Look { mode, ..Look::default() }, &mut signals);
-                eye.see(&Look { mode: 255, ..Look::default() }, &mut signals);
+                eye.see(&ModelSnapshot { mode, ..ModelSnapshot::default() }, &mut signals);
+                eye.see(&ModelSnapshot { mode: 255, ..ModelSnapshot::default() }, &mut signals);
             }
             let names = super::signals(entry.name).len();
             assert_eq!(signals.len(), 2 * names * modes(entry.name).len(), "{}", entry.name);
@@ -257,7 +259,7 @@ mod tests {
         let signals = signals(name);
         for mode in 0..2_u8 {
             let mut seen = Vec::new();
-            eye.see(&Look { mode, ..Look::default() }, &mut seen);
+            eye.see(&ModelSnapshot { mode, ..ModelSnapshot::default() }, &mut seen);
             for (signal, value) in signals.iter().zip(seen) {
                 let is_watched = signal.modes.is_empty() || signal.modes.contains(&mode.into());
                 assert_eq!(value.is_finite(), is_watched, "{} in mode {mode}", signal.name);

@@ -1,18 +1,18 @@
 //! Lines and boards as a message, and what became of them in sentences.
 
 use hardware::rt::board::BoardStatistics;
-use hardware::rt::glance::{BoardGlance, Glance, LineGlance};
+use hardware::rt::glance::{BoardGlance, LineGlance, LinkSnapshot};
 use rtrb::Consumer;
 use telemetry::Links;
 
-use crate::adapters::lookout::Sighting;
+use crate::adapters::lookout::LinkSample;
 use crate::report::{muted_keys, stage_words, wire_words};
 
 /// What is known of lines and boards, and where more comes from.
 #[derive(Debug)]
 pub struct LinksWatch {
-    seen: Consumer<Sighting>,
-    /// Time of a tick [s].
+    seen: Consumer<LinkSample>,
+    /// Time of a tick (s).
     period: f64,
     links: Links,
     /// Each line as it was seen last, and in which tick.
@@ -20,8 +20,8 @@ pub struct LinksWatch {
 }
 
 impl LinksWatch {
-    /// Of lines and boards of which nothing was seen yet; ticks are `period` [s] apart.
-    pub fn new(seen: Consumer<Sighting>, links: Links, period: f64) -> Self {
+    /// Of lines and boards of which nothing was seen yet; ticks are `period` (s) apart.
+    pub fn new(seen: Consumer<LinkSample>, links: Links, period: f64) -> Self {
         let last = vec![None; links.lines.len()];
         Self { seen, period, links, last }
     }
@@ -38,8 +38,8 @@ impl LinksWatch {
         while let Ok((tick, glance)) = self.seen.pop() {
             is_news = true;
             changes.extend(match glance {
-                Glance::Line(line, it) => self.line(line, tick, &it),
-                Glance::Board(board, it) => self.board(board, &it),
+                LinkSnapshot::Line(line, it) => self.line(line, tick, &it),
+                LinkSnapshot::Board(board, it) => self.board(board, &it),
             });
         }
         is_news.then_some(changes)
@@ -96,14 +96,14 @@ mod tests {
     use hardware::link::{Health, WireState};
     use hardware::plan::{LinkMeter, Medium};
     use hardware::rt::bus::LineStatistics;
-    use hardware::rt::glance::Care;
+    use hardware::rt::glance::BoardStatus;
     use hardware::rt::plausible::Implausible;
-    use hardware::rt::steward::Stage;
+    use hardware::rt::steward::ArmState;
     use rtrb::{Producer, RingBuffer};
     use telemetry::{Board, Line};
 
     /// One line with one board, in ticks of a millisecond.
-    fn watch() -> (Producer<Sighting>, LinksWatch) {
+    fn watch() -> (Producer<LinkSample>, LinksWatch) {
         let (told, seen) = RingBuffer::new(16);
         let line = Line { name: "can0".into(), planned: 0.25, seen: f64::NAN, ..Line::default() };
         let board = Board { id: 3, first_key: 33, keys: 11, ..Board::default() };
@@ -111,20 +111,20 @@ mod tests {
         (told, LinksWatch::new(seen, links, 1e-3))
     }
 
-    fn line(state: WireState, meter: Option<LinkMeter>) -> Glance {
+    fn line(state: WireState, meter: Option<LinkMeter>) -> LinkSnapshot {
         let health = Health { state, ..Health::default() };
         let statistics = LineStatistics { health, ..LineStatistics::default() };
-        Glance::Line(0, LineGlance { statistics, meter })
+        LinkSnapshot::Line(0, LineGlance { statistics, meter })
     }
 
-    fn board(stage: Stage) -> Glance {
+    fn board(stage: ArmState) -> LinkSnapshot {
         with_muted(stage, [None; MOST_KEYS])
     }
 
-    fn with_muted(stage: Stage, muted: [Option<Implausible>; MOST_KEYS]) -> Glance {
-        let care = Some(Care { stage, armings: 2, round_trip_us: Some(990) });
+    fn with_muted(stage: ArmState, muted: [Option<Implausible>; MOST_KEYS]) -> LinkSnapshot {
+        let care = Some(BoardStatus { stage, armings: 2, round_trip_us: Some(990) });
         let statistics = BoardStatistics { muted, ..BoardStatistics::default() };
-        Glance::Board(0, BoardGlance { statistics, care })
+        LinkSnapshot::Board(0, BoardGlance { statistics, care })
     }
 
     #[test]
@@ -152,15 +152,15 @@ mod tests {
             let changes = watch.look().unwrap();
             (watch.links().clone(), changes)
         };
-        assert_eq!(look(board(Stage::Armed)).1, [""; 0], "it begins so");
-        assert_eq!(look(board(Stage::Greeting)).1, ["board 3 on can0: silent"]);
-        let (links, changes) = look(board(Stage::Greeting));
+        assert_eq!(look(board(ArmState::Armed)).1, [""; 0], "it begins so");
+        assert_eq!(look(board(ArmState::Greeting)).1, ["board 3 on can0: silent"]);
+        let (links, changes) = look(board(ArmState::Greeting));
         assert_eq!(changes, [""; 0]);
         let it = &links.boards[0];
         assert_eq!((it.state.as_str(), it.armings, it.round_trip), ("silent", 2, 990.0));
         let mut muted = [None; MOST_KEYS];
         muted[6] = Some(Implausible::Noisy);
-        let told = look(with_muted(Stage::Armed, muted)).1;
+        let told = look(with_muted(ArmState::Armed, muted)).1;
         assert!(
             told[0].starts_with("board 3 on can0: armed; C4 is muted: its readings"),
             "{told:?}"
@@ -169,7 +169,7 @@ mod tests {
         assert_eq!(look(line(WireState::Off, None)).1, ["can0 is off now"]);
         let unplugged = LineStatistics { down: 900, ..LineStatistics::default() };
         let glance = LineGlance { statistics: unplugged, meter: None };
-        assert_eq!(look(Glance::Line(0, glance)).1, ["can0 is down now"]);
-        assert_eq!(look(Glance::Line(0, glance)).1, ["can0 is active now"], "it was mended");
+        assert_eq!(look(LinkSnapshot::Line(0, glance)).1, ["can0 is down now"]);
+        assert_eq!(look(LinkSnapshot::Line(0, glance)).1, ["can0 is active now"], "it was mended");
     }
 }

@@ -7,18 +7,18 @@ use hardware::refusal::KeyName;
 use telemetry::event::Kind;
 use telemetry::{Event, Links, Topic, Update};
 
-use super::pump::{Attention, Sink};
+use super::pump::{Attention, MessageSink};
 
 /// What takes a line of the log; it must not wait for a disk or a terminal.
-pub type Line = Box<dyn FnMut(String) + Send>;
+pub type LogLine = Box<dyn FnMut(String) + Send>;
 
-/// Time for which changes of values are put together [ns].
+/// Time for which changes of values are put together (ns).
 const CHANGES: u64 = 2_000_000_000;
 
 /// Writes down boards, clients, changes, faults and lost notes: few lines, however much happens.
 pub struct LogSink {
-    line: Line,
-    limit: Limit,
+    line: LogLine,
+    limit: RateLimit,
     /// Keys whose values were changed since then, by whom.
     changed: BTreeMap<String, BTreeSet<u32>>,
     since: u64,
@@ -34,8 +34,8 @@ impl std::fmt::Debug for LogSink {
 
 impl LogSink {
     /// Hands lines to `line`.
-    pub fn new(line: Line) -> Self {
-        let (limit, changed) = (Limit::default(), BTreeMap::new());
+    pub fn new(line: LogLine) -> Self {
+        let (limit, changed) = (RateLimit::default(), BTreeMap::new());
         Self { line, limit, changed, since: 0, is_naming: false }
     }
 
@@ -104,7 +104,7 @@ impl LogSink {
     }
 }
 
-impl Sink for LogSink {
+impl MessageSink for LogSink {
     fn take(&mut self, at: u64, update: &Update) {
         match update {
             Update::Log(log) => self.say(at, Subject::Clients, log.text.clone()),
@@ -184,26 +184,26 @@ impl Subject {
     }
 }
 
-/// A span of time in which so many lines on a subject are written [s].
+/// A span of time in which so many lines on a subject are written (s).
 const SPAN_S: u64 = 10;
 const SPAN: u64 = SPAN_S * 1_000_000_000;
 const LINES: u32 = 10;
 
 /// Counts lines, and those that are held back.
 #[derive(Debug, Default)]
-struct Limit(BTreeMap<Subject, Span>);
+struct RateLimit(BTreeMap<Subject, LogWindow>);
 
 #[derive(Debug)]
-struct Span {
+struct LogWindow {
     began: u64,
     written: u32,
     held: u64,
 }
 
-impl Limit {
-    /// Whether one more line may be written at `now` [ns].
+impl RateLimit {
+    /// Whether one more line may be written at `now` (ns).
     fn has_room(&mut self, now: u64, subject: Subject) -> bool {
-        let fresh = Span { began: now, written: 0, held: 0 };
+        let fresh = LogWindow { began: now, written: 0, held: 0 };
         let span = self.0.entry(subject).or_insert(fresh);
         if span.held == 0 && span.began.saturating_add(SPAN) <= now {
             (span.began, span.written) = (now, 0);
@@ -214,9 +214,9 @@ impl Limit {
         has_room
     }
 
-    /// Takes out how many lines were held back in spans that are over at `now` [ns].
+    /// Takes out how many lines were held back in spans that are over at `now` (ns).
     fn held_back(&mut self, now: u64) -> Vec<(Subject, u64)> {
-        let is_over = |span: &Span| 0 < span.held && span.began.saturating_add(SPAN) <= now;
+        let is_over = |span: &LogWindow| 0 < span.held && span.began.saturating_add(SPAN) <= now;
         let over = self.0.iter().filter(|(_, span)| is_over(span));
         let over: Vec<_> = over.map(|(subject, span)| (*subject, span.held)).collect();
         for (subject, _) in &over {

@@ -31,12 +31,12 @@ use crate::config::{Instrument, instruments};
 pub(crate) use block::flag;
 pub use catalogue::catalogue;
 pub use events::{NO_KEY, pedal};
-pub use eye::{Eye, eye, modes, signals};
+pub use eye::{ModelProbe, eye, modes, signals};
 pub use links::LinksWatch;
-pub use log::{Line, LogSink};
+pub use log::{LogLine, LogSink};
 pub use pulses::{PulseRow, Pulses};
-pub use pump::{Attention, Pump, Sink, Told};
-pub use record::{BlackBoxSink, Recording, RecordingReport};
+pub use pump::{Attention, MessageSink, TelemetryMessage, TelemetryThread};
+pub use record::{BlackBoxSink, RecordingHandle, RecordingReport};
 pub use voice::{Origin, instrument_of, voice};
 
 /// A name for what this process records: when, and by whom.

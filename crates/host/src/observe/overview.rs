@@ -9,8 +9,8 @@ use crate::adapters::tap::KeyRow;
 
 /// One key since the last look.
 #[derive(Clone, Copy, Debug)]
-struct Span {
-    /// As it is now [m], [N].
+struct KeyActivity {
+    /// As it is now (m), (N).
     now: (f64, f64),
     position: (f64, f64),
     force: (f64, f64),
@@ -19,7 +19,7 @@ struct Span {
     fault: u8,
 }
 
-impl Span {
+impl KeyActivity {
     const NOTHING: Self = Self {
         now: (0.0, 0.0),
         position: (0.0, 0.0),
@@ -41,7 +41,7 @@ impl Span {
 /// Collects all keys.
 #[derive(Debug)]
 pub(super) struct OverviewBuilder {
-    keys: Box<[Span]>,
+    keys: Box<[KeyActivity]>,
     last: u64,
     ticks: u32,
 }
@@ -49,7 +49,7 @@ pub(super) struct OverviewBuilder {
 impl OverviewBuilder {
     /// Nothing was seen.
     pub(super) fn new() -> Self {
-        Self { keys: vec![Span::NOTHING; KEYS].into(), last: 0, ticks: 0 }
+        Self { keys: vec![KeyActivity::NOTHING; KEYS].into(), last: 0, ticks: 0 }
     }
 
     /// Takes a row with its flags.
@@ -76,8 +76,9 @@ impl OverviewBuilder {
         if self.ticks == 0 {
             return None;
         }
-        let column = |of: fn(&Span) -> f64| self.keys.iter().map(|key| short(of(key))).collect();
-        let bytes = |of: fn(&Span) -> u8| self.keys.iter().map(of).collect();
+        let column =
+            |of: fn(&KeyActivity) -> f64| self.keys.iter().map(|key| short(of(key))).collect();
+        let bytes = |of: fn(&KeyActivity) -> u8| self.keys.iter().map(of).collect();
         let overview = Overview {
             tick: self.last,
             ticks: self.ticks,
@@ -90,7 +91,7 @@ impl OverviewBuilder {
             fault: bytes(|key| key.fault),
             dropped,
         };
-        self.keys.iter_mut().for_each(Span::begin);
+        self.keys.iter_mut().for_each(KeyActivity::begin);
         self.ticks = 0;
         Some(overview)
     }

@@ -1,9 +1,9 @@
 //! When ticks were done: the loop's wait-free end.
 
 use rtrb::{Consumer, Producer, RingBuffer};
-use scheduler::deadline::{Cause, Outcome};
+use scheduler::deadline::{MissCause, Outcome};
 
-use crate::realtime::run::Pulse;
+use crate::realtime::run::TickTiming;
 
 /// Ticks that may wait: a second at 1 kHz.
 const TICKS: usize = 1024;
@@ -11,13 +11,12 @@ const TICKS: usize = 1024;
 /// A tick's times.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PulseRow {
-    /// Which tick.
     pub tick: u64,
-    /// Woken after it was due [ns].
+    /// Woken after it was due (ns).
     pub lateness: u64,
-    /// Samples in to forces out [ns].
+    /// Samples in to forces out (ns).
     pub turnaround: u64,
-    /// CPU time [ns].
+    /// CPU time (ns).
     pub work: u64,
     /// Whether it was in time.
     pub outcome: Outcome,
@@ -40,7 +39,7 @@ impl Pulses {
     ///
     /// # Real-time
     /// One push into a ring.
-    pub fn take(&mut self, pulse: &Pulse) {
+    pub fn take(&mut self, pulse: &TickTiming) {
         let (report, times) = (&pulse.report, &pulse.times);
         let work = report.voices.work;
         let _full_is_left_out = self.0.push(PulseRow {
@@ -58,9 +57,9 @@ impl Pulses {
 pub(super) const fn number(outcome: Outcome) -> u8 {
     match outcome {
         Outcome::Met => 0,
-        Outcome::Missed(Cause::WokenLate) => 1,
-        Outcome::Missed(Cause::Preempted) => 2,
-        Outcome::Missed(Cause::OwnWork) => 3,
+        Outcome::Missed(MissCause::WokenLate) => 1,
+        Outcome::Missed(MissCause::Preempted) => 2,
+        Outcome::Missed(MissCause::OwnWork) => 3,
     }
 }
 
@@ -68,13 +67,13 @@ pub(super) const fn number(outcome: Outcome) -> u8 {
 pub(super) const fn words(outcome: Outcome) -> Option<&'static str> {
     match outcome {
         Outcome::Met => None,
-        Outcome::Missed(Cause::WokenLate) => Some(
+        Outcome::Missed(MissCause::WokenLate) => Some(
             "woken too late by the system: give the host real-time priority, or a quieter machine",
         ),
-        Outcome::Missed(Cause::Preempted) => {
+        Outcome::Missed(MissCause::Preempted) => {
             Some("interrupted by the system: give the host a processor of its own")
         }
-        Outcome::Missed(Cause::OwnWork) => Some(
+        Outcome::Missed(MissCause::OwnWork) => Some(
             "the voices took longer than a tick: give a lower rate, more lanes or a lighter model",
         ),
     }

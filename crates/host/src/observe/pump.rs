@@ -15,13 +15,13 @@ use super::deadlines::DeadlinesBuilder;
 use super::overview::OverviewBuilder;
 use super::pulses::PulseRow;
 use super::ticks::TicksBuilder;
-use super::{Eye, LinksWatch, events};
-use crate::adapters::tap::{Happening, KeyRow, Row, Tapped, TickRow, What};
+use super::{LinksWatch, ModelProbe, events};
+use crate::adapters::tap::{EventKind, KeyRow, RecorderRow, TickEvent, TickRecorderRings, TickRow};
 use crate::realtime::run::CreationError;
 
 /// Somebody who takes messages.
-pub trait Sink: Send {
-    /// Takes a message that was made at `at` [ns since 1970].
+pub trait MessageSink: Send {
+    /// Takes a message that was made at `at` (ns since 1970).
     fn take(&mut self, at: u64, update: &Update);
 
     /// Whether messages of `topic` are of use to it.
@@ -33,7 +33,7 @@ pub trait Sink: Send {
         false
     }
 
-    /// Looks after what it holds, a few times a second; `now` is [ns since 1970]. Says whether it
+    /// Looks after what it holds, a few times a second; `now` is (ns since 1970). Says whether it
     /// will take more.
     fn attend(&mut self, now: u64) -> Attention {
         let _ = now;
@@ -44,25 +44,23 @@ pub trait Sink: Send {
 /// Whether a sink takes more.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Attention {
-    /// It does.
     Goes,
     /// It is over, and may be dropped.
     Over,
 }
 
 /// What the pump is told of by others than the tick.
-pub enum Told {
+pub enum TelemetryMessage {
     /// A voice that may be put in from now on, and what to see it with.
-    Voice(Box<Voice>, Option<Box<dyn Eye>>),
-    /// Another message.
+    Voice(Box<Voice>, Option<Box<dyn ModelProbe>>),
     Update(Box<Update>),
     /// Where lines and boards are seen.
     Links(Box<LinksWatch>),
     /// One more who takes messages.
-    Sink(Box<dyn Sink>),
+    Sink(Box<dyn MessageSink>),
 }
 
-impl std::fmt::Debug for Told {
+impl std::fmt::Debug for TelemetryMessage {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Voice(voice, _eye) => f.debug_tuple("Voice").field(voice).finish(),
@@ -74,20 +72,19 @@ impl std::fmt::Debug for Told {
 }
 
 /// Moves what rings tell to sinks.
-pub struct Pump {
-    tapped: Tapped,
+pub struct TelemetryThread {
+    tapped: TickRecorderRings,
     pulses: Consumer<PulseRow>,
-    told: mpsc::Receiver<Told>,
-    sinks: Vec<Box<dyn Sink>>,
+    told: mpsc::Receiver<TelemetryMessage>,
+    sinks: Vec<Box<dyn MessageSink>>,
     /// What whoever comes later must know: the catalogue, and the voice of each key.
     latched: BTreeMap<Option<u32>, Update>,
     /// Moves of the pedal, which are told beforehand.
     pedals: Vec<Update>,
-    /// Of each revision.
-    eyes: BTreeMap<u32, Seen>,
-    /// Time at tick 0 [ns since 1970], and that of a tick [ns].
+    eyes: BTreeMap<u32, SeenVoice>,
+    /// Time at tick 0 (ns since 1970), and that of a tick (ns).
     time: (u64, u64),
-    keys: Vec<Key>,
+    keys: Vec<KeyTelemetry>,
     overview: OverviewBuilder,
     ticks: TicksBuilder,
     deadlines: DeadlinesBuilder,
@@ -104,11 +101,11 @@ pub struct Pump {
 }
 
 /// What a voice is seen with, and on which key.
-type Seen = (u32, Box<dyn Eye>);
+type SeenVoice = (u32, Box<dyn ModelProbe>);
 
 /// What is known of a key.
 #[derive(Debug, Default)]
-struct Key {
+struct KeyTelemetry {
     /// Of the voice that its last row was of.
     revision: u32,
     builder: BlockBuilder,
@@ -119,21 +116,21 @@ struct Key {
     mark: u8,
 }
 
-/// Time between two overviews [ns].
+/// Time between two overviews (ns).
 const LOOK: u64 = 33_000_000;
 
-/// Time between two sums [ns].
+/// Time between two sums (ns).
 const SUM: u64 = 1_000_000_000;
 
-impl Pump {
-    /// A pump for ticks of `period` [ns], on the heap since it is large.
+impl TelemetryThread {
+    /// A pump for ticks of `period` (ns), on the heap since it is large.
     ///
     /// # Errors
     /// If a histogram cannot be made, which their constants rule out.
     pub fn new(
-        tapped: Tapped,
+        tapped: TickRecorderRings,
         pulses: Consumer<PulseRow>,
-        told: mpsc::Receiver<Told>,
+        told: mpsc::Receiver<TelemetryMessage>,
         period: u64,
     ) -> Result<Box<Self>, CreationError> {
         Ok(Box::new(Self {
@@ -145,7 +142,7 @@ impl Pump {
             pedals: Vec::new(),
             eyes: BTreeMap::new(),
             time: (0, period),
-            keys: (0..KEYS).map(|_| Key::default()).collect(),
+            keys: (0..KEYS).map(|_| KeyTelemetry::default()).collect(),
             overview: OverviewBuilder::new(),
             ticks: TicksBuilder::default(),
             deadlines: DeadlinesBuilder::new()?,
@@ -159,7 +156,7 @@ impl Pump {
         }))
     }
 
-    /// Ticks count from `began` [ns since 1970].
+    /// Ticks count from `began` (ns since 1970).
     pub fn begin(&mut self, began: u64, mut catalogue: Catalogue) {
         self.time.0 = began;
         catalogue.began = began;
@@ -180,8 +177,8 @@ impl Pump {
         self.note_gap();
         for _ in 0..rows {
             match self.tapped.rows.pop() {
-                Ok(Row::Key(row)) => self.key(&row),
-                Ok(Row::Tick(row)) => self.tick(row),
+                Ok(RecorderRow::Key(row)) => self.key(&row),
+                Ok(RecorderRow::Tick(row)) => self.tick(row),
                 Err(_empty) => break,
             }
         }
@@ -204,11 +201,11 @@ impl Pump {
     fn pass_over(&mut self, rows: usize) {
         for _ in 0..rows {
             match self.tapped.rows.pop() {
-                Ok(Row::Key(row)) => {
+                Ok(RecorderRow::Key(row)) => {
                     let key = &mut self.keys[usize::from(row.key)];
                     (key.revision, key.last) = (row.look.revision, Some(row));
                 }
-                Ok(Row::Tick(row)) => (self.now, self.armed) = (row.tick, row.armed),
+                Ok(RecorderRow::Tick(row)) => (self.now, self.armed) = (row.tick, row.armed),
                 Err(_empty) => break,
             }
         }
@@ -233,7 +230,7 @@ impl Pump {
         let rows = &mut self.tapped.rows;
         let Ok(chunk) = rows.read_chunk(rows.slots()) else { return 0 };
         let (first, second) = chunk.as_slices();
-        let is_tick = |row: &Row| matches!(row, Row::Tick(_));
+        let is_tick = |row: &RecorderRow| matches!(row, RecorderRow::Tick(_));
         let last = second.iter().rposition(is_tick).map(|place| first.len() + place);
         last.or_else(|| first.iter().rposition(is_tick)).map_or(0, |place| place + 1)
     }
@@ -242,25 +239,25 @@ impl Pump {
     fn hear(&mut self) {
         while let Ok(told) = self.told.try_recv() {
             match told {
-                Told::Voice(voice, eye) => {
+                TelemetryMessage::Voice(voice, eye) => {
                     self.eyes.extend(eye.map(|eye| (voice.revision, (voice.key, eye))));
                     let key = voice.key;
                     let voice = Update::Voice(*voice);
                     self.give(&voice);
                     self.latched.insert(Some(key), voice);
                 }
-                Told::Update(update) => {
+                TelemetryMessage::Update(update) => {
                     self.give(&update);
                     self.pedals.extend(Some(*update).filter(is_pedal));
                 }
-                Told::Links(links) => self.links = Some(links),
-                Told::Sink(sink) => self.welcome(sink),
+                TelemetryMessage::Links(links) => self.links = Some(links),
+                TelemetryMessage::Sink(sink) => self.welcome(sink),
             }
         }
     }
 
     /// Tells one who came later what it must know.
-    fn welcome(&mut self, mut sink: Box<dyn Sink>) {
+    fn welcome(&mut self, mut sink: Box<dyn MessageSink>) {
         let at = self.at(self.now);
         self.latched.values().chain(&self.pedals).for_each(|update| sink.take(at, update));
         self.tell_keys(sink.as_mut());
@@ -289,7 +286,7 @@ impl Pump {
     }
 
     /// Tells how each key is that a sink wants: as in its last row, however long it lies still.
-    fn tell_keys(&self, sink: &mut dyn Sink) {
+    fn tell_keys(&self, sink: &mut dyn MessageSink) {
         for last in self.keys.iter().filter_map(|key| key.last.as_ref()) {
             let wants = [Topic::Block(last.key), Topic::State(last.key)].map(|it| sink.wants(it));
             if wants == [false; 2] {
@@ -373,13 +370,13 @@ impl Pump {
         }
     }
 
-    fn happening(&mut self, it: &Happening) {
+    fn happening(&mut self, it: &TickEvent) {
         let event = match &it.what {
-            What::Switch(revision, switch) => {
+            EventKind::Switch(revision, switch) => {
                 let eye = self.eyes.get(revision).map(|(_key, eye)| eye.as_ref());
                 events::switch(it.tick, it.key, switch, eye)
             }
-            What::Note(moment, event) => events::note(it.key, *moment, *event),
+            EventKind::Note(moment, event) => events::note(it.key, *moment, *event),
         };
         self.give(&Update::Event(event));
     }
@@ -434,7 +431,7 @@ impl Pump {
         self.give(&links);
     }
 
-    /// When `tick` was due [ns since 1970].
+    /// When `tick` was due (ns since 1970).
     const fn at(&self, tick: u64) -> u64 {
         let (began, period) = self.time;
         began.saturating_add(tick.saturating_mul(period))
@@ -457,7 +454,7 @@ fn is_pedal(update: &Update) -> bool {
     matches!(update, Update::Event(event) if event.kind() == Kind::Pedal)
 }
 
-impl std::fmt::Debug for Pump {
+impl std::fmt::Debug for TelemetryThread {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Pump").field("now", &self.now).finish_non_exhaustive()
     }
@@ -468,18 +465,18 @@ mod tests {
     use std::sync::{Arc, Mutex};
 
     use scheduler::motion::KeySample;
-    use scheduler::port::{Seen as SeenTick, TickObserver as _};
-    use scheduler::voice::Turn;
+    use scheduler::port::{FinishedTick as SeenTick, TickObserver as _};
+    use scheduler::voice::VoiceOutput;
 
     use super::*;
-    use crate::adapters::tap::Tap;
+    use crate::adapters::tap::TickRecorder;
     use crate::observe::Pulses;
 
     /// What a window that follows key 5 is told, from when it is there.
     #[derive(Clone, Default)]
     struct Window(Arc<Mutex<(bool, Vec<Update>)>>);
 
-    impl Sink for Window {
+    impl MessageSink for Window {
         fn take(&mut self, _at: u64, update: &Update) {
             self.0.lock().expect("nobody panics with it").1.push(update.clone());
         }
@@ -497,15 +494,15 @@ mod tests {
     #[expect(clippy::large_stack_arrays, reason = "all turns; a test has the stack")]
     #[test]
     fn whoever_comes_late_is_told_how_a_key_is_that_lies_still() {
-        let (mut tap, tapped) = Tap::new();
+        let (mut tap, tapped) = TickRecorder::new();
         let (_no_times, pulses) = Pulses::new();
         let (told, hear) = mpsc::channel();
-        let mut pump = Pump::new(tapped, pulses, hear, 1_000_000).expect("a pump");
+        let mut pump = TelemetryThread::new(tapped, pulses, hear, 1_000_000).expect("a pump");
         let window = Window::default();
-        assert!(told.send(Told::Sink(Box::new(window.clone()))).is_ok());
+        assert!(told.send(TelemetryMessage::Sink(Box::new(window.clone()))).is_ok());
         let mut samples = [KeySample::default(); KEYS];
         samples[5] = KeySample::fresh(0.004);
-        let turns = [Turn { idle: true, ran: u32::MAX, ..Turn::default() }; KEYS];
+        let turns = [VoiceOutput { idle: true, ran: u32::MAX, ..VoiceOutput::default() }; KEYS];
         for tick in 0..50 {
             if tick == 40 {
                 window.0.lock().expect("nobody panics with it").0 = true;

@@ -7,19 +7,17 @@ use std::time::Duration;
 
 use serde::Serialize;
 use telemetry::event::Kind;
-use telemetry::recording::{BlackBox, RecordError, Recorded, Recorder, Settings};
+use telemetry::recording::{BlackBox, RecordError, Recorder, RecordingSettings, RecordingStatus};
 use telemetry::{Topic, Update};
 
-use super::pump::{Attention, Sink};
+use super::pump::{Attention, MessageSink};
 
 /// What became of a recording.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize)]
 pub struct RecordingReport {
-    /// Its first file.
     pub file: String,
     /// Files that it takes.
     pub files: u64,
-    /// Messages in it.
     pub messages: u64,
     /// Bytes of all files.
     pub bytes: u64,
@@ -29,18 +27,18 @@ pub struct RecordingReport {
 
 /// A recording that goes on elsewhere.
 #[derive(Clone, Debug)]
-pub struct Recording {
+pub struct RecordingHandle {
     report: Arc<Mutex<RecordingReport>>,
     stop: Arc<AtomicBool>,
 }
 
-impl Recording {
+impl RecordingHandle {
     /// Begins to record into `file`; the sink is to be given to a pump.
     ///
     /// # Errors
     /// Why it cannot, in a sentence.
-    pub fn begin(file: &Path) -> Result<(Self, Box<dyn Sink>), RecordError> {
-        let recorder = Recorder::create(Settings::new(file, super::run_id()))?;
+    pub fn begin(file: &Path) -> Result<(Self, Box<dyn MessageSink>), RecordError> {
+        let recorder = Recorder::create(RecordingSettings::new(file, super::run_id()))?;
         let file = file.display().to_string();
         let report = Arc::new(Mutex::new(RecordingReport { file, ..RecordingReport::default() }));
         let it = Self { report, stop: Arc::default() };
@@ -61,7 +59,7 @@ impl Recording {
 
 struct RecordSink {
     recorder: Option<Recorder>,
-    recording: Recording,
+    recording: RecordingHandle,
 }
 
 impl RecordSink {
@@ -80,7 +78,7 @@ impl RecordSink {
         let finished = recorder.finish();
         let mut report = self.recording.report.lock().unwrap_or_else(PoisonError::into_inner);
         match finished {
-            Ok(Recorded { files, bytes, messages, .. }) => {
+            Ok(RecordingStatus { files, bytes, messages, .. }) => {
                 (report.files, report.bytes, report.messages) =
                     (u64::try_from(files.len()).unwrap_or(u64::MAX), bytes, messages);
             }
@@ -91,7 +89,7 @@ impl RecordSink {
     }
 }
 
-impl Sink for RecordSink {
+impl MessageSink for RecordSink {
     fn take(&mut self, at: u64, update: &Update) {
         if let Some(recorder) = &mut self.recorder {
             let written = recorder.write(at, update);
@@ -124,10 +122,10 @@ impl Drop for RecordSink {
 /// What the black box keeps.
 const KEPT: Duration = Duration::from_secs(30);
 
-/// Most memory of the black box [bytes].
+/// Most memory of the black box (bytes).
 const MOST_BYTES: usize = 64 << 20;
 
-/// How long after a fault it is written, so that what followed is in it [ns].
+/// How long after a fault it is written, so that what followed is in it (ns).
 const AFTER: u64 = 2_000_000_000;
 
 /// Boxes that one run writes at most: a fault that comes again tells nothing new.
@@ -172,7 +170,7 @@ impl BlackBoxSink {
     }
 }
 
-impl Sink for BlackBoxSink {
+impl MessageSink for BlackBoxSink {
     fn take(&mut self, at: u64, update: &Update) {
         // What is too large for it is left out, and the rest is kept.
         let _left_out = self.kept.keep(at, update);

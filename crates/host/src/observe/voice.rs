@@ -2,7 +2,7 @@
 
 use telemetry::Voice;
 
-use super::{Told, embedded, eye};
+use super::{TelemetryMessage, embedded, eye};
 use crate::config::KeyVoice;
 
 /// Where a voice comes from.
@@ -19,7 +19,7 @@ pub struct Origin<'a> {
 }
 
 /// What is told of `voice` on `key` before it is put in.
-pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> Told {
+pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage {
     let eye = eye(voice.model.name, &voice.values);
     let instrument = origin.instrument.map(str::to_owned);
     let message = Voice {
@@ -32,7 +32,7 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> Told {
         drawing: eye.as_ref().map(|eye| eye.drawing()),
         kept: origin.kept,
     };
-    Told::Voice(Box::new(message), eye)
+    TelemetryMessage::Voice(Box::new(message), eye)
 }
 
 /// The embedded instrument that sounds like `voice` on `key`.

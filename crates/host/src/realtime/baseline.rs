@@ -13,26 +13,26 @@ use scheduler::time::{Nanos, Timetable};
 
 use super::run;
 use super::stolen::stolen;
-use super::thread::{Standing, ask_for_fifo};
+use super::thread::{SchedulingPolicy, ask_for_fifo};
 use super::{clock, memory};
 
 /// A running bare timer thread.
 #[derive(Debug)]
 pub struct Baseline {
     stop: Arc<AtomicBool>,
-    thread: JoinHandle<Measured>,
-    /// Time stolen from all processors before it began [s].
+    thread: JoinHandle<BaselineTiming>,
+    /// Time stolen from all processors before it began (s).
     stolen: Option<f64>,
 }
 
 /// What the bare timer saw.
 #[derive(Debug)]
-pub struct Measured {
+pub struct BaselineTiming {
     /// Woken − due, in nanoseconds.
     pub lateness: Histogram<u64>,
     /// How the thread was scheduled.
-    pub standing: Standing,
-    /// Time that a hypervisor took from all processors meanwhile, if the kernel counts it [s].
+    pub standing: SchedulingPolicy,
+    /// Time that a hypervisor took from all processors meanwhile, if the kernel counts it (s).
     pub stolen: Option<f64>,
 }
 
@@ -50,7 +50,7 @@ impl Baseline {
                 let standing = ask_for_fifo(priority);
                 memory::prefault_stack();
                 let lateness = measure(timetable, lateness, &asked);
-                Measured { lateness, standing, stolen: None }
+                BaselineTiming { lateness, standing, stolen: None }
             })?;
         Ok(Self { stop, thread, stolen: stolen() })
     }
@@ -58,11 +58,11 @@ impl Baseline {
     /// Stops the thread, within a period, and returns what it saw.
     ///
     /// `None` if it panicked.
-    pub fn stop(self) -> Option<Measured> {
+    pub fn stop(self) -> Option<BaselineTiming> {
         self.stop.store(true, Ordering::Release);
         let measured = self.thread.join().ok()?;
         let stolen = stolen().zip(self.stolen).map(|(after, before)| after - before);
-        Some(Measured { stolen, ..measured })
+        Some(BaselineTiming { stolen, ..measured })
     }
 }
 

@@ -10,11 +10,11 @@ use scheduler::tick::{Scheduler, TickReport};
 use scheduler::time::{Nanos, Timetable};
 
 use super::clock;
-use super::pool::{Patience, ThreadedLanes};
+use super::pool::{ThreadedLanes, WaitLimit};
 
 pub use hdrhistogram::CreationError;
 
-/// Longest time that a histogram tells apart [ns]; longer ones count as this.
+/// Longest time that a histogram tells apart (ns); longer ones count as this.
 const LONGEST: u64 = 1_000_000_000;
 
 /// Significant digits that a histogram keeps: 0.1 %.
@@ -26,13 +26,9 @@ const RESERVE: u64 = 10;
 /// All that a tick touches.
 #[derive(Debug)]
 pub struct Assembly<'a, B, O> {
-    /// Who runs when.
     pub scheduler: &'a mut Scheduler,
-    /// The keys.
     pub bus: &'a mut B,
-    /// The voices.
     pub lanes: &'a mut ThreadedLanes,
-    /// Who watches.
     pub observer: &'a mut O,
 }
 
@@ -54,12 +50,9 @@ impl Until<'_> {
 
 /// One tick as the loop saw it.
 #[derive(Clone, Copy, Debug)]
-pub struct Pulse {
-    /// What was done.
+pub struct TickTiming {
     pub report: TickReport,
-    /// When.
     pub times: TickTimes,
-    /// Whether in time.
     pub outcome: Outcome,
 }
 
@@ -112,7 +105,7 @@ pub(crate) fn histogram() -> Result<Histogram<u64>, CreationError> {
     Histogram::new_with_bounds(1, LONGEST, DIGITS)
 }
 
-/// A scheduler on the heap, since it is large, whose forces change by at most `slew` [N/s] on
+/// A scheduler on the heap, since it is large, whose forces change by at most `slew` (N/s) on
 /// their way to a voice; before the tick.
 #[expect(clippy::large_stack_frames, reason = "once, at set-up, on its way to the heap")]
 pub fn scheduler(timetable: Timetable, slew: f64) -> Box<Scheduler> {
@@ -128,7 +121,7 @@ pub fn run<B: KeyBus, O: TickObserver>(
     start: Nanos,
     until: Until<'_>,
     timings: &mut Timings,
-    mut watch: impl FnMut(&Pulse),
+    mut watch: impl FnMut(&TickTiming),
 ) {
     assembly.scheduler.resume_at(start);
     let mut ticks = 0;
@@ -138,7 +131,7 @@ pub fn run<B: KeyBus, O: TickObserver>(
         if let Some((report, times)) = tick(assembly) {
             let lateness = times.woken.since(slept_for);
             let outcome = timings.enter(lateness, &report, &times);
-            watch(&Pulse { report, times, outcome });
+            watch(&TickTiming { report, times, outcome });
             ticks += 1 + report.skipped;
         }
     }
@@ -172,17 +165,17 @@ fn tick<B: KeyBus, O: TickObserver>(
 }
 
 /// Lanes must be done early enough for their forces to be out by `deadline`.
-const fn patience(timetable: Timetable, deadline: Nanos) -> Patience {
+const fn patience(timetable: Timetable, deadline: Nanos) -> WaitLimit {
     let period = timetable.period().span(1);
     let reserve = Nanos::new(period.as_u64() / RESERVE);
-    Patience::Until { time: deadline.before(reserve), share: period.since(reserve) }
+    WaitLimit::Until { time: deadline.before(reserve), share: period.since(reserve) }
 }
 
 #[cfg(test)]
 mod tests {
     use scheduler::lane::LaneReport;
     use scheduler::safety::SafetyReport;
-    use scheduler::voice::Work;
+    use scheduler::voice::VoiceWork;
 
     use super::*;
 
@@ -196,14 +189,14 @@ mod tests {
             let deadline = due.after(Nanos::from_millis(1));
             let times =
                 TickTimes { due, deadline, woken: due, finished, work: Nanos::from_micros(work) };
-            let work = Work { derivatives: 400, guards: 100, events: 0 };
+            let work = VoiceWork { derivatives: 400, guards: 100, events: 0 };
             let voices = LaneReport { work, ..LaneReport::default() };
             let safety = SafetyReport::default();
             let report = TickReport { tick, due, deadline, skipped: 0, voices, safety };
             timings.enter(Nanos::ZERO, &report, &times)
         };
         assert_eq!(enter(0, 30), Outcome::Met);
-        assert_eq!(enter(1, 1500), Outcome::Missed(scheduler::deadline::Cause::OwnWork));
+        assert_eq!(enter(1, 1500), Outcome::Missed(scheduler::deadline::MissCause::OwnWork));
         assert_eq!(timings.counters().missed_own_work, 1);
     }
 }

@@ -5,9 +5,9 @@ use std::sync::atomic::AtomicBool;
 
 use scheduler::deadline::Outcome;
 use scheduler::motion::{KEYS, KeySample};
-use scheduler::port::{KeyBus, Seen, TickObserver};
+use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::time::{Nanos, Period, Timetable};
-use scheduler::voice::{Turn, Voice};
+use scheduler::voice::{Voice, VoiceOutput};
 
 use super::baseline::Baseline;
 use super::pool::{BoxedVoice, ThreadedLanes};
@@ -20,8 +20,8 @@ const HZ: u32 = 10_000;
 struct Spring;
 
 impl Voice for Spring {
-    fn tick(&mut self, _tick: u64, sample: &KeySample) -> Turn {
-        Turn { force: 500.0 * sample.position, ..Turn::default() }
+    fn tick(&mut self, _tick: u64, sample: &KeySample) -> VoiceOutput {
+        VoiceOutput { force: 500.0 * sample.position, ..VoiceOutput::default() }
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
@@ -45,7 +45,7 @@ impl KeyBus for HeldKeys {
 struct Nobody;
 
 impl TickObserver for Nobody {
-    fn observe(&mut self, _seen: &Seen<'_>) {}
+    fn observe(&mut self, _seen: &FinishedTick<'_>) {}
 }
 
 fn timetable(start: Nanos) -> Timetable {

@@ -11,7 +11,7 @@ pub const DEFAULT_PRIORITY: u8 = 80;
 
 /// How the system schedules a thread.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Standing {
+pub struct SchedulingPolicy {
     /// Policy and priority, as `SCHED_FIFO 80` or `SCHED_OTHER`.
     pub policy: String,
     /// What to do if this is not what was asked for.
@@ -22,9 +22,9 @@ pub struct Standing {
 ///
 /// `None` asks for nothing. Either way the answer is what the system says afterwards, not
 /// what was asked for.
-pub fn ask_for_fifo(priority: Option<u8>) -> Standing {
+pub fn ask_for_fifo(priority: Option<u8>) -> SchedulingPolicy {
     let note = priority.and_then(|priority| try_fifo(priority).err());
-    Standing { policy: current_policy(), note }
+    SchedulingPolicy { policy: current_policy(), note }
 }
 
 fn try_fifo(priority: u8) -> Result<(), String> {

@@ -6,7 +6,7 @@
 use scheduler::port::{KeyBus, TickObserver};
 use scheduler::tick::TickReport;
 
-use super::pool::Patience;
+use super::pool::WaitLimit;
 use super::run::{Assembly, Until};
 
 /// Runs ticks, each exactly when it is due, and hands each report to `watch`.
@@ -16,7 +16,7 @@ pub fn run<B: KeyBus, O: TickObserver>(
     mut watch: impl FnMut(&TickReport),
 ) {
     let Assembly { scheduler, bus, lanes, observer } = assembly;
-    lanes.set_patience(Patience::Endless);
+    lanes.set_patience(WaitLimit::Endless);
     let mut ticks = 0;
     while !until.reached(ticks) {
         let due = scheduler.next_due();

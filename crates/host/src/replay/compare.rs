@@ -9,18 +9,16 @@ use serde::Serialize;
 use telemetry::event::Kind;
 use telemetry::{KeyBlock, Topic, Update};
 
-use crate::observe::Sink;
+use crate::observe::MessageSink;
 
 /// Where a replay and its recording are not the same.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
-pub struct Difference {
-    /// In which tick.
+pub struct ReplayDifference {
     pub tick: u64,
-    /// In a sentence.
     pub text: String,
 }
 
-impl std::fmt::Display for Difference {
+impl std::fmt::Display for ReplayDifference {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "tick {}: {}", self.tick, self.text)
     }
@@ -60,7 +58,7 @@ pub(super) fn is_compared(update: &Update) -> bool {
     }
 }
 
-impl Sink for Said {
+impl MessageSink for Said {
     fn take(&mut self, _at: u64, update: &Update) {
         if is_compared(update) {
             self.lock().push_back(update.clone());
@@ -79,7 +77,7 @@ pub(super) struct Comparison {
     midi: VecDeque<Update>,
     said_midi: VecDeque<Update>,
     pub(super) compared: u64,
-    pub(super) first: Option<Difference>,
+    pub(super) first: Option<ReplayDifference>,
     pub(super) different: u64,
 }
 
@@ -187,7 +185,7 @@ impl Comparison {
 
     fn note(&mut self, tick: u64, text: &str) {
         self.different += 1;
-        self.first.get_or_insert_with(|| Difference { tick, text: text.to_owned() });
+        self.first.get_or_insert_with(|| ReplayDifference { tick, text: text.to_owned() });
     }
 }
 
@@ -215,10 +213,10 @@ fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
 }
 
 /// What a column has in a row, as text that two values share only if all their bits are the same.
-type Cell = fn(&KeyBlock, usize) -> String;
+type CellText = fn(&KeyBlock, usize) -> String;
 
 /// Every column.
-const COLUMNS: [(&str, Cell); 12] = [
+const COLUMNS: [(&str, CellText); 12] = [
     ("position", |it, row| bits(&it.position, row)),
     ("age", |it, row| cell(&it.age, row)),
     ("taken", |it, row| bits(&it.taken, row)),

@@ -10,21 +10,22 @@ use crate::observe::flag;
 
 /// A key in a tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Fed {
+pub(super) struct KeyTick {
     pub(super) sample: KeySample,
     /// Which voice it was of; 0 if that is not known.
     pub(super) revision: u32,
-    pub(super) lane: Lane,
+    pub(super) lane: LaneStatus,
     /// Key events that were told of.
     pub(super) events: u32,
 }
 
 /// How the key's lane was.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Lane {
+pub(super) enum LaneStatus {
     /// Done in time, and not run in these of the last ticks: bit 1 is the one before.
-    Done { unrun: u32 },
-    /// Not done.
+    Done {
+        unrun: u32,
+    },
     Late,
 }
 
@@ -38,9 +39,9 @@ pub(super) enum Arm {
 /// Rows of all keys that wait for their tick.
 #[derive(Debug)]
 pub(super) struct Feed {
-    rows: Vec<VecDeque<(u64, Fed)>>,
+    rows: Vec<VecDeque<(u64, KeyTick)>>,
     /// As each key was last.
-    last: Vec<Fed>,
+    last: Vec<KeyTick>,
     /// Ticks from which voices are felt or not.
     arms: BTreeMap<u64, Arm>,
     /// The first tick before which rows are missing.
@@ -49,10 +50,10 @@ pub(super) struct Feed {
 
 impl Feed {
     pub(super) fn new() -> Self {
-        let nothing = Fed {
+        let nothing = KeyTick {
             sample: KeySample::default(),
             revision: 0,
-            lane: Lane::Done { unrun: 0 },
+            lane: LaneStatus::Done { unrun: 0 },
             events: 0,
         };
         Self {
@@ -106,11 +107,11 @@ impl Feed {
 
     /// Whether the first rows of keys say that they were run before `tick`.
     pub(super) fn begins_late(&self, tick: u64) -> bool {
-        let of = |rows: &VecDeque<(u64, Fed)>| rows.front().copied();
+        let of = |rows: &VecDeque<(u64, KeyTick)>| rows.front().copied();
         self.rows.iter().filter_map(of).any(|(at, fed)| match fed.lane {
             // A voice that was never run before says so of all ticks before.
-            Lane::Done { unrun } => at <= tick && unrun != u32::MAX - 1,
-            Lane::Late => false,
+            LaneStatus::Done { unrun } => at <= tick && unrun != u32::MAX - 1,
+            LaneStatus::Late => false,
         })
     }
 
@@ -120,15 +121,15 @@ impl Feed {
     }
 
     /// All keys in `tick`.
-    pub(super) fn tick(&mut self, tick: u64) -> Vec<Fed> {
+    pub(super) fn tick(&mut self, tick: u64) -> Vec<KeyTick> {
         for (rows, last) in self.rows.iter_mut().zip(&mut self.last) {
             while rows.front().is_some_and(|(at, _fed)| *at < tick) {
                 rows.pop_front();
             }
             let now = rows.front().filter(|(at, _fed)| *at == tick).map(|(_at, fed)| *fed);
-            *last = now.unwrap_or(Fed {
+            *last = now.unwrap_or(KeyTick {
                 sample: KeySample::fresh(last.sample.position),
-                lane: Lane::Done { unrun: 0 },
+                lane: LaneStatus::Done { unrun: 0 },
                 events: 0,
                 revision: last.revision,
             });
@@ -143,7 +144,7 @@ pub(super) fn ticks(message: &Ticks) -> impl Iterator<Item = u64> {
 }
 
 /// One row with its flags, if all columns have it.
-fn row(block: &KeyBlock, row: usize) -> Option<(u64, Fed, u8)> {
+fn row(block: &KeyBlock, row: usize) -> Option<(u64, KeyTick, u8)> {
     let tick = block.tick.checked_add(u64::from(*block.after.get(row)?))?;
     let flags = *block.flags.get(row)?;
     let sample = KeySample {
@@ -152,7 +153,7 @@ fn row(block: &KeyBlock, row: usize) -> Option<(u64, Fed, u8)> {
         taken: *block.taken.get(row)?,
     };
     let unrun = *block.unrun.get(row)?;
-    let lane = if flags & flag::LATE == 0 { Lane::Done { unrun } } else { Lane::Late };
+    let lane = if flags & flag::LATE == 0 { LaneStatus::Done { unrun } } else { LaneStatus::Late };
     let (revision, events) = (*block.revision.get(row)?, *block.events.get(row)?);
-    Some((tick, Fed { sample, revision, lane, events }, flags))
+    Some((tick, KeyTick { sample, revision, lane, events }, flags))
 }

@@ -5,39 +5,39 @@ use std::collections::BTreeMap;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::{KeyBus, Lanes};
 use scheduler::slot::Slot;
-use scheduler::voice::Turn;
+use scheduler::voice::VoiceOutput;
 
 use super::ReplayError;
-use super::feed::{Fed, Lane};
-use crate::assemble::{AnyVoice, Assembler};
+use super::feed::{KeyTick, LaneStatus};
+use crate::assemble::{AnyVoice, VoiceBuilder};
 use crate::config::{KeyVoice, Scene};
-use crate::realtime::pool::{Fenced, Kept};
+use crate::realtime::pool::{LateResult, PanicGuard};
 
 /// A voice of the recording.
 #[derive(Clone, Debug)]
-pub(super) struct Part {
+pub(super) struct RecordedVoice {
     pub(super) voice: KeyVoice,
     /// Whether it takes over the state of the one before.
     pub(super) kept: bool,
 }
 
 /// A key's voice, and what of it has not been seen.
-struct Desk {
-    slot: Slot<Fenced>,
+struct ReplaySlot {
+    slot: Slot<PanicGuard>,
     revision: u32,
     /// Ticks in which its lane was not done.
     pending: Vec<(u64, KeySample)>,
     /// What was made in them.
-    late: Kept,
+    late: LateResult,
 }
 
 /// The voices of a recording.
 pub(super) struct ReplayLanes {
-    desks: Vec<Option<Desk>>,
-    parts: BTreeMap<u32, Part>,
+    desks: Vec<Option<ReplaySlot>>,
+    parts: BTreeMap<u32, RecordedVoice>,
     scene: Scene,
     /// What decided in the tick that is run.
-    fed: Vec<Fed>,
+    fed: Vec<KeyTick>,
     /// Why a voice could not be built.
     pub(super) failed: Option<ReplayError>,
 }
@@ -49,18 +49,23 @@ impl ReplayLanes {
     }
 
     /// A voice that may be put in from now on; the first one of a key begins.
-    pub(super) fn learn(&mut self, key: u32, revision: u32, part: Part) -> Result<(), ReplayError> {
+    pub(super) fn learn(
+        &mut self,
+        key: u32,
+        revision: u32,
+        part: RecordedVoice,
+    ) -> Result<(), ReplayError> {
         let Some(desk) = usize::try_from(key).ok().and_then(|key| self.desks.get_mut(key)) else {
             return Ok(());
         };
         if desk.is_none() {
             let voice = build(&self.scene, &part, revision)?;
             let key = usize::try_from(key).unwrap_or(usize::MAX);
-            *desk = Some(Desk {
-                slot: Slot::new(key, Fenced::new(voice)),
+            *desk = Some(ReplaySlot {
+                slot: Slot::new(key, PanicGuard::new(voice)),
                 revision,
                 pending: Vec::new(),
-                late: Kept::default(),
+                late: LateResult::default(),
             });
         }
         self.parts.insert(revision, part);
@@ -68,23 +73,23 @@ impl ReplayLanes {
     }
 
     /// What decides in the tick that is run next.
-    pub(super) fn feed(&mut self, fed: Vec<Fed>) {
+    pub(super) fn feed(&mut self, fed: Vec<KeyTick>) {
         self.fed = fed;
     }
 }
 
-fn build(scene: &Scene, part: &Part, revision: u32) -> Result<AnyVoice, ReplayError> {
+fn build(scene: &Scene, part: &RecordedVoice, revision: u32) -> Result<AnyVoice, ReplayError> {
     let failed = |error: crate::assemble::AssembleError| ReplayError::Voice(error.to_string());
-    let assembler = Assembler::new(scene).map_err(failed)?;
+    let assembler = VoiceBuilder::new(scene).map_err(failed)?;
     assembler.numbered(&part.voice, std::sync::Arc::default(), revision).map_err(failed)
 }
 
-impl Desk {
+impl ReplaySlot {
     /// Puts the voice of `revision` in, if it is another.
     fn change(
         &mut self,
         revision: u32,
-        parts: &BTreeMap<u32, Part>,
+        parts: &BTreeMap<u32, RecordedVoice>,
         scene: &Scene,
     ) -> Result<(), ReplayError> {
         if revision == 0 || revision == self.revision {
@@ -93,15 +98,15 @@ impl Desk {
         let Some(part) = parts.get(&revision) else {
             return Err(ReplayError::Voice(format!("nothing is told of voice {revision}")));
         };
-        let voice = Fenced::new(build(scene, part, revision)?);
+        let voice = PanicGuard::new(build(scene, part, revision)?);
         let _old = if part.kept { self.slot.retune(voice) } else { self.slot.replace(voice) };
         self.revision = revision;
         Ok(())
     }
 
-    fn run(&mut self, tick: u64, fed: &Fed, turn: &mut Turn) {
+    fn run(&mut self, tick: u64, fed: &KeyTick, turn: &mut VoiceOutput) {
         match fed.lane {
-            Lane::Late => {
+            LaneStatus::Late => {
                 *turn = turn.held();
                 if 0 < fed.events {
                     self.catch_up(|_late| true);
@@ -109,7 +114,7 @@ impl Desk {
                 }
                 self.pending.push((tick, fed.sample));
             }
-            Lane::Done { unrun } => {
+            LaneStatus::Done { unrun } => {
                 self.catch_up(|late| was_run(unrun, tick - late));
                 self.slot.tick(tick, &fed.sample, turn);
                 self.late.hand_over(turn);
@@ -121,7 +126,7 @@ impl Desk {
     fn catch_up(&mut self, was_run: impl Fn(u64) -> bool) {
         for (tick, sample) in std::mem::take(&mut self.pending) {
             if was_run(tick) {
-                let mut turn = Turn::default();
+                let mut turn = VoiceOutput::default();
                 self.slot.tick(tick, &sample, &mut turn);
                 self.late.keep(&turn);
             }
@@ -135,10 +140,10 @@ fn was_run(unrun: u32, before: u64) -> bool {
 }
 
 impl Lanes for ReplayLanes {
-    fn run(&mut self, tick: u64, _samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
+    fn run(&mut self, tick: u64, _samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
         for ((desk, fed), turn) in self.desks.iter_mut().zip(&self.fed).zip(turns) {
             let Some(desk) = desk else { continue };
-            if fed.lane != Lane::Late
+            if fed.lane != LaneStatus::Late
                 && let Err(error) = desk.change(fed.revision, &self.parts, &self.scene)
             {
                 self.failed.get_or_insert(error);

@@ -14,8 +14,8 @@ mod feed;
 mod lanes;
 mod run;
 
-pub use compare::Difference;
-pub use run::{Missing, Replayed, replay};
+pub use compare::ReplayDifference;
+pub use run::{MissingTicks, Replayed, replay};
 
 /// Why a recording cannot be run again.
 #[derive(Debug, thiserror::Error)]

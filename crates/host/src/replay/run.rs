@@ -10,22 +10,21 @@ use telemetry::event::Kind;
 use telemetry::{Catalogue, Update, Voice};
 
 use super::ReplayError;
-use super::compare::{Comparison, Difference, Said};
+use super::compare::{Comparison, ReplayDifference, Said};
 use super::feed::{Arm, Feed, ticks};
-use super::lanes::{Part, ReplayBus, ReplayLanes};
-use crate::adapters::observer::{LiveCounters, Publisher};
-use crate::adapters::tap::Tap;
-use crate::bell::Bell;
+use super::lanes::{RecordedVoice, ReplayBus, ReplayLanes};
+use crate::adapters::observer::{LiveCounters, TickPublisher};
+use crate::adapters::tap::TickRecorder;
+use crate::bell::WakeFd;
 use crate::config::{KeyVoice, Scene};
-use crate::desk::Desk;
-use crate::observe::{Origin, Pulses, Pump, Told, voice};
+use crate::desk::MidiDispatcher;
+use crate::observe::{Origin, Pulses, TelemetryMessage, TelemetryThread, voice};
 use crate::realtime::run::scheduler;
 use crate::session::{Overheard, Watchers, nowhere, whole};
 
 /// What a replay came to.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Replayed {
-    /// The scene's name.
     pub scene: String,
     /// Ticks that were run again.
     pub ticks: u64,
@@ -34,20 +33,18 @@ pub struct Replayed {
     /// Of these, how many are not the same.
     pub different: u64,
     /// The first of them.
-    pub first_difference: Option<Difference>,
+    pub first_difference: Option<ReplayDifference>,
     /// The tick from which on rows are missing, so that nothing could be compared.
     pub incomplete_from: Option<u64>,
     /// What is damaged in the recording.
-    pub missing: Vec<Missing>,
-    /// Faults of voices.
+    pub missing: Vec<MissingTicks>,
     pub faults: u64,
-    /// Strikes.
     pub strikes: u64,
 }
 
 /// Ticks that a recording has lost.
 #[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Missing {
+pub struct MissingTicks {
     /// The first of them.
     pub from: u64,
     /// The last of them; none if nothing comes after them.
@@ -99,9 +96,9 @@ struct Replay {
     bus: ReplayBus,
     lanes: ReplayLanes,
     watchers: Watchers,
-    pump: Box<Pump>,
-    desk: Desk,
-    told: mpsc::Sender<Told>,
+    pump: Box<TelemetryThread>,
+    desk: MidiDispatcher,
+    told: mpsc::Sender<TelemetryMessage>,
     said: Said,
     comparison: Comparison,
     pedals: Vec<(f64, f64)>,
@@ -110,25 +107,25 @@ struct Replay {
     last: u64,
     faults: u64,
     strikes: u64,
-    missing: Missed,
+    missing: UnreadParts,
 }
 
 /// What could not be read so far.
 #[derive(Debug, Default)]
-struct Missed {
+struct UnreadParts {
     /// Why messages could not be read that would come now.
     damaged: Option<String>,
     /// The last tick that was told of, run again or not.
     told: Option<u64>,
-    list: Vec<Missing>,
+    list: Vec<MissingTicks>,
 }
 
-impl Missed {
+impl UnreadParts {
     /// Notes that ticks follow which were not read.
     fn begin(&mut self, period: f64) {
         if let Some(why) = self.damaged.take() {
             let from = self.told.map_or(0, |told| told + 1);
-            self.list.push(Missing {
+            self.list.push(MissingTicks {
                 from,
                 to: None,
                 from_s: from as f64 * period,
@@ -160,20 +157,20 @@ impl Replay {
         let period = Period::from_hz(scene.tick_hz)
             .ok_or_else(|| ReplayError::Scene(format!("no tick has {} Hz", scene.tick_hz)))?;
         let timetable = Timetable::new(Nanos::ZERO, period);
-        let (tap, tapped) = Tap::new();
+        let (tap, tapped) = TickRecorder::new();
         let (_no_times, times) = Pulses::new();
         let (told, hear) = mpsc::channel();
         let system = |error: String| ReplayError::Read(error);
-        let pump = Pump::new(tapped, times, hear, whole(period.as_secs_f64() * 1e9));
+        let pump = TelemetryThread::new(tapped, times, hear, whole(period.as_secs_f64() * 1e9));
         let mut pump = pump.map_err(|error| system(error.to_string()))?;
         pump.begin(catalogue.began, catalogue.clone());
         let said = Said::default();
         // Whoever hears is there as long as this is.
-        let _heard = told.send(Told::Sink(Box::new(said.clone())));
+        let _heard = told.send(TelemetryMessage::Sink(Box::new(said.clone())));
         let (ring, events) = rtrb::RingBuffer::new(RING);
-        let bell = Bell::new().map_err(|error| system(error.to_string()))?;
+        let bell = WakeFd::new().map_err(|error| system(error.to_string()))?;
         let counters = std::sync::Arc::<LiveCounters>::default();
-        let publisher = Publisher::new(
+        let publisher = TickPublisher::new(
             ring,
             std::sync::Arc::new(bell),
             counters,
@@ -181,7 +178,7 @@ impl Replay {
             period.as_secs_f64(),
         );
         let output = Box::new(Overheard { output: nowhere(), told: told.clone() });
-        let desk = Desk::new(events, output, scene.midi.curve);
+        let desk = MidiDispatcher::new(events, output, scene.midi.curve);
         Ok(Box::new(Self {
             scheduler: scheduler(timetable, scene.render.slew_limit),
             timetable,
@@ -201,7 +198,7 @@ impl Replay {
             last: 0,
             faults: 0,
             strikes: 0,
-            missing: Missed::default(),
+            missing: UnreadParts::default(),
         }))
     }
 
@@ -286,7 +283,7 @@ impl Replay {
         let key = u8::try_from(message.key).unwrap_or(u8::MAX);
         // Whoever hears is there as long as this is.
         let _heard = self.told.send(voice(key, &played, origin));
-        let part = Part { voice: played, kept: message.kept };
+        let part = RecordedVoice { voice: played, kept: message.kept };
         self.lanes.learn(message.key, message.revision, part)
     }
 

@@ -6,7 +6,7 @@ use firmware_protocol::key::{KeyIndex, MOST_KEYS};
 use hardware::keybed::BoardReport;
 use hardware::refusal::{KeyName, KeyRange, clock_words, reason_words};
 use hardware::rt::plausible::Implausible;
-use hardware::rt::steward::{Bar, Stage};
+use hardware::rt::steward::{ArmLockout, ArmState};
 use serde::Serialize;
 
 /// One board of a run.
@@ -14,13 +14,12 @@ use serde::Serialize;
 pub struct BoardLine {
     /// The link it is on.
     pub link: String,
-    /// Its number there.
     pub number: u8,
     /// The keys that it carries.
     pub keys: String,
-    /// Samples that came, a second [1/s].
+    /// Samples that came, a second (1/s).
     pub samples_hz: f64,
-    /// Forces that the link took, a second [1/s].
+    /// Forces that the link took, a second (1/s).
     pub forces_hz: f64,
     /// Frames of samples that came.
     pub frames: u64,
@@ -36,7 +35,7 @@ pub struct BoardLine {
     pub unsent: u64,
     /// Round trips, if there were any.
     pub round_trip_us: Option<RoundTrips>,
-    /// How much faster than the host's its clock runs [1e-6].
+    /// How much faster than the host's its clock runs (1e-6).
     pub drift_ppm: f64,
     /// Times that its clock jumped.
     pub clock_jumps: u64,
@@ -65,14 +64,12 @@ pub struct MutedKey {
     pub reason: &'static str,
 }
 
-/// Round trips of requests [us].
+/// Round trips of requests (us).
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct RoundTrips {
-    /// Half are shorter.
     pub p50: u32,
     /// 99 of a hundred are shorter.
     pub p99: u32,
-    /// The longest.
     pub max: u32,
 }
 
@@ -85,7 +82,7 @@ pub struct Counted {
     pub corrupt: u32,
     /// Forces that were stale, and not rendered.
     pub stale: u32,
-    /// Oldest samples that forces which it rendered answered [ms].
+    /// Oldest samples that forces which it rendered answered (ms).
     pub oldest_ms: f64,
     /// Times that forces expired.
     pub trips: u16,
@@ -139,29 +136,34 @@ impl BoardLine {
 }
 
 /// How far a board has been brought up, in words.
-pub(crate) fn stage_words(stage: Stage) -> String {
+pub(crate) fn stage_words(stage: ArmState) -> String {
     match stage {
-        Stage::Armed => "armed".into(),
-        Stage::Greeting => "silent".into(),
-        Stage::Streaming | Stage::Disarming | Stage::Arming { .. } | Stage::Confirming => {
-            "being brought up".into()
-        }
-        Stage::Barred(bar) => bar_words(bar),
+        ArmState::Armed => "armed".into(),
+        ArmState::Greeting => "silent".into(),
+        ArmState::Streaming
+        | ArmState::Disarming
+        | ArmState::Arming { .. }
+        | ArmState::Confirming => "being brought up".into(),
+        ArmState::Barred(bar) => bar_words(bar),
     }
 }
 
 /// Why a board may not be armed, in words.
-fn bar_words(bar: Bar) -> String {
+fn bar_words(bar: ArmLockout) -> String {
     match bar {
-        Bar::Latched(reason) => reason_words(reason).into(),
-        Bar::Declined(asked, _) => format!("it declined {asked:?}"),
-        Bar::Exchanged => "another board is in its place".into(),
-        Bar::Clock(ppm) => format!("disarmed: {}", clock_words(ppm)),
-        Bar::NoSamples => "left alone: it says that it is armed, and sends no samples".into(),
-        Bar::Unreadable => {
+        ArmLockout::Latched(reason) => reason_words(reason).into(),
+        ArmLockout::Declined(asked, _) => format!("it declined {asked:?}"),
+        ArmLockout::Exchanged => "another board is in its place".into(),
+        ArmLockout::Clock(ppm) => format!("disarmed: {}", clock_words(ppm)),
+        ArmLockout::NoSamples => {
+            "left alone: it says that it is armed, and sends no samples".into()
+        }
+        ArmLockout::Unreadable => {
             "left alone: it says that it is armed, and its samples cannot be read".into()
         }
-        Bar::StaysSafe => "left alone: it says that it is armed, and renders no force".into(),
+        ArmLockout::StaysSafe => {
+            "left alone: it says that it is armed, and renders no force".into()
+        }
     }
 }
 

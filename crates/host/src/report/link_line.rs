@@ -4,7 +4,7 @@ use std::fmt;
 
 use hardware::keybed::{BoardReport, LineReport};
 use hardware::link::WireState;
-use hardware::plan::{BusPlan, Verdict};
+use hardware::plan::{BusPlan, BusVerdict};
 use serde::Serialize;
 
 /// One link of a run.
@@ -20,9 +20,9 @@ pub struct LinkLine {
     pub seen_load: Option<f64>,
     /// The same, its payloads charged as the best.
     pub seen_load_least: Option<f64>,
-    /// Samples of each board that were planned, a second [1/s].
+    /// Samples of each board that were planned, a second (1/s).
     pub planned_hz: Option<f64>,
-    /// Samples of each board that came, a second, on average [1/s].
+    /// Samples of each board that came, a second, on average (1/s).
     pub seen_hz: f64,
     /// What came and was no frame.
     pub corrupt: u64,
@@ -34,7 +34,6 @@ pub struct LinkLine {
     pub state: &'static str,
     /// Transmission errors, as its controller counts them up and down.
     pub transmit_errors: u8,
-    /// Reception errors, likewise.
     pub receive_errors: u8,
     /// Reports of errors that its controller gave.
     pub reports: u64,
@@ -76,7 +75,7 @@ impl LinkLine {
             reports: health.reports,
             restarts: health.restarts,
             dropped: health.dropped,
-            warning: plan.filter(|it| it.verdict() != Verdict::Fits).map(BusPlan::sentence),
+            warning: plan.filter(|it| it.verdict() != BusVerdict::Fits).map(BusPlan::sentence),
         }
     }
 }

@@ -18,18 +18,16 @@ pub(crate) use link_line::wire_words;
 
 /// The report of `letoff run`, as `--json` prints it.
 #[derive(Clone, Debug, Serialize)]
-pub struct Report {
-    /// The scene's name.
+pub struct RunReport {
     pub scene: String,
     /// Keys with a voice.
     pub voices: usize,
-    /// Ticks per second.
     pub tick_hz: u32,
     /// Ticks that were run.
     pub ticks: u64,
     /// Ticks that were never run; `deadline` counts them as missed.
     pub skipped: u64,
-    /// Length of the run [s].
+    /// Length of the run (s).
     pub duration_s: f64,
     /// Whether `letoff stop` ended it: its boards render no force until they are started anew.
     pub stopped: bool,
@@ -40,7 +38,7 @@ pub struct Report {
     /// Whether forces were out in time.
     pub deadline: Deadline,
     /// What was played, and how well; `None` without a pianist.
-    pub notes: Option<Notes>,
+    pub notes: Option<NoteReport>,
     /// Reset maps applied by all models.
     pub events: u64,
     /// Hammers that met their string.
@@ -54,12 +52,12 @@ pub struct Report {
     /// Counted work of all voices.
     pub work: Evaluations,
     /// Exchange with the boards, summed over them.
-    pub links: Links,
+    pub links: LinkReport,
     /// Each board, if there are real ones.
     pub boards: Vec<BoardLine>,
     /// Each link to them.
     pub lines: Vec<LinkLine>,
-    /// Where the energy of all voices came from and went [J].
+    /// Where the energy of all voices came from and went (J).
     pub energy_audit: AuditReport,
     /// What became of the MIDI output.
     pub midi: MidiReport,
@@ -67,7 +65,7 @@ pub struct Report {
     pub recording: Option<crate::observe::RecordingReport>,
 }
 
-impl Report {
+impl RunReport {
     /// What is wrong with boards when all is over, a sentence on each; nothing after
     /// `letoff stop`, which is why they render no force then.
     pub fn board_troubles(&self) -> Vec<String> {
@@ -104,9 +102,8 @@ pub struct Deadline {
     /// Of these, because the system took the processor away.
     pub missed_preempted: u64,
     /// Time that a hypervisor took from all processors during the run, as the kernel counts it
-    /// [s]; none where it does not.
+    /// (s); none where it does not.
     pub stolen_s: Option<f64>,
-    /// Woken − due.
     pub lateness_us: Quantiles,
     /// CPU time of a tick.
     pub work_us: Quantiles,
@@ -136,33 +133,33 @@ impl Quantiles {
 
 /// How the performance came out.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct Notes {
+pub struct NoteReport {
     /// Notes that the piece asks for within the run.
     pub played: usize,
-    /// Of these, struck.
     pub struck: usize,
     /// Notes asked for and not struck.
     pub missed: usize,
     /// Strikes that nobody asked for.
     pub extra: usize,
-    /// |struck − wanted| [ms].
-    pub onset_error_ms: Spread,
+    /// |struck − wanted| (ms).
+    pub onset_error_ms: ErrorQuantiles,
     /// |struck − wanted| in MIDI velocities.
-    pub velocity_error: Spread,
+    pub velocity_error: ErrorQuantiles,
 }
 
 /// Quantiles of an error.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[expect(missing_docs, reason = "the names say it")]
-pub struct Spread {
+pub struct ErrorQuantiles {
     pub p50: f64,
     pub p99: f64,
     pub max: f64,
 }
 
-impl From<&Assessment> for Notes {
+impl From<&Assessment> for NoteReport {
     fn from(it: &Assessment) -> Self {
-        let spread = |it: &performance::Spread| Spread { p50: it.p50, p99: it.p99, max: it.max };
+        let spread =
+            |it: &performance::Spread| ErrorQuantiles { p50: it.p50, p99: it.p99, max: it.max };
         Self {
             played: it.played,
             struck: it.played - it.missed,
@@ -177,16 +174,13 @@ impl From<&Assessment> for Notes {
 /// Evaluations, independent of the machine.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Evaluations {
-    /// Of derivatives.
     pub derivatives: u64,
-    /// Of guards.
     pub guards: u64,
 }
 
 /// What happened on the links to the boards.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Links {
-    /// Frames that arrived.
+pub struct LinkReport {
     pub frames: u64,
     /// Frames that are known to be missing.
     pub gaps: u64,
@@ -199,7 +193,6 @@ pub struct Links {
 /// What became of the MIDI output.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MidiReport {
-    /// Where it went.
     pub output: String,
     /// Handed over − happened, in real time.
     pub handover_us: Option<Quantiles>,
@@ -209,7 +202,7 @@ pub struct MidiReport {
     pub trouble: Option<String>,
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for RunReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
@@ -288,7 +281,7 @@ impl Deadline {
     }
 }
 
-impl Notes {
+impl NoteReport {
     fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,

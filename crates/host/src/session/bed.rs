@@ -1,14 +1,14 @@
 //! The keys before a run: simulated in this process, or on boards that were found.
 
-use hardware::keybed::{Calibrated, Keybed, Offline, Terms, Wanted};
-use hardware::plan::{BusPlan, Verdict};
+use hardware::keybed::{Calibrated, Keybed, Offline, Terms, WantedBoards};
+use hardware::plan::{BusPlan, BusVerdict};
 use hardware::sim::keybed::SimulatedKeybed;
 use performance::Performance;
 use scheduler::time::Nanos;
 
-use super::bus::{Bus, Plans};
-use super::keys::Keys;
-use super::{SessionError, Stage, all_keys};
+use super::bus::{MonitoredTransport, Plans};
+use super::keys::SimulatedTransport;
+use super::{PreparedRun, SessionError, all_keys};
 use crate::boards::{PATIENCE_US, calibration, now_us, open_all, planning};
 use crate::config::{Boards, period_us};
 use crate::realtime::clock;
@@ -17,7 +17,7 @@ use crate::realtime::clock;
 const WEIGHTS: usize = 256;
 
 /// The keys before a run.
-pub(super) enum Bed {
+pub(super) enum KeySource {
     /// Simulated in this process.
     Simulated(Box<SimulatedKeybed>),
     /// On boards that were found and may be armed.
@@ -28,13 +28,13 @@ pub(super) enum Bed {
 ///
 /// What their links cannot carry is refused: before they are opened if the scene says who is
 /// there, else when that is known.
-pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<Bed, SessionError> {
+pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<KeySource, SessionError> {
     let terms = terms(boards, tick_hz)?;
     refuse_overload(&planning::listed(boards, tick_hz))?;
     let lines = open_all(&boards.buses).map_err(SessionError::Links)?;
     let keybed = Keybed::<Offline>::new(lines, now_us).identify(PATIENCE_US)?;
     let buses = boards.buses.iter().enumerate();
-    let wanted = Wanted {
+    let wanted = WantedBoards {
         samples: boards.samples,
         forces: boards.forces,
         boards: buses
@@ -45,12 +45,12 @@ pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<Bed, SessionError> {
     let calibrated = keybed.calibrate(&wanted, |found, name| calibration(found, name, boards))?;
     let plans = planning::found(boards, &calibrated, tick_hz);
     refuse_overload(plans.iter().flatten())?;
-    Ok(Bed::Boards(Box::new(calibrated), terms, plans))
+    Ok(KeySource::Boards(Box::new(calibrated), terms, plans))
 }
 
 /// Refuses plans that are more than their links can carry.
 fn refuse_overload<'a, P: IntoIterator<Item = &'a BusPlan>>(plans: P) -> Result<(), SessionError> {
-    let refused = planning::sentences(plans, Verdict::Refused);
+    let refused = planning::sentences(plans, BusVerdict::Refused);
     if refused.is_empty() {
         Ok(())
     } else {
@@ -68,7 +68,7 @@ fn terms(boards: &Boards, tick_hz: u32) -> Result<Terms, SessionError> {
     })
 }
 
-impl Bed {
+impl KeySource {
     /// Whether there is a motor for the key with this index.
     pub(super) fn carries(&self, key: usize) -> bool {
         match self {
@@ -116,13 +116,20 @@ impl Bed {
 
     /// Arms boards, hands them the performance's gestures, and says from when on they count: not
     /// before `lead` has passed.
-    pub(super) fn arm(self, stage: &Stage, lead: Nanos) -> Result<(Bus, Nanos), SessionError> {
+    pub(super) fn arm(
+        self,
+        stage: &PreparedRun,
+        lead: Nanos,
+    ) -> Result<(MonitoredTransport, Nanos), SessionError> {
         match self {
             Self::Simulated(keybed) => {
                 let (weights, laid) = rtrb::RingBuffer::new(WEIGHTS);
                 stage.patchbay.lend_fingers(weights);
                 let start = clock::monotonic().after(lead);
-                Ok((Bus::simulated(Keys::new(*keybed, laid), stage), start))
+                Ok((
+                    MonitoredTransport::simulated(SimulatedTransport::new(*keybed, laid), stage),
+                    start,
+                ))
             }
             Self::Boards(keybed, terms, plans) => {
                 let mut keybed = Box::new(keybed.arm(terms, PATIENCE_US)?);
@@ -133,7 +140,7 @@ impl Bed {
                 }
                 let start = clock::monotonic().after(lead);
                 keybed.begin_at(start.as_u64() / 1_000);
-                Ok((Bus::on_boards(keybed, plans, stage), start))
+                Ok((MonitoredTransport::on_boards(keybed, plans, stage), start))
             }
         }
     }

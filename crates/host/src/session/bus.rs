@@ -10,14 +10,14 @@ use scheduler::port::KeyBus;
 use scheduler::time::Nanos;
 use telemetry::{Board, Line};
 
-use super::Stage;
-use super::keys::Keys;
-use crate::adapters::lookout::Lookout;
+use super::PreparedRun;
+use super::keys::SimulatedTransport;
+use crate::adapters::lookout::LinkMonitor;
 use crate::boards::stop_all;
-use crate::control::{BoardsTold, Lights, Lit};
-use crate::observe::{LinksWatch, Told};
+use crate::control::{BoardsTold, IdentifyTarget, Lights};
+use crate::observe::{LinksWatch, TelemetryMessage};
 use crate::realtime::clock;
-use crate::report::{BoardLine, LinkLine, Links};
+use crate::report::{BoardLine, LinkLine, LinkReport};
 
 /// Time between two looks at the boards before the first tick.
 const LOOK: Nanos = Nanos::from_millis(1);
@@ -29,22 +29,22 @@ const LIGHTS: usize = 32;
 pub(super) type Plans = Vec<Option<BusPlan>>;
 
 /// The keys in a run, and who looks at their lines meanwhile.
-pub(super) struct Bus {
-    bed: Playing,
-    lookout: Lookout,
+pub(super) struct MonitoredTransport {
+    bed: KeyTransport,
+    lookout: LinkMonitor,
 }
 
 /// Keys that are played.
-enum Playing {
+enum KeyTransport {
     /// Simulated in this process.
-    Simulated(Keys),
+    Simulated(SimulatedTransport),
     /// On armed boards, with what each line shall carry, and who shall show its light.
     Boards(Box<Keybed<Armed>>, Plans, Consumer<usize>),
 }
 
-impl Bus {
+impl MonitoredTransport {
     /// Simulated keys.
-    pub(super) fn simulated(keys: Keys, stage: &Stage) -> Self {
+    pub(super) fn simulated(keys: SimulatedTransport, stage: &PreparedRun) -> Self {
         let places = standard();
         let line = |it: &BoardPlace| Line {
             name: format!("simulated {}", it.board.number()),
@@ -53,11 +53,11 @@ impl Bus {
             ..Line::default()
         };
         let lookout = look_out(places.iter().map(line).collect(), &places, stage);
-        Self { bed: Playing::Simulated(keys), lookout }
+        Self { bed: KeyTransport::Simulated(keys), lookout }
     }
 
     /// Keys on armed boards whose lines carry what `plans` say.
-    pub(super) fn on_boards(keybed: Box<Keybed<Armed>>, plans: Plans, stage: &Stage) -> Self {
+    pub(super) fn on_boards(keybed: Box<Keybed<Armed>>, plans: Plans, stage: &PreparedRun) -> Self {
         let places: Vec<_> = keybed.terms().map(|it| it.place).collect();
         let names: Vec<_> = keybed.line_names().map(str::to_owned).collect();
         let planned = plans.iter().map(Option::as_ref).chain(std::iter::repeat(None));
@@ -69,19 +69,19 @@ impl Bus {
         });
         let lookout = look_out(lines.collect(), &places, stage);
         let (sought, shown) = RingBuffer::new(LIGHTS);
-        let lit = |it: &BoardPlace| Lit {
+        let lit = |it: &BoardPlace| IdentifyTarget {
             line: number(it.line),
             name: names.get(it.line).cloned().unwrap_or_default(),
             board: it.board.number().into(),
         };
         stage.patchbay.lend_lights(Lights { boards: places.iter().map(lit).collect(), sought });
-        Self { bed: Playing::Boards(keybed, plans, shown), lookout }
+        Self { bed: KeyTransport::Boards(keybed, plans, shown), lookout }
     }
 }
 
 /// Who looks at these lines and boards; whoever observes is told where they are seen.
-fn look_out(lines: Vec<Line>, places: &[BoardPlace], stage: &Stage) -> Lookout {
-    let (lookout, seen) = Lookout::new(stage.tick_hz);
+fn look_out(lines: Vec<Line>, places: &[BoardPlace], stage: &PreparedRun) -> LinkMonitor {
+    let (lookout, seen) = LinkMonitor::new(stage.tick_hz);
     let board = |it: &BoardPlace| Board {
         line: number(it.line),
         id: it.board.number().into(),
@@ -92,7 +92,7 @@ fn look_out(lines: Vec<Line>, places: &[BoardPlace], stage: &Stage) -> Lookout {
     };
     let links = telemetry::Links { lines, boards: places.iter().map(board).collect() };
     let watch = LinksWatch::new(seen, links, 1.0 / f64::from(stage.tick_hz));
-    stage.patchbay.tell(Told::Links(Box::new(watch)));
+    stage.patchbay.tell(TelemetryMessage::Links(Box::new(watch)));
     lookout
 }
 
@@ -101,15 +101,15 @@ fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }
 
-impl KeyBus for Bus {
+impl KeyBus for MonitoredTransport {
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
         let Self { bed, lookout } = self;
         match bed {
-            Playing::Simulated(keys) => {
+            KeyTransport::Simulated(keys) => {
                 keys.receive(tick, samples);
                 lookout.take(tick, |place| keys.glance(place));
             }
-            Playing::Boards(keybed, _, sought) => {
+            KeyTransport::Boards(keybed, _, sought) => {
                 if let Ok(board) = sought.pop() {
                     keybed.light(board);
                 }
@@ -121,23 +121,23 @@ impl KeyBus for Bus {
 
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
         match &mut self.bed {
-            Playing::Simulated(keys) => keys.send(tick, forces),
-            Playing::Boards(keybed, ..) => keybed.send(tick, forces),
+            KeyTransport::Simulated(keys) => keys.send(tick, forces),
+            KeyTransport::Boards(keybed, ..) => keybed.send(tick, forces),
         }
     }
 
     fn send_sloped(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
         match &mut self.bed {
-            Playing::Simulated(keys) => keys.send(tick, forces),
-            Playing::Boards(keybed, ..) => keybed.send_sloped(tick, forces, slopes),
+            KeyTransport::Simulated(keys) => keys.send(tick, forces),
+            KeyTransport::Boards(keybed, ..) => keybed.send_sloped(tick, forces, slopes),
         }
     }
 }
 
-impl Bus {
+impl MonitoredTransport {
     /// Takes what boards send until `start` is near, so that the first tick finds what is new.
     pub(super) fn attend_until(&mut self, start: Nanos) {
-        let Playing::Boards(keybed, ..) = &mut self.bed else { return };
+        let KeyTransport::Boards(keybed, ..) = &mut self.bed else { return };
         loop {
             let next = clock::monotonic().after(LOOK);
             if start <= next {
@@ -152,35 +152,35 @@ impl Bus {
     /// run.
     pub(super) fn stop(&mut self) -> BoardsTold {
         match &mut self.bed {
-            Playing::Simulated(_) => {
+            KeyTransport::Simulated(_) => {
                 let boards = standard().len();
                 BoardsTold { told: boards, boards }
             }
-            Playing::Boards(keybed, ..) => stop_all(keybed),
+            KeyTransport::Boards(keybed, ..) => stop_all(keybed),
         }
     }
 
     /// Tells boards to render no force; a simulated keybed ends with the run.
     pub(super) fn disarm(&mut self) {
         match &mut self.bed {
-            Playing::Simulated(_) => {}
-            Playing::Boards(keybed, ..) => keybed.disarm(),
+            KeyTransport::Simulated(_) => {}
+            KeyTransport::Boards(keybed, ..) => keybed.disarm(),
         }
     }
 
     /// What happened on all links together.
-    pub(super) fn links(&self) -> Links {
+    pub(super) fn links(&self) -> LinkReport {
         match &self.bed {
-            Playing::Simulated(keys) => simulated_links(keys),
-            Playing::Boards(keybed, ..) => board_links(keybed),
+            KeyTransport::Simulated(keys) => simulated_links(keys),
+            KeyTransport::Boards(keybed, ..) => board_links(keybed),
         }
     }
 
     /// What became of each line; nothing of simulated ones.
     pub(super) fn lines(&self, seconds: f64) -> Vec<LinkLine> {
         match &self.bed {
-            Playing::Simulated(_) => Vec::new(),
-            Playing::Boards(keybed, plans, _) => {
+            KeyTransport::Simulated(_) => Vec::new(),
+            KeyTransport::Boards(keybed, plans, _) => {
                 let boards = keybed.board_reports();
                 let lines = keybed.line_reports();
                 let plans = plans.iter().map(Option::as_ref).chain(std::iter::repeat(None));
@@ -193,16 +193,16 @@ impl Bus {
     /// What became of each board in a run of `seconds`; nothing of simulated ones.
     pub(super) fn boards(&self, seconds: f64) -> Vec<BoardLine> {
         match &self.bed {
-            Playing::Simulated(_) => Vec::new(),
-            Playing::Boards(keybed, ..) => {
+            KeyTransport::Simulated(_) => Vec::new(),
+            KeyTransport::Boards(keybed, ..) => {
                 keybed.board_reports().iter().map(|it| BoardLine::new(it, seconds)).collect()
             }
         }
     }
 }
 
-fn simulated_links(keys: &Keys) -> Links {
-    let mut sum = Links { rearmed: keys.rearmed, ..Links::default() };
+fn simulated_links(keys: &SimulatedTransport) -> LinkReport {
+    let mut sum = LinkReport { rearmed: keys.rearmed, ..LinkReport::default() };
     for board in BoardId::all() {
         let (it, wire) = (keys.keybed.statistics(board), keys.keybed.wire(board));
         sum.frames += it.samples.frames;
@@ -212,8 +212,8 @@ fn simulated_links(keys: &Keys) -> Links {
     sum
 }
 
-fn board_links(keybed: &Keybed<Armed>) -> Links {
-    let mut sum = Links::default();
+fn board_links(keybed: &Keybed<Armed>) -> LinkReport {
+    let mut sum = LinkReport::default();
     for BoardReport { statistics, condition, .. } in keybed.board_reports() {
         sum.frames += statistics.samples.frames;
         sum.gaps += statistics.samples.gaps;

@@ -3,24 +3,24 @@
 use crate::realtime::baseline;
 use crate::realtime::memory::Locked;
 use crate::realtime::run::Timings;
-use crate::realtime::thread::Standing;
+use crate::realtime::thread::SchedulingPolicy;
 use crate::report::{Deadline, Quantiles, Realtime};
 
 /// The measured part of a report.
 #[derive(Debug)]
-pub(super) struct Measured {
+pub(super) struct MeasuredRun {
     pub(super) realtime: Realtime,
     pub(super) deadline: Deadline,
     pub(super) skipped: u64,
 }
 
-impl Measured {
+impl MeasuredRun {
     /// From what a run in real time saw.
     pub(super) fn new(
         timings: &Timings,
-        standing: Standing,
+        standing: SchedulingPolicy,
         locked: Locked,
-        baseline: Option<&baseline::Measured>,
+        baseline: Option<&baseline::BaselineTiming>,
     ) -> Self {
         let counters = timings.counters();
         let advice = standing.note.into_iter().chain(locked.note).collect();

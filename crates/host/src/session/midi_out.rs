@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use midi::{Message, Output, Port, SendError, Smf, Unavailable};
+use midi::{Message, MidiPort, MidiSendError, Output, Smf, Unavailable};
 
 use crate::config::{Midi, MidiOutput};
 use crate::desk::AnyOutput;
@@ -14,11 +14,11 @@ use crate::session::SessionError;
 struct Nowhere;
 
 impl Output for Nowhere {
-    fn send(&mut self, _at: f64, _message: Message) -> Result<(), SendError> {
+    fn send(&mut self, _at: f64, _message: Message) -> Result<(), MidiSendError> {
         Ok(())
     }
 
-    fn finish(&mut self) -> Result<(), SendError> {
+    fn finish(&mut self) -> Result<(), MidiSendError> {
         Ok(())
     }
 }
@@ -37,8 +37,8 @@ pub(super) fn open(midi: &Midi) -> Result<(AnyOutput, MidiReport), SessionError>
     }
     let (output, name): (Result<AnyOutput, Unavailable>, String) = match &midi.output {
         MidiOutput::None => (Ok(Box::new(Nowhere)), "none".into()),
-        MidiOutput::Virtual => (boxed(Port::create()), "virtual port \"letoff\"".into()),
-        MidiOutput::Port(name) => (boxed(Port::connect(name)), format!("port \"{name}\"")),
+        MidiOutput::Virtual => (boxed(MidiPort::create()), "virtual port \"letoff\"".into()),
+        MidiOutput::Port(name) => (boxed(MidiPort::connect(name)), format!("port \"{name}\"")),
         MidiOutput::File(path) => (Ok(Box::new(Smf::new(path))), path.display().to_string()),
     };
     let report = |trouble| MidiReport { output: name, trouble, ..MidiReport::default() };
@@ -69,6 +69,6 @@ fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
     }
 }
 
-fn boxed(port: Result<Port, Unavailable>) -> Result<AnyOutput, Unavailable> {
+fn boxed(port: Result<MidiPort, Unavailable>) -> Result<AnyOutput, Unavailable> {
     Ok(Box::new(port?))
 }

@@ -21,21 +21,21 @@ use hardware::sim::keybed::SimulatedKeybed;
 use performance::{Performance, Struck, assess};
 use scheduler::time::{Nanos, Timetable};
 
-use crate::adapters::observer::{LiveCounters, Publisher};
-use crate::assemble::{AssembleError, Assembler};
-use crate::bell::Bell;
-use crate::config::{Lanes, Links as SceneLinks, Scene};
-use crate::control::Patchbay;
-use crate::desk::{Desk, Played};
-use crate::observe::{self, Sink, Told};
+use crate::adapters::observer::{LiveCounters, TickPublisher};
+use crate::assemble::{AssembleError, VoiceBuilder};
+use crate::bell::WakeFd;
+use crate::config::{LaneCount, LinksConfig as SceneLinks, Scene};
+use crate::control::RunHandle;
+use crate::desk::{MidiDispatcher, PlaybackSummary};
+use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use crate::realtime::thread::DEFAULT_PRIORITY;
-use crate::report::{Deadline, Evaluations, MidiReport, Notes, Realtime, Report};
-use bed::Bed;
-use bus::Bus;
-use measured::Measured;
+use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, Realtime, RunReport};
+use bed::KeySource;
+use bus::MonitoredTransport;
+use measured::MeasuredRun;
 pub(crate) use midi_out::nowhere;
-use observed::Observed;
+use observed::ObservedOutputs;
 pub(crate) use observed::Watchers;
 pub(crate) use overheard::Overheard;
 
@@ -50,19 +50,13 @@ pub enum SessionError {
     /// The performance cannot be read.
     #[error("the performance `{name}` cannot be played: {reason}")]
     Performance {
-        /// File or name.
         name: String,
         /// What is wrong, and what to do.
         reason: String,
     },
     /// The MIDI file cannot be written there.
     #[error("the MIDI file {path} cannot be written: there is no folder {folder}; make it first")]
-    NoFolder {
-        /// The file.
-        path: String,
-        /// Its folder.
-        folder: String,
-    },
+    NoFolder { path: String, folder: String },
     /// The MIDI output is not there.
     #[error("the MIDI output cannot be opened: {0}")]
     Midi(#[from] midi::Unavailable),
@@ -87,7 +81,6 @@ pub enum SessionError {
     /// Boards go by their own time.
     #[error("boards go by their own time; leave --virtual-time out, or the links")]
     RealBoards,
-    /// Nobody can play.
     #[error(
         "the boards have no simulated fingers, so the pianist cannot play; \
          give --performance none, and play yourself"
@@ -106,14 +99,14 @@ pub enum SessionError {
 
 /// What the command line says beyond the scene.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Options {
-    /// Length of the run [s]; to the end of the performance without.
+pub struct RunOptions {
+    /// Length of the run (s); to the end of the performance without.
     pub duration: Option<f64>,
     /// As fast as it goes, and bit-identically every time.
     pub virtual_time: bool,
 }
 
-/// Time after a performance's last event before a run ends by itself [s].
+/// Time after a performance's last event before a run ends by itself (s).
 const AFTERGLOW: f64 = 1.0;
 
 /// Key events that may wait for the MIDI thread; a chord of all keys makes 88.
@@ -123,18 +116,18 @@ const RING: usize = 4096;
 const MOST_LANES: usize = 16;
 
 /// Everything of one run, connected and at rest.
-pub struct Session {
-    stage: Box<Stage>,
-    bed: Bed,
-    desk: Box<Desk>,
-    observed: Observed,
+pub struct RunSession {
+    stage: Box<PreparedRun>,
+    bed: KeySource,
+    desk: Box<MidiDispatcher>,
+    observed: ObservedOutputs,
 }
 
 /// All but the MIDI side, which works on a thread of its own.
-struct Stage {
+struct PreparedRun {
     name: String,
     tick_hz: u32,
-    /// Fastest change of a force towards a voice [N/s].
+    /// Fastest change of a force towards a voice (N/s).
     slew_limit: f64,
     n_voices: usize,
     n_lanes: NonZeroUsize,
@@ -144,25 +137,25 @@ struct Stage {
     performance: Option<Performance>,
     watchers: Watchers,
     midi: MidiReport,
-    bell: Arc<Bell>,
+    bell: Arc<WakeFd>,
     counters: Arc<LiveCounters>,
-    patchbay: Arc<Patchbay>,
+    patchbay: Arc<RunHandle>,
 }
 
-impl std::fmt::Debug for Session {
+impl std::fmt::Debug for RunSession {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Session").field("scene", &self.stage.name).finish_non_exhaustive()
     }
 }
 
-impl Session {
+impl RunSession {
     /// Connects everything that `scene` asks for; rehearses what its pianist will play.
     ///
     /// # Errors
     /// If something that the scene names is not there or refused.
     pub fn prepare(
         scene: &Scene,
-        options: Options,
+        options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
         Self::prepare_behind(Arc::default(), scene, options, progress)
@@ -174,12 +167,12 @@ impl Session {
     /// # Errors
     /// As [`Self::prepare`].
     pub fn prepare_behind(
-        patchbay: Arc<Patchbay>,
+        patchbay: Arc<RunHandle>,
         scene: &Scene,
-        options: Options,
+        options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
-        let assembler = Assembler::new(scene)?;
+        let assembler = VoiceBuilder::new(scene)?;
         let period = assembler.period().as_secs_f64();
         // What is missing is said before anybody rehearses.
         let mut bed = lay(scene, &assembler, options)?;
@@ -205,21 +198,21 @@ impl Session {
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi)?;
         let output = Box::new(Overheard { output, told: observed.teller() });
-        let desk = Box::new(Desk::new(consumer, output, scene.midi.curve));
-        let (bell, counters) = (Arc::new(Bell::new()?), Arc::new(LiveCounters::default()));
+        let desk = Box::new(MidiDispatcher::new(consumer, output, scene.midi.curve));
+        let (bell, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
         let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
         for pedal in &pedals {
             let event = telemetry::Update::Event(observe::pedal(*pedal));
-            patchbay.tell(Told::Update(Box::new(event)));
+            patchbay.tell(TelemetryMessage::Update(Box::new(event)));
         }
-        let publisher = Publisher::new(
+        let publisher = TickPublisher::new(
             producer,
             Arc::clone(&bell),
             Arc::clone(&counters),
             pedals.into(),
             period,
         );
-        let stage = Stage {
+        let stage = PreparedRun {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
             slew_limit: scene.render.slew_limit,
@@ -265,7 +258,7 @@ impl Session {
     }
 
     /// The way into its lanes, once it runs in real time.
-    pub fn patchbay(&self) -> Arc<Patchbay> {
+    pub fn patchbay(&self) -> Arc<RunHandle> {
         Arc::clone(&self.stage.patchbay)
     }
 
@@ -275,15 +268,15 @@ impl Session {
     }
 
     /// Who hears of everything that the run does, from before its first tick on.
-    pub fn observe(&self, sink: Box<dyn Sink>) {
-        self.stage.patchbay.tell(Told::Sink(sink));
+    pub fn observe(&self, sink: Box<dyn MessageSink>) {
+        self.stage.patchbay.tell(TelemetryMessage::Sink(sink));
     }
 
     /// Runs until the end or until `stop`, and reports.
     ///
     /// # Errors
     /// If the system refuses threads, or one of ours panics.
-    pub fn run(self, stop: &AtomicBool) -> Result<Report, SessionError> {
+    pub fn run(self, stop: &AtomicBool) -> Result<RunReport, SessionError> {
         let Self { stage, bed, desk, observed } = self;
         if stage.virtual_time {
             virtual_run::run(*stage, bed, *desk, observed, stop)
@@ -293,7 +286,7 @@ impl Session {
     }
 }
 
-impl Stage {
+impl PreparedRun {
     /// The timetable, with tick 0 due at time 0.
     fn timetable(&self) -> Result<Timetable, SessionError> {
         let period = scheduler::time::Period::from_hz(self.tick_hz)
@@ -307,12 +300,18 @@ impl Stage {
     }
 
     /// Puts the report together when all is over.
-    fn report(&self, ticks: u64, played: Played, measured: Measured, bus: &Bus) -> Report {
+    fn report(
+        &self,
+        ticks: u64,
+        played: PlaybackSummary,
+        measured: MeasuredRun,
+        bus: &MonitoredTransport,
+    ) -> RunReport {
         use std::sync::atomic::Ordering::Relaxed;
         let duration = (ticks + measured.skipped) as f64 / f64::from(self.tick_hz);
         let counters = &self.counters;
         let load = |counter: &std::sync::atomic::AtomicU64| counter.load(Relaxed);
-        Report {
+        RunReport {
             scene: self.name.clone(),
             voices: self.n_voices,
             tick_hz: self.tick_hz,
@@ -358,10 +357,10 @@ pub(crate) fn whole(count: f64) -> u64 {
 }
 
 /// How many threads share the tick.
-fn lanes(lanes: Lanes) -> NonZeroUsize {
+fn lanes(lanes: LaneCount) -> NonZeroUsize {
     match lanes {
-        Lanes::Count(count) => NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN),
-        Lanes::Auto => {
+        LaneCount::Count(count) => NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN),
+        LaneCount::Auto => {
             let processors = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
             NonZeroUsize::new(processors.min(MOST_LANES)).unwrap_or(NonZeroUsize::MIN)
         }
@@ -369,23 +368,27 @@ fn lanes(lanes: Lanes) -> NonZeroUsize {
 }
 
 /// How the notes came out that the piece asks for before the run's end.
-fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> Notes {
+fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteReport {
     // A note wanted within a matching window of the end may rightly be struck after it.
     let heard = duration - performance::WINDOW;
     let expected: Vec<_> =
         performance.expected.iter().filter(|note| note.onset < heard).copied().collect();
     let struck: Vec<_> = struck.iter().filter(|strike| strike.at < heard).copied().collect();
-    Notes::from(&assess(&expected, &struck))
+    NoteReport::from(&assess(&expected, &struck))
 }
 
 /// The keys of a scene: simulated, or on boards that were found.
-fn lay(scene: &Scene, assembler: &Assembler<'_>, options: Options) -> Result<Bed, SessionError> {
+fn lay(
+    scene: &Scene,
+    assembler: &VoiceBuilder<'_>,
+    options: RunOptions,
+) -> Result<KeySource, SessionError> {
     match &scene.links {
         SceneLinks::Simulated => {
             let period = assembler.period().as_secs_f64();
             let keybed =
                 SimulatedKeybed::new(period, assembler.rig()).map_err(AssembleError::from)?;
-            Ok(Bed::Simulated(Box::new(keybed)))
+            Ok(KeySource::Simulated(Box::new(keybed)))
         }
         SceneLinks::Boards(_) if options.virtual_time => Err(SessionError::RealBoards),
         SceneLinks::Boards(boards) => bed::find(boards, scene.tick_hz),

@@ -5,71 +5,70 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc;
 use std::time::Duration;
 
-use scheduler::port::{Seen, TickObserver};
+use scheduler::port::{FinishedTick, TickObserver};
 use telemetry::Catalogue;
 
 use super::{SessionError, whole};
-use crate::adapters::observer::Publisher;
-use crate::adapters::tap::Tap;
+use crate::adapters::observer::TickPublisher;
+use crate::adapters::tap::TickRecorder;
 use crate::config::{KeyVoice, Scene};
-use crate::control::Patchbay;
-use crate::observe::{self, Origin, Pulses, Pump, Told};
+use crate::control::RunHandle;
+use crate::observe::{self, Origin, Pulses, TelemetryMessage, TelemetryThread};
 
 /// Time between two looks at the rings: a frame of a screen.
 const LOOK: Duration = Duration::from_millis(16);
 
 /// Both who watch the tick.
 pub(crate) struct Watchers {
-    pub(crate) publisher: Publisher,
-    pub(crate) tap: Tap,
+    pub(crate) publisher: TickPublisher,
+    pub(crate) tap: TickRecorder,
 }
 
 impl TickObserver for Watchers {
-    fn observe(&mut self, seen: &Seen<'_>) {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
         self.publisher.observe(seen);
         self.tap.observe(seen);
     }
 }
 
 /// What becomes of what was tapped.
-pub(super) struct Observed {
-    /// Of the loop.
+pub(super) struct ObservedOutputs {
     pulses: Pulses,
-    pump: Box<Pump>,
+    pump: Box<TelemetryThread>,
     catalogue: Box<Catalogue>,
-    told: mpsc::Sender<Told>,
+    told: mpsc::Sender<TelemetryMessage>,
 }
 
-/// A tap for a run of `scene` with ticks of `period` [s], and where it leads.
+/// A tap for a run of `scene` with ticks of `period` (s), and where it leads.
 pub(super) fn connect(
     scene: &Scene,
     period: f64,
-    patchbay: &Patchbay,
-) -> Result<(Tap, Observed), SessionError> {
-    let (tap, tapped) = Tap::new();
+    patchbay: &RunHandle,
+) -> Result<(TickRecorder, ObservedOutputs), SessionError> {
+    let (tap, tapped) = TickRecorder::new();
     let (pulses, times) = Pulses::new();
     let (tell, told) = mpsc::channel();
-    let pump = Pump::new(tapped, times, told, whole(period * 1e9));
+    let pump = TelemetryThread::new(tapped, times, told, whole(period * 1e9));
     let pump = pump.map_err(std::io::Error::other)?;
     patchbay.connect(tell.clone());
     let catalogue = Box::new(observe::catalogue(scene));
-    Ok((tap, Observed { pulses, pump, catalogue, told: tell }))
+    Ok((tap, ObservedOutputs { pulses, pump, catalogue, told: tell }))
 }
 
 /// What is told of a voice that the scene asks for.
-pub(super) fn of_scene(key: usize, voice: &KeyVoice, revision: u32) -> Told {
+pub(super) fn of_scene(key: usize, voice: &KeyVoice, revision: u32) -> TelemetryMessage {
     let origin = Origin { revision, instrument: None, writer: "scene", kept: false };
     observe::voice(u8::try_from(key).unwrap_or(u8::MAX), voice, origin)
 }
 
-impl Observed {
+impl ObservedOutputs {
     /// For others who tell.
-    pub(super) fn teller(&self) -> mpsc::Sender<Told> {
+    pub(super) fn teller(&self) -> mpsc::Sender<TelemetryMessage> {
         self.told.clone()
     }
 
-    /// The loop's end and the pump, once tick 0 is due at `began` [ns since 1970].
-    pub(super) fn begin(self, began: u64) -> (Pulses, Box<Pump>) {
+    /// The loop's end and the pump, once tick 0 is due at `began` (ns since 1970).
+    pub(super) fn begin(self, began: u64) -> (Pulses, Box<TelemetryThread>) {
         let Self { pulses, mut pump, catalogue, told: _ } = self;
         pump.begin(began, *catalogue);
         (pulses, pump)
@@ -88,7 +87,7 @@ impl Pumping {
     ///
     /// # Errors
     /// If the system gives no thread.
-    pub(super) fn start(mut pump: Box<Pump>) -> std::io::Result<Self> {
+    pub(super) fn start(mut pump: Box<TelemetryThread>) -> std::io::Result<Self> {
         let stop = Arc::new(AtomicBool::new(false));
         let its_stop = Arc::clone(&stop);
         let thread =

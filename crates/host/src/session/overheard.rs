@@ -2,20 +2,20 @@
 
 use std::sync::mpsc;
 
-use midi::{Message, Output, SendError};
+use midi::{Message, MidiSendError, Output};
 use telemetry::{Midi, Update};
 
 use crate::desk::AnyOutput;
-use crate::observe::Told;
+use crate::observe::TelemetryMessage;
 
 /// An output, overheard.
 pub(crate) struct Overheard {
     pub(crate) output: AnyOutput,
-    pub(crate) told: mpsc::Sender<Told>,
+    pub(crate) told: mpsc::Sender<TelemetryMessage>,
 }
 
 impl Output for Overheard {
-    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
         let sent = self.output.send(at, message);
         let text = match &sent {
             Ok(()) => words(message),
@@ -23,15 +23,15 @@ impl Output for Overheard {
         };
         let midi = Midi { at, bytes: message.encode().into(), text };
         // Who does not listen any more need not know.
-        let _gone = self.told.send(Told::Update(Box::new(Update::Midi(midi))));
+        let _gone = self.told.send(TelemetryMessage::Update(Box::new(Update::Midi(midi))));
         sent
     }
 
-    fn poll(&mut self, now: f64) -> Result<(), SendError> {
+    fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
         self.output.poll(now)
     }
 
-    fn finish(&mut self) -> Result<(), SendError> {
+    fn finish(&mut self) -> Result<(), MidiSendError> {
         self.output.finish()
     }
 }

@@ -5,18 +5,18 @@ use std::sync::{Mutex, PoisonError};
 use performance::{Performance, Pianist, Score, Technique, read};
 
 use super::SessionError;
-use super::bed::Bed;
-use crate::assemble::Assembler;
+use super::bed::KeySource;
+use crate::assemble::VoiceBuilder;
 use crate::config::{PerformanceSource, Scene};
 use crate::rehearsal::RehearsedKey;
 
 pub use performance::Progress as PianistProgress;
 
-/// Rehearses the scene's piece, up to `duration` [s] if the run ends before the piece does.
+/// Rehearses the scene's piece, up to `duration` (s) if the run ends before the piece does.
 pub(super) fn rehearse(
     scene: &Scene,
-    assembler: &Assembler<'_>,
-    bed: &Bed,
+    assembler: &VoiceBuilder<'_>,
+    bed: &KeySource,
     duration: Option<f64>,
     progress: &(dyn Fn(PianistProgress) + Sync),
 ) -> Result<Option<Performance>, SessionError> {
@@ -51,8 +51,8 @@ fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
 
 /// One key of every voice that has a motor, at rest.
 fn keys_of(
-    assembler: &Assembler<'_>,
-    bed: &Bed,
+    assembler: &VoiceBuilder<'_>,
+    bed: &KeySource,
 ) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
     let mut keys = vec![None; scheduler::motion::KEYS];
     for (key, voice) in assembler.keys().filter(|(key, _)| bed.carries(*key)) {
@@ -61,7 +61,7 @@ fn keys_of(
     Ok(keys)
 }
 
-/// The part of `score` that is struck before `duration` [s] on keys that have a voice.
+/// The part of `score` that is struck before `duration` (s) on keys that have a voice.
 fn within(
     mut score: Score,
     duration: Option<f64>,

@@ -3,19 +3,19 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::bed::Bed;
-use super::bus::Bus;
-use super::measured::Measured;
-use super::observed::{Observed, Pumping};
-use super::{SessionError, Stage};
+use super::bed::KeySource;
+use super::bus::MonitoredTransport;
+use super::measured::MeasuredRun;
+use super::observed::{ObservedOutputs, Pumping};
+use super::{PreparedRun, SessionError};
 use crate::adapters::observer::LiveCounters;
-use crate::desk::{Attended, Desk};
+use crate::desk::{MidiDispatcher, MidiThread};
 use crate::observe::Pulses;
 use crate::realtime::baseline::Baseline;
-use crate::realtime::run::{Assembly, Pulse, Timings, Until, histogram, ramp_down, scheduler};
-use crate::realtime::thread::{DEFAULT_PRIORITY, Standing, ask_for_fifo};
+use crate::realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down, scheduler};
+use crate::realtime::thread::{DEFAULT_PRIORITY, SchedulingPolicy, ask_for_fifo};
 use crate::realtime::{memory, run as ticks};
-use crate::report::Report;
+use crate::report::RunReport;
 use ::scheduler::time::Nanos;
 
 /// From set-up to the first tick: threads are up by then.
@@ -23,12 +23,12 @@ const LEAD: Nanos = Nanos::from_millis(50);
 
 /// Runs until its end or `stop`; ramps all forces down; then reports.
 pub(super) fn run(
-    mut stage: Box<Stage>,
-    bed: Bed,
-    desk: Box<Desk>,
-    observed: Observed,
+    mut stage: Box<PreparedRun>,
+    bed: KeySource,
+    desk: Box<MidiDispatcher>,
+    observed: ObservedOutputs,
     stop: &AtomicBool,
-) -> Result<Report, SessionError> {
+) -> Result<RunReport, SessionError> {
     let locked = memory::lock();
     let patchbay = Arc::clone(&stage.patchbay);
     let emergency = &patchbay.emergency;
@@ -40,7 +40,7 @@ pub(super) fn run(
     let handover = histogram().map_err(std::io::Error::other)?;
     let (pulses, pump) = observed.begin(since_1970(start));
     let pumping = Pumping::start(pump)?;
-    let attended = Attended::start(desk, Arc::clone(&stage.bell), start, handover)?;
+    let attended = MidiThread::start(desk, Arc::clone(&stage.bell), start, handover)?;
     let timetable = stage.timetable()?.moved(0, start);
     let baseline = Baseline::start(timetable, Some(DEFAULT_PRIORITY))?;
     // The scope joins the tick's thread whatever happens, so a panic there ends here.
@@ -59,18 +59,18 @@ pub(super) fn run(
     }
     pumping.finish().map_err(|_panic| SessionError::Panicked("telemetry"))?;
     let (timings, standing) = ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
-    let measured = Measured::new(&timings, standing, locked, baseline.as_ref());
+    let measured = MeasuredRun::new(&timings, standing, locked, baseline.as_ref());
     Ok(stage.report(timings.counters().ticks, played, measured, &bus))
 }
 
 /// The tick's thread, from its priority to the ramp at the end.
 fn tick(
-    stage: &mut Stage,
-    bus: &mut Bus,
+    stage: &mut PreparedRun,
+    bus: &mut MonitoredTransport,
     mut pulses: Pulses,
     start: Nanos,
     stop: &AtomicBool,
-) -> Result<(Timings, Standing), SessionError> {
+) -> Result<(Timings, SchedulingPolicy), SessionError> {
     let standing = ask_for_fifo(Some(DEFAULT_PRIORITY));
     memory::prefault_stack();
     let (mut lanes, swaps) = stage.start_lanes()?;
@@ -103,7 +103,7 @@ fn tick(
     Ok((timings, standing))
 }
 
-/// When it will be `start` by the clock on the wall [ns since 1970].
+/// When it will be `start` by the clock on the wall (ns since 1970).
 fn since_1970(start: Nanos) -> u64 {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     let now = now.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX));
@@ -111,7 +111,7 @@ fn since_1970(start: Nanos) -> u64 {
 }
 
 /// Smooths the tick's work and counts misses, for the live line.
-fn count(counters: &LiveCounters, pulse: &Pulse) {
+fn count(counters: &LiveCounters, pulse: &TickTiming) {
     let before = counters.work_ns.load(Ordering::Relaxed);
     let smoothed = (15 * before + pulse.times.work.as_u64()) / 16;
     counters.work_ns.store(smoothed, Ordering::Relaxed);

@@ -2,14 +2,14 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::bed::Bed;
-use super::measured::Measured;
-use super::observed::Observed;
-use super::{SessionError, Stage, no_clock};
-use crate::desk::Desk;
+use super::bed::KeySource;
+use super::measured::MeasuredRun;
+use super::observed::ObservedOutputs;
+use super::{PreparedRun, SessionError, no_clock};
+use crate::desk::MidiDispatcher;
 use crate::realtime::run::{Assembly, Until, scheduler};
 use crate::realtime::virtual_time;
-use crate::report::Report;
+use crate::report::RunReport;
 use ::scheduler::time::Nanos;
 
 /// Ticks between two looks at the rings.
@@ -17,12 +17,12 @@ const TICKS_PER_LOOK: u64 = 16;
 
 /// Runs all ticks; the MIDI side follows after each tick, on this thread.
 pub(super) fn run(
-    mut stage: Stage,
-    bed: Bed,
-    mut desk: Desk,
-    observed: Observed,
+    mut stage: PreparedRun,
+    bed: KeySource,
+    mut desk: MidiDispatcher,
+    observed: ObservedOutputs,
     stop: &AtomicBool,
-) -> Result<Report, SessionError> {
+) -> Result<RunReport, SessionError> {
     let (mut lanes, _swaps) = stage.start_lanes()?;
     let mut scheduler = scheduler(stage.timetable()?, stage.slew_limit);
     let until = Until { stop, ticks: stage.ticks };
@@ -49,5 +49,5 @@ pub(super) fn run(
     let played = desk.close(None);
     pump.pump();
     drop(pump);
-    Ok(stage.report(ticks, played, Measured { realtime, deadline, skipped }, &bus))
+    Ok(stage.report(ticks, played, MeasuredRun { realtime, deadline, skipped }, &bus))
 }

@@ -64,11 +64,11 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "NAME=VALUE", num_args = 1..)]
     pub initial: Vec<String>,
 
-    /// End of the simulation [s].
+    /// End of the simulation (s).
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub until: f64,
 
-    /// Length of a tick and longest step [s]; the last tick is shorter where T asks for it.
+    /// Length of a tick and longest step (s); the last tick is shorter where T asks for it.
     #[arg(long, value_name = "H", allow_negative_numbers = true)]
     pub step: f64,
 

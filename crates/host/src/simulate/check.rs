@@ -9,7 +9,7 @@ use pode::{Limits, State as _};
 
 use super::args::SimulateArgs;
 use super::error::Mistake;
-use super::input::Input;
+use super::input::InputSignal;
 
 /// More ticks than this are a slip of the exponent: a day's work at least.
 const MOST_TICKS: f64 = 1e11;
@@ -37,10 +37,10 @@ fn method(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Any {
 
 /// Ticks from 0 to `until`.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Clock {
-    /// Length of a tick [s].
+pub(super) struct TickClock {
+    /// Length of a tick (s).
     pub(super) step: f64,
-    /// The end [s].
+    /// The end (s).
     pub(super) until: f64,
     /// Ticks, the last one perhaps shorter.
     pub(super) ticks: u64,
@@ -50,7 +50,7 @@ pub(super) struct Clock {
     pub(super) limits: Limits,
 }
 
-impl Clock {
+impl TickClock {
     pub(super) fn check(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Self {
         let SimulateArgs { until, step, .. } = *args;
         let default = Limits::default();
@@ -75,12 +75,12 @@ impl Clock {
         Self { step, until, ticks: ticks as u64, method: method(args, mistakes), limits }
     }
 
-    /// Length of tick `tick` [s].
+    /// Length of tick `tick` (s).
     pub(super) fn length(&self, tick: u64) -> f64 {
         if tick + 1 < self.ticks { self.step } else { self.until - tick as f64 * self.step }
     }
 
-    /// The instant `theta` of tick `tick` [s]; one tick's end is the next one's start to
+    /// The instant `theta` of tick `tick` (s); one tick's end is the next one's start to
     /// the last bit.
     pub(super) fn time(&self, tick: u64, theta: f64) -> f64 {
         if tick + 1 < self.ticks {
@@ -154,7 +154,7 @@ impl<M: Playable> Start<M> {
     /// The model with its parameters, at rest except for what is given otherwise.
     pub(super) fn check(
         args: &SimulateArgs,
-        input: &Input,
+        input: &InputSignal,
         mistakes: &mut Vec<Mistake>,
     ) -> Option<Self> {
         let model = M::with_values(&parameters::<M>(args, mistakes)?);

@@ -5,22 +5,22 @@ use pode::stepper::{Any, ByNeed, Choice};
 use pode::{Advance, Cap, EnergyAudit, Event, Motion, Piece, Signal, Simulator};
 use pode::{State as _, Tick, Watch};
 
-use super::check::{Clock, Start};
+use super::check::{Start, TickClock};
 use super::error::SimulateError;
-use super::input::{Input, is_finite};
+use super::input::{InputSignal, is_finite};
 use super::output::Files;
-use super::summary::{Capped, Counts, Report, Why};
+use super::summary::{Capped, RunCounts, SimulationReport, Why};
 
 /// Runs a model with the method of the clock, and says what `by-need` takes.
 pub(super) fn run<M: Playable>(
     start: &Start<M>,
-    plan: (&Clock, &Input),
+    plan: (&TickClock, &InputSignal),
     files: &mut Files,
-) -> Result<Report, SimulateError> {
-    let Clock { method, step, .. } = *plan.0;
+) -> Result<SimulationReport, SimulateError> {
+    let TickClock { method, step, .. } = *plan.0;
     let report = drive(start, plan, files)?;
     let Any::ByNeed(by_need) = method else { return Ok(report) };
-    Ok(Report { choices: choices(&by_need, &start.model, step), ..report })
+    Ok(SimulationReport { choices: choices(&by_need, &start.model, step), ..report })
 }
 
 /// What is taken in each mode, by its name.
@@ -33,9 +33,9 @@ fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(&'static
 /// Advances a model from 0 to the clock's end, or to its first fault.
 fn drive<M: Playable>(
     start: &Start<M>,
-    (clock, input): (&Clock, &Input),
+    (clock, input): (&TickClock, &InputSignal),
     files: &mut Files,
-) -> Result<Report, SimulateError> {
+) -> Result<SimulationReport, SimulateError> {
     let Start { model, mode, state } = *start;
     let mut follower =
         Follower { clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
@@ -63,7 +63,7 @@ fn drive<M: Playable>(
 }
 
 /// Whether the input was finite where a tick failed.
-fn is_driven(clock: &Clock, input: &Input, tick: u64) -> bool {
+fn is_driven(clock: &TickClock, input: &InputSignal, tick: u64) -> bool {
     /// Near every place where some method looks in a tick without events.
     const PLACES: u32 = 64;
     let mut places = (0..=PLACES).map(|n| f64::from(n) / f64::from(PLACES));
@@ -72,9 +72,9 @@ fn is_driven(clock: &Clock, input: &Input, tick: u64) -> bool {
 
 /// Looks on while a tick runs.
 struct Follower<'a, M: Described> {
-    clock: &'a Clock,
+    clock: &'a TickClock,
     audit: EnergyAudit,
-    /// The last instant known to be good: t [s], mode, state.
+    /// The last instant known to be good: t (s), mode, state.
     last: (f64, M::Mode, M::State),
     files: &'a mut Files,
 }
@@ -99,14 +99,14 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
 /// Counts over all ticks.
 #[derive(Clone, Copy, Default)]
 struct Tally {
-    counts: Counts,
+    counts: RunCounts,
     capped: Capped,
     failure: Option<Why>,
 }
 
 impl Tally {
     fn add(&mut self, tick: &Tick) {
-        let Counts { ticks, steps, evaluations, events, verdicts } = &mut self.counts;
+        let RunCounts { ticks, steps, evaluations, events, verdicts } = &mut self.counts;
         *ticks += 1;
         *steps += u64::from(tick.work.pieces);
         evaluations.derivatives += u64::from(tick.work.derivatives);
@@ -127,10 +127,14 @@ impl Tally {
         }
     }
 
-    fn report<M: Described>(self, clock: &Clock, follower: &Follower<'_, M>) -> Report {
+    fn report<M: Described>(
+        self,
+        clock: &TickClock,
+        follower: &Follower<'_, M>,
+    ) -> SimulationReport {
         let (t, mode, state) = &follower.last;
         let state = M::STATES.iter().copied().zip(state.entries().iter().copied()).collect();
-        Report {
+        SimulationReport {
             model: M::NAME,
             method: clock.method.name(),
             step: clock.step,

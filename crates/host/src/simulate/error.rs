@@ -19,7 +19,7 @@ pub enum SimulateError {
     Fault {
         /// The model's name.
         model: &'static str,
-        /// The last instant with a finite state [s].
+        /// The last instant with a finite state (s).
         t: f64,
         /// The mode there.
         mode: &'static str,
@@ -35,9 +35,7 @@ pub enum SimulateError {
     Capped {
         /// The model's name.
         model: &'static str,
-        /// Ticks that did.
         capped: u64,
-        /// All ticks.
         ticks: u64,
         /// Which maxima, and how often.
         kinds: String,
@@ -47,7 +45,6 @@ pub enum SimulateError {
     /// A file could not be written to its end.
     #[error("cannot write {}: {cause}; make room there or choose another file", path.display())]
     Write {
-        /// The file.
         path: PathBuf,
         /// What the system said.
         cause: csv::Error,
@@ -76,12 +73,7 @@ pub enum Mistake {
         "`{path}` looks like a path: MODEL is a built-in name for now, a path to a description \
          comes later; there are {}", known.join(", ")
     )]
-    ModelPath {
-        /// What was given.
-        path: String,
-        /// The models' names.
-        known: Vec<&'static str>,
-    },
+    ModelPath { path: String, known: Vec<&'static str> },
     /// A name that is not among those that there are.
     #[error("there is no {what} `{name}`{}; there are {}", suggestion(name, known), known.join(", "))]
     Unknown {
@@ -94,16 +86,10 @@ pub enum Mistake {
     },
     /// Not of the form name=value.
     #[error("`{option} {text}` must be NAME=VALUE")]
-    NotNameValue {
-        /// The option.
-        option: &'static str,
-        /// What was given.
-        text: String,
-    },
+    NotNameValue { option: &'static str, text: String },
     /// A value that is not a finite number.
     #[error("`{option} {name}={text}`: `{text}` is not a finite number")]
     NotANumber {
-        /// The option.
         option: &'static str,
         /// The name before the `=`.
         name: String,
@@ -112,12 +98,7 @@ pub enum Mistake {
     },
     /// The same name twice.
     #[error("`{option} {name}` is given twice")]
-    Twice {
-        /// The option.
-        option: &'static str,
-        /// The name.
-        name: String,
-    },
+    Twice { option: &'static str, name: String },
     /// A value outside its range.
     #[error(
         "{what} = {} is out of range: {} to {}{}",
@@ -126,11 +107,8 @@ pub enum Mistake {
     OutOfRange {
         /// What has the value.
         what: String,
-        /// The value.
         value: f64,
-        /// Smallest allowed value.
         low: f64,
-        /// Largest allowed value.
         high: f64,
         /// Unit of all three; `1` for a ratio.
         unit: &'static str,
@@ -138,7 +116,6 @@ pub enum Mistake {
     /// A tolerance for a method that cannot heed one.
     #[error("--tolerance is not for {method}, which has no say in its steps; it is for {}", known.join(", "))]
     NoTolerance {
-        /// The method.
         method: String,
         /// Those that heed one.
         known: &'static [&'static str],
@@ -146,42 +123,27 @@ pub enum Mistake {
     /// A time that is not a length of time.
     #[error("{option} = {value:?}: it must be a positive, finite number of seconds")]
     NotADuration {
-        /// The option.
         option: &'static str,
-        /// The value [s].
+        /// The value (s).
         value: f64,
     },
     /// More ticks than anybody waits for.
     #[error("--until / --step are {ticks:e} ticks, more than {most:e}: take a longer --step")]
-    TooManyTicks {
-        /// Ticks asked for.
-        ticks: f64,
-        /// Most ticks.
-        most: f64,
-    },
+    TooManyTicks { ticks: f64, most: f64 },
     /// A reconstruction without samples.
     #[error("--reconstruct is for an --input from a CSV file")]
     NothingToReconstruct,
     /// The model does not start anywhere.
     #[error("the model is not at rest anywhere at t = 0: give --initial for every state")]
     NoStart,
-    /// The input.
     #[error(transparent)]
     Input(#[from] InputMistake),
     /// Two files are the same.
     #[error("{first} and {second} are the same file, {}", path.display())]
-    SameFile {
-        /// An option.
-        first: &'static str,
-        /// Another.
-        second: &'static str,
-        /// The file.
-        path: PathBuf,
-    },
+    SameFile { first: &'static str, second: &'static str, path: PathBuf },
     /// A file cannot be created.
     #[error("cannot create {}: {cause}", path.display())]
     Create {
-        /// The file.
         path: PathBuf,
         /// What the system said.
         cause: io::Error,

@@ -22,10 +22,10 @@ use models::Playable;
 use models::catalogue::{self, Visitor};
 
 pub use self::args::{Reconstruct, SimulateArgs};
-use self::check::{Clock, Start};
+use self::check::{Start, TickClock};
 pub use self::error::{Mistake, SimulateError};
-use self::input::Input;
 pub use self::input::InputMistake;
+use self::input::InputSignal;
 use self::output::Files;
 
 /// Simulates what `args` ask for; the summary goes to `out`.
@@ -35,28 +35,28 @@ use self::output::Files;
 /// others while running, with everything produced until then in the files.
 pub fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), SimulateError> {
     let mut mistakes = Vec::new();
-    let clock = Clock::check(args, &mut mistakes);
-    let input = Input::read(args, &mut mistakes);
+    let clock = TickClock::check(args, &mut mistakes);
+    let input = InputSignal::read(args, &mut mistakes);
     check::rest(args, &mut mistakes);
     if catalogue::find(&args.model).is_none() {
         let known = catalogue::ENTRIES.iter().map(|entry| entry.name).collect();
         mistakes.insert(0, Mistake::model(&args.model, known));
         return Err(SimulateError::Usage(mistakes));
     }
-    let job = Job { args, clock, input, mistakes, out };
+    let job = SimulationJob { args, clock, input, mistakes, out };
     catalogue::visit(&args.model, job).unwrap_or_else(|| Err(SimulateError::Usage(Vec::new())))
 }
 
 /// What remains to be done once the model's type is known.
-struct Job<'a> {
+struct SimulationJob<'a> {
     args: &'a SimulateArgs,
-    clock: Clock,
-    input: Input,
+    clock: TickClock,
+    input: InputSignal,
     mistakes: Vec<Mistake>,
     out: &'a mut dyn Write,
 }
 
-impl Visitor for Job<'_> {
+impl Visitor for SimulationJob<'_> {
     type Output = Result<(), SimulateError>;
 
     fn visit<M: Playable>(self) -> Self::Output {

@@ -24,14 +24,14 @@ const SLOPES: [&str; 2] = ["readout_per_s", "readout_per_s_dot"];
 /// − dissipated + jumps.
 const ENERGIES: [&str; 4] = ["E_supplied", "E_dissipated", "E_jumps", "E_stored"];
 
-/// What is collected before the system is asked to write it [bytes].
+/// What is collected before the system is asked to write it (bytes).
 const BUFFER: usize = 1 << 16;
 
 /// The files that were asked for.
 #[derive(Debug)]
 pub(super) struct Files {
-    trajectory: Option<Sheet>,
-    events: Option<Sheet>,
+    trajectory: Option<CsvFile>,
+    events: Option<CsvFile>,
     plot: Option<Plot>,
     /// The guards of all modes, in the order of their columns.
     guards: Vec<&'static str>,
@@ -50,7 +50,7 @@ impl Files {
         let guards = guard_names(&start.model);
         let mut mistakes = Vec::new();
         let mut create = |path: Option<&PathBuf>, header: Vec<String>| {
-            let sheet = Sheet::create(path?, &header);
+            let sheet = CsvFile::create(path?, &header);
             sheet.map_err(|mistake| mistakes.push(mistake)).ok()
         };
         let trajectory = create(args.out.as_ref(), trajectory_header::<M>(&guards));
@@ -62,7 +62,7 @@ impl Files {
         if mistakes.is_empty() { Ok(files) } else { Err(mistakes) }
     }
 
-    /// Writes the trajectory's row at `t` [s].
+    /// Writes the trajectory's row at `t` (s).
     pub(super) fn row<M: Playable>(
         &mut self,
         model: &M,
@@ -92,7 +92,7 @@ impl Files {
         sheet.end()
     }
 
-    /// Follows a piece that lasts from `start` to `end` [s].
+    /// Follows a piece that lasts from `start` to `end` (s).
     pub(super) fn piece<M: Described, S: Signal<Motion>>(
         &mut self,
         model: &M,
@@ -132,7 +132,8 @@ impl Files {
     pub(super) fn finish(self) -> Result<(), SimulateError> {
         // All are tried: what one cannot take is no reason to lose the others.
         let plotted = self.plot.map_or(Ok(()), Plot::finish);
-        let [first, second] = [self.trajectory, self.events].map(|sheet| sheet.map(Sheet::finish));
+        let [first, second] =
+            [self.trajectory, self.events].map(|sheet| sheet.map(CsvFile::finish));
         first.unwrap_or(Ok(())).and(second.unwrap_or(Ok(()))).and(plotted)
     }
 }
@@ -169,7 +170,7 @@ fn event_header<M: Described>() -> Vec<String> {
     header
 }
 
-/// `t` [s] without an exponent, with 17 significant digits.
+/// `t` (s) without an exponent, with 17 significant digits.
 fn seventeen_digits(t: f64) -> String {
     /// More would only be zeros: nothing is located to 1e-30 s.
     const MOST: i32 = 30;
@@ -184,15 +185,14 @@ fn seventeen_digits(t: f64) -> String {
 
 /// A CSV file, written row by row.
 #[derive(Debug)]
-struct Sheet {
+struct CsvFile {
     path: PathBuf,
     writer: csv::Writer<File>,
     record: csv::StringRecord,
-    /// A number's digits.
     digits: String,
 }
 
-impl Sheet {
+impl CsvFile {
     fn create(path: &Path, header: &[String]) -> Result<Self, Mistake> {
         let fail = |cause| Mistake::Create { path: path.to_owned(), cause };
         let file = File::create(path).map_err(fail)?;

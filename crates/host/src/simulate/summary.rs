@@ -12,16 +12,16 @@ use super::error::SimulateError;
 
 /// What a run gave.
 #[derive(Debug)]
-pub(super) struct Report {
+pub(super) struct SimulationReport {
     pub(super) model: &'static str,
     pub(super) method: &'static str,
-    /// Length of a tick [s].
+    /// Length of a tick (s).
     pub(super) step: f64,
-    /// The end that was asked for [s].
+    /// The end that was asked for (s).
     pub(super) until: f64,
-    pub(super) counts: Counts,
+    pub(super) counts: RunCounts,
     pub(super) capped: Capped,
-    /// The end that was reached [s].
+    /// The end that was reached (s).
     pub(super) t: f64,
     pub(super) mode: &'static str,
     /// What `by-need` takes in each mode; empty with any other method.
@@ -33,10 +33,10 @@ pub(super) struct Report {
 
 /// Work of all ticks; independent of the machine.
 #[derive(Clone, Copy, Default, Debug, Serialize)]
-pub(super) struct Counts {
+pub(super) struct RunCounts {
     pub(super) ticks: u64,
     pub(super) steps: u64,
-    pub(super) evaluations: Evaluations,
+    pub(super) evaluations: ModelEvaluations,
     pub(super) events: u64,
     pub(super) verdicts: Verdicts,
 }
@@ -51,7 +51,7 @@ pub(super) struct Verdicts {
 
 /// Evaluations of a model.
 #[derive(Clone, Copy, Default, Debug, Serialize)]
-pub(super) struct Evaluations {
+pub(super) struct ModelEvaluations {
     pub(super) derivatives: u64,
     pub(super) jacobians: u64,
     pub(super) guards: u64,
@@ -114,7 +114,7 @@ impl Why {
     }
 }
 
-impl Report {
+impl SimulationReport {
     /// The command's result once everything is written.
     pub(super) fn into_result(self, args: &SimulateArgs) -> Result<(), SimulateError> {
         let Self { model, t, mode, .. } = self;
@@ -167,7 +167,7 @@ impl Report {
     }
 
     fn text(&self) -> String {
-        let Counts { ticks, steps, evaluations, events, verdicts } = self.counts;
+        let RunCounts { ticks, steps, evaluations, events, verdicts } = self.counts;
         let Verdicts { certified, likely, unknown } = verdicts;
         let choices: String = self.choices.iter().map(choice_text).collect();
         let state: Vec<_> =
@@ -219,7 +219,11 @@ fn choice_text((mode, choice): &(&'static str, Choice)) -> String {
 }
 
 /// Prints the report as `args` ask for.
-pub(super) fn write(report: &Report, args: &SimulateArgs, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write(
+    report: &SimulationReport,
+    args: &SimulateArgs,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     if args.json {
         serde_json::to_writer_pretty(&mut *out, &report.json())?;
         return writeln!(out);

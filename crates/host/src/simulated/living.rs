@@ -6,10 +6,10 @@ use hardware::refusal::{KeyRange, reason_words};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
 use scheduler::time::Nanos;
 
-use super::fate::{Blow, Fate};
-use super::{Epitaph, Placed};
+use super::fate::{FaultEvent, FaultScript};
+use super::{ExitReport, Placed};
 
-/// Force that counts as none [N].
+/// Force that counts as none (N).
 const NONE: f64 = 1e-3;
 
 /// How long motors may take to let go: the fade of 10 ms, their lag, and a look of ours.
@@ -17,7 +17,7 @@ const LETTING_GO: Nanos = Nanos::from_millis(15);
 
 /// A board that lives by the host's clock.
 #[derive(Debug)]
-pub struct Living {
+pub struct BoardProcess {
     make: BoardMake,
     board: SimulatedBoard,
     placed: Option<Placed>,
@@ -28,9 +28,9 @@ pub struct Living {
     began: Option<Nanos>,
     /// When it was armed for the first time.
     armed: Option<Nanos>,
-    fates: Vec<Fate>,
+    fates: Vec<FaultScript>,
     next: usize,
-    trouble: Trouble,
+    trouble: InjectedFault,
     /// When it lost its right to render, and its motors still pushed.
     fading: Option<Nanos>,
     quiet_after: Option<Nanos>,
@@ -45,7 +45,7 @@ pub struct Living {
 
 /// What is wrong for a while, until when.
 #[derive(Clone, Copy, Debug, Default)]
-struct Trouble {
+struct InjectedFault {
     off: Nanos,
     mute: Nanos,
     deaf: Nanos,
@@ -53,7 +53,7 @@ struct Trouble {
     babbling: Nanos,
 }
 
-impl Living {
+impl BoardProcess {
     /// A board that is switched on when it first lives; its clock runs `ppm` too fast.
     ///
     /// # Errors
@@ -62,7 +62,7 @@ impl Living {
         make: BoardMake,
         placed: Placed,
         ppm: f64,
-        fates: Vec<Fate>,
+        fates: Vec<FaultScript>,
     ) -> Result<Self, hardware::Error> {
         Ok(Self {
             board: SimulatedBoard::new(make)?,
@@ -74,7 +74,7 @@ impl Living {
             armed: None,
             fates,
             next: 0,
-            trouble: Trouble::default(),
+            trouble: InjectedFault::default(),
             fading: None,
             quiet_after: None,
             force_while_safe: 0.0,
@@ -136,8 +136,8 @@ impl Living {
     }
 
     /// What is left to be said of it.
-    pub fn epitaph(&self) -> Epitaph {
-        Epitaph {
+    pub fn epitaph(&self) -> ExitReport {
+        ExitReport {
             number: self.make.id.number(),
             keys: self.keys().to_string(),
             link: self.address.clone(),
@@ -151,7 +151,7 @@ impl Living {
         }
     }
 
-    /// Largest force of its motors now [N].
+    /// Largest force of its motors now (N).
     fn force(&self) -> f64 {
         let forces = (0..self.make.n_keys).filter_map(|slot| self.board.rig(slot));
         forces.fold(0.0, |most, rig| rig.motor_force().abs().max(most))
@@ -191,14 +191,14 @@ impl Living {
         self.next += 1;
         let until = |seconds: f64| now.after(span(seconds));
         match fate.blow {
-            Blow::Die => self.placed = None,
-            Blow::Restart(it) => self.switch_off(until(it)),
-            Blow::Mute(it) => self.trouble.mute = until(it),
-            Blow::Deaf(it) => self.trouble.deaf = until(it),
-            Blow::Freeze(it) => self.trouble.frozen = until(it),
-            Blow::Babble(it) => self.trouble.babbling = until(it),
-            Blow::Backwards(it) => self.board.set_clock_back(span(it).as_u64() / 1_000),
-            Blow::KeyFault => self.board.fail(safe_reason::KEY_FAULT),
+            FaultEvent::Die => self.placed = None,
+            FaultEvent::Restart(it) => self.switch_off(until(it)),
+            FaultEvent::Mute(it) => self.trouble.mute = until(it),
+            FaultEvent::Deaf(it) => self.trouble.deaf = until(it),
+            FaultEvent::Freeze(it) => self.trouble.frozen = until(it),
+            FaultEvent::Babble(it) => self.trouble.babbling = until(it),
+            FaultEvent::Backwards(it) => self.board.set_clock_back(span(it).as_u64() / 1_000),
+            FaultEvent::KeyFault => self.board.fail(safe_reason::KEY_FAULT),
         }
     }
 
@@ -245,7 +245,7 @@ fn babble(now: Nanos, link: &mut impl Link) {
     let _taken = link.try_send(&frame);
 }
 
-/// A span that is not negative [s].
+/// A span that is not negative (s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn span(seconds: f64) -> Nanos {
     Nanos::new((seconds * 1e9) as u64)

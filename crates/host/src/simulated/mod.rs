@@ -15,47 +15,44 @@ use scheduler::time::Nanos;
 use serde::Serialize;
 
 use crate::realtime::clock;
-use fate::Fate;
-pub use living::Living;
-pub use wire::{Place, Placed, place};
+use fate::FaultScript;
+pub use living::BoardProcess;
+pub use wire::{Placed, WireEndpoint, place};
 
 /// Time between two looks at the links.
 const LOOK: Nanos = Nanos::from_micros(500);
 
 /// What a board was like in the end.
 #[derive(Clone, Debug, Serialize)]
-pub struct Epitaph {
-    /// Its number.
+pub struct ExitReport {
     pub number: u8,
-    /// Its keys.
     pub keys: String,
     /// Where it was to be found.
     pub link: String,
     /// Why it renders no force, or that it does.
     pub state: &'static str,
-    /// Largest force of its motors now [N].
+    /// Largest force of its motors now (N).
     pub force_n: f64,
     /// Longest time from losing its right to render until all its motors were without force
-    /// [ms]; none if it never lost it.
+    /// (ms); none if it never lost it.
     pub quiet_after_ms: Option<f64>,
     /// Largest force of its motors while it had no right to render, once they had had time to
-    /// fade [N].
+    /// fade (N).
     pub force_while_safe_n: f64,
     /// Longest time that it was not looked after while it rendered forces [ms]: by nobody's
     /// fault but this machine's.
     pub longest_gap_ms: f64,
     /// Times that its light went on.
     pub lights: u64,
-    /// What it counted.
     pub counts: BoardCounts,
 }
 
 /// Lets `boards` live until `stop`, or for `duration`; `lit` hears of each whose light goes on.
 pub fn live(
-    boards: &mut [Living],
+    boards: &mut [BoardProcess],
     duration: Option<Nanos>,
     stop: &AtomicBool,
-    lit: &mut dyn FnMut(&Living),
+    lit: &mut dyn FnMut(&BoardProcess),
 ) {
     let began = clock::monotonic();
     let is_over = |now: Nanos| duration.is_some_and(|duration| duration <= now.since(began));
@@ -76,7 +73,7 @@ pub fn live(
 }
 
 /// The fates of the board `number` among all that were written.
-pub fn fates_of(fates: &[Fate], number: u8) -> Vec<Fate> {
+pub fn fates_of(fates: &[FaultScript], number: u8) -> Vec<FaultScript> {
     let mut its: Vec<_> = fates.iter().copied().filter(|it| it.number == number).collect();
     its.sort_by(|one, other| one.at.total_cmp(&other.at));
     its

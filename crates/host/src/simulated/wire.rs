@@ -5,14 +5,14 @@ use std::path::PathBuf;
 use firmware_protocol::key::BoardId;
 use hardware::link::Link;
 use hardware::link::address::Address;
-use hardware::link::can::Side;
+use hardware::link::can::BusSide;
 use hardware::link::lasting::Lasting;
 use hardware::link::serial::{Pty, Serial};
 use hardware::link::wire::{Wire, WirePlan};
 
 /// Where boards shall be found.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Place {
+pub enum WireEndpoint {
     /// Each on a pseudo-terminal of its own, at once and whole.
     Pty,
     /// Each on a pseudo-terminal of its own, behind a wire with faults.
@@ -23,7 +23,6 @@ pub enum Place {
 
 /// A board's end of its link, and what a host has to open.
 pub struct Placed {
-    /// The board's end.
     pub link: Box<dyn Link + Send>,
     /// What a host has to open.
     pub address: Address,
@@ -41,22 +40,22 @@ impl std::fmt::Debug for Placed {
 ///
 /// # Errors
 /// Says what the system refused.
-pub fn place(board: BoardId, at: &Place) -> Result<Placed, hardware::Error> {
+pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, hardware::Error> {
     match at {
-        Place::Pty => {
+        WireEndpoint::Pty => {
             let Pty { board, path } = Pty::open()?;
             Ok(Placed { link: Box::new(board), address: serial(path), _wire: None })
         }
-        Place::Wire(plan) => {
+        WireEndpoint::Wire(plan) => {
             // Each board has its own chance.
             let seed = plan.seed.wrapping_add(u64::from(board.number()));
             let wire = Wire::open(WirePlan { seed, ..*plan })?;
             let link = Box::new(Serial::open(wire.board(), 2_000_000)?);
             Ok(Placed { link, address: serial(wire.host().to_owned()), _wire: Some(wire) })
         }
-        Place::Shared(address) => {
+        WireEndpoint::Shared(address) => {
             let its_address = address.clone();
-            let link = Lasting::open(move || its_address.open(Side::Board(board)))?;
+            let link = Lasting::open(move || its_address.open(BusSide::Board(board)))?;
             Ok(Placed { link: Box::new(link), address: address.clone(), _wire: None })
         }
     }

@@ -11,9 +11,9 @@ use firmware_protocol::key::BoardId;
 use haptics::RigParameters;
 use hardware::refusal::Uid;
 use hardware::sim::board::BoardMake;
-use host::report::Report;
-use host::session::Session;
-use host::simulated::{Living, Place, live, place};
+use host::report::RunReport;
+use host::session::RunSession;
+use host::simulated::{BoardProcess, WireEndpoint, live, place};
 use scheduler::time::Nanos;
 
 /// Time between two looks whether a board is armed.
@@ -25,19 +25,20 @@ pub struct Board {
     pub uid: Uid,
     stop: Arc<AtomicBool>,
     is_armed: Arc<AtomicBool>,
-    thread: Option<JoinHandle<Living>>,
+    thread: Option<JoinHandle<BoardProcess>>,
 }
 
 impl Board {
     /// Sets one of this make going.
     pub fn start(make: BoardMake) -> Self {
-        let placed = place(make.id, &Place::Pty).expect("a pseudo-terminal");
+        let placed = place(make.id, &WireEndpoint::Pty).expect("a pseudo-terminal");
         let port = placed.address.name().into();
-        let mut living = Living::new(make, placed, 0.0, Vec::new()).expect("a possible board");
+        let mut living =
+            BoardProcess::new(make, placed, 0.0, Vec::new()).expect("a possible board");
         let stop = Arc::new(AtomicBool::new(false));
         let is_armed = Arc::new(AtomicBool::new(false));
         let (its_stop, its_armed) = (Arc::clone(&stop), Arc::clone(&is_armed));
-        let look = move |living: &mut Living| {
+        let look = move |living: &mut BoardProcess| {
             live(std::slice::from_mut(living), Some(LOOK), &its_stop, &mut |_lit| {});
             its_armed.store(!living.board().is_safe(), Ordering::Release);
             !its_stop.load(Ordering::Acquire)
@@ -60,7 +61,7 @@ impl Board {
     }
 
     /// Stops it; returns what it has become.
-    pub fn stop(mut self) -> Living {
+    pub fn stop(mut self) -> BoardProcess {
         self.stop.store(true, Ordering::Release);
         self.thread.take().expect("it lives").join().expect("it lives well")
     }
@@ -79,7 +80,7 @@ pub fn make(number: u8, n_keys: usize) -> BoardMake {
 }
 
 /// Runs `session` while `look` looks; returns its report.
-pub fn run_while(session: Session, look: impl FnOnce()) -> Report {
+pub fn run_while(session: RunSession, look: impl FnOnce()) -> RunReport {
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {
         let host = scope.spawn(|| session.run(&stop));

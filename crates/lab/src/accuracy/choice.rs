@@ -1,17 +1,17 @@
 //! What is asked for: which scenarios, which methods, how thoroughly.
 
 use super::Effort;
-use super::method::{METHODS, Method};
+use super::method::{METHODS, NamedMethod};
 use super::study::{Setting, Study};
-use crate::scenario::{Entry, SCENARIOS};
+use crate::scenario::{SCENARIOS, ScenarioEntry};
 
 /// Which scenarios and methods, and how much effort.
 #[derive(Clone, Debug)]
-pub struct Choice {
+pub struct StudyChoice {
     /// The scenarios, in their order.
-    pub scenarios: Vec<&'static Entry>,
+    pub scenarios: Vec<&'static ScenarioEntry>,
     /// The methods, in their order.
-    pub methods: Vec<&'static Method>,
+    pub methods: Vec<&'static NamedMethod>,
     /// How much time is spent.
     pub effort: Effort,
 }
@@ -21,13 +21,12 @@ pub struct Choice {
 pub struct Unknown {
     /// What it should be a name of.
     pub what: &'static str,
-    /// The name.
     pub name: String,
     /// The names that there are.
     pub known: Vec<&'static str>,
 }
 
-impl Choice {
+impl StudyChoice {
     /// The scenarios and methods of these names; no names are all of them.
     ///
     /// # Errors
@@ -54,9 +53,9 @@ impl Choice {
     }
 
     /// The runs of one scenario, series by series.
-    pub(super) fn runs(&self, study: &dyn Study) -> Vec<(&'static Method, Setting)> {
+    pub(super) fn runs(&self, study: &dyn Study) -> Vec<(&'static NamedMethod, Setting)> {
         let stride = if self.effort.is_quick { 2 } else { 1 };
-        let settings = |method: &&'static Method| {
+        let settings = |method: &&'static NamedMethod| {
             let method = *method;
             study.settings(method).into_iter().step_by(stride).map(move |it| (method, it))
         };
@@ -65,7 +64,8 @@ impl Choice {
 
     /// How many runs there are in all; what cannot be read has none.
     pub fn count(&self) -> usize {
-        let runs = |entry: &&Entry| entry.build().map_or(0, |it| self.runs(it.as_ref()).len());
+        let runs =
+            |entry: &&ScenarioEntry| entry.build().map_or(0, |it| self.runs(it.as_ref()).len());
         self.scenarios.iter().map(runs).sum()
     }
 }
@@ -87,7 +87,7 @@ mod tests {
 
     #[test]
     fn no_names_are_all_of_them() {
-        let choice = Choice::new(&[], &[], Effort::QUICK).unwrap();
+        let choice = StudyChoice::new(&[], &[], Effort::QUICK).unwrap();
         assert_eq!(choice.scenarios.len(), SCENARIOS.len());
         assert_eq!(choice.methods.len(), METHODS.len());
     }
@@ -95,7 +95,7 @@ mod tests {
     #[test]
     fn every_unknown_name_is_told_at_once() {
         let scenarios = names(&["ball", "bell"]);
-        let unknown = Choice::new(&scenarios, &names(&["rk5"]), Effort::QUICK).unwrap_err();
+        let unknown = StudyChoice::new(&scenarios, &names(&["rk5"]), Effort::QUICK).unwrap_err();
         let told: Vec<_> = unknown.iter().map(|it| (it.what, it.name.as_str())).collect();
         assert_eq!(told, [("scenario", "bell"), ("method", "rk5")]);
     }

@@ -7,16 +7,16 @@ use crate::scenario::Scenario;
 
 /// One run, which can be done any number of times.
 #[derive(Debug)]
-pub(super) struct Job<'a, S, T> {
+pub(super) struct RunJob<'a, S, T> {
     pub(super) scenario: &'a S,
     pub(super) stepper: T,
     pub(super) limits: Limits,
     pub(super) stepping: Stepping,
-    /// Length of a tick [s].
+    /// Length of a tick (s).
     pub(super) tick: f64,
 }
 
-impl<S: Scenario, T: Stepper> Job<'_, S, T> {
+impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
     /// How many ticks the run has.
     #[expect(
         clippy::cast_possible_truncation,

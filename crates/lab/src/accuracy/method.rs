@@ -11,18 +11,18 @@ use super::study::Setting;
 
 /// A method by its name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Method {
+pub struct NamedMethod {
     /// Its name on the command line and in reports.
     pub name: &'static str,
     /// Its order of convergence.
     pub order: u32,
     /// Where its steps come from.
-    pub kind: Kind,
+    pub kind: MethodKind,
 }
 
 /// Where a method's steps come from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Kind {
+pub enum MethodKind {
     /// One step a tick, up to an event.
     Fixed,
     /// The model's own longest step within a tick, as an instrument is played.
@@ -46,8 +46,8 @@ macro_rules! methods {
         $($other:ty as $name:literal, $kind:expr, $build:expr;)+
     ) => {
         /// Every method that is compared.
-        pub const METHODS: &[Method] = &[
-            $(method::<$fixed>(<$fixed>::NAME, Kind::Fixed),)+
+        pub const METHODS: &[NamedMethod] = &[
+            $(method::<$fixed>(<$fixed>::NAME, MethodKind::Fixed),)+
             $(method::<$other>($name, $kind),)+
         ];
 
@@ -83,13 +83,13 @@ methods! {
         Rodas4,
         ExponentialRosenbrock,
         Exprb32;
-    Controlled<Dop853> as "dop853-adaptive", Kind::Controlled, controlled;
-    ByNeed as "by-need", Kind::Budgeted, budgeted;
-    Rk4 as "as-played", Kind::Played, |_setting| Rk4;
+    Controlled<Dop853> as "dop853-adaptive", MethodKind::Controlled, controlled;
+    ByNeed as "by-need", MethodKind::Budgeted, budgeted;
+    Rk4 as "as-played", MethodKind::Played, |_setting| Rk4;
 }
 
-const fn method<T: Stepper>(name: &'static str, kind: Kind) -> Method {
-    Method { name, order: T::ORDER, kind }
+const fn method<T: Stepper>(name: &'static str, kind: MethodKind) -> NamedMethod {
+    NamedMethod { name, order: T::ORDER, kind }
 }
 
 /// The choice by need that meets the setting's budget.

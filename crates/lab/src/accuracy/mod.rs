@@ -19,13 +19,13 @@ mod time;
 
 use std::time::Duration;
 
-pub use choice::{Choice, Unknown};
-pub use judge::{Difference, Sequence, Verdict};
-pub use method::{Kind, METHODS, Method};
-pub use row::{Counts, Row, Times};
+pub use choice::{StudyChoice, Unknown};
+pub use judge::{EventMismatch, RunVerdict, SequenceVerdict};
+pub use method::{METHODS, MethodKind, NamedMethod};
+pub use row::{EvaluationCounts, StudyRow, Times};
 pub use study::{Series, Setting, Study};
 
-use crate::scenario::{BadFile, Entry};
+use crate::scenario::{BadFile, ScenarioEntry};
 
 /// How much time is spent on timing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -47,13 +47,12 @@ impl Effort {
 
 /// A scenario with all its runs.
 #[derive(Clone, Debug)]
-pub struct Measured {
-    /// Which scenario.
-    pub entry: Entry,
-    /// Its end [s].
+pub struct MeasuredScenario {
+    pub entry: ScenarioEntry,
+    /// Its end (s).
     pub until: f64,
     /// Its runs, series by series, the longest step first.
-    pub rows: Vec<Row>,
+    pub rows: Vec<StudyRow>,
 }
 
 /// Measures a scenario with the methods chosen; `after` hears of each run that is done.
@@ -61,10 +60,10 @@ pub struct Measured {
 /// # Errors
 /// When the scenario's reference cannot be read.
 pub fn measure(
-    entry: &Entry,
-    choice: &Choice,
-    after: &mut dyn FnMut(&Row),
-) -> Result<Measured, BadFile> {
+    entry: &ScenarioEntry,
+    choice: &StudyChoice,
+    after: &mut dyn FnMut(&StudyRow),
+) -> Result<MeasuredScenario, BadFile> {
     let study = entry.build()?;
     let mut rows = Vec::new();
     for (series, setting) in choice.runs(study.as_ref()) {
@@ -74,5 +73,5 @@ pub fn measure(
             rows.push(row);
         }
     }
-    Ok(Measured { entry: *entry, until: study.until(), rows })
+    Ok(MeasuredScenario { entry: *entry, until: study.until(), rows })
 }

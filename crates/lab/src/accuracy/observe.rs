@@ -2,43 +2,41 @@
 
 use pode::{Advance, Cap, EnergyAudit, Event, Fault, Model, Piece, Signal, Stepper, Watch, Work};
 
-use super::job::Job;
+use super::job::RunJob;
 use super::stepped::Stepped;
-use crate::scenario::{Felt, Plan, Scenario, StateOf, Studied};
+use crate::scenario::{ForceKind, Plan, Scenario, StateOf, Studied};
 
 /// An event that happened.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Seen<M: Model> {
-    /// When [s].
+pub(super) struct SeenEvent<M: Model> {
+    /// When (s).
     pub(super) t: f64,
-    /// Which guard fired.
     pub(super) guard: &'static str,
-    /// The mode after.
     pub(super) to: M::Mode,
 }
 
 /// State and force where the reference has a sample.
-pub(super) type Found<S> = (S, f64);
+pub(super) type FoundSamples<S> = (S, f64);
 
 /// What a run gave.
 #[derive(Clone, Debug)]
-pub(super) struct Observed<M: Model> {
-    pub(super) events: Vec<Seen<M>>,
-    /// The last mode that was entered, and when [s].
+pub(super) struct ObservedRun<M: Model> {
+    pub(super) events: Vec<SeenEvent<M>>,
+    /// The last mode that was entered, and when (s).
     pub(super) entered: Option<(f64, M::Mode)>,
     /// One for each sample of the reference; none where no tick ended there.
-    pub(super) samples: Vec<Option<Found<M::State>>>,
+    pub(super) samples: Vec<Option<FoundSamples<M::State>>>,
     /// Of every tick, until the end or the first fault.
     pub(super) work: Vec<Work>,
-    /// What the energy audit leaves unexplained [J].
+    /// What the energy audit leaves unexplained (J).
     pub(super) residual: f64,
-    /// Where and why the run did not go on as it should [s].
+    /// Where and why the run did not go on as it should (s).
     pub(super) trouble: Option<(f64, &'static str)>,
 }
 
 /// Does the run once, looking on.
-pub(super) fn observe<S: Scenario, T: Stepper>(job: &Job<'_, S, T>) -> Observed<S::Model> {
-    let mut log = Log::<S::Model>::new(job.tick);
+pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> ObservedRun<S::Model> {
+    let mut log = EventRecorder::<S::Model>::new(job.tick);
     let mut samples = Samples::new(job.scenario, job.tick);
     let mut trouble = None;
     let mut simulator = job.simulator();
@@ -52,7 +50,7 @@ pub(super) fn observe<S: Scenario, T: Stepper>(job: &Job<'_, S, T>) -> Observed<
             break;
         }
     }
-    Observed {
+    ObservedRun {
         events: log.events,
         entered: log.entered,
         samples: samples.found,
@@ -64,7 +62,7 @@ pub(super) fn observe<S: Scenario, T: Stepper>(job: &Job<'_, S, T>) -> Observed<
 
 /// Work of every tick, until the end or the first fault, while nobody looks on: who looks
 /// inside a step may cost evaluations.
-fn work<S: Scenario, T: Stepper>(job: &Job<'_, S, T>) -> Vec<Work> {
+fn work<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Vec<Work> {
     let mut simulator = job.simulator();
     let mut work = Vec::new();
     for _ in 0..job.ticks() {
@@ -93,20 +91,20 @@ const fn failure(advance: Advance) -> Option<&'static str> {
 }
 
 /// Writes down events, and audits the energy.
-struct Log<M: Model> {
+struct EventRecorder<M: Model> {
     tick: f64,
-    events: Vec<Seen<M>>,
+    events: Vec<SeenEvent<M>>,
     entered: Option<(f64, M::Mode)>,
     audit: EnergyAudit,
 }
 
-impl<M: Model> Log<M> {
+impl<M: Model> EventRecorder<M> {
     fn new(tick: f64) -> Self {
         Self { tick, events: Vec::new(), entered: None, audit: EnergyAudit::default() }
     }
 }
 
-impl<M: Studied> Watch<Stepped<M>> for Log<M> {
+impl<M: Studied> Watch<Stepped<M>> for EventRecorder<M> {
     fn piece<S: Signal<M::Input>>(&mut self, model: &Stepped<M>, piece: &Piece<'_, Stepped<M>, S>) {
         self.audit.piece(model, piece);
     }
@@ -115,7 +113,7 @@ impl<M: Studied> Watch<Stepped<M>> for Log<M> {
         self.audit.event(model, event);
         let t = (event.tick as f64 + event.theta) * self.tick;
         let (from, to) = (event.before.0, event.after.0);
-        self.events.push(Seen { t, guard: event.cause.name(), to });
+        self.events.push(SeenEvent { t, guard: event.cause.name(), to });
         if from != to {
             self.entered = Some((t, to));
         }
@@ -124,11 +122,11 @@ impl<M: Studied> Watch<Stepped<M>> for Log<M> {
 
 /// The states at the times of the reference's samples.
 struct Samples<S: Scenario + ?Sized> {
-    felt: Felt,
+    felt: ForceKind,
     tick: f64,
     /// Number of the tick that ends at each sample, in their order.
     due: Vec<Option<u64>>,
-    found: Vec<Option<Found<StateOf<S>>>>,
+    found: Vec<Option<FoundSamples<StateOf<S>>>>,
     impulse: f64,
     next: usize,
 }
@@ -149,8 +147,8 @@ impl<S: Scenario> Samples<S> {
         }
         if self.due.get(self.next) == Some(&Some(ticks)) {
             let force = match self.felt {
-                Felt::Readout => end,
-                Felt::Impulse => self.impulse,
+                ForceKind::Readout => end,
+                ForceKind::Impulse => self.impulse,
             };
             self.found[self.next] = Some((*state, force));
             self.next += 1;

@@ -3,33 +3,31 @@
 use pode::{State as _, Work};
 use serde::Serialize;
 
-use super::judge::Verdict;
-use super::method::Method;
+use super::judge::RunVerdict;
+use super::method::NamedMethod;
 use super::study::Setting;
 use crate::scenario::{Scenario, StateOf};
 
 /// One run, judged, counted and timed.
 #[derive(Clone, Debug)]
-pub struct Row {
-    /// Which scenario.
+pub struct StudyRow {
     pub scenario: &'static str,
-    /// Which method.
-    pub method: &'static Method,
+    pub method: &'static NamedMethod,
     /// With which step or tolerance.
     pub setting: Setting,
     /// How right it was.
-    pub verdict: Verdict,
+    pub verdict: RunVerdict,
     /// How much work it was; the same on every machine.
-    pub counts: Counts,
+    pub counts: EvaluationCounts,
     /// How long it took on this machine.
     pub times: Times,
-    /// What the energy audit leaves unexplained [J].
+    /// What the energy audit leaves unexplained (J).
     pub energy_residual: f64,
 }
 
 /// Evaluations, as `pode` counts them.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
-pub struct Counts {
+pub struct EvaluationCounts {
     /// Of the derivative, per simulated ms.
     pub derivatives_per_ms: f64,
     /// Of the Jacobian, per simulated ms.
@@ -54,8 +52,8 @@ pub struct Counts {
     pub evaluations_per_ms: f64,
 }
 
-impl Counts {
-    /// The counts of ticks of `tick` [s].
+impl EvaluationCounts {
+    /// The counts of ticks of `tick` (s).
     pub(super) fn new<S: Scenario>(work: &[Work], tick: f64) -> Self {
         let ms = work.len() as f64 * tick * 1e3;
         let sum = |count: fn(&Work) -> u32| -> u64 {

@@ -3,22 +3,22 @@
 use pode::{Limits, Stepper};
 
 use super::Effort;
-use super::job::Job;
+use super::job::RunJob;
 use super::judge::judge;
-use super::method::{Kind, Method, Visit, visit};
+use super::method::{MethodKind, NamedMethod, Visit, visit};
 use super::observe::observe;
-use super::row::{Counts, Row};
+use super::row::{EvaluationCounts, StudyRow};
 use super::stepped::Stepping;
 use super::time::time;
 use crate::scenario::{Plan, Scenario};
 
 /// A method as one line of a plot.
-pub type Series = Method;
+pub type Series = NamedMethod;
 
 /// One point of a series.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Setting {
-    /// Length of a tick [s].
+    /// Length of a tick (s).
     pub tick: f64,
     /// Tolerance or error budget, for methods that choose their steps.
     pub tolerance: Option<f64>,
@@ -26,20 +26,20 @@ pub struct Setting {
 
 /// A scenario that can be run with every method.
 pub trait Study {
-    /// End [s].
+    /// End (s).
     fn until(&self) -> f64;
 
     /// The points of the series of `method`, the coarsest first.
-    fn settings(&self, method: &Method) -> Vec<Setting>;
+    fn settings(&self, method: &NamedMethod) -> Vec<Setting>;
 
     /// One run, judged and timed; nothing if there is no such method.
     fn run(
         &self,
         scenario: &'static str,
-        method: &'static Method,
+        method: &'static NamedMethod,
         setting: Setting,
         effort: Effort,
-    ) -> Option<Row>;
+    ) -> Option<StudyRow>;
 
     /// What is wrong with the ticks: each must divide the run and the times of samples.
     fn misfits(&self) -> Option<String>;
@@ -51,7 +51,7 @@ const TOLERANCES: [f64; 7] = [1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13];
 /// Errors per radian of a mode's fastest motion, of methods that have a budget.
 const BUDGETS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
-/// The longest tick in which they are studied, that of a keyboard [s].
+/// The longest tick in which they are studied, that of a keyboard (s).
 const LONGEST_BUDGETED: f64 = 1e-3;
 
 impl<S: Scenario> Study for S {
@@ -59,18 +59,18 @@ impl<S: Scenario> Study for S {
         self.plan().until
     }
 
-    fn settings(&self, method: &Method) -> Vec<Setting> {
+    fn settings(&self, method: &NamedMethod) -> Vec<Setting> {
         let Plan { ticks, offline_tick, .. } = self.plan();
         match method.kind {
-            Kind::Fixed | Kind::Played => {
+            MethodKind::Fixed | MethodKind::Played => {
                 ticks.iter().map(|tick| Setting { tick: *tick, tolerance: None }).collect()
             }
-            Kind::Budgeted => {
+            MethodKind::Budgeted => {
                 let tick = ticks.iter().copied().find(|tick| *tick <= LONGEST_BUDGETED);
                 let setting = |budget| Some(Setting { tick: tick?, tolerance: Some(budget) });
                 BUDGETS.into_iter().filter_map(setting).collect()
             }
-            Kind::Controlled => {
+            MethodKind::Controlled => {
                 let setting =
                     |tolerance| Setting { tick: offline_tick, tolerance: Some(tolerance) };
                 TOLERANCES.map(setting).to_vec()
@@ -81,11 +81,11 @@ impl<S: Scenario> Study for S {
     fn run(
         &self,
         scenario: &'static str,
-        method: &'static Method,
+        method: &'static NamedMethod,
         setting: Setting,
         effort: Effort,
-    ) -> Option<Row> {
-        let run = Run { scenario: self, name: scenario, method, setting, effort };
+    ) -> Option<StudyRow> {
+        let run = PlannedRun { scenario: self, name: scenario, method, setting, effort };
         visit(method.name, &setting, run)
     }
 
@@ -112,33 +112,33 @@ fn offline() -> Limits {
 }
 
 /// One run, still without a method's type.
-struct Run<'a, S> {
+struct PlannedRun<'a, S> {
     scenario: &'a S,
     name: &'static str,
-    method: &'static Method,
+    method: &'static NamedMethod,
     setting: Setting,
     effort: Effort,
 }
 
-impl<S: Scenario> Visit for Run<'_, S> {
-    type Output = Row;
+impl<S: Scenario> Visit for PlannedRun<'_, S> {
+    type Output = StudyRow;
 
-    fn visit<T: Stepper>(self, stepper: T) -> Row {
+    fn visit<T: Stepper>(self, stepper: T) -> StudyRow {
         let Self { scenario, name, method, setting, effort } = self;
         let (stepping, limits) = match method.kind {
-            Kind::Fixed => (Stepping::Ticks, Limits::default()),
-            Kind::Played | Kind::Budgeted => (Stepping::Models, Limits::default()),
-            Kind::Controlled => (Stepping::Ticks, offline()),
+            MethodKind::Fixed => (Stepping::Ticks, Limits::default()),
+            MethodKind::Played | MethodKind::Budgeted => (Stepping::Models, Limits::default()),
+            MethodKind::Controlled => (Stepping::Ticks, offline()),
         };
-        let job = Job { scenario, stepper, limits, stepping, tick: setting.tick };
+        let job = RunJob { scenario, stepper, limits, stepping, tick: setting.tick };
         let observed = observe(&job);
         let times = time(&job, &observed.work, effort);
-        Row {
+        StudyRow {
             scenario: name,
             method,
             setting,
             verdict: judge(scenario.reference(), &observed),
-            counts: Counts::new::<S>(&observed.work, setting.tick),
+            counts: EvaluationCounts::new::<S>(&observed.work, setting.tick),
             times,
             energy_residual: observed.residual,
         }

@@ -10,13 +10,13 @@ use std::time::{Duration, Instant};
 use pode::{Stepper, Work};
 
 use super::Effort;
-use super::job::Job;
+use super::job::RunJob;
 use super::row::Times;
 use crate::scenario::Scenario;
 
 /// Times the run whose ticks did `work`.
 pub(super) fn time<S: Scenario, T: Stepper>(
-    job: &Job<'_, S, T>,
+    job: &RunJob<'_, S, T>,
     work: &[Work],
     effort: Effort,
 ) -> Times {
@@ -35,7 +35,7 @@ pub(super) fn time<S: Scenario, T: Stepper>(
 }
 
 /// The whole run, with one look at the clock at each end.
-fn run<S: Scenario, T: Stepper>(job: &Job<'_, S, T>, ticks: usize) -> Duration {
+fn run<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, ticks: usize) -> Duration {
     let mut simulator = job.simulator();
     let began = Instant::now();
     for _ in 0..ticks {
@@ -45,7 +45,7 @@ fn run<S: Scenario, T: Stepper>(job: &Job<'_, S, T>, ticks: usize) -> Duration {
 }
 
 /// The same with a look at the clock around every tick; keeps each one's least time.
-fn run_by_ticks<S: Scenario, T: Stepper>(job: &Job<'_, S, T>, least: &mut [Duration]) {
+fn run_by_ticks<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, least: &mut [Duration]) {
     let mut simulator = job.simulator();
     for least in least {
         let began = Instant::now();
@@ -67,7 +67,7 @@ fn ns(duration: Duration) -> f64 {
     duration.as_secs_f64() * 1e9
 }
 
-/// Means and the worst of `ticks` of `tick` [s], by the events in each.
+/// Means and the worst of `ticks` of `tick` (s), by the events in each.
 fn figures(whole: f64, ticks: &[f64], work: &[Work], tick: f64) -> Times {
     let most = work.iter().map(|work| work.events).max().unwrap_or(0);
     let of = |events: u32| {

@@ -8,7 +8,6 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 #[error("cannot write {}: {cause}", path.display())]
 pub struct DiskError {
-    /// Which.
     pub path: PathBuf,
     /// What the system said.
     pub cause: io::Error,

@@ -7,7 +7,6 @@ use serde::Serialize;
 /// What a reader must know of the machine and the program.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct Machine {
-    /// The processor's name.
     pub processor: String,
     /// How many of them.
     pub processors: usize,

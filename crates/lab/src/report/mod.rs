@@ -23,7 +23,7 @@ pub use machine::Machine;
 pub use peers::{BadPeers, Peer, read as read_peers};
 pub use summary::Summary;
 
-use crate::accuracy::Measured;
+use crate::accuracy::MeasuredScenario;
 
 /// The page's file.
 pub const PAGE: &str = "index.html";
@@ -32,13 +32,13 @@ pub const TABLE: &str = "accuracy.csv";
 
 /// A study, as far as it has come.
 #[derive(Clone, Debug)]
-pub struct Report {
+pub struct StudyReport {
     /// Where it was measured.
     pub machine: Machine,
     /// When it was begun.
     pub date: SystemTime,
     /// The scenarios that are done.
-    pub measured: Vec<Measured>,
+    pub measured: Vec<MeasuredScenario>,
     /// What other codes did on some of the same problems.
     pub peers: Vec<Peer>,
 }
@@ -53,7 +53,6 @@ pub enum ReportError {
     /// A plot could not be drawn.
     #[error("the plot of {scenario} cannot be drawn: {cause}")]
     Plot {
-        /// Of which scenario.
         scenario: &'static str,
         /// What the drawing library said.
         cause: String,
@@ -71,7 +70,7 @@ pub fn prepare(folder: &Path) -> Result<(), DiskError> {
     disk::prepare(folder)
 }
 
-impl Report {
+impl StudyReport {
     /// Writes the table, a plot for each scenario, and the page into `folder`.
     ///
     /// # Errors
@@ -93,7 +92,7 @@ impl Report {
     }
 
     /// The plots of a scenario with their files' names: ours, and other codes' if there are any.
-    fn plots(&self, measured: &Measured) -> Result<Vec<(String, String)>, plot::Failure> {
+    fn plots(&self, measured: &MeasuredScenario) -> Result<Vec<(String, String)>, plot::DrawError> {
         let name = measured.entry.name;
         let mut plots = vec![(format!("{name}.svg"), plot::methods(measured)?)];
         let peers = self.peers_on(name);

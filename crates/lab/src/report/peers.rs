@@ -13,29 +13,26 @@ use super::text;
 pub struct Peer {
     /// The scenario of the same name.
     pub problem: String,
-    /// Whose code.
     pub code: String,
-    /// Its version.
     pub version: String,
-    /// Its method.
     pub method: String,
     /// How it was set: its default, or what its documentation advises.
     pub setting: String,
-    /// Tolerance, or step [s].
+    /// Tolerance, or step (s).
     pub tolerance_or_step: Option<f64>,
     /// Events that it found.
     pub events: Option<u64>,
     /// Whether they were the right ones.
     pub sequence_ok: bool,
-    /// Largest error of an event's time [s].
+    /// Largest error of an event's time (s).
     pub event_error_s: Option<f64>,
     /// Largest error of the state away from events; each entry over its largest magnitude.
     pub state_error: Option<f64>,
     /// Evaluations of the right-hand side, in the whole run.
     pub rhs: Option<f64>,
-    /// Least time per simulated ms [ns].
+    /// Least time per simulated ms (ns).
     pub ns_per_ms_min: Option<f64>,
-    /// Median time per simulated ms [ns].
+    /// Median time per simulated ms (ns).
     pub ns_per_ms_median: Option<f64>,
     /// What a reader must know.
     #[serde(default)]
@@ -73,7 +70,6 @@ pub(super) enum Author {
     Ours,
     /// Written for this one problem.
     ByHand,
-    /// Other people's libraries.
     Others,
 }
 
@@ -81,7 +77,6 @@ pub(super) enum Author {
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("{}: {what}; give the results.json that benches/peers writes", path.display())]
 pub struct BadPeers {
-    /// The file.
     pub path: PathBuf,
     /// What is wrong with it.
     pub what: String,

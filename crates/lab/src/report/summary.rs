@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use super::peers::Author;
-use super::{Machine, Report, date, text};
-use crate::accuracy::{Kind, Measured, Row, Sequence};
+use super::{Machine, StudyReport, date, text};
+use crate::accuracy::{MeasuredScenario, MethodKind, SequenceVerdict, StudyRow};
 
-/// Errors of event times [s] at which speed is compared.
+/// Errors of event times (s) at which speed is compared.
 pub(super) const TARGETS: [f64; 3] = [1e-6, 1e-9, 1e-12];
 
 /// The main figures of a report.
@@ -14,11 +14,11 @@ pub(super) const TARGETS: [f64; 3] = [1e-6, 1e-9, 1e-12];
 pub struct Summary<'a> {
     machine: &'a Machine,
     date: String,
-    scenarios: Vec<Scenario>,
+    scenarios: Vec<ScenarioSummary>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Scenario {
+struct ScenarioSummary {
     name: &'static str,
     runs: usize,
     /// Runs whose sequence of events was wrong, or that did not end.
@@ -34,21 +34,19 @@ struct Scenario {
 /// The cheapest run with an event-time error below a target.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub(super) struct Cheapest {
-    /// Largest error allowed [s].
+    /// Largest error allowed (s).
     pub(super) target_s: f64,
-    /// Whose run.
     pub(super) who: String,
     /// With which step or tolerance.
     pub(super) setting: String,
-    /// Its error [s].
+    /// Its error (s).
     pub(super) event_error_s: f64,
-    /// What it costs.
     pub(super) ns_per_ms: f64,
 }
 
 impl<'a> Summary<'a> {
-    pub(super) fn new(report: &'a Report) -> Self {
-        let scenario = |measured: &Measured| Scenario {
+    pub(super) fn new(report: &'a StudyReport) -> Self {
+        let scenario = |measured: &MeasuredScenario| ScenarioSummary {
             name: measured.entry.name,
             runs: measured.rows.len(),
             failures: failures(measured),
@@ -67,23 +65,27 @@ impl<'a> Summary<'a> {
 }
 
 /// Runs that have no error to speak of.
-pub(super) fn failures(measured: &Measured) -> usize {
-    let wrong = |row: &&Row| row.verdict.sequence != Sequence::Right;
+pub(super) fn failures(measured: &MeasuredScenario) -> usize {
+    let wrong = |row: &&StudyRow| row.verdict.sequence != SequenceVerdict::Right;
     measured.rows.iter().filter(wrong).count()
 }
 
-/// Our cheapest run in ticks with an event-time error of at most `target` [s].
-pub(super) fn in_ticks(measured: &Measured, target: f64) -> Option<Cheapest> {
-    ours(measured, target, |kind| kind != Kind::Controlled)
+/// Our cheapest run in ticks with an event-time error of at most `target` (s).
+pub(super) fn in_ticks(measured: &MeasuredScenario, target: f64) -> Option<Cheapest> {
+    ours(measured, target, |kind| kind != MethodKind::Controlled)
 }
 
-/// Our cheapest run with steps by a tolerance and an event-time error of at most `target` [s].
-pub(super) fn offline(measured: &Measured, target: f64) -> Option<Cheapest> {
-    ours(measured, target, |kind| kind == Kind::Controlled)
+/// Our cheapest run with steps by a tolerance and an event-time error of at most `target` (s).
+pub(super) fn offline(measured: &MeasuredScenario, target: f64) -> Option<Cheapest> {
+    ours(measured, target, |kind| kind == MethodKind::Controlled)
 }
 
-fn ours(measured: &Measured, target: f64, is_of: impl Fn(Kind) -> bool) -> Option<Cheapest> {
-    let run = |row: &Row| {
+fn ours(
+    measured: &MeasuredScenario,
+    target: f64,
+    is_of: impl Fn(MethodKind) -> bool,
+) -> Option<Cheapest> {
+    let run = |row: &StudyRow| {
         Some(Cheapest {
             target_s: target,
             who: row.method.name.to_owned(),
@@ -97,8 +99,8 @@ fn ours(measured: &Measured, target: f64, is_of: impl Fn(Kind) -> bool) -> Optio
 
 /// The cheapest of what was run side by side, by whose code it is.
 pub(super) fn peer(
-    report: &Report,
-    measured: &Measured,
+    report: &StudyReport,
+    measured: &MeasuredScenario,
     author: Author,
     target: f64,
 ) -> Option<Cheapest> {

@@ -1,6 +1,6 @@
 //! The CSV: one row for each run.
 
-use crate::accuracy::{Kind, Measured, Row, Sequence};
+use crate::accuracy::{MeasuredScenario, MethodKind, SequenceVerdict, StudyRow};
 
 const HEADER: [&str; 34] = [
     "scenario",
@@ -40,7 +40,7 @@ const HEADER: [&str; 34] = [
 ];
 
 /// All rows as CSV.
-pub(super) fn csv(measured: &[Measured]) -> Result<String, csv::Error> {
+pub(super) fn csv(measured: &[MeasuredScenario]) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(HEADER)?;
     for measured in measured {
@@ -52,8 +52,8 @@ pub(super) fn csv(measured: &[Measured]) -> Result<String, csv::Error> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-fn record(row: &Row, source: &str) -> [String; HEADER.len()] {
-    let Row { verdict, counts, times, .. } = row;
+fn record(row: &StudyRow, source: &str) -> [String; HEADER.len()] {
+    let StudyRow { verdict, counts, times, .. } = row;
     let number = |value: f64| format!("{value:?}");
     let maybe = |value: Option<f64>| value.map(number).unwrap_or_default();
     let [sequence, right_until, expected, found, failure] = sequence(&verdict.sequence);
@@ -96,27 +96,27 @@ fn record(row: &Row, source: &str) -> [String; HEADER.len()] {
 }
 
 /// Where the steps come from, in a word.
-const fn steps(kind: Kind) -> &'static str {
+const fn steps(kind: MethodKind) -> &'static str {
     match kind {
-        Kind::Fixed => "tick",
-        Kind::Played => "model",
-        Kind::Controlled => "tolerance",
-        Kind::Budgeted => "budget",
+        MethodKind::Fixed => "tick",
+        MethodKind::Played => "model",
+        MethodKind::Controlled => "tolerance",
+        MethodKind::Budgeted => "budget",
     }
 }
 
 /// Verdict, right events, what was expected and found, and what failed.
-fn sequence(sequence: &Sequence) -> [String; 5] {
+fn sequence(sequence: &SequenceVerdict) -> [String; 5] {
     let none = String::new;
     match sequence {
-        Sequence::Right => ["right".to_owned(), none(), none(), none(), none()],
-        Sequence::Wrong(it) => [
+        SequenceVerdict::Right => ["right".to_owned(), none(), none(), none(), none()],
+        SequenceVerdict::Wrong(it) => [
             "wrong".to_owned(),
             it.index.to_string(),
             it.expected.clone(),
             it.found.clone(),
             none(),
         ],
-        Sequence::Failed(why) => ["failed".to_owned(), none(), none(), none(), why.clone()],
+        SequenceVerdict::Failed(why) => ["failed".to_owned(), none(), none(), none(), why.clone()],
     }
 }

@@ -1,6 +1,6 @@
 //! Numbers and times in sentences and tables.
 
-use crate::accuracy::{Kind, Row};
+use crate::accuracy::{MethodKind, StudyRow};
 
 /// A positive number with two digits, as short as can be; the unit comes from the column.
 pub(super) fn short(value: f64) -> String {
@@ -27,7 +27,7 @@ pub(super) fn exponent(value: f64) -> String {
     text.replacen(".0e", "e", 1)
 }
 
-/// A length of time [s] in the unit that suits it.
+/// A length of time (s) in the unit that suits it.
 pub(super) fn duration(seconds: f64) -> String {
     let (value, unit) = match seconds {
         ..1e-9 => (seconds * 1e12, "ps"),
@@ -43,12 +43,12 @@ pub(super) fn duration(seconds: f64) -> String {
 }
 
 /// What makes one run of a series another than the next: step, tolerance or budget.
-pub(super) fn setting(row: &Row) -> String {
+pub(super) fn setting(row: &StudyRow) -> String {
     let tolerance = row.setting.tolerance.unwrap_or(0.0);
     match row.method.kind {
-        Kind::Fixed | Kind::Played => duration(row.setting.tick),
-        Kind::Controlled => format!("tolerance {tolerance:e}"),
-        Kind::Budgeted => format!("budget {tolerance:e}"),
+        MethodKind::Fixed | MethodKind::Played => duration(row.setting.tick),
+        MethodKind::Controlled => format!("tolerance {tolerance:e}"),
+        MethodKind::Budgeted => format!("budget {tolerance:e}"),
     }
 }
 

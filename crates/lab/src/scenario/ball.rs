@@ -5,14 +5,14 @@
 use models::bouncing_ball::{BouncingBall, Mode};
 use pode::Motion;
 
-use super::{Expected, Felt, MS, Plan, Reference, Scenario};
+use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
 use crate::accuracy::Study;
 
 const G: f64 = 9.81;
 const HEIGHT: f64 = 1.0;
 const MASS: f64 = 1.0;
 
-/// A drop with restitution `e`, run until `until` [s].
+/// A drop with restitution `e`, run until `until` (s).
 #[derive(Clone, Copy, Debug)]
 struct Drop {
     e: f64,
@@ -44,18 +44,18 @@ pub(super) fn rest_05() -> Box<dyn Study> {
 }
 
 impl Drop {
-    /// Time of impact `n`, from 1 [s].
+    /// Time of impact `n`, from 1 (s).
     fn impact(self, n: i32) -> f64 {
         let e = self.e;
         (2.0 * HEIGHT / G).sqrt() * (1.0 + 2.0 * e * (1.0 - e.powi(n - 1)) / (1.0 - e))
     }
 
-    /// When all impacts are over [s].
+    /// When all impacts are over (s).
     fn rests(self) -> f64 {
         (2.0 * HEIGHT / G).sqrt() * (1.0 + self.e) / (1.0 - self.e)
     }
 
-    /// Height and speed at `t` [s], and the floor's impulse until then [N·s].
+    /// Height and speed at `t` (s), and the floor's impulse until then (N·s).
     fn state(self, t: f64) -> ([f64; 2], f64) {
         let n = (1..MOST).take_while(|n| self.impact(*n) <= t).count();
         let n = i32::try_from(n).unwrap_or(MOST);
@@ -73,9 +73,9 @@ impl Drop {
     }
 
     /// The scenario, judged on its first impacts, as many as `judged`, and on the time `rests`
-    /// [s], if it comes so far; otherwise there are no other impacts.
+    /// (s), if it comes so far; otherwise there are no other impacts.
     fn answered(self, judged: i32, rests: Option<f64>) -> Box<dyn Study> {
-        let event = |t| Expected { t, guard: "floor".to_owned(), to: Mode::Flight };
+        let event = |t| ExpectedEvent { t, guard: "floor".to_owned(), to: Mode::Flight };
         let events = (1..=judged).map(|n| event(self.impact(n))).collect();
         let mut times: Vec<f64> = (1..MOST).map(|n| self.impact(n)).collect();
         times.push(self.rests());
@@ -96,7 +96,7 @@ impl Scenario for Bounces {
 
     fn plan(&self) -> Plan {
         let (ticks, offline_tick) = (super::TICKS, 100.0 * MS);
-        Plan { until: self.drop.until, ticks, offline_tick, felt: Felt::Impulse }
+        Plan { until: self.drop.until, ticks, offline_tick, felt: ForceKind::Impulse }
     }
 
     fn start(&self) -> (BouncingBall, Mode, [f64; 2]) {

@@ -1,4 +1,4 @@
-//! Elliptic functions, by the arithmetic-geometric mean. [AS64] 16.4, 17.6
+//! Elliptic functions, by the arithmetic-geometric mean. `[AS64]` 16.4, 17.6
 
 /// Complete elliptic integral of the first kind, of the modulus `k` in 0 .. 1.
 pub(super) fn quarter_period(k: f64) -> f64 {

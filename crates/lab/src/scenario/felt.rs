@@ -1,42 +1,42 @@
-//! A head that meets felt, F = k xⁿ (1 + λ v): one Hunt–Crossley contact. [HC75]
+//! A head that meets felt, F = k xⁿ (1 + λ v): one Hunt–Crossley contact. `[HC75]`
 //!
 //! With u = 1 + λ v, u − ln u over λ² and k xⁿ⁺¹/(m (n + 1)) have a constant sum, so that the
 //! exit speed does not depend on k. Its times are quadratures: references/hunt_crossley.py.
 
 use pode::{
-    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Nature, Reset, Resets,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets,
 };
 
-use super::{Expected, Felt as Figure, MS, Plan, Reference, Scenario};
+use super::{ExpectedEvent, ForceKind as Figure, MS, Plan, Reference, Scenario};
 use crate::accuracy::Study;
 
-/// Mass of the head [kg].
+/// Mass of the head (kg).
 const MASS: f64 = 0.01;
 /// Exponent of the felt.
 const POWER: f64 = 1.5;
-/// Loss λ [s/m].
+/// Loss λ (s/m).
 const LOSS: f64 = 0.6;
-/// Entry speed [m/s].
+/// Entry speed (m/s).
 const SPEED: f64 = 1.0;
-/// Exit speed: (−W0(−u0 e^−u0) − 1)/λ, u0 = 1 + λ v0 [m/s].
+/// Exit speed: (−W0(−u0 e^−u0) − 1)/λ, u0 = 1 + λ v0 (m/s).
 const EXIT: f64 = -0.711_950_179_577_866_2;
 
-/// Penetration [m] and its rate [m/s], without gravity.
+/// Penetration (m) and its rate (m/s), without gravity.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Felt {
-    /// Stiffness [N/m^1.5].
+pub(super) struct FeltPenetration {
+    /// Stiffness (N/m^1.5).
     k: f64,
-    /// Deepest point [m].
+    /// Deepest point (m).
     depth: f64,
 }
 
 /// What is known of a contact.
 #[derive(Clone, Copy, Debug)]
-struct Known {
-    felt: Felt,
-    /// Times of the deepest point and of the exit [s].
+struct ContactRecord {
+    felt: FeltPenetration,
+    /// Times of the deepest point and of the exit (s).
     times: [f64; 2],
-    /// End, and time between samples [s].
+    /// End, and time between samples (s).
     span: (f64, f64),
     ticks: &'static [f64],
 }
@@ -45,8 +45,8 @@ struct Known {
 pub(super) fn soft() -> Box<dyn Study> {
     const TICKS: &[f64] =
         &[MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS, 0.005 * MS];
-    Box::new(Contact::new(Known {
-        felt: Felt { k: 1e5, depth: 0.001_521_344_239_131_188_8 },
+    Box::new(FeltContact::new(ContactRecord {
+        felt: FeltPenetration { k: 1e5, depth: 0.001_521_344_239_131_188_8 },
         times: [0.002_359_535_961_218_295, 0.005_332_605_765_717_41],
         span: (10.0 * MS, MS),
         ticks: TICKS,
@@ -57,15 +57,15 @@ pub(super) fn soft() -> Box<dyn Study> {
 pub(super) fn hard() -> Box<dyn Study> {
     const TICKS: &[f64] =
         &[0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS, 0.005 * MS, 0.001 * MS];
-    Box::new(Contact::new(Known {
-        felt: Felt { k: 1e7, depth: 0.000_241_116_812_798_895_35 },
+    Box::new(FeltContact::new(ContactRecord {
+        felt: FeltPenetration { k: 1e7, depth: 0.000_241_116_812_798_895_35 },
         times: [0.000_373_961_248_230_206_54, 0.000_845_161_057_616_440_6],
         span: (2.0 * MS, 0.5 * MS),
         ticks: TICKS,
     }))
 }
 
-impl Model for Felt {
+impl Model for FeltPenetration {
     /// Whether the felt is touched.
     type Mode = bool;
     type State = [f64; 2];
@@ -76,16 +76,16 @@ impl Model for Felt {
         [x[1], -self.readout(touched, x, &()) / MASS]
     }
 
-    /// The force of the contact [N].
+    /// The force of the contact (N).
     fn readout(&self, touched: bool, x: &[f64; 2], (): &()) -> f64 {
         if touched { self.k * x[0].max(0.0).powf(POWER) * (1.0 + LOSS * x[1]) } else { 0.0 }
     }
 
     fn nature(&self, touched: bool) -> Nature {
         if touched {
-            Nature::new(Kind::Smooth, self.rate())
+            Nature::new(EquationKind::Smooth, self.rate())
         } else {
-            Nature::new(Kind::Affine, 0.0)
+            Nature::new(EquationKind::Affine, 0.0)
         }
     }
 
@@ -95,14 +95,14 @@ impl Model for Felt {
     }
 }
 
-impl Felt {
-    /// √(F'(x)/m) at the deepest point [rad/s].
+impl FeltPenetration {
+    /// √(F'(x)/m) at the deepest point (rad/s).
     fn rate(self) -> f64 {
         (POWER * self.k * self.depth.powf(POWER - 1.0) / MASS).sqrt()
     }
 }
 
-impl Guarded for Felt {
+impl Guarded for FeltPenetration {
     fn guards(&self, touched: bool) -> &'static [GuardSpec] {
         const TOUCHED: [GuardSpec; 2] =
             [GuardSpec::new(0, "leave").scaled(1e-3), GuardSpec::new(1, "deepest").on_crossing()];
@@ -117,13 +117,13 @@ impl Guarded for Felt {
     }
 }
 
-impl Resets for Felt {
+impl Resets for FeltPenetration {
     fn reset(&self, _touched: bool, guard: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
         Reset::to(guard.0 != 0, *x)
     }
 }
 
-impl Energetic for Felt {
+impl Energetic for FeltPenetration {
     fn energy(&self, touched: bool, x: &[f64; 2], (): &()) -> f64 {
         let n = POWER + 1.0;
         let felt = if touched { self.k * x[0].max(0.0).powf(n) / n } else { 0.0 };
@@ -141,41 +141,41 @@ impl Energetic for Felt {
 
 /// One contact, and the flight after it.
 #[derive(Debug)]
-struct Contact {
-    known: Known,
-    reference: Reference<Felt>,
+struct FeltContact {
+    known: ContactRecord,
+    reference: Reference<FeltPenetration>,
 }
 
-impl Contact {
-    fn new(known: Known) -> Self {
+impl FeltContact {
+    fn new(known: ContactRecord) -> Self {
         let [deepest, exit] = known.times;
-        let event = |t, guard: &str, to| Expected { t, guard: guard.to_owned(), to };
+        let event = |t, guard: &str, to| ExpectedEvent { t, guard: guard.to_owned(), to };
         let events = vec![event(deepest, "deepest", true), event(exit, "leave", false)];
         let (until, row) = known.span;
         let flight = |t: f64| ([EXIT * (t - exit), EXIT], MASS * (SPEED - EXIT));
         let after = |t: f64| (t > exit).then_some(flight(t));
         // In contact there is no closed form of time.
-        let samples = Reference::<Felt>::samples((row, until), 0.1 * MS, &[exit], after);
+        let samples = Reference::<FeltPenetration>::samples((row, until), 0.1 * MS, &[exit], after);
         let reference = Reference { events, is_whole: true, rest: None, samples };
         Self { known, reference }
     }
 }
 
-impl Scenario for Contact {
-    type Model = Felt;
+impl Scenario for FeltContact {
+    type Model = FeltPenetration;
 
     fn plan(&self) -> Plan {
-        let Known { span: (until, row), ticks, .. } = self.known;
+        let ContactRecord { span: (until, row), ticks, .. } = self.known;
         Plan { until, ticks, offline_tick: row, felt: Figure::Impulse }
     }
 
-    fn start(&self) -> (Felt, bool, [f64; 2]) {
+    fn start(&self) -> (FeltPenetration, bool, [f64; 2]) {
         (self.known.felt, true, [0.0, SPEED])
     }
 
     fn input(&self, _t: f64) {}
 
-    fn reference(&self) -> &Reference<Felt> {
+    fn reference(&self) -> &Reference<FeltPenetration> {
         &self.reference
     }
 }

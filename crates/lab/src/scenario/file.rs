@@ -4,9 +4,9 @@ use models::Described;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-use super::{Expected, Sample};
+use super::{ExpectedEvent, ReferenceSample};
 
-/// Samples are at least this far from every event [s].
+/// Samples are at least this far from every event (s).
 const AWAY: f64 = 0.005;
 
 /// A reference, as text.
@@ -47,19 +47,19 @@ impl File {
 #[derive(Debug, Deserialize)]
 pub(super) struct Case {
     parameters: Map<String, Value>,
-    input: Input,
+    input: InputTerms,
     t_end: Value,
-    events: Vec<Event>,
+    events: Vec<ReferenceEvent>,
 }
 
 #[derive(Debug, Deserialize)]
-struct Input {
+struct InputTerms {
     #[serde(rename = "A_tc_w")]
     terms: Vec<[Value; 3]>,
 }
 
 #[derive(Debug, Deserialize)]
-struct Event {
+struct ReferenceEvent {
     t: Value,
     guard: String,
     to: String,
@@ -94,15 +94,18 @@ impl Case {
         terms.ok_or_else(|| file.wrong("a term of the input is no number"))
     }
 
-    /// End [s].
+    /// End (s).
     pub(super) fn until(&self, file: &File) -> Result<f64, BadFile> {
         number(&self.t_end).ok_or_else(|| file.wrong("t_end is no number"))
     }
 
-    pub(super) fn events<M: Described>(&self, file: &File) -> Result<Vec<Expected<M>>, BadFile> {
-        let event = |event: &Event| {
+    pub(super) fn events<M: Described>(
+        &self,
+        file: &File,
+    ) -> Result<Vec<ExpectedEvent<M>>, BadFile> {
+        let event = |event: &ReferenceEvent| {
             let t = number(&event.t).ok_or_else(|| file.wrong("an event without a time"))?;
-            Ok(Expected { t, guard: event.guard.clone(), to: mode::<M>(file, &event.to)? })
+            Ok(ExpectedEvent { t, guard: event.guard.clone(), to: mode::<M>(file, &event.to)? })
         };
         self.events.iter().map(event).collect()
     }
@@ -112,7 +115,7 @@ impl Case {
         &self,
         file: &File,
         readout: &str,
-    ) -> Result<Vec<Sample<M::State>>, BadFile> {
+    ) -> Result<Vec<ReferenceSample<M::State>>, BadFile> {
         let events: Vec<f64> = self.events.iter().filter_map(|event| number(&event.t)).collect();
         let rows = Rows::<M>::read(file, readout)?;
         let is_away = |t: f64| t > 0.0 && events.iter().all(|event| (event - t).abs() > AWAY);
@@ -126,7 +129,7 @@ fn mode<M: Described>(file: &File, name: &str) -> Result<M::Mode, BadFile> {
 }
 
 /// The trajectory.
-struct Rows<M: Described>(Vec<Sample<M::State>>);
+struct Rows<M: Described>(Vec<ReferenceSample<M::State>>);
 
 impl<M: Described> Rows<M> {
     fn read(file: &File, readout: &str) -> Result<Self, BadFile> {
@@ -145,7 +148,7 @@ impl<M: Described> Rows<M> {
             for (entry, index) in state.as_mut().iter_mut().zip(&states) {
                 *entry = number(*index)?;
             }
-            Some(Sample { t: number(t)?, state, force: number(force)? })
+            Some(ReferenceSample { t: number(t)?, state, force: number(force)? })
         };
         let rows: Option<Vec<_>> = lines.map(row).collect();
         rows.map(Self).ok_or_else(|| file.wrong("a row is incomplete"))

@@ -4,28 +4,28 @@
 //! middle, and the head leaves as fast as it came.
 
 use pode::{
-    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Nature, Reset, Resets,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets,
 };
 
-use super::{Expected, Felt, MS, Plan, Reference, Scenario};
+use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
 use crate::accuracy::Study;
 
 const G: f64 = 9.81;
-/// Mass of the head [kg].
+/// Mass of the head (kg).
 const MASS: f64 = 0.01;
-/// Speed at which it meets the spring [m/s].
+/// Speed at which it meets the spring (m/s).
 const SPEED: f64 = 1.0;
-/// End [s], about five contacts.
+/// End (s), about five contacts.
 const UNTIL: f64 = 1.0;
 /// More bounces than there are until then.
 const MOST_BOUNCES: u32 = 10;
 /// Part of a radian of the contact's oscillation that a step may take.
 const RADIANS: f64 = 0.05;
 
-/// A head that falls on F = −k min(x, 0): height [m] and speed [m/s].
+/// A head that falls on F = −k min(x, 0): height (m) and speed (m/s).
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Head {
-    /// Stiffness [N/m].
+pub(super) struct FallingHead {
+    /// Stiffness (N/m).
     k: f64,
 }
 
@@ -43,26 +43,26 @@ const CONTACT: [GuardSpec; 2] = [
     GuardSpec::new(2, "deepest").on_crossing(),
 ];
 
-impl Head {
-    /// The contact's frequency [rad/s].
+impl FallingHead {
+    /// The contact's frequency (rad/s).
     fn omega(self) -> f64 {
         (self.k / MASS).sqrt()
     }
 
-    /// How long a contact lasts [s].
+    /// How long a contact lasts (s).
     fn contact(self) -> f64 {
         2.0 * (std::f64::consts::PI - (SPEED * self.omega() / G).atan()) / self.omega()
     }
 
-    /// From one touch to the next [s].
+    /// From one touch to the next (s).
     fn period(self) -> f64 {
         self.contact() + 2.0 * SPEED / G
     }
 
     /// Events until the end.
-    fn events(self) -> Vec<Expected<Self>> {
+    fn events(self) -> Vec<ExpectedEvent<Self>> {
         let bounce = |n: u32| {
-            let at = |t: f64, guard: &str, to| Expected {
+            let at = |t: f64, guard: &str, to| ExpectedEvent {
                 t: f64::from(n) * self.period() + t,
                 guard: guard.to_owned(),
                 to,
@@ -76,7 +76,7 @@ impl Head {
         (0..MOST_BOUNCES).flat_map(bounce).take_while(|event| event.t < UNTIL).collect()
     }
 
-    /// Height and speed at `t` [s], and the spring's impulse until then [N·s].
+    /// Height and speed at `t` (s), and the spring's impulse until then (N·s).
     fn state(self, t: f64) -> ([f64; 2], f64) {
         let since = t % self.period();
         let state = if since < self.contact() {
@@ -91,7 +91,7 @@ impl Head {
     }
 }
 
-impl Model for Head {
+impl Model for FallingHead {
     type Mode = Mode;
     type State = [f64; 2];
     type Input = ();
@@ -101,7 +101,7 @@ impl Model for Head {
         [x[1], self.readout(mode, x, &()) / MASS - G]
     }
 
-    /// The force of the contact [N].
+    /// The force of the contact (N).
     fn readout(&self, mode: Mode, x: &[f64; 2], (): &()) -> f64 {
         match mode {
             Mode::Flight => 0.0,
@@ -111,7 +111,7 @@ impl Model for Head {
 
     fn nature(&self, mode: Mode) -> Nature {
         let rate = if mode == Mode::Contact { self.omega() } else { 0.0 };
-        Nature::new(Kind::Affine, rate)
+        Nature::new(EquationKind::Affine, rate)
     }
 
     fn longest_step(&self, mode: Mode) -> f64 {
@@ -122,7 +122,7 @@ impl Model for Head {
     }
 }
 
-impl Guarded for Head {
+impl Guarded for FallingHead {
     fn guards(&self, mode: Mode) -> &'static [GuardSpec] {
         match mode {
             Mode::Flight => &TOUCH,
@@ -147,7 +147,7 @@ impl Guarded for Head {
     }
 }
 
-impl Resets for Head {
+impl Resets for FallingHead {
     fn reset(&self, _mode: Mode, guard: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
         match guard.0 {
             0 => Reset::to(Mode::Contact, [0.0, x[1]]),
@@ -157,7 +157,7 @@ impl Resets for Head {
     }
 }
 
-impl Energetic for Head {
+impl Energetic for FallingHead {
     fn energy(&self, mode: Mode, x: &[f64; 2], (): &()) -> f64 {
         let spring = if mode == Mode::Contact { self.k * x[0] * x[0] } else { 0.0 };
         0.5 * (MASS * x[1] * x[1] + spring) + MASS * G * x[0]
@@ -171,36 +171,36 @@ impl Energetic for Head {
 /// The head, with its contacts.
 #[derive(Debug)]
 struct Contacts {
-    head: Head,
-    reference: Reference<Head>,
+    head: FallingHead,
+    reference: Reference<FallingHead>,
 }
 
-/// Builds it with a stiffness of 10 to the `EXPONENT` [N/m].
+/// Builds it with a stiffness of 10 to the `EXPONENT` (N/m).
 pub(super) fn build<const EXPONENT: i32>() -> Box<dyn Study> {
-    let head = Head { k: 10_f64.powi(EXPONENT) };
+    let head = FallingHead { k: 10_f64.powi(EXPONENT) };
     let events = head.events();
     let times: Vec<f64> = events.iter().map(|event| event.t).collect();
     let span = (5.0 * MS, UNTIL);
-    let samples = Reference::<Head>::samples(span, MS, &times, |t| Some(head.state(t)));
+    let samples = Reference::<FallingHead>::samples(span, MS, &times, |t| Some(head.state(t)));
     let reference = Reference { events, is_whole: true, rest: None, samples };
     Box::new(Contacts { head, reference })
 }
 
 impl Scenario for Contacts {
-    type Model = Head;
+    type Model = FallingHead;
 
     fn plan(&self) -> Plan {
         let (ticks, offline_tick) = (TICKS, 50.0 * MS);
-        Plan { until: UNTIL, ticks, offline_tick, felt: Felt::Impulse }
+        Plan { until: UNTIL, ticks, offline_tick, felt: ForceKind::Impulse }
     }
 
-    fn start(&self) -> (Head, Mode, [f64; 2]) {
+    fn start(&self) -> (FallingHead, Mode, [f64; 2]) {
         (self.head, Mode::Flight, [0.0, -SPEED])
     }
 
     fn input(&self, _t: f64) {}
 
-    fn reference(&self) -> &Reference<Head> {
+    fn reference(&self) -> &Reference<FallingHead> {
         &self.reference
     }
 }
@@ -222,7 +222,7 @@ mod tests {
             [1e7, 9.936_550_265_733_163e-5, 3.163_258_812_331_01e-5, 0.203_972_963_871_668_5],
         ];
         for [k, contact, depth, period] in KNOWN {
-            let head = Head { k };
+            let head = FallingHead { k };
             assert!((head.contact() - contact).abs() < 4e-18 + 4e-16 * contact, "k {k}");
             assert!((head.period() - period).abs() < 1e-16, "k {k}: {}", head.period());
             let ([x, v], _) = head.state(0.5 * head.contact());
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn a_contact_passes_on_twice_the_momentum_and_its_weight() {
-        let head = Head { k: 1e5 };
+        let head = FallingHead { k: 1e5 };
         let (_, impulse) = head.state(0.01);
         let expected = MASS * (2.0 * SPEED + G * head.contact());
         assert!((impulse - expected).abs() < 1e-16, "{impulse}");

@@ -3,15 +3,15 @@
 use pode::Motion;
 
 /// An input that is a sum of terms, each of a size, a time and a width.
-pub(super) trait Input: Copy {
-    /// The input of these (A, tc [s], w [s]), if it has as many of them.
+pub(super) trait TermInput: Copy {
+    /// The input of these (A, tc (s), w (s)), if it has as many of them.
     fn of(terms: &[[f64; 3]]) -> Option<Self>;
 
-    /// The input at `t` [s].
+    /// The input at `t` (s).
     fn at(&self, t: f64) -> Motion;
 }
 
-/// A, tc [s] and 1/w [1/s] of each term.
+/// A, tc (s) and 1/w (1/s) of each term.
 fn inverted<const N: usize>(terms: &[[f64; 3]]) -> Option<[[f64; 3]; N]> {
     let terms: &[[f64; 3]; N] = terms.try_into().ok()?;
     Some(terms.map(|[a, tc, w]| [a, tc, 1.0 / w]))
@@ -21,7 +21,7 @@ fn inverted<const N: usize>(terms: &[[f64; 3]]) -> Option<[[f64; 3]; N]> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bells<const N: usize>([[f64; 3]; N]);
 
-impl<const N: usize> Input for Bells<N> {
+impl<const N: usize> TermInput for Bells<N> {
     fn of(terms: &[[f64; 3]]) -> Option<Self> {
         inverted(terms).map(Self)
     }
@@ -45,7 +45,7 @@ impl<const N: usize> Input for Bells<N> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Presses<const N: usize>([[f64; 3]; N]);
 
-impl<const N: usize> Input for Presses<N> {
+impl<const N: usize> TermInput for Presses<N> {
     fn of(terms: &[[f64; 3]]) -> Option<Self> {
         inverted(terms).map(Self)
     }
@@ -72,7 +72,7 @@ mod tests {
     const TERMS: [[f64; 3]; 2] = [[0.8, 0.4, 0.1], [-0.5, 0.7, 0.2]];
 
     #[track_caller]
-    fn check(input: impl Input) {
+    fn check(input: impl TermInput) {
         for t in [0.1, 0.35, 0.5, 0.78] {
             // A central difference errs by h²/6 of the third derivative, here below 1e5.
             let h = 1e-6;

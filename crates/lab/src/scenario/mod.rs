@@ -17,7 +17,7 @@ mod reference;
 mod stroke;
 
 pub use file::BadFile;
-pub use reference::{Expected, Reference, Sample};
+pub use reference::{ExpectedEvent, Reference, ReferenceSample};
 
 use core::fmt::Debug;
 
@@ -25,10 +25,10 @@ use pode::{Energetic, Model, Resets};
 
 use crate::accuracy::Study;
 
-/// Milliseconds [s].
+/// Milliseconds (s).
 pub(crate) const MS: f64 = 1e-3;
 
-/// Steps [s] over which a stroke of a key is studied: all divide 5 ms.
+/// Steps (s) over which a stroke of a key is studied: all divide 5 ms.
 const TICKS: &[f64] = &[5.0 * MS, 2.5 * MS, 1.0 * MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS];
 
 /// A model that can be studied.
@@ -54,7 +54,7 @@ pub trait Scenario {
     /// The model, and mode and state at t = 0.
     fn start(&self) -> (Self::Model, ModeOf<Self>, StateOf<Self>);
 
-    /// The input at `t` [s], exactly.
+    /// The input at `t` (s), exactly.
     fn input(&self, t: f64) -> InputOf<Self>;
 
     /// What is right.
@@ -64,19 +64,19 @@ pub trait Scenario {
 /// How long a scenario lasts, over which steps it is studied, and what is felt.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Plan {
-    /// End [s].
+    /// End (s).
     pub until: f64,
-    /// Ticks to run it with [s], the longest first; each divides the time between samples.
+    /// Ticks to run it with (s), the longest first; each divides the time between samples.
     pub ticks: &'static [f64],
-    /// Tick [s] for methods that choose their steps themselves.
+    /// Tick (s) for methods that choose their steps themselves.
     pub offline_tick: f64,
     /// Which figure of the force is compared.
-    pub felt: Felt,
+    pub felt: ForceKind,
 }
 
 /// What a sample's force is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Felt {
+pub enum ForceKind {
     /// The readout at that time.
     Readout,
     /// The readout's integral since the start, impulses included, for contacts that are
@@ -86,7 +86,7 @@ pub enum Felt {
 
 /// A scenario by its name.
 #[derive(Clone, Copy, Debug)]
-pub struct Entry {
+pub struct ScenarioEntry {
     /// Its name on the command line, and of its plot.
     pub name: &'static str,
     /// What it is, in one line.
@@ -105,7 +105,7 @@ enum Build {
     Read(fn() -> Result<Box<dyn Study>, BadFile>),
 }
 
-impl Entry {
+impl ScenarioEntry {
     /// Builds the scenario.
     ///
     /// # Errors
@@ -118,8 +118,12 @@ impl Entry {
     }
 }
 
-const fn closed(name: &'static str, title: &'static str, build: fn() -> Box<dyn Study>) -> Entry {
-    Entry { name, title, source: "Reference: closed form.", build: Build::Closed(build) }
+const fn closed(
+    name: &'static str,
+    title: &'static str,
+    build: fn() -> Box<dyn Study>,
+) -> ScenarioEntry {
+    ScenarioEntry { name, title, source: "Reference: closed form.", build: Build::Closed(build) }
 }
 
 const fn read(
@@ -127,8 +131,8 @@ const fn read(
     title: &'static str,
     source: &'static str,
     build: fn() -> Result<Box<dyn Study>, BadFile>,
-) -> Entry {
-    Entry { name, title, source, build: Build::Read(build) }
+) -> ScenarioEntry {
+    ScenarioEntry { name, title, source, build: Build::Read(build) }
 }
 
 /// What is known of the files that were given with the models.
@@ -138,7 +142,7 @@ const MADE: &str =
     "Reference: Taylor series in 240 bits and extrapolation in 113 bits, agreeing to 1e-23 s.";
 
 /// Every scenario.
-pub const SCENARIOS: &[Entry] = &[
+pub const SCENARIOS: &[ScenarioEntry] = &[
     closed("ball", "a ball with restitution 0.8, ten impacts", ball::ten_impacts),
     closed("ball-rest-0.8", "the same until it rests: a Zeno sequence", ball::rest_08),
     closed("ball-rest-0.5", "a ball with restitution 0.5 until it rests", ball::rest_05),

@@ -3,22 +3,22 @@
 //! x'' = −ω0² sin x, v⁺ = −e v⁻ at x = 0. Between impacts x = 2 asin(k sn(ω0 τ, k)) with
 //! k = v/(2 ω0), so that each swing lasts 2 K(k)/ω0.
 
-use pode::Kind;
+use pode::EquationKind;
 use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets};
 
 use super::elliptic::{quarter_period, sn_cn};
-use super::{Expected, Felt, MS, Plan, Reference, Scenario};
+use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
 use crate::accuracy::Study;
 
-/// ω0² [1/s²].
+/// ω0² (1/s²).
 const STIFFNESS: f64 = 9.81;
 const RESTITUTION: f64 = 0.9;
-/// Angle from which it is let go [rad].
+/// Angle from which it is let go (rad).
 const START: f64 = 1.2;
 /// The tenth impact is at 9.899 s.
 const UNTIL: f64 = 10.0;
 
-/// Angle [rad] and its rate [rad/s]. The readout is the wall's, per unit of inertia.
+/// Angle (rad) and its rate (rad/s). The readout is the wall's, per unit of inertia.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Pendulum;
 
@@ -37,7 +37,7 @@ impl Model for Pendulum {
     }
 
     fn nature(&self, (): ()) -> Nature {
-        Nature::new(Kind::Conservative, STIFFNESS.sqrt())
+        Nature::new(EquationKind::Conservative, STIFFNESS.sqrt())
     }
 
     /// A tenth of a radian of the smallest swing.
@@ -87,7 +87,7 @@ pub(super) struct Swings {
 /// Builds it.
 pub(super) fn build() -> Box<dyn Study> {
     let impacts = impacts();
-    let event = |(t, _): &(f64, f64)| Expected { t: *t, guard: "wall".to_owned(), to: () };
+    let event = |(t, _): &(f64, f64)| ExpectedEvent { t: *t, guard: "wall".to_owned(), to: () };
     let times: Vec<f64> = impacts.iter().map(|(t, _)| *t).collect();
     let samples = Reference::<Pendulum>::samples((10.0 * MS, UNTIL), 5.0 * MS, &times, |t| {
         Some(state(&impacts, t))
@@ -97,7 +97,7 @@ pub(super) fn build() -> Box<dyn Study> {
     Box::new(Swings { reference })
 }
 
-/// Times [s] of the impacts until the end, and the speeds after them [rad/s].
+/// Times (s) of the impacts until the end, and the speeds after them (rad/s).
 fn impacts() -> Vec<(f64, f64)> {
     let omega = STIFFNESS.sqrt();
     let k = (0.5 * START).sin();
@@ -109,7 +109,7 @@ fn impacts() -> Vec<(f64, f64)> {
     std::iter::successors(Some(first), next).take_while(|(t, _)| *t < UNTIL).collect()
 }
 
-/// Angle and rate at `t` [s], and the wall's impulses until then.
+/// Angle and rate at `t` (s), and the wall's impulses until then.
 fn state(impacts: &[(f64, f64)], t: f64) -> ([f64; 2], f64) {
     let omega = STIFFNESS.sqrt();
     let swing = impacts.iter().rfind(|(at, _)| *at <= t);
@@ -129,7 +129,7 @@ impl Scenario for Swings {
 
     fn plan(&self) -> Plan {
         let (ticks, offline_tick) = (super::TICKS, 100.0 * MS);
-        Plan { until: UNTIL, ticks, offline_tick, felt: Felt::Impulse }
+        Plan { until: UNTIL, ticks, offline_tick, felt: ForceKind::Impulse }
     }
 
     fn start(&self) -> (Pendulum, (), [f64; 2]) {

@@ -4,21 +4,18 @@ use pode::Model;
 
 /// An event that must happen.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Expected<M: Model> {
-    /// When [s].
+pub struct ExpectedEvent<M: Model> {
+    /// When (s).
     pub t: f64,
-    /// Which guard fires.
     pub guard: String,
-    /// The mode after.
     pub to: M::Mode,
 }
 
 /// State and force at one time.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Sample<S> {
-    /// When [s].
+pub struct ReferenceSample<S> {
+    /// When (s).
     pub t: f64,
-    /// The state.
     pub state: S,
     /// What [`Felt`](super::Felt) says, in the readout's unit or that times s.
     pub force: f64,
@@ -28,27 +25,27 @@ pub struct Sample<S> {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Reference<M: Model> {
     /// The events, in their order.
-    pub events: Vec<Expected<M>>,
+    pub events: Vec<ExpectedEvent<M>>,
     /// Whether nothing else happens until the end; otherwise the first events are judged.
     pub is_whole: bool,
-    /// The last mode and when it is entered [s], where events without number lead to it.
+    /// The last mode and when it is entered (s), where events without number lead to it.
     pub rest: Option<(f64, M::Mode)>,
     /// States away from the events.
-    pub samples: Vec<Sample<M::State>>,
+    pub samples: Vec<ReferenceSample<M::State>>,
 }
 
 impl<M: Model> Reference<M> {
-    /// Samples every `row` [s] until `until` [s], `away` [s] or more from every time in
+    /// Samples every `row` (s) until `until` (s), `away` (s) or more from every time in
     /// `events` and not at the start; `at` gives state and force, where it knows them.
     pub(super) fn samples(
         (row, until): (f64, f64),
         away: f64,
         events: &[f64],
         at: impl Fn(f64) -> Option<(M::State, f64)>,
-    ) -> Vec<Sample<M::State>> {
+    ) -> Vec<ReferenceSample<M::State>> {
         let rows = (1_u32..).map(|n| f64::from(n) * row).take_while(|t| *t < until + 0.5 * row);
         let is_away = |t: &f64| events.iter().all(|event| (event - t).abs() > away);
-        let sample = |t: f64| at(t).map(|(state, force)| Sample { t, state, force });
+        let sample = |t: f64| at(t).map(|(state, force)| ReferenceSample { t, state, force });
         rows.filter(is_away).filter_map(sample).collect()
     }
 }

@@ -7,13 +7,13 @@ use models::reduced_grand::ReducedGrand;
 use pode::Motion;
 
 use super::file::{BadFile, Case, File, file};
-use super::input::{Bells, Input, Presses};
-use super::{Felt, MS, ModeOf, Plan, Reference, Scenario, StateOf, Studied};
+use super::input::{Bells, Presses, TermInput};
+use super::{ForceKind, MS, ModeOf, Plan, Reference, Scenario, StateOf, Studied};
 use crate::accuracy::Study;
 
 /// A model under a stroke.
 #[derive(Debug)]
-struct Stroke<M: Described, I> {
+struct StrokeScenario<M: Described, I> {
     model: M,
     input: I,
     until: f64,
@@ -25,7 +25,7 @@ struct Stroke<M: Described, I> {
 #[derive(Clone, Copy, Debug)]
 struct Pace {
     ticks: &'static [f64],
-    /// For methods that choose their steps [s].
+    /// For methods that choose their steps (s).
     offline_tick: f64,
 }
 
@@ -33,7 +33,7 @@ impl Pace {
     const USUAL: Self = Self { ticks: super::TICKS, offline_tick: 100.0 * MS };
 }
 
-impl<M: Described + Studied, I: Input + 'static> Stroke<M, I> {
+impl<M: Described + Studied, I: TermInput + 'static> StrokeScenario<M, I> {
     /// Reads the case in `file`, whose trajectory has the readout in `column`.
     fn read(file: &File, column: &str, pace: Pace) -> Result<Box<dyn Study>, BadFile> {
         let case = Case::read(file)?;
@@ -54,12 +54,12 @@ impl<M: Described + Studied, I: Input + 'static> Stroke<M, I> {
     }
 }
 
-impl<M: Described + Studied, I: Input> Scenario for Stroke<M, I> {
+impl<M: Described + Studied, I: TermInput> Scenario for StrokeScenario<M, I> {
     type Model = M;
 
     fn plan(&self) -> Plan {
         let Self { until, pace: Pace { ticks, offline_tick }, .. } = *self;
-        Plan { until, ticks, offline_tick, felt: Felt::Readout }
+        Plan { until, ticks, offline_tick, felt: ForceKind::Readout }
     }
 
     /// At rest under s = 0; what a mode slaves to the input, the first tick puts in place.
@@ -84,7 +84,7 @@ const TORQUE: &str = "T_KU";
 /// Model A.
 pub(super) fn two_throws() -> Result<Box<dyn Study>, BadFile> {
     let file = file!("../../../models/tests/reference/", "model-a-two-throws");
-    Stroke::<KeyHammerRigid, Bells<2>>::read(&file, TORQUE, Pace::USUAL)
+    StrokeScenario::<KeyHammerRigid, Bells<2>>::read(&file, TORQUE, Pace::USUAL)
 }
 
 /// Model B, as the paper has it.
@@ -116,9 +116,9 @@ pub(super) fn forte() -> Result<Box<dyn Study>, BadFile> {
         &[5.0 * MS, MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS];
     let file = file!("../../../models/tests/reference/", "model-c-forte");
     let pace = Pace { ticks: TICKS, offline_tick: 50.0 * MS };
-    Stroke::<ReducedGrand, Presses<2>>::read(&file, "F_KU", pace)
+    StrokeScenario::<ReducedGrand, Presses<2>>::read(&file, "F_KU", pace)
 }
 
 fn springs(file: &File, pace: Pace) -> Result<Box<dyn Study>, BadFile> {
-    Stroke::<KeyHammerSprings, Bells<3>>::read(file, TORQUE, pace)
+    StrokeScenario::<KeyHammerSprings, Bells<3>>::read(file, TORQUE, pace)
 }

@@ -12,8 +12,8 @@ mod watch;
 use std::io;
 use std::path::PathBuf;
 
-pub use memory::Memory;
-pub use port::Port;
+pub use memory::MessageRecorder;
+pub use port::MidiPort;
 pub use smf::Smf;
 pub use system::{Unavailable, ports};
 
@@ -21,19 +21,19 @@ use crate::message::Message;
 
 /// A destination of timed messages.
 pub trait Output {
-    /// Sends `message`, which belongs to time `at` [s since the host started].
+    /// Sends `message`, which belongs to time `at` (s since the host started).
     ///
     /// # Errors
     ///
     /// If the message is lost.
-    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError>;
+    fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError>;
 
-    /// Looks after the connection at time `now` [s], if there is one; called a few times a second.
+    /// Looks after the connection at time `now` (s), if there is one; called a few times a second.
     ///
     /// # Errors
     ///
     /// If the destination is away.
-    fn poll(&mut self, now: f64) -> Result<(), SendError> {
+    fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
         let _ = now;
         Ok(())
     }
@@ -43,12 +43,12 @@ pub trait Output {
     /// # Errors
     ///
     /// If something could not be brought to safety; nothing is lost by trying again.
-    fn finish(&mut self) -> Result<(), SendError>;
+    fn finish(&mut self) -> Result<(), MidiSendError>;
 }
 
 /// Why a message did not arrive.
 #[derive(Debug, thiserror::Error)]
-pub enum SendError {
+pub enum MidiSendError {
     /// The port has vanished or does not accept; it is tried again by itself.
     #[error("MIDI port \"{port}\" is away: it is connected again when it is back")]
     Away {
@@ -58,7 +58,7 @@ pub enum SendError {
     /// The time of a message is not a number.
     #[error("a message at {at} s cannot be recorded: its time is not a finite number")]
     NoSuchTime {
-        /// The time that was given [s].
+        /// The time that was given (s).
         at: f64,
     },
     /// The recording could not be written.
@@ -67,7 +67,6 @@ pub enum SendError {
          make room and finish again"
     )]
     Write {
-        /// The file.
         path: PathBuf,
         /// Messages recorded so far.
         messages: usize,
@@ -77,15 +76,15 @@ pub enum SendError {
 }
 
 impl<O: Output + ?Sized> Output for Box<O> {
-    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
         (**self).send(at, message)
     }
 
-    fn poll(&mut self, now: f64) -> Result<(), SendError> {
+    fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
         (**self).poll(now)
     }
 
-    fn finish(&mut self) -> Result<(), SendError> {
+    fn finish(&mut self) -> Result<(), MidiSendError> {
         (**self).finish()
     }
 }

@@ -1,8 +1,8 @@
 //! A MIDI port of the system: one that exists, or a virtual one of our own.
 
 use super::reconnecting::Reconnecting;
-use super::system::{CLIENT, System, Unavailable, Wanted};
-use super::{Output, SendError};
+use super::system::{CLIENT, System, Unavailable, WantedPort};
+use super::{MidiSendError, Output};
 use crate::message::Message;
 
 /// Sends to a MIDI port at once; the times of messages only pace the reconnection.
@@ -11,16 +11,16 @@ use crate::message::Message;
 /// most one attempt a second; it first gets note-offs for what it may still sound. Until a loss
 /// is noticed, within a second, messages go nowhere.
 #[derive(Debug)]
-pub struct Port(Reconnecting<System>);
+pub struct MidiPort(Reconnecting<System>);
 
-impl Port {
+impl MidiPort {
     /// Connects to the first port whose name contains `name`, in whatever case.
     ///
     /// # Errors
     ///
     /// If there is no MIDI or no such port; says which ports exist and what to do.
     pub fn connect(name: &str) -> Result<Self, Unavailable> {
-        let system = System::new(Wanted::Existing(name.to_owned()));
+        let system = System::new(WantedPort::Existing(name.to_owned()));
         Reconnecting::connect(system, name.to_owned()).map(Self)
     }
 
@@ -30,21 +30,21 @@ impl Port {
     ///
     /// If there is no MIDI, or the system has no virtual ports (Windows).
     pub fn create() -> Result<Self, Unavailable> {
-        let system = System::new(Wanted::Virtual);
+        let system = System::new(WantedPort::Virtual);
         Reconnecting::connect(system, CLIENT.to_owned()).map(Self)
     }
 }
 
-impl Output for Port {
-    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+impl Output for MidiPort {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
         self.0.send(at, message)
     }
 
-    fn poll(&mut self, now: f64) -> Result<(), SendError> {
+    fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
         self.0.poll(now)
     }
 
-    fn finish(&mut self) -> Result<(), SendError> {
+    fn finish(&mut self) -> Result<(), MidiSendError> {
         Ok(())
     }
 }
@@ -56,7 +56,7 @@ mod tests {
     #[test]
     fn a_port_can_move_to_the_player_s_thread() {
         fn check<T: Send>() {}
-        check::<Port>();
+        check::<MidiPort>();
     }
 
     #[cfg(target_os = "linux")]
@@ -65,7 +65,7 @@ mod tests {
         if std::path::Path::new("/dev/snd/seq").exists() {
             return;
         }
-        assert_eq!(Port::connect("fluid").err(), Some(Unavailable::NoSequencer));
-        assert_eq!(Port::create().err(), Some(Unavailable::NoSequencer));
+        assert_eq!(MidiPort::connect("fluid").err(), Some(Unavailable::NoSequencer));
+        assert_eq!(MidiPort::create().err(), Some(Unavailable::NoSequencer));
     }
 }

@@ -1,14 +1,14 @@
 //! A connection that comes back by itself, note-offs first.
 
-use super::{SendError, Unavailable};
+use super::{MidiSendError, Unavailable};
 use crate::message::{Controller, Message};
 use crate::note::{KEYS, Note, Velocity};
 
-/// Least time between two attempts to connect, and between two looks at the port [s].
+/// Least time between two attempts to connect, and between two looks at the port (s).
 const INTERVAL: f64 = 1.0;
 
 /// What can be connected, and lost: the system's MIDI, or a test's.
-pub(super) trait Backend {
+pub(super) trait MidiSystem {
     /// Connects anew, dropping what was connected.
     fn connect(&mut self) -> Result<(), Unavailable>;
 
@@ -20,7 +20,7 @@ pub(super) trait Backend {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Link {
+enum PortState {
     Up,
     Down,
 }
@@ -34,32 +34,32 @@ enum Sound {
     Sounding,
 }
 
-/// Sends through a [`Backend`] and connects it again when it is lost.
+/// Sends through a [`MidiSystem`] and connects it again when it is lost.
 #[derive(Debug)]
 pub(super) struct Reconnecting<B> {
     backend: B,
     /// Name of the destination, for people.
     name: String,
-    link: Link,
-    /// When the connection was last attempted or looked at [s]; `None` before.
+    link: PortState,
+    /// When the connection was last attempted or looked at (s); `None` before.
     looked: Option<f64>,
     sounds: [Sound; KEYS as usize],
     /// Where the sustain pedal should be, 0 ..= 127.
     pedal: u8,
 }
 
-impl<B: Backend> Reconnecting<B> {
+impl<B: MidiSystem> Reconnecting<B> {
     /// Connects `backend` for the first time.
     pub(super) fn connect(mut backend: B, name: String) -> Result<Self, Unavailable> {
         backend.connect()?;
         let sounds = [Sound::Silent; KEYS as usize];
-        Ok(Self { backend, name, link: Link::Up, looked: None, sounds, pedal: 0 })
+        Ok(Self { backend, name, link: PortState::Up, looked: None, sounds, pedal: 0 })
     }
 
-    /// Sends `message` at time `at` [s], over a new connection if the old one is lost.
-    pub(super) fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+    /// Sends `message` at time `at` (s), over a new connection if the old one is lost.
+    pub(super) fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
         self.follow_pedal(message);
-        if self.link == Link::Up && self.deliver(message) {
+        if self.link == PortState::Up && self.deliver(message) {
             return Ok(());
         }
         if self.reconnect(at) && self.deliver(message) {
@@ -68,19 +68,19 @@ impl<B: Backend> Reconnecting<B> {
         Err(self.away())
     }
 
-    /// Looks whether the destination is there at time `now` [s]; connects it if it is back.
-    pub(super) fn poll(&mut self, now: f64) -> Result<(), SendError> {
-        if self.link == Link::Up && self.is_due(now) {
+    /// Looks whether the destination is there at time `now` (s); connects it if it is back.
+    pub(super) fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
+        if self.link == PortState::Up && self.is_due(now) {
             self.looked = Some(now);
             if self.backend.is_there() {
                 self.confirm();
             } else {
-                self.link = Link::Down;
+                self.link = PortState::Down;
                 // An absent port is tried at once, it may only have changed its number.
                 self.looked = None;
             }
         }
-        if self.link == Link::Up || self.reconnect(now) { Ok(()) } else { Err(self.away()) }
+        if self.link == PortState::Up || self.reconnect(now) { Ok(()) } else { Err(self.away()) }
     }
 
     fn is_due(&self, now: f64) -> bool {
@@ -95,7 +95,7 @@ impl<B: Backend> Reconnecting<B> {
         if self.backend.connect().is_err() {
             return false;
         }
-        self.link = Link::Up;
+        self.link = PortState::Up;
         self.restore()
     }
 
@@ -125,7 +125,7 @@ impl<B: Backend> Reconnecting<B> {
         if accepted {
             self.remember(message);
         } else {
-            self.link = Link::Down;
+            self.link = PortState::Down;
         }
         accepted
     }
@@ -148,8 +148,8 @@ impl<B: Backend> Reconnecting<B> {
         }
     }
 
-    fn away(&self) -> SendError {
-        SendError::Away { port: self.name.clone() }
+    fn away(&self) -> MidiSendError {
+        MidiSendError::Away { port: self.name.clone() }
     }
 }
 
@@ -167,7 +167,7 @@ mod tests {
         received: Vec<[u8; 3]>,
     }
 
-    impl Backend for Plug {
+    impl MidiSystem for Plug {
         fn connect(&mut self) -> Result<(), Unavailable> {
             self.attempts += 1;
             self.connected = !self.unplugged;

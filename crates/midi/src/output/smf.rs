@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use midly::num::{u4, u7, u15, u24, u28};
 use midly::{Format, Header, MetaMessage, MidiMessage, Timing, TrackEvent, TrackEventKind};
 
-use super::{Output, SendError};
+use super::{MidiSendError, Output};
 use crate::message::Message;
 
 /// Length of a quarter note [µs]: 120 a minute, what players assume by default.
@@ -17,10 +17,10 @@ const QUARTER_US: u32 = 500_000;
 /// Ticks per quarter note: a tick is 20 µs, so a time is off by at most 10 µs.
 const TICKS_PER_QUARTER: u16 = 25_000;
 
-/// Length of a tick [s].
+/// Length of a tick (s).
 const TICK: f64 = QUARTER_US as f64 * 1e-6 / TICKS_PER_QUARTER as f64;
 
-/// Longest pause between two events [ticks], about 1.5 h; longer ones are split.
+/// Longest pause between two events (ticks), about 1.5 h; longer ones are split.
 const LONGEST_PAUSE: u64 = (1 << 28) - 1;
 
 /// Records messages and writes them as a Standard MIDI File (format 0).
@@ -47,28 +47,28 @@ impl Smf {
         &self.path
     }
 
-    /// What was recorded so far, each with its time [s since the host started].
+    /// What was recorded so far, each with its time (s since the host started).
     pub fn messages(&self) -> &[(f64, Message)] {
         &self.messages
     }
 }
 
 impl Output for Smf {
-    fn send(&mut self, at: f64, message: Message) -> Result<(), SendError> {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
         if !at.is_finite() {
-            return Err(SendError::NoSuchTime { at });
+            return Err(MidiSendError::NoSuchTime { at });
         }
         self.messages.push((at, message));
         Ok(())
     }
 
-    fn finish(&mut self) -> Result<(), SendError> {
+    fn finish(&mut self) -> Result<(), MidiSendError> {
         if self.written == Some(self.messages.len()) {
             return Ok(());
         }
         self.messages.sort_by(|a, b| a.0.total_cmp(&b.0));
         let written = encode(&self.messages).and_then(|bytes| write(&self.path, &bytes));
-        written.map_err(|source| SendError::Write {
+        written.map_err(|source| MidiSendError::Write {
             path: self.path.clone(),
             messages: self.messages.len(),
             source,
@@ -126,7 +126,7 @@ fn pause(ticks: u64) -> u28 {
     u28::from_int_lossy(u32::try_from(left).unwrap_or_default())
 }
 
-/// Time `at` [s] in ticks; what lies before the start is at the start.
+/// Time `at` (s) in ticks; what lies before the start is at the start.
 fn ticks(at: f64) -> u64 {
     #[expect(
         clippy::cast_possible_truncation,
@@ -194,7 +194,7 @@ mod tests {
         Folder(path)
     }
 
-    /// Times [s] of all channel events in a file.
+    /// Times (s) of all channel events in a file.
     fn times(bytes: &[u8]) -> Vec<f64> {
         let smf = midly::Smf::parse(bytes).unwrap();
         assert_eq!(smf.header.timing, Timing::Metrical(u15::new(TICKS_PER_QUARTER)));
@@ -273,7 +273,7 @@ mod tests {
     fn a_folder_that_is_not_there_is_reported() {
         let folder = folder("none");
         let mut smf = Smf::new(folder.join("absent/played.mid"));
-        assert!(matches!(smf.finish(), Err(SendError::Write { messages: 0, .. })));
+        assert!(matches!(smf.finish(), Err(MidiSendError::Write { messages: 0, .. })));
     }
 
     #[test]

@@ -4,8 +4,8 @@ use std::fmt;
 
 use midir::{MidiOutput, MidiOutputConnection, MidiOutputPort};
 
-use super::reconnecting::Backend;
-use super::watch::Watch;
+use super::reconnecting::MidiSystem;
+use super::watch::AnnouncementWatch;
 
 /// Our name towards other programs, and that of the virtual port.
 pub(super) const CLIENT: &str = "letoff";
@@ -71,7 +71,7 @@ pub fn ports() -> Result<Vec<String>, Unavailable> {
 
 /// What to connect to.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum Wanted {
+pub(super) enum WantedPort {
     /// The first port whose name contains this, in whatever case.
     Existing(String),
     /// A port of our own, for others to connect to.
@@ -80,23 +80,23 @@ pub(super) enum Wanted {
 
 /// A connection to the system's MIDI.
 pub(super) struct System {
-    wanted: Wanted,
+    wanted: WantedPort,
     connection: Option<MidiOutputConnection>,
     /// Full name of the port that is connected; none for a virtual one.
     port: Option<String>,
     /// Notices that it has gone; none for a virtual one.
-    watch: Option<Watch>,
+    watch: Option<AnnouncementWatch>,
 }
 
 impl System {
-    pub(super) fn new(wanted: Wanted) -> Self {
+    pub(super) fn new(wanted: WantedPort) -> Self {
         Self { wanted, connection: None, port: None, watch: None }
     }
 
     fn connect_existing(&mut self, wanted: &str) -> Result<(), Unavailable> {
         let system = open()?;
         let (name, port) = find(&system, wanted)?;
-        let watch = Watch::of(&port)?;
+        let watch = AnnouncementWatch::of(&port)?;
         let connection =
             system.connect(&port, CLIENT).map_err(|error| refused(&name, &error.to_string()))?;
         self.connection = Some(connection);
@@ -120,12 +120,12 @@ impl System {
     }
 }
 
-impl Backend for System {
+impl MidiSystem for System {
     fn connect(&mut self) -> Result<(), Unavailable> {
         *self = Self::new(self.wanted.clone());
         match self.wanted.clone() {
-            Wanted::Existing(name) => self.connect_existing(&name),
-            Wanted::Virtual => self.connect_virtual(),
+            WantedPort::Existing(name) => self.connect_existing(&name),
+            WantedPort::Virtual => self.connect_virtual(),
         }
     }
 
@@ -134,7 +134,7 @@ impl Backend for System {
     }
 
     fn is_there(&mut self) -> bool {
-        self.connection.is_some() && self.watch.as_mut().is_none_or(Watch::is_there)
+        self.connection.is_some() && self.watch.as_mut().is_none_or(AnnouncementWatch::is_there)
     }
 }
 

@@ -6,16 +6,16 @@ use super::BouncingBall;
 use crate::draw::{Follow, Material, Sketch};
 use crate::shapes::{Pen, Pose, plate, rim};
 
-/// Travel of the key's front that there is room for [m].
+/// Travel of the key's front that there is room for (m).
 const TRAVEL: f64 = 0.012;
-/// Speed of a key's front in a hard blow [m/s].
+/// Speed of a key's front in a hard blow (m/s).
 const BLOW: f64 = 0.5;
-/// Of rubber that just floats [kg/m³].
+/// Of rubber that just floats (kg/m³).
 const DENSITY: f64 = 1000.0;
 
-/// The measures of a drawing [m].
+/// The measures of a drawing (m).
 #[derive(Clone, Copy, Debug)]
-struct Look {
+struct BallDimensions {
     /// Radius of the ball.
     ball: f64,
     /// Pivot to the key's front.
@@ -27,15 +27,15 @@ struct Look {
 }
 
 impl BouncingBall {
-    fn look(&self) -> Look {
+    fn look(&self) -> BallDimensions {
         let ball = cbrt(0.75 * self.mass / (DENSITY * core::f64::consts::PI));
         let length = (10.0 * ball).max(0.25 * self.y0).max(0.2);
         // The lever turns by so little that its end and the paddle stay together.
         let front = (length / (1.0 + self.scale.abs())).max(4.0 * TRAVEL);
-        Look { ball, front, paddle: front * self.scale, half: 0.02 * length }
+        BallDimensions { ball, front, paddle: front * self.scale, half: 0.02 * length }
     }
 
-    /// The highest place that a thrown or dropped ball gets to [m].
+    /// The highest place that a thrown or dropped ball gets to (m).
     fn highest(&self) -> f64 {
         let speed = BLOW * self.scale;
         let thrown = 0.5 * speed * speed / self.g.max(1.0);
@@ -45,7 +45,7 @@ impl BouncingBall {
     /// The floor at height 0 with the key up.
     pub(super) fn sketch(&self, sketch: &mut dyn Sketch) {
         let look = self.look();
-        let Look { ball, front, paddle, half } = look;
+        let BallDimensions { ball, front, paddle, half } = look;
         let wide = 1.6 * ball;
         let down = TRAVEL * (1.0 + self.scale.abs());
         let mut pen = Pen::new(
@@ -69,8 +69,8 @@ impl BouncingBall {
     }
 
     /// The key, which turns about a wedge.
-    fn lever(pen: &mut Pen<'_>, look: &Look) {
-        let Look { front, paddle, half, .. } = *look;
+    fn lever(pen: &mut Pen<'_>, look: &BallDimensions) {
+        let BallDimensions { front, paddle, half, .. } = *look;
         pen.body("pivot", Pose::default(), &[]);
         let foot = -6.0 * half;
         pen.fill(Material::Ground, &[[0.0, -2.0 * half], [-2.0 * half, foot], [2.0 * half, foot]]);

@@ -1,8 +1,8 @@
 //! The bouncing ball's equations, by hand, in the form that generated ones will take.
 
 use pode::{
-    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
-    Settling, Sloped,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Reset,
+    Resets, Settling, Sloped,
 };
 
 use super::{BouncingBall, Mode};
@@ -42,7 +42,7 @@ impl BouncingBall {
         }
     }
 
-    /// The rest that a rebound at `speed` comes to `after` [s], on the moving floor.
+    /// The rest that a rebound at `speed` comes to `after` (s), on the moving floor.
     fn settling(&self, speed: f64, after: f64, s: &Motion) -> Settling<Self> {
         let e = self.restitution;
         let rate = s.rate + after * s.acceleration;
@@ -72,8 +72,8 @@ impl Model for BouncingBall {
     /// A parabola in flight; the floor's own motion on it.
     fn nature(&self, mode: Mode) -> Nature {
         let kind = match mode {
-            Mode::Flight => Kind::Affine,
-            Mode::Rest => Kind::Linear,
+            Mode::Flight => EquationKind::Affine,
+            Mode::Rest => EquationKind::Linear,
         };
         Nature::new(kind, 0.0)
     }

@@ -10,16 +10,16 @@ use crate::draw::Sketch;
 
 /// A ball above a floor (`flight`) or on it (`rest`).
 ///
-/// State: y [m], v [m/s], upwards. Input: the floor's height s [m].
+/// State: y (m), v (m/s), upwards. Input: the floor's height s (m).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BouncingBall {
-    /// Gravity [m/s²].
+    /// Gravity (m/s²).
     pub g: f64,
     /// Speed after an impact over speed before, relative to the floor.
     pub restitution: f64,
-    /// Mass of the ball [kg].
+    /// Mass of the ball (kg).
     pub mass: f64,
-    /// Height above the floor from which the ball is dropped [m]; 0: it lies there.
+    /// Height above the floor from which the ball is dropped (m); 0: it lies there.
     pub y0: f64,
     /// Metres of floor per metre of key-front travel; positive raises it.
     pub scale: f64,

@@ -4,16 +4,16 @@ use super::CartPendulum;
 use crate::draw::{Follow, Material, Sketch};
 use crate::shapes::{Pen, Pose, plate};
 
-/// Travel of the key's front that there is room for [m].
+/// Travel of the key's front that there is room for (m).
 const TRAVEL: f64 = 0.012;
 
 impl CartPendulum {
-    /// Half the width of the cart, from which all that is not given is measured [m].
+    /// Half the width of the cart, from which all that is not given is measured (m).
     const fn unit(&self) -> f64 {
         0.15 * self.length
     }
 
-    /// From the cart's middle to the hand when the spring is slack: beyond the right wall [m].
+    /// From the cart's middle to the hand when the spring is slack: beyond the right wall (m).
     fn slack(&self) -> f64 {
         let pushed = TRAVEL * (-self.scale).max(0.0);
         self.right.max(self.left).max(0.0) + 3.5 * self.unit() + pushed

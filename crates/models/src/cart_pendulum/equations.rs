@@ -2,8 +2,8 @@
 
 use pode::math::{sin_cos, sqrt};
 use pode::{
-    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
-    Settling, Sloped, Slopes,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature,
+    ReadoutSlopes, Reset, Resets, Settling, Sloped,
 };
 
 use super::{CartPendulum, Mode};
@@ -21,9 +21,9 @@ pub(super) fn is_wall(guard: GuardId) -> bool {
     matches!(guard, LEFT | RIGHT)
 }
 
-/// A wall: the mode in which it holds the cart, its place [m], and the way to it.
+/// A wall: the mode in which it holds the cart, its place (m), and the way to it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Side {
+pub(super) struct Wall {
     mode: Mode,
     place: f64,
     /// +1 for the right wall, −1 for the left one.
@@ -38,23 +38,23 @@ struct Dynamics {
     a12: f64,
     /// J + m l².
     a22: f64,
-    /// On the cart: spring, damper and the bob's centrifugal force [N].
+    /// On the cart: spring, damper and the bob's centrifugal force (N).
     cart: f64,
-    /// On the pendulum: its weight [N·m].
+    /// On the pendulum: its weight (N·m).
     bob: f64,
 }
 
 impl CartPendulum {
-    const fn left_side(&self) -> Side {
-        Side { mode: Mode::Left, place: self.left, sign: -1.0 }
+    const fn left_side(&self) -> Wall {
+        Wall { mode: Mode::Left, place: self.left, sign: -1.0 }
     }
 
-    const fn right_side(&self) -> Side {
-        Side { mode: Mode::Right, place: self.right, sign: 1.0 }
+    const fn right_side(&self) -> Wall {
+        Wall { mode: Mode::Right, place: self.right, sign: 1.0 }
     }
 
     /// The wall that holds the cart.
-    pub(super) const fn side(&self, mode: Mode) -> Option<Side> {
+    pub(super) const fn side(&self, mode: Mode) -> Option<Wall> {
         match mode {
             Mode::Free => None,
             Mode::Left => Some(self.left_side()),
@@ -62,19 +62,19 @@ impl CartPendulum {
         }
     }
 
-    /// k (s − x) + b (s' − x') [N].
+    /// k (s − x) + b (s' − x') (N).
     pub(super) fn pull(&self, x: &[f64; 4], s: &Motion) -> f64 {
         self.k * (s.position - x[0]) + self.b * (s.rate - x[2])
     }
 
-    /// The fastest oscillation, with the pendulum hanging [rad/s].
+    /// The fastest oscillation, with the pendulum hanging (rad/s).
     fn oscillation(&self) -> f64 {
         let hanging = self.dynamics(&[0.0; 4], &Motion::default());
         let weight = self.g * hanging.a12 * hanging.a11 / hanging.a22;
         sqrt((self.k + weight) / hanging.felt_mass())
     }
 
-    /// J + m l², inertia of the pendulum about its pivot [kg·m²].
+    /// J + m l², inertia of the pendulum about its pivot (kg·m²).
     fn about_pivot(&self) -> f64 {
         self.inertia + self.bob_mass * self.length * self.length
     }
@@ -91,8 +91,8 @@ impl CartPendulum {
         }
     }
 
-    /// The wall's force on the cart that it holds, and its rate [N, N/s].
-    pub(super) fn push(&self, side: Side, x: &[f64; 4], s: &Motion) -> GuardValue {
+    /// The wall's force on the cart that it holds, and its rate (N, N/s).
+    pub(super) fn push(&self, side: Wall, x: &[f64; 4], s: &Motion) -> GuardValue {
         let held = self.dynamics(x, s);
         let (sin, cos) = sin_cos(x[1]);
         let arm = self.bob_mass * self.length;
@@ -106,8 +106,8 @@ impl CartPendulum {
     }
 
     /// x'⁺ = −e x'⁻ on the wall's place; θ's momentum a12 x' + a22 θ' is kept.
-    fn meet(&self, side: Side, x: &[f64; 4], s: &Motion) -> Reset<Self> {
-        let Side { mode, place, sign } = side;
+    fn meet(&self, side: Wall, x: &[f64; 4], s: &Motion) -> Reset<Self> {
+        let Wall { mode, place, sign } = side;
         let at_wall = [place, x[1], x[2], x[3]];
         let stopped = self.with_cart_speed(&at_wall, 0.0);
         let meeting = Meeting {
@@ -125,7 +125,7 @@ impl CartPendulum {
         }
     }
 
-    /// `x` after an impulse on the cart that makes its speed `speed` [m/s].
+    /// `x` after an impulse on the cart that makes its speed `speed` (m/s).
     fn with_cart_speed(&self, x: &[f64; 4], speed: f64) -> [f64; 4] {
         let (_, cos) = sin_cos(x[1]);
         let kept = self.bob_mass * self.length * cos / self.about_pivot();
@@ -148,7 +148,7 @@ impl CartPendulum {
 }
 
 impl Dynamics {
-    /// Mass of the cart as the spring feels it, the pendulum swinging freely [kg].
+    /// Mass of the cart as the spring feels it, the pendulum swinging freely (kg).
     fn felt_mass(&self) -> f64 {
         self.a11 - self.a12 * self.a12 / self.a22
     }
@@ -190,7 +190,7 @@ impl Model for CartPendulum {
     /// The damper adds to the oscillation's rate where it is strong.
     fn nature(&self, _mode: Mode) -> Nature {
         let hanging = self.dynamics(&[0.0; 4], &Motion::default());
-        Nature::new(Kind::Smooth, self.oscillation() + self.b / hanging.felt_mass())
+        Nature::new(EquationKind::Smooth, self.oscillation() + self.b / hanging.felt_mass())
     }
 
     fn constrain(&self, mode: Mode, x: &[f64; 4], _s: &Motion) -> [f64; 4] {
@@ -248,7 +248,7 @@ impl Energetic for CartPendulum {
 }
 
 impl Sloped for CartPendulum {
-    fn slopes(&self, _mode: Mode, _x: &[f64; 4], _s: &Motion) -> Slopes {
-        Slopes { per_position: self.k, per_rate: self.b }
+    fn slopes(&self, _mode: Mode, _x: &[f64; 4], _s: &Motion) -> ReadoutSlopes {
+        ReadoutSlopes { per_position: self.k, per_rate: self.b }
     }
 }

@@ -10,26 +10,26 @@ use crate::draw::Sketch;
 
 /// The cart between the walls (`free`) or held against one (`left`, `right`).
 ///
-/// State: x [m], θ [rad], x', θ'. Input: the spring's other end s [m].
+/// State: x (m), θ (rad), x', θ'. Input: the spring's other end s (m).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CartPendulum {
-    /// Mass of the cart [kg].
+    /// Mass of the cart (kg).
     pub cart_mass: f64,
-    /// Mass of the bob [kg].
+    /// Mass of the bob (kg).
     pub bob_mass: f64,
-    /// Pivot to the bob's mass centre [m].
+    /// Pivot to the bob's mass centre (m).
     pub length: f64,
-    /// Inertia of the bob about its mass centre [kg·m²].
+    /// Inertia of the bob about its mass centre (kg·m²).
     pub inertia: f64,
-    /// Gravity [m/s²].
+    /// Gravity (m/s²).
     pub g: f64,
-    /// Spring between s and the cart [N/m].
+    /// Spring between s and the cart (N/m).
     pub k: f64,
-    /// Damper beside it [N·s/m].
+    /// Damper beside it (N·s/m).
     pub b: f64,
-    /// Where the cart meets the left wall [m].
+    /// Where the cart meets the left wall (m).
     pub left: f64,
-    /// Where the cart meets the right wall [m].
+    /// Where the cart meets the right wall (m).
     pub right: f64,
     /// Speed of the cart after a wall over its speed before.
     pub restitution: f64,

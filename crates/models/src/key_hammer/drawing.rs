@@ -6,37 +6,37 @@
 use pode::Motion;
 use pode::math::{sin, sqrt};
 
-use super::{Coupled, Values};
+use super::{Coupled, KeyHammerValues};
 use crate::draw::{Follow, Material};
 use crate::shapes::{Pen, Point, Pose, felt, plate, rim, sum, turned};
 
-/// Travel of the key's front that there is room for [m].
+/// Travel of the key's front that there is room for (m).
 const TRAVEL: f64 = 0.012;
 
 /// The measures of a drawing.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Look<'a> {
-    p: &'a Values,
+pub(crate) struct DrawingDimensions<'a> {
+    p: &'a KeyHammerValues,
     /// Half the thickness of a key stick [m]: 11 mm on a real key.
     pub(crate) unit: f64,
-    /// From the key's axis down to the top of its stick [m].
+    /// From the key's axis down to the top of its stick (m).
     pub(crate) depth: f64,
-    /// θh at rest with the key level [rad].
+    /// θh at rest with the key level (rad).
     rest: f64,
-    /// How far below that it may swing [rad].
+    /// How far below that it may swing (rad).
     swing: f64,
 }
 
-impl<'a> Look<'a> {
+impl<'a> DrawingDimensions<'a> {
     /// With rigid contacts.
-    pub(crate) fn rigid(p: &'a Values) -> Self {
+    pub(crate) fn rigid(p: &'a KeyHammerValues) -> Self {
         let unit = 0.08 * p.l1;
         let rest = Coupled::on_key(p, &Motion::default()).angle;
         Self { p, unit, depth: 1.1 * unit, rest, swing: 0.0 }
     }
 
     /// With springs: the stick is as deep as k2 needs, and the hammer sinks as it lands.
-    pub(crate) fn sprung(p: &'a Values) -> Self {
+    pub(crate) fn sprung(p: &'a KeyHammerValues) -> Self {
         let rigid = Self::rigid(p);
         let reach = (p.l1 - p.l3).abs().max(rigid.unit);
         let force = p.m2 * p.g * p.l2 / reach;
@@ -47,28 +47,28 @@ impl<'a> Look<'a> {
         Self { depth: rigid.depth.max(3.0 * force / p.k2), swing: swing.min(1.0), ..rigid }
     }
 
-    /// Radius of the slider, and how far the hammer's underside is from its axis [m].
+    /// Radius of the slider, and how far the hammer's underside is from its axis (m).
     const fn radius(&self) -> f64 {
         0.2 * self.unit
     }
 
-    /// From the hammer's axis to the point of its head that strikes [m].
+    /// From the hammer's axis to the point of its head that strikes (m).
     const fn bore(&self) -> f64 {
         5.0 * self.unit
     }
 
-    /// P2 [m].
+    /// P2 (m).
     const fn pin(&self) -> Point {
         [self.p.l3, self.p.l4]
     }
 
-    /// Where the head meets the string [m].
+    /// Where the head meets the string (m).
     fn strike(&self) -> Point {
         let [x, y] = sum(self.pin(), turned(self.p.string_angle, [self.p.l2, 0.0]));
         [x, y + self.bore()]
     }
 
-    /// Left, bottom, right, top of all that moves [m].
+    /// Left, bottom, right, top of all that moves (m).
     pub(crate) fn view(&self) -> [f64; 4] {
         let (p, u) = (self.p, self.unit);
         let lowest = p.l4 + p.l2 * sin(self.rest - self.swing) - 2.5 * u;

@@ -8,7 +8,7 @@ pub(crate) mod drawing;
 mod parameters;
 mod presets;
 
-pub use parameters::{PARAMETERS, Values};
+pub use parameters::{KeyHammerValues, PARAMETERS};
 pub use presets::PRESETS;
 pub(crate) use presets::{BALANCE, hammer_mass};
 
@@ -19,7 +19,7 @@ use pode::{GuardValue, Motion};
 ///
 /// gap = L4 cos θh − L3 sin θh − L1 sin δ, δ = θk − θh.
 #[inline]
-pub(crate) fn gap(p: &Values, hammer: (f64, f64), key: (f64, f64)) -> GuardValue {
+pub(crate) fn gap(p: &KeyHammerValues, hammer: (f64, f64), key: (f64, f64)) -> GuardValue {
     let (sin_h, cos_h) = sin_cos(hammer.0);
     let (sin_d, cos_d) = sin_cos(key.0 - hammer.0);
     let value = p.l4 * cos_h - p.l3 * sin_h - p.l1 * sin_d;
@@ -29,32 +29,31 @@ pub(crate) fn gap(p: &Values, hammer: (f64, f64), key: (f64, f64)) -> GuardValue
 
 /// Distance below the string angle and its rate; positive below.
 #[inline]
-pub(crate) fn below_string(p: &Values, hammer: (f64, f64)) -> GuardValue {
+pub(crate) fn below_string(p: &KeyHammerValues, hammer: (f64, f64)) -> GuardValue {
     GuardValue::new(p.string_angle - hammer.0, -hammer.1)
 }
 
 /// The hammer on a rigid key: all that follows from s, s', s''.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Coupled {
-    /// θh [rad].
+    /// θh (rad).
     pub(crate) angle: f64,
-    /// θh' [rad/s].
+    /// θh' (rad/s).
     pub(crate) rate: f64,
-    /// θh'' [rad/s²].
+    /// θh'' (rad/s²).
     pub(crate) acceleration: f64,
-    /// θh''' [rad/s³].
+    /// θh''' (rad/s³).
     pub(crate) jerk: f64,
-    /// σ, the slider's distance from P2 [m].
+    /// σ, the slider's distance from P2 (m).
     pub(crate) reach: f64,
-    /// σ' [m/s].
+    /// σ' (m/s).
     pub(crate) reach_rate: f64,
-    /// cos δ.
     pub(crate) cos_delta: f64,
 }
 
 impl Coupled {
     /// X = L1 cos s − L3, Y = L1 sin s − L4; θh = atan2(Y, X), σ = hypot(X, Y), δ = s − θh.
-    pub(crate) fn on_key(p: &Values, s: &Motion) -> Self {
+    pub(crate) fn on_key(p: &KeyHammerValues, s: &Motion) -> Self {
         let (sin_s, cos_s) = sin_cos(s.position);
         let (x, y) = (p.l1 * cos_s - p.l3, p.l1 * sin_s - p.l4);
         let (angle, reach) = (atan2(y, x), hypot(x, y));

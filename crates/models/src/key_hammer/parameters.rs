@@ -4,40 +4,40 @@ use crate::describe::Parameter;
 
 /// Parameter values, in the order of [`PARAMETERS`].
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Values {
-    /// P1 to the slider along K [m].
+pub struct KeyHammerValues {
+    /// P1 to the slider along K (m).
     pub l1: f64,
-    /// P2 to the hammer's mass centre [m].
+    /// P2 to the hammer's mass centre (m).
     pub l2: f64,
-    /// P2, x [m].
+    /// P2, x (m).
     pub l3: f64,
-    /// P2, y [m].
+    /// P2, y (m).
     pub l4: f64,
-    /// Mass of the key [kg].
+    /// Mass of the key (kg).
     pub m1: f64,
-    /// Mass of the hammer [kg].
+    /// Mass of the hammer (kg).
     pub m2: f64,
-    /// Torsion spring between manipulandum and key, model B [N·m/rad].
+    /// Torsion spring between manipulandum and key, model B (N·m/rad).
     pub k1: f64,
-    /// Spring between key and slider, model B [N/m].
+    /// Spring between key and slider, model B (N/m).
     pub k2: f64,
-    /// P1 to the key's mass centre [m].
+    /// P1 to the key's mass centre (m).
     pub ck: f64,
-    /// Inertia of the key about P1 [kg·m²].
+    /// Inertia of the key about P1 (kg·m²).
     pub jk: f64,
-    /// Inertia of the hammer about P2 [kg·m²].
+    /// Inertia of the hammer about P2 (kg·m²).
     pub jh: f64,
-    /// Gravity [m/s²].
+    /// Gravity (m/s²).
     pub g: f64,
-    /// Hammer angle at the string [rad].
+    /// Hammer angle at the string (rad).
     pub string_angle: f64,
     /// Restitution of the string.
     pub restitution: f64,
-    /// Damper beside k1, model B [N·m·s/rad].
+    /// Damper beside k1, model B (N·m·s/rad).
     pub b1: f64,
-    /// Loss of the felt in k2, model B [s/m].
+    /// Loss of the felt in k2, model B (s/m).
     pub c2: f64,
-    /// Lever arm of the finger [m].
+    /// Lever arm of the finger (m).
     pub r: f64,
 }
 
@@ -73,7 +73,7 @@ pub const PARAMETERS: [Parameter; N] = [
     Parameter::positive("r", "m", "lever arm of the finger: finger force = torque / r"),
 ];
 
-impl Values {
+impl KeyHammerValues {
     /// Values in the order of [`PARAMETERS`].
     pub(crate) const fn from_array(v: &[f64; N]) -> Self {
         Self {

@@ -15,7 +15,7 @@ pub const PRESETS: [Preset; 3] = [
     },
 ];
 
-/// 3 inches of travel for 45°: the paper's manipulandum [m].
+/// 3 inches of travel for 45°: the paper's manipulandum (m).
 const PAPER_LEVER: f64 = 0.0762 / core::f64::consts::FRAC_PI_4;
 
 fn paper(parameter: usize, _key: u8) -> f64 {
@@ -90,28 +90,28 @@ fn playable(parameter: usize, key: u8) -> f64 {
     ][parameter]
 }
 
-/// Balance rail to capstan [m] (S).
+/// Balance rail to capstan (m) (S).
 const CAPSTAN: f64 = 0.1385;
-/// Balance rail to key front [m] (S).
+/// Balance rail to key front (m) (S).
 const FRONT: f64 = 0.2595;
-/// Key dip at the front [m] (S).
+/// Key dip at the front (m) (S).
 const DIP: f64 = 0.010_16;
-/// Hammer pin to head [m] (S).
+/// Hammer pin to head (m) (S).
 const HEAD_RADIUS: f64 = 0.13;
-/// Slider to hammer pin; gives the ratio 5 of head to key front [m] (C).
+/// Slider to hammer pin; gives the ratio 5 of head to key front (m) (C).
 const KNUCKLE: f64 = 0.0137;
-/// Half of the capstan's rise, so that the hammer is level at half stroke [m] (C).
+/// Half of the capstan's rise, so that the hammer is level at half stroke (m) (C).
 const HALF_RISE: f64 = 0.0027;
 /// How far the key bottom leaves the head short of the string [m]: let-off, 1–3 mm (S).
 /// Model B's springs sag by another 0.7–0.9 mm.
 const SHORT: f64 = 0.002_05;
 
-/// Key stick and leads, 0.10–0.16 [kg] (E).
+/// Key stick and leads, 0.10–0.16 (kg) (E).
 const KEY_MASS: f64 = 0.13;
-/// Balance weight: 39 gf at the front [N] (P: 38–40 gf).
+/// Balance weight: 39 gf at the front (N) (P: 38–40 gf).
 pub(crate) const BALANCE: f64 = 0.382;
 
-/// Mass centre of the key, whippen included, that balances a hammer of `head` [kg] [m].
+/// Mass centre of the key, whippen included, that balances a hammer of `head` (kg) (m).
 fn balance(head: f64) -> f64 {
     let hammer = head * HEAD_RADIUS * CAPSTAN / KNUCKLE;
     (BALANCE * FRONT / 9.81 - hammer) / KEY_MASS

@@ -2,8 +2,8 @@
 
 use pode::math::{cos, sin, sqrt};
 use pode::{
-    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
-    Sloped,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Reset,
+    Resets, Sloped,
 };
 
 use super::{KeyHammerRigid, Mode};
@@ -21,13 +21,13 @@ const A1: [GuardSpec; 1] = [GuardSpec::new(0, "release")];
 const A2: [GuardSpec; 2] = [GuardSpec::new(1, "land"), STRING_SPEC];
 
 impl KeyHammerRigid {
-    /// M2 g L2 cos θh: the hammer's weight about its pivot [N·m].
+    /// M2 g L2 cos θh: the hammer's weight about its pivot (N·m).
     fn weight(&self, angle: f64) -> f64 {
         let p = &self.values;
         p.m2 * p.g * p.l2 * cos(angle)
     }
 
-    /// `F_KH` [N] and `T_KU` [N·m].
+    /// `F_KH` (N) and `T_KU` (N·m).
     pub(super) fn forces(&self, mode: Mode, s: &Motion) -> (f64, f64) {
         let p = &self.values;
         let key = p.jk * s.acceleration + p.m1 * p.g * p.ck * cos(s.position);
@@ -73,8 +73,8 @@ impl Model for KeyHammerRigid {
     fn nature(&self, mode: Mode) -> Nature {
         let p = &self.values;
         match mode {
-            Mode::A1 => Nature::new(Kind::Linear, 0.0),
-            Mode::A2 => Nature::new(Kind::Conservative, sqrt(p.m2 * p.g * p.l2 / p.jh)),
+            Mode::A1 => Nature::new(EquationKind::Linear, 0.0),
+            Mode::A2 => Nature::new(EquationKind::Conservative, sqrt(p.m2 * p.g * p.l2 / p.jh)),
         }
     }
 

@@ -7,15 +7,14 @@ use pode::{GuardId, Motion};
 
 use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
 use crate::draw::Sketch;
-use crate::key_hammer::{Coupled, PARAMETERS, PRESETS, Values, gap};
+use crate::key_hammer::{Coupled, KeyHammerValues, PARAMETERS, PRESETS, gap};
 
 /// Key and hammer in rigid contact (A1) or apart (A2).
 ///
-/// State: θh [rad], θh' [rad/s]. Input: the key's angle s [rad].
+/// State: θh (rad), θh' (rad/s). Input: the key's angle s (rad).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeyHammerRigid {
-    /// Parameter values.
-    pub values: Values,
+    pub values: KeyHammerValues,
 }
 
 /// Contact configuration.
@@ -39,7 +38,7 @@ impl Described for KeyHammerRigid {
     const OUTPUT_UNITS: &'static [&'static str] = &["N", "N·m", "m"];
 
     fn with_values(values: &[f64]) -> Self {
-        Self { values: Values::from_array(&filled::<_, Self>(values)) }
+        Self { values: KeyHammerValues::from_array(&filled::<_, Self>(values)) }
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 2], s: &Motion, out: &mut [f64]) {

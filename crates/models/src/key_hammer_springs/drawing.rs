@@ -2,13 +2,13 @@
 
 use super::KeyHammerSprings;
 use crate::draw::{Follow, Material, Sketch};
-use crate::key_hammer::drawing::Look;
+use crate::key_hammer::drawing::DrawingDimensions;
 use crate::shapes::{Pen, Pose, plate};
 
 impl KeyHammerSprings {
     /// The torsion spring k1 is drawn at the key's front, k2 under the slider.
     pub(super) fn sketch(&self, sketch: &mut dyn Sketch) {
-        let (p, look) = (&self.values, Look::sprung(&self.values));
+        let (p, look) = (&self.values, DrawingDimensions::sprung(&self.values));
         let u = look.unit;
         let mut pen = Pen::new(sketch, look.view());
         look.rails(&mut pen);
@@ -25,7 +25,7 @@ impl KeyHammerSprings {
 
     /// Turns with the key and sinks by q4: straight down, which is square to the key while its
     /// angle is small.
-    fn slider(pen: &mut Pen<'_>, look: &Look<'_>) -> u32 {
+    fn slider(pen: &mut Pen<'_>, look: &DrawingDimensions<'_>) -> u32 {
         let turning = Pose::turning([0.0, 0.0], Follow::of(0.0, 1.0, "theta_k"));
         let body = pen.body("slider", Pose { y: Follow::of(0.0, -1.0, "q4"), ..turning }, &[]);
         look.slider(pen);

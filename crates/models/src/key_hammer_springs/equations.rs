@@ -2,12 +2,12 @@
 
 use pode::math::{sin, sin_cos_of_two, sqrt};
 use pode::{
-    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
-    Sloped, Slopes,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature,
+    ReadoutSlopes, Reset, Resets, Sloped,
 };
 
 use super::{KeyHammerSprings, Mode};
-use crate::key_hammer::{Coupled, Values, below_string, gap};
+use crate::key_hammer::{Coupled, KeyHammerValues, below_string, gap};
 
 const RELEASE: GuardId = GuardId(0);
 const LAND: GuardId = GuardId(1);
@@ -23,21 +23,21 @@ const B2: [GuardSpec; 2] = [GuardSpec::new(1, "land").of_state(), STRING_SPEC];
 /// The spring k2 and the slider.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contact {
-    /// Compression of k2 [m].
+    /// Compression of k2 (m).
     pub(super) q4: f64,
-    /// Its rate [m/s].
+    /// Its rate (m/s).
     pub(super) q4_rate: f64,
-    /// Position of the slider along H [m].
+    /// Position of the slider along H (m).
     pub(super) q3: f64,
-    /// k2 q4 [N].
+    /// k2 q4 (N).
     spring: f64,
     /// The felt's factor on it, 1 + c2 q4': never below 0, so that it never pulls.
     felt: f64,
     /// cos δ, δ = θk − θh.
     pub(super) cos_delta: f64,
-    /// ∂q4/∂θh = −q3 / cos δ [m/rad].
+    /// ∂q4/∂θh = −q3 / cos δ (m/rad).
     pub(super) per_hammer: f64,
-    /// ∂q4/∂θk = L1 + q4 tan δ [m/rad].
+    /// ∂q4/∂θk = L1 + q4 tan δ (m/rad).
     pub(super) per_key: f64,
     /// cos θh and cos θk.
     cos_h: f64,
@@ -45,7 +45,7 @@ pub(super) struct Contact {
 }
 
 impl Contact {
-    /// `F_KH` [N].
+    /// `F_KH` (N).
     pub(super) fn force(&self) -> f64 {
         self.spring * self.felt
     }
@@ -71,13 +71,13 @@ impl KeyHammerSprings {
         Contact { q4, q4_rate, q3, spring, felt, cos_delta, per_hammer, per_key, cos_h, cos_k }
     }
 
-    /// F_KU as a torque: k1 (s − θk) + b1 (s' − θk') [N·m].
+    /// F_KU as a torque: k1 (s − θk) + b1 (s' − θk') (N·m).
     #[inline]
     pub(super) fn coupling(&self, x: &[f64; 4], s: &Motion) -> f64 {
         self.values.k1 * (s.position - x[1]) + self.values.b1 * (s.rate - x[3])
     }
 
-    /// θh'' and θk'' without the contact's force [rad/s²].
+    /// θh'' and θk'' without the contact's force (rad/s²).
     #[inline]
     fn free(&self, x: &[f64; 4], s: &Motion, (cos_h, cos_k): (f64, f64)) -> [f64; 2] {
         let [hammer, key] = self.weights;
@@ -115,7 +115,7 @@ impl KeyHammerSprings {
         x
     }
 
-    /// θh'' and θk'' in B1 [rad/s²].
+    /// θh'' and θk'' in B1 (rad/s²).
     fn imbalance(&self, x: [f64; 4], s: &Motion) -> [f64; 2] {
         let [_, _, hammer, key] = self.derivative(Mode::B1, &x, s);
         [hammer, key]
@@ -163,7 +163,7 @@ impl Model for KeyHammerSprings {
     fn nature(&self, mode: Mode) -> Nature {
         let p = &self.values;
         let is_lossless = p.b1 == 0.0 && p.c2 == 0.0;
-        let kind = if is_lossless { Kind::Conservative } else { Kind::Smooth };
+        let kind = if is_lossless { EquationKind::Conservative } else { EquationKind::Smooth };
         Nature::new(kind, self.rates[mode as usize])
     }
 
@@ -175,19 +175,19 @@ impl Model for KeyHammerSprings {
     }
 }
 
-/// Three quarters of a radian of the fastest oscillation in B1 and in B2 [s].
-pub(super) fn longest_steps(p: &Values) -> [f64; 2] {
+/// Three quarters of a radian of the fastest oscillation in B1 and in B2 (s).
+pub(super) fn longest_steps(p: &KeyHammerValues) -> [f64; 2] {
     const RADIANS: f64 = 0.75;
     oscillations(p).map(|rate| RADIANS / rate)
 }
 
 /// The fastest rates in B1 and in B2 [rad/s]: an oscillation's, with its damper's on top.
-pub(super) fn rates(p: &Values) -> [f64; 2] {
+pub(super) fn rates(p: &KeyHammerValues) -> [f64; 2] {
     oscillations(p).map(|rate| rate + p.b1 / p.jk)
 }
 
-/// The fastest oscillation in B1 and in B2 [rad/s].
-fn oscillations(p: &Values) -> [f64; 2] {
+/// The fastest oscillation in B1 and in B2 (rad/s).
+fn oscillations(p: &KeyHammerValues) -> [f64; 2] {
     let reach = p.l1 - p.l3;
     let contact = p.k2 * (p.l1 * p.l1 / p.jk + reach * reach / p.jh);
     [contact, 0.0].map(|contact| sqrt(p.k1 / p.jk + contact))
@@ -258,7 +258,7 @@ impl Energetic for KeyHammerSprings {
 }
 
 impl Sloped for KeyHammerSprings {
-    fn slopes(&self, _mode: Mode, _x: &[f64; 4], _s: &Motion) -> Slopes {
-        Slopes { per_position: self.values.k1, per_rate: self.values.b1 }
+    fn slopes(&self, _mode: Mode, _x: &[f64; 4], _s: &Motion) -> ReadoutSlopes {
+        ReadoutSlopes { per_position: self.values.k1, per_rate: self.values.b1 }
     }
 }

@@ -7,27 +7,27 @@ use pode::{GuardId, Motion};
 
 use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
 use crate::draw::Sketch;
-use crate::key_hammer::{PARAMETERS, PRESETS, Values};
+use crate::key_hammer::{KeyHammerValues, PARAMETERS, PRESETS};
 
 /// Key and hammer coupled by springs (B1) or apart (B2).
 ///
-/// State: θh, θk [rad], θh', θk' [rad/s]. Input: the manipulandum's angle s [rad].
+/// State: θh, θk (rad), θh', θk' (rad/s). Input: the manipulandum's angle s (rad).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeyHammerSprings {
-    values: Values,
+    values: KeyHammerValues,
     /// Longest steps in B1 and B2 [s]: asked for in every tick, so found once.
     longest_steps: [f64; 2],
-    /// Fastest rates in B1 and B2 [rad/s].
+    /// Fastest rates in B1 and B2 (rad/s).
     rates: [f64; 2],
     /// 1/JH and 1/JK [1/(kg·m²)]: a product takes a third of a division's time.
     per_inertia: [f64; 2],
-    /// Angular accelerations by the weight of hammer and key, lying level [rad/s²].
+    /// Angular accelerations by the weight of hammer and key, lying level (rad/s²).
     weights: [f64; 2],
 }
 
 impl KeyHammerSprings {
     /// The parameter values.
-    pub const fn values(&self) -> &Values {
+    pub const fn values(&self) -> &KeyHammerValues {
         &self.values
     }
 }
@@ -54,7 +54,7 @@ impl Described for KeyHammerSprings {
     const OUTPUT_UNITS: &'static [&'static str] = &["N", "N·m", "m", "m", "m"];
 
     fn with_values(values: &[f64]) -> Self {
-        let values = Values::from_array(&filled::<_, Self>(values));
+        let values = KeyHammerValues::from_array(&filled::<_, Self>(values));
         let per_inertia = [1.0 / values.jh, 1.0 / values.jk];
         let weights = [values.m2 * values.l2, values.m1 * values.ck];
         let weights = [0, 1].map(|i| weights[i] * values.g * per_inertia[i]);

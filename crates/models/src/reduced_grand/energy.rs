@@ -6,19 +6,19 @@ use super::forces::Pressed;
 use super::{Mode, ReducedGrand};
 
 impl ReducedGrand {
-    /// In the felt between hammer and string: Ks (z − zs)^(ps+1)/(ps + 1) [J].
+    /// In the felt between hammer and string: Ks (z − zs)^(ps+1)/(ps + 1) (J).
     fn in_string(&self, z: f64) -> f64 {
         let p = &self.values;
         self.string_spring(z) * (z - p.string) / (p.string_exponent + 1.0)
     }
 
-    /// In the repetition spring: kr d²/2 [J].
+    /// In the repetition spring: kr d²/2 (J).
     fn in_lever(&self, y: f64, z: f64) -> f64 {
         let squeeze = self.lever(y).height - z;
         0.5 * self.values.lever_stiffness * squeeze * squeeze
     }
 
-    /// In what only some modes load [J].
+    /// In what only some modes load (J).
     fn in_mode(&self, mode: Mode, x: &[f64; 4]) -> f64 {
         match mode {
             Mode::Stu | Mode::Stt => self.in_string(x[1]),
@@ -27,14 +27,14 @@ impl ReducedGrand {
         }
     }
 
-    /// In the springs and felts of the key [J].
+    /// In the springs and felts of the key (J).
     fn in_key(&self, y: f64) -> f64 {
         let p = &self.values;
         let jack = p.jack_stiffness * p.jack_width * p.jack_width;
         jack * self.button_spring(y).area() + self.bed().energy(y - p.bed) + self.rail().energy(-y)
     }
 
-    /// Taken by damping, dry friction and felts of the key [W].
+    /// Taken by damping, dry friction and felts of the key (W).
     fn lost_in_key(&self, y: f64, u: f64) -> f64 {
         let p = &self.values;
         let felt = |it: Pressed, rate: f64| it.spring * (it.factor - 1.0) * rate;
@@ -43,7 +43,7 @@ impl ReducedGrand {
             + felt(self.rail().pressed(-y, -u), -u)
     }
 
-    /// Taken by what only some modes load [W].
+    /// Taken by what only some modes load (W).
     fn lost_in_mode(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
         let [y, z, u, w] = *x;
         match mode {

@@ -11,28 +11,28 @@ use super::softplus::Softplus;
 
 /// A felt that sets in softly: k w² sp(x/w)² (1 + a x'), x how far one is in it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Felt {
-    /// k [N/m²].
+pub(super) struct SoftFelt {
+    /// k (N/m²).
     pub(super) stiffness: f64,
-    /// w [m].
+    /// w (m).
     pub(super) width: f64,
-    /// a [s/m].
+    /// a (s/m).
     pub(super) loss: f64,
 }
 
 /// A felt's force and what its slopes and energies are made of.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pressed {
-    /// k w² sp(x/w)²: the part that stores [N].
+    /// k w² sp(x/w)²: the part that stores (N).
     pub(super) spring: f64,
     /// 1 + a x', never below zero: felt does not pull.
     pub(super) factor: f64,
-    /// ∂(spring)/∂x [N/m].
+    /// ∂(spring)/∂x (N/m).
     slope: f64,
 }
 
-impl Felt {
-    /// `depth` [m] deep, going on at `rate` [m/s].
+impl SoftFelt {
+    /// `depth` (m) deep, going on at `rate` (m/s).
     #[inline]
     pub(super) fn pressed(&self, depth: f64, rate: f64) -> Pressed {
         let soft = Softplus::at(depth / self.width);
@@ -44,7 +44,7 @@ impl Felt {
         }
     }
 
-    /// What it stores [J].
+    /// What it stores (J).
     pub(super) fn energy(&self, depth: f64) -> f64 {
         let soft = Softplus::at(depth / self.width);
         self.stiffness * self.width * self.width * self.width * soft.area_of_square()
@@ -57,7 +57,7 @@ impl Pressed {
         self.spring * self.factor
     }
 
-    /// ∂/∂x and ∂/∂x' of the force [N/m, N·s/m].
+    /// ∂/∂x and ∂/∂x' of the force (N/m, N·s/m).
     fn slopes(&self, loss: f64) -> (f64, f64) {
         let per_rate = if self.factor > 0.0 { self.spring * loss } else { 0.0 };
         (self.slope * self.factor, per_rate)
@@ -65,29 +65,29 @@ impl Pressed {
 }
 
 impl ReducedGrand {
-    /// F_KU = k1 (s − y) + b1 (s' − u) [N].
+    /// F_KU = k1 (s − y) + b1 (s' − u) (N).
     #[inline]
     pub(super) fn finger(&self, y: f64, u: f64, s: &Motion) -> f64 {
         let p = &self.values;
         p.coupling * (s.position - y) + p.coupling_damping * (s.rate - u)
     }
 
-    /// Its rate while the key accelerates at `acceleration` [N/s].
+    /// Its rate while the key accelerates at `acceleration` (N/s).
     pub(super) fn finger_rate(&self, u: f64, acceleration: f64, s: &Motion) -> f64 {
         let p = &self.values;
         p.coupling * (s.rate - u) + p.coupling_damping * (s.acceleration - acceleration)
     }
 
     /// The key bed; the key is y − ybed deep in it.
-    pub(super) const fn bed(&self) -> Felt {
+    pub(super) const fn bed(&self) -> SoftFelt {
         let p = &self.values;
-        Felt { stiffness: p.bed_stiffness, width: p.felt_width, loss: p.bed_loss }
+        SoftFelt { stiffness: p.bed_stiffness, width: p.felt_width, loss: p.bed_loss }
     }
 
     /// The rest rail; the key is −y deep in it.
-    pub(super) const fn rail(&self) -> Felt {
+    pub(super) const fn rail(&self) -> SoftFelt {
         let p = &self.values;
-        Felt { stiffness: p.rail_stiffness, width: p.felt_width, loss: p.rail_loss }
+        SoftFelt { stiffness: p.rail_stiffness, width: p.felt_width, loss: p.rail_loss }
     }
 
     /// How the spring of jack and button sets in.
@@ -96,7 +96,7 @@ impl ReducedGrand {
         Softplus::at((y - self.values.button) / self.values.jack_width)
     }
 
-    /// S: what the key's own parts put against its going down [N].
+    /// S: what the key's own parts put against its going down (N).
     #[inline]
     pub(super) fn key_load(&self, y: f64, u: f64) -> f64 {
         let p = &self.values;
@@ -108,7 +108,7 @@ impl ReducedGrand {
             - self.rail().pressed(-y, -u).force()
     }
 
-    /// Rate of S while the key accelerates at `acceleration` [N/s].
+    /// Rate of S while the key accelerates at `acceleration` (N/s).
     pub(super) fn key_load_rate(&self, y: f64, u: f64, acceleration: f64) -> f64 {
         let p = &self.values;
         let rubbing = tanh(u / p.friction_speed);
@@ -122,7 +122,7 @@ impl ReducedGrand {
         stiffness * u + damping * acceleration
     }
 
-    /// F = kr d sp(cr d')/ln 2, d = Zr − z: the repetition spring on the head [N].
+    /// F = kr d sp(cr d')/ln 2, d = Zr − z: the repetition spring on the head (N).
     #[inline]
     pub(super) fn lever_force(&self, lever: &Lever, x: &[f64; 4]) -> f64 {
         let p = &self.values;
@@ -131,20 +131,20 @@ impl ReducedGrand {
         p.lever_stiffness * squeeze * Softplus::at(p.lever_loss * rate).value / LN_2
     }
 
-    /// kr (Zr − Zc): the same spring on a head in check [N].
+    /// kr (Zr − Zc): the same spring on a head in check (N).
     #[inline]
     pub(super) fn lever_under_check(&self, y: f64) -> f64 {
         self.values.lever_stiffness * (self.lever(y).height - self.in_check(y).height)
     }
 
-    /// Ks (z − zs)^ps: the part of the string's force that stores; none before the string [N].
+    /// Ks (z − zs)^ps: the part of the string's force that stores; none before the string (N).
     #[inline]
     pub(super) fn string_spring(&self, z: f64) -> f64 {
         let p = &self.values;
         p.string_stiffness * powf((z - p.string).max(0.0), p.string_exponent)
     }
 
-    /// Ks (z − zs)^ps (1 + μs w): the string on the head [N].
+    /// Ks (z − zs)^ps (1 + μs w): the string on the head (N).
     #[inline]
     pub(super) fn string_force(&self, z: f64, w: f64) -> f64 {
         self.string_spring(z) * (1.0 + self.values.string_loss * w).max(0.0)

@@ -3,15 +3,14 @@
 use pode::math::tanh;
 
 use super::ReducedGrand;
-use super::parameters::Values;
+use super::parameters::ReducedGrandValues;
 use super::softplus::Softplus;
 
 /// The hammer's head as the key carries it: z = ζ(y).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Carried {
-    /// ζ [m].
+pub(super) struct CarriedHead {
+    /// ζ (m).
     pub(super) height: f64,
-    /// ζ'.
     pub(super) ratio: f64,
     /// ζ'' [1/m]: constant in every mode.
     pub(super) bend: f64,
@@ -19,7 +18,7 @@ pub(super) struct Carried {
     pub(super) transmission: f64,
 }
 
-impl Carried {
+impl CarriedHead {
     /// Without friction and along a straight line.
     const fn straight(height: f64, ratio: f64) -> Self {
         Self { height, ratio, bend: 0.0, transmission: ratio }
@@ -29,21 +28,21 @@ impl Carried {
 /// The let-off, from the button to the trip: what follows from the parameters alone.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct LetOff {
-    /// zb = R yb, height of the head at the button [m].
+    /// zb = R yb, height of the head at the button (m).
     height: f64,
-    /// 1/D, D the key's travel from the button to the trip [1/m].
+    /// 1/D, D the key's travel from the button to the trip (1/m).
     per_travel: f64,
-    /// R D [m].
+    /// R D (m).
     rise: f64,
-    /// Z'' = −R (1 − ρ)/D [1/m].
+    /// Z'' = −R (1 − ρ)/D (1/m).
     bend: f64,
-    /// yt = yb + D, where the jack trips [m].
+    /// yt = yb + D, where the jack trips (m).
     pub(super) trip: f64,
 }
 
 impl LetOff {
     /// D = 2 (zt − zb)/(R (1 + ρ)); where the parameters leave no room it is 1 µm.
-    pub(super) fn new(p: &Values) -> Self {
+    pub(super) fn new(p: &ReducedGrandValues) -> Self {
         const LEAST: f64 = 1e-6;
         let height = p.ratio * p.button;
         let travel = (2.0 * (p.trip_height - height) / (p.ratio * (1.0 + p.trip_ratio))).max(LEAST);
@@ -57,13 +56,13 @@ impl LetOff {
     }
 
     /// ξ = (y − yb)/D.
-    fn progress(&self, p: &Values, y: f64) -> f64 {
+    fn progress(&self, p: &ReducedGrandValues, y: f64) -> f64 {
         (y - p.button) * self.per_travel
     }
 
     /// Z = zb + R D (ξ − ξ² (1 − ρ)/2) and Z' = R (1 − ξ (1 − ρ)).
     #[inline]
-    pub(super) fn head(&self, p: &Values, y: f64) -> (f64, f64) {
+    pub(super) fn head(&self, p: &ReducedGrandValues, y: f64) -> (f64, f64) {
         let xi = self.progress(p, y);
         let bent = xi * (1.0 - p.trip_ratio);
         (self.height + self.rise * xi * (1.0 - 0.5 * bent), p.ratio * (1.0 - bent))
@@ -73,7 +72,7 @@ impl LetOff {
 /// The end of the repetition lever under the head.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lever {
-    /// Zr = o_r + R (y − wd sp(a)), a = (y − yd)/wd [m].
+    /// Zr = o_r + R (y − wd sp(a)), a = (y − yd)/wd (m).
     pub(super) height: f64,
     /// Zr' = R (1 − σ(a)).
     pub(super) ratio: f64,
@@ -82,19 +81,19 @@ pub(super) struct Lever {
 impl ReducedGrand {
     /// ACC: z = R y.
     #[inline]
-    pub(super) fn on_jack(&self, y: f64) -> Carried {
-        Carried::straight(self.values.ratio * y, self.values.ratio)
+    pub(super) fn on_jack(&self, y: f64) -> CarriedHead {
+        CarriedHead::straight(self.values.ratio * y, self.values.ratio)
     }
 
     /// LO: z = Z(y), the jack against the button; friction takes most half way.
     #[inline]
-    pub(super) fn at_button(&self, y: f64, u: f64) -> Carried {
+    pub(super) fn at_button(&self, y: f64, u: f64) -> CarriedHead {
         let p = &self.values;
         let (height, ratio) = self.let_off.head(p, y);
         let xi = self.let_off.progress(p, y);
         let hump = xi * (1.0 - xi);
         let rubbing = 16.0 * p.button_friction * hump * hump * tanh(u / p.friction_speed);
-        Carried { height, ratio, bend: self.let_off.bend, transmission: ratio + rubbing }
+        CarriedHead { height, ratio, bend: self.let_off.bend, transmission: ratio + rubbing }
     }
 
     /// Rate of [`Self::at_button`]'s transmission while the key accelerates at `acceleration`.
@@ -111,9 +110,9 @@ impl ReducedGrand {
 
     /// CHK: z = Zc(y) = zc + Rc (y − ybed).
     #[inline]
-    pub(super) fn in_check(&self, y: f64) -> Carried {
+    pub(super) fn in_check(&self, y: f64) -> CarriedHead {
         let p = &self.values;
-        Carried::straight(p.check_height + p.check_ratio * (y - p.bed), p.check_ratio)
+        CarriedHead::straight(p.check_height + p.check_ratio * (y - p.bed), p.check_ratio)
     }
 
     /// The repetition lever: it rises with the key until the drop screw holds it.

@@ -13,7 +13,7 @@ mod rest;
 mod softplus;
 mod steps;
 
-pub use parameters::Values;
+pub use parameters::ReducedGrandValues;
 
 use pode::{GuardId, Motion};
 
@@ -24,18 +24,18 @@ use steps::LongestSteps;
 
 /// A key and a hammer in eleven configurations of jack, string, lever and check.
 ///
-/// State: y [m] key front, down; z [m] hammer head, up; u = y', w = z' [m/s].
-/// Input: the finger's position s [m], down.
+/// State: y (m) key front, down; z (m) hammer head, up; u = y', w = z' (m/s).
+/// Input: the finger's position s (m), down.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ReducedGrand {
-    values: Values,
+    values: ReducedGrandValues,
     let_off: LetOff,
     longest_steps: LongestSteps,
 }
 
 impl ReducedGrand {
     /// The parameter values.
-    pub const fn values(&self) -> &Values {
+    pub const fn values(&self) -> &ReducedGrandValues {
         &self.values
     }
 }
@@ -63,7 +63,6 @@ pub enum Mode {
     RepL,
     /// On the repetition lever, the jack pushing its way back.
     Rep0,
-    /// In check.
     Chk,
 }
 
@@ -92,7 +91,7 @@ impl Described for ReducedGrand {
     const OUTPUT_UNITS: &'static [&'static str] = &["N", "N", "N", "N"];
 
     fn with_values(values: &[f64]) -> Self {
-        let values = Values::from_array(&filled::<_, Self>(values));
+        let values = ReducedGrandValues::from_array(&filled::<_, Self>(values));
         Self { values, let_off: LetOff::new(&values), longest_steps: LongestSteps::new(&values) }
     }
 

@@ -1,15 +1,15 @@
 //! The equations of motion: the model's derivative in each mode.
 
-use pode::{GuardValue, Kind, Model, Motion, Nature, Sloped, Slopes};
+use pode::{EquationKind, GuardValue, Model, Motion, Nature, ReadoutSlopes, Sloped};
 
-use super::geometry::Carried;
+use super::geometry::CarriedHead;
 use super::{Mode, ReducedGrand};
 
 impl ReducedGrand {
     /// ζ and ζ' of a head that the key carries in `mode`, if it does.
     #[inline]
     fn place(&self, mode: Mode, y: f64) -> Option<(f64, f64)> {
-        let straight = |head: Carried| Some((head.height, head.ratio));
+        let straight = |head: CarriedHead| Some((head.height, head.ratio));
         match mode {
             Mode::Acc => straight(self.on_jack(y)),
             Mode::Lo => Some(self.let_off.head(&self.values, y)),
@@ -25,33 +25,33 @@ impl ReducedGrand {
         }
     }
 
-    /// What the finger pushes beyond the key's own load: Fu − S [N].
+    /// What the finger pushes beyond the key's own load: Fu − S (N).
     #[inline]
     fn push(&self, x: &[f64; 4], s: &Motion) -> f64 {
         self.finger(x[0], x[2], s) - self.key_load(x[0], x[2])
     }
 
-    /// Force on a carried head but for its ζ' y'': mh (ζ'' u² + g) + ch ζ' u [N].
+    /// Force on a carried head but for its ζ' y'': mh (ζ'' u² + g) + ch ζ' u (N).
     #[inline]
-    fn burden(&self, head: &Carried, u: f64) -> f64 {
+    fn burden(&self, head: &CarriedHead, u: f64) -> f64 {
         let p = &self.values;
         p.hammer_mass * (head.bend * u * u + p.g) + p.hammer_damping * head.ratio * u
     }
 
-    /// mk + mh t ζ': the mass that the finger moves [kg].
+    /// mk + mh t ζ': the mass that the finger moves (kg).
     #[inline]
-    fn carried_mass(&self, head: &Carried) -> f64 {
+    fn carried_mass(&self, head: &CarriedHead) -> f64 {
         let p = &self.values;
         p.key_mass + p.hammer_mass * head.transmission * head.ratio
     }
 
-    /// y'' with the head carried, under a further `push` on the key [m/s²].
+    /// y'' with the head carried, under a further `push` on the key (m/s²).
     #[inline]
-    fn with_head(&self, head: &Carried, u: f64, push: f64) -> f64 {
+    fn with_head(&self, head: &CarriedHead, u: f64, push: f64) -> f64 {
         (push - head.transmission * self.burden(head, u)) / self.carried_mass(head)
     }
 
-    /// λ, the jack's force on the head in ACC and LO [N], and its rate.
+    /// λ, the jack's force on the head in ACC and LO (N), and its rate.
     pub(super) fn jack_force(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> GuardValue {
         let [y, _, u, _] = *x;
         let is_at_button = mode == Mode::Lo;
@@ -63,17 +63,17 @@ impl ReducedGrand {
         GuardValue::new(force, self.jack_force_rate(&head, turn, acceleration, (x, s)))
     }
 
-    /// λ', with the transmission changing at the rate `turn` [N/s].
+    /// λ', with the transmission changing at the rate `turn` (N/s).
     fn jack_force_rate(
         &self,
-        head: &Carried,
+        head: &CarriedHead,
         turn: f64,
         acceleration: f64,
         (x, s): (&[f64; 4], &Motion),
     ) -> f64 {
         let p = &self.values;
         let [y, _, u, _] = *x;
-        let Carried { ratio, bend, transmission, .. } = *head;
+        let CarriedHead { ratio, bend, transmission, .. } = *head;
         let burden_rate = 2.0 * p.hammer_mass * bend * u * acceleration
             + p.hammer_damping * (bend * u * u + ratio * acceleration);
         let mass_rate = p.hammer_mass * (turn * ratio + transmission * bend * u);
@@ -89,12 +89,12 @@ impl ReducedGrand {
 
     /// The derivative with the head carried under a further `push` on the key.
     #[inline]
-    fn move_together(&self, head: &Carried, u: f64, push: f64) -> [f64; 4] {
+    fn move_together(&self, head: &CarriedHead, u: f64, push: f64) -> [f64; 4] {
         let acceleration = self.with_head(head, u, push);
         [u, head.ratio * u, acceleration, head.ratio * acceleration + head.bend * u * u]
     }
 
-    /// The derivative with the head apart: `push` on the key, `lift` on the head [N].
+    /// The derivative with the head apart: `push` on the key, `lift` on the head (N).
     #[inline]
     fn move_apart(&self, x: &[f64; 4], push: f64, lift: f64) -> [f64; 4] {
         let p = &self.values;
@@ -137,7 +137,7 @@ impl Model for ReducedGrand {
     }
 
     fn nature(&self, mode: Mode) -> Nature {
-        Nature::new(Kind::Smooth, self.longest_steps.rate(mode))
+        Nature::new(EquationKind::Smooth, self.longest_steps.rate(mode))
     }
 
     fn longest_step(&self, mode: Mode) -> f64 {
@@ -153,8 +153,8 @@ impl Model for ReducedGrand {
 }
 
 impl Sloped for ReducedGrand {
-    fn slopes(&self, _mode: Mode, _x: &[f64; 4], _s: &Motion) -> Slopes {
+    fn slopes(&self, _mode: Mode, _x: &[f64; 4], _s: &Motion) -> ReadoutSlopes {
         let p = &self.values;
-        Slopes { per_position: p.coupling, per_rate: p.coupling_damping }
+        ReadoutSlopes { per_position: p.coupling, per_rate: p.coupling_damping }
     }
 }

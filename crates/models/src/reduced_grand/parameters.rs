@@ -4,80 +4,80 @@ use crate::describe::Parameter;
 
 /// Parameter values, in the order of `PARAMETERS`.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Values {
+pub struct ReducedGrandValues {
     /// R, hammer-head travel over key-front travel.
     pub ratio: f64,
-    /// mk, mass of the key at its front [kg].
+    /// mk, mass of the key at its front (kg).
     pub key_mass: f64,
-    /// mh, mass of the hammer at its head [kg].
+    /// mh, mass of the hammer at its head (kg).
     pub hammer_mass: f64,
-    /// Gravity [m/s²].
+    /// Gravity (m/s²).
     pub g: f64,
-    /// Wk, weight of the key at its front without the hammer [N].
+    /// Wk, weight of the key at its front without the hammer (N).
     pub key_weight: f64,
-    /// ck, viscous damping of the key [N·s/m].
+    /// ck, viscous damping of the key (N·s/m).
     pub key_damping: f64,
-    /// Fc, dry friction of the key [N].
+    /// Fc, dry friction of the key (N).
     pub friction: f64,
-    /// vc, speed at which the dry friction is at 76 % [m/s].
+    /// vc, speed at which the dry friction is at 76 % (m/s).
     pub friction_speed: f64,
-    /// ch, viscous damping of the hammer [N·s/m].
+    /// ch, viscous damping of the hammer (N·s/m).
     pub hammer_damping: f64,
-    /// ybed, key travel at which the key bed begins [m].
+    /// ybed, key travel at which the key bed begins (m).
     pub bed: f64,
-    /// Kb, square-law stiffness of the key bed [N/m²].
+    /// Kb, square-law stiffness of the key bed (N/m²).
     pub bed_stiffness: f64,
-    /// ab, loss of the key bed [s/m].
+    /// ab, loss of the key bed (s/m).
     pub bed_loss: f64,
-    /// wf, travel over which bed and rail set in [m].
+    /// wf, travel over which bed and rail set in (m).
     pub felt_width: f64,
-    /// Kr, square-law stiffness of the rest rail [N/m²].
+    /// Kr, square-law stiffness of the rest rail (N/m²).
     pub rail_stiffness: f64,
-    /// ar, loss of the rest rail [s/m].
+    /// ar, loss of the rest rail (s/m).
     pub rail_loss: f64,
-    /// yb, key travel at which the jack meets the let-off button [m].
+    /// yb, key travel at which the jack meets the let-off button (m).
     pub button: f64,
-    /// zt, head height at which the jack trips [m].
+    /// zt, head height at which the jack trips (m).
     pub trip_height: f64,
     /// ρ, hammer ratio at the trip over R.
     pub trip_ratio: f64,
     /// ν, friction of the let-off, as a ratio beside Z'.
     pub button_friction: f64,
-    /// kj, spring of jack and button at the key front [N/m].
+    /// kj, spring of jack and button at the key front (N/m).
     pub jack_stiffness: f64,
-    /// wj, travel over which it sets in [m].
+    /// wj, travel over which it sets in (m).
     pub jack_width: f64,
-    /// zs, head height at the string [m].
+    /// zs, head height at the string (m).
     pub string: f64,
-    /// Ks, stiffness of the hammer's felt [N/m^ps].
+    /// Ks, stiffness of the hammer's felt (N/m^ps).
     pub string_stiffness: f64,
     /// ps, exponent of the hammer's felt.
     pub string_exponent: f64,
-    /// μs, loss of the hammer's felt [s/m].
+    /// μs, loss of the hammer's felt (s/m).
     pub string_loss: f64,
-    /// kr, spring of the repetition lever at the head [N/m].
+    /// kr, spring of the repetition lever at the head (N/m).
     pub lever_stiffness: f64,
-    /// cr, loss of that spring [s/m].
+    /// cr, loss of that spring (s/m).
     pub lever_loss: f64,
-    /// o_r, height of the lever's end above the hammer on the jack [m].
+    /// o_r, height of the lever's end above the hammer on the jack (m).
     pub lever_offset: f64,
-    /// yd, key travel at which the lever meets the drop screw [m].
+    /// yd, key travel at which the lever meets the drop screw (m).
     pub drop: f64,
-    /// wd, travel over which the drop screw sets in [m].
+    /// wd, travel over which the drop screw sets in (m).
     pub drop_width: f64,
-    /// zc, head height in check with the key at its bed [m].
+    /// zc, head height in check with the key at its bed (m).
     pub check_height: f64,
     /// Rc, travel of a head in check over that of the key.
     pub check_ratio: f64,
-    /// yck, key travel from which on the check catches [m].
+    /// yck, key travel from which on the check catches (m).
     pub check_from: f64,
-    /// yco, key travel below which it lets go [m].
+    /// yco, key travel below which it lets go (m).
     pub check_off: f64,
-    /// yrs, key travel below which the jack slips back [m].
+    /// yrs, key travel below which the jack slips back (m).
     pub reset: f64,
-    /// k1, spring between the finger's position and the key [N/m].
+    /// k1, spring between the finger's position and the key (N/m).
     pub coupling: f64,
-    /// b1, damper beside it [N·s/m].
+    /// b1, damper beside it (N·s/m).
     pub coupling_damping: f64,
 }
 
@@ -131,7 +131,7 @@ pub(super) const PARAMETERS: [Parameter; COUNT] = [
     Parameter::not_negative("b1", "N·s/m", "damper beside it"),
 ];
 
-impl Values {
+impl ReducedGrandValues {
     /// Values in the order of `PARAMETERS`.
     pub(super) const fn from_array(v: &[f64; COUNT]) -> Self {
         Self {

@@ -81,5 +81,5 @@ const FRICTION: usize = 6;
 const DROP_WIDTH: usize = 29;
 const CHECK_RATIO: usize = 31;
 
-/// Weight of a key without a hammer that still comes up [N] (E).
+/// Weight of a key without a hammer that still comes up (N) (E).
 const LEAST_WEIGHT: f64 = -0.04;

@@ -3,7 +3,7 @@
 use super::{Mode, ReducedGrand};
 
 impl ReducedGrand {
-    /// The mode and state at rest with the finger at `s` [m].
+    /// The mode and state at rest with the finger at `s` (m).
     ///
     /// The head lies on the jack; pressed beyond the button, on the jack as it trips; and
     /// beyond that on the repetition lever, as after a slow press.

@@ -8,9 +8,7 @@ const FAR: f64 = 40.0;
 /// sp(x) = ln(1 + eˣ) and its slope σ(x) = 1/(1 + e⁻ˣ).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Softplus {
-    /// sp(x).
     pub(super) value: f64,
-    /// σ(x).
     pub(super) slope: f64,
 }
 

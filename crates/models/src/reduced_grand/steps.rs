@@ -6,13 +6,13 @@
 use pode::math::{hypot, powf, sqrt};
 
 use super::Mode;
-use super::parameters::Values;
+use super::parameters::ReducedGrandValues;
 
 /// A quarter of a radian of the fastest motion: RK4 is off by 1e-5 of a radian there.
 const RADIANS: f64 = 0.25;
-/// Speed of a hammer in a hard blow [m/s].
+/// Speed of a hammer in a hard blow (m/s).
 const BLOW: f64 = 5.0;
-/// Force of a finger in it [N].
+/// Force of a finger in it (N).
 const FORCE: f64 = 50.0;
 /// Force of a jack that rubs on its button while the key turns round [N]: five hammers'
 /// weights. A faster key does not turn round there.
@@ -27,12 +27,11 @@ pub(super) struct LongestSteps {
     at_button: f64,
     /// In the air, on the repetition lever and in check.
     apart: f64,
-    /// STU and STT.
     on_string: f64,
 }
 
 impl LongestSteps {
-    pub(super) fn new(p: &Values) -> Self {
+    pub(super) fn new(p: &ReducedGrandValues) -> Self {
         let with_hammer = p.key_mass + p.ratio * p.ratio * p.hammer_mass;
         let (stiffness, damping) = (key_stiffness(p), key_damping(p));
         let lever = p.ratio * p.ratio * p.lever_stiffness;
@@ -49,12 +48,12 @@ impl LongestSteps {
         }
     }
 
-    /// The fastest rate in `mode`, pressed as hard [rad/s].
+    /// The fastest rate in `mode`, pressed as hard (rad/s).
     pub(super) const fn rate(&self, mode: Mode) -> f64 {
         RADIANS / self.of(mode)
     }
 
-    /// The longest step in `mode` [s].
+    /// The longest step in `mode` (s).
     pub(super) const fn of(&self, mode: Mode) -> f64 {
         match mode {
             Mode::Acc => self.on_jack,
@@ -71,24 +70,24 @@ impl LongestSteps {
     }
 }
 
-/// |λ| of an oscillator, at most: √(k/m + (b/m)²) [rad/s].
+/// |λ| of an oscillator, at most: √(k/m + (b/m)²) (rad/s).
 fn rate(stiffness: f64, damping: f64, mass: f64) -> f64 {
     hypot(sqrt(stiffness / mass), damping / mass)
 }
 
 /// Coupling, jack, and bed or rail under the whole force: a square law's slope is 2 √(K F).
-fn key_stiffness(p: &Values) -> f64 {
+fn key_stiffness(p: &ReducedGrandValues) -> f64 {
     let felt = 2.0 * sqrt(p.bed_stiffness.max(p.rail_stiffness) * FORCE);
     p.coupling + p.jack_stiffness + felt
 }
 
 /// Coupling, key, and dry friction as it turns round.
-fn key_damping(p: &Values) -> f64 {
+fn key_damping(p: &ReducedGrandValues) -> f64 {
     p.coupling_damping + p.key_damping + p.friction / p.friction_speed
 }
 
 /// The hammer's felt where a blow presses it most: mh v²/2 = Ks p^(ps+1)/(ps + 1).
-fn string_stiffness(p: &Values) -> f64 {
+fn string_stiffness(p: &ReducedGrandValues) -> f64 {
     let power = p.string_exponent + 1.0;
     let work = power * p.hammer_mass * BLOW * BLOW / (2.0 * p.string_stiffness);
     let deepest = powf(work, 1.0 / power);

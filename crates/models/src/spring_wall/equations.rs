@@ -1,8 +1,8 @@
 //! The spring wall's equations, by hand, in the form that generated ones will take.
 
 use pode::{
-    Energetic, GuardId, GuardSpec, GuardValue, Guarded, Kind, Model, Motion, Nature, Reset, Resets,
-    Sloped, Slopes,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature,
+    ReadoutSlopes, Reset, Resets, Sloped,
 };
 
 use super::{Mode, SpringWall};
@@ -13,7 +13,7 @@ const FREE: [GuardSpec; 1] = [GuardSpec::new(0, "touch")];
 const CONTACT: [GuardSpec; 1] = [GuardSpec::new(1, "leave")];
 
 impl SpringWall {
-    /// How far the key is in the wall [m]; negative before it.
+    /// How far the key is in the wall (m); negative before it.
     pub(super) fn depth(&self, s: &Motion) -> f64 {
         s.position - self.wall
     }
@@ -39,7 +39,7 @@ impl Model for SpringWall {
 
     /// Nothing moves but the key.
     fn nature(&self, _mode: Mode) -> Nature {
-        Nature::new(Kind::Affine, 0.0)
+        Nature::new(EquationKind::Affine, 0.0)
     }
 
     fn readout(&self, mode: Mode, _x: &[f64; 0], s: &Motion) -> f64 {
@@ -97,11 +97,11 @@ impl Energetic for SpringWall {
 }
 
 impl Sloped for SpringWall {
-    fn slopes(&self, mode: Mode, _x: &[f64; 0], s: &Motion) -> Slopes {
+    fn slopes(&self, mode: Mode, _x: &[f64; 0], s: &Motion) -> ReadoutSlopes {
         if self.force(mode, s) > 0.0 {
-            Slopes { per_position: self.stiffness, per_rate: self.damping }
+            ReadoutSlopes { per_position: self.stiffness, per_rate: self.damping }
         } else {
-            Slopes::default()
+            ReadoutSlopes::default()
         }
     }
 }

@@ -10,23 +10,21 @@ use crate::draw::Sketch;
 
 /// Nothing before the wall (`free`), a spring and a damper behind it (`contact`).
 ///
-/// State: none. Input: the key front's travel s [m].
+/// State: none. Input: the key front's travel s (m).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SpringWall {
-    /// Stiffness K [N/m].
+    /// Stiffness K (N/m).
     pub stiffness: f64,
-    /// Damping B [N·s/m].
+    /// Damping B (N·s/m).
     pub damping: f64,
-    /// Where the wall stands [m].
+    /// Where the wall stands (m).
     pub wall: f64,
 }
 
 /// Contact configuration.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mode {
-    /// Before the wall.
     Free,
-    /// In the wall.
     Contact,
 }
 

@@ -103,7 +103,7 @@ impl Case {
         M::with_values(&values)
     }
 
-    /// The exact input at `t` [s].
+    /// The exact input at `t` (s).
     pub fn input(&self, t: f64) -> Motion {
         match self.shape {
             Shape::Bells => stroke::bells(&self.terms, t),
@@ -153,7 +153,7 @@ pub struct Trace<M: Described> {
     pub after: Vec<M::State>,
     /// State and mode at the end of each tick.
     pub ends: Vec<(M::Mode, M::State)>,
-    /// Largest mean-square energy residual [J].
+    /// Largest mean-square energy residual (J).
     pub audit: pode::EnergyAudit,
 }
 
@@ -171,7 +171,7 @@ impl<M: Described> Watch<M> for Trace<M> {
     }
 }
 
-/// Runs `case` with ticks of `h` [s] and the exact input.
+/// Runs `case` with ticks of `h` (s) and the exact input.
 pub fn run<M: Described, T: Stepper>(case: &Case, stepper: T, h: f64) -> Trace<M> {
     let model: M = case.model();
     let (mode, state) = case.start(&model);

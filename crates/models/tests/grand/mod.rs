@@ -1,13 +1,13 @@
 //! What the tests of the reduced grand share: its geometry, as the source writes it.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
-use models::reduced_grand::{Mode, Values};
+use models::reduced_grand::{Mode, ReducedGrandValues};
 
-/// The let-off button [m].
+/// The let-off button (m).
 pub const BUTTON: f64 = 0.0082;
-/// Where the jack trips [m].
+/// Where the jack trips (m).
 pub const TRIP: f64 = 0.009_109_090_909_090_909;
-/// The string [m].
+/// The string (m).
 pub const STRING: f64 = 0.045;
 
 /// ln(1 + eˣ), as the source writes it.
@@ -15,14 +15,14 @@ fn softplus(x: f64) -> f64 {
     if x > 30.0 { x } else { x.exp().ln_1p() }
 }
 
-/// The end of the repetition lever [m].
-pub fn lever(p: &Values, y: f64) -> f64 {
+/// The end of the repetition lever (m).
+pub fn lever(p: &ReducedGrandValues, y: f64) -> f64 {
     p.lever_offset + p.ratio * (y - p.drop_width * softplus((y - p.drop) / p.drop_width))
 }
 
 /// The head that the key carries [m]: on the jack along a line, through the let-off along the
 /// parabola that leaves the button in the line's direction and ends flat by `rho` at `zt`.
-pub fn carried(p: &Values, mode: Mode, y: f64) -> Option<f64> {
+pub fn carried(p: &ReducedGrandValues, mode: Mode, y: f64) -> Option<f64> {
     match mode {
         Mode::Acc => Some(p.ratio * y),
         Mode::Chk => Some(p.check_height + p.check_ratio * (y - p.bed)),

@@ -15,7 +15,7 @@ use models::Playable;
 use models::draw::{Body, Coil, Ends, Follow, Material, Sketch};
 use play::Moment;
 
-/// A point [m].
+/// A point (m).
 pub type Point = [f64; 2];
 
 /// A line of a body, in the body's axes.
@@ -30,7 +30,6 @@ pub struct Outline {
 #[derive(Clone, Debug)]
 pub struct Part {
     pub name: &'static str,
-    /// x, y, angle.
     pub pose: [Follow; 3],
     pub modes: Vec<u8>,
     pub outlines: Vec<Outline>,
@@ -81,7 +80,7 @@ pub struct Spring {
 /// All that a model drew.
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
-    /// Left, bottom, right, top [m], as often as it was said.
+    /// Left, bottom, right, top (m), as often as it was said.
     pub views: Vec<[f64; 4]>,
     pub parts: Vec<Part>,
     pub springs: Vec<Spring>,
@@ -133,7 +132,7 @@ impl Sketch for Drawing {
     }
 }
 
-/// The shortest way between the edges of two closed lines that do not cross [m].
+/// The shortest way between the edges of two closed lines that do not cross (m).
 pub fn distance(a: &[Point], b: &[Point]) -> f64 {
     corners_to_edges(a, b).min(corners_to_edges(b, a))
 }

@@ -29,7 +29,7 @@ impl Moment {
         }
     }
 
-    /// At rest with the key's front `down` [m].
+    /// At rest with the key's front `down` (m).
     pub fn at_rest<M: Playable>(model: &M, down: f64) -> Self {
         let input = still(down * model.input_per_metre());
         Self::of(model, model.at_rest(&input), &input)
@@ -46,7 +46,7 @@ impl Moment {
     }
 }
 
-/// The key's front at `t` [s], in the unit of the model's input: down by 10 mm in some 60 ms
+/// The key's front at `t` (s), in the unit of the model's input: down by 10 mm in some 60 ms
 /// from 0.1 s on, up again from 0.3 s on.
 pub fn stroke<M: Playable>(model: &M, t: f64) -> Motion {
     let down = presses(&[[0.01, 0.1, 0.015], [-0.01, 0.35, 0.02]], t);

@@ -7,7 +7,7 @@ use models::draw::{Ends, Material};
 use super::play::Moment;
 use super::{Drawing, Point};
 
-/// Width of a picture [pixels].
+/// Width of a picture (pixels).
 const WIDTH: f64 = 1400.0;
 
 /// From metres to pixels.

@@ -9,7 +9,9 @@
 
 use models::Described;
 use pode::stepper::Rk4;
-use pode::{Advance, Cause, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Watch};
+use pode::{
+    Advance, EnergyAudit, Event, EventCause, Limits, Motion, Piece, Signal, Simulator, Watch,
+};
 
 /// s(t) = Σ A exp(−((t − tc)/w)²) with its derivatives.
 pub fn bells(bells: &[[f64; 3]], t: f64) -> Motion {
@@ -72,15 +74,15 @@ pub struct Books<M: Described> {
     h: f64,
     pub events: Vec<Seen<M>>,
     pub audit: EnergyAudit,
-    /// Σ impulse × s': work of the impulses on the input [J].
+    /// Σ impulse × s': work of the impulses on the input (J).
     pub impulsive: f64,
-    /// Largest energy [J] that an event made beyond its impulse's work.
+    /// Largest energy (J) that an event made beyond its impulse's work.
     pub made: f64,
     /// The same for moves over many impacts, which take time, and what corrects them.
     pub made_settling: f64,
-    /// ∫ |supplied| dt: the energy that went through [J].
+    /// ∫ |supplied| dt: the energy that went through (J).
     pub throughput: f64,
-    /// Largest and smallest energy at the ends of pieces [J].
+    /// Largest and smallest energy at the ends of pieces (J).
     pub energies: (f64, f64),
     pub ticks: Vec<pode::Tick>,
 }
@@ -104,7 +106,7 @@ impl<M: Described> Books<M> {
         self.events.iter().map(|event| event.name).collect()
     }
 
-    /// Spread of the energy over the run [J].
+    /// Spread of the energy over the run (J).
     pub fn spread(&self) -> f64 {
         self.energies.0 - self.energies.1
     }
@@ -127,8 +129,10 @@ impl<M: Described> Watch<M> for Books<M> {
         let t = (event.tick as f64 + event.theta) * self.h;
         let moved = self.events.last().is_some_and(|it| it.name == "impacts" && it.t >= t);
         let made = match event.cause {
-            Cause::Guard(_) if !moved => &mut self.made,
-            Cause::Guard(_) | Cause::Impacts(_) | Cause::Settled => &mut self.made_settling,
+            EventCause::Guard(_) if !moved => &mut self.made,
+            EventCause::Guard(_) | EventCause::Impacts(_) | EventCause::Settled => {
+                &mut self.made_settling
+            }
         };
         *made = made.max(energy(&event.after) - energy(&event.before) - work);
         self.events.push(Seen {
@@ -142,7 +146,7 @@ impl<M: Described> Watch<M> for Books<M> {
     }
 }
 
-/// Runs `model` from `start` until `until` [s] with ticks of `h` under `input`.
+/// Runs `model` from `start` until `until` (s) with ticks of `h` under `input`.
 #[track_caller]
 pub fn run<M: Described>(
     model: M,

@@ -51,7 +51,7 @@ fn voice(piece: &mut Piece, rest: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// `VALUE`, or `VALUE to VALUE over BARS`, from the bar that starts at `start` [ticks].
+/// `VALUE`, or `VALUE to VALUE over BARS`, from the bar that starts at `start` (ticks).
 fn change(
     curve: &mut Curve,
     (start, bar): (u32, u32),

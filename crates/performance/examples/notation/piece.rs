@@ -32,7 +32,7 @@ struct Voice {
     louder: f64,
     /// Indices of the sounds that are held over.
     tied: Vec<usize>,
-    /// Where it has come to in this bar [ticks]; `None` if it is silent in it.
+    /// Where it has come to in this bar (ticks); `None` if it is silent in it.
     filled: Option<u32>,
 }
 
@@ -41,9 +41,7 @@ struct Voice {
 pub(super) struct Piece {
     pub(super) title: String,
     pub(super) composer: String,
-    /// Quarters a minute.
     pub(super) tempo: Curve,
-    /// MIDI velocity.
     pub(super) dynamics: Curve,
     pub(super) sounds: Vec<Sound>,
     /// Moves of the pedal: when, and whether down.
@@ -53,7 +51,7 @@ pub(super) struct Piece {
     meter: (u32, u32),
     /// The bar that is being read, counted from 1; 0 before the first.
     bar: u32,
-    /// Where it begins [ticks].
+    /// Where it begins (ticks).
     start: u32,
 }
 
@@ -62,12 +60,12 @@ impl Piece {
         self.start
     }
 
-    /// Length of a bar [ticks].
+    /// Length of a bar (ticks).
     pub(super) fn bar_length(&self) -> u32 {
         self.meter.0 * self.meter.1
     }
 
-    /// Where the piece ends [ticks].
+    /// Where the piece ends (ticks).
     pub(super) fn end(&self) -> u32 {
         self.sounds.iter().map(|sound| sound.to).max().unwrap_or_default()
     }

@@ -71,7 +71,7 @@ fn tempo(piece: &Piece) -> Vec<(u32, TrackEventKind<'_>)> {
     events
 }
 
-/// Length of a quarter [µs] at so many a minute; 120 where none are given.
+/// Length of a quarter (µs) at so many a minute; 120 where none are given.
 fn microseconds(per_minute: f64) -> u32 {
     let per_minute = if per_minute > 0.0 { per_minute } else { 120.0 };
     #[expect(

@@ -8,7 +8,7 @@ pub(super) const QUARTER: u32 = 480;
 pub(super) struct Token {
     /// MIDI numbers; none is a rest.
     pub(super) pitches: Vec<u8>,
-    /// Length [ticks].
+    /// Length (ticks).
     pub(super) length: u32,
     /// Whether it is held over into the next of the same pitch.
     pub(super) is_tied: bool,

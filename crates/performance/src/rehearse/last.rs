@@ -1,6 +1,6 @@
 //! The stroke before, played again with an earlier release.
 
-use super::hand::Hand;
+use super::hand::PlannedKey;
 use super::release;
 use super::search::Try;
 use super::{Practice, Rehearsal, RehearsedStroke};
@@ -9,13 +9,13 @@ use crate::stroke::PlannedStroke;
 /// Parts of its hold that the stroke before may keep, the first that serves is taken.
 const KEPT: [f64; 2] = [0.5, 0.0];
 
-/// A hold shorter than this is not shortened [s].
+/// A hold shorter than this is not shortened (s).
 const WORTHWHILE: f64 = 5e-3;
 
 /// The stroke before, as it was before its release was chosen.
 #[derive(Clone, Debug)]
 pub(super) struct Last<R> {
-    pub(super) hand: Hand<R>,
+    pub(super) hand: PlannedKey<R>,
     pub(super) found: Try,
 }
 
@@ -27,7 +27,7 @@ impl<R: Rehearsal> Last<R> {
         &self,
         practice: &Practice<'_>,
         wanted: &PlannedStroke,
-        (hand, stroke, found): (&mut Hand<R>, &mut RehearsedStroke, &mut Try),
+        (hand, stroke, found): (&mut PlannedKey<R>, &mut RehearsedStroke, &mut Try),
     ) {
         let earliest = release::earliest(&stroke.wanted, &self.found);
         let held = stroke.gesture.release - earliest;

@@ -3,7 +3,7 @@
 //! One key, stroke after stroke, each from the state that the strokes before it leave behind:
 //!
 //! 1. advance a little before the stroke must begin;
-//! 2. guess speed and start from the [`Table`] of the key at rest;
+//! 2. guess speed and start from the [`StrokeTable`] of the key at rest;
 //! 3. try on a copy of the key, and correct both, until strike and onset are as wanted;
 //! 4. if the touch does not serve, try the other one;
 //! 5. if the key is not up yet, let the stroke before go earlier, and try again;
@@ -22,10 +22,10 @@ use haptics::plant::{Gesture, Touch};
 use midi::VelocityCurve;
 
 use crate::stroke::{PlannedStroke, Technique};
-use hand::Hand;
+use hand::PlannedKey;
 use last::Last;
 use search::Try;
-pub use table::{Table, Tables, tabulate};
+pub use table::{StrokeTable, StrokeTables, tabulate};
 
 /// How much longer than from rest the next stroke may take, for choosing a release.
 const SLACK: f64 = 1.3;
@@ -34,36 +34,35 @@ const SLACK: f64 = 1.3;
 ///
 /// A new one is at rest, and its time is 0.
 pub trait Rehearsal: Clone {
-    /// Plays on from the key's present time until `until` [s].
+    /// Plays on from the key's present time until `until` (s).
     ///
     /// `gestures`, in order of start, are all that matter from the present time on: the one
     /// that may still be under way, and those that begin later.
     /// What a gesture does before its release does not depend on when that is.
-    fn play(&mut self, gestures: &[Gesture], until: f64) -> Outcome;
+    fn play(&mut self, gestures: &[Gesture], until: f64) -> PlayOutcome;
 }
 
 /// What happened while a key was played.
 #[derive(Clone, PartialEq, Debug, Default)]
-pub struct Outcome {
+pub struct PlayOutcome {
     /// Every strike, in order of time.
     pub strikes: Vec<Strike>,
-    /// When the damper fell the last time [s], if it did.
+    /// When the damper fell the last time (s), if it did.
     pub damper_fall: Option<f64>,
 }
 
 /// The hammer meets the string.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Strike {
-    /// When [s].
+    /// When (s).
     pub at: f64,
-    /// Hammer speed [m/s].
+    /// Hammer speed (m/s).
     pub speed: f64,
 }
 
 /// A stroke with the gesture that plays it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RehearsedStroke {
-    /// What was wanted.
     pub wanted: PlannedStroke,
     /// What the finger does.
     pub gesture: Gesture,
@@ -71,7 +70,7 @@ pub struct RehearsedStroke {
     pub strike: Option<Strike>,
     /// How many strikes it gives; more than one is a bouncing hammer.
     pub n_strikes: usize,
-    /// When its damper falls [s], if that was seen.
+    /// When its damper falls (s), if that was seen.
     pub damper_fall: Option<f64>,
     /// Simulations that it took.
     pub n_tries: u32,
@@ -81,7 +80,7 @@ pub struct RehearsedStroke {
 #[derive(Clone, Copy, Debug)]
 pub struct Practice<'a> {
     /// First guesses for this key.
-    pub tables: &'a Tables,
+    pub tables: &'a StrokeTables,
     /// What a hammer speed is worth.
     pub curve: VelocityCurve,
     /// How the pianist plays.
@@ -98,7 +97,7 @@ impl Practice<'_> {
         strokes: &[PlannedStroke],
         mut progress: impl FnMut(),
     ) -> Vec<RehearsedStroke> {
-        let mut hand = Hand::new(instrument);
+        let mut hand = PlannedKey::new(instrument);
         let mut rehearsed: Vec<RehearsedStroke> = Vec::with_capacity(strokes.len());
         let mut last: Option<Last<R>> = None;
         for (index, wanted) in strokes.iter().enumerate() {
@@ -118,7 +117,7 @@ impl Practice<'_> {
     }
 
     /// Finds speed and start, by the wanted touch or else by the other.
-    fn find<R: Rehearsal>(&self, hand: &mut Hand<R>, wanted: &PlannedStroke) -> Try {
+    fn find<R: Rehearsal>(&self, hand: &mut PlannedKey<R>, wanted: &PlannedStroke) -> Try {
         let touch = self.fitting_touch(hand.free_from(), wanted);
         let (_, delay) = self.guess(touch, wanted.speed);
         let (_, other_delay) = self.guess(other(touch), wanted.speed);
@@ -133,7 +132,7 @@ impl Practice<'_> {
         Try { n_tries, ..best }
     }
 
-    /// The wanted touch, or a struck one if the wanted would have to begin before `free` [s].
+    /// The wanted touch, or a struck one if the wanted would have to begin before `free` (s).
     fn fitting_touch(&self, free: f64, wanted: &PlannedStroke) -> Touch {
         let (_, wanted_delay) = self.guess(wanted.touch, wanted.speed);
         let (_, struck_delay) = self.guess(Touch::Struck, wanted.speed);
@@ -141,13 +140,13 @@ impl Practice<'_> {
         if too_late && struck_delay < wanted_delay { Touch::Struck } else { wanted.touch }
     }
 
-    /// When the key must be released [s] so that `next` finds it up.
+    /// When the key must be released (s) so that `next` finds it up.
     fn latest_release(&self, next: &PlannedStroke) -> f64 {
         let (_, delay) = self.guess(next.touch, next.speed);
         next.onset - SLACK * delay - self.technique.rise
     }
 
-    /// Finger speed [m/s] that gives hammer `speed` [m/s] from rest, and the delay of its strike [s].
+    /// Finger speed (m/s) that gives hammer `speed` (m/s) from rest, and the delay of its strike (s).
     fn guess(&self, touch: Touch, speed: f64) -> (f64, f64) {
         let table = self.tables.of(touch);
         let command = table.command(speed);

@@ -2,24 +2,24 @@
 
 use haptics::plant::Gesture;
 
-use super::hand::Hand;
+use super::hand::PlannedKey;
 use super::search::Try;
-use super::{Outcome, Rehearsal, RehearsedStroke};
+use super::{PlayOutcome, Rehearsal, RehearsedStroke};
 use crate::stroke::PlannedStroke;
 
-/// Shortest time from a strike to the release of its key [s].
+/// Shortest time from a strike to the release of its key (s).
 const SHORTEST_HOLD: f64 = 0.01;
 
-/// First guess for the time from a release to the fall of the damper [s].
+/// First guess for the time from a release to the fall of the damper (s).
 const USUAL_FALL: f64 = 0.03;
 
-/// Time before the first guess that is kept open for an earlier release [s].
+/// Time before the first guess that is kept open for an earlier release (s).
 const LEEWAY: f64 = 0.1;
 
-/// Time after a release in which the damper is waited for [s].
+/// Time after a release in which the damper is waited for (s).
 const PATIENCE: f64 = 0.25;
 
-/// How near to the wanted end is near enough [s].
+/// How near to the wanted end is near enough (s).
 const TOLERANCE: f64 = 3e-3;
 
 /// Most simulations for one release.
@@ -27,19 +27,19 @@ const MAX_TRIES: u32 = 4;
 
 /// Chooses the release of the gesture that was `found`, and gives it to the key.
 ///
-/// The damper falls as near to the wanted end as it can if the release is not after `latest` [s],
+/// The damper falls as near to the wanted end as it can if the release is not after `latest` (s),
 /// where the next stroke needs the key.
 pub(super) fn choose<R: Rehearsal>(
-    hand: &mut Hand<R>,
+    hand: &mut PlannedKey<R>,
     wanted: &PlannedStroke,
     found: &Try,
     latest: Option<f64>,
 ) -> RehearsedStroke {
-    let limits = Limits::new(hand, wanted, found, latest);
+    let limits = ReleaseWindow::new(hand, wanted, found, latest);
     let guess = limits.apply(wanted.end - USUAL_FALL);
     hand.keep(found.gesture);
     let held = hand.advance(guess - LEEWAY);
-    let limits = Limits { earliest: limits.earliest.max(hand.now()), ..limits };
+    let limits = ReleaseWindow { earliest: limits.earliest.max(hand.now()), ..limits };
     let Released { release, outcome, n_tries } = refine(hand, wanted.end, guess, limits);
     hand.release_at(release);
 
@@ -60,16 +60,16 @@ pub(super) fn earliest(wanted: &PlannedStroke, found: &Try) -> f64 {
     found.strike.map_or(wanted.onset, |strike| strike.at) + SHORTEST_HOLD
 }
 
-/// When a key may be released [s].
+/// When a key may be released (s).
 #[derive(Clone, Copy, PartialEq, Debug)]
-struct Limits {
+struct ReleaseWindow {
     earliest: f64,
     latest: f64,
 }
 
-impl Limits {
+impl ReleaseWindow {
     fn new<R: Rehearsal>(
-        hand: &Hand<R>,
+        hand: &PlannedKey<R>,
         wanted: &PlannedStroke,
         found: &Try,
         latest: Option<f64>,
@@ -78,7 +78,7 @@ impl Limits {
         Self { earliest, latest: latest.unwrap_or(f64::INFINITY) }
     }
 
-    /// The allowed time nearest to `release` [s]; a strike comes before room for the next.
+    /// The allowed time nearest to `release` (s); a strike comes before room for the next.
     fn apply(self, release: f64) -> f64 {
         release.min(self.latest).max(self.earliest)
     }
@@ -87,12 +87,17 @@ impl Limits {
 /// A release and what it gives.
 struct Released {
     release: f64,
-    outcome: Outcome,
+    outcome: PlayOutcome,
     n_tries: u32,
 }
 
-/// Moves the release from `guess` until the damper falls at `end` [s], within `limits`.
-fn refine<R: Rehearsal>(hand: &mut Hand<R>, end: f64, guess: f64, limits: Limits) -> Released {
+/// Moves the release from `guess` until the damper falls at `end` (s), within `limits`.
+fn refine<R: Rehearsal>(
+    hand: &mut PlannedKey<R>,
+    end: f64,
+    guess: f64,
+    limits: ReleaseWindow,
+) -> Released {
     let mut release = guess;
     let mut n_tries = 0;
     loop {

@@ -2,8 +2,8 @@
 
 use haptics::plant::{Gesture, Touch};
 
-use super::hand::Hand;
-use super::{Outcome, Practice, Rehearsal, Strike, table};
+use super::hand::PlannedKey;
+use super::{PlayOutcome, Practice, Rehearsal, Strike, table};
 use crate::stroke::PlannedStroke;
 
 /// Most simulations for one stroke and touch.
@@ -12,7 +12,7 @@ const MAX_TRIES: u32 = 12;
 /// How near to the wanted velocity is near enough, in MIDI units.
 const LEVEL_TOLERANCE: f64 = 0.3;
 
-/// How near to the wanted onset is near enough [s].
+/// How near to the wanted onset is near enough (s).
 const ONSET_TOLERANCE: f64 = 1e-4;
 
 /// Cost above which the other touch is tried too: see [`Try::cost`].
@@ -24,7 +24,7 @@ const EXTRA_COST: f64 = 100.0;
 /// Cost of no strike.
 const MISS_COST: f64 = 1e6;
 
-/// Time after the onset in which a second strike is looked for [s].
+/// Time after the onset in which a second strike is looked for (s).
 const WATCH: f64 = 0.08;
 
 /// Largest change of the finger speed from one try to the next, as a natural logarithm.
@@ -33,10 +33,10 @@ const MAX_STRIDE: f64 = 0.7;
 /// A gesture that gives no strike counts as this much too slow, as a natural logarithm.
 const MISS_STRIDE: f64 = 0.4;
 
-/// Spare time before the earliest start that is looked at [s].
+/// Spare time before the earliest start that is looked at (s).
 const MARGIN: f64 = 0.03;
 
-/// How long before its onset a stroke with `delay` [s] may begin: it may get half as fast.
+/// How long before its onset a stroke with `delay` (s) may begin: it may get half as fast.
 pub(super) fn reach(delay: f64) -> f64 {
     2.0 * delay + MARGIN
 }
@@ -46,11 +46,10 @@ pub(super) fn reach(delay: f64) -> f64 {
 pub(super) struct Try {
     pub(super) gesture: Gesture,
     pub(super) strike: Option<Strike>,
-    /// Velocity error in MIDI units + onset error [ms] + what wrong strikes cost.
+    /// Velocity error in MIDI units + onset error (ms) + what wrong strikes cost.
     pub(super) cost: f64,
     /// Whether both tolerances are met by exactly one strike.
     pub(super) is_good: bool,
-    /// Simulations so far.
     pub(super) n_tries: u32,
 }
 
@@ -64,11 +63,11 @@ impl Try {
 /// The best of at most [`MAX_TRIES`] gestures of `touch`.
 pub(super) fn find<R: Rehearsal>(
     practice: &Practice<'_>,
-    hand: &Hand<R>,
+    hand: &PlannedKey<R>,
     wanted: &PlannedStroke,
     touch: Touch,
 ) -> Try {
-    let mut search = Search::new(practice, hand.free_from(), wanted, touch);
+    let mut search = StrokeSearch::new(practice, hand.free_from(), wanted, touch);
     let mut last = search.attempt(hand);
     let mut best = last;
     let mut n_tries = 1;
@@ -83,19 +82,18 @@ pub(super) fn find<R: Rehearsal>(
 }
 
 /// What is tried next.
-struct Search<'a> {
+struct StrokeSearch<'a> {
     practice: &'a Practice<'a>,
     wanted: &'a PlannedStroke,
     touch: Touch,
-    /// When the finger is free [s].
+    /// When the finger is free (s).
     earliest: f64,
-    /// When the gesture is to start [s].
+    /// When the gesture is to start (s).
     start: f64,
-    /// Its finger speed.
-    bracket: Bracket,
+    bracket: SpeedBracket,
 }
 
-impl<'a> Search<'a> {
+impl<'a> StrokeSearch<'a> {
     /// Begins with what the key would need at rest.
     fn new(
         practice: &'a Practice<'a>,
@@ -105,10 +103,17 @@ impl<'a> Search<'a> {
     ) -> Self {
         let (command, delay) = practice.guess(touch, wanted.speed);
         let start = (wanted.onset - delay).max(earliest);
-        Self { practice, wanted, touch, earliest, start, bracket: Bracket::new(touch, command) }
+        Self {
+            practice,
+            wanted,
+            touch,
+            earliest,
+            start,
+            bracket: SpeedBracket::new(touch, command),
+        }
     }
 
-    fn attempt<R: Rehearsal>(&self, hand: &Hand<R>) -> Try {
+    fn attempt<R: Rehearsal>(&self, hand: &PlannedKey<R>) -> Try {
         let until = self.wanted.onset.max(self.start + self.delay()) + WATCH;
         let speed = self.bracket.guess.exp();
         let gesture = self.practice.technique.gesture(self.touch, speed, self.start, f64::INFINITY);
@@ -128,7 +133,7 @@ impl<'a> Search<'a> {
         is_elsewhere || guess.to_bits() != self.bracket.guess.to_bits()
     }
 
-    /// From start to strike [s], if the key were at rest.
+    /// From start to strike (s), if the key were at rest.
     fn delay(&self) -> f64 {
         self.practice.tables.of(self.touch).delay(self.bracket.guess.exp())
     }
@@ -139,7 +144,7 @@ fn judge(
     practice: &Practice<'_>,
     wanted: &PlannedStroke,
     gesture: Gesture,
-    outcome: &Outcome,
+    outcome: &PlayOutcome,
 ) -> Try {
     let mut own = outcome.strikes.iter().filter(|strike| strike.at >= gesture.start);
     let strike = own.next().copied();
@@ -176,7 +181,7 @@ fn too_fast_by(wanted: &PlannedStroke, strike: Option<Strike>) -> f64 {
 
 /// One end of a bracket: finger speed and by how much the hammer is too fast, as logarithms.
 #[derive(Clone, Copy, PartialEq, Debug)]
-struct End {
+struct BracketEnd {
     command: f64,
     excess: f64,
 }
@@ -185,17 +190,17 @@ struct End {
 ///
 /// Until there are two ends, hammer speed is taken to be proportional to finger speed.
 #[derive(Clone, Copy, PartialEq, Debug)]
-struct Bracket {
+struct SpeedBracket {
     /// Slowest and fastest finger of the touch, as natural logarithms.
     limits: (f64, f64),
     /// Finger speed to try next, as a natural logarithm.
     guess: f64,
-    slow: Option<End>,
-    fast: Option<End>,
+    slow: Option<BracketEnd>,
+    fast: Option<BracketEnd>,
 }
 
-impl Bracket {
-    /// Begins at finger speed `command` [m/s].
+impl SpeedBracket {
+    /// Begins at finger speed `command` (m/s).
     fn new(touch: Touch, command: f64) -> Self {
         let limits = (table::slowest(touch).ln(), table::FASTEST.ln());
         let guess = command.ln().clamp(limits.0, limits.1);
@@ -204,7 +209,7 @@ impl Bracket {
 
     /// Takes in by how much the hammer was too fast at the present guess, and guesses anew.
     fn learn(&mut self, excess: f64) {
-        let end = Some(End { command: self.guess, excess });
+        let end = Some(BracketEnd { command: self.guess, excess });
         let (replaced, opposite) = if excess < 0.0 {
             (&mut self.slow, &mut self.fast)
         } else {
@@ -224,7 +229,7 @@ impl Bracket {
 }
 
 /// Where the straight line through both ends is at zero.
-fn between(slow: End, fast: End) -> f64 {
+fn between(slow: BracketEnd, fast: BracketEnd) -> f64 {
     let share = -slow.excess / (fast.excess - slow.excess);
     slow.command + share * (fast.command - slow.command)
 }
@@ -236,7 +241,7 @@ mod tests {
     /// Tries until `excess` of the guess is below 1e-3; panics if that takes too many.
     #[track_caller]
     fn check(excess: impl Fn(f64) -> f64) {
-        let mut bracket = Bracket::new(Touch::Pressed, 0.2);
+        let mut bracket = SpeedBracket::new(Touch::Pressed, 0.2);
         for _ in 0..MAX_TRIES {
             let found = excess(bracket.guess);
             if found.abs() < 1e-3 {

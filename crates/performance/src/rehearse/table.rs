@@ -5,7 +5,7 @@ use haptics::plant::{Gesture, Touch};
 use super::Rehearsal;
 use crate::stroke::Technique;
 
-/// Slowest finger that presses [m/s].
+/// Slowest finger that presses (m/s).
 const SLOWEST_PRESS: f64 = 0.02;
 
 /// Slowest finger that strikes [m/s]: in a slower stroke the swing after its impact decides.
@@ -17,7 +17,7 @@ pub(super) const FASTEST: f64 = 3.0;
 /// Speeds that are tried, in geometric progression.
 const N_SPEEDS: u32 = 24;
 
-/// Way of a finger until its strike is certain [m], for the length of a trial.
+/// Way of a finger until its strike is certain (m), for the length of a trial.
 const WAY: f64 = 0.02;
 
 /// Time that a trial has beyond that [s]: finger and key must gather speed.
@@ -26,17 +26,17 @@ const PATIENCE: f64 = 0.2;
 /// Guess where a table is empty: hammer speed over finger speed.
 const USUAL_RATIO: f64 = 5.0;
 
-/// Guess where a table is empty: way of a finger until the strike [m].
+/// Guess where a table is empty: way of a finger until the strike (m).
 const USUAL_WAY: f64 = 0.01;
 
 /// What one finger speed gives.
 #[derive(Clone, Copy, PartialEq, Debug)]
-struct Point {
-    /// Finger speed [m/s].
+struct TablePoint {
+    /// Finger speed (m/s).
     command: f64,
-    /// Hammer speed [m/s].
+    /// Hammer speed (m/s).
     hammer: f64,
-    /// From the start of the gesture to the strike [s].
+    /// From the start of the gesture to the strike (s).
     delay: f64,
 }
 
@@ -45,24 +45,24 @@ struct Point {
 /// Hammer speed rises strictly with finger speed; trials for which it did not, and those without
 /// exactly one strike, are left out.
 #[derive(Clone, PartialEq, Debug, Default)]
-pub struct Table {
-    points: Vec<Point>,
+pub struct StrokeTable {
+    points: Vec<TablePoint>,
 }
 
-impl Table {
-    /// Finger speed [m/s] that gives hammer speed `hammer` [m/s], as far as the table reaches.
+impl StrokeTable {
+    /// Finger speed (m/s) that gives hammer speed `hammer` (m/s), as far as the table reaches.
     pub fn command(&self, hammer: f64) -> f64 {
         let found = interpolate(&self.points, hammer, |point| point.hammer, |point| point.command);
         found.unwrap_or(hammer / USUAL_RATIO)
     }
 
-    /// From the start of a gesture with finger speed `command` [m/s] to its strike [s].
+    /// From the start of a gesture with finger speed `command` (m/s) to its strike (s).
     pub fn delay(&self, command: f64) -> f64 {
         let found = interpolate(&self.points, command, |point| point.command, |point| point.delay);
         found.unwrap_or(USUAL_WAY / command.max(SLOWEST_PRESS))
     }
 
-    /// Softest and loudest hammer speed of this touch [m/s], if it ever strikes.
+    /// Softest and loudest hammer speed of this touch (m/s), if it ever strikes.
     pub fn range(&self) -> Option<(f64, f64)> {
         Some((self.points.first()?.hammer, self.points.last()?.hammer))
     }
@@ -70,14 +70,14 @@ impl Table {
 
 /// The tables of a key, one per touch.
 #[derive(Clone, PartialEq, Debug, Default)]
-pub struct Tables {
+pub struct StrokeTables {
     /// The finger rests on the key.
-    pub pressed: Table,
+    pub pressed: StrokeTable,
     /// The finger comes from above.
-    pub struck: Table,
+    pub struck: StrokeTable,
 }
 
-impl Tables {
+impl StrokeTables {
     /// Tries both touches out on `instrument`, which is at rest at time 0.
     pub fn measure<R: Rehearsal>(instrument: &R, technique: &Technique) -> Self {
         Self {
@@ -87,7 +87,7 @@ impl Tables {
     }
 
     /// The table of `touch`.
-    pub fn of(&self, touch: Touch) -> &Table {
+    pub fn of(&self, touch: Touch) -> &StrokeTable {
         match touch {
             Touch::Pressed => &self.pressed,
             Touch::Struck => &self.struck,
@@ -96,15 +96,15 @@ impl Tables {
 }
 
 /// Tries `touch` out on `instrument`, which is at rest at time 0, at 24 speeds.
-pub fn tabulate<R: Rehearsal>(instrument: &R, touch: Touch, technique: &Technique) -> Table {
+pub fn tabulate<R: Rehearsal>(instrument: &R, touch: Touch, technique: &Technique) -> StrokeTable {
     let slowest = slowest(touch);
     let ratio = (FASTEST / slowest).powf(1.0 / f64::from(N_SPEEDS - 1));
     let commands = (0..N_SPEEDS).map(|index| slowest * ratio.powf(f64::from(index)));
     let trials = commands.filter_map(|command| measure(instrument, touch, command, technique));
-    Table { points: rising(&trials.collect::<Vec<_>>()) }
+    StrokeTable { points: rising(&trials.collect::<Vec<_>>()) }
 }
 
-/// Slowest finger of `touch` that makes sense [m/s].
+/// Slowest finger of `touch` that makes sense (m/s).
 pub(super) fn slowest(touch: Touch) -> f64 {
     match touch {
         Touch::Pressed => SLOWEST_PRESS,
@@ -117,18 +117,18 @@ fn measure<R: Rehearsal>(
     touch: Touch,
     command: f64,
     technique: &Technique,
-) -> Option<Point> {
+) -> Option<TablePoint> {
     let until = WAY / command + PATIENCE;
     let gesture = technique.gesture(touch, command, 0.0, f64::INFINITY);
     let outcome = instrument.clone().play(&[gesture], until);
     let &[strike] = outcome.strikes.as_slice() else { return None };
     let sound = strike.speed > 0.0 && strike.at > 0.0 && strike.speed.is_finite();
-    sound.then_some(Point { command, hammer: strike.speed, delay: strike.at })
+    sound.then_some(TablePoint { command, hammer: strike.speed, delay: strike.at })
 }
 
 /// The longest part of `points` in which hammer speed rises strictly.
-fn rising(points: &[Point]) -> Vec<Point> {
-    let mut best: Vec<Vec<Point>> = Vec::with_capacity(points.len());
+fn rising(points: &[TablePoint]) -> Vec<TablePoint> {
+    let mut best: Vec<Vec<TablePoint>> = Vec::with_capacity(points.len());
     for point in points {
         let below = best.iter().filter(|run| run.last().is_some_and(|l| l.hammer < point.hammer));
         let mut run = longest(below).cloned().unwrap_or_default();
@@ -139,16 +139,16 @@ fn rising(points: &[Point]) -> Vec<Point> {
 }
 
 /// The first of the longest runs.
-fn longest<'a>(runs: impl Iterator<Item = &'a Vec<Point>>) -> Option<&'a Vec<Point>> {
+fn longest<'a>(runs: impl Iterator<Item = &'a Vec<TablePoint>>) -> Option<&'a Vec<TablePoint>> {
     runs.reduce(|best, run| if run.len() > best.len() { run } else { best })
 }
 
 /// Value of `to` where `from` is `x`: straight between points on logarithmic scales.
 fn interpolate(
-    points: &[Point],
+    points: &[TablePoint],
     x: f64,
-    from: fn(&Point) -> f64,
-    to: fn(&Point) -> f64,
+    from: fn(&TablePoint) -> f64,
+    to: fn(&TablePoint) -> f64,
 ) -> Option<f64> {
     let after = points.partition_point(|point| from(point) < x);
     let low = points.get(after.saturating_sub(1))?;
@@ -171,21 +171,21 @@ impl Technique {
 mod tests {
     use super::*;
 
-    fn point(command: f64, hammer: f64) -> Point {
-        Point { command, hammer, delay: 0.01 / command }
+    fn point(command: f64, hammer: f64) -> TablePoint {
+        TablePoint { command, hammer, delay: 0.01 / command }
     }
 
     #[test]
     fn a_power_law_is_met_between_the_points_too() {
         let points = [0.1, 0.2, 0.4].map(|command: f64| point(command, 4.0 * command.powf(1.2)));
-        let table = Table { points: points.to_vec() };
+        let table = StrokeTable { points: points.to_vec() };
         assert!((table.command(4.0 * 0.3_f64.powf(1.2)) - 0.3).abs() < 1e-12);
         assert!((table.delay(0.3) - 0.01 / 0.3).abs() < 1e-12);
     }
 
     #[test]
     fn beyond_its_ends_a_table_says_its_ends() {
-        let table = Table { points: vec![point(0.1, 0.5), point(0.4, 2.0)] };
+        let table = StrokeTable { points: vec![point(0.1, 0.5), point(0.4, 2.0)] };
         assert_eq!((table.command(0.01), table.command(9.0)), (0.1, 0.4));
         assert!((table.delay(4.0) - 0.01 / 0.4).abs() < 1e-12);
         assert_eq!(table.range(), Some((0.5, 2.0)));
@@ -201,7 +201,7 @@ mod tests {
 
     #[test]
     fn an_empty_table_still_guesses() {
-        assert!((Table::default().command(1.0) - 0.2).abs() < 1e-12);
-        assert!((Table::default().delay(0.2) - 0.05).abs() < 1e-12);
+        assert!((StrokeTable::default().command(1.0) - 0.2).abs() < 1e-12);
+        assert!((StrokeTable::default().delay(0.2) - 0.05).abs() < 1e-12);
     }
 }

@@ -4,25 +4,24 @@ use midly::{Track, TrackEventKind};
 
 /// An event of any track.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Event<'a> {
+pub(super) struct TrackEvent<'a> {
     /// Ticks since the start.
     pub(super) tick: u64,
-    /// What happens.
     pub(super) kind: TrackEventKind<'a>,
 }
 
 /// The events of all tracks in order of time; those of one time as the tracks have them.
-pub(super) fn merge<'a>(tracks: &[Track<'a>]) -> Vec<Event<'a>> {
+pub(super) fn merge<'a>(tracks: &[Track<'a>]) -> Vec<TrackEvent<'a>> {
     let mut events: Vec<_> = tracks.iter().flat_map(timed).collect();
     events.sort_by_key(|event| event.tick);
     events
 }
 
-fn timed<'a>(track: &Track<'a>) -> Vec<Event<'a>> {
+fn timed<'a>(track: &Track<'a>) -> Vec<TrackEvent<'a>> {
     let mut tick = 0;
     let timed = track.iter().map(|event| {
         tick += u64::from(event.delta.as_int());
-        Event { tick, kind: event.kind }
+        TrackEvent { tick, kind: event.kind }
     });
     timed.collect()
 }

@@ -6,14 +6,14 @@ mod tempo;
 
 use midly::{Format, Smf};
 
-use notes::Notes;
+use notes::NoteCollector;
 
 /// What a MIDI file asks a pianist to play.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Score {
     /// Notes in order of onset, then of key; no two on one key overlap.
     pub notes: Vec<ScoreNote>,
-    /// Moves of the sustain pedal: when [s], and how deep, 0 (up) ..= 1 (down).
+    /// Moves of the sustain pedal: when (s), and how deep, 0 (up) ..= 1 (down).
     pub pedals: Vec<(f64, f64)>,
     /// Notes left out: not on the 88 keys, or on channel 10, which is percussion.
     pub skipped: u32,
@@ -22,7 +22,7 @@ pub struct Score {
 }
 
 impl Score {
-    /// When the last note ends [s].
+    /// When the last note ends (s).
     pub fn end(&self) -> f64 {
         self.notes.iter().map(|note| note.end).fold(0.0, f64::max)
     }
@@ -33,9 +33,9 @@ impl Score {
 pub struct ScoreNote {
     /// Which key, 0 ..= 87.
     pub key: u8,
-    /// When it is to be struck [s].
+    /// When it is to be struck (s).
     pub onset: f64,
-    /// When it is to be damped [s]; not before the onset.
+    /// When it is to be damped (s); not before the onset.
     pub end: f64,
     /// How hard, 1 ..= 127.
     pub velocity: u8,
@@ -101,7 +101,7 @@ pub fn read(bytes: &[u8]) -> Result<Score, ScoreError> {
         return Err(ScoreError::Patterns);
     }
     let mut tempo = tempo::Map::new(smf.header.timing).ok_or(ScoreError::NoTiming)?;
-    let mut notes = Notes::default();
+    let mut notes = NoteCollector::default();
     for event in merge::merge(&smf.tracks) {
         let at = tempo.seconds(event.tick);
         tempo.follow(event.tick, event.kind);

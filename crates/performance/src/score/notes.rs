@@ -15,19 +15,19 @@ const SUSTAIN: u8 = 64;
 
 /// The notes heard so far.
 #[derive(Debug, Default)]
-pub(super) struct Notes {
+pub(super) struct NoteCollector {
     /// Every note; the end is infinite while it is open.
     heard: Vec<ScoreNote>,
     /// Open notes by channel and key, the oldest first.
     open: BTreeMap<(u8, u8), VecDeque<usize>>,
     pedals: Vec<(f64, f64)>,
     skipped: u32,
-    /// Time of the latest event [s].
+    /// Time of the latest event (s).
     now: f64,
 }
 
-impl Notes {
-    /// Takes in what happens at time `at` [s].
+impl NoteCollector {
+    /// Takes in what happens at time `at` (s).
     pub(super) fn hear(&mut self, at: f64, event: TrackEventKind<'_>) {
         self.now = at;
         if let TrackEventKind::Midi { channel, message } = event {

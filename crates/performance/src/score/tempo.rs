@@ -8,9 +8,9 @@ const DEFAULT_QUARTER: f64 = 0.5;
 /// The time of a tick, followed from the start of a file to its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Map {
-    /// Last change of tempo, and when it is [s].
+    /// Last change of tempo, and when it is (s).
     since: (u64, f64),
-    /// Length of a tick from there on [s].
+    /// Length of a tick from there on (s).
     tick: f64,
     /// Ticks per quarter note; `None` if ticks have a fixed length.
     per_quarter: Option<f64>,
@@ -32,7 +32,7 @@ impl Map {
         Some(Self { since: (0, 0.0), tick, per_quarter })
     }
 
-    /// When `tick` is [s]; ticks before the last change of tempo are at that change.
+    /// When `tick` is (s); ticks before the last change of tempo are at that change.
     pub(super) fn seconds(&self, tick: u64) -> f64 {
         let (from, at) = self.since;
         at + tick.saturating_sub(from) as f64 * self.tick

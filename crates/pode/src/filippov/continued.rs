@@ -7,12 +7,11 @@ use crate::input::Motion;
 /// An input that can be continued for a moment by its own rates: a surface that moves with
 /// it has a rate, and the rate has one.
 pub trait Continued: Copy + PartialEq + Debug + Send {
-    /// The input `dt` [s] later, or earlier if negative.
+    /// The input `dt` (s) later, or earlier if negative.
     #[must_use]
     fn after(&self, dt: f64) -> Self;
 }
 
-/// No input.
 impl Continued for () {
     fn after(&self, _dt: f64) -> Self {}
 }

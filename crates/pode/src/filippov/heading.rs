@@ -11,7 +11,7 @@ pub(super) enum Heading {
     Still,
 }
 
-/// The heading by the rate h' [1/s] and its own `change` h'' [1/s²].
+/// The heading by the rate h' (1/s) and its own `change` h'' (1/s²).
 ///
 /// A rate counts as zero if it is lost in rounding, `rate_band`, or if its change turns it
 /// before it has moved h by `height_band`, the rounding of h itself. Nothing else is small:

@@ -37,7 +37,7 @@
 //! More than one surface at a time: Filippov leaves the mixture open where two meet.
 //!
 //! # References
-//! [Fil88] §4, §10, §19; [PK08], whose event functions these are; [DL09] for exit conditions.
+//! `[Fil88]` §4, §10, §19; `[PK08]`, whose event functions these are; `[DL09]` for exit conditions.
 
 mod continued;
 mod heading;
@@ -46,10 +46,10 @@ mod point;
 mod sided;
 
 pub use continued::Continued;
-pub use sided::{Branch, Side, Sided, Surface};
+pub use sided::{Branch, Sided, Surface, SurfaceSide};
 
 use heading::Heading;
-use point::Point;
+use point::SurfacePoint;
 
 /// Which equations hold.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -62,11 +62,11 @@ pub enum Mode {
     Sliding,
 }
 
-impl From<Side> for Mode {
-    fn from(side: Side) -> Self {
+impl From<SurfaceSide> for Mode {
+    fn from(side: SurfaceSide) -> Self {
         match side {
-            Side::Above => Self::Above,
-            Side::Below => Self::Below,
+            SurfaceSide::Above => Self::Above,
+            SurfaceSide::Below => Self::Below,
         }
     }
 }
@@ -85,20 +85,20 @@ impl<M: Sided> Filippov<M> {
     pub fn start(&self, x: &M::State, input: &M::Input) -> (Mode, M::State) {
         let height = self.0.surface(x, input).value;
         if height.abs() > Sizes::<M>::HEIGHT_BAND {
-            let side = if height > 0.0 { Side::Above } else { Side::Below };
+            let side = if height > 0.0 { SurfaceSide::Above } else { SurfaceSide::Below };
             return (side.into(), *x);
         }
-        self.meet(Side::Above, x, input)
+        self.meet(SurfaceSide::Above, x, input)
     }
 
     /// What a state at the surface does that comes `from` a side: the table above.
     ///
     /// A state that rounding has left on the wrong side of its mode is put on the surface.
-    fn meet(&self, from: Side, x: &M::State, input: &M::Input) -> (Mode, M::State) {
+    fn meet(&self, from: SurfaceSide, x: &M::State, input: &M::Input) -> (Mode, M::State) {
         let height = self.0.surface(x, input).value;
-        let foot = Point::new(&self.0, x, input).onto_surface();
-        let point = Point::new(&self.0, &foot, input);
-        let mode = match (point.heading(Side::Above), point.heading(Side::Below)) {
+        let foot = SurfacePoint::new(&self.0, x, input).onto_surface();
+        let point = SurfacePoint::new(&self.0, &foot, input);
+        let mode = match (point.heading(SurfaceSide::Above), point.heading(SurfaceSide::Below)) {
             (Heading::Up, Heading::Down) => from.into(),
             (Heading::Up, Heading::Up | Heading::Still) => Mode::Above,
             (Heading::Down | Heading::Still, Heading::Down) => Mode::Below,
@@ -119,10 +119,10 @@ struct Sizes<M>(core::marker::PhantomData<M>);
 impl<M: Sided> Sizes<M> {
     /// Rounding at the size of h.
     const HEIGHT_BAND: f64 = 16.0 * f64::EPSILON * M::SIZE;
-    /// Rounding at the size of its rates [1/s].
+    /// Rounding at the size of its rates (1/s).
     const RATE_BAND: f64 = 16.0 * f64::EPSILON * M::RATE;
-    /// Over which rates are compared to know their own derivative [s].
+    /// Over which rates are compared to know their own derivative (s).
     const MOMENT: f64 = M::SIZE / M::RATE / 16_384.0;
-    /// Rounding of such a derivative, with some to spare [1/s²].
+    /// Rounding of such a derivative, with some to spare (1/s²).
     const CHANGE_BAND: f64 = 64.0 * Self::RATE_BAND / Self::MOMENT;
 }

@@ -1,9 +1,9 @@
 //! The whole model: what holds in each mode, and what ends it.
 
-use super::{Branch, Filippov, Heading, Mode, Point, Side, Sided, Sizes};
+use super::{Branch, Filippov, Heading, Mode, Sided, Sizes, SurfacePoint, SurfaceSide};
 use crate::guard::{GuardId, GuardSpec, GuardValue};
 use crate::model::{Guarded, Model, Reset, Resets};
-use crate::nature::{Kind, Nature};
+use crate::nature::{EquationKind, Nature};
 
 /// Meets the surface from above, or from below.
 const MEETS: [GuardId; 2] = [GuardId(0), GuardId(1)];
@@ -13,18 +13,18 @@ const LEAVES: [GuardId; 2] = [GuardId(2), GuardId(3)];
 const TORN: GuardId = GuardId(4);
 
 /// The free equations of a side.
-const fn free(side: Side) -> Branch {
+const fn free(side: SurfaceSide) -> Branch {
     Branch { side, holds: false }
 }
 
 /// What can hold against a side.
-const fn limit(side: Side) -> Branch {
+const fn limit(side: SurfaceSide) -> Branch {
     Branch { side, holds: true }
 }
 
 /// The side that a guard is about.
-fn side_of(guard: GuardId) -> Side {
-    if guard == MEETS[0] || guard == LEAVES[0] { Side::Above } else { Side::Below }
+fn side_of(guard: GuardId) -> SurfaceSide {
+    if guard == MEETS[0] || guard == LEAVES[0] { SurfaceSide::Above } else { SurfaceSide::Below }
 }
 
 impl<M: Sided> Model for Filippov<M> {
@@ -35,32 +35,35 @@ impl<M: Sided> Model for Filippov<M> {
 
     fn derivative(&self, mode: Mode, x: &M::State, input: &M::Input) -> M::State {
         match mode {
-            Mode::Above => self.0.derivative(free(Side::Above), x, input),
-            Mode::Below => self.0.derivative(free(Side::Below), x, input),
-            Mode::Sliding => Point::new(&self.0, x, input).sliding_flow(),
+            Mode::Above => self.0.derivative(free(SurfaceSide::Above), x, input),
+            Mode::Below => self.0.derivative(free(SurfaceSide::Below), x, input),
+            Mode::Sliding => SurfacePoint::new(&self.0, x, input).sliding_flow(),
         }
     }
 
     fn readout(&self, mode: Mode, x: &M::State, input: &M::Input) -> f64 {
         let readout = |branch| self.0.readout(branch, x, input);
         match mode {
-            Mode::Above => readout(free(Side::Above)),
-            Mode::Below => readout(free(Side::Below)),
+            Mode::Above => readout(free(SurfaceSide::Above)),
+            Mode::Below => readout(free(SurfaceSide::Below)),
             Mode::Sliding => {
-                let share = Point::new(&self.0, x, input).limits().share();
-                (1.0 - share) * readout(limit(Side::Below)) + share * readout(limit(Side::Above))
+                let share = SurfacePoint::new(&self.0, x, input).limits().share();
+                (1.0 - share) * readout(limit(SurfaceSide::Below))
+                    + share * readout(limit(SurfaceSide::Above))
             }
         }
     }
 
     fn nature(&self, mode: Mode) -> Nature {
-        let [above, below] = [Side::Above, Side::Below].map(|side| self.0.nature(side));
+        let [above, below] =
+            [SurfaceSide::Above, SurfaceSide::Below].map(|side| self.0.nature(side));
         match mode {
             Mode::Above => above,
             Mode::Below => below,
             Mode::Sliding => {
-                let is_stiff = above.kind == Kind::Stiff || below.kind == Kind::Stiff;
-                let kind = if is_stiff { Kind::Stiff } else { Kind::Smooth };
+                let is_stiff =
+                    above.kind == EquationKind::Stiff || below.kind == EquationKind::Stiff;
+                let kind = if is_stiff { EquationKind::Stiff } else { EquationKind::Smooth };
                 Nature::new(kind, above.rate.max(below.rate))
             }
         }
@@ -83,7 +86,7 @@ impl<M: Sided> Model for Filippov<M> {
             if height == 0.0 || height > M::SLACK {
                 break;
             }
-            x = Point::new(&self.0, &x, input).back();
+            x = SurfacePoint::new(&self.0, &x, input).back();
             if height <= Sizes::<M>::HEIGHT_BAND {
                 break;
             }
@@ -113,7 +116,7 @@ impl<M: Sided> Guarded for Filippov<M> {
     }
 
     fn guard(&self, _: Mode, guard: GuardId, x: &M::State, input: &M::Input) -> GuardValue {
-        let point = Point::new(&self.0, x, input);
+        let point = SurfacePoint::new(&self.0, x, input);
         if guard == TORN {
             GuardValue::new(M::SLACK - point.surface().value.abs(), 0.0)
         } else if MEETS.contains(&guard) {
@@ -128,13 +131,13 @@ impl<M: Sided> Guarded for Filippov<M> {
 ///
 /// A side that is entered tangentially, from the end of a slide, starts at zero with a rate
 /// of either sign, as rounding will. What its own change makes good counts as zero.
-fn distance<M: Sided>(point: &Point<'_, M>, side: Side) -> GuardValue {
+fn distance<M: Sided>(point: &SurfacePoint<'_, M>, side: SurfaceSide) -> GuardValue {
     let surface = point.surface();
     let height = side.sign() * surface.value;
     let rate = side.sign() * surface.rate(&point.flow(free(side)));
     let falls = match side {
-        Side::Above => Heading::Down,
-        Side::Below => Heading::Up,
+        SurfaceSide::Above => Heading::Down,
+        SurfaceSide::Below => Heading::Up,
     };
     let is_on = height.abs() <= point.rounding(&surface);
     if is_on && (rate >= 0.0 || point.heading_on(free(side)) != falls) {
@@ -144,15 +147,15 @@ fn distance<M: Sided>(point: &Point<'_, M>, side: Side) -> GuardValue {
 }
 
 /// How fast the equations of `side` lead back onto the surface: what holds the state there.
-fn grip<M: Sided>(point: &Point<'_, M>, side: Side) -> GuardValue {
+fn grip<M: Sided>(point: &SurfacePoint<'_, M>, side: SurfaceSide) -> GuardValue {
     let rate = point.rate(limit(side));
     let change = point.change(limit(side), &point.sliding_flow());
     let leaves = match side {
-        Side::Above => Heading::Up,
-        Side::Below => Heading::Down,
+        SurfaceSide::Above => Heading::Up,
+        SurfaceSide::Below => Heading::Down,
     };
     let grip = -side.sign() * rate;
-    let is_hidden = grip < 0.0 && Point::<M>::heading_of(rate, change) != leaves;
+    let is_hidden = grip < 0.0 && SurfacePoint::<M>::heading_of(rate, change) != leaves;
     GuardValue::new(if is_hidden { 0.0 } else { grip }, -side.sign() * change)
 }
 

@@ -1,25 +1,25 @@
 //! A state near the surface: its one-sided rates, how they change, and the way back on.
 
-use super::{Branch, Continued as _, Heading, Side, Sided, Sizes, Surface, heading};
+use super::{Branch, Continued as _, Heading, Sided, Sizes, Surface, SurfaceSide, heading};
 use crate::state::State as _;
 
 /// A state and an input of a two-sided system.
-pub(super) struct Point<'a, M: Sided> {
+pub(super) struct SurfacePoint<'a, M: Sided> {
     system: &'a M,
     x: &'a M::State,
     input: &'a M::Input,
 }
 
 /// Both limits of what the surface can hold against, at a point.
-pub(super) struct Limits<S> {
+pub(super) struct SurfaceLimits<S> {
     above: S,
     below: S,
-    /// Their rates of h [1/s].
+    /// Their rates of h (1/s).
     rate_above: f64,
     rate_below: f64,
 }
 
-impl<S> Limits<S> {
+impl<S> SurfaceLimits<S> {
     /// α, the share of the equations above that keeps h' = 0; between 0 and 1 on a surface
     /// that attracts, and the same formula a little beyond its end.
     pub(super) fn share(&self) -> f64 {
@@ -29,7 +29,7 @@ impl<S> Limits<S> {
     }
 }
 
-impl<'a, M: Sided> Point<'a, M> {
+impl<'a, M: Sided> SurfacePoint<'a, M> {
     pub(super) const fn new(system: &'a M, x: &'a M::State, input: &'a M::Input) -> Self {
         Self { system, x, input }
     }
@@ -50,23 +50,23 @@ impl<'a, M: Sided> Point<'a, M> {
         self.system.derivative(branch, self.x, self.input)
     }
 
-    /// The rate of h on a branch [1/s].
+    /// The rate of h on a branch (1/s).
     pub(super) fn rate(&self, branch: Branch) -> f64 {
         self.surface().rate(&self.flow(branch))
     }
 
-    /// How fast the rate on `branch` changes along `flow` [1/s²], by a central difference.
+    /// How fast the rate on `branch` changes along `flow` (1/s²), by a central difference.
     pub(super) fn change(&self, branch: Branch, flow: &M::State) -> f64 {
         let dt = Sizes::<M>::MOMENT;
         let [late, early] = [dt, -dt].map(|dt| {
             let (x, input) = (self.x.plus(dt, flow), self.input.after(dt));
-            Point::new(self.system, &x, &input).rate(branch)
+            SurfacePoint::new(self.system, &x, &input).rate(branch)
         });
         (late - early) / (2.0 * dt)
     }
 
     /// Where a side leads from here, taken as a point of the surface.
-    pub(super) fn heading(&self, side: Side) -> Heading {
+    pub(super) fn heading(&self, side: SurfaceSide) -> Heading {
         self.heading_on(Branch { side, holds: true })
     }
 
@@ -77,19 +77,19 @@ impl<'a, M: Sided> Point<'a, M> {
         Self::heading_of(rate, self.change(branch, &flow))
     }
 
-    /// The heading by a rate [1/s] and its change [1/s²].
+    /// The heading by a rate (1/s) and its change (1/s²).
     pub(super) fn heading_of(rate: f64, change: f64) -> Heading {
         let [height, band] = [Sizes::<M>::HEIGHT_BAND, Sizes::<M>::RATE_BAND];
         heading::heading((rate, change), height, band, Sizes::<M>::CHANGE_BAND)
     }
 
     /// Both limits, with their rates.
-    pub(super) fn limits(&self) -> Limits<M::State> {
+    pub(super) fn limits(&self) -> SurfaceLimits<M::State> {
         let surface = self.surface();
-        let [above, below] =
-            [Side::Above, Side::Below].map(|side| self.flow(Branch { side, holds: true }));
+        let [above, below] = [SurfaceSide::Above, SurfaceSide::Below]
+            .map(|side| self.flow(Branch { side, holds: true }));
         let (rate_above, rate_below) = (surface.rate(&above), surface.rate(&below));
-        Limits { above, below, rate_above, rate_below }
+        SurfaceLimits { above, below, rate_above, rate_below }
     }
 
     /// The derivative along the surface.

@@ -8,14 +8,14 @@ use crate::state::State;
 
 /// A side of the surface.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Side {
+pub enum SurfaceSide {
     /// Where the surface function is positive.
     Above,
     /// Where it is negative.
     Below,
 }
 
-impl Side {
+impl SurfaceSide {
     /// The sign of the surface function there.
     pub const fn sign(self) -> f64 {
         match self {
@@ -29,7 +29,7 @@ impl Side {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Branch {
     /// The side on which they hold.
-    pub side: Side,
+    pub side: SurfaceSide,
     /// Whether the state is on the surface and the question is what can keep it there: with
     /// friction, the static limit towards this side. Otherwise the state moves freely.
     pub holds: bool,
@@ -42,12 +42,12 @@ pub struct Surface<S> {
     pub value: f64,
     /// ∂h/∂x, entry by entry, not zero.
     pub gradient: S,
-    /// ∂h/∂t at a fixed state: how the input moves the surface [1/s].
+    /// ∂h/∂t at a fixed state: how the input moves the surface (1/s).
     pub drift: f64,
 }
 
 impl<S: State> Surface<S> {
-    /// The rate of h along the derivative `flow` [1/s].
+    /// The rate of h along the derivative `flow` (1/s).
     pub(super) fn rate(&self, flow: &S) -> f64 {
         self.slope(flow) + self.drift
     }
@@ -73,7 +73,7 @@ pub trait Sided {
     const COORDS: usize;
     /// Typical size of h's terms, in its own unit.
     const SIZE: f64;
-    /// Typical size of the one-sided rates of h [1/s].
+    /// Typical size of the one-sided rates of h (1/s).
     const RATE: f64;
     /// Largest jump of the surface, where the input jumps, that a sliding state follows.
     ///
@@ -91,11 +91,11 @@ pub trait Sided {
     fn surface(&self, x: &Self::State, input: &Self::Input) -> Surface<Self::State>;
 
     /// What the equations of a side are like.
-    fn nature(&self, _side: Side) -> Nature {
+    fn nature(&self, _side: SurfaceSide) -> Nature {
         Nature::default()
     }
 
-    /// Longest step [s] that resolves the motion, on either side and along the surface.
+    /// Longest step (s) that resolves the motion, on either side and along the surface.
     fn longest_step(&self) -> f64 {
         f64::INFINITY
     }

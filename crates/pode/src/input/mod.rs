@@ -9,11 +9,11 @@ pub use reconstruct::{Cubic, Reconstruction, Reconstructor};
 pub struct Motion {
     /// s, in the unit of the model's input.
     pub position: f64,
-    /// s' [1/s].
+    /// s' (1/s).
     pub rate: f64,
-    /// s'' [1/s²].
+    /// s'' (1/s²).
     pub acceleration: f64,
-    /// s''' [1/s³].
+    /// s''' (1/s³).
     pub jerk: f64,
 }
 

@@ -30,22 +30,22 @@ pub enum Reconstruction {
 pub struct Cubic {
     /// Coefficients by power of θ.
     c: [f64; 4],
-    /// Ticks per second [1/s].
+    /// Ticks per second (1/s).
     per_second: f64,
 }
 
 impl Cubic {
-    /// The cubic with coefficients `c` by power of θ, over `h` [s].
+    /// The cubic with coefficients `c` by power of θ, over `h` (s).
     pub fn new(c: [f64; 4], h: f64) -> Self {
         Self { c, per_second: 1.0 / h }
     }
 
-    /// The motion that keeps `acceleration` from the given start over `h` [s].
+    /// The motion that keeps `acceleration` from the given start over `h` (s).
     pub fn ballistic(position: f64, rate: f64, acceleration: f64, h: f64) -> Self {
         Self::new([position, rate * h, 0.5 * acceleration * h * h, 0.0], h)
     }
 
-    /// The cubic from (`s0`, `v0`) to (`s1`, `v1`) over `h` [s].
+    /// The cubic from (`s0`, `v0`) to (`s1`, `v1`) over `h` (s).
     pub fn hermite(s0: f64, v0: f64, s1: f64, v1: f64, h: f64) -> Self {
         let rise = s1 - s0;
         let (d0, d1) = (v0 * h, v1 * h);
@@ -71,13 +71,12 @@ impl Signal<Motion> for Cubic {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Reconstructor {
     kind: Reconstruction,
-    /// Newest first.
     samples: [f64; 4],
     h: f64,
 }
 
 impl Reconstructor {
-    /// At rest at `sample`, with ticks of `h` [s].
+    /// At rest at `sample`, with ticks of `h` (s).
     pub const fn new(kind: Reconstruction, sample: f64, h: f64) -> Self {
         Self { kind, samples: [sample; 4], h }
     }
@@ -118,7 +117,7 @@ mod tests {
         (Reconstruction::LateHermite, 4, 1.0),
     ];
 
-    /// Largest distance from `motion` [m] over 0.64 s in ticks of `h` [s], after four samples.
+    /// Largest distance from `motion` (m) over 0.64 s in ticks of `h` (s), after four samples.
     fn error(kind: Reconstruction, latency: f64, h: f64, motion: impl Fn(f64) -> f64) -> f64 {
         let mut reconstructor = Reconstructor::new(kind, motion(-4.0 * h), h);
         let mut most: f64 = 0.0;

@@ -12,10 +12,10 @@ use crate::impacts::{Accumulation, Impacts};
 use crate::input::Signal;
 use crate::math;
 use crate::model::{Reset, Resets, Settling};
-use crate::run::Run;
+use crate::run::TickRun;
 use crate::state::State as _;
 use crate::stepper::Stepper;
-use crate::watch::{Cause, Watch};
+use crate::watch::{EventCause, Watch};
 
 /// A hop must rise above this many times the width of rounding to be seen.
 const SEEN: f64 = 64.0;
@@ -30,22 +30,22 @@ struct Move {
     part: f64,
     /// Which part of the motion is left after it.
     left: f64,
-    cause: Cause<'static>,
+    cause: EventCause<'static>,
 }
 
 impl Move {
-    /// To the end if that lies within `rest` [s], otherwise over the impacts that do.
+    /// To the end if that lies within `rest` (s), otherwise over the impacts that do.
     fn within(rest: f64, after: f64, ratio: f64) -> Self {
         if after <= rest {
-            return Self { part: 1.0, left: 0.0, cause: Cause::Settled };
+            return Self { part: 1.0, left: 0.0, cause: EventCause::Settled };
         }
         let n = impacts_within(rest, after, ratio);
         let left = math::powf(ratio, n);
-        Self { part: 1.0 - left, left, cause: Cause::Impacts(n) }
+        Self { part: 1.0 - left, left, cause: EventCause::Impacts(n) }
     }
 }
 
-/// How many impacts are over within `rest` [s], less than `after`: `after (1 − ratioⁿ)` has
+/// How many impacts are over within `rest` (s), less than `after`: `after (1 − ratioⁿ)` has
 /// passed with the n-th.
 fn impacts_within(rest: f64, after: f64, ratio: f64) -> f64 {
     math::floor(math::ln(1.0 - rest / after) / math::ln(ratio))
@@ -56,7 +56,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// is time to; tells then whether the tick goes on.
     pub(super) fn accumulates<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
-        run: &mut Run<'_, S, W>,
+        run: &mut TickRun<'_, S, W>,
         reset: &Reset<M>,
         fired: GuardId,
     ) -> Option<bool> {
@@ -75,7 +75,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Takes a declared sequence in one move.
     fn accumulate<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
-        run: &mut Run<'_, S, W>,
+        run: &mut TickRun<'_, S, W>,
         settling: &Settling<M>,
     ) -> bool {
         let it = Move::within(run.rest(), settling.after, settling.ratio);
@@ -91,7 +91,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// `None` if the method refuses it.
     fn come_to_rest<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
-        run: &mut Run<'_, S, W>,
+        run: &mut TickRun<'_, S, W>,
         (resting, at_rest): (M::Mode, M::State),
         end: &Accumulation,
     ) -> Option<bool> {
@@ -113,13 +113,13 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Some(self.jump(run, time, it.cause, &reset))
     }
 
-    /// Lands `time` [s] from now, with the readout going its way between the impacts, nearly
+    /// Lands `time` (s) from now, with the readout going its way between the impacts, nearly
     /// straight.
     fn jump<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
-        run: &mut Run<'_, S, W>,
+        run: &mut TickRun<'_, S, W>,
         time: f64,
-        cause: Cause<'_>,
+        cause: EventCause<'_>,
         reset: &Reset<M>,
     ) -> bool {
         let theta = (run.theta + time / run.h).max(run.theta).min(1.0);
@@ -140,7 +140,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// Whether a measured sequence is known well enough to be taken in one move to `resting`:
     /// to a part of the tick, or as well as the tick's last events allow.
-    fn is_sure<S, W>(&self, run: &Run<'_, S, W>, resting: M::Mode, end: &Accumulation) -> bool {
+    fn is_sure<S, W>(&self, run: &TickRun<'_, S, W>, resting: M::Mode, end: &Accumulation) -> bool {
         /// 1 ns at 1 ms.
         const PART: f64 = 1.0 / 1_048_576.0;
         /// Events kept back for what comes after the impacts.
@@ -157,7 +157,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// tell apart, in time or in the guard's own rounding; and a move takes at least one.
     fn is_worth_it<S, W>(
         &self,
-        run: &Run<'_, S, W>,
+        run: &TickRun<'_, S, W>,
         (after, ratio): (f64, f64),
         (fired, bands): (GuardId, f64),
     ) -> bool {

@@ -3,17 +3,17 @@
 use core::cell::Cell;
 
 use super::field::ModeField;
-use super::{Simulator, Taken};
-use crate::crossing::{Crossing, Span};
+use super::{Simulator, TakenStep};
+use crate::crossing::{Crossing, GuardSpan};
 use crate::dense::Dense as _;
 use crate::epoch::Stand;
-use crate::forecast::{Slot, is_certain};
+use crate::forecast::{GuardSlot, is_certain};
 use crate::guard::{GuardSet, GuardSpec, GuardValue, MAX_GUARDS};
 use crate::input::Signal;
 use crate::locate::{locate, most_evaluations};
 use crate::model::Resets;
-use crate::outcome::{Cap, Fault, Verdict};
-use crate::run::Run;
+use crate::outcome::{Cap, Fault, StepCertainty};
+use crate::run::TickRun;
 use crate::stepper::Stepper;
 
 /// The first crossing of a step: which guard, where in the step, and who else is there.
@@ -27,12 +27,12 @@ pub(super) struct First {
 
 /// Where in the step a guard crosses: `tau` ± `radius`.
 #[derive(Clone, Copy)]
-struct Place {
+struct CrossingTime {
     tau: f64,
     radius: f64,
 }
 
-impl Place {
+impl CrossingTime {
     const NOWHERE: Self = Self { tau: f64::INFINITY, radius: 0.0 };
 }
 
@@ -41,12 +41,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     #[inline]
     pub(super) fn first_crossing<S: Signal<M::Input>, W>(
         &mut self,
-        run: &mut Run<'_, S, W>,
-        taken: &mut Taken<M, T>,
+        run: &mut TickRun<'_, S, W>,
+        taken: &mut TakenStep<M, T>,
     ) -> Result<Option<First>, Fault> {
         let specs = self.model.guards(self.mode);
-        let mut places = [Place::NOWHERE; MAX_GUARDS];
-        let (mut any, mut verdict) = (false, Verdict::Certified);
+        let mut places = [CrossingTime::NOWHERE; MAX_GUARDS];
+        let (mut any, mut verdict) = (false, StepCertainty::Certified);
         for (index, spec) in specs.iter().enumerate().take(MAX_GUARDS) {
             let slot = &mut self.guards[index];
             if run.limits.forecast && slot.is_asleep(taken.h) {
@@ -74,11 +74,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     #[inline]
     fn span<'a, S: Signal<M::Input>, W>(
         &mut self,
-        run: &mut Run<'_, S, W>,
-        taken: &Taken<M, T>,
+        run: &mut TickRun<'_, S, W>,
+        taken: &TakenStep<M, T>,
         index: usize,
         spec: &'a GuardSpec,
-    ) -> Result<Option<Span<'a>>, Fault> {
+    ) -> Result<Option<GuardSpan<'a>>, Fault> {
         let slot = self.guards[index];
         let is_quiet = run.limits.forecast && slot.is_quiet(taken.h);
         if !run.spend_guards(1 + u32::from(!slot.is_fresh && !is_quiet)) {
@@ -93,22 +93,22 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             return Err(Fault::Guard);
         }
         let bound = self.model.curvature_bound(self.mode, spec.id);
-        let mut next = Slot::new(slot.stand, spec, end, bound);
+        let mut next = GuardSlot::new(slot.stand, spec, end, bound);
         if self.stepper.aims() {
             next.curvature = (end.rate - start.rate) / taken.h;
         }
         self.guards[index] = next;
         let sinks = slot.stand == Stand::Spent && self.would_turn(run, taken, spec, end);
         let stand = if sinks { Stand::Sinking } else { slot.stand };
-        Ok(Some(Span { spec, stand, start, end, h: taken.h, bound, is_quiet }))
+        Ok(Some(GuardSpan { spec, stand, start, end, h: taken.h, bound, is_quiet }))
     }
 
     /// Whether the reset map of a guard that has sunk to `end` would bring it back up.
     #[cold]
     fn would_turn<S, W>(
         &self,
-        run: &mut Run<'_, S, W>,
-        taken: &Taken<M, T>,
+        run: &mut TickRun<'_, S, W>,
+        taken: &TakenStep<M, T>,
         spec: &GuardSpec,
         end: GuardValue,
     ) -> bool {
@@ -122,9 +122,9 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// Whether the step can hide a pair of this guard's roots.
     #[inline]
-    fn verdict(&self, span: &Span<'_>) -> Verdict {
+    fn verdict(&self, span: &GuardSpan<'_>) -> StepCertainty {
         if span.is_quiet || is_certain(span.spec.band(), span.start, span.end, span.bound, span.h) {
-            return Verdict::Certified;
+            return StepCertainty::Certified;
         }
         let nature = self.model.nature(self.mode);
         // Without a rate a linear mode is a polynomial in the time; others then go by their step.
@@ -134,15 +134,15 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             let own = self.model.longest_step(self.mode);
             span.h <= own && own < f64::INFINITY
         };
-        if is_resolved { Verdict::Likely } else { Verdict::Unknown }
+        if is_resolved { StepCertainty::Likely } else { StepCertainty::Unknown }
     }
 
     /// Has the stepper bring the step's dense output to its full order.
     #[inline]
     pub(super) fn refine<S: Signal<M::Input>, W>(
         &self,
-        run: &mut Run<'_, S, W>,
-        taken: &mut Taken<M, T>,
+        run: &mut TickRun<'_, S, W>,
+        taken: &mut TakenStep<M, T>,
     ) {
         if taken.is_refined {
             return;
@@ -158,16 +158,16 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     #[inline]
     fn crossing_place<S: Signal<M::Input>, W>(
         &self,
-        run: &mut Run<'_, S, W>,
-        taken: &Taken<M, T>,
-        span: &Span<'_>,
-    ) -> Result<Place, Fault> {
+        run: &mut TickRun<'_, S, W>,
+        taken: &TakenStep<M, T>,
+        span: &GuardSpan<'_>,
+    ) -> Result<CrossingTime, Fault> {
         let (dense, theta_end) = (&taken.step.dense, taken.theta_end);
         // The tolerance is a fraction of the tick; the step is a part of it.
         let tolerance = (run.limits.event_tolerance / (theta_end - run.theta)).min(0.5);
-        if !run.affords_guards(Span::LOOKS + most_evaluations(tolerance)) {
+        if !run.affords_guards(GuardSpan::LOOKS + most_evaluations(tolerance)) {
             run.cap(Cap::Guards);
-            return Ok(Place::NOWHERE);
+            return Ok(CrossingTime::NOWHERE);
         }
         let (model, mode, signal, start) = (&self.model, self.mode, run.signal, run.theta);
         let (looks, is_finite) = (Cell::new(0), Cell::new(true));
@@ -183,15 +183,15 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             value
         };
         let place = match span.crossing(counted) {
-            Crossing::None => Place::NOWHERE,
-            Crossing::AtStart => Place { tau: 0.0, radius: 0.5 * tolerance },
+            Crossing::None => CrossingTime::NOWHERE,
+            Crossing::AtStart => CrossingTime { tau: 0.0, radius: 0.5 * tolerance },
             Crossing::Within { bracket, level, seed } => {
                 let located = locate(|tau| guard(tau) - level, bracket, seed, tolerance);
                 looks.set(looks.get() + located.evaluations);
                 is_finite.set(is_finite.get() && !located.not_finite);
                 let slope = seed.map_or(bracket.at_hi - bracket.at_lo, |(_, slope)| slope);
                 let radius = 0.5 * tolerance + slack(span.spec, slope);
-                Place { tau: located.tau, radius }
+                CrossingTime { tau: located.tau, radius }
             }
         };
         run.work.guards += looks.get();
@@ -199,7 +199,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 }
 
-/// How far rounding alone can move a crossing with `slope` [1/step], as a part of the step.
+/// How far rounding alone can move a crossing with `slope` (1/step), as a part of the step.
 fn slack(spec: &GuardSpec, slope: f64) -> f64 {
     /// 1 ns at 1 ms; a touch without a slope is as sharp as that.
     const MOST: f64 = 1.0 / 1_048_576.0;
@@ -209,7 +209,7 @@ fn slack(spec: &GuardSpec, slope: f64) -> f64 {
 
 /// The crossing of a mode's only guard.
 #[inline]
-fn alone(spec: &GuardSpec, place: Place) -> Option<First> {
+fn alone(spec: &GuardSpec, place: CrossingTime) -> Option<First> {
     let mut crossed = GuardSet::EMPTY;
     crossed.insert(spec.id);
     place.tau.is_finite().then_some(First { index: 0, tau: place.tau, crossed })
@@ -218,7 +218,7 @@ fn alone(spec: &GuardSpec, place: Place) -> Option<First> {
 /// The earliest crossing; among those that cannot be told from it, the lowest priority.
 ///
 /// Depends on the set of guards only, not on their order.
-fn earliest(specs: &[GuardSpec], places: &[Place; MAX_GUARDS]) -> Option<First> {
+fn earliest(specs: &[GuardSpec], places: &[CrossingTime; MAX_GUARDS]) -> Option<First> {
     let limit = specs
         .iter()
         .zip(places)
@@ -227,7 +227,7 @@ fn earliest(specs: &[GuardSpec], places: &[Place; MAX_GUARDS]) -> Option<First> 
     if limit.is_infinite() {
         return None;
     }
-    let meets = |place: &Place| place.tau - place.radius <= limit;
+    let meets = |place: &CrossingTime| place.tau - place.radius <= limit;
     let mut crossed = GuardSet::EMPTY;
     for (spec, _) in specs.iter().zip(places).filter(|(_, place)| meets(place)) {
         crossed.insert(spec.id);

@@ -14,7 +14,7 @@ use field::ModeField;
 
 use crate::dense::Dense as _;
 use crate::epoch::stand_after;
-use crate::forecast::Slot;
+use crate::forecast::GuardSlot;
 use crate::guard::{MAX_GUARDS, Reads};
 use crate::impacts::Impacts;
 use crate::input::Signal;
@@ -22,7 +22,7 @@ use crate::limits::Limits;
 use crate::model::{Model, Resets};
 use crate::outcome::{Advance, Cap, Fault, Tick};
 use crate::quadrature::{LOBATTO, SIMPSON};
-use crate::run::Run;
+use crate::run::TickRun;
 use crate::state::{is_finite, largest};
 use crate::stepper::{Memory as _, Step, Stepper};
 use crate::watch::{Piece, Watch};
@@ -36,10 +36,10 @@ pub struct Simulator<M: Resets, T: Stepper> {
     tick: u64,
     mode: M::Mode,
     state: M::State,
-    guards: [Slot; MAX_GUARDS],
+    guards: [GuardSlot; MAX_GUARDS],
     /// The input at the end of the last tick: guards are taken anew where it jumped.
     last_input: Option<M::Input>,
-    /// Width [s] to which an event at the very end of the last tick was located, or 0.
+    /// Width (s) to which an event at the very end of the last tick was located, or 0.
     since_event: f64,
     /// What the stepper carries from one step to the next.
     memory: T::Memory<M::State>,
@@ -50,11 +50,11 @@ pub struct Simulator<M: Resets, T: Stepper> {
 }
 
 /// A step that was taken and not kept yet.
-struct Taken<M: Model, T: Stepper> {
+struct TakenStep<M: Model, T: Stepper> {
     step: Step<M::State, T::Dense<M::State>>,
     /// Where it ends in the tick.
     theta_end: f64,
-    /// Its length [s].
+    /// Its length (s).
     h: f64,
     /// State and input at its end, what is slaved in place.
     end: M::State,
@@ -63,7 +63,7 @@ struct Taken<M: Model, T: Stepper> {
     is_refined: bool,
 }
 
-impl<M: Model, T: Stepper> Taken<M, T> {
+impl<M: Model, T: Stepper> TakenStep<M, T> {
     /// Where in the tick the fraction `tau` of a step from `theta` is.
     #[inline]
     fn theta(&self, theta: f64, tau: f64) -> f64 {
@@ -81,7 +81,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             tick: 0,
             mode,
             state,
-            guards: [Slot::EMPTY; MAX_GUARDS],
+            guards: [GuardSlot::EMPTY; MAX_GUARDS],
             last_input: None,
             since_event: 0.0,
             memory: T::Memory::default(),
@@ -139,17 +139,17 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.impacts = Impacts::NONE;
     }
 
-    /// Advances one tick of `h` [s] under the input `signal`.
+    /// Advances one tick of `h` (s) under the input `signal`.
     ///
     /// # Real-time
-    /// Bounded by [`Limits`]; at a maximum, or when something is not finite, the last
+    /// Bounded by [`SurfaceLimits`]; at a maximum, or when something is not finite, the last
     /// good state is held for the rest of the tick and the tick says so.
     pub fn advance<S, W>(&mut self, h: f64, signal: &S, watch: &mut W) -> Tick
     where
         S: Signal<M::Input>,
         W: Watch<M>,
     {
-        let mut run = Run::new(h, signal, watch, self.limits);
+        let mut run = TickRun::new(h, signal, watch, self.limits);
         if h > 0.0 && h.is_finite() {
             self.begin(&mut run);
         } else {
@@ -166,7 +166,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// Takes the guards at the start of the tick, and settles what is due at once.
     #[inline]
-    fn begin<S: Signal<M::Input>, W: Watch<M>>(&mut self, run: &mut Run<'_, S, W>) {
+    fn begin<S: Signal<M::Input>, W: Watch<M>>(&mut self, run: &mut TickRun<'_, S, W>) {
         self.memory.begin_tick();
         let input = run.input();
         if self.last_input == Some(input) {
@@ -192,7 +192,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// Advances one step, or the part of it up to the first crossing.
     #[inline]
-    fn advance_piece<S: Signal<M::Input>, W: Watch<M>>(&mut self, run: &mut Run<'_, S, W>) {
+    fn advance_piece<S: Signal<M::Input>, W: Watch<M>>(&mut self, run: &mut TickRun<'_, S, W>) {
         if run.work.pieces >= run.limits.pieces {
             return run.cap(Cap::Pieces);
         }
@@ -210,8 +210,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     #[inline]
     fn take_step<S: Signal<M::Input>, W>(
         &mut self,
-        run: &mut Run<'_, S, W>,
-    ) -> Option<Taken<M, T>> {
+        run: &mut TickRun<'_, S, W>,
+    ) -> Option<TakenStep<M, T>> {
         let theta_end = self.step_end(run);
         let span = theta_end - run.theta;
         let h = span * run.h;
@@ -226,15 +226,15 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             run.fail(Fault::State);
             return None;
         };
-        Some(Taken { step, theta_end, h, end, input, is_refined: false })
+        Some(TakenStep { step, theta_end, h, end, input, is_refined: false })
     }
 
     /// Keeps a whole step.
     #[inline]
     fn keep<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
-        run: &mut Run<'_, S, W>,
-        taken: &mut Taken<M, T>,
+        run: &mut TickRun<'_, S, W>,
+        taken: &mut TakenStep<M, T>,
     ) {
         if self.is_read || W::LOOKS_INSIDE {
             self.refine(run, taken);
@@ -252,8 +252,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     #[cold]
     fn leave<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
-        run: &mut Run<'_, S, W>,
-        taken: &Taken<M, T>,
+        run: &mut TickRun<'_, S, W>,
+        taken: &TakenStep<M, T>,
         first: &First,
     ) {
         if first.tau > 0.0 {
@@ -278,8 +278,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     #[inline]
     fn accept<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
-        run: &mut Run<'_, S, W>,
-        taken: &Taken<M, T>,
+        run: &mut TickRun<'_, S, W>,
+        taken: &TakenStep<M, T>,
         tau: f64,
         end: M::State,
         input: &M::Input,
@@ -307,7 +307,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     #[inline]
     fn sum_readout<S: Signal<M::Input>, W>(
         &self,
-        run: &mut Run<'_, S, W>,
+        run: &mut TickRun<'_, S, W>,
         piece: &Piece<'_, M, S>,
         end_input: &M::Input,
     ) {
@@ -336,7 +336,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     #[inline]
-    fn finish<S: Signal<M::Input>, W>(&mut self, mut run: Run<'_, S, W>) -> Tick {
+    fn finish<S: Signal<M::Input>, W>(&mut self, mut run: TickRun<'_, S, W>) -> Tick {
         let input = run.signal.at(1.0);
         let is_complete = run.advance == Advance::Completed;
         if !is_complete {

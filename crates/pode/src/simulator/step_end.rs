@@ -5,13 +5,13 @@ use super::Simulator;
 use crate::epoch::Stand;
 use crate::math;
 use crate::model::Resets;
-use crate::run::Run;
+use crate::run::TickRun;
 use crate::stepper::{Memory as _, Stepper};
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Where the step that begins now ends.
     #[inline]
-    pub(super) fn step_end<S, W>(&self, run: &mut Run<'_, S, W>) -> f64 {
+    pub(super) fn step_end<S, W>(&self, run: &mut TickRun<'_, S, W>) -> f64 {
         let end = self.line(run);
         // Where the dense output is as good as the end there is nothing to gain.
         let may_aim = self.stepper.aims() && run.limits.forecast && !run.has_aimed;
@@ -20,7 +20,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// Just behind the first event that is expected before `end`, or there.
     #[inline]
-    fn aimed<S, W>(&self, run: &mut Run<'_, S, W>, end: f64) -> f64 {
+    fn aimed<S, W>(&self, run: &mut TickRun<'_, S, W>, end: f64) -> f64 {
         /// Part by which the expected time may be short.
         const MARGIN: f64 = 0.02;
         /// Part of the step before which it is not worth while.
@@ -39,7 +39,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// The next line of the mode's grid, or as far as the method reaches.
     #[inline]
-    fn line<S, W>(&self, run: &Run<'_, S, W>) -> f64 {
+    fn line<S, W>(&self, run: &TickRun<'_, S, W>) -> f64 {
         /// A rest shorter than this part of a step joins the next one.
         const CRUMB: f64 = 1e-9;
         /// More lines than any tick can have pieces.
@@ -66,7 +66,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 }
 
 /// Where a step ends that its method wants no longer than `reach`, a part of the tick.
-fn reached<S, W>(run: &Run<'_, S, W>, reach: f64, longest: f64) -> f64 {
+fn reached<S, W>(run: &TickRun<'_, S, W>, reach: f64, longest: f64) -> f64 {
     // Never so short that the time would stand still.
     let reach = reach.min(longest).max(f64::EPSILON);
     let rest = 1.0 - run.theta;

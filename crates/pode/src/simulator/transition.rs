@@ -2,18 +2,18 @@
 
 use super::Simulator;
 use crate::epoch::{Stand, stand};
-use crate::forecast::Slot;
+use crate::forecast::GuardSlot;
 use crate::guard::MAX_GUARDS;
 use crate::input::Signal;
 use crate::model::{Reset, Resets};
 use crate::outcome::{Cap, Fault};
-use crate::run::Run;
+use crate::run::TickRun;
 use crate::stepper::{Memory as _, Stepper};
-use crate::watch::{Cause, Event, Watch};
+use crate::watch::{Event, EventCause, Watch};
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Fires guards until none must leave at this instant; at most `limits.cascade`.
-    pub(super) fn settle<S, W>(&mut self, run: &mut Run<'_, S, W>)
+    pub(super) fn settle<S, W>(&mut self, run: &mut TickRun<'_, S, W>)
     where
         S: Signal<M::Input>,
         W: Watch<M>,
@@ -31,7 +31,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     /// Applies one reset map and takes the guards anew; `false` if the tick ends here.
-    pub(super) fn fire<S, W>(&mut self, run: &mut Run<'_, S, W>, index: usize) -> bool
+    pub(super) fn fire<S, W>(&mut self, run: &mut TickRun<'_, S, W>, index: usize) -> bool
     where
         S: Signal<M::Input>,
         W: Watch<M>,
@@ -57,7 +57,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let input = run.input();
         let reset = self.model.reset(self.mode, spec.id, &self.state, &input);
         let from = self.mode;
-        if !self.land(run, Cause::Guard(spec), &reset, &input) {
+        if !self.land(run, EventCause::Guard(spec), &reset, &input) {
             return false;
         }
         if !self.take_guards(run, Some(from)) {
@@ -77,8 +77,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Takes over what a reset map gave, and tells the watch; `false` if it is not finite.
     pub(super) fn land<S, W>(
         &mut self,
-        run: &mut Run<'_, S, W>,
-        cause: Cause<'_>,
+        run: &mut TickRun<'_, S, W>,
+        cause: EventCause<'_>,
         reset: &Reset<M>,
         input: &M::Input,
     ) -> bool
@@ -113,7 +113,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     /// Notes that every guard that was positive crosses if the input's jump makes it negative.
-    pub(super) fn expect_jumps<S, W>(&self, run: &mut Run<'_, S, W>) {
+    pub(super) fn expect_jumps<S, W>(&self, run: &mut TickRun<'_, S, W>) {
         for (slot, spec) in self.guards.iter().zip(self.model.guards(self.mode)) {
             if slot.stand == Stand::Armed {
                 run.due.insert(spec.id);
@@ -127,7 +127,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Returns `false` when the tick ends here.
     pub(super) fn take_guards<S, W>(
         &mut self,
-        run: &mut Run<'_, S, W>,
+        run: &mut TickRun<'_, S, W>,
         from: Option<M::Mode>,
     ) -> bool
     where
@@ -155,7 +155,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
                 Some(mode) if mode == self.mode => now.again(slot.stand),
                 _ => now,
             };
-            *slot = Slot::new(stands, spec, value, self.model.curvature_bound(self.mode, spec.id));
+            *slot =
+                GuardSlot::new(stands, spec, value, self.model.curvature_bound(self.mode, spec.id));
             if stands != Stand::Leaving {
                 run.due.remove(spec.id);
             }

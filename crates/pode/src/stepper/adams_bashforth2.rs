@@ -2,7 +2,7 @@
 
 use crate::dense::Cubic;
 use crate::state::State;
-use crate::stepper::{Field, History, Step, Stepper};
+use crate::stepper::{DerivativeHistory, Field, Step, Stepper};
 
 /// Order 2 in 1 evaluation, 2 in the first step and after every event; no error estimate.
 ///
@@ -12,7 +12,7 @@ use crate::stepper::{Field, History, Step, Stepper};
 /// than four times as long as the step before.
 ///
 /// Carried: the derivative at the start of the last step. A reset, an event that cuts a
-/// step short, a change of the mode and another model discard it, as [GC93] 2.2 demands of
+/// step short, a change of the mode and another model discard it, as `[GC93]` 2.2 demands of
 /// a multistep method. A new tick does not: where the derivative jumps between two ticks,
 /// with the input or with a parameter that the input carries, one step is of order 1 in it.
 ///
@@ -20,7 +20,7 @@ use crate::stepper::{Field, History, Step, Stepper};
 /// energy in every step. Choose it where the derivative is dear and events are rare.
 ///
 /// # References
-/// [HNW93] III.1, eq. 1.5; steps of different lengths III.5, eq. 5.5.
+/// `[HNW93]` III.1, eq. 1.5; steps of different lengths III.5, eq. 5.5.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct AdamsBashforth2;
 
@@ -29,7 +29,7 @@ impl Stepper for AdamsBashforth2 {
     const EVALUATIONS: u32 = 2;
     const NAME: &'static str = "adams-bashforth2";
 
-    type Memory<S: State> = History<S, 1>;
+    type Memory<S: State> = DerivativeHistory<S, 1>;
     type Dense<S: State> = Cubic<S>;
 
     #[inline]
@@ -37,7 +37,7 @@ impl Stepper for AdamsBashforth2 {
         &self,
         field: &mut impl Field<S>,
         x0: &S,
-        memory: &mut History<S, 1>,
+        memory: &mut DerivativeHistory<S, 1>,
         h: f64,
     ) -> Step<S, Cubic<S>> {
         let k = field.derivative(0.0, x0);

@@ -3,7 +3,7 @@
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::history::Past;
-use crate::stepper::{Field, History, Step, Stepper};
+use crate::stepper::{DerivativeHistory, Field, Step, Stepper};
 
 /// Order 3 in 1 evaluation, 3 in the first two steps and after every event; no error estimate.
 ///
@@ -14,7 +14,7 @@ use crate::stepper::{Field, History, Step, Stepper};
 /// parabola as dense output: locally of third order, which keeps event times at order 3.
 ///
 /// Carried: the derivatives at the starts of the last two steps. A reset, an event that cuts
-/// a step short, a change of the mode and another model discard them, as [GC93] 2.2 demands
+/// a step short, a change of the mode and another model discard them, as `[GC93]` 2.2 demands
 /// of a multistep method. A new tick does not: where the derivative jumps between two ticks,
 /// with the input or with a parameter that the input carries, two steps are of order 1 in it.
 ///
@@ -22,7 +22,7 @@ use crate::stepper::{Field, History, Step, Stepper};
 /// derivative is dear, events are rare and the step is short for other reasons.
 ///
 /// # References
-/// [HNW93] III.1, eq. 1.5; steps of different lengths III.5, eq. 5.5.
+/// `[HNW93]` III.1, eq. 1.5; steps of different lengths III.5, eq. 5.5.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct AdamsBashforth3;
 
@@ -33,7 +33,7 @@ impl Stepper for AdamsBashforth3 {
     const EVALUATIONS: u32 = 3;
     const NAME: &'static str = "adams-bashforth3";
 
-    type Memory<S: State> = History<S, 2>;
+    type Memory<S: State> = DerivativeHistory<S, 2>;
     type Dense<S: State> = Cubic<S>;
 
     #[inline]
@@ -41,7 +41,7 @@ impl Stepper for AdamsBashforth3 {
         &self,
         field: &mut impl Field<S>,
         x0: &S,
-        memory: &mut History<S, 2>,
+        memory: &mut DerivativeHistory<S, 2>,
         h: f64,
     ) -> Step<S, Cubic<S>> {
         let k = field.derivative(0.0, x0);

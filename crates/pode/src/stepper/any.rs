@@ -13,9 +13,7 @@ use crate::stepper::{
 /// Dense output of any method.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum AnyDense<S> {
-    /// A cubic.
     Cubic(Cubic<S>),
-    /// Of degree 4.
     Quartic(Polynomial<S, 5>),
     /// The exact flow's series.
     Flow(Flow<S>),

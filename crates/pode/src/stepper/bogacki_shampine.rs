@@ -2,7 +2,7 @@
 
 use crate::dense::Cubic;
 use crate::state::State;
-use crate::stepper::{Field, Slope, Step, Stepper};
+use crate::stepper::{EndDerivative, Field, Step, Stepper};
 
 /// Order 3 with an embedded estimate of order 2, in 4 evaluations, 3 after the first.
 ///
@@ -11,7 +11,7 @@ use crate::stepper::{Field, Slope, Step, Stepper};
 /// the input, or a change of the mode.
 ///
 /// # References
-/// [BS89]; [HNW93] II.4.
+/// `[BS89]`; `[HNW93]` II.4.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct BogackiShampine;
 
@@ -20,7 +20,7 @@ impl Stepper for BogackiShampine {
     const EVALUATIONS: u32 = 4;
     const NAME: &'static str = "bogacki-shampine";
 
-    type Memory<S: State> = Slope<S>;
+    type Memory<S: State> = EndDerivative<S>;
     type Dense<S: State> = Cubic<S>;
 
     #[inline]
@@ -28,7 +28,7 @@ impl Stepper for BogackiShampine {
         &self,
         field: &mut impl Field<S>,
         x0: &S,
-        memory: &mut Slope<S>,
+        memory: &mut EndDerivative<S>,
         h: f64,
     ) -> Step<S, Cubic<S>> {
         let k1 = memory.0.unwrap_or_else(|| field.derivative(0.0, x0));

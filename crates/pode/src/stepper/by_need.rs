@@ -2,9 +2,9 @@
 
 use crate::dense::Cubic;
 use crate::math::{ceil, powf};
-use crate::nature::{Kind, Nature};
+use crate::nature::{EquationKind, Nature};
 use crate::state::State;
-use crate::stepper::exact::{Carried, Either, Exact, Flow};
+use crate::stepper::exact::{Either, Exact, Flow, RoundingCarry};
 use crate::stepper::{Field, Heun, Rk4, Rodas3, Step, Stepper, VelocityVerlet};
 
 /// Chooses for each mode, by what the model says of it, the method and the step that meet an
@@ -16,15 +16,15 @@ use crate::stepper::{Field, Heun, Rk4, Rodas3, Step, Stepper, VelocityVerlet};
 /// [`ByNeed::choice`] says what is taken and why.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ByNeed {
-    /// Length of the tick [s].
+    /// Length of the tick (s).
     tick: f64,
-    /// Longest step that meets the budget [rad], for each line of the menu.
+    /// Longest step that meets the budget (rad), for each line of the menu.
     reaches: [f64; MENU.len()],
 }
 
 /// A method that `ByNeed` may take.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Method {
+pub enum NeededMethod {
     /// [`Exact`].
     Exact,
     /// [`Heun`].
@@ -37,7 +37,7 @@ pub enum Method {
     Rodas3,
 }
 
-impl Method {
+impl NeededMethod {
     /// Its name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
@@ -53,9 +53,8 @@ impl Method {
 /// What is taken in a mode.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Choice {
-    /// The method.
-    pub method: Method,
-    /// Longest step [s]; infinite where the method sets no limit.
+    pub method: NeededMethod,
+    /// Longest step (s); infinite where the method sets no limit.
     pub step: f64,
     /// Relative error to be expected per radian of the mode's fastest motion; NaN where the
     /// model does not say how fast that is.
@@ -66,11 +65,9 @@ pub struct Choice {
 /// radians is `constant` r^`order`.
 #[derive(Clone, Copy, Debug)]
 pub struct Offer {
-    /// The method.
-    pub method: Method,
+    pub method: NeededMethod,
     /// What its error is proportional to.
     pub constant: f64,
-    /// Its order.
     pub order: f64,
     /// Evaluations of the derivative per step.
     pub evaluations: f64,
@@ -79,24 +76,24 @@ pub struct Offer {
 }
 
 /// What there is to choose from in smooth modes; the constants are those of the phase.
-/// [HNW93] II.1, [HLW06] I.1.
+/// `[HNW93]` II.1, `[HLW06]` I.1.
 pub const MENU: [Offer; 3] = [
     Offer {
-        method: Method::Heun,
+        method: NeededMethod::Heun,
         constant: 1.0 / 6.0,
         order: 2.0,
         evaluations: 2.0,
         is_for_damped: true,
     },
     Offer {
-        method: Method::VelocityVerlet,
+        method: NeededMethod::VelocityVerlet,
         constant: 1.0 / 24.0,
         order: 2.0,
         evaluations: 2.0,
         is_for_damped: false,
     },
     Offer {
-        method: Method::Rk4,
+        method: NeededMethod::Rk4,
         constant: 1.0 / 120.0,
         order: 4.0,
         evaluations: 4.0,
@@ -115,25 +112,29 @@ impl ByNeed {
     /// A relative error per radian that no finger feels.
     pub const BUDGET: f64 = 1e-4;
 
-    /// Meets `budget`, a relative error per radian, in ticks of `tick` [s].
+    /// Meets `budget`, a relative error per radian, in ticks of `tick` (s).
     pub fn new(budget: f64, tick: f64) -> Self {
-        /// Guards are seen, and all of the menu is stable, up to this [rad].
+        /// Guards are seen, and all of the menu is stable, up to this (rad).
         const MOST: f64 = 1.0;
         let reach = |it: Offer| powf(budget / it.constant, 1.0 / it.order).min(MOST);
         Self { tick, reaches: MENU.map(reach) }
     }
 
-    /// What is taken in a mode of this `nature`, where the model asks for steps of `own` [s].
+    /// What is taken in a mode of this `nature`, where the model asks for steps of `own` (s).
     pub fn choice(&self, nature: &Nature, own: f64) -> Choice {
         match nature.kind {
-            Kind::Affine | Kind::Linear => {
+            EquationKind::Affine | EquationKind::Linear => {
                 let step = Exact::<Rk4>::default().longest_step(nature, own);
-                Choice { method: Method::Exact, step, error: 0.0 }
+                Choice { method: NeededMethod::Exact, step, error: 0.0 }
             }
-            Kind::Stiff => Choice { method: Method::Rodas3, step: own, error: f64::NAN },
-            Kind::Smooth | Kind::Conservative if nature.rate > 0.0 => self.cheapest(nature, own),
-            Kind::Smooth | Kind::Conservative => {
-                Choice { method: Method::Rk4, step: own, error: f64::NAN }
+            EquationKind::Stiff => {
+                Choice { method: NeededMethod::Rodas3, step: own, error: f64::NAN }
+            }
+            EquationKind::Smooth | EquationKind::Conservative if nature.rate > 0.0 => {
+                self.cheapest(nature, own)
+            }
+            EquationKind::Smooth | EquationKind::Conservative => {
+                Choice { method: NeededMethod::Rk4, step: own, error: f64::NAN }
             }
         }
     }
@@ -143,7 +144,7 @@ impl ByNeed {
     #[inline]
     fn cheapest(&self, nature: &Nature, own: f64) -> Choice {
         let radians = nature.rate * self.tick;
-        let may_be = |it: &Offer| it.is_for_damped || nature.kind == Kind::Conservative;
+        let may_be = |it: &Offer| it.is_for_damped || nature.kind == EquationKind::Conservative;
         let mut best = (f64::INFINITY, f64::INFINITY, &MENU[MENU.len() - 1], own);
         for (offer, reach) in MENU.iter().zip(self.reaches).filter(|(it, _)| may_be(it)) {
             let steps = ceil(radians / reach.min(nature.rate * own)).max(1.0);
@@ -171,7 +172,7 @@ impl Stepper for ByNeed {
     const JACOBIANS: u32 = Rodas3::JACOBIANS;
     const NAME: &'static str = "by-need";
 
-    type Memory<S: State> = Carried<S, ()>;
+    type Memory<S: State> = RoundingCarry<S, ()>;
     type Dense<S: State> = Either<Flow<S>, Cubic<S>>;
 
     #[inline]
@@ -184,11 +185,13 @@ impl Stepper for ByNeed {
     ) -> Step<S, Self::Dense<S>> {
         let none = &mut ();
         match self.choice(&field.nature(), h).method {
-            Method::Exact => Exact::<Rk4>::default().step(field, x0, memory, h),
-            Method::Heun => Heun.step(field, x0, none, h).map(Either::Right),
-            Method::VelocityVerlet => VelocityVerlet.step(field, x0, none, h).map(Either::Right),
-            Method::Rk4 => Rk4.step(field, x0, none, h).map(Either::Right),
-            Method::Rodas3 => Rodas3.step(field, x0, none, h).map(Either::Right),
+            NeededMethod::Exact => Exact::<Rk4>::default().step(field, x0, memory, h),
+            NeededMethod::Heun => Heun.step(field, x0, none, h).map(Either::Right),
+            NeededMethod::VelocityVerlet => {
+                VelocityVerlet.step(field, x0, none, h).map(Either::Right)
+            }
+            NeededMethod::Rk4 => Rk4.step(field, x0, none, h).map(Either::Right),
+            NeededMethod::Rodas3 => Rodas3.step(field, x0, none, h).map(Either::Right),
         }
     }
 

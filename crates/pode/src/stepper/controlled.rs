@@ -47,7 +47,7 @@ impl Tolerance {
 /// limit on pieces bounds that, too. What the step's length was is kept over events.
 ///
 /// # References
-/// [HNW93] II.4: elementary controller.
+/// `[HNW93]` II.4: elementary controller.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Controlled<T> {
     /// The method; it must have an error estimate.
@@ -61,7 +61,7 @@ pub struct Controlled<T> {
 pub struct Control<M> {
     /// What the method itself carries.
     method: M,
-    /// Length of the next step [s]; infinite before the first.
+    /// Length of the next step (s); infinite before the first.
     reach: f64,
 }
 
@@ -124,7 +124,7 @@ impl<T: Stepper> Stepper for Controlled<T> {
         /// often followed by a harder one: 0.9 has a sixth of all steps refused on the paper's
         /// figure 6, and takes a fifth more evaluations for the same error.
         const SAFETY: f64 = 0.7;
-        /// A step this short [s] without a number for its error is the model's own fault.
+        /// A step this short (s) without a number for its error is the model's own fault.
         const SHORTEST: f64 = 1e-9;
         let mut step = self.method.step(field, x0, &mut memory.method, h);
         let error = self.tolerance.weigh(&step.error, x0, step.dense.end());

@@ -2,7 +2,7 @@
 
 use crate::dense::{Dense, Polynomial};
 use crate::matrix::Matrix as _;
-use crate::nature::{Kind, Nature};
+use crate::nature::{EquationKind, Nature};
 use crate::state::State;
 use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 
@@ -12,14 +12,14 @@ use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 /// with A, and the series is the dense output as well, so that an event lies on the exact
 /// flow and costs no step of its own. No energy is made or lost, at any stiffness.
 /// r is taken as a cubic through four places of the step: exact for a constant (gravity) and
-/// for every [`Reconstruction`](crate::input::Reconstruction); for other inputs of order 4.
+/// for every [`InputReconstruction`](crate::input::Reconstruction); for other inputs of order 4.
 /// At most 1 rad of the mode's fastest motion per step, so that guards are seen; a stiff
 /// contact within one tick is three or four steps. What a step lost in rounding is carried to
 /// the next one, and void after a reset.
 /// Evaluations: the Jacobian, and 4 derivatives; 1 where the input plays no part.
 ///
 /// # References
-/// [HNW93] I.8 (power series), [HO10] 2 (variation of constants).
+/// `[HNW93]` I.8 (power series), `[HO10]` 2 (variation of constants).
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Exact<T = Rk4> {
     /// For modes that are not linear.
@@ -32,7 +32,7 @@ const TERMS: usize = 24;
 /// Dense output of the exact flow: its Taylor series.
 pub type Flow<S> = Polynomial<S, TERMS>;
 
-/// Longest step, as a part of the fastest motion [rad].
+/// Longest step, as a part of the fastest motion (rad).
 const RADIANS: f64 = 1.0;
 
 /// Places of the step at which the forcing is taken.
@@ -46,7 +46,7 @@ impl<T: Stepper> Stepper for Exact<T> {
     const JACOBIANS: u32 = if T::JACOBIANS > 1 { T::JACOBIANS } else { 1 };
     const NAME: &'static str = "exact";
 
-    type Memory<S: State> = Carried<S, T::Memory<S>>;
+    type Memory<S: State> = RoundingCarry<S, T::Memory<S>>;
     type Dense<S: State> = Either<Flow<S>, T::Dense<S>>;
 
     #[inline]
@@ -60,7 +60,7 @@ impl<T: Stepper> Stepper for Exact<T> {
         let nature = field.nature();
         if nature.is_linear() {
             let a = field.jacobian(0.0, x0);
-            let flow = if nature.kind == Kind::Affine {
+            let flow = if nature.kind == EquationKind::Affine {
                 series(&a, &[field.derivative(0.0, &S::ZERO)], x0, h, &mut memory.rounded)
             } else {
                 let forcing = PLACES.map(|tau| field.derivative(tau, &S::ZERO));
@@ -110,7 +110,7 @@ fn cubic<S: State>([r0, r1, r2, r3]: [S; 4]) -> [S; 4] {
     ]
 }
 
-/// The Taylor series of x' = A x + Σ rₖ τᵏ from `x0` over `h` [s].
+/// The Taylor series of x' = A x + Σ rₖ τᵏ from `x0` over `h` (s).
 ///
 /// Term k + 1 is h (A termₖ + rₖ) / (k + 1); the series ends where two terms in a row no
 /// longer count against the largest in any entry: an entry may well end at zero. One that
@@ -166,18 +166,18 @@ fn counts<S: State>(term: &S, peak: &S) -> bool {
 /// What the exact flow carries: what the last step lost in rounding, entry by entry, so that
 /// roundings do not add up; and the other method's own.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Carried<S, M> {
+pub struct RoundingCarry<S, M> {
     rounded: S,
     other: M,
 }
 
-impl<S: State, M: Memory> Default for Carried<S, M> {
+impl<S: State, M: Memory> Default for RoundingCarry<S, M> {
     fn default() -> Self {
         Self { rounded: S::ZERO, other: M::default() }
     }
 }
 
-impl<S: State, M: Memory> Memory for Carried<S, M> {
+impl<S: State, M: Memory> Memory for RoundingCarry<S, M> {
     #[inline]
     fn restart(&mut self) {
         self.rounded = S::ZERO;
@@ -198,9 +198,7 @@ impl<S: State, M: Memory> Memory for Carried<S, M> {
 /// One of two dense outputs.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Either<A, B> {
-    /// The first.
     Left(A),
-    /// The second.
     Right(B),
 }
 

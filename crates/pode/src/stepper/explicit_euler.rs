@@ -15,7 +15,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// write and keeps the energy bounded.
 ///
 /// # References
-/// [HNW93] I.7, eq. 7.3; [HLW06] I.1.2, eq. 1.5.
+/// `[HNW93]` I.7, eq. 7.3; `[HLW06]` I.1.2, eq. 1.5.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct ExplicitEuler;
 

@@ -23,7 +23,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// for nearly linear modes, an oscillator with a weak nonlinearity, whose phase counts.
 ///
 /// # References
-/// [HO10] 2.4; [HOS09].
+/// `[HO10]` 2.4; `[HOS09]`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct ExponentialRosenbrock;
 

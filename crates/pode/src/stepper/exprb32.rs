@@ -24,7 +24,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// would need shorter steps: it costs no product more.
 ///
 /// # References
-/// [HOS09]; [HO10] 2.4.
+/// `[HOS09]`; `[HO10]` 2.4.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Exprb32;
 

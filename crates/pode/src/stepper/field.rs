@@ -59,7 +59,7 @@ pub(crate) fn unit_differences<S: State>(mut f: impl FnMut(&S) -> S) -> S::Matri
 
 /// A Jacobian by central differences: two evaluations of `f` per entry of the state.
 ///
-/// The step is ∛ε of the entry's size, where rounding and curvature weigh the same. [PTVF07] 5.7
+/// The step is ∛ε of the entry's size, where rounding and curvature weigh the same. `[PTVF07]` 5.7
 pub(crate) fn differences<S: State>(x: &S, mut f: impl FnMut(&S) -> S) -> S::Matrix {
     /// About ∛ε.
     const PART: f64 = 1.0 / 131_072.0;

@@ -10,7 +10,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// Nothing is carried to the next step, so nothing is discarded after a reset.
 ///
 /// # References
-/// [HNW93] II.1.
+/// `[HNW93]` II.1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Heun;
 

@@ -11,7 +11,7 @@ use crate::stepper::Memory;
 /// model. A new tick does not void it, for the motion goes on; where the derivative jumps
 /// between two ticks, with the input, the next `N` steps are of order 1 in that jump.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct History<S, const N: usize> {
+pub struct DerivativeHistory<S, const N: usize> {
     past: [Past<S>; N],
     known: usize,
 }
@@ -21,19 +21,19 @@ pub struct History<S, const N: usize> {
 pub(super) struct Past<S> {
     /// The derivative at its start.
     pub(super) slope: S,
-    /// Its length [s].
+    /// Its length (s).
     pub(super) h: f64,
 }
 
-impl<S: State, const N: usize> Default for History<S, N> {
+impl<S: State, const N: usize> Default for DerivativeHistory<S, N> {
     fn default() -> Self {
         Self { past: [Past { slope: S::ZERO, h: 0.0 }; N], known: 0 }
     }
 }
 
-impl<S: State, const N: usize> History<S, N> {
+impl<S: State, const N: usize> DerivativeHistory<S, N> {
     /// The steps before, newest first, if all are known and none is so short against a step
-    /// of `h` [s] that the rounding of its slopes would be extrapolated.
+    /// of `h` (s) that the rounding of its slopes would be extrapolated.
     #[inline]
     pub(super) fn before(&self, h: f64) -> Option<&[Past<S>; N]> {
         /// Longest step as a multiple of one before.
@@ -42,7 +42,7 @@ impl<S: State, const N: usize> History<S, N> {
         is_sound.then_some(&self.past)
     }
 
-    /// Remembers a step of `h` [s] that began with the derivative `slope`.
+    /// Remembers a step of `h` (s) that began with the derivative `slope`.
     #[inline]
     pub(super) fn remember(&mut self, slope: S, h: f64) {
         self.past.rotate_right(1);
@@ -53,7 +53,7 @@ impl<S: State, const N: usize> History<S, N> {
     }
 }
 
-impl<S: State, const N: usize> Memory for History<S, N> {
+impl<S: State, const N: usize> Memory for DerivativeHistory<S, N> {
     #[inline]
     fn restart(&mut self) {
         self.known = 0;

@@ -23,7 +23,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// energy counts more than their shape.
 ///
 /// # References
-/// [HW96] IV.7 (one stage, γ = 1/2), IV.11, theorem 11.2 (J. von Neumann's).
+/// `[HW96]` IV.7 (one stage, γ = 1/2), IV.11, theorem 11.2 (J. von Neumann's).
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct LinearImplicitMidpoint;
 

@@ -19,29 +19,28 @@ pub trait Memory: Copy + PartialEq + Default + Debug + Send {
     #[inline]
     fn begin_tick(&mut self) {}
 
-    /// Longest step [s] that is worth trying next.
+    /// Longest step (s) that is worth trying next.
     #[inline]
     fn reach(&self) -> f64 {
         f64::INFINITY
     }
 }
 
-/// Nothing.
 impl Memory for () {}
 
 /// The derivative at the end of the last step: the first stage of the next one.
 ///
 /// Void after a reset, a jump of the input, and a change of the mode or the model.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Slope<S>(pub Option<S>);
+pub struct EndDerivative<S>(pub Option<S>);
 
-impl<S> Default for Slope<S> {
+impl<S> Default for EndDerivative<S> {
     fn default() -> Self {
         Self(None)
     }
 }
 
-impl<S: Copy + PartialEq + Debug + Send> Memory for Slope<S> {
+impl<S: Copy + PartialEq + Debug + Send> Memory for EndDerivative<S> {
     #[inline]
     fn restart(&mut self) {
         self.0 = None;

@@ -33,19 +33,19 @@ pub use adams_bashforth2::AdamsBashforth2;
 pub use adams_bashforth3::AdamsBashforth3;
 pub use any::{Any, AnyDense, AnyMemory, Fits};
 pub use bogacki_shampine::BogackiShampine;
-pub use by_need::{ByNeed, Choice, MENU, Method, Offer};
+pub use by_need::{ByNeed, Choice, MENU, NeededMethod, Offer};
 pub use controlled::{Control, Controlled, Tolerance};
 pub use dop853::{Dense8, Dop853};
-pub use exact::{Carried, Either, Exact, Flow};
+pub use exact::{Either, Exact, Flow, RoundingCarry};
 pub use explicit_euler::ExplicitEuler;
 pub use exponential_rosenbrock::ExponentialRosenbrock;
 pub use exprb32::Exprb32;
 pub use field::{Field, Given};
 pub(crate) use field::{differences, unit_differences};
 pub use heun::Heun;
-pub use history::History;
+pub use history::DerivativeHistory;
 pub use linear_implicit_midpoint::LinearImplicitMidpoint;
-pub use memory::{Memory, Slope};
+pub use memory::{EndDerivative, Memory};
 pub use rk4::Rk4;
 pub use rodas3::Rodas3;
 pub use rodas4::Rodas4;
@@ -114,7 +114,7 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     /// Its dense output.
     type Dense<S: State>: Dense<S> + Copy + PartialEq;
 
-    /// Steps from `x0` by `h` [s].
+    /// Steps from `x0` by `h` (s).
     fn step<S: State>(
         &self,
         field: &mut impl Field<S>,
@@ -148,7 +148,7 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
         Self::DENSE >= HIGH
     }
 
-    /// Longest step [s] in a mode of this `nature`, where the model itself asks for `own`.
+    /// Longest step (s) in a mode of this `nature`, where the model itself asks for `own`.
     #[inline]
     fn longest_step(&self, _nature: &Nature, own: f64) -> f64 {
         own

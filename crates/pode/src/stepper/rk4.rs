@@ -11,7 +11,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// Nothing is carried to the next step, so nothing is discarded after a reset.
 ///
 /// # References
-/// [HNW93] II.1, table 1.2; dense output II.6, eq. 6.9.
+/// `[HNW93]` II.1, table 1.2; dense output II.6, eq. 6.9.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Rk4;
 

@@ -20,7 +20,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// would need short steps.
 ///
 /// # References
-/// [SVB97] (RODAS3); the form without products [HW96] IV.7, eq. 7.25. The dense output is our own:
+/// `[SVB97]` (RODAS3); the form without products `[HW96]` IV.7, eq. 7.25. The dense output is our own:
 /// b1 + b2 + b3 + b4 = τ, Σ bᵢ βᵢ = τ²/2, b3 + b4 = τ³/3 (no choice meets the fourth
 /// condition of order 3), and b4 = τ³/2 for a quiet middle.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]

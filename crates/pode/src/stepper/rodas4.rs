@@ -19,7 +19,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// the implicit methods here.
 ///
 /// # References
-/// [HW96] VI.4, and its code RODAS: coefficients of METH 1 and the dense output.
+/// `[HW96]` VI.4, and its code RODAS: coefficients of METH 1 and the dense output.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Rodas4;
 

@@ -22,7 +22,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// a few parts in 10³ are enough; it damps what oscillates faster than the step.
 ///
 /// # References
-/// [VSB99] section 2; the form without products [HW96] IV.7, eq. 7.25.
+/// `[VSB99]` section 2; the form without products `[HW96]` IV.7, eq. 7.25.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Ros2;
 

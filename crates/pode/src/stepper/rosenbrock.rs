@@ -10,7 +10,7 @@ use crate::stepper::shifted::Shifted;
 /// (1 − γ h J) uᵢ = γ (h f(t0 + nodeᵢ h, x0 + Σ aᵢⱼ uⱼ) + Σ cᵢⱼ uⱼ + dᵢ h² ∂f/∂t)
 /// ```
 ///
-/// [HW96] IV.7, eq. 7.25, for systems that depend on the time.
+/// `[HW96]` IV.7, eq. 7.25, for systems that depend on the time.
 pub(super) struct Tableau<const N: usize> {
     pub(super) gamma: f64,
     pub(super) nodes: [f64; N],
@@ -22,7 +22,7 @@ pub(super) struct Tableau<const N: usize> {
 }
 
 impl<const N: usize> Tableau<N> {
-    /// The stages of a step of `h` [s] from `x0`, with the derivative `f0` there and
+    /// The stages of a step of `h` (s) from `x0`, with the derivative `f0` there and
     /// `time_slope` = h ∂f/∂t: one Jacobian, one LU, one solution a stage.
     #[inline]
     pub(super) fn stages<S: State>(

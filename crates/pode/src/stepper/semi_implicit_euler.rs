@@ -11,7 +11,7 @@ use crate::stepper::{Field, Step, Stepper};
 /// Nothing is carried to the next step, so nothing is discarded after a reset.
 ///
 /// # References
-/// [HLW06] I.1.2, eq. 1.9.
+/// `[HLW06]` I.1.2, eq. 1.9.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SemiImplicitEuler;
 

@@ -12,7 +12,7 @@ const PART: f64 = 1.0 / 64.0;
 /// By one-sided differences over the next `ORDER` = 1, 2 or 3 places, each 1/64 of the step
 /// further: one evaluation a place, and an error of that order in h. One-sided, because the
 /// input is known inside the step only. Exactly zero where time plays no part.
-/// [AS64] table 25.2
+/// `[AS64]` table 25.2
 #[inline]
 pub(super) fn time_slope<S: State, const ORDER: usize>(
     field: &mut impl Field<S>,

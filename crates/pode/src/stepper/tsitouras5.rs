@@ -2,7 +2,7 @@
 
 use crate::dense::Polynomial;
 use crate::state::State;
-use crate::stepper::{Field, Slope, Step, Stepper};
+use crate::stepper::{EndDerivative, Field, Step, Stepper};
 
 /// Order 5 with an embedded estimate of order 4, in 7 evaluations, 6 after the first.
 ///
@@ -16,7 +16,7 @@ use crate::stepper::{Field, Slope, Step, Stepper};
 /// evaluation it is the most accurate of the explicit methods here.
 ///
 /// # References
-/// [Tsi11] table 1 and the interpolant after it; the weights of the error are those of its
+/// `[Tsi11]` table 1 and the interpolant after it; the weights of the error are those of its
 /// fourth-order formula, with the sign that makes their sum zero.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Tsitouras5;
@@ -80,7 +80,7 @@ impl Stepper for Tsitouras5 {
     const EVALUATIONS: u32 = 7;
     const NAME: &'static str = "tsitouras5";
 
-    type Memory<S: State> = Slope<S>;
+    type Memory<S: State> = EndDerivative<S>;
     type Dense<S: State> = Polynomial<S, 5>;
 
     #[inline]
@@ -88,7 +88,7 @@ impl Stepper for Tsitouras5 {
         &self,
         field: &mut impl Field<S>,
         x0: &S,
-        memory: &mut Slope<S>,
+        memory: &mut EndDerivative<S>,
         h: f64,
     ) -> Step<S, Polynomial<S, 5>> {
         let k1 = memory.0.unwrap_or_else(|| field.derivative(0.0, x0));

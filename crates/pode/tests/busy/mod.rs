@@ -13,7 +13,7 @@ pub(crate) struct Busy {
     pub(crate) longest_step: f64,
     /// Whether a reset goes to the other mode.
     pub(crate) goes_on: bool,
-    /// How long [s] the impacts take that every reset declares, if it does.
+    /// How long (s) the impacts take that every reset declares, if it does.
     pub(crate) settles: Option<f64>,
 }
 
@@ -22,7 +22,7 @@ impl Busy {
     pub(crate) const IDLE: Self = Self {
         guards: &[],
         guard: |_, _| GuardValue::new(1.0, 0.0),
-        nature: Nature::new(pode::Kind::Smooth, 0.0),
+        nature: Nature::new(pode::EquationKind::Smooth, 0.0),
         longest_step: f64::INFINITY,
         goes_on: false,
         settles: None,

@@ -2,27 +2,27 @@
 
 use super::G;
 use pode::{
-    GuardId, GuardSpec, GuardValue, Guarded, Kind, Limits, Model, Nature, Reset, Resets, Simulator,
-    Stepper,
+    EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset, Resets,
+    Simulator, Stepper,
 };
 
-/// Mass of the head [kg].
+/// Mass of the head (kg).
 pub const MASS: f64 = 0.01;
 
 /// Part of a radian of the contact's oscillation that one step of RK4 may take.
 pub const RADIANS: f64 = 0.05;
 
-/// Stiffness [N/m], contact time [s], deepest point [m], period [s]; from 40-digit arithmetic.
+/// Stiffness (N/m), contact time (s), deepest point (m), period (s); from 40-digit arithmetic.
 pub const CONTACTS: [[f64; 4]; 3] = [
     [1e3, 0.010_130_725_363_703_42, 0.003_261_898_920_601_624, 0.214_004_323_732_714_6],
     [1e5, 0.000_995_420_820_285_805_5, 0.000_317_210_287_639_522_7, 0.204_869_019_189_297],
     [1e7, 0.000_099_365_502_657_331_63, 0.000_031_632_588_123_310_1, 0.203_972_963_871_668_5],
 ];
 
-/// A head that falls on F = −k min(x, 0): height [m] and speed [m/s].
+/// A head that falls on F = −k min(x, 0): height (m) and speed (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Head {
-    /// Stiffness [N/m].
+    /// Stiffness (N/m).
     pub k: f64,
 }
 
@@ -52,7 +52,7 @@ impl Model for Head {
         [x[1], self.readout(mode, x, &()) / MASS - G]
     }
 
-    /// The force of the contact [N].
+    /// The force of the contact (N).
     fn readout(&self, mode: Mode, x: &[f64; 2], (): &()) -> f64 {
         match mode {
             Mode::Flight => 0.0,
@@ -62,7 +62,7 @@ impl Model for Head {
 
     fn nature(&self, mode: Mode) -> Nature {
         let rate = if mode == Mode::Contact { self.omega() } else { 0.0 };
-        Nature::new(Kind::Affine, rate)
+        Nature::new(EquationKind::Affine, rate)
     }
 
     fn longest_step(&self, mode: Mode) -> f64 {

@@ -7,19 +7,19 @@ pub mod stick_slip;
 
 use pode::stepper::Rk4;
 use pode::{
-    Advance, Event, GuardId, GuardSpec, GuardValue, Guarded, Kind, Limits, Model, Nature, Reset,
-    Resets, Settling, Simulator, Stepper, Tick, Watch,
+    Advance, EquationKind, Event, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature,
+    Reset, Resets, Settling, Simulator, Stepper, Tick, Watch,
 };
 
 pub const G: f64 = 9.81;
 
-/// The three step sizes [s] at which every case is run.
+/// The three step sizes (s) at which every case is run.
 pub const STEPS: [f64; 3] = [1e-4, 1e-3, 7e-3];
 
 /// The tick phases: which part of a tick the start is shifted by.
 pub const PHASES: [f64; 3] = [0.0, 1.0 / 3.0, 0.999];
 
-/// Calls `check` for each step size [s] and tick phase.
+/// Calls `check` for each step size (s) and tick phase.
 pub fn each_step_and_phase(mut check: impl FnMut(f64, f64)) {
     for h in STEPS {
         for phase in PHASES {
@@ -42,7 +42,7 @@ pub fn all_completed(ticks: &[Tick]) {
     assert_eq!(odd, None, "{:?}", odd.map(|n| ticks[n]));
 }
 
-/// A recorded event: time [s], guard name, state after.
+/// A recorded event: time (s), guard name, state after.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seen<M: Model> {
     pub t: f64,
@@ -57,7 +57,7 @@ pub struct Seen<M: Model> {
 #[derive(Clone, Debug)]
 pub struct Recorder<M: Model> {
     pub h: f64,
-    /// Time of tick 0's start [s].
+    /// Time of tick 0's start (s).
     pub origin: f64,
     pub seen: Vec<Seen<M>>,
 }
@@ -85,7 +85,7 @@ impl<M: Model> Watch<M> for Recorder<M> {
     }
 }
 
-/// Runs a model of no input until `until` [s] with ticks of `h`, the first one cut to
+/// Runs a model of no input until `until` (s) with ticks of `h`, the first one cut to
 /// `1 − phase` of a tick; returns the events and every tick.
 pub fn run<M: Resets<Input = ()>, T: Stepper>(
     simulator: &mut Simulator<M, T>,
@@ -142,7 +142,7 @@ impl Model for Ball {
     }
 
     fn nature(&self, _: BallMode) -> Nature {
-        Nature::new(Kind::Affine, 0.0)
+        Nature::new(EquationKind::Affine, 0.0)
     }
 
     fn readout(&self, mode: BallMode, _: &[f64; 2], (): &()) -> f64 {

@@ -1,7 +1,7 @@
 //! A mass that sticks and slips on a belt.
 
 use pode::Nature;
-use pode::filippov::{Branch, Side, Sided, Surface};
+use pode::filippov::{Branch, Sided, Surface, SurfaceSide};
 
 /// A mass on a spring on a belt at 0.1 m/s: 1 kg, 100 N/m, 1 N while it slips and 1.5 N while
 /// it sticks. Place and speed.
@@ -30,7 +30,7 @@ impl Sided for StickSlip {
         Surface { value: x[1] - 0.1, gradient: [0.0, 1.0], drift: 0.0 }
     }
 
-    fn nature(&self, _: Side) -> Nature {
+    fn nature(&self, _: SurfaceSide) -> Nature {
         self.nature
     }
 }

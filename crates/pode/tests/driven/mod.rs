@@ -7,7 +7,7 @@ use pode::{Resets, Simulator, Stepper, Tick};
 
 use crate::common::Recorder;
 
-/// The time [s], as an input.
+/// The time (s), as an input.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Clock(pub f64);
 
@@ -17,7 +17,7 @@ impl Continued for Clock {
     }
 }
 
-/// Runs a model to exactly `until` [s] under `input`, a function of the time, with ticks of
+/// Runs a model to exactly `until` (s) under `input`, a function of the time, with ticks of
 /// `h`, the first one cut to `1 − phase` of a tick and the last one to fit; returns the
 /// events and every tick.
 pub fn run_driven<M: Resets, T: Stepper>(

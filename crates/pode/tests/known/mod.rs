@@ -6,24 +6,24 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
 use pode::stepper::Given;
-use pode::{Dense, Kind, Nature, Step, Stepper};
+use pode::{Dense, EquationKind, Nature, Step, Stepper};
 
 /// Equations q'' = a(t, q, q') with a known solution.
 #[derive(Clone, Copy)]
 pub struct Problem {
-    pub kind: Kind,
+    pub kind: EquationKind,
     pub acceleration: fn(f64, &[f64; 2]) -> f64,
 }
 
 /// A driven oscillator, q'' = −q + e^(−t): its derivative depends on the time, so wrong
 /// nodes show.
 pub const OSCILLATOR: Problem =
-    Problem { kind: Kind::Linear, acceleration: |t, x| -x[0] + (-t).exp() };
+    Problem { kind: EquationKind::Linear, acceleration: |t, x| -x[0] + (-t).exp() };
 
 /// A pendulum with a drag as the cube of its speed, driven so that it moves as the
 /// oscillator does.
 pub const PENDULUM: Problem = Problem {
-    kind: Kind::Smooth,
+    kind: EquationKind::Smooth,
     acceleration: |t, x| {
         let ([q, dq], ddq) = (exact(t), 0.5 * ((-t).exp() - t.sin()));
         -4.0 * (x[0].sin() - q.sin()) - 0.5 * (x[1].powi(3) - dq.powi(3)) + ddq
@@ -75,7 +75,7 @@ pub fn check_order(what: impl std::fmt::Display, order: f64, error: impl Fn(f64)
     assert!((observed - order).abs() < 0.2, "{what}: observed order {observed:.3}, not {order}");
 }
 
-/// Error after 1 s in steps whose lengths [s] are the parts `parts` of `h`, over and over.
+/// Error after 1 s in steps whose lengths (s) are the parts `parts` of `h`, over and over.
 pub fn global_error<T: Stepper>(problem: Problem, parts: &[f64], h: f64) -> f64 {
     let mut x = exact(0.0);
     let (mut t, mut memory) = (0.0, T::Memory::default());
@@ -88,7 +88,7 @@ pub fn global_error<T: Stepper>(problem: Problem, parts: &[f64], h: f64) -> f64 
     distance(&x, &exact(1.0))
 }
 
-/// Largest error of `step`'s dense output, which begins at `t` and takes `h` [s].
+/// Largest error of `step`'s dense output, which begins at `t` and takes `h` (s).
 pub fn largest_inside(step: &impl Dense<[f64; 2]>, t: f64, h: f64) -> f64 {
     let inside = (1..=20).map(|n| f64::from(n) / 20.0);
     inside.map(|tau| distance(&step.at(tau), &exact(t + tau * h))).fold(0.0, f64::max)

@@ -23,9 +23,9 @@
 
 use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::time::{Nanos, Period};
-use crate::voice::Turn;
+use crate::voice::VoiceOutput;
 
-/// The force of a key whose voice cannot be trusted [N].
+/// The force of a key whose voice cannot be trusted (N).
 pub const SAFE_FORCE: f64 = 0.0;
 
 /// From the first untrusted tick to the safe force.
@@ -46,7 +46,7 @@ enum Trust {
 
 impl Trust {
     /// The worst that is known about this turn.
-    fn of(turn: &Turn, sample: &KeySample) -> Self {
+    fn of(turn: &VoiceOutput, sample: &KeySample) -> Self {
         if turn.fault.is_some() || !turn.force.is_finite() {
             Self::Fault
         } else if turn.late || MAX_EXTRAPOLATED < sample.age {
@@ -60,9 +60,9 @@ impl Trust {
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum State {
+enum SafetyState {
     Following,
-    /// `held` [N] was sent last; `ticks` have passed since, this one included. The way back
+    /// `held` (N) was sent last; `ticks` have passed since, this one included. The way back
     /// takes `left` ticks at least, because the outage cut another one short.
     Outage {
         held: f64,
@@ -74,7 +74,7 @@ enum State {
         held: f64,
         ticks: u32,
     },
-    /// `done` of `of` ticks on the way from `from` [N] to the voice's force.
+    /// `done` of `of` ticks on the way from `from` (N) to the voice's force.
     Returning {
         from: f64,
         done: u32,
@@ -85,19 +85,19 @@ enum State {
 /// One key's state, and what it feels.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct KeySafety {
-    state: State,
-    /// The force sent last [N].
+    state: SafetyState,
+    /// The force sent last (N).
     sent: f64,
 }
 
 impl KeySafety {
     /// Nothing has been sent for a long time.
     const SILENT: Self = Self {
-        state: State::Outage { held: SAFE_FORCE, ticks: u32::MAX, left: 0 },
+        state: SafetyState::Outage { held: SAFE_FORCE, ticks: u32::MAX, left: 0 },
         sent: SAFE_FORCE,
     };
 
-    /// One row of the table; returns the force to send [N], `ticks` after the last one.
+    /// One row of the table; returns the force to send (N), `ticks` after the last one.
     fn step(&mut self, trust: Trust, force: f64, ramps: Ramps, ticks: f64) -> f64 {
         let Ramps { fade_ticks, reach } = ramps;
         self.state = match trust {
@@ -107,11 +107,11 @@ impl KeySafety {
             Trust::Fault => self.fault(),
         };
         let force = match self.state {
-            State::Following => towards(self.sent, force, reach * ticks),
-            State::Outage { held, ticks, .. } | State::Condemned { held, ticks } => {
+            SafetyState::Following => towards(self.sent, force, reach * ticks),
+            SafetyState::Outage { held, ticks, .. } | SafetyState::Condemned { held, ticks } => {
                 faded(held, ticks, fade_ticks)
             }
-            State::Returning { from, done, of } => {
+            SafetyState::Returning { from, done, of } => {
                 let blend = from + (force - from) * f64::from(done) / f64::from(of);
                 towards(self.sent, blend, reach * ticks)
             }
@@ -121,72 +121,82 @@ impl KeySafety {
         self.sent
     }
 
-    fn trusted(&self, fade_ticks: u32) -> State {
+    fn trusted(&self, fade_ticks: u32) -> SafetyState {
         match self.state {
-            State::Following => State::Following,
-            State::Outage { held, ticks, left } => {
+            SafetyState::Following => SafetyState::Following,
+            SafetyState::Outage { held, ticks, left } => {
                 let of = ticks.saturating_add(1).max(left).min(fade_ticks);
                 returning(faded(held, ticks, fade_ticks), 0, of)
             }
-            State::Condemned { ticks, .. } if fade_ticks < ticks => {
+            SafetyState::Condemned { ticks, .. } if fade_ticks < ticks => {
                 returning(SAFE_FORCE, 0, fade_ticks)
             }
-            State::Condemned { held, ticks } => State::Condemned { held, ticks: ticks + 1 },
-            State::Returning { from, done, of } => returning(from, done, of),
+            SafetyState::Condemned { held, ticks } => {
+                SafetyState::Condemned { held, ticks: ticks + 1 }
+            }
+            SafetyState::Returning { from, done, of } => returning(from, done, of),
         }
     }
 
-    fn fresh(&self, fade_ticks: u32) -> State {
+    fn fresh(&self, fade_ticks: u32) -> SafetyState {
         match self.state {
-            State::Following | State::Returning { .. } => returning(self.sent, 0, fade_ticks),
-            State::Outage { held, ticks, .. } => {
+            SafetyState::Following | SafetyState::Returning { .. } => {
+                returning(self.sent, 0, fade_ticks)
+            }
+            SafetyState::Outage { held, ticks, .. } => {
                 returning(faded(held, ticks, fade_ticks), 0, fade_ticks)
             }
-            State::Condemned { .. } => self.trusted(fade_ticks),
+            SafetyState::Condemned { .. } => self.trusted(fade_ticks),
         }
     }
 
     /// The state after `missing` more ticks without the voice.
-    const fn not_there(&self, missing: u32) -> State {
+    const fn not_there(&self, missing: u32) -> SafetyState {
         match self.state {
-            State::Following => State::Outage { held: self.sent, ticks: missing, left: 0 },
-            State::Returning { done, of, .. } => {
-                State::Outage { held: self.sent, ticks: missing, left: of - done }
+            SafetyState::Following => {
+                SafetyState::Outage { held: self.sent, ticks: missing, left: 0 }
             }
-            State::Outage { held, ticks, left } => {
-                State::Outage { held, ticks: ticks.saturating_add(missing), left }
+            SafetyState::Returning { done, of, .. } => {
+                SafetyState::Outage { held: self.sent, ticks: missing, left: of - done }
             }
-            State::Condemned { held, ticks } => {
-                State::Condemned { held, ticks: ticks.saturating_add(missing) }
+            SafetyState::Outage { held, ticks, left } => {
+                SafetyState::Outage { held, ticks: ticks.saturating_add(missing), left }
+            }
+            SafetyState::Condemned { held, ticks } => {
+                SafetyState::Condemned { held, ticks: ticks.saturating_add(missing) }
             }
         }
     }
 
     /// How the force just sent goes on: as its voice says, if that is what was sent.
-    fn slope(&self, turn: &Turn) -> KeySlope {
+    fn slope(&self, turn: &VoiceOutput) -> KeySlope {
         let is_sent = self.sent.to_bits() == turn.force.to_bits();
-        let is_followed = self.state == State::Following && is_sent && turn.slope.is_finite();
+        let is_followed = self.state == SafetyState::Following && is_sent && turn.slope.is_finite();
         if is_followed { turn.slope } else { KeySlope::HELD }
     }
 
-    const fn fault(&self) -> State {
+    const fn fault(&self) -> SafetyState {
         match self.state {
-            State::Following | State::Returning { .. } => {
-                State::Condemned { held: self.sent, ticks: 1 }
+            SafetyState::Following | SafetyState::Returning { .. } => {
+                SafetyState::Condemned { held: self.sent, ticks: 1 }
             }
-            State::Outage { held, ticks, .. } | State::Condemned { held, ticks } => {
-                State::Condemned { held, ticks: ticks.saturating_add(1) }
+            SafetyState::Outage { held, ticks, .. } | SafetyState::Condemned { held, ticks } => {
+                SafetyState::Condemned { held, ticks: ticks.saturating_add(1) }
             }
         }
     }
 }
 
 /// One tick further on the way back; there is no way left after `of` ticks.
-const fn returning(from: f64, done: u32, of: u32) -> State {
-    if done + 1 < of { State::Returning { from, done: done + 1, of } } else { State::Following }
+const fn returning(from: f64, done: u32, of: u32) -> SafetyState {
+    if done + 1 < of {
+        SafetyState::Returning { from, done: done + 1, of }
+    } else {
+        SafetyState::Following
+    }
 }
 
-/// `held` [N] in the `ticks`-th tick after it was sent: whole in the first, then falling.
+/// `held` (N) in the `ticks`-th tick after it was sent: whole in the first, then falling.
 fn faded(held: f64, ticks: u32, fade_ticks: u32) -> f64 {
     if fade_ticks < ticks {
         return SAFE_FORCE;
@@ -195,7 +205,7 @@ fn faded(held: f64, ticks: u32, fade_ticks: u32) -> f64 {
     held * (f64::from(fade_ticks + 1 - ticks) / f64::from(fade_ticks))
 }
 
-/// The force nearest to `wanted` [N] that is at most `reach` [N] from `sent` [N].
+/// The force nearest to `wanted` (N) that is at most `reach` (N) from `sent` (N).
 fn towards(sent: f64, wanted: f64, reach: f64) -> f64 {
     let change = wanted - sent;
     if change.abs() <= reach { wanted } else { sent + reach.copysign(change) }
@@ -206,7 +216,7 @@ fn towards(sent: f64, wanted: f64, reach: f64) -> f64 {
 struct Ramps {
     /// Ticks that fit into [`FADE`], at least 1.
     fade_ticks: u32,
-    /// Largest change towards a voice in a tick [N].
+    /// Largest change towards a voice in a tick (N).
     reach: f64,
 }
 
@@ -225,18 +235,18 @@ pub struct KeyGate {
 }
 
 impl KeyGate {
-    /// A silent, armed key, for ticks of `period`, whose force changes by at most `slew` [N/s].
+    /// A silent, armed key, for ticks of `period`, whose force changes by at most `slew` (N/s).
     pub fn new(period: Period, slew: f64) -> Self {
         Self { safety: KeySafety::SILENT, ramps: Ramps::new(period, slew) }
     }
 
-    /// What is sent to the key [N], after a tick without a gap.
-    pub fn apply(&mut self, turn: &Turn, sample: &KeySample) -> f64 {
+    /// What is sent to the key (N), after a tick without a gap.
+    pub fn apply(&mut self, turn: &VoiceOutput, sample: &KeySample) -> f64 {
         self.safety.step(Trust::of(turn, sample), turn.force, self.ramps, 1.0)
     }
 
     /// How what was sent last goes on.
-    pub fn slope(&self, turn: &Turn) -> KeySlope {
+    pub fn slope(&self, turn: &VoiceOutput) -> KeySlope {
         self.safety.slope(turn)
     }
 }
@@ -251,11 +261,11 @@ pub struct SafetyReport {
 }
 
 impl SafetyReport {
-    fn count(&mut self, state: State) {
+    fn count(&mut self, state: SafetyState) {
         match state {
-            State::Following => {}
-            State::Outage { .. } | State::Condemned { .. } => self.withheld += 1,
-            State::Returning { .. } => self.returning += 1,
+            SafetyState::Following => {}
+            SafetyState::Outage { .. } | SafetyState::Condemned { .. } => self.withheld += 1,
+            SafetyState::Returning { .. } => self.returning += 1,
         }
     }
 }
@@ -270,7 +280,7 @@ pub struct Safety {
 
 impl Safety {
     /// All keys silent and armed, for ticks of `period`, whose forces change by at most `slew`
-    /// [N/s] on their way to a voice.
+    /// (N/s) on their way to a voice.
     pub fn new(period: Period, slew: f64) -> Self {
         Self { keys: [KeySafety::SILENT; KEYS], ramps: Ramps::new(period, slew), armed: true }
     }
@@ -290,12 +300,12 @@ impl Safety {
         self.armed
     }
 
-    /// Writes what is sent to each key [N], after `skipped` ticks that were never run.
+    /// Writes what is sent to each key (N), after `skipped` ticks that were never run.
     pub fn apply(
         &mut self,
         skipped: u64,
         samples: &[KeySample; KEYS],
-        turns: &[Turn; KEYS],
+        turns: &[VoiceOutput; KEYS],
         forces: &mut [f64; KEYS],
     ) -> SafetyReport {
         let missing = u32::try_from(skipped).unwrap_or(u32::MAX);
@@ -317,7 +327,7 @@ impl Safety {
     }
 
     /// Writes how the forces just sent go on: as their voices say, where voices are followed.
-    pub fn slopes(&self, turns: &[Turn; KEYS], slopes: &mut [KeySlope; KEYS]) {
+    pub fn slopes(&self, turns: &[VoiceOutput; KEYS], slopes: &mut [KeySlope; KEYS]) {
         for ((slope, turn), key) in slopes.iter_mut().zip(turns).zip(&self.keys) {
             *slope = key.slope(turn);
         }

@@ -17,9 +17,9 @@ fn sent<const T: usize>(mut key: KeySafety, ticks: [(Trust, f64); T]) -> [f64; T
     ticks.map(|(trust, force)| key.step(trust, force, RAMPS, 1.0))
 }
 
-/// A key that follows its voice and was last sent `force` [N].
+/// A key that follows its voice and was last sent `force` (N).
 fn following(force: f64) -> KeySafety {
-    KeySafety { state: State::Following, sent: force }
+    KeySafety { state: SafetyState::Following, sent: force }
 }
 
 #[track_caller]
@@ -83,7 +83,7 @@ fn a_fresh_voice_is_blended_in_from_what_was_felt_before() {
 
 #[test]
 fn trouble_on_the_way_back_starts_from_what_is_felt() {
-    let back = KeySafety { state: State::Returning { from: 0.0, done: 2, of: 4 }, sent: 4.0 };
+    let back = KeySafety { state: SafetyState::Returning { from: 0.0, done: 2, of: 4 }, sent: 4.0 };
     check(back, [(NotThere, 8.0), (NotThere, 8.0)], [4.0, 3.0]);
     check(back, [(Fault, 8.0), (Trusted, 8.0)], [4.0, 3.0]);
     check(back, [(Fresh, 8.0), (Trusted, 8.0)], [5.0, 6.0]);
@@ -103,7 +103,7 @@ fn a_voice_that_moved_on_during_an_outage_is_met_at_the_slew_limit() {
 
 #[test]
 fn a_return_that_was_cut_short_goes_on_no_faster() {
-    let back = KeySafety { state: State::Returning { from: 0.0, done: 1, of: 4 }, sent: 2.0 };
+    let back = KeySafety { state: SafetyState::Returning { from: 0.0, done: 1, of: 4 }, sent: 2.0 };
     let ticks = [(NotThere, 8.0), (Trusted, 8.0), (Trusted, 8.0), (Trusted, 8.0)];
     check(back, ticks, [2.0, 4.0, 6.0, 8.0]);
 }
@@ -118,10 +118,10 @@ fn safety() -> Safety {
 }
 
 /// The force sent to key 7 for `turn` and a sample of `age`, after it followed 4 N.
-fn sent_for(turn: &Turn, age: u32, skipped: u64) -> f64 {
+fn sent_for(turn: &VoiceOutput, age: u32, skipped: u64) -> f64 {
     let mut safety = safety();
     let mut samples = [KeySample::default(); KEYS];
-    let mut turns = [Turn::default(); KEYS];
+    let mut turns = [VoiceOutput::default(); KEYS];
     let mut forces = [0.0; KEYS];
     turns[7].force = 4.0;
     for _ in 0..=N {
@@ -134,27 +134,27 @@ fn sent_for(turn: &Turn, age: u32, skipped: u64) -> f64 {
 }
 
 #[track_caller]
-fn check_sent(turn: &Turn, age: u32, skipped: u64, expected: f64) {
+fn check_sent(turn: &VoiceOutput, age: u32, skipped: u64, expected: f64) {
     let force = sent_for(turn, age, skipped);
     assert!((force - expected).abs() == 0.0, "sent {force} N, expected {expected} N");
 }
 
 #[test]
 fn what_is_known_of_a_turn_decides_its_row() {
-    let eight = Turn { force: 8.0, ..Turn::default() };
+    let eight = VoiceOutput { force: 8.0, ..VoiceOutput::default() };
     check_sent(&eight, 0, 0, 8.0);
     check_sent(&eight, MAX_EXTRAPOLATED, 0, 8.0);
     check_sent(&eight, MAX_EXTRAPOLATED + 1, 0, 4.0);
-    check_sent(&Turn { late: true, ..eight }, 0, 0, 4.0);
-    check_sent(&Turn { fresh: true, ..eight }, 0, 0, 5.0);
-    check_sent(&Turn { fault: Some(VoiceFault::BadSample), ..eight }, 0, 0, 4.0);
-    check_sent(&Turn { force: f64::NAN, ..eight }, 0, 0, 4.0);
-    check_sent(&Turn { force: f64::INFINITY, ..eight }, 0, 0, 4.0);
+    check_sent(&VoiceOutput { late: true, ..eight }, 0, 0, 4.0);
+    check_sent(&VoiceOutput { fresh: true, ..eight }, 0, 0, 5.0);
+    check_sent(&VoiceOutput { fault: Some(VoiceFault::BadSample), ..eight }, 0, 0, 4.0);
+    check_sent(&VoiceOutput { force: f64::NAN, ..eight }, 0, 0, 4.0);
+    check_sent(&VoiceOutput { force: f64::INFINITY, ..eight }, 0, 0, 4.0);
 }
 
 #[test]
 fn a_skipped_tick_is_an_outage_of_every_key() {
-    let eight = Turn { force: 8.0, ..Turn::default() };
+    let eight = VoiceOutput { force: 8.0, ..VoiceOutput::default() };
     check_sent(&eight, 0, 1, 6.0);
     check_sent(&eight, 0, u64::MAX, 2.0);
 }
@@ -163,7 +163,7 @@ fn a_skipped_tick_is_an_outage_of_every_key() {
 fn a_disarmed_keybed_fades_and_comes_back_when_armed() {
     let mut safety = safety();
     let samples = [KeySample::default(); KEYS];
-    let turns = [Turn { force: 4.0, ..Turn::default() }; KEYS];
+    let turns = [VoiceOutput { force: 4.0, ..VoiceOutput::default() }; KEYS];
     let mut forces = [0.0; KEYS];
     let mut after = |safety: &mut Safety, ticks: u32| {
         (0..ticks).for_each(|_| {
@@ -178,7 +178,7 @@ fn a_disarmed_keybed_fades_and_comes_back_when_armed() {
     assert_eq!(after(&mut safety, N).map(f64::to_bits), [4.0; KEYS].map(f64::to_bits));
 }
 
-/// Largest force of a voice in the properties below [N].
+/// Largest force of a voice in the properties below (N).
 const LIMIT: f64 = 10.0;
 
 fn any_trust() -> impl Strategy<Value = Trust> {

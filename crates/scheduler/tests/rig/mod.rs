@@ -5,18 +5,18 @@
 
 use scheduler::lane::Inline;
 use scheduler::motion::{KEYS, KeySample};
-use scheduler::port::{KeyBus, Seen, TickObserver};
+use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::slot::Slot;
 use scheduler::tick::{Scheduler, TickReport};
 use scheduler::time::{Nanos, Period, Timetable};
-use scheduler::voice::{Turn, Voice, VoiceFault, Work};
+use scheduler::voice::{Voice, VoiceFault, VoiceOutput, VoiceWork};
 
 /// A spring with memory: the force depends on all samples since the last reset.
 #[derive(Clone, Copy, Debug)]
 pub struct Spring {
-    /// Spring rate [N/m].
+    /// Spring rate (N/m).
     pub rate: f64,
-    /// Slowly follows the key [m].
+    /// Slowly follows the key (m).
     pub anchor: f64,
     /// Ticks at which it fails, and how.
     pub fails: Option<(u64, u64, Failure)>,
@@ -25,23 +25,22 @@ pub struct Spring {
 /// How a voice goes wrong.
 #[derive(Clone, Copy, Debug)]
 pub enum Failure {
-    /// It says so.
     Reported,
     /// It hands out NaN as if nothing were wrong.
     Unnoticed,
 }
 
 impl Voice for Spring {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
         self.anchor += 0.1 * (sample.position - self.anchor);
         let force = self.rate * (sample.position - self.anchor);
-        let work = Work { derivatives: 4, guards: 1, events: 0 };
+        let work = VoiceWork { derivatives: 4, guards: 1, events: 0 };
         match self.fails {
             Some((from, until, failure)) if (from..until).contains(&tick) => match failure {
-                Failure::Reported => Turn::faulty(VoiceFault::Capped { handled: 9 }),
-                Failure::Unnoticed => Turn { force: f64::NAN, ..Turn::default() },
+                Failure::Reported => VoiceOutput::faulty(VoiceFault::Capped { handled: 9 }),
+                Failure::Unnoticed => VoiceOutput { force: f64::NAN, ..VoiceOutput::default() },
             },
-            Some(_) | None => Turn { force, work, ..Turn::default() },
+            Some(_) | None => VoiceOutput { force, work, ..VoiceOutput::default() },
         }
     }
 
@@ -65,7 +64,7 @@ pub fn spring(key: usize) -> Spring {
 pub struct MemoryBus {
     /// The tick received last.
     pub received: Option<u64>,
-    /// Tick and forces [N] sent last.
+    /// Tick and forces (N) sent last.
     pub sent: Option<(u64, [f64; KEYS])>,
     /// Ticks in which key 40 has no new sample.
     pub key_40_silent: core::ops::Range<u64>,
@@ -99,12 +98,11 @@ impl KeyBus for MemoryBus {
 /// Counts ticks.
 #[derive(Debug, Default)]
 pub struct CountingObserver {
-    /// Ticks seen.
     pub ticks: u64,
 }
 
 impl TickObserver for CountingObserver {
-    fn observe(&mut self, _seen: &Seen<'_>) {
+    fn observe(&mut self, _seen: &FinishedTick<'_>) {
         self.ticks += 1;
     }
 }
@@ -115,13 +113,9 @@ pub const HZ: u32 = 1000;
 /// Everything that a tick needs.
 #[derive(Debug)]
 pub struct Rig {
-    /// Under test.
     pub scheduler: Scheduler,
-    /// The keys.
     pub bus: MemoryBus,
-    /// Their voices.
     pub slots: [Slot<Spring>; KEYS],
-    /// Who watches.
     pub observer: CountingObserver,
 }
 
@@ -145,7 +139,7 @@ impl Rig {
         self.scheduler.poll(now, &mut self.bus, &mut lanes, &mut self.observer)
     }
 
-    /// Runs `tick` exactly when it is due and returns the forces sent [N].
+    /// Runs `tick` exactly when it is due and returns the forces sent (N).
     #[track_caller]
     pub fn forces_of(&mut self, tick: u64) -> [f64; KEYS] {
         let report = self.poll_at(1000 * tick).expect("due");

@@ -12,18 +12,18 @@ use std::time::{Duration, SystemTime};
 
 use synthetic::{KEY, Synthetic, TICK_HZ};
 use telemetry::Topic;
-use telemetry::stream::{Publisher, Server, Settings, serve};
+use telemetry::stream::{Publisher, ServerSettings, StreamServer, serve};
 
 /// Messages of all keys in a second.
 const FRAMES_HZ: u32 = 30;
 
 #[tokio::main(flavor = "current_thread")]
 async fn main() -> Result<(), Box<dyn Error>> {
-    let mut settings = Settings::default();
+    let mut settings = ServerSettings::default();
     if let Some(address) = std::env::args().nth(1) {
         settings.address = address.parse()?;
     }
-    let server = Server::listen(settings)?;
+    let server = StreamServer::listen(settings)?;
     println!("A synthetic host listens at {}; Ctrl-C ends it.", server.url());
     let publisher = server.publisher();
     publisher.publish(now(), &synthetic::catalogue());

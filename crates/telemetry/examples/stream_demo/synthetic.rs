@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use telemetry::request::Change;
-use telemetry::stream::{Backend, Publisher, Value, Who};
+use telemetry::stream::{Backend, ParameterSetting, Publisher, Who};
 use telemetry::{
     Catalogue, KEYS, KeyBlock, Model, Overview, Parameter, Reply, Request, Signal, Update, Voice,
 };
@@ -49,11 +49,11 @@ impl Default for Synthetic {
 }
 
 impl Backend for Synthetic {
-    fn parameters(&self, names: Option<&[String]>) -> Vec<Value> {
+    fn parameters(&self, names: Option<&[String]>) -> Vec<ParameterSetting> {
         let is_asked = |name: &String| names.is_none_or(|names| names.contains(name));
         let values = locked(&self.values);
         let asked = values.iter().filter(|(name, _)| is_asked(name));
-        asked.map(|(name, value)| Value { name: name.clone(), value: *value }).collect()
+        asked.map(|(name, value)| ParameterSetting { name: name.clone(), value: *value }).collect()
     }
 
     fn ask(&self, request: Request, who: &Who) -> Result<Reply, String> {
@@ -107,7 +107,7 @@ impl Synthetic {
         }
         values.extend(changes.iter().map(|change| (change.name(), change.value)));
         if let Some(publisher) = self.publisher.get() {
-            let value = |it: &Change| Value { name: it.name(), value: it.value };
+            let value = |it: &Change| ParameterSetting { name: it.name(), value: it.value };
             publisher.parameters_changed(&changes.iter().map(value).collect::<Vec<_>>());
         }
         Ok(done(format!("{} set", changes.len())))

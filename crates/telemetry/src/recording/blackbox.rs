@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::error::RecordError;
 use super::format::Labels;
 use super::latest::Latest;
-use super::part::Part;
+use super::part::RecordingPart;
 use super::raw::Raw;
 use super::settings::Compression;
 use crate::Update;
@@ -15,7 +15,7 @@ use crate::Update;
 /// The last seconds of messages, and the catalogue and voices that they need, in bounded memory.
 #[derive(Clone, Debug)]
 pub struct BlackBox {
-    /// For how long it keeps something [ns].
+    /// For how long it keeps something (ns).
     span: u64,
     most: usize,
     /// The last seconds, the oldest first.
@@ -27,7 +27,7 @@ pub struct BlackBox {
 }
 
 impl BlackBox {
-    /// Keeps the last `span`, or less if that is more than `most_bytes` [B].
+    /// Keeps the last `span`, or less if that is more than `most_bytes` (B).
     pub fn new(span: Duration, most_bytes: usize) -> Self {
         Self {
             span: u64::try_from(span.as_nanos()).unwrap_or(u64::MAX),
@@ -39,7 +39,7 @@ impl BlackBox {
         }
     }
 
-    /// Keeps `update`, which was made at `at` [ns since 1970], and forgets what is too old.
+    /// Keeps `update`, which was made at `at` (ns since 1970), and forgets what is too old.
     ///
     /// # Errors
     /// If the message is of no key; it is then not kept.
@@ -56,18 +56,18 @@ impl BlackBox {
         Ok(())
     }
 
-    /// What it holds [B].
+    /// What it holds (B).
     pub fn bytes(&self) -> usize {
         self.bytes + self.before.bytes()
     }
 
-    /// Writes what it holds of `run` as a recording, the new file `path`; how large that is [B].
+    /// Writes what it holds of `run` as a recording, the new file `path`; how large that is (B).
     ///
     /// # Errors
     /// If a file of this name is there already or cannot be written.
     pub fn dump(&self, path: &Path, run: &str) -> Result<u64, RecordError> {
         let labels = Labels::new(run, 1);
-        let mut part = Part::create(path, &labels, Compression::default())?;
+        let mut part = RecordingPart::create(path, &labels, Compression::default())?;
         let mut latest = self.before.clone();
         let begins = self.ring.front().map_or(self.newest, |raw| raw.at);
         for raw in self.before.again(begins) {
@@ -90,7 +90,7 @@ impl BlackBox {
     }
 }
 
-/// What it takes to keep `raw` [B].
+/// What it takes to keep `raw` (B).
 const fn cost(raw: &Raw) -> usize {
     raw.bytes.capacity() + size_of::<Raw>()
 }

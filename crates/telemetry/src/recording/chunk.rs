@@ -16,7 +16,6 @@ pub(super) struct Chunk {
 pub(super) enum Inside {
     /// Messages with this number are of the topic of this name.
     Channel(u16, String),
-    /// A message.
     Message(MessageHeader, Vec<u8>),
 }
 

@@ -9,33 +9,17 @@ use crate::topic;
 /// Why something is not recorded.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordError {
-    /// Nothing is overwritten.
     #[error("{} is there already: choose another name, or move it away", .0.display())]
     Exists(PathBuf),
     /// A file could not be made.
     #[error("{} cannot be made: {cause}", .path.display())]
-    Create {
-        /// Which.
-        path: PathBuf,
-        /// Why.
-        cause: io::Error,
-    },
+    Create { path: PathBuf, cause: io::Error },
     /// A file could not be written any further.
     #[error("{} cannot be written any further, and ends here: {cause}", .path.display())]
-    Write {
-        /// Which.
-        path: PathBuf,
-        /// Why.
-        cause: String,
-    },
+    Write { path: PathBuf, cause: String },
     /// An older file of the recording could not be removed.
     #[error("{} cannot be removed to make room, and the recording ends here: {cause}", .path.display())]
-    Remove {
-        /// Which.
-        path: PathBuf,
-        /// Why.
-        cause: io::Error,
-    },
+    Remove { path: PathBuf, cause: io::Error },
     /// The disk is all but full.
     #[error(
         "only {} MiB are free where {} lies, less than the {} MiB that are to stay: \
@@ -43,19 +27,15 @@ pub enum RecordError {
         .free >> 20, .path.display(), .lowest >> 20
     )]
     LowDisk {
-        /// The file.
         path: PathBuf,
-        /// What is free [B].
+        /// What is free (B).
         free: u64,
-        /// What is to stay free [B].
+        /// What is to stay free (B).
         lowest: u64,
     },
     /// A message of a key that there is none of.
     #[error("a message is of key {key}, and there are keys 0 to 87: it is not recorded")]
-    NoSuchKey {
-        /// Which.
-        key: u32,
-    },
+    NoSuchKey { key: u32 },
     /// It has ended already.
     #[error("the recording has ended already: begin another one")]
     Ended,
@@ -66,12 +46,7 @@ pub enum RecordError {
 pub enum OpenError {
     /// It could not be read.
     #[error("{} cannot be read: {cause}", .path.display())]
-    Io {
-        /// Which.
-        path: PathBuf,
-        /// Why.
-        cause: io::Error,
-    },
+    Io { path: PathBuf, cause: io::Error },
     /// It is something else.
     #[error("{} is no recording: it does not begin as an MCAP file does", .0.display())]
     NotMcap(PathBuf),
@@ -83,12 +58,7 @@ pub enum OpenError {
         "{} is of format {found}, and this {PROFILE} reads {FORMAT}: \
          use the {PROFILE} that recorded it", .path.display()
     )]
-    Version {
-        /// Which.
-        path: PathBuf,
-        /// Its version.
-        found: String,
-    },
+    Version { path: PathBuf, found: String },
     /// It breaks off before the first message.
     #[error("{} breaks off before anything was recorded: there is nothing to read", .0.display())]
     Empty(PathBuf),
@@ -99,12 +69,7 @@ pub enum OpenError {
 pub enum ReadError {
     /// It could not be read.
     #[error("{} cannot be read any further: {cause}", .path.display())]
-    Io {
-        /// Which file.
-        path: PathBuf,
-        /// Why.
-        cause: io::Error,
-    },
+    Io { path: PathBuf, cause: io::Error },
     /// A chunk is damaged.
     #[error(
         "{} is damaged at byte {at} ({cause}): what it had from {from:.3} s to {to:.3} s is left \
@@ -112,11 +77,9 @@ pub enum ReadError {
         .path.display(), .path.display()
     )]
     Damaged {
-        /// Which file.
         path: PathBuf,
-        /// Where [B].
+        /// Where (B).
         at: u64,
-        /// What is wrong.
         cause: String,
         /// When the first message was made that is lost, since the recording's beginning \[s\].
         from: f64,
@@ -127,28 +90,17 @@ pub enum ReadError {
     },
     /// A message is none.
     #[error("{}: {cause}", .path.display())]
-    Message {
-        /// Which file.
-        path: PathBuf,
-        /// What is wrong.
-        cause: topic::DecodeError,
-    },
+    Message { path: PathBuf, cause: topic::TopicDecodeError },
 }
 
 /// Why a recording is not made into tables.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
-    /// Nothing is overwritten.
     #[error("{} is there already: choose another folder, or move it away", .0.display())]
     Exists(PathBuf),
     /// A file could not be written.
     #[error("{} cannot be written: {cause}", .path.display())]
-    Write {
-        /// Which.
-        path: PathBuf,
-        /// Why.
-        cause: String,
-    },
+    Write { path: PathBuf, cause: String },
     /// Without a catalogue nothing has a name or a time.
     #[error("{} has no catalogue, which says how long a tick is: it cannot be made into tables", .0.display())]
     NoCatalogue(PathBuf),

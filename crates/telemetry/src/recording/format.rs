@@ -20,7 +20,7 @@ pub(super) const LIBRARY: &str = concat!("letoff ", env!("CARGO_PKG_VERSION"));
 /// timeline, large enough to be worth compressing.
 pub(super) const CHUNK: u64 = 1 << 20;
 
-/// No chunk is larger than this [B], compressed or not; a length above it is a damaged one.
+/// No chunk is larger than this (B), compressed or not; a length above it is a damaged one.
 pub(super) const LARGEST_CHUNK: usize = 64 << 20;
 
 /// What a file says of itself.

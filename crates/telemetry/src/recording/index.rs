@@ -12,26 +12,26 @@ use super::format::{self, LARGEST_CHUNK, Labels};
 use super::part_file::Bytes;
 use crate::Topic;
 
-/// Opcode and length of a record [B].
+/// Opcode and length of a record (B).
 const RECORD: u64 = 9;
-/// Footer and magic, at the end of a complete file [B].
+/// Footer and magic, at the end of a complete file (B).
 const FOOTER: u64 = RECORD + 20 + 8;
-/// The record that ends the data, just before the summary [B].
+/// The record that ends the data, just before the summary (B).
 const DATA_END: u64 = RECORD + 4;
 
 /// Copies of the labels that are read besides the one at the beginning: a majority of three
 /// stands against one that is damaged.
 const COPIES: usize = 2;
-/// No labels are longer than this [B].
+/// No labels are longer than this (B).
 const LONGEST_LABELS: u64 = 4096;
 
 /// Where a chunk is, and what is in it.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Place {
-    /// Where it begins, and how long it is, with opcode and length [B].
+pub(super) struct ChunkPosition {
+    /// Where it begins, and how long it is, with opcode and length (B).
     pub(super) offset: u64,
     pub(super) length: u64,
-    /// Times of its first and last message [ns since 1970].
+    /// Times of its first and last message (ns since 1970).
     pub(super) first: u64,
     pub(super) last: u64,
     /// What its messages are, if that is known without looking.
@@ -40,7 +40,7 @@ pub(super) struct Place {
     pub(super) is_damaged: bool,
 }
 
-impl Place {
+impl ChunkPosition {
     /// Whether it may have messages of one of these topics.
     pub(super) fn may_have(&self, wanted: impl Fn(Topic) -> bool) -> bool {
         self.topics.as_ref().is_none_or(|topics| topics.iter().any(|topic| wanted(*topic)))
@@ -51,7 +51,7 @@ impl Place {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Index {
     /// In the order of the file.
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<ChunkPosition>,
     /// Topics by their numbers.
     pub(super) topics: BTreeMap<u16, Topic>,
     /// Whether the file itself names one of them.
@@ -59,13 +59,13 @@ pub(super) struct Index {
     /// What the file says of itself behind its beginning, the last ones.
     pub(super) labels: Vec<Labels>,
     /// If there was no summary: how it looked without.
-    pub(super) without_summary: Option<Scan>,
+    pub(super) without_summary: Option<IndexScan>,
 }
 
 /// How a file looked that was read without its summary.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Scan {
-    /// Up to where there are whole records [B].
+pub(super) struct IndexScan {
+    /// Up to where there are whole records (B).
     pub(super) up_to: u64,
     /// Whether the data had an end, so that nothing but the summary is missing.
     pub(super) has_end: bool,
@@ -97,7 +97,7 @@ impl Index {
     fn add(&mut self, index: &ChunkIndex) {
         let channels = index.message_index_offsets.keys();
         let topics: Vec<_> = channels.filter_map(|id| self.topics.get(id).copied()).collect();
-        self.places.push(Place {
+        self.places.push(ChunkPosition {
             offset: index.chunk_start_offset,
             length: index.chunk_length,
             first: index.message_start_time,
@@ -121,7 +121,7 @@ pub(super) fn summary(file: &Bytes) -> io::Result<Option<Index>> {
             index.labels.extend(labels_in(&file.read(at.offset, at.length)?));
         }
     }
-    let is_inside = |place: &Place| {
+    let is_inside = |place: &ChunkPosition| {
         place.length > RECORD
             && place.offset.checked_add(place.length).is_some_and(|end| end <= file.size)
     };
@@ -199,7 +199,7 @@ fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
 /// Where lengths do not lead on, it goes on at the next chunk that is whole.
 pub(super) fn scan(file: &Bytes, start: u64) -> io::Result<Index> {
     let mut index = Index::empty();
-    let mut scan = Scan { up_to: start, has_end: false, damaged: 0 };
+    let mut scan = IndexScan { up_to: start, has_end: false, damaged: 0 };
     loop {
         let Some((opcode, length)) = record_at(file, scan.up_to)? else {
             let Some(next) = next_chunk(file, scan.up_to)? else { break };
@@ -242,13 +242,13 @@ fn length_of_damaged(file: &Bytes, offset: u64, length: u64) -> io::Result<u64> 
 }
 
 /// A piece of a file that cannot be read.
-const fn damaged(offset: u64, length: u64) -> Place {
-    Place { offset, length, first: 0, last: u64::MAX, topics: None, is_damaged: true }
+const fn damaged(offset: u64, length: u64) -> ChunkPosition {
+    ChunkPosition { offset, length, first: 0, last: u64::MAX, topics: None, is_damaged: true }
 }
 
 /// Says of damaged pieces that they are of the time between those around them.
-fn date_damaged(places: &mut [Place]) {
-    let known = |place: &&Place| !place.is_damaged;
+fn date_damaged(places: &mut [ChunkPosition]) {
+    let known = |place: &&ChunkPosition| !place.is_damaged;
     for i in 0..places.len() {
         if places[i].is_damaged {
             let before = places[..i].iter().rev().find(known).map(|place| place.last);
@@ -298,7 +298,12 @@ fn record_at(file: &Bytes, offset: u64) -> io::Result<Option<(u8, u64)>> {
 }
 
 /// What is in the chunk at `offset`; none if it is damaged.
-fn look(file: &Bytes, offset: u64, length: u64, index: &mut Index) -> io::Result<Option<Place>> {
+fn look(
+    file: &Bytes,
+    offset: u64,
+    length: u64,
+    index: &mut Index,
+) -> io::Result<Option<ChunkPosition>> {
     if length > LARGEST_CHUNK as u64 {
         return Ok(None);
     }
@@ -319,5 +324,5 @@ fn look(file: &Bytes, offset: u64, length: u64, index: &mut Index) -> io::Result
     }
     let topics = topics.iter().filter_map(|id| index.topics.get(id).copied()).collect();
     let (first, topics) = (first.min(last), Some(topics));
-    Ok(Some(Place { offset, length, first, last, topics, is_damaged: false }))
+    Ok(Some(ChunkPosition { offset, length, first, last, topics, is_damaged: false }))
 }

@@ -13,7 +13,7 @@ pub(super) struct Latest {
     catalogue: Option<Raw>,
     voices: BTreeMap<u32, Raw>,
     bytes: usize,
-    /// When the newest of them was made [ns since 1970].
+    /// When the newest of them was made (ns since 1970).
     newest: u64,
 }
 
@@ -38,14 +38,14 @@ impl Latest {
         self.bytes -= old.map_or(0, |old| old.bytes.len());
     }
 
-    /// They, said again at `at` [ns since 1970], or as soon as that is later than they were made:
+    /// They, said again at `at` (ns since 1970), or as soon as that is later than they were made:
     /// by this they are told from what is said for the first time.
     pub(super) fn again(&self, at: u64) -> impl Iterator<Item = Raw> {
         let at = at.max(self.newest.saturating_add(1));
         self.catalogue.iter().chain(self.voices.values()).map(move |raw| Raw { at, ..raw.clone() })
     }
 
-    /// How much it holds [B].
+    /// How much it holds (B).
     pub(super) const fn bytes(&self) -> usize {
         self.bytes
     }

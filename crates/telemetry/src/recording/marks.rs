@@ -8,7 +8,7 @@ use crate::event::Kind;
 use crate::source::Mark;
 use crate::{Event, Topic, Update, key_name};
 
-/// Strikes, and ticks that were not in time, are marked once in so long [ns].
+/// Strikes, and ticks that were not in time, are marked once in so long (ns).
 const THINNED: u64 = 1_000_000_000;
 
 /// Moments of a recording that are worth finding again: faults and recoveries, boards, ticks that
@@ -23,7 +23,7 @@ pub fn marks(recording: &Recording) -> Marks<'_> {
 /// See [`marks`].
 pub struct Marks<'a> {
     events: Messages<'a>,
-    /// When one was marked last [ns since 1970].
+    /// When one was marked last (ns since 1970).
     strike: Option<u64>,
     miss: Option<u64>,
 }

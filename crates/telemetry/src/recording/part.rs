@@ -19,23 +19,23 @@ use super::raw::Raw;
 use super::settings::Compression;
 use crate::{DESCRIPTORS, Topic};
 
-/// What a message takes beside its bytes: its record and its place in the index [B].
+/// What a message takes beside its bytes: its record and its place in the index (B).
 const BESIDE_MESSAGE: u64 = 31 + 16;
-/// What a topic takes beside its schema: its record, twice, and its index [B].
+/// What a topic takes beside its schema: its record, twice, and its index (B).
 const BESIDE_TOPIC: u64 = 300;
-/// What a chunk takes in the summary, and each topic in it [B].
+/// What a chunk takes in the summary, and each topic in it (B).
 const CHUNK_INDEX: (u64, u64) = (120, 10);
 
-/// What labels take in the summary [B].
+/// What labels take in the summary (B).
 const METADATA_INDEX: u64 = 40;
 
 /// One file that is being written.
 ///
 /// A chunk is put together in memory and written whole, so that what a dying host leaves behind
 /// ends between two chunks or within the last.
-pub(super) struct Part {
+pub(super) struct RecordingPart {
     path: PathBuf,
-    writer: Writer<NoSeek<Sink>>,
+    writer: Writer<NoSeek<CountingFile>>,
     written: Arc<AtomicU64>,
     topics: BTreeSet<Topic>,
     messages: u64,
@@ -45,7 +45,7 @@ pub(super) struct Part {
     summary: u64,
 }
 
-impl Part {
+impl RecordingPart {
     /// Makes the file; one that is there already is left alone.
     pub(super) fn create(
         path: &Path,
@@ -58,7 +58,7 @@ impl Part {
             if is_there { RecordError::Exists(path) } else { RecordError::Create { path, cause } }
         })?;
         let written = Arc::new(AtomicU64::new(0));
-        let sink = Sink { file: BufWriter::new(file), written: Arc::clone(&written) };
+        let sink = CountingFile { file: BufWriter::new(file), written: Arc::clone(&written) };
         let begin = || -> Result<_, McapError> {
             let mut writer = options(compression).create(NoSeek::new(sink))?;
             writer.write_metadata(&labels.metadata())?;
@@ -94,7 +94,7 @@ impl Part {
         self.pending >= CHUNK
     }
 
-    /// How large the complete file would be at most with `raw` in it [B].
+    /// How large the complete file would be at most with `raw` in it (B).
     pub(super) fn size_with(&self, raw: &Raw) -> u64 {
         let more =
             size(raw) + if self.topics.contains(&raw.topic) { 0 } else { 2 * introduction() };
@@ -151,7 +151,7 @@ impl Part {
         written.map_err(|error| failed(&self.path, &error))
     }
 
-    /// Says labels, catalogue and voices again at `at` [ns since 1970].
+    /// Says labels, catalogue and voices again at `at` (ns since 1970).
     pub(super) fn say_again(
         &mut self,
         labels: &Labels,
@@ -174,7 +174,7 @@ impl Part {
         self.label(labels)
     }
 
-    /// Completes the file and waits until it is on the disk; how large it is [B].
+    /// Completes the file and waits until it is on the disk; how large it is (B).
     pub(super) fn finish(self) -> Result<u64, RecordError> {
         let path = self.path.clone();
         let (size, file) = self.close()?;
@@ -182,7 +182,7 @@ impl Part {
         Ok(size)
     }
 
-    /// Completes the file, and leaves it to the system when it is on the disk; how large it is [B].
+    /// Completes the file, and leaves it to the system when it is on the disk; how large it is (B).
     pub(super) fn close(mut self) -> Result<(u64, File), RecordError> {
         self.writer.finish().map_err(|error| failed(&self.path, &error))?;
         let sink = self.writer.into_inner().into_inner();
@@ -196,7 +196,7 @@ impl Part {
     }
 }
 
-impl fmt::Debug for Part {
+impl fmt::Debug for RecordingPart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Part").field("path", &self.path).finish_non_exhaustive()
     }
@@ -217,12 +217,12 @@ fn options(compression: Compression) -> WriteOptions {
         .disable_seeking(true)
 }
 
-/// What a message takes in the file, not compressed [B].
+/// What a message takes in the file, not compressed (B).
 const fn size(raw: &Raw) -> u64 {
     raw.bytes.len() as u64 + BESIDE_MESSAGE
 }
 
-/// What a topic takes at its first message [B].
+/// What a topic takes at its first message (B).
 const fn introduction() -> u64 {
     DESCRIPTORS.len() as u64 + BESIDE_TOPIC
 }
@@ -232,12 +232,12 @@ fn failed(path: &Path, error: &McapError) -> RecordError {
 }
 
 /// A file that knows how much was written.
-struct Sink {
+struct CountingFile {
     file: BufWriter<File>,
     written: Arc<AtomicU64>,
 }
 
-impl Write for Sink {
+impl Write for CountingFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.file.write(bytes)?;
         self.written.fetch_add(u64::try_from(written).unwrap_or(u64::MAX), Ordering::Relaxed);

@@ -14,11 +14,11 @@ use mcap::{MAGIC, McapResult};
 use super::chunk::{Chunk, Inside};
 use super::error::{OpenError, ReadError, cause};
 use super::format::{LARGEST_CHUNK, Labels, PROFILE};
-use super::index::{self, Index, Place};
+use super::index::{self, ChunkPosition, Index};
 use super::raw::Raw;
 use crate::{Topic, Update};
 
-/// Header and metadata of ours lie in so much of a file's beginning [B].
+/// Header and metadata of ours lie in so much of a file's beginning (B).
 const HEAD: u64 = 4096;
 
 /// A file's bytes, of which only those are read that are asked for.
@@ -54,7 +54,7 @@ pub(super) struct PartFile {
     pub(super) index: Index,
     /// Whether its beginning is damaged, and what it says of itself was found elsewhere.
     pub(super) is_headless: bool,
-    /// When the recording begins that it is of [ns since 1970].
+    /// When the recording begins that it is of (ns since 1970).
     pub(super) began: u64,
     bytes: Bytes,
 }
@@ -63,19 +63,19 @@ impl PartFile {
     pub(super) fn open(path: &Path) -> Result<Self, OpenError> {
         let io = |cause| OpenError::Io { path: path.to_owned(), cause };
         let bytes = Bytes::open(path).map_err(io)?;
-        let head = Head::of(&bytes.read(0, bytes.size.min(HEAD)).map_err(io)?);
+        let head = FileStart::of(&bytes.read(0, bytes.size.min(HEAD)).map_err(io)?);
         let index = match (index::summary(&bytes).map_err(io)?, &head) {
             (Some(index), _) => index,
-            (None, Head::NotMcap) => return Err(OpenError::NotMcap(path.to_owned())),
-            (None, Head::Ours(_, length)) => index::scan(&bytes, *length).map_err(io)?,
-            (None, Head::Cut | Head::Foreign) => {
+            (None, FileStart::NotMcap) => return Err(OpenError::NotMcap(path.to_owned())),
+            (None, FileStart::Ours(_, length)) => index::scan(&bytes, *length).map_err(io)?,
+            (None, FileStart::Cut | FileStart::Foreign) => {
                 index::scan(&bytes, MAGIC.len() as u64).map_err(io)?
             }
         };
         let mut part = Self {
             path: path.to_owned(),
             labels: Labels::new("", part_number(path)),
-            is_headless: !matches!(head, Head::Ours(..)),
+            is_headless: !matches!(head, FileStart::Ours(..)),
             began: index.places.first().map_or(0, |place| place.first),
             index,
             bytes,
@@ -89,11 +89,11 @@ impl PartFile {
     }
 
     /// What the file says of itself: what most of its copies say.
-    fn labels(&self, head: Head) -> Result<Labels, OpenError> {
+    fn labels(&self, head: FileStart) -> Result<Labels, OpenError> {
         let (first, is_cut) = match head {
-            Head::Ours(labels, _) => (Some(labels), false),
-            Head::Cut => (None, true),
-            Head::Foreign | Head::NotMcap => (None, false),
+            FileStart::Ours(labels, _) => (Some(labels), false),
+            FileStart::Cut => (None, true),
+            FileStart::Foreign | FileStart::NotMcap => (None, false),
         };
         // Without a profile that can be read, it is ours if its topics are.
         if first.is_none() && !self.index.names_ours {
@@ -111,7 +111,7 @@ impl PartFile {
     /// What is known of the file where nothing says it: the run by its catalogue.
     fn labels_by_catalogue(&self) -> Labels {
         let mut labels = self.labels.clone();
-        let has_catalogue = |it: &&Place| it.may_have(|it| it == Topic::Catalogue);
+        let has_catalogue = |it: &&ChunkPosition| it.may_have(|it| it == Topic::Catalogue);
         let mut places = self.index.places.iter().filter(has_catalogue);
         if let Some(run) = places.find_map(|place| self.run_in(place)) {
             labels.run = run;
@@ -120,7 +120,7 @@ impl PartFile {
     }
 
     /// The run that a catalogue in the chunk at `place` names, if one can be read.
-    fn run_in(&self, place: &Place) -> Option<String> {
+    fn run_in(&self, place: &ChunkPosition) -> Option<String> {
         let mut chunk = self.chunk(place).ok()?;
         let is_it = |header: &MessageHeader| self.topic(header) == Some(Topic::Catalogue);
         // Bounded by the chunk.
@@ -132,7 +132,7 @@ impl PartFile {
         }
     }
 
-    /// How much of it was read so far [B].
+    /// How much of it was read so far (B).
     pub(super) fn bytes_read(&self) -> u64 {
         self.bytes.read.load(Ordering::Relaxed)
     }
@@ -142,7 +142,7 @@ impl PartFile {
     }
 
     /// The chunk at `place`.
-    pub(super) fn chunk(&self, place: &Place) -> Result<Chunk, ReadError> {
+    pub(super) fn chunk(&self, place: &ChunkPosition) -> Result<Chunk, ReadError> {
         if place.is_damaged || place.length > LARGEST_CHUNK as u64 {
             return Err(self.damaged(place, "there is no whole chunk"));
         }
@@ -154,7 +154,7 @@ impl PartFile {
         Ok(Chunk::new(&bytes))
     }
 
-    pub(super) fn damaged(&self, place: &Place, cause: &str) -> ReadError {
+    pub(super) fn damaged(&self, place: &ChunkPosition, cause: &str) -> ReadError {
         let seconds = |at: u64| at.saturating_sub(self.began) as f64 * 1e-9;
         ReadError::Damaged {
             path: self.path.clone(),
@@ -168,7 +168,7 @@ impl PartFile {
         }
     }
 
-    pub(super) fn is_damaged(&self, place: &Place, error: &mcap::McapError) -> ReadError {
+    pub(super) fn is_damaged(&self, place: &ChunkPosition, error: &mcap::McapError) -> ReadError {
         self.damaged(place, &cause(error))
     }
 
@@ -190,8 +190,8 @@ impl fmt::Debug for PartFile {
 }
 
 /// How a file begins.
-enum Head {
-    /// As a recording; up to where what it says of itself goes [B].
+enum FileStart {
+    /// As a recording; up to where what it says of itself goes (B).
     Ours(Labels, u64),
     /// As an MCAP file that does not say it is a recording.
     Foreign,
@@ -200,7 +200,7 @@ enum Head {
     NotMcap,
 }
 
-impl Head {
+impl FileStart {
     fn of(head: &[u8]) -> Self {
         let Some(rest) = head.strip_prefix(MAGIC) else {
             let is_cut = !head.is_empty() && MAGIC.starts_with(head);
@@ -217,7 +217,7 @@ fn part_number(path: &Path) -> u32 {
     number.and_then(|(_, number)| number.parse().ok()).map_or(1, |number: u32| number.max(1))
 }
 
-fn read_head(head: &[u8]) -> McapResult<Head> {
+fn read_head(head: &[u8]) -> McapResult<FileStart> {
     let options = LinearReaderOptions::default()
         .with_skip_start_magic(true)
         .with_skip_end_magic(true)
@@ -228,22 +228,22 @@ fn read_head(head: &[u8]) -> McapResult<Head> {
     reader.notify_read(head.len());
     let mut length = MAGIC.len() as u64;
     while let Some(event) = reader.next_event() {
-        let LinearReadEvent::Record { opcode, data } = event? else { return Ok(Head::Cut) };
+        let LinearReadEvent::Record { opcode, data } = event? else { return Ok(FileStart::Cut) };
         length += 9 + data.len() as u64;
         if opcode != op::HEADER && opcode != op::METADATA {
-            return Ok(Head::Foreign);
+            return Ok(FileStart::Foreign);
         }
         let record = mcap::parse_record(opcode, data)?;
         if let Record::Header(header) = &record
             && header.profile != PROFILE
         {
-            return Ok(Head::Foreign);
+            return Ok(FileStart::Foreign);
         }
         if let Record::Metadata(metadata) = &record
             && let Some(labels) = Labels::of(metadata)
         {
-            return Ok(Head::Ours(labels, length));
+            return Ok(FileStart::Ours(labels, length));
         }
     }
-    Ok(Head::Cut)
+    Ok(FileStart::Cut)
 }

@@ -15,13 +15,13 @@ use super::reader::{Recording, update};
 use super::walk::Walk;
 use crate::log::Level;
 use crate::source::{Mark, Ticket};
-use crate::{Arrival, Log, Request, Source, Standing, Timeline, Topic, Update};
+use crate::{Arrival, ConnectionState, Log, Request, Source, Timeline, Topic, Update};
 
 /// What a window gets of the time before the place that it goes to [ns]: enough for its scopes.
 const BEFORE: u64 = 5_000_000_000;
 
-/// Tells the time [s]; only how much goes by matters.
-pub type Clock = Box<dyn Fn() -> f64 + Send>;
+/// Tells the time (s); only how much goes by matters.
+pub type PlaybackClock = Box<dyn Fn() -> f64 + Send>;
 
 /// A recording that a window sees as if it were a live host.
 ///
@@ -31,9 +31,9 @@ pub type Clock = Box<dyn Fn() -> f64 + Send>;
 /// last seconds, and a key's rows with the last ones before these. What cannot be read is said in a [`Log`] at its place.
 pub struct Playback {
     recording: Arc<Recording>,
-    clock: Clock,
+    clock: PlaybackClock,
     span: (u64, u64),
-    /// Where it was [ns since 1970], and what the clock said then [s].
+    /// Where it was (ns since 1970), and what the clock said then (s).
     at: u64,
     since: f64,
     speed: f64,
@@ -41,8 +41,8 @@ pub struct Playback {
     /// What comes before anything else.
     arrivals: VecDeque<Arrival>,
     /// Last seconds of topics that are followed anew.
-    past: VecDeque<Stream>,
-    main: Stream,
+    past: VecDeque<PlaybackStream>,
+    main: PlaybackStream,
     marks: Vec<Mark>,
     coming: Receiver<Mark>,
     tickets: u64,
@@ -52,7 +52,7 @@ impl Playback {
     /// Begins at the recording's beginning, in the clock's time.
     ///
     /// Its marks are gathered on a thread beside.
-    pub fn new(recording: Recording, clock: Clock) -> Self {
+    pub fn new(recording: Recording, clock: PlaybackClock) -> Self {
         let recording = Arc::new(recording);
         let span = recording.span().unwrap_or((0, 0));
         let mut playback = Self {
@@ -66,7 +66,7 @@ impl Playback {
             followed: BTreeSet::new(),
             arrivals: VecDeque::new(),
             past: VecDeque::new(),
-            main: Stream::new(Walk::new(0, 0, BTreeSet::new())),
+            main: PlaybackStream::new(Walk::new(0, 0, BTreeSet::new())),
             marks: Vec::new(),
             tickets: 0,
         };
@@ -102,7 +102,7 @@ impl Playback {
         Ok(catalogue.into_iter().chain(voices).map(|(at, update)| arrival(at, update)).collect())
     }
 
-    /// How keys were before `from` [ns since 1970] whose rows are among `topics`: one that lies
+    /// How keys were before `from` (ns since 1970) whose rows are among `topics`: one that lies
     /// still for long has none in the seconds before any place.
     fn keys_before(&self, from: u64, topics: &BTreeSet<Topic>) -> Vec<Arrival> {
         let blocks = topics.iter().filter(|topic| matches!(topic, Topic::Block(_)));
@@ -154,7 +154,7 @@ impl Source for Playback {
             let from = Timeline::at(self).saturating_sub(BEFORE);
             let before = self.keys_before(from, &anew);
             self.arrivals.extend(before);
-            self.past.push_back(Stream::new(self.main.walk.past(from, anew)));
+            self.past.push_back(PlaybackStream::new(self.main.walk.past(from, anew)));
         }
     }
 
@@ -166,8 +166,8 @@ impl Source for Playback {
         ticket
     }
 
-    fn standing(&self) -> Standing {
-        Standing::Recording
+    fn standing(&self) -> ConnectionState {
+        ConnectionState::Recording
     }
 
     fn name(&self) -> String {
@@ -203,7 +203,7 @@ impl Timeline for Playback {
         }
         let before = self.keys_before(from, &self.followed);
         self.arrivals.extend(before);
-        self.main = Stream::new(Walk::new(from, u64::MAX, self.wanted()));
+        self.main = PlaybackStream::new(Walk::new(from, u64::MAX, self.wanted()));
     }
 
     fn speed(&self) -> f64 {
@@ -227,18 +227,18 @@ impl fmt::Debug for Playback {
 }
 
 /// Messages as their time comes.
-struct Stream {
+struct PlaybackStream {
     walk: Walk,
     /// What comes next, but not yet.
     due: Option<Raw>,
 }
 
-impl Stream {
+impl PlaybackStream {
     const fn new(walk: Walk) -> Self {
         Self { walk, due: None }
     }
 
-    /// What came next up to `now` [ns since 1970].
+    /// What came next up to `now` (ns since 1970).
     fn next(&mut self, parts: &[PartFile], now: u64) -> Option<Result<Raw, ReadError>> {
         let due = self.due.take().filter(|raw| self.walk.topics.contains(&raw.topic));
         let next = due.map(Ok).or_else(|| self.walk.next(parts))?;

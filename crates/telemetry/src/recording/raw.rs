@@ -1,19 +1,17 @@
 //! A message as it lies in a file.
 
 use super::error::RecordError;
-use crate::topic::DecodeError;
+use crate::topic::TopicDecodeError;
 use crate::{Topic, Update};
 
 /// A message as it lies in a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Raw {
-    /// Where it stands in time [ns since 1970].
+    /// Where it stands in time (ns since 1970).
     pub(super) at: u64,
-    /// When it was made [ns since 1970]; earlier than `at` where it is said again.
+    /// When it was made (ns since 1970); earlier than `at` where it is said again.
     pub(super) made: u64,
-    /// What it is.
     pub(super) topic: Topic,
-    /// The message.
     pub(super) bytes: Vec<u8>,
 }
 
@@ -23,7 +21,7 @@ impl Raw {
         Ok(Self { at, made: at, topic, bytes: update.encode() })
     }
 
-    pub(super) fn update(&self) -> Result<Update, DecodeError> {
+    pub(super) fn update(&self) -> Result<Update, TopicDecodeError> {
         Update::decode(self.topic, &self.bytes)
     }
 }

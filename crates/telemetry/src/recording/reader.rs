@@ -9,7 +9,7 @@ use mcap::records::MessageHeader;
 use super::chunk::Inside;
 use super::error::{OpenError, ReadError};
 use super::format::{first_path, part_path};
-use super::index::Place;
+use super::index::ChunkPosition;
 use super::part_file::PartFile;
 use super::raw::Raw;
 use super::walk::Walk;
@@ -28,11 +28,9 @@ pub struct Recording {
 /// Where a recording breaks off, or what is missing from it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Tear {
-    /// The file.
     pub path: PathBuf,
-    /// Up to where it could be read [B].
+    /// Up to where it could be read (B).
     pub at: u64,
-    /// What is wrong.
     pub(super) what: String,
     /// What is there all the same, and what to do.
     advice: String,
@@ -93,18 +91,18 @@ impl Recording {
         self.parts.iter().map(|part| part.path.as_path())
     }
 
-    /// From when to when it goes [ns since 1970]; nothing if there is nothing in it.
+    /// From when to when it goes (ns since 1970); nothing if there is nothing in it.
     pub fn span(&self) -> Option<(u64, u64)> {
         let places = || self.places().map(|(_, place)| place).filter(|it| it.may_have(|_| true));
         Some((places().map(|it| it.first).min()?, places().map(|it| it.last).max()?))
     }
 
-    /// How much of its files was read so far [B].
+    /// How much of its files was read so far (B).
     pub fn bytes_read(&self) -> u64 {
         self.parts.iter().map(PartFile::bytes_read).sum()
     }
 
-    /// Messages of these topics from `from` on and before `to` [ns since 1970], in the order in
+    /// Messages of these topics from `from` on and before `to` (ns since 1970), in the order in
     /// which they were written, and when each was made.
     ///
     /// Only chunks that may have such messages are read, one at a time. After an error it goes on
@@ -138,7 +136,7 @@ impl Recording {
         wrong.map_or(Ok(None), Err)
     }
 
-    /// What each key was played by at `at` [ns since 1970], and since when, by keys.
+    /// What each key was played by at `at` (ns since 1970), and since when, by keys.
     ///
     /// # Errors
     /// If it is damaged, and nothing is known of any.
@@ -177,7 +175,7 @@ impl Recording {
         }
     }
 
-    /// The last message of `topic` before `at` [ns since 1970], however long before; what is
+    /// The last message of `topic` before `at` (ns since 1970), however long before; what is
     /// damaged is passed over.
     pub(super) fn last_before(&self, topic: Topic, at: u64) -> Option<Raw> {
         let places = self.places().rev().filter(|(_, place)| place.first < at);
@@ -204,7 +202,7 @@ impl Recording {
         self.parts.first().map_or(Path::new(""), |part| &part.path)
     }
 
-    fn places(&self) -> impl DoubleEndedIterator<Item = (&PartFile, &Place)> {
+    fn places(&self) -> impl DoubleEndedIterator<Item = (&PartFile, &ChunkPosition)> {
         self.parts.iter().flat_map(|part| part.index.places.iter().map(move |it| (part, it)))
     }
 
@@ -274,7 +272,7 @@ pub(super) fn update(raw: &Raw, recording: &Recording) -> Result<Update, ReadErr
 /// The last voices of keys in a chunk up to `at`, and since when they are.
 fn voices_in(
     part: &PartFile,
-    place: &Place,
+    place: &ChunkPosition,
     at: u64,
 ) -> Result<BTreeMap<u32, (u64, Voice)>, ReadError> {
     let mut voices = BTreeMap::new();

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::error::{OpenError, ReadError, RecordError};
 use super::latest::Latest;
-use super::part::Part;
+use super::part::RecordingPart;
 use super::part_file::PartFile;
 use super::raw::Raw;
 use super::reader::Recording;
@@ -16,9 +16,9 @@ use super::settings::Compression;
 pub struct Recovered {
     /// Messages in the new file.
     pub messages: u64,
-    /// When the first and the last of them were recorded [ns since 1970]; nothing without any.
+    /// When the first and the last of them were recorded (ns since 1970); nothing without any.
     pub span: Option<(u64, u64)>,
-    /// At the old file's end, where it breaks off, and of no use [B].
+    /// At the old file's end, where it breaks off, and of no use (B).
     pub cut: u64,
     /// Pieces of the old file that are damaged: up to a second each.
     pub damaged: u64,
@@ -49,7 +49,7 @@ pub enum RecoverError {
 pub fn recover(path: &Path, to: &Path) -> Result<Recovered, RecoverError> {
     let old = Recording::open_file(path)?;
     let part = old.parts().first().ok_or_else(|| OpenError::Empty(path.to_owned()))?;
-    let new = Part::create(to, &part.labels, Compression::default())?;
+    let new = RecordingPart::create(to, &part.labels, Compression::default())?;
     let saved = save(&old, new, part).map_err(RecoverError::from).and_then(|saved| {
         if saved.span.is_some() { Ok(saved) } else { Err(RecoverError::Nothing(path.to_owned())) }
     });
@@ -69,7 +69,11 @@ fn stock(part: &PartFile) -> Recovered {
 }
 
 /// Moves every message of `old` that can be read to `new`, and completes that.
-fn save(old: &Recording, mut new: Part, part: &PartFile) -> Result<Recovered, RecordError> {
+fn save(
+    old: &Recording,
+    mut new: RecordingPart,
+    part: &PartFile,
+) -> Result<Recovered, RecordError> {
     let (mut saved, mut latest, mut last) = (stock(part), Latest::default(), 0);
     saved.wrong.extend(old.tear().map(|tear| tear.what.clone()));
     let mut messages = old.messages();
@@ -102,7 +106,7 @@ impl Recovered {
     }
 }
 
-fn add(part: &mut Part, raw: &Raw) -> Result<(), RecordError> {
+fn add(part: &mut RecordingPart, raw: &Raw) -> Result<(), RecordError> {
     part.add(raw)?;
     if part.is_chunk_full() { part.flush() } else { Ok(()) }
 }

@@ -5,23 +5,21 @@ use crate::KeyBlock;
 /// One tick of a key; see [`KeyBlock`] for what each is.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Row<'a> {
-    /// The tick.
     pub tick: u64,
-    /// Displacement of the key's front [m].
+    /// Displacement of the key's front (m).
     pub position: f64,
     /// Ticks since the sample came.
     pub age: u32,
     /// Ticks since the sample was taken, less what its way usually takes.
     pub taken: f64,
-    /// The voice's force [N].
+    /// The voice's force (N).
     pub force: f64,
-    /// The force sent [N].
+    /// The force sent (N).
     pub sent: f64,
     /// Mode after the tick.
     pub mode: u8,
     /// What was the case.
     pub flags: u8,
-    /// What was wrong.
     pub fault: u8,
     /// The voice that it is of.
     pub revision: u32,

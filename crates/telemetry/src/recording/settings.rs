@@ -5,19 +5,19 @@ use std::time::Duration;
 
 /// How a recording is to be written.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Settings {
+pub struct RecordingSettings {
     /// The first file; the others are called `<name>-0002.mcap` and so on beside it.
     pub path: PathBuf,
     /// Which run it is of: see `Catalogue.run`.
     pub run: String,
-    /// No file is larger than this [B]; at least [`Settings::LEAST_FILE`].
+    /// No file is larger than this (B); at least [`RecordingSettings::LEAST_FILE`].
     pub largest_file: u64,
-    /// All files of the recording together are not larger than this [B].
+    /// All files of the recording together are not larger than this (B).
     ///
     /// When they would be, the oldest is removed: of a run that is recorded for days, the last
     /// hours stay. The file that is being written always does.
     pub largest_total: u64,
-    /// The recording ends, complete, when less than this is free on the disk [B].
+    /// The recording ends, complete, when less than this is free on the disk (B).
     pub lowest_free: u64,
     /// For how long a message may wait in memory; at most a second.
     pub flush: Duration,
@@ -31,15 +31,13 @@ pub struct Settings {
 /// the time of zstd and makes files that are a twelfth larger. Public viewers read both.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Compression {
-    /// zstd, level 1.
     Zstd,
-    /// lz4.
     #[default]
     Lz4,
 }
 
-impl Settings {
-    /// A file is never asked to be smaller than this [B], or its schemas would be most of it.
+impl RecordingSettings {
+    /// A file is never asked to be smaller than this (B), or its schemas would be most of it.
     pub const LEAST_FILE: u64 = 1 << 20;
 
     /// A recording of `run` from `path` on: files of 1 GiB, 16 GiB in all, 1 GiB left free.
@@ -55,13 +53,13 @@ impl Settings {
         }
     }
 
-    /// [`Settings::flush`], as it is used [ns].
+    /// [`RecordingSettings::flush`], as it is used (ns).
     pub(super) fn flush_ns(&self) -> u64 {
         let flush = self.flush.min(Duration::from_secs(1));
         u64::try_from(flush.as_nanos()).unwrap_or(u64::MAX)
     }
 
-    /// [`Settings::largest_file`], as it is used [B]: there is room for two.
+    /// [`RecordingSettings::largest_file`], as it is used [B]: there is room for two.
     pub(super) fn file_limit(&self) -> u64 {
         self.largest_file.min(self.largest_total / 2).max(Self::LEAST_FILE)
     }

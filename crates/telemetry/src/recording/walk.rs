@@ -20,13 +20,13 @@ pub(super) struct Walk {
     /// Where it ends; at the end of the recording if it is none.
     stop: Option<(usize, usize, usize)>,
     pub(super) topics: BTreeSet<Topic>,
-    /// Messages from this time on [ns since 1970] …
+    /// Messages from this time on (ns since 1970) …
     from: u64,
     /// … up to this one.
     last: u64,
     /// Whether something could not be read since catalogue and voices were said last.
     has_lost: bool,
-    /// When they were said again that make up for it [ns since 1970].
+    /// When they were said again that make up for it (ns since 1970).
     made_up: Option<u64>,
 }
 

@@ -7,9 +7,9 @@ use std::path::PathBuf;
 use super::error::RecordError;
 use super::format::{Labels, part_path};
 use super::latest::Latest;
-use super::part::Part;
+use super::part::RecordingPart;
 use super::raw::Raw;
-use super::settings::Settings;
+use super::settings::RecordingSettings;
 use crate::Update;
 
 /// Writes a recording, file after file.
@@ -19,22 +19,22 @@ use crate::Update;
 /// be completed.
 #[derive(Debug)]
 pub struct Recorder {
-    settings: Settings,
+    settings: RecordingSettings,
     /// The file that is being written; none once it has ended.
-    part: Option<Part>,
+    part: Option<RecordingPart>,
     number: u32,
     /// How many messages it begins with that were said before.
     repeated: u64,
     latest: Latest,
-    /// Complete files, the oldest first, with their sizes [B].
+    /// Complete files, the oldest first, with their sizes (B).
     complete: VecDeque<(PathBuf, u64)>,
     messages: u64,
     removed: u32,
-    /// When something was last given to the system: by messages' time and by the caller's [ns].
+    /// When something was last given to the system: by messages' time and by the caller's (ns).
     flushed: Option<u64>,
     attended: Option<u64>,
     /// When catalogue and voices are to be said again, and when the last message was made
-    /// [ns since 1970].
+    /// (ns since 1970).
     again: u64,
     last: u64,
 }
@@ -48,10 +48,10 @@ const SHARE: u64 = 8;
 
 /// What has become of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Recorded {
+pub struct RecordingStatus {
     /// Its files, the oldest first.
     pub files: Vec<PathBuf>,
-    /// Their size [B].
+    /// Their size (B).
     pub bytes: u64,
     /// Messages that were recorded, those in removed files as well.
     pub messages: u64,
@@ -64,14 +64,14 @@ impl Recorder {
     ///
     /// # Errors
     /// If a file of this name is there already or cannot be made, or the disk is all but full.
-    pub fn create(settings: Settings) -> Result<Self, RecordError> {
+    pub fn create(settings: RecordingSettings) -> Result<Self, RecordError> {
         check_room(&settings, &settings.path)?;
         let second = part_path(&settings.path, 2);
         if second.exists() {
             return Err(RecordError::Exists(second));
         }
         let labels = Labels::new(&settings.run, 1);
-        let part = Part::create(&settings.path, &labels, settings.compression)?;
+        let part = RecordingPart::create(&settings.path, &labels, settings.compression)?;
         Ok(Self {
             settings,
             part: Some(part),
@@ -88,7 +88,7 @@ impl Recorder {
         })
     }
 
-    /// Writes `update`, which was made at `at` [ns since 1970].
+    /// Writes `update`, which was made at `at` (ns since 1970).
     ///
     /// # Errors
     /// If it cannot be written; but for [`RecordError::NoSuchKey`], the recording has then ended.
@@ -107,7 +107,7 @@ impl Recorder {
         self.flush_by_message(at)
     }
 
-    /// Gives what waits to the system, if it has waited for long enough at `now` [ns].
+    /// Gives what waits to the system, if it has waited for long enough at `now` (ns).
     ///
     /// `now` is of any clock that goes on by itself: call it some times a second, so that the
     /// last messages before a silence do not wait for the next one.
@@ -129,11 +129,11 @@ impl Recorder {
     ///
     /// # Errors
     /// If the last file could not be completed; [`super::recover`] can still read it.
-    pub fn finish(mut self) -> Result<Recorded, RecordError> {
+    pub fn finish(mut self) -> Result<RecordingStatus, RecordError> {
         self.end()?;
         let bytes = self.complete.iter().map(|(_, bytes)| bytes).sum();
         let files = self.complete.into_iter().map(|(path, _)| path).collect();
-        Ok(Recorded { files, bytes, messages: self.messages, removed: self.removed })
+        Ok(RecordingStatus { files, bytes, messages: self.messages, removed: self.removed })
     }
 
     fn add(&mut self, raw: &Raw) -> Result<(), RecordError> {
@@ -143,7 +143,7 @@ impl Recorder {
 
     fn flush_by_message(&mut self, at: u64) -> Result<(), RecordError> {
         let since = at.saturating_sub(*self.flushed.get_or_insert(at));
-        let is_full = self.part.as_ref().is_some_and(Part::is_chunk_full);
+        let is_full = self.part.as_ref().is_some_and(RecordingPart::is_chunk_full);
         if since < self.settings.flush_ns() && !is_full {
             return Ok(());
         }
@@ -162,7 +162,7 @@ impl Recorder {
         0 < self.latest.bytes() && bytes.saturating_mul(SHARE) <= self.settings.file_limit()
     }
 
-    /// What it takes at most to say it again [B].
+    /// What it takes at most to say it again (B).
     fn again_bytes(&self) -> u64 {
         // Each message has its own head, and there are 88 voices; labels come twice.
         self.latest.bytes() as u64 + 100 * 64 + 2 * 256
@@ -211,7 +211,7 @@ impl Recorder {
         self.number += 1;
         let path = part_path(&self.settings.path, self.number);
         let labels = Labels::new(&self.settings.run, self.number);
-        self.part = Some(Part::create(&path, &labels, self.settings.compression)?);
+        self.part = Some(RecordingPart::create(&path, &labels, self.settings.compression)?);
         let again: Vec<Raw> = self.latest.again(at).collect();
         self.repeated = u64::try_from(again.len()).unwrap_or(u64::MAX);
         again.iter().try_for_each(|raw| self.add(raw))
@@ -249,7 +249,7 @@ impl Recorder {
 }
 
 /// Whether the disk has the room that is to stay free.
-fn check_room(settings: &Settings, path: &std::path::Path) -> Result<(), RecordError> {
+fn check_room(settings: &RecordingSettings, path: &std::path::Path) -> Result<(), RecordError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     match free(folder.unwrap_or_else(|| ".".as_ref())) {
         Some(free) if free < settings.lowest_free => {
@@ -259,7 +259,7 @@ fn check_room(settings: &Settings, path: &std::path::Path) -> Result<(), RecordE
     }
 }
 
-/// What is free where `folder` lies [B], if that can be known.
+/// What is free where `folder` lies (B), if that can be known.
 #[cfg(unix)]
 fn free(folder: &std::path::Path) -> Option<u64> {
     let disk = rustix::fs::statvfs(folder).ok()?;

@@ -9,7 +9,6 @@ pub(crate) enum Worth {
     Passing,
     /// Never dropped before there is a newer one with this number.
     Latest(u16),
-    /// Never dropped.
     Kept,
 }
 
@@ -33,7 +32,7 @@ struct Waiting<T> {
     bytes: usize,
 }
 
-/// What an entry costs beside its content [bytes].
+/// What an entry costs beside its content (bytes).
 const OVERHEAD: usize = 64;
 
 impl<T> Backlog<T> {

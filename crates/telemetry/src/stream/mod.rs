@@ -25,4 +25,6 @@ pub mod server;
 
 pub use client::{Client, Dial, Waker};
 pub use fingerprint::Fingerprint;
-pub use server::{Backend, Closer, Publisher, Role, Server, Settings, Value, Who, serve};
+pub use server::{
+    Backend, Closer, ParameterSetting, Publisher, Role, ServerSettings, StreamServer, Who, serve,
+};

@@ -5,15 +5,15 @@
 use std::path::Path;
 
 use telemetry::event::Kind;
-use telemetry::recording::{Recorder, Recording, Settings};
+use telemetry::recording::{Recorder, Recording, RecordingSettings};
 use telemetry::{
     Catalogue, Deadlines, Event, KeyBlock, KeyState, Links, Log, Midi, Model, Overview, Signal,
     Ticks, Update, Voice,
 };
 
-/// When tick 0 was [ns since 1970].
+/// When tick 0 was (ns since 1970).
 pub(crate) const BEGAN: u64 = 1_700_000_000_000_000_000;
-/// A tick [ns].
+/// A tick (ns).
 pub(crate) const TICK: u64 = 1_000_000;
 /// Ticks in a block.
 pub(crate) const BLOCK: u64 = 20;
@@ -22,7 +22,7 @@ pub(crate) const KEYS: [u32; 3] = [38, 39, 40];
 /// Signals of the model.
 pub(crate) const SIGNALS: [(&str, &str); 3] = [("hammer", "m"), ("speed", "m/s"), ("gap", "")];
 
-/// When `tick` was [ns since 1970].
+/// When `tick` was (ns since 1970).
 pub(crate) const fn at(tick: u64) -> u64 {
     BEGAN + tick * TICK
 }
@@ -130,8 +130,8 @@ pub(crate) fn performance(ticks: u64) -> Vec<(u64, Update)> {
     told
 }
 
-pub(crate) fn settings(path: &Path) -> Settings {
-    Settings { lowest_free: 0, ..Settings::new(path, "the run") }
+pub(crate) fn settings(path: &Path) -> RecordingSettings {
+    RecordingSettings { lowest_free: 0, ..RecordingSettings::new(path, "the run") }
 }
 
 /// Writes `told` to `path`.
@@ -140,7 +140,7 @@ pub(crate) fn record(path: &Path, told: &[(u64, Update)]) {
 }
 
 /// Writes `told` as `settings` say.
-pub(crate) fn record_as(settings: Settings, told: &[(u64, Update)]) {
+pub(crate) fn record_as(settings: RecordingSettings, told: &[(u64, Update)]) {
     let mut recorder = Recorder::create(settings).expect("a new file");
     for (at, update) in told {
         recorder.write(*at, update).expect("a message");

@@ -8,7 +8,7 @@ use std::thread;
 
 use telemetry::event::Kind;
 use telemetry::recording::{Playback, Recording, marks};
-use telemetry::{Arrival, KEYS, Request, Source as _, Standing, Timeline, Topic, Update};
+use telemetry::{Arrival, ConnectionState, KEYS, Request, Source as _, Timeline, Topic, Update};
 
 use crate::common::{at, event, performance, record};
 
@@ -170,7 +170,7 @@ fn a_recording_refuses_what_is_asked() {
     });
     let refusal = "this is a recording: nothing in it can be changed".to_owned();
     assert_eq!(reply, Some((ticket, Err(refusal))));
-    assert_eq!(playback.standing(), Standing::Recording);
+    assert_eq!(playback.standing(), ConnectionState::Recording);
     assert_eq!(playback.name(), path.display().to_string());
     assert!(playback.timeline().is_some());
 }

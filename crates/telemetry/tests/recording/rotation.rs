@@ -4,7 +4,7 @@ use std::fs;
 use std::time::Duration;
 
 use telemetry::Update;
-use telemetry::recording::{RecordError, Recorder, Recording, Settings};
+use telemetry::recording::{RecordError, Recorder, Recording, RecordingSettings};
 
 use crate::common::{KEYS, at, catalogue, performance, read, settings};
 
@@ -13,7 +13,8 @@ fn a_recording_goes_on_in_another_file_and_is_read_as_one() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
     let told = performance(40_000);
-    let settings = Settings { largest_file: Settings::LEAST_FILE, ..settings(&path) };
+    let settings =
+        RecordingSettings { largest_file: RecordingSettings::LEAST_FILE, ..settings(&path) };
     let mut recorder = Recorder::create(settings).expect("a new file");
     for (at, update) in &told {
         recorder.write(*at, update).expect("written");
@@ -23,7 +24,7 @@ fn a_recording_goes_on_in_another_file_and_is_read_as_one() {
     assert_eq!(recorded.files[1], folder.path().join("take-0002.mcap"));
     for file in &recorded.files {
         let size = file.metadata().expect("the file").len();
-        assert!(size <= Settings::LEAST_FILE, "{} has {size} bytes", file.display());
+        assert!(size <= RecordingSettings::LEAST_FILE, "{} has {size} bytes", file.display());
     }
     let recording = Recording::open(&path).expect("a recording");
     assert_eq!(recording.files().count(), recorded.files.len());
@@ -50,14 +51,15 @@ fn before(told: &[(u64, Update)], from: u64, rest: usize) -> usize {
 fn a_recording_that_became_too_large_keeps_its_last_files() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
-    let settings = Settings { largest_total: 3 * Settings::LEAST_FILE, ..settings(&path) };
-    let settings = Settings { largest_file: Settings::LEAST_FILE, ..settings };
+    let settings =
+        RecordingSettings { largest_total: 3 * RecordingSettings::LEAST_FILE, ..settings(&path) };
+    let settings = RecordingSettings { largest_file: RecordingSettings::LEAST_FILE, ..settings };
     let mut recorder = Recorder::create(settings).expect("a new file");
     for (at, update) in &performance(40_000) {
         recorder.write(*at, update).expect("written");
     }
     let recorded = recorder.finish().expect("complete");
-    assert!(recorded.bytes <= 3 * Settings::LEAST_FILE, "{} bytes", recorded.bytes);
+    assert!(recorded.bytes <= 3 * RecordingSettings::LEAST_FILE, "{} bytes", recorded.bytes);
     assert!(0 < recorded.removed && !path.exists());
     assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), recorded.files.len());
     let recording = Recording::open(&recorded.files[0]).expect("a recording");
@@ -70,7 +72,8 @@ fn a_recording_that_became_too_large_keeps_its_last_files() {
 fn a_file_that_is_missing_or_none_is_said_and_the_others_are_read() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
-    let small = Settings { largest_file: Settings::LEAST_FILE, ..settings(&path) };
+    let small =
+        RecordingSettings { largest_file: RecordingSettings::LEAST_FILE, ..settings(&path) };
     crate::common::record_as(small, &performance(40_000));
     let third = folder.path().join("take-0003.mcap");
     let whole = read(&Recording::open(&path).expect("a recording")).0;
@@ -121,7 +124,7 @@ fn nothing_is_overwritten() {
 fn a_recording_ends_before_the_disk_is_full() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
-    let settings = Settings { lowest_free: u64::MAX, ..settings(&path) };
+    let settings = RecordingSettings { lowest_free: u64::MAX, ..settings(&path) };
     let error = Recorder::create(settings).expect_err("refused").to_string();
     assert!(error.starts_with("only ") && error.contains(" MiB are free"), "{error}");
     assert!(!path.exists());
@@ -148,7 +151,7 @@ fn left_behind(path: &std::path::Path) -> usize {
 fn nothing_waits_in_memory_for_longer_than_asked() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
-    let settings = Settings { flush: Duration::from_mins(1), ..settings(&path) };
+    let settings = RecordingSettings { flush: Duration::from_mins(1), ..settings(&path) };
     let mut recorder = Recorder::create(settings).expect("a new file");
     let told = performance(3000);
     for (index, (now, update)) in told.iter().enumerate() {

@@ -15,9 +15,11 @@ fn every_topic_comes_back_in_order() {
     assert!(Topic::COMMON.iter().all(|topic| topics.contains(topic)), "the test tells all");
     for compression in [Compression::Zstd, Compression::Lz4] {
         let path = folder.path().join(format!("{compression:?}.mcap"));
-        let mut recorder =
-            Recorder::create(telemetry::recording::Settings { compression, ..settings(&path) })
-                .expect("a new file");
+        let mut recorder = Recorder::create(telemetry::recording::RecordingSettings {
+            compression,
+            ..settings(&path)
+        })
+        .expect("a new file");
         for (at, update) in &told {
             recorder.write(*at, update).expect("written");
         }

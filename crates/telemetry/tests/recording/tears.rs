@@ -10,7 +10,7 @@ use telemetry::recording::{Recorder, Recording, recover};
 
 use crate::common::{performance, read, record, settings};
 
-/// Messages, and when they were made [ns since 1970].
+/// Messages, and when they were made (ns since 1970).
 type Told = Vec<(u64, Update)>;
 
 /// A small recording of several chunks: what was told, and the file.

@@ -14,11 +14,11 @@ use std::time::{Duration, Instant};
 use synthetic::Synthetic;
 use telemetry::source::Ticket;
 use telemetry::stream::protocol::{FromClient, FromServer, Text as _};
-use telemetry::stream::server::Limits;
+use telemetry::stream::server::ServerLimits;
 use telemetry::stream::{
-    Backend, Client, Closer, Dial, Fingerprint, Publisher, Server, Settings, serve,
+    Backend, Client, Closer, Dial, Fingerprint, Publisher, ServerSettings, StreamServer, serve,
 };
-use telemetry::{Arrival, Reply, Request, Source as _, Standing, Topic, Update};
+use telemetry::{Arrival, ConnectionState, Reply, Request, Source as _, Topic, Update};
 use tokio::runtime::Handle;
 use tokio::sync::oneshot;
 use tokio_tungstenite::tungstenite::client::ClientRequestBuilder;
@@ -43,21 +43,21 @@ pub(crate) struct Stage {
 
 impl Stage {
     /// As `settings` say, at any port unless they say one.
-    pub(crate) fn with(settings: Settings) -> Self {
+    pub(crate) fn with(settings: ServerSettings) -> Self {
         let host = Arc::new(Synthetic::default());
         Self::of(settings, Arc::clone(&host), host)
     }
 
     /// The same, but `backend` is asked in place of `host`.
     pub(crate) fn of(
-        mut settings: Settings,
+        mut settings: ServerSettings,
         host: Arc<Synthetic>,
         backend: Arc<dyn Backend>,
     ) -> Self {
-        if settings.address == Settings::default().address {
+        if settings.address == ServerSettings::default().address {
             settings.address.set_port(0);
         }
-        let server = Server::listen(settings).expect("a server");
+        let server = StreamServer::listen(settings).expect("a server");
         let (address, url) = (server.address(), server.url());
         let (fingerprint, publisher) = (server.fingerprint(), server.publisher());
         host.tell_by(publisher.clone());
@@ -80,12 +80,12 @@ impl Stage {
 
     /// At any port of this machine.
     pub(crate) fn new() -> Self {
-        Self::with(Settings::default())
+        Self::with(ServerSettings::default())
     }
 
     /// The same with other limits.
-    pub(crate) fn within(limits: Limits) -> Self {
-        Self::with(Settings { limits, ..Settings::default() })
+    pub(crate) fn within(limits: ServerLimits) -> Self {
+        Self::with(ServerSettings { limits, ..ServerSettings::default() })
     }
 
     /// A client of ours that is in.
@@ -196,7 +196,7 @@ impl Watcher {
 
     /// Waits until it stands as `is_so` says.
     #[track_caller]
-    pub(crate) fn stands(&mut self, is_so: impl Fn(&Standing) -> bool) -> Standing {
+    pub(crate) fn stands(&mut self, is_so: impl Fn(&ConnectionState) -> bool) -> ConnectionState {
         eventually("the standing", || is_so(&self.client.standing()));
         self.client.standing()
     }

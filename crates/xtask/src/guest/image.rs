@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::kernel::Kernel;
-use super::{Guest, files, tools};
+use super::{GuestCheck, files, tools};
 use crate::command;
 use crate::error::Error;
 use crate::needs;
@@ -18,7 +18,7 @@ const FOLDERS: [&str; 6] = ["bin", "dev", "modules", "proc", "sys", "tmp"];
 /// Names the file or the command.
 pub(super) fn make(
     folder: &Path,
-    guest: &Guest,
+    guest: &GuestCheck,
     kernel: &Kernel,
     letoff: &Path,
 ) -> Result<PathBuf, Error> {

@@ -16,7 +16,6 @@ const PARTS: [&str; 3] = ["linux-image-", "linux-modules-", "linux-binary-"];
 
 /// An unpacked kernel.
 pub(super) struct Kernel {
-    /// What is booted.
     pub image: PathBuf,
     /// The folder of its modules, with `modules.dep`.
     pub modules: PathBuf,

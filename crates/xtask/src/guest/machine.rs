@@ -7,7 +7,7 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::verdict::Verdict;
+use super::verdict::HeardNotes;
 use crate::command;
 use crate::error::Error;
 
@@ -25,25 +25,25 @@ const QEMU: &str = "-accel tcg -icount shift=0,sleep=off -machine q35 -smp 1 -m 
 const KERNEL_ARGUMENTS: &str = "console=ttyS0 panic=-1 quiet reboot=t";
 
 /// What is booted.
-pub(super) struct Machine {
+pub(super) struct VirtualMachine {
     pub kernel: PathBuf,
     pub initrd: PathBuf,
     /// How long everything may take.
     pub time_limit: Duration,
 }
 
-impl Machine {
+impl VirtualMachine {
     /// Boots, shows the console, and returns the verdict that was given there.
     ///
     /// # Errors
     /// If QEMU does not start.
-    pub(super) fn boot(&self) -> Result<Verdict, Error> {
+    pub(super) fn boot(&self) -> Result<HeardNotes, Error> {
         let mut command = self.command();
         println!("$ {}", command::words(&command));
         let failed = |cause| Error::NotStarted { command: "qemu-system-x86_64".into(), cause };
-        let mut qemu = Guard(command.spawn().map_err(failed)?);
+        let mut qemu = QemuGuard(command.spawn().map_err(failed)?);
         let lines = qemu.0.stdout.take().map(read);
-        Ok(lines.map_or_else(Verdict::default, |lines| listen(&lines, self.time_limit)))
+        Ok(lines.map_or_else(HeardNotes::default, |lines| listen(&lines, self.time_limit)))
     }
 
     fn command(&self) -> Command {
@@ -57,9 +57,9 @@ impl Machine {
 }
 
 /// Ends QEMU with its owner.
-struct Guard(Child);
+struct QemuGuard(Child);
 
-impl Drop for Guard {
+impl Drop for QemuGuard {
     fn drop(&mut self) {
         // Both fail only if it has ended already.
         if self.0.kill().is_ok() {
@@ -83,9 +83,9 @@ fn read(console: ChildStdout) -> Receiver<String> {
 }
 
 /// Shows all lines, and judges by them; ends at the limits of time.
-fn listen(lines: &Receiver<String>, time_limit: Duration) -> Verdict {
+fn listen(lines: &Receiver<String>, time_limit: Duration) -> HeardNotes {
     let start = Instant::now();
-    let mut verdict = Verdict::default();
+    let mut verdict = HeardNotes::default();
     loop {
         let left = time_limit.saturating_sub(start.elapsed()).min(SILENCE_LIMIT);
         match lines.recv_timeout(left) {
@@ -109,7 +109,7 @@ mod tests {
     #[test]
     fn the_guest_ends_when_its_program_does() {
         let (kernel, initrd) = ("vmlinuz".into(), "initrd".into());
-        let machine = Machine { kernel, initrd, time_limit: Duration::ZERO };
+        let machine = VirtualMachine { kernel, initrd, time_limit: Duration::ZERO };
         let line = command::words(&machine.command());
         assert!(line.contains("-no-reboot -kernel vmlinuz -initrd initrd -append"), "{line}");
         assert!(line.ends_with("panic=-1 quiet reboot=t"), "{line}");

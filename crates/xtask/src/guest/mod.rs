@@ -3,7 +3,7 @@
 //!
 //! Containers and build servers have neither a sequencer nor a CAN bus, and a kernel's modules
 //! cannot be loaded into them. In a guest they can: its only program is `init.sh`, which loads
-//! the modules and goes through what a [`Guest`] checks. Nothing of the machine is changed but
+//! the modules and goes through what a [`GuestCheck`] checks. Nothing of the machine is changed but
 //! for a few packages.
 
 mod files;
@@ -23,14 +23,14 @@ use crate::command::{self, cargo};
 use crate::error::Error;
 use crate::stage::Done;
 use kernel::Kernel;
-use machine::Machine;
+use machine::VirtualMachine;
 use tools::Tool;
 
 /// Four keys of a grand: as many as an emulated processor computes in time.
 pub(crate) const SCENE: &str = include_str!("scene.toml");
 
 /// What is checked in a guest.
-pub(crate) struct Guest {
+pub(crate) struct GuestCheck {
     /// Name of the folder in which it is put together.
     pub name: &'static str,
     /// What it plays on, in a few words.
@@ -49,7 +49,7 @@ pub(crate) struct Guest {
     pub time_limit: Duration,
 }
 
-impl Guest {
+impl GuestCheck {
     /// Obtains a kernel and tools, builds `letoff`, boots, and judges.
     ///
     /// What cannot be obtained is no error: the run is skipped, and says why.
@@ -70,7 +70,7 @@ impl Guest {
         command::run(&mut cargo(["build", "--release", "--package", "host"]))?;
         let initrd =
             image::make(&folder.join(self.name), self, &kernel, &target.join("release/letoff"))?;
-        let machine = Machine { kernel: kernel.image, initrd, time_limit: self.time_limit };
+        let machine = VirtualMachine { kernel: kernel.image, initrd, time_limit: self.time_limit };
         let verdict = machine.boot()?;
         println!("\n{}: {verdict}", self.plays_on);
         verdict.into_result().map(|()| Done::All)

@@ -9,21 +9,21 @@ const CHORD: [u8; 3] = [60, 64, 67];
 /// The note that is repeated above it.
 const REPEATED: u8 = 72;
 
-/// When the chord is struck [ms]; there is time before it to connect a listener.
+/// When the chord is struck (ms); there is time before it to connect a listener.
 const START: u32 = 2_000;
 
-/// When everything ends [ms].
+/// When everything ends (ms).
 const END: u32 = 20_000;
 
-/// Time between two repetitions, of which a note lasts the first half [ms].
+/// Time between two repetitions, of which a note lasts the first half (ms).
 const INTERVAL: u32 = 500;
 
 const NOTE_OFF: u8 = 0x80;
 const NOTE_ON: u8 = 0x90;
 
 /// A note begins or ends.
-struct Event {
-    /// When [ms].
+struct PieceEvent {
+    /// When (ms).
     at: u32,
     status: u8,
     note: u8,
@@ -48,9 +48,12 @@ pub(crate) fn file() -> Vec<u8> {
 }
 
 /// All events in order of time.
-fn events() -> Vec<Event> {
+fn events() -> Vec<PieceEvent> {
     let note = |from, to, note| {
-        [Event { at: from, status: NOTE_ON, note }, Event { at: to, status: NOTE_OFF, note }]
+        [
+            PieceEvent { at: from, status: NOTE_ON, note },
+            PieceEvent { at: to, status: NOTE_OFF, note },
+        ]
     };
     let chord = CHORD.into_iter().flat_map(|it| note(START, END, it));
     let starts = (START + INTERVAL..END).step_by(INTERVAL as usize);

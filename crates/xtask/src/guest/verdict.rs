@@ -6,7 +6,7 @@ use crate::error::Error;
 
 /// What was heard so far.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub(super) struct Verdict {
+pub(super) struct HeardNotes {
     n_passed: usize,
     /// Those that failed, as the guest put it.
     failed: Vec<String>,
@@ -14,7 +14,7 @@ pub(super) struct Verdict {
     is_complete: bool,
 }
 
-impl Verdict {
+impl HeardNotes {
     /// Takes a line of the console into account.
     pub(super) fn hear(&mut self, line: &str) {
         if line.starts_with("CHECK passed ") {
@@ -37,7 +37,7 @@ impl Verdict {
     }
 }
 
-impl fmt::Display for Verdict {
+impl fmt::Display for HeardNotes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} checks passed, {} failed", self.n_passed, self.failed.len())?;
         if !self.is_complete {
@@ -51,8 +51,8 @@ impl fmt::Display for Verdict {
 mod tests {
     use super::*;
 
-    fn heard(lines: &[&str]) -> Verdict {
-        let mut verdict = Verdict::default();
+    fn heard(lines: &[&str]) -> HeardNotes {
+        let mut verdict = HeardNotes::default();
         for line in lines {
             verdict.hear(line);
         }

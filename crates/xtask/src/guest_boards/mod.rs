@@ -9,7 +9,7 @@ mod conformance;
 use std::time::Duration;
 
 use crate::guest::tools::Tool;
-use crate::guest::{Guest, SCENE, piece};
+use crate::guest::{GuestCheck, SCENE, piece};
 
 /// What sets buses up, disturbs them, and reads reports.
 pub(crate) const PROGRAMS: [Tool; 7] = [
@@ -28,7 +28,7 @@ const MODULES: [&str; 7] =
 
 /// How much is checked.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Form {
+pub(crate) enum CheckScope {
     /// What every change is checked by.
     Short,
     /// Everything, and for longer.
@@ -36,12 +36,12 @@ pub(crate) enum Form {
 }
 
 /// The guest with eight boards.
-pub(crate) fn guest(form: Form) -> Guest {
+pub(crate) fn guest(form: CheckScope) -> GuestCheck {
     let (word, minutes) = match form {
-        Form::Short => ("short", 15),
-        Form::Full => ("full", 60),
+        CheckScope::Short => ("short", 15),
+        CheckScope::Full => ("full", 60),
     };
-    Guest {
+    GuestCheck {
         name: "boards",
         plays_on: "boards over real drivers",
         modules: &MODULES,

@@ -3,14 +3,14 @@
 use std::time::Duration;
 
 use crate::guest::tools::Tool;
-use crate::guest::{Guest, SCENE, piece};
+use crate::guest::{GuestCheck, SCENE, piece};
 
 /// What listens.
 const PROGRAMS: [Tool; 2] = [("aseqdump", "alsa-utils"), ("aconnect", "alsa-utils")];
 
 /// The guest with the sequencer, four virtual cables, and Midi Through.
-pub(crate) fn guest() -> Guest {
-    Guest {
+pub(crate) fn guest() -> GuestCheck {
+    GuestCheck {
         name: "midi",
         plays_on: "real ALSA ports",
         modules: &["snd-seq", "snd-virmidi", "snd-seq-dummy"],

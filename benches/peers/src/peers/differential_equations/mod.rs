@@ -31,7 +31,6 @@ enum Method {
 /// Where events are located.
 #[derive(Clone, Copy)]
 enum Events {
-    /// By the crate.
     Its,
     /// By the crate; after a reset the state is put clearly above the floor.
     Nudged,

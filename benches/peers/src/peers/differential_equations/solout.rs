@@ -10,7 +10,7 @@ use crate::log::Log;
 use crate::peers::handwritten::falling;
 use crate::problem::{Problem, armed};
 
-/// First step [s], also after each event.
+/// First step (s), also after each event.
 ///
 /// The crate takes the same one at each restart, and refuses it where it is longer than what
 /// is left: so it is given that much more at the end.
@@ -49,7 +49,7 @@ where
 }
 
 impl<const N: usize, const G: usize, P: Problem<N, G>> Watcher<'_, N, G, P> {
-    /// The first guard that has fallen in the step from `from` to `to` [s], and when.
+    /// The first guard that has fallen in the step from `from` to `to` (s), and when.
     fn earliest<I: Interpolation<f64, [f64; N]> + ?Sized>(
         &self,
         (from, to): (f64, f64),

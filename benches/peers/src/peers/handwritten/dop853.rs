@@ -1,6 +1,6 @@
 //! Dormand–Prince 8(5,3) with a root search on its dense output, restarted at each event.
 //!
-//! [HNW93] II.5 and II.6: the pair, the error estimate and the step control of Hairer's
+//! `[HNW93]` II.5 and II.6: the pair, the error estimate and the step control of Hairer's
 //! DOP853. The three evaluations more of the dense output are spent only in a step in which
 //! a guard changes its sign.
 

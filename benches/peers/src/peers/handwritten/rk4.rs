@@ -5,7 +5,7 @@ use super::root::falling;
 use crate::log::Log;
 use crate::problem::{Problem, armed};
 
-/// Runs `problem` to its end with steps of `h` [s], begun anew at each event.
+/// Runs `problem` to its end with steps of `h` (s), begun anew at each event.
 pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
     t_end: f64,
@@ -47,7 +47,7 @@ pub(super) fn run<const N: usize, const G: usize, P: Problem<N, G>>(
     }
 }
 
-/// One step of `h` from `time` [s].
+/// One step of `h` from `time` (s).
 #[inline]
 fn step<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
@@ -64,7 +64,7 @@ fn step<const N: usize, const G: usize, P: Problem<N, G>>(
     std::array::from_fn(|i| x[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
 }
 
-/// Length of the step up to the first event [s], steps tried for it, and which guard.
+/// Length of the step up to the first event (s), steps tried for it, and which guard.
 fn earliest<const N: usize, const G: usize, P: Problem<N, G>>(
     problem: &P,
     mode: P::Mode,

@@ -1,6 +1,6 @@
 //! Coefficients of Dormand and Prince's 8(5,3) pair with its dense output of order 7.
 //!
-//! As in Hairer's program DOP853 ([HNW93] II.5 and II.6), rounded to f64; only the terms
+//! As in Hairer's program DOP853 (`[HNW93]` II.5 and II.6), rounded to f64; only the terms
 //! that are not zero, as (stage, coefficient). Stage 12 is the derivative at the step's end.
 #![expect(clippy::unreadable_literal, reason = "long numbers, generated")]
 

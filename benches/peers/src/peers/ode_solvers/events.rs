@@ -13,7 +13,7 @@ use crate::problem::Problem;
 
 /// The solver's part.
 pub(super) trait Solver {
-    /// Integrates with sparse output from `from` to `until` [s], or until a guard falls.
+    /// Integrates with sparse output from `from` to `until` (s), or until a guard falls.
     fn integrate<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
         flight: Flight<'_, N, G, M, P>,
         from: (f64, SVector<f64, M>),
@@ -22,7 +22,7 @@ pub(super) trait Solver {
         tolerance: f64,
     ) -> (Result<Stats, IntegrationError>, SolverResult<f64, SVector<f64, M>>);
 
-    /// A continuous solution over the one step from `from` to `until` [s].
+    /// A continuous solution over the one step from `from` to `until` (s).
     fn over_step<const N: usize, const G: usize, const M: usize, P: Problem<N, G>>(
         flight: Flight<'_, N, G, M, P>,
         from: (f64, SVector<f64, M>),

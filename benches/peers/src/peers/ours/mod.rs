@@ -21,7 +21,7 @@ const CODE: &str = "pode";
 pub(crate) struct Ours<M, I> {
     /// The model, with the problem's parameters.
     pub(crate) model: M,
-    /// The input at t [s].
+    /// The input at t (s).
     pub(crate) input: I,
     /// What the reference calls our guards, by their ids.
     pub(crate) names: [&'static str; NAMES],
@@ -55,7 +55,7 @@ where
     ticks.chain(tolerances).chain(one_tick(ours, t_end)).collect()
 }
 
-/// Ticks of `h` [s], as a key runs; at 1 ms this is the default.
+/// Ticks of `h` (s), as a key runs; at 1 ms this is the default.
 fn by_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, h: f64) -> Vec<Entry>
 where
     M: Described<State = [f64; N]> + 'static,
@@ -132,7 +132,7 @@ fn offline() -> Limits {
     }
 }
 
-/// A run with `stepper` in ticks of `h` [s].
+/// A run with `stepper` in ticks of `h` (s).
 fn run<const N: usize, M, I, T>(
     ours: Ours<M, I>,
     stepper: T,

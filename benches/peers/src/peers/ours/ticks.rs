@@ -42,7 +42,7 @@ where
     }
 }
 
-/// Runs to `t_end` with ticks of `h` [s].
+/// Runs to `t_end` with ticks of `h` (s).
 pub(super) fn run<const N: usize, M, I, T>(
     ours: &Ours<M, I>,
     method: (T, Limits),

@@ -3,12 +3,12 @@
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Key, PopupCloseBehavior, TextEdit, Ui};
 
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::scope::Scope;
 use crate::{look, names};
 
 /// The menu of keys that are compared with the scope's own.
-pub(super) fn compare_ui(ui: &mut Ui, scope: &mut Scope, desk: &Desk) {
+pub(super) fn compare_ui(ui: &mut Ui, scope: &mut Scope, desk: &AppState) {
     // It stays open, so that one can name one key after the other.
     let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let menu = MenuButton::new("Compare").config(config);

@@ -3,14 +3,14 @@
 use eframe::egui::{ComboBox, DragValue, Grid, Ui};
 
 use super::compare;
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::scope::Scope;
 use crate::scope::trigger::{Edge, On, Sweep, Trigger};
 use crate::store::Store;
 use crate::{names, unit};
 
 /// Key, window, trigger, cursors.
-pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, desk: &mut Desk, key: u8, now: f64) {
+pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, desk: &mut AppState, key: u8, now: f64) {
     ui.horizontal_wrapped(|ui| {
         let mut stays = scope.key.is_some();
         if ui.checkbox(&mut stays, names::name(key)).on_hover_text("Stays with this key.").clicked()

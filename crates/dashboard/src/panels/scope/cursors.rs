@@ -60,11 +60,11 @@ pub(super) fn table_ui(
     ui.spacing_mut().item_spacing = vec2(14.0, 1.0);
     ui.label(format!("A {a:.5} s    B {b:.5} s    Δt {}    1/Δt {hertz} Hz", unit::seconds(delta)));
     let channels = |key: u8| lanes.iter().flatten().map(move |channel| (key, channel.as_str()));
-    let columns: Vec<Column<'_>> = keys.iter().copied().flat_map(channels).collect();
+    let columns: Vec<CursorColumn<'_>> = keys.iter().copied().flat_map(channels).collect();
     ScrollArea::horizontal().auto_shrink([false, true]).show(ui, |ui| {
         Grid::new("cursors").striped(true).show(ui, |ui| {
             heads_ui(ui, keys, &columns);
-            let at = |(key, channel): &Column<'_>, at: f64| store.value(*key, channel, at);
+            let at = |(key, channel): &CursorColumn<'_>, at: f64| store.value(*key, channel, at);
             row_ui(ui, "A", store, &columns, |column| at(column, a));
             row_ui(ui, "B", store, &columns, |column| at(column, b));
             row_ui(ui, "Δ", store, &columns, |column| Some(at(column, b)? - at(column, a)?));
@@ -73,10 +73,10 @@ pub(super) fn table_ui(
 }
 
 /// A key and its channel.
-type Column<'a> = (u8, &'a str);
+type CursorColumn<'a> = (u8, &'a str);
 
 /// The channels, with their keys where there are several.
-fn heads_ui(ui: &mut Ui, keys: &[u8], columns: &[Column<'_>]) {
+fn heads_ui(ui: &mut Ui, keys: &[u8], columns: &[CursorColumn<'_>]) {
     ui.weak("");
     for (key, channel) in columns {
         let of = if keys.len() == 1 { String::new() } else { names::name(*key) + " " };
@@ -90,8 +90,8 @@ fn row_ui(
     ui: &mut Ui,
     name: &str,
     store: &Store,
-    columns: &[Column<'_>],
-    value: impl Fn(&Column<'_>) -> Option<f64>,
+    columns: &[CursorColumn<'_>],
+    value: impl Fn(&CursorColumn<'_>) -> Option<f64>,
 ) {
     ui.weak(name);
     for column in columns {

@@ -14,7 +14,7 @@ const EPOCHS: usize = 160;
 const BUCKET: f64 = 3.0;
 
 /// One line of a plot, ready to be drawn.
-pub(super) struct Trace {
+pub(super) struct PlotTrace {
     name: String,
     key: u8,
     /// Which of the scope's keys that is: its own is the first.
@@ -25,14 +25,14 @@ pub(super) struct Trace {
     pub(super) unit: String,
 }
 
-/// A stretch of one mode, ready to be drawn [s].
+/// A stretch of one mode, ready to be drawn (s).
 pub(super) struct Shade {
     pub(super) from: f64,
     pub(super) to: f64,
     pub(super) mode: u8,
 }
 
-impl Trace {
+impl PlotTrace {
     /// Its name, and by how much it was made larger to be seen beside the first.
     pub(super) fn title(&self) -> String {
         let name = unit::named(&self.name, &self.unit);
@@ -56,12 +56,12 @@ pub(super) fn traces(
     channels: &[String],
     view: (f64, f64),
     width: f32,
-) -> Vec<Trace> {
+) -> Vec<PlotTrace> {
     let of_key = |(place, key): (usize, &u8)| {
         let traces = channels.iter().filter_map(|name| trace(store, *key, name, view, width));
-        traces.map(|trace| Trace { place, ..trace }).collect::<Vec<_>>()
+        traces.map(|trace| PlotTrace { place, ..trace }).collect::<Vec<_>>()
     };
-    let mut traces: Vec<Trace> = keys.iter().enumerate().flat_map(of_key).collect();
+    let mut traces: Vec<PlotTrace> = keys.iter().enumerate().flat_map(of_key).collect();
     let Some((unit, size)) = traces.first().map(|it| (it.unit.clone(), size(&it.points))) else {
         return traces;
     };
@@ -76,7 +76,7 @@ pub(super) fn traces(
 
 /// By how much a trace is made larger to be seen beside the first, whose `unit` and `size` are
 /// given: as the same channel of a key before, so that keys are compared as they are.
-fn gain(trace: &Trace, before: &[Trace], unit: &str, size: f64) -> f64 {
+fn gain(trace: &PlotTrace, before: &[PlotTrace], unit: &str, size: f64) -> f64 {
     let same = before.iter().find(|it| it.name == trace.name && it.unit == trace.unit);
     match same {
         _ if trace.unit == unit => 1.0,
@@ -91,7 +91,7 @@ fn size(points: &[[f64; 2]]) -> f64 {
     sizes.fold(0.0, f64::max)
 }
 
-fn trace(store: &Store, key: u8, name: &str, view: (f64, f64), width: f32) -> Option<Trace> {
+fn trace(store: &Store, key: u8, name: &str, view: (f64, f64), width: f32) -> Option<PlotTrace> {
     let (column, unit) = store.channel(key, name)?;
     let (from, to) = (store.tick(view.0.max(0.0)), store.tick(view.1.max(0.0)));
     let buckets = number::index(f64::from(width.max(64.0)) / BUCKET);
@@ -112,17 +112,21 @@ fn trace(store: &Store, key: u8, name: &str, view: (f64, f64), width: f32) -> Op
         points.push([view.1, value]);
     }
     let unit = shown.map_or(unit, |it| it.unit).to_owned();
-    Some(Trace { name: name.to_owned(), key, place: 0, points, gain: 1.0, unit })
+    Some(PlotTrace { name: name.to_owned(), key, place: 0, points, gain: 1.0, unit })
 }
 
 /// The view across; up what was chosen, or else all values and zero.
-pub(super) fn bounds(traces: &[Trace], view: (f64, f64), chosen: Option<(f64, f64)>) -> PlotBounds {
+pub(super) fn bounds(
+    traces: &[PlotTrace],
+    view: (f64, f64),
+    chosen: Option<(f64, f64)>,
+) -> PlotBounds {
     let (low, high) = chosen.unwrap_or_else(|| range(traces));
     PlotBounds::from_min_max([view.0, low], [view.1, high])
 }
 
 /// All values and zero, with some room.
-fn range(traces: &[Trace]) -> (f64, f64) {
+fn range(traces: &[PlotTrace]) -> (f64, f64) {
     let values = traces.iter().flat_map(|it| &it.points).map(|point| point[1]);
     let finite = values.filter(|value| value.is_finite());
     let (low, high) = finite.fold((0.0_f64, 0.0_f64), |(a, b), y| (a.min(y), b.max(y)));

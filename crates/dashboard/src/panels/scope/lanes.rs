@@ -7,7 +7,7 @@ use egui_plot::{
 };
 use telemetry::event::Kind;
 
-use super::data::{self, Shade, Trace};
+use super::data::{self, PlotTrace, Shade};
 use super::{axis, cursors, mouse};
 use crate::scope::Scope;
 use crate::store::Store;
@@ -20,10 +20,10 @@ const TABLE: f32 = 108.0;
 const DASHES: [f32; 4] = [9.0, 4.0, 16.0, 2.5];
 
 /// What is drawn in one plot.
-struct Lane {
+struct PlotLane {
     bounds: PlotBounds,
-    traces: Vec<Trace>,
-    /// When the scope's own key struck [s].
+    traces: Vec<PlotTrace>,
+    /// When the scope's own key struck (s).
     strikes: Vec<f64>,
 }
 
@@ -46,7 +46,7 @@ pub(super) fn lanes_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, keys: &[u8
         let plot = plot(ui, (i, lanes.len()), link, height, unit);
         let bounds = data::bounds(&traces, view, scope.heights.of(i));
         let strikes = data::events(store, key, Kind::Strike, view);
-        let shown = lane_ui(ui, plot, &shades, Lane { bounds, traces, strikes });
+        let shown = lane_ui(ui, plot, &shades, PlotLane { bounds, traces, strikes });
         mouse::handle(ui, scope, &shown.0, (i, &shown.1), now);
         axis::axis_ui(ui, scope, i, &shown.1);
         frames.push(shown.1);
@@ -98,8 +98,13 @@ fn label(hover: &HoverPosition<'_>) -> String {
     }
 }
 
-fn lane_ui(ui: &mut Ui, plot: Plot<'_>, shades: &[Shade], lane: Lane) -> (Response, PlotTransform) {
-    let Lane { bounds, traces, strikes } = lane;
+fn lane_ui(
+    ui: &mut Ui,
+    plot: Plot<'_>,
+    shades: &[Shade],
+    lane: PlotLane,
+) -> (Response, PlotTransform) {
+    let PlotLane { bounds, traces, strikes } = lane;
     let line = look::faint(ui.visuals().strong_text_color(), 0.55);
     let lines = lines(ui, traces);
     let shown = plot.show(ui, move |plot| {
@@ -124,9 +129,9 @@ fn lane_ui(ui: &mut Ui, plot: Plot<'_>, shades: &[Shade], lane: Lane) -> (Respon
 }
 
 /// Each trace as a line of its own colour, dashed as its key is.
-fn lines(ui: &Ui, traces: Vec<Trace>) -> Vec<Line<'static>> {
+fn lines(ui: &Ui, traces: Vec<PlotTrace>) -> Vec<Line<'static>> {
     let has_others = traces.iter().any(|trace| 0 < trace.place);
-    let line = |(i, trace): (usize, Trace)| {
+    let line = |(i, trace): (usize, PlotTrace)| {
         let name = if has_others { trace.title_with_key() } else { trace.title() };
         let dash = trace.place.checked_sub(1).map(|other| DASHES[other % DASHES.len()]);
         let style = dash.map_or(LineStyle::Solid, |length| LineStyle::Dashed { length });

@@ -12,12 +12,12 @@ mod mouse;
 use eframe::egui::{CentralPanel, Context, Ui, ViewportBuilder, ViewportId};
 
 use super::nothing_ui;
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::layout::Pane;
 use crate::scope::trigger::On;
 
 /// Draws the panel; its window instead, if it is popped out.
-pub(super) fn scope_ui(ui: &mut Ui, number: u8, desk: &mut Desk) {
+pub(super) fn scope_ui(ui: &mut Ui, number: u8, desk: &mut AppState) {
     let is_popped = desk.views.scopes.entry(number).or_default().is_popped;
     if is_popped {
         ui.vertical_centered(|ui| {
@@ -35,7 +35,7 @@ pub(super) fn scope_ui(ui: &mut Ui, number: u8, desk: &mut Desk) {
 }
 
 /// Draws the windows of scopes that are popped out.
-pub(crate) fn popped_ui(ctx: &Context, desk: &mut Desk) {
+pub(crate) fn popped_ui(ctx: &Context, desk: &mut AppState) {
     let popped = desk.views.scopes.iter().filter(|(_, scope)| scope.is_popped);
     for number in popped.map(|(number, _)| *number).collect::<Vec<_>>() {
         let builder = ViewportBuilder::default()
@@ -53,7 +53,7 @@ pub(crate) fn popped_ui(ctx: &Context, desk: &mut Desk) {
     }
 }
 
-fn body_ui(ui: &mut Ui, number: u8, desk: &mut Desk) {
+fn body_ui(ui: &mut Ui, number: u8, desk: &mut AppState) {
     let mut scope = desk.views.scopes.remove(&number).unwrap_or_default();
     let key = scope.key.unwrap_or(desk.views.selected);
     let keys = scope.keys(key);

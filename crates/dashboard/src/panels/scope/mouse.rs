@@ -47,7 +47,7 @@ pub(super) fn handle(
     }
 }
 
-/// By how far the wheel was turned [points], if it was.
+/// By how far the wheel was turned (points), if it was.
 pub(super) fn wheel(ui: &Ui) -> Option<f64> {
     let turned = ui.input(|input| {
         let scrolled = input.smooth_scroll_delta();
@@ -58,7 +58,7 @@ pub(super) fn wheel(ui: &Ui) -> Option<f64> {
     (0.5 < turned.abs()).then_some(turned)
 }
 
-/// How much more is seen after the wheel was turned so far [points].
+/// How much more is seen after the wheel was turned so far (points).
 pub(super) fn factor(turned: f64) -> f64 {
     (-turned / WHEEL).exp()
 }

@@ -5,14 +5,14 @@ use std::io::Write as _;
 
 use eframe::egui::{Button, Context, ScrollArea, TextEdit, Ui, Window};
 
-use crate::desk::Desk;
-use crate::tune::preset::Preset;
+use crate::desk::AppState;
+use crate::tune::preset::SavedPreset;
 
 /// The range's values as an instrument's file.
-pub(super) fn preset(desk: &Desk, key: u8) -> Option<String> {
+pub(super) fn preset(desk: &AppState, key: u8) -> Option<String> {
     let model = desk.store.model_of(key)?;
     let title = format!("{}, tuned", desk.store.voice(key)?.instrument);
-    let preset = Preset {
+    let preset = SavedPreset {
         title: &title,
         model: &model.name,
         parameters: &model.parameters,
@@ -22,7 +22,7 @@ pub(super) fn preset(desk: &Desk, key: u8) -> Option<String> {
 }
 
 /// A scene or a preset as a file, to be copied or written.
-pub(crate) fn scene_ui(ctx: &Context, desk: &mut Desk) {
+pub(crate) fn scene_ui(ctx: &Context, desk: &mut AppState) {
     let Some(mut text) = desk.views.scene.clone() else { return };
     let mut is_open = true;
     let window = Window::new("As a file").open(&mut is_open);
@@ -37,7 +37,7 @@ pub(crate) fn scene_ui(ctx: &Context, desk: &mut Desk) {
 }
 
 /// Where it is written to; a file that is there already stays as it is.
-fn write_ui(ui: &mut Ui, desk: &mut Desk, text: &str) {
+fn write_ui(ui: &mut Ui, desk: &mut AppState, text: &str) {
     let label = ui.label("to");
     let path = TextEdit::singleline(&mut desk.views.tuning.file).desired_width(220.0);
     ui.add(path.hint_text("mine.toml")).labelled_by(label.id);

@@ -11,8 +11,8 @@ use telemetry::Request;
 pub(crate) use file::scene_ui;
 
 use super::nothing_ui;
-use crate::desk::Desk;
-use crate::tune::link::Link;
+use crate::desk::AppState;
+use crate::tune::link::LinkedKeys;
 use crate::{look, names};
 
 /// Points that the slider between A and B takes with its name.
@@ -23,7 +23,7 @@ const MORPH: f32 = 150.0;
 #[serde(default)]
 pub(crate) struct View {
     /// What the other keys of the range do.
-    pub(crate) link: Link,
+    pub(crate) link: LinkedKeys,
     /// Name of the next snapshot.
     name: String,
     /// Where a scene or a preset is written to.
@@ -36,7 +36,7 @@ pub(crate) struct View {
 }
 
 /// Draws the panel.
-pub(super) fn tuning_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn tuning_ui(ui: &mut Ui, desk: &mut AppState) {
     if ui.input(|input| input.pointer.any_pressed()) {
         desk.views.tuning.gesture += 1;
     }
@@ -59,18 +59,18 @@ pub(super) fn tuning_ui(ui: &mut Ui, desk: &mut Desk) {
 }
 
 /// Which keys, what the others do, back and forth.
-fn head_ui(ui: &mut Ui, desk: &mut Desk, key: u8) {
+fn head_ui(ui: &mut Ui, desk: &mut AppState, key: u8) {
     ui.horizontal_wrapped(|ui| {
         ui.strong(desk.title(key));
         let link = &mut desk.views.tuning.link;
         let combo = ComboBox::from_id_salt("link").width(88.0).selected_text(link.text());
         let combo = combo.show_ui(ui, |ui| {
-            for other in Link::ALL {
+            for other in LinkedKeys::ALL {
                 ui.selectable_value(link, other, other.text());
             }
         });
         combo.response.accessible_name("link").on_hover_text("What the other selected keys do.");
-        if desk.views.tuning.link != Link::Alone {
+        if desk.views.tuning.link != LinkedKeys::Alone {
             ui.label(names::range_name(&desk.range()));
             if ui.small_button("All keys").clicked() {
                 desk.views.range = (0, names::LAST);
@@ -92,7 +92,7 @@ fn head_ui(ui: &mut Ui, desk: &mut Desk, key: u8) {
 }
 
 /// A, B, and what lies between.
-fn compare_ui(ui: &mut Ui, desk: &mut Desk) {
+fn compare_ui(ui: &mut Ui, desk: &mut AppState) {
     ui.horizontal_wrapped(|ui| {
         for (i, name) in ["A", "B"].into_iter().enumerate() {
             if ui.small_button(format!("Store {name}")).clicked() {
@@ -122,13 +122,13 @@ fn compare_ui(ui: &mut Ui, desk: &mut Desk) {
 }
 
 /// What is done while the mouse is down is taken back as one.
-fn gesture(ui: &Ui, desk: &Desk) -> Option<u64> {
+fn gesture(ui: &Ui, desk: &AppState) -> Option<u64> {
     let is_down = ui.input(|input| input.pointer.any_down());
     is_down.then_some(desk.views.tuning.gesture)
 }
 
 /// Snapshots by their names.
-fn snapshots_ui(ui: &mut Ui, desk: &mut Desk) {
+fn snapshots_ui(ui: &mut Ui, desk: &mut AppState) {
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("snapshot");
         let name = TextEdit::singleline(&mut desk.views.tuning.name).desired_width(120.0);

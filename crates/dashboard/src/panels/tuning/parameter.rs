@@ -7,8 +7,8 @@ use eframe::egui::{
 };
 use telemetry::Parameter;
 
-use crate::desk::Desk;
-use crate::tune::snapshot::Slot;
+use crate::desk::AppState;
+use crate::tune::snapshot::ParameterSlot;
 use crate::{look, unit};
 
 /// Parameters over more decades than this move on a logarithm.
@@ -27,17 +27,16 @@ const BESIDE: f32 = 292.0;
 const SHORTEST: f32 = 54.0;
 
 /// A parameter of the selected key, as it is shown.
-struct Row<'a> {
+struct ParameterRow<'a> {
     parameter: &'a Parameter,
     value: f64,
-    /// The instrument's value.
     usual: Option<f64>,
     is_changed: bool,
     is_locked: bool,
 }
 
-impl<'a> Row<'a> {
-    fn new(desk: &Desk, key: u8, parameter: &'a Parameter) -> Option<Self> {
+impl<'a> ParameterRow<'a> {
+    fn new(desk: &AppState, key: u8, parameter: &'a Parameter) -> Option<Self> {
         let value = desk.tuner.value(key, &parameter.name)?;
         let usual = usual(desk, key, &parameter.name);
         let is_changed = usual.is_some_and(|it| 1e-9 * it.abs().max(1e-9) < (it - value).abs());
@@ -52,8 +51,8 @@ impl<'a> Row<'a> {
 }
 
 /// Draws a parameter: in one line, or in two where there is no room for one.
-pub(super) fn parameter_ui(ui: &mut Ui, desk: &mut Desk, key: u8, parameter: &Parameter) {
-    let Some(row) = Row::new(desk, key, parameter) else { return };
+pub(super) fn parameter_ui(ui: &mut Ui, desk: &mut AppState, key: u8, parameter: &Parameter) {
+    let Some(row) = ParameterRow::new(desk, key, parameter) else { return };
     let room = ui.available_width();
     let is_narrow = room < BESIDE + SHORTEST;
     let mut moved = None;
@@ -77,11 +76,11 @@ pub(super) fn parameter_ui(ui: &mut Ui, desk: &mut Desk, key: u8, parameter: &Pa
         let gesture = super::gesture(ui, desk);
         let link = desk.views.tuning.link;
         let range = desk.range();
-        desk.tuner.edit(&Slot::new(key, &parameter.name), value, (link, &range), gesture);
+        desk.tuner.edit(&ParameterSlot::new(key, &parameter.name), value, (link, &range), gesture);
     }
 }
 
-fn name_ui(ui: &mut Ui, row: &Row<'_>) {
+fn name_ui(ui: &mut Ui, row: &ParameterRow<'_>) {
     let mark = if row.is_changed { look::ORANGE } else { ui.visuals().text_color() };
     let name = RichText::new(&row.parameter.name).color(mark).strong();
     let layout = Layout::left_to_right(Align::Center);
@@ -92,7 +91,7 @@ fn name_ui(ui: &mut Ui, row: &Row<'_>) {
     name.inner.on_hover_text(&row.parameter.doc);
 }
 
-fn slider_ui(ui: &mut Ui, row: &Row<'_>, width: f32) -> Option<f64> {
+fn slider_ui(ui: &mut Ui, row: &ParameterRow<'_>, width: f32) -> Option<f64> {
     let mut value = row.value;
     let travel = row.travel();
     let is_wide = 0.0 < *travel.start() && DECADES < travel.end() / travel.start();
@@ -105,7 +104,7 @@ fn slider_ui(ui: &mut Ui, row: &Row<'_>, width: f32) -> Option<f64> {
 }
 
 /// The value as a number to type.
-fn number_ui(ui: &mut Ui, row: &Row<'_>) -> Option<f64> {
+fn number_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let Parameter { name, unit, min, max, .. } = row.parameter;
     let mut value = row.value;
     let travel = row.travel();
@@ -120,7 +119,7 @@ fn number_ui(ui: &mut Ui, row: &Row<'_>) -> Option<f64> {
 }
 
 /// Back to what the instrument has.
-fn reset_ui(ui: &mut Ui, row: &Row<'_>) -> Option<f64> {
+fn reset_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let can_go_back = row.is_changed && !row.is_locked;
     let reset = ui.add_enabled(can_go_back, Button::new("Reset").small());
     let reset = reset.accessible_name(format!("reset {}", row.parameter.name));
@@ -130,7 +129,7 @@ fn reset_ui(ui: &mut Ui, row: &Row<'_>) -> Option<f64> {
 }
 
 /// Whether anything changes it, and whether an answer is on its way.
-fn lock_ui(ui: &mut Ui, desk: &mut Desk, key: u8, name: &str) {
+fn lock_ui(ui: &mut Ui, desk: &mut AppState, key: u8, name: &str) {
     let mut locked = desk.tuner.is_locked(name);
     let lock = ui
         .checkbox(&mut locked, RichText::new("lock").small())
@@ -157,7 +156,7 @@ fn travel(parameter: &Parameter, usual: f64) -> RangeInclusive<f64> {
 }
 
 /// The instrument's value of a parameter.
-fn usual(desk: &Desk, key: u8, name: &str) -> Option<f64> {
+fn usual(desk: &AppState, key: u8, name: &str) -> Option<f64> {
     let voice = desk.store.voice(key)?;
     let values = desk.store.instrument_values(&voice.instrument, key)?;
     let i = desk.store.parameters(key).iter().position(|it| it.name == name)?;

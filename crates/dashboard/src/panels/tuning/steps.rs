@@ -5,19 +5,19 @@ use std::collections::BTreeSet;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Button, PopupCloseBehavior, RichText, ScrollArea, Ui};
 
-use crate::desk::Desk;
+use crate::desk::AppState;
 use crate::tune::Tuner;
-use crate::tune::history::Step;
-use crate::tune::snapshot::Values;
+use crate::tune::history::UndoStep;
+use crate::tune::snapshot::SlotValues;
 use crate::{names, unit};
 
 /// Points of the list before it scrolls.
 const HEIGHT: f32 = 320.0;
 
 /// Undo, redo, and the list of steps.
-pub(super) fn steps_ui(ui: &mut Ui, desk: &mut Desk) {
+pub(super) fn steps_ui(ui: &mut Ui, desk: &mut AppState) {
     let history = desk.tuner.history();
-    let text = |step: Option<&Step>| step.map(|step| line(step, &desk.tuner));
+    let text = |step: Option<&UndoStep>| step.map(|step| line(step, &desk.tuner));
     let (last, next) = (text(history.last()), text(history.next()));
     let undo = ui.add_enabled(last.is_some(), Button::new("Undo"));
     if undo.on_hover_text(last.unwrap_or_default()).clicked() {
@@ -60,7 +60,7 @@ fn list_ui(ui: &mut Ui, tuner: &mut Tuner) {
 }
 
 /// What a step changed, on which keys, from what to what.
-fn line(step: &Step, tuner: &Tuner) -> String {
+fn line(step: &UndoStep, tuner: &Tuner) -> String {
     let parameters: BTreeSet<&str> = step.after.keys().map(|it| it.parameter.as_str()).collect();
     let first = step.after.keys().next();
     let Some(slot) = first.filter(|_| parameters.len() == 1) else {
@@ -72,14 +72,14 @@ fn line(step: &Step, tuner: &Tuner) -> String {
 }
 
 /// The keys of some values, from the lowest to the highest.
-fn keys(values: &Values) -> String {
+fn keys(values: &SlotValues) -> String {
     let keys = || values.keys().map(|slot| slot.key);
     let range = keys().min().zip(keys().max());
     range.map_or_else(String::new, |(low, high)| names::range_name(&(low..=high)))
 }
 
 /// The smallest and the largest of some values; one where they are the same.
-fn span(values: &Values) -> String {
+fn span(values: &SlotValues) -> String {
     let low = unit::exact(values.values().copied().fold(f64::INFINITY, f64::min));
     let high = unit::exact(values.values().copied().fold(f64::NEG_INFINITY, f64::max));
     if low == high { low } else { format!("{low}..{high}") }

@@ -17,7 +17,7 @@ use super::KeyCalibration;
 use crate::refusal::Uid;
 
 pub use read::load;
-pub use sheet::Sheet;
+pub use sheet::CalibrationSheet;
 pub use write::{backup, write};
 
 /// Where the files of this user are.

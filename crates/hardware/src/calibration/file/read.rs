@@ -7,26 +7,26 @@ use firmware_protocol::key::{MOST_KEYS, PerKey};
 use firmware_protocol::quantity::Counts;
 use toml_edit::{Document, Item, Table};
 
-use super::Sheet;
+use super::CalibrationSheet;
 use crate::calibration::KeyCalibration;
 use crate::refusal::Uid;
 
-/// Readings that 24 bits hold [counts].
+/// Readings that 24 bits hold (counts).
 const READINGS: (f64, f64) = (Counts::MIN.get() as f64, Counts::MAX.get() as f64);
-/// Displacements for each count that an encoder can have [m].
+/// Displacements for each count that an encoder can have (m).
 const QUANTA: (f64, f64) = (1e-9, 1e-3);
-/// Friction that a key can have [N].
+/// Friction that a key can have (N).
 const FRICTIONS: (f64, f64) = (0.0, 5.0);
-/// Gains that a motor can need [1].
+/// Gains that a motor can need (1).
 const GAINS: (f64, f64) = (0.1, 10.0);
-/// Ways that a key can go [m].
+/// Ways that a key can go (m).
 const TRAVELS: (f64, f64) = (5e-3, 20e-3);
 
 /// Reads the whole file of a board of `n_keys` keys; nothing if there is none.
 ///
 /// # Errors
 /// All that is wrong with the file, a sentence on each line.
-pub fn load(path: &Path, uid: Uid, n_keys: usize) -> Result<Option<Sheet>, String> {
+pub fn load(path: &Path, uid: Uid, n_keys: usize) -> Result<Option<CalibrationSheet>, String> {
     let bytes = match std::fs::read(path) {
         Ok(bytes) => bytes,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
@@ -36,8 +36,13 @@ pub fn load(path: &Path, uid: Uid, n_keys: usize) -> Result<Option<Sheet>, Strin
 }
 
 /// Reads the bytes of a file that is called `file` in sentences.
-pub(super) fn parse(file: &str, bytes: &[u8], uid: Uid, n_keys: usize) -> Result<Sheet, String> {
-    let mut reader = Reader { file, mistakes: Vec::new() };
+pub(super) fn parse(
+    file: &str,
+    bytes: &[u8],
+    uid: Uid,
+    n_keys: usize,
+) -> Result<CalibrationSheet, String> {
+    let mut reader = CalibrationReader { file, mistakes: Vec::new() };
     let sheet = reader.read(bytes, uid, n_keys);
     match sheet {
         Some(sheet) if reader.mistakes.is_empty() => Ok(sheet),
@@ -46,17 +51,17 @@ pub(super) fn parse(file: &str, bytes: &[u8], uid: Uid, n_keys: usize) -> Result
 }
 
 /// Collects what is wrong.
-struct Reader<'a> {
+struct CalibrationReader<'a> {
     file: &'a str,
     mistakes: Vec<String>,
 }
 
-impl Reader<'_> {
+impl CalibrationReader<'_> {
     fn say(&mut self, what: impl fmt::Display) {
         self.mistakes.push(format!("{}{what}", self.file));
     }
 
-    fn read(&mut self, bytes: &[u8], uid: Uid, n_keys: usize) -> Option<Sheet> {
+    fn read(&mut self, bytes: &[u8], uid: Uid, n_keys: usize) -> Option<CalibrationSheet> {
         let Ok(text) = std::str::from_utf8(bytes) else {
             self.say(" is no text; calibrate the board again");
             return None;
@@ -82,13 +87,13 @@ impl Reader<'_> {
                 " is of board {board:.40}, not of {uid}; give each board its own file"
             ));
         }
-        let sheet = Sheet { uid, made: made?, by: by?, keys: keys? };
+        let sheet = CalibrationSheet { uid, made: made?, by: by?, keys: keys? };
         self.check(&sheet, &checksum?, &board?);
         Some(sheet)
     }
 
     /// Compares the checksum with that of the values.
-    fn check(&mut self, sheet: &Sheet, checksum: &str, board: &str) {
+    fn check(&mut self, sheet: &CalibrationSheet, checksum: &str, board: &str) {
         // The board's own file with another name fails for that alone.
         let is_other_board = board != sheet.uid.to_string();
         if !is_other_board && checksum != format!("{:08x}", sheet.checksum()) {

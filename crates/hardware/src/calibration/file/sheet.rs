@@ -21,8 +21,7 @@ const UNITS: &str = "
 
 /// How the keys of one board read and push, and where that is known from.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Sheet {
-    /// Which board.
+pub struct CalibrationSheet {
     pub uid: Uid,
     /// When it was measured, as the caller says it.
     pub made: String,
@@ -32,7 +31,7 @@ pub struct Sheet {
     pub keys: PerKey<KeyCalibration>,
 }
 
-impl Sheet {
+impl CalibrationSheet {
     /// The file's text.
     pub fn render(&self) -> String {
         let quoted = |text: &str| toml_edit::Value::from(text).to_string();

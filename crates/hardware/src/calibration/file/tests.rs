@@ -5,7 +5,7 @@ use firmware_protocol::quantity::Counts;
 use proptest::prelude::*;
 
 use super::read::parse;
-use super::{Sheet, backup, load, read, write};
+use super::{CalibrationSheet, backup, load, read, write};
 use crate::calibration::KeyCalibration;
 use crate::refusal::Uid;
 
@@ -21,8 +21,8 @@ fn key(n: i32) -> KeyCalibration {
     }
 }
 
-fn sheet(n_keys: i32) -> Sheet {
-    Sheet {
+fn sheet(n_keys: i32) -> CalibrationSheet {
+    CalibrationSheet {
         uid: UID,
         made: "2026-03-14 \"late\"".into(),
         by: "letoff calibrate".into(),
@@ -102,7 +102,7 @@ fn a_file_that_is_not_there_is_none_and_one_that_was_replaced_is_kept() {
     let path = super::path(&folder.join("deep"), UID);
     assert_eq!(read(&path, UID, 3), Ok(None));
     write(&path, &sheet(3)).unwrap();
-    let newer = Sheet { made: "later".into(), ..sheet(3) };
+    let newer = CalibrationSheet { made: "later".into(), ..sheet(3) };
     write(&path, &newer).unwrap();
     assert_eq!(load(&path, UID, 3), Ok(Some(newer)));
     assert_eq!(load(&backup(&path), UID, 3), Ok(Some(sheet(3))));
@@ -122,13 +122,10 @@ fn any_key() -> impl Strategy<Value = KeyCalibration> {
     )
 }
 
-fn any_sheet() -> impl Strategy<Value = Sheet> {
+fn any_sheet() -> impl Strategy<Value = CalibrationSheet> {
     let keys = proptest::collection::vec(any_key(), 1..=MOST_KEYS);
-    (any::<[u8; 6]>(), ".{0,20}", "\\PC{0,20}", keys).prop_map(|(uid, made, by, keys)| Sheet {
-        uid: Uid(uid),
-        made,
-        by,
-        keys: PerKey::collect(keys),
+    (any::<[u8; 6]>(), ".{0,20}", "\\PC{0,20}", keys).prop_map(|(uid, made, by, keys)| {
+        CalibrationSheet { uid: Uid(uid), made, by, keys: PerKey::collect(keys) }
     })
 }
 

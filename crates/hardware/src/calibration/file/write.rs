@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-use super::Sheet;
+use super::CalibrationSheet;
 use crate::Error;
 
 /// Where the file that was at `path` before is kept.
@@ -17,7 +17,7 @@ pub fn backup(path: &Path) -> PathBuf {
 ///
 /// # Errors
 /// What the system says.
-pub fn write(path: &Path, sheet: &Sheet) -> Result<(), Error> {
+pub fn write(path: &Path, sheet: &CalibrationSheet) -> Result<(), Error> {
     let written = replace(path, sheet.render().as_bytes());
     written.map_err(|source| Error::Unwritable { path: path.to_owned(), source })
 }

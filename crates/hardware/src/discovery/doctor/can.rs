@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::can_link::{BitTiming, CanLink};
-use super::kernel::Version;
+use super::kernel::KernelVersion;
 use crate::discovery::CanInterface;
 
 /// Force frames of a cycle for eight boards, twice: the last cycle may still wait.
@@ -14,15 +14,15 @@ const LEAST_QUEUE_CLASSIC: u32 = 2 * 8 * 4;
 const MOST_QUEUE: u32 = 128;
 /// Right for both.
 const GOOD_QUEUE: u32 = LEAST_QUEUE_CLASSIC;
-/// Where a bit may be read [thousandths of the bit].
+/// Where a bit may be read (thousandths of the bit).
 const SAMPLE_POINTS: RangeInclusive<u32> = 750..=875;
 /// Well inside those.
 const GOOD_SAMPLE_POINT: u32 = 800;
 /// The first kernel whose driver keeps the frames of a USB adapter in order.
-const ORDERED_GS_USB: Version = Version { major: 6, minor: 6 };
+const ORDERED_GS_USB: KernelVersion = KernelVersion { major: 6, minor: 6 };
 
 /// Everything to change about `can` on a kernel of this version, most urgent first.
-pub(in super::super) fn advice(can: &CanInterface, kernel: Option<Version>) -> Vec<String> {
+pub(in super::super) fn advice(can: &CanInterface, kernel: Option<KernelVersion>) -> Vec<String> {
     if can.is_virtual {
         return virtual_mtu(can).into_iter().collect();
     }
@@ -157,7 +157,7 @@ fn queue(can: &CanInterface) -> Option<String> {
     }
 }
 
-fn order(can: &CanInterface, kernel: Option<Version>) -> Option<String> {
+fn order(can: &CanInterface, kernel: Option<KernelVersion>) -> Option<String> {
     let kernel = kernel.filter(|kernel| *kernel < ORDERED_GS_USB)?;
     (can.driver.as_deref() == Some("gs_usb")).then(|| {
         format!(
@@ -198,11 +198,11 @@ mod tests {
         }
     }
 
-    const NEW: Option<Version> = Some(Version { major: 6, minor: 12 });
+    const NEW: Option<KernelVersion> = Some(KernelVersion { major: 6, minor: 12 });
 
     /// Asserts that one thing is found, and said with these words.
     #[track_caller]
-    fn check(can: &CanInterface, kernel: Option<Version>, words: &[&str]) {
+    fn check(can: &CanInterface, kernel: Option<KernelVersion>, words: &[&str]) {
         let [sentence] = <[String; 1]>::try_from(advice(can, kernel)).unwrap();
         for part in words {
             assert!(sentence.contains(part), "{sentence}");
@@ -282,7 +282,7 @@ mod tests {
     #[test]
     fn an_old_kernel_swaps_the_frames_of_gs_usb() {
         let gs_usb = CanInterface { driver: Some("gs_usb".to_owned()), ..good() };
-        check(&gs_usb, Some(Version { major: 6, minor: 1 }), &["gs_usb", "this is 6.1"]);
+        check(&gs_usb, Some(KernelVersion { major: 6, minor: 1 }), &["gs_usb", "this is 6.1"]);
         assert_eq!(advice(&gs_usb, NEW), [""; 0]);
     }
 }

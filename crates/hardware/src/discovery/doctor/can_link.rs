@@ -10,9 +10,9 @@ use serde_json::Value;
 /// One of the two rates of a controller.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BitTiming {
-    /// Rate [bit/s].
+    /// Rate (bit/s).
     pub bitrate: u32,
-    /// Where in a bit it is read [thousandths of the bit].
+    /// Where in a bit it is read (thousandths of the bit).
     pub sample_point: u32,
 }
 
@@ -23,13 +23,11 @@ pub struct CanLink {
     pub nominal: Option<BitTiming>,
     /// Rate of the rest of CAN FD frames.
     pub data: Option<BitTiming>,
-    /// After how long a controller that went off the bus comes back; 0 for never [ms].
+    /// After how long a controller that went off the bus comes back; 0 for never (ms).
     pub restart_ms: Option<u32>,
     /// `ERROR-ACTIVE` when all is well.
     pub state: Option<String>,
-    /// Transmit error counter.
     pub tx_errors: Option<u32>,
-    /// Receive error counter.
     pub rx_errors: Option<u32>,
     /// Control modes that are on, as `FD` or `LISTEN-ONLY`.
     pub modes: Vec<String>,

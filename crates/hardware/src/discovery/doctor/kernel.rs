@@ -9,12 +9,12 @@ use super::files::{number, text};
 
 /// A kernel's version, as far as anything depends on it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(in super::super) struct Version {
+pub(in super::super) struct KernelVersion {
     pub(super) major: u32,
     pub(super) minor: u32,
 }
 
-impl Version {
+impl KernelVersion {
     /// From the start of a release, as in `6.1.0-56-amd64`.
     fn of(release: &str) -> Option<Self> {
         let mut numbers = release.split(|c: char| !c.is_ascii_digit()).map(str::parse);
@@ -27,7 +27,7 @@ impl Version {
     }
 }
 
-impl fmt::Display for Version {
+impl fmt::Display for KernelVersion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}.{}", self.major, self.minor)
     }
@@ -43,7 +43,7 @@ pub(super) fn is_real_time(root: &Path) -> bool {
     text(&root.join("sys/kernel/realtime")).as_deref() == Some("1")
 }
 
-/// What real-time threads may have of each period, if it is not all [us], and the period.
+/// What real-time threads may have of each period, if it is not all (us), and the period.
 pub(super) fn throttling(root: &Path) -> Option<(u32, u32)> {
     let kernel = root.join("proc/sys/kernel");
     let runtime: i64 = number(&kernel.join("sched_rt_runtime_us"))?;
@@ -67,10 +67,10 @@ mod tests {
 
     #[test]
     fn versions_are_compared_by_number() {
-        let of = |release| Version::of(release).unwrap();
-        assert_eq!(of("6.1.0-56-amd64"), Version { major: 6, minor: 1 });
+        let of = |release| KernelVersion::of(release).unwrap();
+        assert_eq!(of("6.1.0-56-amd64"), KernelVersion { major: 6, minor: 1 });
         assert!(of("6.1.0-56-amd64") < of("6.6.3") && of("6.6-rc1") < of("6.12.0"));
-        assert_eq!(Version::of("unknown"), None);
+        assert_eq!(KernelVersion::of("unknown"), None);
     }
 
     #[test]

@@ -11,23 +11,21 @@ const CAP_SYS_NICE: u32 = 23;
 
 /// How much a process may have of something.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Limit {
+pub(super) enum ResourceLimit {
     /// As much as it asks for.
     None,
-    /// So much.
     Of(u64),
 }
 
 /// The limits that matter to a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Limits {
-    /// Real-time priority.
-    pub(super) priority: Limit,
-    /// Memory that is never paged out [bytes].
-    pub(super) locked: Limit,
+pub(super) struct ProcessLimits {
+    pub(super) priority: ResourceLimit,
+    /// Memory that is never paged out (bytes).
+    pub(super) locked: ResourceLimit,
 }
 
-impl Limits {
+impl ProcessLimits {
     /// Those of this process, whose files are under `root`.
     pub(super) fn read(root: &Path) -> Option<Self> {
         let process = root.join("proc/self");
@@ -41,7 +39,7 @@ impl Limits {
         let capabilities = capabilities(status);
         let limit = |name, capability: u32| {
             let may = capabilities >> capability & 1 == 1;
-            if may { Some(Limit::None) } else { soft(limits, name) }
+            if may { Some(ResourceLimit::None) } else { soft(limits, name) }
         };
         Some(Self {
             priority: limit("Max realtime priority", CAP_SYS_NICE)?,
@@ -51,10 +49,14 @@ impl Limits {
 }
 
 /// The soft limit in the line that begins with `name`.
-fn soft(limits: &str, name: &str) -> Option<Limit> {
+fn soft(limits: &str, name: &str) -> Option<ResourceLimit> {
     let line = limits.lines().find_map(|line| line.strip_prefix(name))?;
     let value = line.split_whitespace().next()?;
-    if value == "unlimited" { Some(Limit::None) } else { value.parse().ok().map(Limit::Of) }
+    if value == "unlimited" {
+        Some(ResourceLimit::None)
+    } else {
+        value.parse().ok().map(ResourceLimit::Of)
+    }
 }
 
 /// The set of capabilities that are in force; none if they are not told.
@@ -77,20 +79,29 @@ Max realtime timeout      unlimited            unlimited            us";
 
     #[test]
     fn the_soft_limits_are_read() {
-        let limits = Limits::parse(LIMITS, "CapEff:\t0000000000000000\n").unwrap();
-        assert_eq!(limits, Limits { priority: Limit::Of(0), locked: Limit::Of(8_388_608) });
+        let limits = ProcessLimits::parse(LIMITS, "CapEff:\t0000000000000000\n").unwrap();
+        assert_eq!(
+            limits,
+            ProcessLimits { priority: ResourceLimit::Of(0), locked: ResourceLimit::Of(8_388_608) }
+        );
     }
 
     #[test]
     fn capabilities_lift_their_limits() {
-        let nice = Limits::parse(LIMITS, "Name:\tx\nCapEff:\t0000000000800000\n").unwrap();
-        assert_eq!(nice, Limits { priority: Limit::None, locked: Limit::Of(8_388_608) });
-        let root = Limits::parse(LIMITS, "CapEff:\t000001ffffffffff\n").unwrap();
-        assert_eq!(root, Limits { priority: Limit::None, locked: Limit::None });
+        let nice = ProcessLimits::parse(LIMITS, "Name:\tx\nCapEff:\t0000000000800000\n").unwrap();
+        assert_eq!(
+            nice,
+            ProcessLimits { priority: ResourceLimit::None, locked: ResourceLimit::Of(8_388_608) }
+        );
+        let root = ProcessLimits::parse(LIMITS, "CapEff:\t000001ffffffffff\n").unwrap();
+        assert_eq!(
+            root,
+            ProcessLimits { priority: ResourceLimit::None, locked: ResourceLimit::None }
+        );
     }
 
     #[test]
     fn a_text_without_them_has_no_limits_to_tell() {
-        assert_eq!(Limits::parse("Limit Soft Hard", ""), None);
+        assert_eq!(ProcessLimits::parse("Limit Soft Hard", ""), None);
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::kernel;
-use super::limits::{Limit, Limits};
+use super::limits::{ProcessLimits, ResourceLimit};
 use crate::discovery::Listing;
 
 /// Priority that the tick asks for when a scene does not say.
@@ -14,7 +14,6 @@ const WANTED_PRIORITY: u64 = 80;
 pub struct Fact {
     /// What it is about.
     pub name: &'static str,
-    /// How it is.
     pub detail: String,
     /// What to do if that hurts.
     pub advice: Option<String>,
@@ -29,7 +28,7 @@ pub fn this_machine() -> Listing<Fact> {
 /// The facts that the files under `root` tell.
 fn facts(root: &Path) -> Vec<Fact> {
     let facts = [preemption(root), kernel::throttling(root).map(throttling), governors(root)];
-    let limits = Limits::read(root).map(|it| [priority(it.priority), memory(it.locked)]);
+    let limits = ProcessLimits::read(root).map(|it| [priority(it.priority), memory(it.locked)]);
     facts.into_iter().flatten().chain(limits.into_iter().flatten()).collect()
 }
 
@@ -74,10 +73,10 @@ fn governors(root: &Path) -> Option<Fact> {
     })
 }
 
-fn priority(limit: Limit) -> Fact {
+fn priority(limit: ResourceLimit) -> Fact {
     let (detail, enough) = match limit {
-        Limit::None => ("any".to_owned(), true),
-        Limit::Of(most) => (format!("up to {most}"), WANTED_PRIORITY <= most),
+        ResourceLimit::None => ("any".to_owned(), true),
+        ResourceLimit::Of(most) => (format!("up to {most}"), WANTED_PRIORITY <= most),
     };
     let advice = format!(
         "the tick asks for real-time priority {WANTED_PRIORITY} and will not get it: \
@@ -87,10 +86,10 @@ fn priority(limit: Limit) -> Fact {
     Fact { name: "real-time priority", detail, advice: (!enough).then_some(advice) }
 }
 
-fn memory(limit: Limit) -> Fact {
+fn memory(limit: ResourceLimit) -> Fact {
     let (detail, enough) = match limit {
-        Limit::None => ("any amount".to_owned(), true),
-        Limit::Of(most) => (format!("up to {} KiB", most / 1024), false),
+        ResourceLimit::None => ("any amount".to_owned(), true),
+        ResourceLimit::Of(most) => (format!("up to {} KiB", most / 1024), false),
     };
     let advice = "memory that is allocated later cannot be locked, so a page fault may delay a \
                   tick: echo '@realtime - memlock unlimited' | sudo tee -a \

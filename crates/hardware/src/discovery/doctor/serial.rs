@@ -5,10 +5,10 @@ use std::path::Path;
 use super::files::number;
 use super::usb::{UsbPlace, UsbSpeed};
 
-/// How long an FTDI adapter may hold bytes back [ms].
+/// How long an FTDI adapter may hold bytes back (ms).
 const MOST_LATENCY: u32 = 1;
 
-/// How long the adapter of the terminal `tty` holds bytes back, if it is one that does [ms].
+/// How long the adapter of the terminal `tty` holds bytes back, if it is one that does (ms).
 pub(in super::super) fn latency_timer(sys: &Path, tty: &str) -> Option<u32> {
     number(&sys.join("bus/usb-serial/devices").join(tty).join("latency_timer"))
 }

@@ -10,13 +10,9 @@ const MULTI_TT: &str = "02";
 /// How fast a USB device signals.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UsbSpeed {
-    /// 1.5 Mbit/s.
     Low,
-    /// 12 Mbit/s.
     Full,
-    /// 480 Mbit/s.
     High,
-    /// More.
     Super,
 }
 
@@ -46,7 +42,7 @@ pub struct UsbPlace {
     /// What the 12 Mbit/s of a full-speed device belong to: a hub with one translator for
     /// all, or a port. Devices with the same share them.
     pub shared: Option<PathBuf>,
-    /// After how long without traffic it is put to sleep; none for never [ms].
+    /// After how long without traffic it is put to sleep; none for never (ms).
     pub sleeps_after: Option<u32>,
 }
 
@@ -100,7 +96,7 @@ pub(super) mod tests {
 
     const BUS: &str = "devices/pci0/usb1";
 
-    /// Adds a hub or device to a tree of USB: speed [Mbit/s] and `bDeviceProtocol`.
+    /// Adds a hub or device to a tree of USB: speed (Mbit/s) and `bDeviceProtocol`.
     fn with_usb(root: Root, path: &str, speed: &str, protocol: &str) -> Root {
         let files = [("idVendor", "1209"), ("speed", speed), ("bDeviceProtocol", protocol)];
         root.with_all(&format!("{BUS}{path}"), &files)

@@ -5,21 +5,20 @@ use firmware_protocol::MAX_FRAME;
 use crate::link::{RecvError, SendError};
 
 /// Frames of the bus, in and out, without waiting.
-pub(super) trait Bus {
+pub(super) trait CanBus {
     /// Hands over a frame of the bus; `data` has a length that the bus has.
     fn write(&mut self, id: u16, data: &[u8]) -> Result<(), SendError>;
 
     /// The next thing that came, if anything did.
-    fn read(&mut self) -> Result<Option<Arrival>, RecvError>;
+    fn read(&mut self) -> Result<Option<BusRead>, RecvError>;
 }
 
 /// What comes from a bus.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Arrival {
-    /// A frame.
+pub(super) enum BusRead {
     Data(Data),
     /// A report of the controller.
-    Report(Report),
+    Report(ControllerReport),
     /// A frame that no board sends: extended, remote, or not of this mode.
     Foreign,
 }
@@ -49,9 +48,8 @@ impl Data {
 
 /// What a controller or its driver reports; Linux hands it over in the shape of a frame.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Report {
+pub(super) struct ControllerReport {
     /// What it is about, as bits.
     pub(super) class: u32,
-    /// Details and counters.
     pub(super) data: [u8; 8],
 }

@@ -1,9 +1,9 @@
 //! Frames in pieces of seven bytes, several of them under way at once.
 
 use firmware_protocol::MAX_FRAME;
-use firmware_protocol::can::pieces::{Assembler, PieceLost, cut};
+use firmware_protocol::can::pieces::{PieceLost, Reassembler, cut};
 
-use super::bus::{Bus, Data};
+use super::bus::{CanBus, Data};
 use crate::link::SendError;
 
 /// Numbers of classes, used or not.
@@ -13,8 +13,8 @@ const NODES: usize = 16;
 
 /// What is remembered for each identifier.
 #[derive(Clone, Debug, Default)]
-struct Place {
-    assembler: Assembler,
+struct ReassemblyState {
+    assembler: Reassembler,
     /// The number of the next frame sent under it; the protocol takes three bits.
     roll: u8,
 }
@@ -22,7 +22,7 @@ struct Place {
 /// The frames that are being put together, and the one that is being sent.
 #[derive(Clone, Debug)]
 pub(super) struct Classic {
-    places: Box<[Place]>,
+    places: Box<[ReassemblyState]>,
     sending: Sending,
 }
 
@@ -40,7 +40,7 @@ struct Sending {
 impl Classic {
     /// Takes its memory, about 20 kB.
     pub(super) fn new() -> Self {
-        let places = vec![Place::default(); CLASSES * NODES].into_boxed_slice();
+        let places = vec![ReassemblyState::default(); CLASSES * NODES].into_boxed_slice();
         let sending = Sending { id: 0, frame: [0; MAX_FRAME], len: 0, roll: 0, next: None };
         Self { places, sending }
     }
@@ -48,7 +48,7 @@ impl Classic {
     /// Sends a frame; what the bus takes only in part goes on before anything else.
     pub(super) fn send(
         &mut self,
-        bus: &mut impl Bus,
+        bus: &mut impl CanBus,
         id: u16,
         frame: &[u8],
     ) -> Result<(), SendError> {
@@ -56,7 +56,7 @@ impl Classic {
         let len = frame.len();
         let room = self.sending.frame.get_mut(..len).ok_or(SendError::TooLong { len })?;
         room.copy_from_slice(frame);
-        let roll = place(&mut self.places, id).map_or(0, Place::next_roll);
+        let roll = place(&mut self.places, id).map_or(0, ReassemblyState::next_roll);
         self.sending = Sending { id, len, roll, next: Some(0), ..self.sending };
         match (self.flush(bus), self.sending.next) {
             (Err(SendError::Full), Some(0)) => {
@@ -70,7 +70,7 @@ impl Classic {
     }
 
     /// Sends the pieces that have still to go.
-    pub(super) fn flush(&mut self, bus: &mut impl Bus) -> Result<(), SendError> {
+    pub(super) fn flush(&mut self, bus: &mut impl CanBus) -> Result<(), SendError> {
         let Sending { id, frame, len, roll, next } = &mut self.sending;
         let Some(first) = *next else { return Ok(()) };
         for (index, (piece, size)) in cut(&frame[..*len], *roll).enumerate().skip(first) {
@@ -90,7 +90,7 @@ impl Classic {
     }
 }
 
-impl Place {
+impl ReassemblyState {
     const fn next_roll(&mut self) -> u8 {
         self.roll = self.roll.wrapping_add(1);
         self.roll
@@ -98,7 +98,7 @@ impl Place {
 }
 
 /// What is remembered for an identifier; none if no frame travels under it.
-fn place(places: &mut [Place], id: u16) -> Option<&mut Place> {
+fn place(places: &mut [ReassemblyState], id: u16) -> Option<&mut ReassemblyState> {
     let (class, node) = (usize::from(id >> 7), usize::from(id & 0x7F));
     places.get_mut(class * NODES + node).filter(|_| node < NODES)
 }

@@ -3,7 +3,7 @@
 use firmware_protocol::can::Class;
 use firmware_protocol::frame::ALL_BOARDS;
 
-use super::Side;
+use super::BusSide;
 
 /// Bits of the identifier below the class.
 const NODE_BITS: u16 = 7;
@@ -15,13 +15,13 @@ const EXACT: u32 = 0x7FF;
 const CLASS_ONLY: u32 = 0x780;
 
 /// Identifiers and the bits of them that count; what fits any is heard.
-pub(super) fn filters(side: Side) -> Vec<(u32, u32)> {
+pub(super) fn filters(side: BusSide) -> Vec<(u32, u32)> {
     match side {
-        Side::Host => {
+        BusSide::Host => {
             let classes = [Class::KeySamples, Class::Reply, Class::Hello];
             classes.map(|class| (id(class, 0), CLASS_ONLY | FOREIGN)).to_vec()
         }
-        Side::Board(board) => {
+        BusSide::Board(board) => {
             let for_all = [Class::Stop, Class::Sync, Class::MulticastForces]
                 .map(|class| id(class, ALL_BOARDS));
             let for_it = [Class::KeyForces, Class::Request].map(|class| id(class, board.number()));
@@ -41,14 +41,14 @@ mod tests {
     use firmware_protocol::key::BoardId;
 
     /// Whether `side` hears a frame with these two first bytes.
-    fn hears(side: Side, head: [u8; 2]) -> bool {
+    fn hears(side: BusSide, head: [u8; 2]) -> bool {
         let id = u32::from(identifier(&head).unwrap());
         filters(side).iter().any(|(wanted, mask)| id & mask == wanted & mask)
     }
 
     #[test]
     fn the_host_hears_boards_and_a_board_hears_what_is_for_it() {
-        let board = |number| Side::Board(BoardId::new(number).unwrap());
+        let board = |number| BusSide::Board(BoardId::new(number).unwrap());
         // Kind and board in byte 0, and who hears it: the host, board 3, board 4.
         let cases = [
             ([0x0F, 1], [false, true, true]),
@@ -61,14 +61,14 @@ mod tests {
             ([0xC3, 0], [true, false, false]),
         ];
         for (head, expected) in cases {
-            let heard = [Side::Host, board(3), board(4)].map(|side| hears(side, head));
+            let heard = [BusSide::Host, board(3), board(4)].map(|side| hears(side, head));
             assert_eq!(heard, expected, "{head:x?}");
         }
     }
 
     #[test]
     fn extended_and_remote_frames_are_heard_by_nobody() {
-        for (wanted, mask) in filters(Side::Host) {
+        for (wanted, mask) in filters(BusSide::Host) {
             assert_ne!((wanted | 0x8000_0000) & mask, wanted & mask);
             assert_ne!((wanted | 0x4000_0000) & mask, wanted & mask);
         }

@@ -3,7 +3,7 @@
 //! Classes and bytes as in Linux' `linux/can/error.h`. Byte 1 tells the controller's state,
 //! bytes 6 and 7 its counters.
 
-use super::bus::Report;
+use super::bus::ControllerReport;
 use crate::link::{Health, WireState};
 
 /// Class: the controller's state.
@@ -24,8 +24,8 @@ const ACTIVE: u8 = 0x40;
 
 impl Health {
     /// Takes a report into account.
-    pub(super) fn note(&mut self, report: Report) {
-        let Report { class, data: [_, state, .., transmit, receive] } = report;
+    pub(super) fn note(&mut self, report: ControllerReport) {
+        let ControllerReport { class, data: [_, state, .., transmit, receive] } = report;
         let state = if class & CONTROLLER == 0 { None } else { controller_state(state) };
         self.reports += 1;
         if class & RESTARTED != 0 {
@@ -63,8 +63,8 @@ mod tests {
     use super::*;
 
     /// A report as `cansend` writes it, after the flag of error frames.
-    fn report(class: u32, data: u64) -> Report {
-        Report { class, data: data.to_be_bytes() }
+    fn report(class: u32, data: u64) -> ControllerReport {
+        ControllerReport { class, data: data.to_be_bytes() }
     }
 
     #[test]

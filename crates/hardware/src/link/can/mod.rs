@@ -16,7 +16,7 @@ mod socket;
 use firmware_protocol::key::BoardId;
 
 #[cfg(target_os = "linux")]
-use self::{port::Port, socket::Socket};
+use self::{port::CanPort, socket::Socket};
 use super::{Health, Link, RecvError, SendError};
 use crate::Error;
 
@@ -31,7 +31,7 @@ pub enum CanMode {
 
 /// Which end of the bus this is; the kernel passes on only what is for it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Side {
+pub enum BusSide {
     /// The host: hears what boards say.
     Host,
     /// A board: hears what is for it and for all boards.
@@ -40,7 +40,7 @@ pub enum Side {
 
 /// A CAN interface that was opened, and never waits.
 ///
-/// Frames that are not of the protocol have no identifier: they are [`SendError::TooLong`],
+/// Frames that are not of the protocol have no identifier: they are [`MidiSendError::TooLong`],
 /// whatever their length. On CAN FD a frame arrives with the zeros that pad it.
 ///
 /// An interface that is taken down says so, and works again when it is up; one that was
@@ -48,7 +48,7 @@ pub enum Side {
 #[derive(Debug)]
 pub struct Can {
     #[cfg(target_os = "linux")]
-    port: Port<Socket>,
+    port: CanPort<Socket>,
     #[cfg(not(target_os = "linux"))]
     port: std::convert::Infallible,
 }
@@ -59,12 +59,12 @@ impl Can {
     ///
     /// # Errors
     /// Says what is wrong with the interface, and what to do.
-    pub fn open(interface: &str, mode: CanMode, side: Side) -> Result<Self, Error> {
+    pub fn open(interface: &str, mode: CanMode, side: BusSide) -> Result<Self, Error> {
         let refused = |why| Error::Can { interface: interface.to_owned(), why };
         open::check(interface, mode).map_err(refused)?;
         let socket =
             Socket::open(interface, mode, side).map_err(|error| refused(open::trouble(error)))?;
-        Ok(Self { port: Port::new(socket, mode) })
+        Ok(Self { port: CanPort::new(socket, mode) })
     }
 
     /// Frames that were dropped because there was no room for them.
@@ -97,7 +97,7 @@ impl Can {
     ///
     /// # Errors
     /// Says so.
-    pub fn open(interface: &str, _mode: CanMode, _side: Side) -> Result<Self, Error> {
+    pub fn open(interface: &str, _mode: CanMode, _side: BusSide) -> Result<Self, Error> {
         let why = super::trouble::CanTrouble::NotLinux;
         Err(Error::Can { interface: interface.to_owned(), why })
     }

@@ -107,7 +107,7 @@ mod tests {
 
     #[test]
     fn an_interface_that_is_not_there_is_missed_by_its_name() {
-        let error = super::super::Can::open("nocan7", CanMode::Fd, super::super::Side::Host);
+        let error = super::super::Can::open("nocan7", CanMode::Fd, super::super::BusSide::Host);
         let sentence = error.unwrap_err().to_string();
         assert!(sentence.starts_with("the CAN interface nocan7 cannot be opened: "), "{sentence}");
     }

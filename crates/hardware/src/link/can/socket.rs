@@ -9,9 +9,9 @@ use socketcan::{
     EmbeddedFrame as _, Id, Socket as _, SocketOptions, StandardId,
 };
 
-use super::bus::{Arrival, Bus, Data, Report};
+use super::bus::{BusRead, CanBus, ControllerReport, Data};
 use super::filter::filters;
-use super::{CanMode, Side};
+use super::{BusSide, CanMode};
 use crate::link::{RecvError, SendError};
 
 /// A socket that does not wait.
@@ -26,7 +26,7 @@ impl Socket {
     ///
     /// As the kernel has it by default, other sockets of this machine hear what is sent here,
     /// and this one does not.
-    pub(super) fn open(interface: &str, mode: CanMode, side: Side) -> io::Result<Self> {
+    pub(super) fn open(interface: &str, mode: CanMode, side: BusSide) -> io::Result<Self> {
         Ok(match mode {
             CanMode::Fd => Self::Fd(prepare(CanFdSocket::open(interface)?, side)?),
             CanMode::Classic => Self::Classic(prepare(CanSocket::open(interface)?, side)?),
@@ -34,14 +34,14 @@ impl Socket {
     }
 }
 
-fn prepare<S: socketcan::Socket + SocketOptions>(socket: S, side: Side) -> io::Result<S> {
+fn prepare<S: socketcan::Socket + SocketOptions>(socket: S, side: BusSide) -> io::Result<S> {
     socket.set_nonblocking(true)?;
     socket.set_filters(&filters(side))?;
     socket.set_error_filter_accept_all()?;
     Ok(socket)
 }
 
-impl Bus for Socket {
+impl CanBus for Socket {
     fn write(&mut self, id: u16, data: &[u8]) -> Result<(), SendError> {
         let too_long = SendError::TooLong { len: data.len() };
         let id = StandardId::new(id).ok_or(too_long)?;
@@ -57,7 +57,7 @@ impl Bus for Socket {
         .map_err(|error| refusal(&error))
     }
 
-    fn read(&mut self) -> Result<Option<Arrival>, RecvError> {
+    fn read(&mut self) -> Result<Option<BusRead>, RecvError> {
         let arrival = match self {
             Self::Fd(socket) => socket.read_frame().map(any_arrival),
             Self::Classic(socket) => socket.read_frame().map(classic_arrival),
@@ -67,33 +67,33 @@ impl Bus for Socket {
 }
 
 /// What came to a socket for CAN FD, where a classic frame is out of place.
-fn any_arrival(frame: CanAnyFrame) -> Arrival {
+fn any_arrival(frame: CanAnyFrame) -> BusRead {
     match frame {
         CanAnyFrame::Fd(frame) => data(frame.id(), frame.data()),
         CanAnyFrame::Error(frame) => report(&frame),
-        CanAnyFrame::Normal(_) | CanAnyFrame::Remote(_) => Arrival::Foreign,
+        CanAnyFrame::Normal(_) | CanAnyFrame::Remote(_) => BusRead::Foreign,
     }
 }
 
 /// What came to a socket for classic CAN.
-fn classic_arrival(frame: CanFrame) -> Arrival {
+fn classic_arrival(frame: CanFrame) -> BusRead {
     match frame {
         CanFrame::Data(frame) => data(frame.id(), frame.data()),
         CanFrame::Error(frame) => report(&frame),
-        CanFrame::Remote(_) => Arrival::Foreign,
+        CanFrame::Remote(_) => BusRead::Foreign,
     }
 }
 
-fn data(id: Id, bytes: &[u8]) -> Arrival {
+fn data(id: Id, bytes: &[u8]) -> BusRead {
     match id {
-        Id::Standard(id) => Arrival::Data(Data::new(id.as_raw(), bytes)),
-        Id::Extended(_) => Arrival::Foreign,
+        Id::Standard(id) => BusRead::Data(Data::new(id.as_raw(), bytes)),
+        Id::Extended(_) => BusRead::Foreign,
     }
 }
 
-fn report(frame: &CanErrorFrame) -> Arrival {
+fn report(frame: &CanErrorFrame) -> BusRead {
     let data = frame.data().first_chunk().copied().unwrap_or_default();
-    Arrival::Report(Report { class: frame.error_bits(), data })
+    BusRead::Report(ControllerReport { class: frame.error_bits(), data })
 }
 
 /// Why the kernel did not take a frame.
@@ -108,7 +108,7 @@ fn refusal(error: &io::Error) -> SendError {
 }
 
 /// Why nothing came.
-fn silence(error: &io::Error) -> Result<Option<Arrival>, RecvError> {
+fn silence(error: &io::Error) -> Result<Option<BusRead>, RecvError> {
     match Errno::from_io_error(error) {
         Some(Errno::AGAIN | Errno::INTR) => Ok(None),
         Some(_) => Err(RecvError::Down),
@@ -145,14 +145,14 @@ mod tests {
         let bytes = [0x65; MAX_FRAME];
         let fd = CanFdFrame::with_flags(id, &bytes, FdFlags::BRS).unwrap();
         assert!(fd.is_brs() && fd.size() == 72);
-        let Arrival::Data(data) = any_arrival(fd.into()) else { panic!("{fd:?}") };
+        let BusRead::Data(data) = any_arrival(fd.into()) else { panic!("{fd:?}") };
         assert_eq!((data.id, data.bytes()), (0x205, &bytes[..]));
         let classic = CanDataFrame::new(id, &bytes[..8]).unwrap();
-        assert!(matches!(any_arrival(classic.into()), Arrival::Foreign));
-        let Arrival::Data(data) = classic_arrival(classic.into()) else { panic!("{classic:?}") };
+        assert!(matches!(any_arrival(classic.into()), BusRead::Foreign));
+        let BusRead::Data(data) = classic_arrival(classic.into()) else { panic!("{classic:?}") };
         assert_eq!((data.id, data.bytes()), (0x205, &bytes[..8]));
         let error = CanErrorFrame::new_error(0x004, &[0, 0x10, 0, 0, 0, 0, 136, 0]).unwrap();
-        let Arrival::Report(report) = any_arrival(error.into()) else { panic!("{error:?}") };
-        assert_eq!(report, Report { class: 4, data: [0, 0x10, 0, 0, 0, 0, 136, 0] });
+        let BusRead::Report(report) = any_arrival(error.into()) else { panic!("{error:?}") };
+        assert_eq!(report, ControllerReport { class: 4, data: [0, 0x10, 0, 0, 0, 0, 136, 0] });
     }
 }

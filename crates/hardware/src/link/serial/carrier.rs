@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::stream::{Gone, Stream};
+use super::stream::{Disconnected, NonBlockingFd};
 use crate::link::{Link, MAX_LEN, RecvError, SendError};
 
 /// A stream, and the rest of the one frame that it has taken half of.
@@ -10,16 +10,16 @@ use crate::link::{Link, MAX_LEN, RecvError, SendError};
 /// The rest goes before anything else, so that what comes out at the other end is whole
 /// frames. A frame that cannot be begun is dropped, and the next one will be newer.
 #[derive(Debug)]
-pub(super) struct Carrier {
-    stream: Stream,
+pub(super) struct SerialCarrier {
+    stream: NonBlockingFd,
     frame: [u8; MAX_LEN],
     /// The part of `frame` that the stream has not taken yet.
     rest: Range<usize>,
     dropped: u64,
 }
 
-impl Carrier {
-    pub(super) const fn new(stream: Stream) -> Self {
+impl SerialCarrier {
+    pub(super) const fn new(stream: NonBlockingFd) -> Self {
         Self { stream, frame: [0; MAX_LEN], rest: 0..0, dropped: 0 }
     }
 
@@ -29,7 +29,7 @@ impl Carrier {
     }
 
     /// Sends as much of the rest as there is room for.
-    fn flush(&mut self) -> Result<(), Gone> {
+    fn flush(&mut self) -> Result<(), Disconnected> {
         if !self.rest.is_empty() {
             self.rest.start += self.stream.write(&self.frame[self.rest.clone()])?;
         }
@@ -42,19 +42,19 @@ impl Carrier {
     }
 }
 
-impl From<Gone> for SendError {
-    fn from(_: Gone) -> Self {
+impl From<Disconnected> for SendError {
+    fn from(_: Disconnected) -> Self {
         Self::Down
     }
 }
 
-impl From<Gone> for RecvError {
-    fn from(_: Gone) -> Self {
+impl From<Disconnected> for RecvError {
+    fn from(_: Disconnected) -> Self {
         Self::Down
     }
 }
 
-impl Link for Carrier {
+impl Link for SerialCarrier {
     fn try_send(&mut self, bytes: &[u8]) -> Result<(), SendError> {
         self.flush()?;
         if !self.rest.is_empty() {

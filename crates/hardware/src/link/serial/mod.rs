@@ -14,15 +14,15 @@ use rustix::fd::OwnedFd;
 use rustix::fs::{Mode, OFlags};
 use serialport::{ClearBuffer, ErrorKind, SerialPort as _, TTYPort};
 
-use self::carrier::Carrier;
+use self::carrier::SerialCarrier;
 use super::framed::Framing;
 use super::trouble::PortTrouble;
 use super::{Health, Link, RecvError, SendError};
 use crate::Error;
 
-pub(super) use pty::Ends;
 pub use pty::Pty;
-pub(super) use stream::{Gone, Stream};
+pub(super) use pty::PtyPair;
+pub(super) use stream::{Disconnected, NonBlockingFd};
 
 /// A serial port that was opened, and never waits.
 ///
@@ -30,7 +30,7 @@ pub(super) use stream::{Gone, Stream};
 #[derive(Debug)]
 pub struct Serial {
     framing: Framing,
-    carrier: Carrier,
+    carrier: SerialCarrier,
     _keeper: Keeper,
 }
 
@@ -58,8 +58,8 @@ impl Serial {
         Ok(Self::new(stream, Keeper::Port(port)))
     }
 
-    fn new(stream: Stream, keeper: Keeper) -> Self {
-        let (framing, carrier) = (Framing::default(), Carrier::new(stream));
+    fn new(stream: NonBlockingFd, keeper: Keeper) -> Self {
+        let (framing, carrier) = (Framing::default(), SerialCarrier::new(stream));
         Self { framing, carrier, _keeper: keeper }
     }
 
@@ -90,7 +90,7 @@ impl Link for Serial {
 ///
 /// A port that is locked opens no second time, so the lock comes last; until then a shared
 /// one keeps out who asks for a lock.
-fn open(path: &Path, baud: u32) -> serialport::Result<(TTYPort, Stream)> {
+fn open(path: &Path, baud: u32) -> serialport::Result<(TTYPort, NonBlockingFd)> {
     let settings =
         serialport::new(path.to_string_lossy(), baud).exclusive(false).timeout(Duration::ZERO);
     let mut port = TTYPort::open(&settings)?;
@@ -98,7 +98,7 @@ fn open(path: &Path, baud: u32) -> serialport::Result<(TTYPort, Stream)> {
     let bytes = rustix::fs::open(path, flags, Mode::empty()).map_err(std::io::Error::from)?;
     port.set_exclusive(true)?;
     port.clear(ClearBuffer::All)?;
-    Ok((port, Stream::new(bytes)))
+    Ok((port, NonBlockingFd::new(bytes)))
 }
 
 /// What a refusal of the system means for whoever wants to use the port.

@@ -10,13 +10,12 @@ use rustix::fs::{Mode, OFlags, fcntl_getfl, fcntl_setfl};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{OptionalActions, tcgetattr, tcsetattr};
 
-use super::{Keeper, Serial, Stream};
+use super::{Keeper, NonBlockingFd, Serial};
 use crate::Error;
 
 /// A pseudo-terminal: a link for the board that this process plays, and the port to reach it.
 #[derive(Debug)]
 pub struct Pty {
-    /// The board's side.
     pub board: Serial,
     /// The host's side, to be opened by its path again and again.
     pub path: PathBuf,
@@ -28,23 +27,23 @@ impl Pty {
     /// # Errors
     /// The system has none left.
     pub fn open() -> Result<Self, Error> {
-        let Ends { stream, other, path } = Ends::open().map_err(Error::Pty)?;
+        let PtyPair { stream, other, path } = PtyPair::open().map_err(Error::Pty)?;
         Ok(Self { board: Serial::new(stream, Keeper::OtherEnd(other)), path })
     }
 }
 
 /// Both ends of a pseudo-terminal as descriptors.
 #[derive(Debug)]
-pub(in crate::link) struct Ends {
+pub(in crate::link) struct PtyPair {
     /// This side, which does not wait.
-    pub(in crate::link) stream: Stream,
+    pub(in crate::link) stream: NonBlockingFd,
     /// The other side; while it is held, this side lives on when a client leaves.
     pub(in crate::link) other: OwnedFd,
     /// The path of the other side.
     pub(in crate::link) path: PathBuf,
 }
 
-impl Ends {
+impl PtyPair {
     /// Makes a pseudo-terminal that hands bytes on as they are.
     pub(in crate::link) fn open() -> io::Result<Self> {
         let this = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC)?;
@@ -57,6 +56,6 @@ impl Ends {
         let mut settings = tcgetattr(&other)?;
         settings.make_raw();
         tcsetattr(&other, OptionalActions::Now, &settings)?;
-        Ok(Self { stream: Stream::new(this), other, path })
+        Ok(Self { stream: NonBlockingFd::new(this), other, path })
     }
 }

@@ -11,9 +11,9 @@ const CAPACITY: usize = 4_096;
 const BITS: u64 = 10;
 const NANOS: u64 = 1_000_000_000;
 
-/// One direction. Times are [ns] from any start.
+/// One direction. Times are (ns) from any start.
 #[derive(Clone, Debug)]
-pub(super) struct Lane {
+pub(super) struct WireDirection {
     plan: WirePlan,
     random: Random,
     queue: VecDeque<(u64, u8)>,
@@ -22,7 +22,7 @@ pub(super) struct Lane {
     counts: WireCounts,
 }
 
-impl Lane {
+impl WireDirection {
     /// An empty lane whose chance starts from the plan's seed and `salt`.
     pub(super) fn new(plan: WirePlan, salt: u64) -> Self {
         let random = Random(Random(plan.seed).next() ^ salt);
@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn a_byte_takes_ten_bits_of_time() {
         let plan = WirePlan { baud: Some(1_000_000), ..WirePlan::default() };
-        let mut lane = Lane::new(plan, 0);
+        let mut lane = WireDirection::new(plan, 0);
         lane.take(5_000, &[1, 2, 3]);
         let mut out = [0; 8];
         let arrived = [14_999, 15_000, 34_999, 35_000].map(|now| lane.arrived(now, &mut out));
@@ -107,7 +107,7 @@ mod tests {
 
     #[test]
     fn without_a_plan_bytes_pass_at_once_and_whole() {
-        let mut lane = Lane::new(WirePlan::default(), 0);
+        let mut lane = WireDirection::new(WirePlan::default(), 0);
         let bytes: Vec<u8> = (0..=255).collect();
         lane.take(7, &bytes);
         let mut out = [0; 256];
@@ -121,7 +121,7 @@ mod tests {
         let counts = |seed| {
             let plan =
                 WirePlan { seed, loss: 0.01, flip: 0.01, stall: 0.01, ..WirePlan::default() };
-            let mut lane = Lane::new(plan, 1);
+            let mut lane = WireDirection::new(plan, 1);
             for _ in 0..n / 1_000 {
                 lane.take(0, &[0; 1_000]);
                 lane.hand_on(1_000);
@@ -140,7 +140,7 @@ mod tests {
     #[test]
     fn a_stall_holds_up_what_follows() {
         let plan = WirePlan { stall: 1.0, stall_us: 3, ..WirePlan::default() };
-        let mut lane = Lane::new(plan, 0);
+        let mut lane = WireDirection::new(plan, 0);
         lane.take(0, &[1, 2]);
         let mut out = [0; 2];
         assert_eq!([2_999, 3_000, 6_000].map(|now| lane.arrived(now, &mut out)), [0, 1, 2]);
@@ -148,7 +148,7 @@ mod tests {
 
     #[test]
     fn a_cut_loses_what_is_on_the_wire() {
-        let mut lane = Lane::new(WirePlan::default(), 0);
+        let mut lane = WireDirection::new(WirePlan::default(), 0);
         lane.take(0, &[1, 2]);
         lane.lose(3);
         assert_eq!((lane.next(), lane.counts().lost), (None, 5));

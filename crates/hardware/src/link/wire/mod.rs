@@ -16,7 +16,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::thread::JoinHandle;
 
-use super::serial::Ends;
+use super::serial::PtyPair;
 use crate::Error;
 
 /// How a wire treats its bytes; by default it hands them on at once and whole.
@@ -33,7 +33,7 @@ pub struct WirePlan {
     pub flip: f64,
     /// Share of the bytes at which the wire stands still, `0 ..= 1`.
     pub stall: f64,
-    /// How long it then stands still [us].
+    /// How long it then stands still (us).
     pub stall_us: u32,
 }
 
@@ -55,13 +55,13 @@ pub struct WireCounts {
 pub struct Wire {
     host: PathBuf,
     board: PathBuf,
-    shared: Arc<Shared>,
+    shared: Arc<WireState>,
     pump: Option<JoinHandle<()>>,
 }
 
 /// What the pump and its owner tell each other.
 #[derive(Debug, Default)]
-struct Shared {
+struct WireState {
     cut: AtomicBool,
     stop: AtomicBool,
     passed: AtomicU64,
@@ -76,9 +76,10 @@ impl Wire {
     /// # Errors
     /// The system has no pseudo-terminal or no thread left.
     pub fn open(plan: WirePlan) -> Result<Self, Error> {
-        let (one, other) = (Ends::open().map_err(Error::Pty)?, Ends::open().map_err(Error::Pty)?);
+        let (one, other) =
+            (PtyPair::open().map_err(Error::Pty)?, PtyPair::open().map_err(Error::Pty)?);
         let (host, board) = (one.path.clone(), other.path.clone());
-        let shared = Arc::<Shared>::default();
+        let shared = Arc::<WireState>::default();
         let run = {
             let shared = Arc::clone(&shared);
             move || pump::run(&one, &other, plan, &shared)
@@ -111,7 +112,7 @@ impl Wire {
     /// What has happened so far.
     pub fn counts(&self) -> WireCounts {
         let read = |count: &AtomicU64| count.load(Ordering::Relaxed);
-        let Shared { passed, lost, flipped, stalls, .. } = &*self.shared;
+        let WireState { passed, lost, flipped, stalls, .. } = &*self.shared;
         WireCounts {
             passed: read(passed),
             lost: read(lost),

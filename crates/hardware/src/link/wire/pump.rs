@@ -5,21 +5,21 @@ use std::time::Instant;
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 
-use super::lane::Lane;
-use super::{Shared, WirePlan};
-use crate::link::serial::{Ends, Gone, Stream};
+use super::lane::WireDirection;
+use super::{WirePlan, WireState};
+use crate::link::serial::{Disconnected, NonBlockingFd, PtyPair};
 
 /// Bytes that are moved at once.
 const CHUNK: usize = 1_024;
-/// The pump looks again after this time at the latest, to see whether it shall stop [ns].
+/// The pump looks again after this time at the latest, to see whether it shall stop (ns).
 const PATIENCE: u64 = 5_000_000;
-/// It sleeps no shorter than this [ns].
+/// It sleeps no shorter than this (ns).
 const NAP: u64 = 20_000;
 
 /// Hands bytes on between two ports until it is told to stop.
-pub(super) fn run(host: &Ends, board: &Ends, plan: WirePlan, shared: &Shared) {
-    let (mut down, mut up) = (Lane::new(plan, 0), Lane::new(plan, 1));
-    let clock = Clock::start();
+pub(super) fn run(host: &PtyPair, board: &PtyPair, plan: WirePlan, shared: &WireState) {
+    let (mut down, mut up) = (WireDirection::new(plan, 0), WireDirection::new(plan, 1));
+    let clock = WireClock::start();
     while !shared.stop.load(Ordering::Relaxed) {
         let (host, board) = (&host.stream, &board.stream);
         let moved = carry(&mut down, host, board, clock.now(), shared)
@@ -37,12 +37,12 @@ pub(super) fn run(host: &Ends, board: &Ends, plan: WirePlan, shared: &Shared) {
 
 /// Takes what was sent at one end, and hands on what has arrived at the other.
 fn carry(
-    lane: &mut Lane,
-    from: &Stream,
-    to: &Stream,
+    lane: &mut WireDirection,
+    from: &NonBlockingFd,
+    to: &NonBlockingFd,
     now: u64,
-    shared: &Shared,
-) -> Result<(), Gone> {
+    shared: &WireState,
+) -> Result<(), Disconnected> {
     let mut bytes = [0; CHUNK];
     let room = lane.room().min(CHUNK);
     if 0 < room {
@@ -57,7 +57,7 @@ fn carry(
 }
 
 /// Sleeps until one of the streams that have room has something, or for `nanos`.
-fn wait(streams: &[(&Stream, usize); 2], nanos: u64) {
+fn wait(streams: &[(&NonBlockingFd, usize); 2], nanos: u64) {
     let interest = |room| if 0 < room { PollFlags::IN } else { PollFlags::empty() };
     let mut streams = streams.map(|(stream, room)| PollFd::new(stream, interest(room)));
     let timeout = Timespec { tv_sec: 0, tv_nsec: nanos.cast_signed() };
@@ -65,8 +65,8 @@ fn wait(streams: &[(&Stream, usize); 2], nanos: u64) {
     let _why = poll(&mut streams, Some(&timeout));
 }
 
-impl Shared {
-    fn tell(&self, down: &Lane, up: &Lane) {
+impl WireState {
+    fn tell(&self, down: &WireDirection, up: &WireDirection) {
         let (down, up) = (down.counts(), up.counts());
         let set = |count: &AtomicU64, value| count.store(value, Ordering::Relaxed);
         set(&self.passed, down.passed + up.passed);
@@ -77,18 +77,18 @@ impl Shared {
 }
 
 /// The wire's own time.
-struct Clock(Instant);
+struct WireClock(Instant);
 
 #[expect(
     clippy::disallowed_methods,
     reason = "the wire is no part of the tick: it is what takes time"
 )]
-impl Clock {
+impl WireClock {
     fn start() -> Self {
         Self(Instant::now())
     }
 
-    /// Time since the start [ns].
+    /// Time since the start (ns).
     fn now(&self) -> u64 {
         u64::try_from(self.0.elapsed().as_nanos()).unwrap_or(u64::MAX)
     }

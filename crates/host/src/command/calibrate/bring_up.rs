@@ -6,37 +6,37 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use hardware::calibrate::Bench;
 use hardware::calibration::file;
-use hardware::keybed::{Calibrated, Found, Keybed, Offline, Terms, Wanted};
+use hardware::keybed::{Calibrated, FoundBoard, Keybed, Offline, Terms, WantedBoards};
 use hardware::refusal::{BoardName, Refusals};
 
 use super::Endings;
 use super::operator::Operator;
 use crate::boards::{PATIENCE_US, folder, now_us, open_all, unmeasured};
 use crate::command::Failure;
-use crate::command::target::Target;
+use crate::command::target::SceneTarget;
 
 /// Exchanges a second: more would load slow buses, and say no more.
 const HZ: u32 = 500;
-/// Forces are valid for as long as they can be: the system may be late [ms].
+/// Forces are valid for as long as they can be: the system may be late (ms).
 const VALID_MS: u8 = firmware_protocol::acyclic::arm::LONGEST_VALID_MS;
 
 /// A board that is measured, and its file.
 #[derive(Clone, Debug)]
-pub(super) struct Board {
-    pub(super) found: Found,
+pub(super) struct MeasuredBoard {
+    pub(super) found: FoundBoard,
     pub(super) name: BoardName,
     pub(super) file: PathBuf,
 }
 
 /// Boards that are meant, and not armed yet.
 pub(super) struct Ready {
-    pub(super) boards: Vec<Board>,
+    pub(super) boards: Vec<MeasuredBoard>,
     pub(super) keybed: Keybed<Calibrated>,
 }
 
 /// Finds the boards that are meant, until the operator has agreed to the files.
 pub(super) fn find(
-    target: &Target,
+    target: &SceneTarget,
     only: Option<u8>,
     chosen: Option<PathBuf>,
     operator: &Operator,
@@ -52,7 +52,7 @@ pub(super) fn find(
     let boards: Vec<_> = keybed
         .boards()
         .iter()
-        .map(|found| Board {
+        .map(|found| MeasuredBoard {
             found: *found,
             name: keybed.name(found),
             file: file::path(&folder, found.uid()),
@@ -68,7 +68,7 @@ pub(super) fn find(
     }
     let there: Vec<_> = boards.iter().map(|it| it.file.clone()).filter(|it| it.exists()).collect();
     operator.may_overwrite(&there)?;
-    let wanted = Wanted { hz: HZ, ..Wanted::default() };
+    let wanted = WantedBoards { hz: HZ, ..WantedBoards::default() };
     let keybed =
         keybed.calibrate(&wanted, |found, _name| Ok(unmeasured(found))).map_err(refused)?;
     Ok(Ready { boards, keybed })

@@ -20,9 +20,9 @@ use hardware::keybed::{Armed, Keybed};
 
 use self::bring_up::Ready;
 use self::operator::Operator;
-use self::write::Record;
+use self::write::CalibrationRecord;
 use super::signals::Signals;
-use super::target::Target;
+use super::target::SceneTarget;
 use super::{Failure, print_json, reach, system};
 use crate::boards::stop_all;
 use crate::control::{Answer, Answers, BoardsTold, EmergencyStop, Request};
@@ -39,7 +39,7 @@ at most; with --weight, once more with twice the weight's force and 0.5 N at mos
 pub struct CalibrateArgs {
     /// Whose keys shall be measured.
     #[command(flatten)]
-    pub target: Target,
+    pub target: SceneTarget,
     /// Only the board with this number, on whatever link.
     #[arg(long, value_name = "N")]
     pub board: Option<u8>,
@@ -105,7 +105,7 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
         runtime.shutdown_background();
         return Err(Failure::Running("stopped before any board was armed".into()));
     };
-    let Record { written, wrong, .. } = record;
+    let CalibrationRecord { written, wrong, .. } = record;
     if args.json {
         print_json(&written, out)?;
     } else {
@@ -115,7 +115,7 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
 }
 
 /// Measures and writes, until somebody stops it; nothing if that was before any board was armed.
-async fn attended(args: &CalibrateArgs) -> Result<Option<Record>, Failure> {
+async fn attended(args: &CalibrateArgs) -> Result<Option<CalibrationRecord>, Failure> {
     let operator = Operator::new(args);
     if args.weight.is_some() {
         operator.must_be_there("--weight")?;
@@ -140,7 +140,7 @@ async fn attended(args: &CalibrateArgs) -> Result<Option<Record>, Failure> {
     let Ready { boards, keybed } = found.map_err(panicked)??;
     let (its_endings, weight) = (endings.clone(), args.weight);
     let mut measuring = tokio::task::spawn_blocking(move || {
-        let mut record = Record::default();
+        let mut record = CalibrationRecord::default();
         let bench = bring_up::arm(keybed, &its_endings)?;
         match measure::all(&boards, bench, weight, &mut record) {
             // Boards that were stopped are left alone.

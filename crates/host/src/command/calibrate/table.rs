@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::write::{Row, Written};
+use super::write::{MeasuredKeyRow, Written};
 use crate::command::Failure;
 
 /// Prints a table for each board.
@@ -14,7 +14,7 @@ pub(super) fn print(boards: &[Written], out: &mut dyn Write) -> Result<(), Failu
             "  {:4} {:>9} {:>9} {:>10} {:>10} {:>6}",
             "key", "rest", "bottom", "travel mm", "friction N", "gain"
         )?;
-        for Row { key, rest, bottom, travel_mm, friction_n, gain } in keys {
+        for MeasuredKeyRow { key, rest, bottom, travel_mm, friction_n, gain } in keys {
             writeln!(
                 out,
                 "  {key:4} {rest:9} {bottom:9} {travel_mm:10.2} {friction_n:10.3} {gain:6.3}"

@@ -12,8 +12,8 @@ use hardware::keybed::{Armed, Keybed};
 use hardware::refusal::{KeyName, Refusal};
 use serde::Serialize;
 
-use super::bring_up::Board;
-use super::measure::Outcome;
+use super::bring_up::MeasuredBoard;
+use super::measure::MeasureOutcome;
 
 /// A board whose file was written.
 #[derive(Debug, Serialize)]
@@ -22,12 +22,12 @@ pub(super) struct Written {
     pub(super) number: u8,
     pub(super) uid: String,
     pub(super) file: PathBuf,
-    pub(super) keys: Vec<Row>,
+    pub(super) keys: Vec<MeasuredKeyRow>,
 }
 
 /// What was measured of one key.
 #[derive(Debug, Serialize)]
-pub(super) struct Row {
+pub(super) struct MeasuredKeyRow {
     pub(super) key: String,
     pub(super) rest: i32,
     pub(super) bottom: i32,
@@ -38,21 +38,20 @@ pub(super) struct Row {
 
 /// What was written, and what is wrong.
 #[derive(Debug, Default)]
-pub(super) struct Record {
+pub(super) struct CalibrationRecord {
     pub(super) written: Vec<Written>,
-    /// Sentences.
     pub(super) wrong: Vec<String>,
     /// What boards have to be told.
-    untold: Vec<(Board, Vec<KeyCalibration>)>,
+    untold: Vec<(MeasuredBoard, Vec<KeyCalibration>)>,
 }
 
-impl Record {
+impl CalibrationRecord {
     /// Writes what was measured of a board into its file, or says why there is nothing to write.
-    pub(super) fn keep(&mut self, board: &Board, outcome: Outcome) {
+    pub(super) fn keep(&mut self, board: &MeasuredBoard, outcome: MeasureOutcome) {
         let name = &board.name;
         match outcome {
-            Outcome::All(keys) => self.write(board, &keys),
-            Outcome::Faults(refusals, of) => {
+            MeasureOutcome::All(keys) => self.write(board, &keys),
+            MeasureOutcome::Faults(refusals, of) => {
                 self.wrong.extend(refusals.iter().map(ToString::to_string));
                 self.wrong.push(format!(
                     "{name}: its file was left as it was, since it holds all {of} keys or none, \
@@ -60,14 +59,14 @@ impl Record {
                     refusals.len()
                 ));
             }
-            Outcome::Stopped => self.wrong.push(format!(
+            MeasureOutcome::Stopped => self.wrong.push(format!(
                 "stopped at {name}: its file was left as it was, and so were those of boards \
                  behind it; calibrate them with --board"
             )),
         }
     }
 
-    fn write(&mut self, board: &Board, keys: &[(KeyIndex, KeyCalibration)]) {
+    fn write(&mut self, board: &MeasuredBoard, keys: &[(KeyIndex, KeyCalibration)]) {
         let calibrations: Vec<_> = keys.iter().map(|(_, it)| *it).collect();
         if let Err(error) = file::write(&board.file, &sheet(board, &calibrations)) {
             self.wrong.push(error.to_string());
@@ -77,7 +76,7 @@ impl Record {
             link: board.name.line.clone(),
             number: board.name.number,
             uid: board.found.uid().to_string(),
-            keys: keys.iter().map(Row::from).collect(),
+            keys: keys.iter().map(MeasuredKeyRow::from).collect(),
             file: board.file.clone(),
         });
         self.untold.push((board.clone(), calibrations));
@@ -93,7 +92,7 @@ impl Record {
     }
 }
 
-impl From<&(KeyIndex, KeyCalibration)> for Row {
+impl From<&(KeyIndex, KeyCalibration)> for MeasuredKeyRow {
     fn from((key, it): &(KeyIndex, KeyCalibration)) -> Self {
         Self {
             key: KeyName(*key).to_string(),
@@ -107,8 +106,8 @@ impl From<&(KeyIndex, KeyCalibration)> for Row {
 }
 
 /// The file of a board.
-fn sheet(board: &Board, keys: &[KeyCalibration]) -> file::Sheet {
-    file::Sheet {
+fn sheet(board: &MeasuredBoard, keys: &[KeyCalibration]) -> file::CalibrationSheet {
+    file::CalibrationSheet {
         uid: board.found.uid(),
         made: lab::report::utc(SystemTime::now()),
         by: format!("letoff calibrate {}", env!("CARGO_PKG_VERSION")),
@@ -117,7 +116,11 @@ fn sheet(board: &Board, keys: &[KeyCalibration]) -> file::Sheet {
 }
 
 /// Tells a board what it keeps of its keys' calibration.
-fn tell(board: &Board, keys: &[KeyCalibration], keybed: &mut Keybed<Armed>) -> Result<(), Refusal> {
+fn tell(
+    board: &MeasuredBoard,
+    keys: &[KeyCalibration],
+    keybed: &mut Keybed<Armed>,
+) -> Result<(), Refusal> {
     let mut asker = keybed.asker(board.found.line, board.found.board);
     for (slot, key) in (0..).zip(keys) {
         let record = record(slot, key);

@@ -8,7 +8,7 @@ use firmware_protocol::acyclic::log::{LogLine, ReadLog};
 use firmware_protocol::acyclic::{Operation, Status};
 use firmware_protocol::frame::hello::feature;
 use hardware::calibration::file;
-use hardware::keybed::{Found, Identified, Keybed, Offline};
+use hardware::keybed::{FoundBoard, Identified, Keybed, Offline};
 use hardware::link::address::Address;
 use hardware::refusal::{Refusal, reason_words};
 use hardware::rt::steward::LIGHT_S;
@@ -19,7 +19,7 @@ use crate::boards::{folder, now_us, open};
 use crate::command::{Failure, print_json};
 use crate::config::{BoardBus, Boards};
 
-/// How long the boards of one link may take to answer [us].
+/// How long the boards of one link may take to answer (us).
 const PATIENCE_US: u64 = 2_500_000;
 /// Lines of a log that are read at most.
 const MOST_LINES: u16 = 1_000;
@@ -28,20 +28,20 @@ const MOST_LINES: u16 = 1_000;
 #[derive(Debug, Serialize)]
 struct OnLink {
     link: String,
-    boards: Vec<Board>,
+    boards: Vec<BoardRow>,
     /// Why it, or a board on it, cannot be used, a sentence each.
     refusals: Vec<String>,
 }
 
 /// A board that answered.
 #[derive(Debug, Serialize)]
-struct Board {
+struct BoardRow {
     number: u8,
     uid: String,
     keys: String,
     protocol: String,
     firmware: String,
-    /// Samples, forces, and how often motors' forces are worked out [1/s].
+    /// Samples, forces, and how often motors' forces are worked out (1/s).
     sample_hz: u16,
     force_hz: u16,
     law_hz: u16,
@@ -111,13 +111,13 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
 }
 
 /// What a board said, and what is wrong with its calibration file.
-fn describe(found: &Found) -> (Board, Option<String>) {
+fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
     let hello = &found.hello;
     let file = folder(&Boards::default()).map(|folder| file::path(&folder, found.uid()));
     let n_keys = usize::from(hello.n_keys);
     let read = file.as_ref().map(|file| file::read(file, found.uid(), n_keys));
     let is_calibrated = matches!(read, Some(Ok(Some(_))));
-    let board = Board {
+    let board = BoardRow {
         number: found.board.number(),
         uid: found.uid().to_string(),
         keys: found.keys().to_string(),
@@ -151,13 +151,13 @@ fn features(bits: u16) -> Vec<&'static str> {
     WORDS.iter().filter(|(bit, _)| bits & bit != 0).map(|(_, word)| *word).collect()
 }
 
-fn light(found: &Found, keybed: &mut Keybed<Identified>) -> Result<Nothing, Refusal> {
+fn light(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Nothing, Refusal> {
     let mut asker = keybed.asker(found.line, found.board);
     keybed.ask(&mut asker, Operation::Light, &Light { seconds: LIGHT_S })
 }
 
 /// The lines of a board's log.
-fn log(found: &Found, keybed: &mut Keybed<Identified>) -> Result<Vec<String>, Refusal> {
+fn log(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Vec<String>, Refusal> {
     let mut asker = keybed.asker(found.line, found.board);
     let mut lines = Vec::new();
     for line in 0..MOST_LINES {

@@ -6,17 +6,17 @@ use hardware::refusal::KeyRange as BoardKeys;
 use crate::config::document::Node;
 use crate::config::quantity::Quantity;
 use crate::config::range::{KeyRange, keys_named};
-use crate::config::read::{self, Reader};
-use crate::config::report::{Place, Report};
+use crate::config::read::{self, TableReader};
+use crate::config::report::{Location, MistakeList};
 
 const NUMBER: Quantity = Quantity { unit: "1", range: (0.0, 14.0) };
 
 /// A board as far as it could be read, and where it stands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Listed {
-    place: Place,
-    number: Option<(u8, Place)>,
-    keys: Option<(KeyRange, Place)>,
+    place: Location,
+    number: Option<(u8, Location)>,
+    keys: Option<(KeyRange, Location)>,
 }
 
 impl Listed {
@@ -29,17 +29,17 @@ impl Listed {
 }
 
 /// Reads all boards of a bus.
-pub(super) fn read_all(report: &mut Report<'_>, node: &Node) -> Vec<Listed> {
+pub(super) fn read_all(report: &mut MistakeList<'_>, node: &Node) -> Vec<Listed> {
     let mut boards = Vec::new();
     for node in read::tables(report, "links.bus.board", node) {
-        let Some(mut reader) = Reader::new(report, "links.bus.board", node) else { continue };
+        let Some(mut reader) = TableReader::new(report, "links.bus.board", node) else { continue };
         boards.push(read(report, &mut reader));
         reader.finish(report);
     }
     boards
 }
 
-fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Listed {
+fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Listed {
     let number = reader.whole(report, "number", NUMBER).and_then(|it| u8::try_from(it).ok());
     let number = number.zip(reader.take("number").map(|entry| entry.node.place));
     let keys = reader.text(report, "keys");
@@ -52,7 +52,7 @@ fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Listed {
 }
 
 /// The keys of a board, if it can have so many.
-fn read_keys(report: &mut Report<'_>, text: &str, place: Place) -> Option<KeyRange> {
+fn read_keys(report: &mut MistakeList<'_>, text: &str, place: Location) -> Option<KeyRange> {
     match keys_named(text) {
         Ok(keys) if keys.len() <= MOST_KEYS => {
             Some(KeyRange { first: *keys.start(), last: *keys.end() })
@@ -70,7 +70,7 @@ fn read_keys(report: &mut Report<'_>, text: &str, place: Place) -> Option<KeyRan
 }
 
 /// Refuses numbers that two boards of one bus have.
-pub(super) fn refuse_shared_numbers(report: &mut Report<'_>, boards: &[Listed]) {
+pub(super) fn refuse_shared_numbers(report: &mut MistakeList<'_>, boards: &[Listed]) {
     for (n, board) in boards.iter().enumerate() {
         let Some((number, place)) = board.number else { continue };
         let is_it = |other: &&Listed| other.number.is_some_and(|(it, _)| it == number);
@@ -83,7 +83,7 @@ pub(super) fn refuse_shared_numbers(report: &mut Report<'_>, boards: &[Listed]) 
 }
 
 /// Refuses keys that two boards have, on whatever buses.
-pub(super) fn refuse_shared_keys(report: &mut Report<'_>, boards: &[Listed]) {
+pub(super) fn refuse_shared_keys(report: &mut MistakeList<'_>, boards: &[Listed]) {
     for (n, board) in boards.iter().enumerate() {
         let Some((keys, place)) = board.keys else { continue };
         let shared = boards.iter().take(n).find_map(|other| {

@@ -7,8 +7,8 @@ use super::board::{self, Listed};
 use super::{BIT_RATES, BoardBus};
 use crate::config::document::Node;
 use crate::config::quantity::Quantity;
-use crate::config::read::{self, Reader};
-use crate::config::report::Report;
+use crate::config::read::{self, TableReader};
+use crate::config::report::MistakeList;
 use crate::names::quoted;
 
 const BAUD_RATE: Quantity = Quantity { unit: "1", range: (9_600.0, 20e6) };
@@ -18,11 +18,11 @@ const BIT_RATE: Quantity = Quantity { unit: "1", range: (10e3, 20e6) };
 const OF_CAN: [&str; 3] = ["mode", "bit_rate", "data_bit_rate"];
 
 /// Reads all buses.
-pub(super) fn read_all(report: &mut Report<'_>, node: &Node) -> Vec<BoardBus> {
+pub(super) fn read_all(report: &mut MistakeList<'_>, node: &Node) -> Vec<BoardBus> {
     let mut buses: Vec<BoardBus> = Vec::new();
     let mut listed = Vec::new();
     for node in read::tables(report, "links.bus", node) {
-        let Some(mut reader) = Reader::new(report, "links.bus", node) else { continue };
+        let Some(mut reader) = TableReader::new(report, "links.bus", node) else { continue };
         let boards = reader.take("board").map(|entry| &entry.node);
         let boards = boards.map_or_else(Vec::new, |node| board::read_all(report, node));
         let bus = read(report, &mut reader);
@@ -41,7 +41,7 @@ pub(super) fn read_all(report: &mut Report<'_>, node: &Node) -> Vec<BoardBus> {
 }
 
 /// Reads a bus without its boards.
-fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<BoardBus> {
+fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<BoardBus> {
     let (serial, can) = (reader.text(report, "serial"), reader.text(report, "can"));
     let baud = reader.whole(report, "baud", BAUD_RATE).unwrap_or(BAUD);
     let modes = [("fd", CanMode::Fd), ("classic", CanMode::Classic)];
@@ -78,7 +78,12 @@ fn read(report: &mut Report<'_>, reader: &mut Reader<'_>) -> Option<BoardBus> {
 }
 
 /// Refuses what this kind of bus does not have.
-fn refuse(report: &mut Report<'_>, reader: &mut Reader<'_>, names: &[&'static str], has: &str) {
+fn refuse(
+    report: &mut MistakeList<'_>,
+    reader: &mut TableReader<'_>,
+    names: &[&'static str],
+    has: &str,
+) {
     for name in names {
         if let Some(entry) = reader.take(name) {
             report.say(entry.place, format!("{has} no {}", quoted(name)), "leave it out");

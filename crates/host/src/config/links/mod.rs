@@ -22,10 +22,9 @@ const BIT_RATES: (u32, u32) = (1_000_000, 5_000_000);
 
 /// Where the keys are.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Links {
+pub enum LinksConfig {
     /// In a simulated keybed.
     Simulated,
-    /// On boards.
     Boards(Boards),
 }
 
@@ -36,7 +35,7 @@ pub struct Boards {
     pub samples: SamplePacking,
     /// How forces are packed.
     pub forces: ForcePacking,
-    /// How long forces are valid after the samples that they answer [ms].
+    /// How long forces are valid after the samples that they answer (ms).
     pub valid_ms: u8,
     /// Folder of the calibration files; the user's own if none is given.
     pub calibration: Option<PathBuf>,
@@ -47,7 +46,6 @@ pub struct Boards {
 /// A link and the boards that must be on it.
 #[derive(Clone, PartialEq, Debug)]
 pub struct BoardBus {
-    /// Where it leads.
     pub address: Address,
     /// Bits per second: of the arbitration and of the data phase.
     pub bit_rates: (u32, u32),

@@ -3,11 +3,11 @@
 use firmware_protocol::acyclic::arm::{LONGEST_VALID_MS, SHORTEST_VALID_MS};
 use firmware_protocol::frame::key_forces::ForcePacking;
 
-use super::{Boards, FORCES, Links, SAMPLES, bus, period_us};
+use super::{Boards, FORCES, LinksConfig, SAMPLES, bus, period_us};
 use crate::config::document::Node;
 use crate::config::quantity::Quantity;
-use crate::config::read::Reader;
-use crate::config::report::{Place, Report};
+use crate::config::read::TableReader;
+use crate::config::report::{Location, MistakeList};
 use crate::names::quoted;
 
 const VALID: Quantity = Quantity {
@@ -19,7 +19,7 @@ const VALID: Quantity = Quantity {
 const OF_BOARDS: [&str; 5] = ["samples", "forces", "valid", "calibration", "bus"];
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum LinksKind {
     Simulated,
     Boards,
 }
@@ -28,37 +28,41 @@ enum Kind {
 #[derive(Clone, Copy, Debug)]
 pub(in crate::config) struct Rate {
     pub(in crate::config) hz: u32,
-    pub(in crate::config) place: Place,
+    pub(in crate::config) place: Location,
 }
 
 /// Reads the table `links` of a scene with this rate; a simulated keybed if there is none.
 pub(in crate::config) fn read(
-    report: &mut Report<'_>,
-    scene: &mut Reader<'_>,
+    report: &mut MistakeList<'_>,
+    scene: &mut TableReader<'_>,
     rate: Option<Rate>,
-) -> Links {
-    let Some(mut reader) = scene.table(report, "links") else { return Links::Simulated };
-    let kinds = [("simulated", Kind::Simulated), ("boards", Kind::Boards)];
+) -> LinksConfig {
+    let Some(mut reader) = scene.table(report, "links") else { return LinksConfig::Simulated };
+    let kinds = [("simulated", LinksKind::Simulated), ("boards", LinksKind::Boards)];
     let kind = reader.choice(report, "kind", "there is no kind of link", &kinds);
     let says_kind = reader.take("kind").is_some();
     let buses = reader.take("bus").map(|entry| &entry.node);
     let boards = read_boards(report, &mut reader, buses);
     match kind {
-        Some(Kind::Boards) => refuse_no_bus(report, reader.place, buses),
+        Some(LinksKind::Boards) => refuse_no_bus(report, reader.place, buses),
         None if says_kind || buses.is_some() => {}
-        Some(Kind::Simulated) | None => refuse_of_boards(report, &mut reader),
+        Some(LinksKind::Simulated) | None => refuse_of_boards(report, &mut reader),
     }
     reader.finish(report);
-    if kind == Some(Kind::Boards) || kind.is_none() && buses.is_some() {
+    if kind == Some(LinksKind::Boards) || kind.is_none() && buses.is_some() {
         refuse_rate(report, rate);
-        Links::Boards(boards)
+        LinksConfig::Boards(boards)
     } else {
-        Links::Simulated
+        LinksConfig::Simulated
     }
 }
 
 /// Reads what is agreed with boards, and where they are.
-fn read_boards(report: &mut Report<'_>, reader: &mut Reader<'_>, buses: Option<&Node>) -> Boards {
+fn read_boards(
+    report: &mut MistakeList<'_>,
+    reader: &mut TableReader<'_>,
+    buses: Option<&Node>,
+) -> Boards {
     let mut boards = Boards::default();
     let samples = reader.choice(report, "samples", "samples have no packing", &SAMPLES);
     boards.samples = samples.unwrap_or_default();
@@ -79,7 +83,11 @@ fn read_boards(report: &mut Report<'_>, reader: &mut Reader<'_>, buses: Option<&
 }
 
 /// Refuses slopes without the velocities that they are multiplied with.
-fn refuse_blind_slopes(report: &mut Report<'_>, reader: &mut Reader<'_>, boards: &Boards) {
+fn refuse_blind_slopes(
+    report: &mut MistakeList<'_>,
+    reader: &mut TableReader<'_>,
+    boards: &Boards,
+) {
     let Some(entry) = reader.take("forces") else { return };
     if boards.forces == ForcePacking::Force16Slope && !boards.samples.has_velocity() {
         let message = "\"force16-slope\" needs velocities, and these samples have none";
@@ -89,7 +97,7 @@ fn refuse_blind_slopes(report: &mut Report<'_>, reader: &mut Reader<'_>, boards:
 }
 
 /// Refuses boards behind no bus.
-fn refuse_no_bus(report: &mut Report<'_>, place: Place, buses: Option<&Node>) {
+fn refuse_no_bus(report: &mut MistakeList<'_>, place: Location, buses: Option<&Node>) {
     let message = "boards need a bus";
     let help = "add [[links.bus]] with serial = \"/dev/ttyACM0\" or can = \"can0\"";
     match buses {
@@ -102,7 +110,7 @@ fn refuse_no_bus(report: &mut Report<'_>, place: Place, buses: Option<&Node>) {
 }
 
 /// Refuses what would have no meaning for a simulated keybed.
-fn refuse_of_boards(report: &mut Report<'_>, reader: &mut Reader<'_>) {
+fn refuse_of_boards(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) {
     for name in OF_BOARDS {
         let Some(entry) = reader.take(name) else { continue };
         let message = match name {
@@ -114,7 +122,7 @@ fn refuse_of_boards(report: &mut Report<'_>, reader: &mut Reader<'_>) {
 }
 
 /// Refuses a rate that boards cannot have.
-fn refuse_rate(report: &mut Report<'_>, rate: Option<Rate>) {
+fn refuse_rate(report: &mut MistakeList<'_>, rate: Option<Rate>) {
     let Some(Rate { hz, place }) = rate.filter(|it| period_us(it.hz).is_none()) else { return };
     let message = format!("boards exchange every whole number of 100 us, and {hz} Hz is none");
     let slower = (1..hz).rev().find(|it| period_us(*it).is_some()).unwrap_or(100);
@@ -122,7 +130,7 @@ fn refuse_rate(report: &mut Report<'_>, rate: Option<Rate>) {
     report.say(place, message, format!("give {slower} or {faster} Hz"));
 }
 
-/// Whole milliseconds in a time that was checked [s].
+/// Whole milliseconds in a time that was checked (s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "5 to 100")]
 fn milliseconds(seconds: f64) -> u8 {
     (seconds * 1e3).round() as u8

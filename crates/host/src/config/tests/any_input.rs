@@ -5,13 +5,13 @@ use std::path::Path;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
-use super::super::embedded::{INSTRUMENTS, SCENES, Shelf};
+use super::super::embedded::{EmbeddedFiles, INSTRUMENTS, SCENES};
 use super::super::{kind, quantity};
 use super::*;
 
 /// Reads `bytes` as a scene and as an instrument.
 fn read(bytes: &[u8], overrides: &[Override]) {
-    let Ok(source) = Source::from_bytes(Path::new("any.toml"), bytes.to_vec()) else { return };
+    let Ok(source) = SourceText::from_bytes(Path::new("any.toml"), bytes.to_vec()) else { return };
     match Scene::check(&source, overrides) {
         Ok(scene) => {
             assert_eq!(scene.keys.len(), 88);
@@ -37,7 +37,7 @@ fn check_places(all: &Diagnostics, n_lines: usize) {
 
 /// A scene or instrument of ours.
 fn shipped() -> impl Strategy<Value = &'static str> {
-    let texts = |shelf: &Shelf| shelf.names().filter_map(|name| shelf.find(name)).collect();
+    let texts = |shelf: &EmbeddedFiles| shelf.names().filter_map(|name| shelf.find(name)).collect();
     let all: [Vec<&str>; 2] = [texts(&SCENES), texts(&INSTRUMENTS)];
     select(all.concat())
 }

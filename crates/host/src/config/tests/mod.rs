@@ -8,7 +8,7 @@ mod values;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::source::Source;
+use super::source::SourceText;
 use super::*;
 
 /// A scene that says no more than it must.
@@ -26,8 +26,8 @@ instrument = \"grand-springs\"
 k1 = 400
 ";
 
-fn source(text: &str) -> Source {
-    Source::from_bytes(Path::new("scene.toml"), text.as_bytes().to_vec()).unwrap()
+fn source(text: &str) -> SourceText {
+    SourceText::from_bytes(Path::new("scene.toml"), text.as_bytes().to_vec()).unwrap()
 }
 
 fn owned(overrides: &[(&str, &str)]) -> Vec<Override> {

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::super::embedded::{INSTRUMENTS, SCENES, Shelf};
+use super::super::embedded::{EmbeddedFiles, INSTRUMENTS, SCENES};
 use super::super::*;
 
 fn configs() -> PathBuf {
@@ -30,7 +30,7 @@ fn every_file_is_part_of_the_program() {
 }
 
 #[track_caller]
-fn check_right(shelf: &Shelf, kind: Kind) {
+fn check_right(shelf: &EmbeddedFiles, kind: FileKind) {
     for name in shelf.names() {
         let path = configs().join(format!("{}s/{name}.toml", shelf.what));
         match check_file(&path) {
@@ -42,8 +42,8 @@ fn check_right(shelf: &Shelf, kind: Kind) {
 
 #[test]
 fn every_scene_and_instrument_is_right() {
-    check_right(&SCENES, Kind::Scene);
-    check_right(&INSTRUMENTS, Kind::Instrument);
+    check_right(&SCENES, FileKind::Scene);
+    check_right(&INSTRUMENTS, FileKind::Instrument);
 }
 
 #[test]

@@ -23,9 +23,9 @@ fn check_models(scene: &Scene, lowest: &str, highest: &str) {
 fn a_scene_of_three_lines_has_a_default_for_all_else() {
     let scene = load(MINIMAL, &[]);
     assert_eq!([scene.name, scene.title], ["scene", "scene"]);
-    assert_eq!((scene.tick_hz, scene.lanes), (1000, Lanes::Auto));
+    assert_eq!((scene.tick_hz, scene.lanes), (1000, LaneCount::Auto));
     assert_eq!(scene.render, Render::default());
-    assert_eq!(scene.links, Links::Simulated);
+    assert_eq!(scene.links, LinksConfig::Simulated);
     assert_eq!(scene.midi.output, MidiOutput::None);
     assert_eq!(scene.performance, None);
     assert_eq!(scene.keys.iter().flatten().count(), 88);
@@ -87,8 +87,8 @@ fn an_instrument_of_one_s_own_lies_beside_the_scene() {
     let scene = MINIMAL.replace("grand-springs", "soft.toml");
     let scene = folder.write("scene.toml", scene.as_bytes());
     check_value(&Scene::load(&scene, &[]).unwrap(), 0, "K", 200.0);
-    assert_eq!(check_file(Path::new(&soft)), Ok(Kind::Instrument));
-    assert_eq!(check_file(Path::new(&scene)), Ok(Kind::Scene));
+    assert_eq!(check_file(Path::new(&soft)), Ok(FileKind::Instrument));
+    assert_eq!(check_file(Path::new(&scene)), Ok(FileKind::Scene));
 
     // A mistake in the instrument is said once, in the instrument's file.
     folder.write("soft.toml", b"model = \"spring-wall\"\nparameters.K = \"0.2 N/mm\"\n");
@@ -118,7 +118,7 @@ fn an_override_reaches_every_table() {
         ("pianist.performance", "beethoven-ode-to-joy"),
     ];
     let scene = load(MINIMAL, &overrides);
-    assert_eq!((scene.title.as_str(), scene.lanes), ("1984", Lanes::Count(3)));
+    assert_eq!((scene.title.as_str(), scene.lanes), ("1984", LaneCount::Count(3)));
     let expected = Render { stepper: StepperName::Heun, force_limit: 20.0, ..Render::default() };
     assert_eq!(scene.render, expected);
     assert_eq!(scene.midi.curve.name(), "linear");
@@ -159,7 +159,8 @@ fn a_number_in_an_override_is_a_place_in_a_list() {
         "{MINIMAL}[links]\nkind = \"boards\"\n[[links.bus]]\ncan = \"can0\"\n[[links.bus]]\n\
          can = \"can1\"\nmode = \"classic\"\n"
     );
-    let Links::Boards(boards) = load(&text, &[("links.bus.1.bit_rate", "500000")]).links else {
+    let LinksConfig::Boards(boards) = load(&text, &[("links.bus.1.bit_rate", "500000")]).links
+    else {
         panic!("these are boards");
     };
     let rates: Vec<_> = boards.buses.iter().map(|bus| bus.bit_rates.0).collect();

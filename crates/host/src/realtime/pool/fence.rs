@@ -5,7 +5,7 @@ use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use scheduler::motion::KeySample;
-use scheduler::voice::{Turn, Voice, VoiceFault};
+use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
 
 /// A voice of any kind, on whichever lane.
 pub type BoxedVoice = Box<dyn Voice + Send>;
@@ -14,12 +14,12 @@ pub type BoxedVoice = Box<dyn Voice + Send>;
 ///
 /// A panic is a bug, so unlike a model that diverged it is not tried again: its key stays at
 /// the safe force until another voice is put in.
-pub struct Fenced {
+pub struct PanicGuard {
     voice: BoxedVoice,
     panicked: bool,
 }
 
-impl Fenced {
+impl PanicGuard {
     /// Around `voice`.
     pub fn new(voice: BoxedVoice) -> Self {
         Self { voice, panicked: false }
@@ -30,21 +30,21 @@ impl Fenced {
     }
 }
 
-impl Voice for Fenced {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
-        let mut turn = Turn::default();
+impl Voice for PanicGuard {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
+        let mut turn = VoiceOutput::default();
         self.tick_into(tick, sample, &mut turn);
         turn
     }
 
-    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         if !self.panicked {
             // The voice's state may be broken after unwinding, and is never used again.
             let run = AssertUnwindSafe(|| self.voice.tick_into(tick, sample, turn));
             self.panicked = catch_unwind(run).is_err();
         }
         if self.panicked {
-            *turn = Turn::faulty(VoiceFault::Panicked);
+            *turn = VoiceOutput::faulty(VoiceFault::Panicked);
         }
     }
 
@@ -66,7 +66,7 @@ impl Voice for Fenced {
     }
 }
 
-impl fmt::Debug for Fenced {
+impl fmt::Debug for PanicGuard {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Fenced").field("panicked", &self.panicked).finish_non_exhaustive()
     }

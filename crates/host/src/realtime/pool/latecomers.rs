@@ -1,9 +1,9 @@
 //! Turns that came too late: what of them is kept, and counted.
 
 use scheduler::motion::KEYS;
-use scheduler::voice::{Events, Turn};
+use scheduler::voice::{Events, VoiceOutput};
 
-use super::Patience;
+use super::WaitLimit;
 use super::worker::{Batch, boxed_array};
 
 /// What became of lanes, counted since the start.
@@ -19,20 +19,20 @@ pub struct LaneCounters {
 
 /// What must not be lost of a key's turns that came too late to be felt.
 #[derive(Clone, Debug, Default)]
-pub struct Kept {
+pub struct LateResult {
     events: Events,
     fresh: bool,
 }
 
-impl Kept {
+impl LateResult {
     /// Keeps what `turn`, which came too late, says.
-    pub fn keep(&mut self, turn: &Turn) {
+    pub fn keep(&mut self, turn: &VoiceOutput) {
         self.events.extend(&turn.events);
         self.fresh |= turn.fresh || turn.fault.is_some();
     }
 
     /// Puts what was kept before the events of `turn`.
-    pub fn hand_over(&mut self, turn: &mut Turn) {
+    pub fn hand_over(&mut self, turn: &mut VoiceOutput) {
         let mut events = std::mem::take(&mut self.events);
         events.extend(&turn.events);
         turn.events = events;
@@ -48,13 +48,13 @@ impl Kept {
 
 /// What is kept of all keys.
 #[derive(Debug)]
-pub(super) struct Latecomers {
-    kept: Box<[Kept; KEYS]>,
+pub(super) struct LateResults {
+    kept: Box<[LateResult; KEYS]>,
     any: bool,
     pub(super) counters: LaneCounters,
 }
 
-impl Latecomers {
+impl LateResults {
     pub(super) fn new() -> Self {
         Self { kept: boxed_array(), any: false, counters: LaneCounters::default() }
     }
@@ -66,8 +66,8 @@ impl Latecomers {
             return;
         };
         match batch.patience {
-            Patience::Until { share, .. } if share < cpu => self.counters.late_own_work += 1,
-            Patience::Until { .. } | Patience::Endless => {}
+            WaitLimit::Until { share, .. } if share < cpu => self.counters.late_own_work += 1,
+            WaitLimit::Until { .. } | WaitLimit::Endless => {}
         }
         for &key in keys {
             self.kept[key].keep(&batch.turns[key]);
@@ -76,7 +76,7 @@ impl Latecomers {
     }
 
     /// Puts what was kept before the events of this tick.
-    pub(super) fn hand_over(&mut self, turns: &mut [Turn; KEYS]) {
+    pub(super) fn hand_over(&mut self, turns: &mut [VoiceOutput; KEYS]) {
         if !self.any {
             return;
         }

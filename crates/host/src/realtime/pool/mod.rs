@@ -33,23 +33,23 @@ use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::Lanes;
 use scheduler::slot::{Slot, lane_of};
 use scheduler::time::Nanos;
-use scheduler::voice::{Turn, VoiceFault};
+use scheduler::voice::{VoiceFault, VoiceOutput};
 
-pub use fence::{BoxedVoice, Fenced};
-pub use latecomers::{Kept, LaneCounters};
+pub use fence::{BoxedVoice, PanicGuard};
+pub use latecomers::{LaneCounters, LateResult};
 pub use swap::{Refused, VoiceSwaps, Way};
 
 use super::clock;
-use super::thread::Standing;
-use latecomers::Latecomers;
-use worker::{Lane, Remote, Shared};
+use super::thread::SchedulingPolicy;
+use latecomers::LateResults;
+use worker::{Lane, PoolState, Remote};
 
 /// Looks at the rings between two offers of the processor to others.
 const LOOKS_PER_YIELD: u64 = 64;
 
 /// How long the tick waits for lanes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Patience {
+pub enum WaitLimit {
     /// As long as it takes. No clock decides anything then, which virtual time needs.
     Endless,
     /// Until host time is `time`; a tick that begins when it is due has `share` of it.
@@ -61,7 +61,7 @@ pub enum Patience {
     },
 }
 
-impl Patience {
+impl WaitLimit {
     fn is_over(self) -> bool {
         match self {
             Self::Endless => false,
@@ -70,7 +70,7 @@ impl Patience {
     }
 }
 
-/// Fills the scheduler's `Lanes` port with threads.
+/// Fills the scheduler's `LaneCount` port with threads.
 ///
 /// # Real-time
 /// A tick allocates, locks and frees nothing, unless a voice panics, and ends by its patience.
@@ -78,9 +78,9 @@ impl Patience {
 pub struct ThreadedLanes {
     inline: Lane,
     remotes: Vec<RemoteLane>,
-    shared: Arc<Shared>,
-    patience: Patience,
-    latecomers: Latecomers,
+    shared: Arc<PoolState>,
+    patience: WaitLimit,
+    latecomers: LateResults,
     times: LaneTimes,
 }
 
@@ -88,11 +88,11 @@ pub struct ThreadedLanes {
 #[derive(Debug)]
 struct RemoteLane {
     remote: Remote,
-    stands: Stands,
+    stands: LaneState,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Stands {
+enum LaneState {
     Running,
     Done {
         cpu: Nanos,
@@ -135,26 +135,26 @@ impl ThreadedLanes {
         let mut lanes: Vec<_> =
             inner_ends.into_iter().map(|swaps| Lane { slots: Vec::new(), swaps }).collect();
         for (key, voice) in voices {
-            lanes[lane_of(key, n_lanes)].slots.push(Slot::new(key, Fenced::new(voice)));
+            lanes[lane_of(key, n_lanes)].slots.push(Slot::new(key, PanicGuard::new(voice)));
         }
         let inline = lanes.remove(0);
         let mut pool = Self {
             inline,
             remotes: Vec::with_capacity(lanes.len()),
             shared: Arc::default(),
-            patience: Patience::Endless,
-            latecomers: Latecomers::new(),
+            patience: WaitLimit::Endless,
+            latecomers: LateResults::new(),
             times: LaneTimes::default(),
         };
         for (number, lane) in (1..).zip(lanes) {
             let remote = Remote::start(number, lane, Arc::clone(&pool.shared), priority)?;
-            pool.remotes.push(RemoteLane { remote, stands: Stands::Behind });
+            pool.remotes.push(RemoteLane { remote, stands: LaneState::Behind });
         }
         Ok((pool, outer_ends))
     }
 
     /// Sets how long ticks wait for lanes from now on.
-    pub const fn set_patience(&mut self, patience: Patience) {
+    pub const fn set_patience(&mut self, patience: WaitLimit) {
         self.patience = patience;
     }
 
@@ -172,21 +172,21 @@ impl ThreadedLanes {
     }
 
     /// How the system schedules the other lanes' threads.
-    pub fn standings(&self) -> impl Iterator<Item = &Standing> {
+    pub fn standings(&self) -> impl Iterator<Item = &SchedulingPolicy> {
         self.remotes.iter().map(|lane| &lane.remote.standing)
     }
 
-    fn give(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
+    fn give(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
         self.shared.current.store(tick, Ordering::Release);
         for lane in &mut self.remotes {
-            lane.stands = Stands::Behind;
+            lane.stands = LaneState::Behind;
             lane.take_back(tick, turns, &mut self.latecomers);
             lane.give(tick, samples, self.patience);
         }
     }
 
     /// Spins until all lanes are done or the time for it is over.
-    fn collect(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
+    fn collect(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
         for look in 1_u64.. {
             let waiting = self.look(tick, samples, turns);
             if !waiting || self.patience.is_over() {
@@ -204,32 +204,37 @@ impl ThreadedLanes {
     /// Takes what is there; says whether a lane is still worth waiting for.
     ///
     /// One that is behind with earlier ticks is, only if there is no limit.
-    fn look(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) -> bool {
+    fn look(
+        &mut self,
+        tick: u64,
+        samples: &[KeySample; KEYS],
+        turns: &mut [VoiceOutput; KEYS],
+    ) -> bool {
         let mut waiting = false;
         for lane in &mut self.remotes {
             lane.take_back(tick, turns, &mut self.latecomers);
-            if lane.stands == Stands::Behind && self.patience == Patience::Endless {
+            if lane.stands == LaneState::Behind && self.patience == WaitLimit::Endless {
                 lane.give(tick, samples, self.patience);
                 waiting = true;
             }
-            waiting |= lane.stands == Stands::Running;
+            waiting |= lane.stands == LaneState::Running;
         }
         waiting
     }
 
     /// Holds the turns of lanes that are not done.
-    fn hold_late(&mut self, turns: &mut [Turn; KEYS]) {
+    fn hold_late(&mut self, turns: &mut [VoiceOutput; KEYS]) {
         for lane in &self.remotes {
-            let instead: fn(&Turn) -> Turn = match lane.stands {
-                Stands::Done { cpu } => {
+            let instead: fn(&VoiceOutput) -> VoiceOutput = match lane.stands {
+                LaneState::Done { cpu } => {
                     self.times.slowest = self.times.slowest.max(cpu);
                     continue;
                 }
-                Stands::Running | Stands::Behind => {
+                LaneState::Running | LaneState::Behind => {
                     self.latecomers.counters.late += 1;
-                    Turn::held
+                    VoiceOutput::held
                 }
-                Stands::Lost => |_turn| Turn::faulty(VoiceFault::Panicked),
+                LaneState::Lost => |_turn| VoiceOutput::faulty(VoiceFault::Panicked),
             };
             for &key in &lane.remote.keys {
                 turns[key] = instead(&turns[key]);
@@ -239,7 +244,7 @@ impl ThreadedLanes {
 }
 
 impl Lanes for ThreadedLanes {
-    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
+    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
         if self.remotes.is_empty() {
             self.inline.run(tick, samples, turns);
             return;
@@ -262,27 +267,32 @@ impl Lanes for ThreadedLanes {
 
 impl RemoteLane {
     /// Gives the lane this tick, if it has a batch free; it is behind until then.
-    fn give(&mut self, tick: u64, samples: &[KeySample; KEYS], patience: Patience) {
+    fn give(&mut self, tick: u64, samples: &[KeySample; KEYS], patience: WaitLimit) {
         if self.remote.give(tick, samples, patience) {
-            self.stands = Stands::Running;
+            self.stands = LaneState::Running;
         }
     }
 
     /// Takes back what the lane has finished.
-    fn take_back(&mut self, tick: u64, turns: &mut [Turn; KEYS], latecomers: &mut Latecomers) {
+    fn take_back(
+        &mut self,
+        tick: u64,
+        turns: &mut [VoiceOutput; KEYS],
+        latecomers: &mut LateResults,
+    ) {
         // Bounded by the lane's batches.
         while let Some(batch) = self.remote.take() {
             match batch.ran {
                 Some(cpu) if batch.tick == tick => {
                     batch.write_turns(&self.remote.keys, turns);
-                    self.stands = Stands::Done { cpu };
+                    self.stands = LaneState::Done { cpu };
                 }
                 Some(_) | None => latecomers.keep(&self.remote.keys, &batch),
             }
             self.remote.keep(batch);
         }
         if self.remote.is_lost() {
-            self.stands = Stands::Lost;
+            self.stands = LaneState::Lost;
         }
     }
 }

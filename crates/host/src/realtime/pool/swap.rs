@@ -6,7 +6,7 @@ use rtrb::{Consumer, Producer, PushError, RingBuffer};
 use scheduler::motion::KEYS;
 use scheduler::slot::{Slot, lane_of};
 
-use super::fence::{BoxedVoice, Fenced};
+use super::fence::{BoxedVoice, PanicGuard};
 
 /// Swaps that one lane does in one tick; a whole instrument takes several.
 const MAX_SWAPS_PER_TICK: usize = 8;
@@ -50,7 +50,7 @@ pub struct VoiceSwaps {
 #[derive(Debug)]
 struct Swap {
     key: usize,
-    voice: Fenced,
+    voice: PanicGuard,
     way: Way,
 }
 
@@ -66,7 +66,7 @@ pub enum Way {
 #[derive(Debug)]
 struct OuterEnd {
     into: Producer<Swap>,
-    out: Consumer<Fenced>,
+    out: Consumer<PanicGuard>,
 }
 
 impl VoiceSwaps {
@@ -84,7 +84,7 @@ impl VoiceSwaps {
         let lane = lane_of(key, self.lanes.len());
         self.lanes[lane]
             .into
-            .push(Swap { key, voice: Fenced::new(voice), way })
+            .push(Swap { key, voice: PanicGuard::new(voice), way })
             .map_err(|PushError::Full(swap)| Refused::Full(swap.voice.into_voice()))
     }
 
@@ -119,7 +119,7 @@ impl VoiceSwaps {
 #[derive(Debug)]
 pub(super) struct InnerEnd {
     into: Consumer<Swap>,
-    out: Producer<Fenced>,
+    out: Producer<PanicGuard>,
 }
 
 /// Rings for `n_lanes`, each with room for a voice for every key.
@@ -139,7 +139,7 @@ impl InnerEnd {
     ///
     /// # Real-time
     /// At most [`MAX_SWAPS_PER_TICK`] moves of a pointer; frees nothing.
-    pub(super) fn apply(&mut self, slots: &mut [Slot<Fenced>]) {
+    pub(super) fn apply(&mut self, slots: &mut [Slot<PanicGuard>]) {
         for _ in 0..MAX_SWAPS_PER_TICK {
             if self.out.is_full() {
                 return;

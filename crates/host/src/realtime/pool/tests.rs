@@ -14,9 +14,9 @@ struct Echo {
 }
 
 impl Voice for Echo {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> Turn {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
         self.sum = 0.99 * self.sum + sample.position * (1.0 + self.key as f64).sqrt();
-        Turn { force: self.sum.sin() + tick as f64, ..Turn::default() }
+        VoiceOutput { force: self.sum.sin() + tick as f64, ..VoiceOutput::default() }
     }
 
     fn reset(&mut self, sample: &KeySample) {
@@ -32,8 +32,8 @@ struct Blocking {
 }
 
 impl Voice for Blocking {
-    fn tick(&mut self, tick: u64, _sample: &KeySample) -> Turn {
-        let mut turn = Turn { force: 100.0 + tick as f64, ..Turn::default() };
+    fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
+        let mut turn = VoiceOutput { force: 100.0 + tick as f64, ..VoiceOutput::default() };
         if tick == self.at {
             self.begun.send(()).unwrap();
             self.go_on.recv().unwrap();
@@ -50,9 +50,9 @@ impl Voice for Blocking {
 struct Panicking;
 
 impl Voice for Panicking {
-    fn tick(&mut self, tick: u64, _sample: &KeySample) -> Turn {
+    fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
         assert_ne!(tick, 3, "a bug");
-        Turn { force: 5.0, ..Turn::default() }
+        VoiceOutput { force: 5.0, ..VoiceOutput::default() }
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
@@ -62,8 +62,8 @@ impl Voice for Panicking {
 struct Dropping(Sender<()>);
 
 impl Voice for Dropping {
-    fn tick(&mut self, _tick: u64, _sample: &KeySample) -> Turn {
-        Turn { force: 7.0, ..Turn::default() }
+    fn tick(&mut self, _tick: u64, _sample: &KeySample) -> VoiceOutput {
+        VoiceOutput { force: 7.0, ..VoiceOutput::default() }
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
@@ -94,7 +94,7 @@ fn start(voices: Vec<(usize, BoxedVoice)>, n_lanes: usize) -> (ThreadedLanes, Vo
 /// Lanes with their turns, run tick by tick.
 struct Run {
     lanes: ThreadedLanes,
-    turns: Box<[Turn; KEYS]>,
+    turns: Box<[VoiceOutput; KEYS]>,
 }
 
 impl Run {
@@ -102,7 +102,7 @@ impl Run {
         Self { lanes, turns: boxed_array() }
     }
 
-    fn tick(&mut self, tick: u64) -> &[Turn; KEYS] {
+    fn tick(&mut self, tick: u64) -> &[VoiceOutput; KEYS] {
         let position = |key: usize| 0.01 * ((tick as f64) * 0.3 + key as f64).sin();
         let samples = std::array::from_fn(|key| KeySample::fresh(position(key)));
         self.lanes.run(tick, &samples, &mut self.turns);
@@ -128,7 +128,7 @@ fn any_number_of_lanes_gives_the_same_bits() {
 }
 
 /// No patience at all: what is not there at the first look is late.
-const NONE: Patience = Patience::Until { time: Nanos::ZERO, share: Nanos::ZERO };
+const NONE: WaitLimit = WaitLimit::Until { time: Nanos::ZERO, share: Nanos::ZERO };
 
 /// A key of lane 1 of 2, and one of lane 0.
 const ELSEWHERE: usize = 40;
@@ -154,7 +154,7 @@ fn a_late_lane_holds_its_forces_and_its_notes_arrive_with_the_next_tick() {
     assert!(!run.turns[INLINE].late, "lane 0 is not held up");
     has_begun.recv().unwrap();
 
-    run.lanes.set_patience(Patience::Endless);
+    run.lanes.set_patience(WaitLimit::Endless);
     go.send(()).unwrap();
     let turn = run.tick(2)[ELSEWHERE];
     assert!(!turn.late && (turn.force - 102.0).abs() == 0.0, "{turn:?}");
@@ -180,7 +180,7 @@ fn a_lane_that_was_held_up_joins_the_present() {
     }
     // Tick 1 is still running, 2 waits behind it, and 3 to 9 were not even given.
     go.send(()).unwrap();
-    run.lanes.set_patience(Patience::Endless);
+    run.lanes.set_patience(WaitLimit::Endless);
     let turn = run.tick(10)[ELSEWHERE];
     assert!(!turn.late && (turn.force - 110.0).abs() == 0.0, "{turn:?}");
     assert_eq!(turn.events.as_slice().len(), 1, "the strike of tick 1");

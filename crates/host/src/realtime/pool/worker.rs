@@ -16,12 +16,12 @@ use scheduler::lane::run_slots;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::slot::Slot;
 use scheduler::time::Nanos;
-use scheduler::voice::Turn;
+use scheduler::voice::VoiceOutput;
 
-use super::Patience;
-use super::fence::Fenced;
+use super::WaitLimit;
+use super::fence::PanicGuard;
 use super::swap::InnerEnd;
-use crate::realtime::thread::{Standing, ask_for_fifo};
+use crate::realtime::thread::{SchedulingPolicy, ask_for_fifo};
 use crate::realtime::{clock, memory};
 
 /// Batches of a lane: one being run, one waiting.
@@ -33,13 +33,18 @@ const STACK_BYTES: usize = 1024 * 1024;
 /// The voices of one lane and the end of their swaps, wherever it runs.
 #[derive(Debug)]
 pub(super) struct Lane {
-    pub(super) slots: Vec<Slot<Fenced>>,
+    pub(super) slots: Vec<Slot<PanicGuard>>,
     pub(super) swaps: InnerEnd,
 }
 
 impl Lane {
     /// Runs the lane's share of `tick`.
-    pub(super) fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [Turn; KEYS]) {
+    pub(super) fn run(
+        &mut self,
+        tick: u64,
+        samples: &[KeySample; KEYS],
+        turns: &mut [VoiceOutput; KEYS],
+    ) {
         self.swaps.apply(&mut self.slots);
         run_slots(&mut self.slots, tick, samples, turns);
     }
@@ -51,16 +56,16 @@ pub(super) struct Batch {
     pub(super) tick: u64,
     pub(super) samples: [KeySample; KEYS],
     /// Valid for the lane's keys if the batch was run.
-    pub(super) turns: Box<[Turn; KEYS]>,
+    pub(super) turns: Box<[VoiceOutput; KEYS]>,
     /// CPU time that the lane took; none if the batch came too late to be run.
     pub(super) ran: Option<Nanos>,
     /// How long it was waited for.
-    pub(super) patience: Patience,
+    pub(super) patience: WaitLimit,
 }
 
 impl Batch {
     /// Copies the turns of `keys`, which must be those of the lane that ran it.
-    pub(super) fn write_turns(&self, keys: &[usize], turns: &mut [Turn; KEYS]) {
+    pub(super) fn write_turns(&self, keys: &[usize], turns: &mut [VoiceOutput; KEYS]) {
         for &key in keys {
             turns[key] = self.turns[key];
         }
@@ -69,7 +74,7 @@ impl Batch {
 
 /// What the tick's thread and all lanes see of each other besides the rings.
 #[derive(Debug, Default)]
-pub(super) struct Shared {
+pub(super) struct PoolState {
     /// The tick that is being run.
     pub(super) current: AtomicU64,
     /// Lanes end at the next look.
@@ -80,7 +85,7 @@ pub(super) struct Shared {
 #[derive(Debug)]
 pub(super) struct Remote {
     pub(super) keys: Vec<usize>,
-    pub(super) standing: Standing,
+    pub(super) standing: SchedulingPolicy,
     #[expect(clippy::vec_box, reason = "the boxes travel, the batches stay where they are")]
     spare: Vec<Box<Batch>>,
     todo: Producer<Box<Batch>>,
@@ -96,7 +101,7 @@ impl Remote {
     pub(super) fn start(
         number: usize,
         lane: Lane,
-        shared: Arc<Shared>,
+        shared: Arc<PoolState>,
         priority: Option<u8>,
     ) -> io::Result<Self> {
         let keys = lane.slots.iter().map(Slot::key).collect();
@@ -121,7 +126,7 @@ impl Remote {
         &mut self,
         tick: u64,
         samples: &[KeySample; KEYS],
-        patience: Patience,
+        patience: WaitLimit,
     ) -> bool {
         let Some(mut batch) = self.spare.pop() else { return false };
         batch.tick = tick;
@@ -161,7 +166,7 @@ fn work(
     mut lane: Lane,
     mut todo: Consumer<Box<Batch>>,
     mut done: Producer<Box<Batch>>,
-    shared: &Shared,
+    shared: &PoolState,
 ) {
     while !shared.stop.load(Ordering::Acquire) {
         let Ok(mut batch) = todo.pop() else {
@@ -185,7 +190,7 @@ fn empty_batch() -> Batch {
         samples: [KeySample::default(); KEYS],
         turns: boxed_array(),
         ran: None,
-        patience: Patience::Endless,
+        patience: WaitLimit::Endless,
     }
 }
 

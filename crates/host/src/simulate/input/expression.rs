@@ -40,7 +40,7 @@ impl Expression {
         if is_finite(&expression.at(0.0)) { Ok(expression) } else { Err(InputMistake::NotFinite) }
     }
 
-    /// s and its rates at `t` [s].
+    /// s and its rates at `t` (s).
     pub(super) fn at(&self, t: f64) -> Motion {
         let (last, motion) = self.last.get();
         if last.to_bits() == t.to_bits() {

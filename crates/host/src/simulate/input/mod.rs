@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use pode::Motion;
 
 use self::expression::Expression;
-pub(super) use self::table::Table;
+pub(super) use self::table::InputTable;
 use super::args::SimulateArgs;
 use super::error::Mistake;
 
@@ -18,16 +18,13 @@ const NAME: &str = "s";
 
 /// Where s comes from.
 #[derive(Debug)]
-pub(super) enum Input {
-    /// s = 0.
+pub(super) enum InputSignal {
     Rest,
-    /// A formula.
     Expression(Box<Expression>),
-    /// Samples.
-    Table(Table),
+    Table(InputTable),
 }
 
-impl Input {
+impl InputSignal {
     /// Reads what `--input` and `--reconstruct` say; every mistake goes to `mistakes`.
     pub(super) fn read(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Self {
         let mut note = |found: Vec<InputMistake>| {
@@ -36,7 +33,7 @@ impl Input {
         };
         let table = |path: &str| {
             let how = args.reconstruct.unwrap_or_default();
-            Table::read(path.as_ref(), how).map(Self::Table)
+            InputTable::read(path.as_ref(), how).map(Self::Table)
         };
         let expression = |text: &str, name: &str| {
             let read = Expression::read(text, name).map_err(|mistake| vec![mistake])?;
@@ -56,7 +53,7 @@ impl Input {
         input
     }
 
-    /// s and its rates at `t` [s].
+    /// s and its rates at `t` (s).
     pub(super) fn at(&self, t: f64) -> Motion {
         match self {
             Self::Rest => Motion::default(),
@@ -101,17 +98,13 @@ pub enum InputMistake {
     #[error(
         "--input: exmex cannot derive this expression, and the model needs s', s'' and s''': {cause}"
     )]
-    NotDerivable {
-        /// What exmex said.
-        cause: exmex::ExError,
-    },
+    NotDerivable { cause: exmex::ExError },
     /// The expression is infinite or undefined where it starts.
     #[error("--input: s or one of its first three derivatives is not finite at t = 0")]
     NotFinite,
     /// The file cannot be read.
     #[error("cannot read {}: {cause}", path.display())]
     Read {
-        /// The file.
         path: PathBuf,
         /// What the system said.
         cause: csv::Error,
@@ -119,7 +112,6 @@ pub enum InputMistake {
     /// Something in the file is wrong.
     #[error("{}, line {line}, column {column}: {problem}", path.display())]
     Cell {
-        /// The file.
         path: PathBuf,
         /// Line of the file, from 1.
         line: u64,
@@ -131,15 +123,12 @@ pub enum InputMistake {
     /// More of the same.
     #[error("{}: {more} more mistakes", path.display())]
     More {
-        /// The file.
         path: PathBuf,
         /// How many were left out.
         more: usize,
     },
-    /// Too few rows.
     #[error("{} has {rows} rows: an input needs at least 2", path.display())]
     TooShort {
-        /// The file.
         path: PathBuf,
         /// How many there are.
         rows: usize,

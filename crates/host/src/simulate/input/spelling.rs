@@ -50,7 +50,8 @@ pub(super) struct Misspelt {
 
 /// `text` with all its parentheses.
 pub(super) fn spelt_out(text: &str) -> Result<String, Misspelt> {
-    let mut reader = Reader { text, rest: text.char_indices().peekable(), depth: 0, operations: 0 };
+    let mut reader =
+        ExpressionReader { text, rest: text.char_indices().peekable(), depth: 0, operations: 0 };
     let sum = reader.sum()?;
     match reader.peek() {
         None => Ok(sum),
@@ -60,14 +61,14 @@ pub(super) fn spelt_out(text: &str) -> Result<String, Misspelt> {
     }
 }
 
-struct Reader<'a> {
+struct ExpressionReader<'a> {
     text: &'a str,
     rest: Peekable<CharIndices<'a>>,
     depth: usize,
     operations: usize,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> ExpressionReader<'a> {
     /// The next character that is not a space, with its byte.
     fn peek(&mut self) -> Option<(usize, char)> {
         while self.rest.next_if(|(_, c)| c.is_whitespace()).is_some() {}

@@ -17,14 +17,14 @@ const MOST_MISTAKES: usize = 10;
 
 /// Samples of s with what goes on between them.
 #[derive(Clone, PartialEq, Debug)]
-pub(in super::super) struct Table {
-    /// Start [s] and coefficients of each interval.
+pub(in super::super) struct InputTable {
+    /// Start (s) and coefficients of each interval.
     pieces: Vec<(f64, [f64; 4])>,
     /// First and last sample: (t, s).
     ends: [(f64, f64); 2],
 }
 
-impl Table {
+impl InputTable {
     /// Reads a CSV file with the header `t,s`; every mistake in it comes back.
     pub(super) fn read(path: &Path, how: Reconstruct) -> Result<Self, Vec<InputMistake>> {
         let fail = |cause| vec![InputMistake::Read { path: path.to_owned(), cause }];
@@ -34,7 +34,7 @@ impl Table {
             .trim(Trim::All)
             .from_path(path)
             .map_err(fail)?;
-        let mut scan = Scan { path, samples: Vec::new(), mistakes: Vec::new() };
+        let mut scan = TableScan { path, samples: Vec::new(), mistakes: Vec::new() };
         for (row, record) in reader.records().enumerate() {
             let record = record.map_err(fail)?;
             if row == 0 { scan.header(&record) } else { scan.row(&record) }
@@ -57,7 +57,7 @@ impl Table {
         Self { pieces, ends }
     }
 
-    /// s and its rates at `t` [s].
+    /// s and its rates at `t` (s).
     pub(super) fn at(&self, t: f64) -> Motion {
         let [first, last] = self.ends;
         let held = |position| Motion { position, ..Motion::default() };
@@ -82,13 +82,13 @@ impl Table {
 }
 
 /// A file being read.
-struct Scan<'a> {
+struct TableScan<'a> {
     path: &'a Path,
     samples: Vec<(f64, f64)>,
     mistakes: Vec<InputMistake>,
 }
 
-impl Scan<'_> {
+impl TableScan<'_> {
     fn mistake(&mut self, record: &StringRecord, column: usize, problem: String) {
         let line = record.position().map_or(0, csv::Position::line);
         self.mistakes.push(InputMistake::Cell {
@@ -158,7 +158,7 @@ impl Scan<'_> {
 /// Samples with the intervals between them.
 struct Knots<'a> {
     samples: &'a [(f64, f64)],
-    /// Lengths of the intervals [s].
+    /// Lengths of the intervals (s).
     h: Vec<f64>,
     /// Slopes of their chords.
     m: Vec<f64>,
@@ -223,7 +223,7 @@ impl<'a> Knots<'a> {
     /// the line through two.
     ///
     /// # References
-    /// [dB78] chapter IV, eq. 7 and 13: the end conditions leave the system tridiagonal.
+    /// `[dB78]` chapter IV, eq. 7 and 13: the end conditions leave the system tridiagonal.
     fn spline_slopes(&self) -> Vec<f64> {
         let n = self.h.len();
         if n < 3 {
@@ -271,7 +271,7 @@ fn solve_tridiagonal(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    /// s = sin t, sampled every `h` [s] on average, every second interval a third longer.
+    /// s = sin t, sampled every `h` (s) on average, every second interval a third longer.
     fn sine(h: f64) -> Vec<(f64, f64)> {
         let step = |i: u32| h * (f64::from(i) + f64::from(i % 2) / 6.0);
         (0..1000).map(step).take_while(|t| *t < 6.0).map(|t| (t, t.sin())).collect()
@@ -279,7 +279,7 @@ mod tests {
 
     /// Largest errors of position and rate in the table's inner part.
     fn errors(h: f64, how: Reconstruct) -> (f64, f64) {
-        let table = Table::through(&sine(h), how);
+        let table = InputTable::through(&sine(h), how);
         (0..4000).map(|i| 1.0 + f64::from(i) * 1e-3).fold((0.0, 0.0), |(s, rate), t| {
             let at = table.at(t);
             let error = ((at.position - t.sin()).abs(), (at.rate - t.cos()).abs());
@@ -308,7 +308,7 @@ mod tests {
     /// The jumps of position, rate and acceleration at the inner knots.
     fn jumps(how: Reconstruct) -> [f64; 3] {
         let samples = sine(0.2);
-        let table = Table::through(&samples, how);
+        let table = InputTable::through(&samples, how);
         samples[1..samples.len() - 1].iter().fold([0.0; 3], |most, (t, _)| {
             let (before, after) = (table.at(t.next_down()), table.at(*t));
             let jump = [
@@ -334,7 +334,7 @@ mod tests {
     fn a_cubic_comes_back_from_its_spline() {
         let cubic = |t: f64| 2.0 - t + 3.0 * t * t - 0.5 * t * t * t;
         let samples: Vec<_> = [0.0, 0.3, 1.0, 1.1, 2.0].map(|t| (t, cubic(t))).to_vec();
-        let at = Table::through(&samples, Reconstruct::Spline).at(1.7);
+        let at = InputTable::through(&samples, Reconstruct::Spline).at(1.7);
         let expected = [cubic(1.7), -1.0 + 6.0 * 1.7 - 1.5 * 1.7 * 1.7, 6.0 - 3.0 * 1.7, -3.0];
         let got = [at.position, at.rate, at.acceleration, at.jerk];
         for (got, expected) in got.into_iter().zip(expected) {
@@ -345,7 +345,7 @@ mod tests {
     #[test]
     fn outside_the_table_the_end_values_hold() {
         for how in [Reconstruct::Hold, Reconstruct::Linear, Reconstruct::Spline] {
-            let table = Table::through(&sine(0.2), how);
+            let table = InputTable::through(&sine(0.2), how);
             let [first, last] = table.ends;
             let held = |position| Motion { position, ..Motion::default() };
             assert_eq!(table.at(first.0 - 0.1), held(first.1));
@@ -358,10 +358,10 @@ mod tests {
     fn few_samples_give_a_line_and_a_parabola() {
         let parabola = |t: f64| (t, 1.0 + t * t);
         for how in [Reconstruct::Quadratic, Reconstruct::Hermite, Reconstruct::Spline] {
-            let line = Table::through(&[(0.0, 1.0), (2.0, 5.0)], how).at(0.5);
+            let line = InputTable::through(&[(0.0, 1.0), (2.0, 5.0)], how).at(0.5);
             assert_eq!((line.position, line.rate, line.acceleration), (2.0, 2.0, 0.0), "{how:?}");
             let samples = [0.0, 1.0, 3.0].map(parabola);
-            let at = Table::through(&samples, how).at(2.0);
+            let at = InputTable::through(&samples, how).at(2.0);
             assert!((at.position - 5.0).abs() < 1e-14, "{how:?}: {at:?}");
             assert!((at.acceleration - 2.0).abs() < 1e-13, "{how:?}: {at:?}");
         }

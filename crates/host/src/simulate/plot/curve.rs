@@ -8,8 +8,7 @@ use super::unit;
 
 /// The panels, from above.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Panel {
-    /// Forces and torques.
+pub(super) enum PanelKind {
     Forces,
     /// Guards, each over its peak.
     Guards,
@@ -19,12 +18,10 @@ pub(super) enum Panel {
 
 /// Where a curve's values come from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Source {
-    /// The input s.
+pub(super) enum CurveSource {
     Input,
     /// An entry of the state.
     State(usize),
-    /// An output.
     Output(usize),
     /// The guard of this name, in the modes that have it.
     Guard(&'static str),
@@ -32,22 +29,22 @@ pub(super) enum Source {
 
 /// One curve.
 #[derive(Debug)]
-pub(super) struct Curve {
-    pub(super) source: Source,
+pub(super) struct SignalCurve {
+    pub(super) source: CurveSource,
     pub(super) name: &'static str,
     pub(super) unit: &'static str,
-    pub(super) panel: Panel,
+    pub(super) panel: PanelKind,
     pub(super) track: Track,
 }
 
-impl Curve {
+impl SignalCurve {
     /// A value of it, if the mode has one.
     fn value<M: Described>(&self, model: &M, now: &Now<'_, M>) -> Option<f64> {
         match self.source {
-            Source::Input => Some(now.input.position),
-            Source::State(index) => now.state.entries().get(index).copied(),
-            Source::Output(index) => now.outputs.get(index).copied(),
-            Source::Guard(name) => {
+            CurveSource::Input => Some(now.input.position),
+            CurveSource::State(index) => now.state.entries().get(index).copied(),
+            CurveSource::Output(index) => now.outputs.get(index).copied(),
+            CurveSource::Guard(name) => {
                 let spec = model.guards(now.mode).iter().find(|spec| spec.name == name)?;
                 Some(model.guard(now.mode, spec.id, now.state, now.input).value)
             }
@@ -63,7 +60,7 @@ impl Curve {
 
 /// A model at an instant.
 pub(super) struct Now<'a, M: Described> {
-    /// When [s].
+    /// When (s).
     pub(super) t: f64,
     pub(super) mode: M::Mode,
     pub(super) state: &'a M::State,
@@ -74,28 +71,28 @@ pub(super) struct Now<'a, M: Described> {
 /// All curves of a model.
 ///
 /// Speeds and other outputs than forces are left out: the figure is about contact.
-pub(super) fn all<M: Described>(guards: &[&'static str], axis: Columns) -> Vec<Curve> {
-    let indexed = |names: &'static [&'static str], source: fn(usize) -> Source| {
+pub(super) fn all<M: Described>(guards: &[&'static str], axis: Columns) -> Vec<SignalCurve> {
+    let indexed = |names: &'static [&'static str], source: fn(usize) -> CurveSource| {
         names.iter().enumerate().map(move |(index, name)| (*name, source(index)))
     };
-    let sources = [("s", Source::Input)].into_iter();
-    let sources = sources.chain(indexed(M::STATES, Source::State));
-    let sources = sources.chain(indexed(M::OUTPUTS, Source::Output));
-    let sources = sources.chain(guards.iter().map(|name| (*name, Source::Guard(name))));
-    let curve = |(name, source): (&'static str, Source)| {
+    let sources = [("s", CurveSource::Input)].into_iter();
+    let sources = sources.chain(indexed(M::STATES, CurveSource::State));
+    let sources = sources.chain(indexed(M::OUTPUTS, CurveSource::Output));
+    let sources = sources.chain(guards.iter().map(|name| (*name, CurveSource::Guard(name))));
+    let curve = |(name, source): (&'static str, CurveSource)| {
         let unit = unit::of(M::NAME, name)?;
         let panel = panel(source, unit)?;
-        Some(Curve { source, name, unit, panel, track: Track::new(axis) })
+        Some(SignalCurve { source, name, unit, panel, track: Track::new(axis) })
     };
     sources.filter_map(curve).collect()
 }
 
 /// Where a curve belongs, if anywhere.
-fn panel(source: Source, unit: &str) -> Option<Panel> {
+fn panel(source: CurveSource, unit: &str) -> Option<PanelKind> {
     match (source, unit) {
-        (Source::Guard(_), _) => Some(Panel::Guards),
-        (Source::Output(_), "N" | "N·m") => Some(Panel::Forces),
-        (Source::Input | Source::State(_), "m" | "rad") => Some(Panel::Coordinates),
-        (Source::Output(_) | Source::Input | Source::State(_), _) => None,
+        (CurveSource::Guard(_), _) => Some(PanelKind::Guards),
+        (CurveSource::Output(_), "N" | "N·m") => Some(PanelKind::Forces),
+        (CurveSource::Input | CurveSource::State(_), "m" | "rad") => Some(PanelKind::Coordinates),
+        (CurveSource::Output(_) | CurveSource::Input | CurveSource::State(_), _) => None,
     }
 }

@@ -5,7 +5,7 @@ use super::track::Columns;
 /// An interval in which one mode held.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Epoch {
-    /// Its beginning and end [s].
+    /// Its beginning and end (s).
     pub(super) span: (f64, f64),
     /// Which of the model's modes.
     pub(super) mode: usize,
@@ -24,14 +24,14 @@ impl Epochs {
         Self { axis, all: vec![Epoch { span: (0.0, 0.0), mode }] }
     }
 
-    /// The present epoch lasts until `t` [s] at least.
+    /// The present epoch lasts until `t` (s) at least.
     pub(super) fn last_until(&mut self, t: f64) {
         if let Some(epoch) = self.all.last_mut() {
             epoch.span.1 = t;
         }
     }
 
-    /// From `t` [s] on, `mode` holds; an epoch too short to be seen makes way for it.
+    /// From `t` (s) on, `mode` holds; an epoch too short to be seen makes way for it.
     pub(super) fn begin(&mut self, t: f64, mode: usize) {
         self.last_until(t);
         let mut start = t;

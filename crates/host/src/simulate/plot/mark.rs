@@ -4,15 +4,15 @@ use super::track::Columns;
 
 /// Events that share a place.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Mark {
-    /// The first one [s].
+pub(super) struct EventMark {
+    /// The first one (s).
     pub(super) t: f64,
     /// What they are called.
     names: Vec<&'static str>,
     count: u64,
 }
 
-impl Mark {
+impl EventMark {
     fn join(&mut self, other: &Self) {
         self.count += other.count;
         for name in &other.names {
@@ -38,18 +38,18 @@ impl Mark {
 
 /// Events in the order of their time; those of one pixel column are one mark.
 #[derive(Debug)]
-pub(super) struct Marks {
+pub(super) struct EventMarks {
     axis: Columns,
-    pub(super) all: Vec<Mark>,
+    pub(super) all: Vec<EventMark>,
 }
 
-impl Marks {
+impl EventMarks {
     pub(super) const fn new(axis: Columns) -> Self {
         Self { axis, all: Vec::new() }
     }
 
     pub(super) fn add(&mut self, t: f64, name: &'static str) {
-        let mark = Mark { t, names: vec![name], count: 1 };
+        let mark = EventMark { t, names: vec![name], count: 1 };
         match self.all.last_mut() {
             Some(last) if self.axis.of(last.t) == self.axis.of(t) => last.join(&mark),
             _ => self.all.push(mark),
@@ -59,7 +59,7 @@ impl Marks {
     /// Labels that are `apart` from each other and at most `astray` behind their mark;
     /// where there is no room, several marks share one [all in columns].
     pub(super) fn labels(&self, apart: f64, astray: f64) -> Vec<Label> {
-        let mut groups: Vec<(f64, Mark)> = Vec::new();
+        let mut groups: Vec<(f64, EventMark)> = Vec::new();
         for mark in &self.all {
             let x = mark.t / self.axis.until * self.axis.n as f64;
             let free = groups.last().map_or(x, |(place, _)| x.max(place + apart));
@@ -70,7 +70,7 @@ impl Marks {
         }
         let decimals = decimals(self.axis.until);
         let label =
-            |(place, mark): (f64, Mark)| Label { t: mark.t, place, text: mark.text(decimals) };
+            |(place, mark): (f64, EventMark)| Label { t: mark.t, place, text: mark.text(decimals) };
         groups.into_iter().map(label).collect()
     }
 }
@@ -78,14 +78,14 @@ impl Marks {
 /// What stands above a mark.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Label {
-    /// The mark [s].
+    /// The mark (s).
     pub(super) t: f64,
     /// Where the label stands [columns].
     pub(super) place: f64,
     pub(super) text: String,
 }
 
-/// Decimals that tell thousandths of `until` [s] apart.
+/// Decimals that tell thousandths of `until` (s) apart.
 #[expect(clippy::cast_possible_truncation, reason = "a logarithm of an f64 is below 400")]
 #[expect(clippy::cast_sign_loss, reason = "clamped")]
 fn decimals(until: f64) -> usize {
@@ -98,8 +98,8 @@ mod tests {
 
     const AXIS: Columns = Columns { n: 100, until: 1.0 };
 
-    fn marks(events: &[(f64, &'static str)]) -> Marks {
-        let mut marks = Marks::new(AXIS);
+    fn marks(events: &[(f64, &'static str)]) -> EventMarks {
+        let mut marks = EventMarks::new(AXIS);
         for (t, name) in events {
             marks.add(*t, name);
         }
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn marks_are_bounded_by_the_columns() {
-        let mut marks = Marks::new(AXIS);
+        let mut marks = EventMarks::new(AXIS);
         for event in 0..10_000 {
             marks.add(f64::from(event) * 1e-4, "bounce");
         }

@@ -1,4 +1,4 @@
-//! `--plot`: the run as a picture, in the manner of [GC93] figure 6.
+//! `--plot`: the run as a picture, in the manner of `[GC93]` figure 6.
 //!
 //! In the order of a run: `curve` what is plotted, in which `unit`; `track`, `mark` and
 //! `epoch` what of a run of any length can be seen; `draw` the picture. What is kept is
@@ -18,9 +18,9 @@ use std::path::{Path, PathBuf};
 use models::Described;
 use pode::{Event, Motion, Piece, Signal};
 
-use self::curve::{Curve, Now};
+use self::curve::{Now, SignalCurve};
 use self::epoch::Epochs;
-use self::mark::Marks;
+use self::mark::EventMarks;
 use self::track::Columns;
 use super::args::SimulateArgs;
 use super::check::Start;
@@ -34,9 +34,9 @@ struct Picture {
     axis: Columns,
     /// The modes' names.
     modes: Vec<&'static str>,
-    curves: Vec<Curve>,
+    curves: Vec<SignalCurve>,
     epochs: Epochs,
-    marks: Marks,
+    marks: EventMarks,
 }
 
 /// A picture that follows a run, and the file for it.
@@ -66,13 +66,13 @@ impl Plot {
             modes: M::MODES.iter().map(|(_, name)| *name).collect(),
             curves: curve::all::<M>(guards, axis),
             epochs: Epochs::new(axis, index::<M>(start.mode)),
-            marks: Marks::new(axis),
+            marks: EventMarks::new(axis),
         };
         let outputs = vec![0.0; M::OUTPUTS.len()];
         Ok(Self { path: path.to_owned(), file, picture, outputs })
     }
 
-    /// Follows a piece that lasts from `start` to `end` [s], by its dense output.
+    /// Follows a piece that lasts from `start` to `end` (s), by its dense output.
     pub(super) fn piece<M: Described, S: Signal<Motion>>(
         &mut self,
         model: &M,
@@ -93,7 +93,7 @@ impl Plot {
         picture.epochs.last_until(end);
     }
 
-    /// Marks an event at `t` [s].
+    /// Marks an event at `t` (s).
     pub(super) fn event<M: Described>(&mut self, t: f64, event: &Event<'_, M>) {
         self.picture.marks.add(t, event.cause.name());
         if event.before.0 != event.after.0 {

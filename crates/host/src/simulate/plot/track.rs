@@ -1,19 +1,18 @@
 //! A curve of any length in bounded memory: of each pixel column, what is seen there.
 
-/// t [s] and a value.
-pub(super) type Point = (f64, f64);
+/// t (s) and a value.
+pub(super) type TrackPoint = (f64, f64);
 
 /// The time axis in pixel columns.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Columns {
-    /// How many.
     pub(super) n: usize,
-    /// The end of the last one [s].
+    /// The end of the last one (s).
     pub(super) until: f64,
 }
 
 impl Columns {
-    /// The column of `t` [s].
+    /// The column of `t` (s).
     #[expect(clippy::cast_possible_truncation, reason = "clamped to the columns")]
     #[expect(clippy::cast_sign_loss, reason = "clamped to the columns")]
     pub(super) fn of(self, t: f64) -> usize {
@@ -21,7 +20,7 @@ impl Columns {
         (t / self.until * self.n as f64).clamp(0.0, last as f64) as usize
     }
 
-    /// How many samples show all of a stretch of `duration` [s].
+    /// How many samples show all of a stretch of `duration` (s).
     pub(super) fn samples(self, duration: f64) -> usize {
         self.of(duration) + 1
     }
@@ -29,23 +28,23 @@ impl Columns {
 
 /// What was in one column.
 #[derive(Clone, Copy, Debug)]
-struct Column {
-    first: Point,
-    low: Point,
-    high: Point,
-    last: Point,
+struct PixelColumn {
+    first: TrackPoint,
+    low: TrackPoint,
+    high: TrackPoint,
+    last: TrackPoint,
     /// Whether `low` came before `high`.
     rises: bool,
     /// Whether the curve begins anew here.
     is_start: bool,
 }
 
-impl Column {
-    const fn new(point: Point) -> Self {
+impl PixelColumn {
+    const fn new(point: TrackPoint) -> Self {
         Self { first: point, low: point, high: point, last: point, rises: true, is_start: false }
     }
 
-    fn add(&mut self, point: Point) {
+    fn add(&mut self, point: TrackPoint) {
         self.last = point;
         if point.1 < self.low.1 {
             (self.low, self.rises) = (point, false);
@@ -55,7 +54,7 @@ impl Column {
     }
 
     /// In the order in which they came.
-    const fn points(&self) -> [Point; 4] {
+    const fn points(&self) -> [TrackPoint; 4] {
         let Self { first, low, high, last, .. } = *self;
         if self.rises { [first, low, high, last] } else { [first, high, low, last] }
     }
@@ -65,7 +64,7 @@ impl Column {
 #[derive(Debug)]
 pub(super) struct Track {
     axis: Columns,
-    columns: Vec<Option<Column>>,
+    columns: Vec<Option<PixelColumn>>,
     /// Whether the next point begins anew.
     is_cut: bool,
 }
@@ -75,7 +74,7 @@ impl Track {
         Self { axis, columns: vec![None; axis.n], is_cut: true }
     }
 
-    /// Goes on to `value` at `t` [s], not before the last one; `None` or a value that is
+    /// Goes on to `value` at `t` (s), not before the last one; `None` or a value that is
     /// not finite interrupts the curve.
     pub(super) fn add(&mut self, t: f64, value: Option<f64>) {
         let Some(value) = value.filter(|value| value.is_finite()) else {
@@ -85,15 +84,16 @@ impl Track {
         match &mut self.columns[self.axis.of(t)] {
             Some(column) => column.add((t, value)),
             empty => {
-                *empty = Some(Column { is_start: self.is_cut, ..Column::new((t, value)) });
+                *empty =
+                    Some(PixelColumn { is_start: self.is_cut, ..PixelColumn::new((t, value)) });
             }
         }
         self.is_cut = false;
     }
 
     /// The curve's uninterrupted stretches.
-    pub(super) fn stretches(&self) -> Vec<Vec<Point>> {
-        let mut stretches: Vec<Vec<Point>> = Vec::new();
+    pub(super) fn stretches(&self) -> Vec<Vec<TrackPoint>> {
+        let mut stretches: Vec<Vec<TrackPoint>> = Vec::new();
         for column in self.columns.iter().flatten() {
             if column.is_start || stretches.is_empty() {
                 stretches.push(Vec::new());
@@ -159,15 +159,17 @@ mod tests {
     }
 
     /// Times in order with values, more of them than columns.
-    fn samples() -> impl Strategy<Value = Vec<Point>> {
-        prop::collection::vec((0.0..=1.0, -1e3..1e3), 1..400).prop_map(|mut samples: Vec<Point>| {
-            samples.sort_by(|a, b| a.0.total_cmp(&b.0));
-            samples
-        })
+    fn samples() -> impl Strategy<Value = Vec<TrackPoint>> {
+        prop::collection::vec((0.0..=1.0, -1e3..1e3), 1..400).prop_map(
+            |mut samples: Vec<TrackPoint>| {
+                samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+                samples
+            },
+        )
     }
 
     /// Lowest and highest value of each column that has any.
-    fn extremes(points: &[Point]) -> Vec<Option<(f64, f64)>> {
+    fn extremes(points: &[TrackPoint]) -> Vec<Option<(f64, f64)>> {
         let of_column = |column: usize| {
             let values =
                 points.iter().filter(|(t, _)| AXIS.of(*t) == column).map(|(_, v)| (*v, *v));

@@ -4,7 +4,7 @@ use std::fs;
 
 use super::{Folder, simulate, summary};
 
-/// [GC93] figure 6: a throw, a harder throw that reaches the string, bounces.
+/// `[GC93]` figure 6: a throw, a harder throw that reaches the string, bounces.
 const STROKE: &str = "s=0.099*exp(-((t-0.514)/0.079)^2)+0.181*exp(-((t-1.095)/0.109)^2)\
      +0.186*exp(-((t-1.573)/0.059)^2)";
 

@@ -70,7 +70,7 @@ impl Case {
         (Columns::read(&out), Columns::read(&events))
     }
 
-    /// Checks the sequence of `events`; gives the largest error of their times [s].
+    /// Checks the sequence of `events`; gives the largest error of their times (s).
     #[track_caller]
     fn event_error(&self, events: &Columns) -> f64 {
         let columns = ["guard", "from", "to"].map(|name| events.text(name));

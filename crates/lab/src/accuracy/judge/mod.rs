@@ -3,17 +3,17 @@
 use pode::{Model, State};
 use serde::Serialize;
 
-use super::observe::{Found, Observed, Seen};
-use crate::scenario::{Expected, Reference, Sample};
+use super::observe::{FoundSamples, ObservedRun, SeenEvent};
+use crate::scenario::{ExpectedEvent, Reference, ReferenceSample};
 
 /// How right a run was.
 #[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Verdict {
+pub struct RunVerdict {
     /// Whether all events happened in their order, and no others.
-    pub sequence: Sequence,
+    pub sequence: SequenceVerdict,
     /// Events that happened, judged or not.
     pub events: usize,
-    /// Largest error of an event's time [s].
+    /// Largest error of an event's time (s).
     pub event_error: Option<f64>,
     /// Largest error of the state away from events; each entry over its largest magnitude.
     pub state_error: Option<f64>,
@@ -24,27 +24,26 @@ pub struct Verdict {
 /// Whether the events were the right ones.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Sequence {
+pub enum SequenceVerdict {
     /// All of them, in their order.
     Right,
     /// Not all, or others.
-    Wrong(Difference),
+    Wrong(EventMismatch),
     /// The run did not come to its end.
     Failed(String),
 }
 
 /// Where a sequence of events differs first.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
-pub struct Difference {
+pub struct EventMismatch {
     /// How many events were right.
     pub index: usize,
     /// What should have happened then.
     pub expected: String,
-    /// What did.
     pub found: String,
 }
 
-impl Sequence {
+impl SequenceVerdict {
     /// Whether there is an error to speak of.
     pub const fn is_right(&self) -> bool {
         matches!(self, Self::Right)
@@ -52,10 +51,10 @@ impl Sequence {
 }
 
 /// Judges a run.
-pub(super) fn judge<M: Model>(reference: &Reference<M>, observed: &Observed<M>) -> Verdict {
+pub(super) fn judge<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> RunVerdict {
     let sequence = sequence(reference, observed);
     let is_right = sequence.is_right();
-    Verdict {
+    RunVerdict {
         events: observed.events.len(),
         event_error: is_right.then(|| event_error(reference, observed)),
         state_error: state_error(&reference.samples, &observed.samples).filter(|_| is_right),
@@ -64,33 +63,33 @@ pub(super) fn judge<M: Model>(reference: &Reference<M>, observed: &Observed<M>) 
     }
 }
 
-fn sequence<M: Model>(reference: &Reference<M>, observed: &Observed<M>) -> Sequence {
+fn sequence<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> SequenceVerdict {
     if let Some(difference) = difference(reference, &observed.events) {
         return match observed.trouble {
             // What happens after a cap or a fault is its consequence.
-            Some((t, why)) => Sequence::Failed(format!("{why} at {t:.4} s")),
-            None => Sequence::Wrong(difference),
+            Some((t, why)) => SequenceVerdict::Failed(format!("{why} at {t:.4} s")),
+            None => SequenceVerdict::Wrong(difference),
         };
     }
     if let Some((t, why)) = observed.trouble {
-        return Sequence::Failed(format!("{why} at {t:.4} s"));
+        return SequenceVerdict::Failed(format!("{why} at {t:.4} s"));
     }
     match (reference.rest, observed.entered) {
         (Some((_, rest)), entered) if entered.map(|(_, mode)| mode) != Some(rest) => {
-            Sequence::Wrong(Difference {
+            SequenceVerdict::Wrong(EventMismatch {
                 index: observed.events.len(),
                 expected: format!("rest in {rest:?}"),
                 found: "no rest".to_owned(),
             })
         }
-        _ => Sequence::Right,
+        _ => SequenceVerdict::Right,
     }
 }
 
 /// Where the events differ first, if they do.
-fn difference<M: Model>(reference: &Reference<M>, seen: &[Seen<M>]) -> Option<Difference> {
+fn difference<M: Model>(reference: &Reference<M>, seen: &[SeenEvent<M>]) -> Option<EventMismatch> {
     let expected = &reference.events;
-    let is_same = |(e, s): &(&Expected<M>, &Seen<M>)| e.guard == s.guard && e.to == s.to;
+    let is_same = |(e, s): &(&ExpectedEvent<M>, &SeenEvent<M>)| e.guard == s.guard && e.to == s.to;
     let index = expected.iter().zip(seen).take_while(is_same).count();
     let is_over = index == seen.len() || !reference.is_whole;
     if index == expected.len() && is_over {
@@ -100,11 +99,11 @@ fn difference<M: Model>(reference: &Reference<M>, seen: &[Seen<M>]) -> Option<Di
     let name = |guard: &str, to: &M::Mode, t: f64| format!("{guard} to {to:?} at {t:.4} s");
     let expected = expected.get(index).map_or_else(nothing, |e| name(&e.guard, &e.to, e.t));
     let found = seen.get(index).map_or_else(nothing, |s| name(s.guard, &s.to, s.t));
-    Some(Difference { index, expected, found })
+    Some(EventMismatch { index, expected, found })
 }
 
 /// Largest error of a time [s]: of the matched events, and of the rest they lead to.
-fn event_error<M: Model>(reference: &Reference<M>, observed: &Observed<M>) -> f64 {
+fn event_error<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> f64 {
     let pairs = reference.events.iter().zip(&observed.events);
     let events = pairs.map(|(expected, seen)| (expected.t - seen.t).abs());
     let rest =
@@ -113,7 +112,10 @@ fn event_error<M: Model>(reference: &Reference<M>, observed: &Observed<M>) -> f6
 }
 
 /// Largest error of any entry of the state, over that entry's largest magnitude.
-fn state_error<S: State>(samples: &[Sample<S>], found: &[Option<Found<S>>]) -> Option<f64> {
+fn state_error<S: State>(
+    samples: &[ReferenceSample<S>],
+    found: &[Option<FoundSamples<S>>],
+) -> Option<f64> {
     let entries = S::ZERO.entries().len();
     let error = |index: usize| {
         let pairs = samples.iter().zip(found).filter_map(|(sample, found)| {
@@ -125,7 +127,10 @@ fn state_error<S: State>(samples: &[Sample<S>], found: &[Option<Found<S>>]) -> O
     (0..entries).filter_map(error).reduce(f64::max)
 }
 
-fn force_error<S>(samples: &[Sample<S>], found: &[Option<Found<S>>]) -> Option<f64> {
+fn force_error<S>(
+    samples: &[ReferenceSample<S>],
+    found: &[Option<FoundSamples<S>>],
+) -> Option<f64> {
     let pairs = samples.iter().zip(found);
     relative(pairs.filter_map(|(sample, found)| Some((sample.force, found.as_ref()?.1))))
 }

@@ -4,8 +4,8 @@ use models::bouncing_ball::{BouncingBall, Mode};
 
 use super::*;
 
-fn expected(t: f64, guard: &str, to: Mode) -> Expected<BouncingBall> {
-    Expected { t, guard: guard.to_owned(), to }
+fn expected(t: f64, guard: &str, to: Mode) -> ExpectedEvent<BouncingBall> {
+    ExpectedEvent { t, guard: guard.to_owned(), to }
 }
 
 /// Two bounces and a lift, states of size 2 and 4, forces of size 10.
@@ -19,19 +19,19 @@ fn reference() -> Reference<BouncingBall> {
         is_whole: true,
         rest: None,
         samples: vec![
-            Sample { t: 0.15, state: [2.0, -4.0], force: 10.0 },
-            Sample { t: 0.25, state: [1.0, 1.0], force: 0.0 },
+            ReferenceSample { t: 0.15, state: [2.0, -4.0], force: 10.0 },
+            ReferenceSample { t: 0.25, state: [1.0, 1.0], force: 0.0 },
         ],
     }
 }
 
 /// A run that met the reference.
-fn right() -> Observed<BouncingBall> {
+fn right() -> ObservedRun<BouncingBall> {
     let reference = reference();
     let seen = [("floor", Mode::Flight), ("floor", Mode::Rest), ("lift", Mode::Flight)];
     let times = reference.events.iter().map(|event| event.t);
-    Observed {
-        events: times.zip(seen).map(|(t, (guard, to))| Seen { t, guard, to }).collect(),
+    ObservedRun {
+        events: times.zip(seen).map(|(t, (guard, to))| SeenEvent { t, guard, to }).collect(),
         entered: Some((0.3, Mode::Flight)),
         samples: reference.samples.iter().map(|it| Some((it.state, it.force))).collect(),
         work: Vec::new(),
@@ -42,11 +42,11 @@ fn right() -> Observed<BouncingBall> {
 
 /// The index and what was expected and found where the sequence is wrong.
 #[track_caller]
-fn wrong(observed: &Observed<BouncingBall>) -> (usize, String, String) {
+fn wrong(observed: &ObservedRun<BouncingBall>) -> (usize, String, String) {
     let verdict = judge(&reference(), observed);
     let errors = [verdict.event_error, verdict.state_error, verdict.force_error];
     assert_eq!(errors, [None; 3], "a wrong sequence has no error");
-    let Sequence::Wrong(Difference { index, expected, found }) = verdict.sequence else {
+    let SequenceVerdict::Wrong(EventMismatch { index, expected, found }) = verdict.sequence else {
         panic!("{verdict:?}");
     };
     (index, expected, found)
@@ -92,10 +92,10 @@ fn an_event_too_few_at_the_end_is_missed_too() {
 #[test]
 fn an_extra_event_is_where_the_sequence_differs() {
     let mut observed = right();
-    observed.events.insert(0, Seen { t: 0.05, guard: "lift", to: Mode::Flight });
+    observed.events.insert(0, SeenEvent { t: 0.05, guard: "lift", to: Mode::Flight });
     assert_eq!(wrong(&observed).0, 0);
     let mut observed = right();
-    observed.events.push(Seen { t: 0.4, guard: "floor", to: Mode::Rest });
+    observed.events.push(SeenEvent { t: 0.4, guard: "floor", to: Mode::Rest });
     assert_eq!(wrong(&observed).1, "nothing");
 }
 
@@ -110,7 +110,7 @@ fn the_right_guard_into_the_wrong_mode_is_wrong() {
 fn more_events_may_follow_where_only_the_first_are_judged() {
     let reference = Reference { is_whole: false, ..reference() };
     let mut observed = right();
-    observed.events.push(Seen { t: 0.4, guard: "floor", to: Mode::Rest });
+    observed.events.push(SeenEvent { t: 0.4, guard: "floor", to: Mode::Rest });
     assert!(judge(&reference, &observed).sequence.is_right());
     observed.events.truncate(2);
     assert!(!judge(&reference, &observed).sequence.is_right());
@@ -130,7 +130,7 @@ fn the_rest_that_events_lead_to_is_judged_like_an_event() {
 fn a_run_that_was_cut_short_has_failed_and_says_when() {
     let mut observed = right();
     observed.trouble = Some((0.125, "the state is not finite"));
-    let failed = Sequence::Failed("the state is not finite at 0.1250 s".to_owned());
+    let failed = SequenceVerdict::Failed("the state is not finite at 0.1250 s".to_owned());
     assert_eq!(judge(&reference(), &observed).sequence, failed);
 }
 

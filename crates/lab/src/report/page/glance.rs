@@ -1,10 +1,10 @@
 //! The comparison that counts: cost at equal error of event times.
 
-use super::html::{Cell, table};
-use crate::accuracy::Measured;
+use super::html::{HtmlCell, table};
+use crate::accuracy::MeasuredScenario;
 use crate::report::peers::Author;
 use crate::report::summary::{Cheapest, TARGETS, failures, in_ticks, offline, peer};
-use crate::report::{Report, text};
+use crate::report::{StudyReport, text};
 
 const TITLE: &str = "<h2>Cheapest at equal error</h2>\n\
     <p>ns per simulated ms of the cheapest run whose events are all right and this near: \
@@ -13,7 +13,7 @@ const TITLE: &str = "<h2>Cheapest at equal error</h2>\n\
     with what was written by hand for the one problem.</p>\n";
 
 /// A table of the cheapest runs at each error.
-pub(super) fn glance(report: &Report) -> String {
+pub(super) fn glance(report: &StudyReport) -> String {
     let mut header = vec!["scenario".to_owned(), "runs that failed".to_owned()];
     for target in TARGETS {
         header.push(format!("all events within {}", text::duration(target)));
@@ -24,7 +24,7 @@ pub(super) fn glance(report: &Report) -> String {
 }
 
 /// Our own in ticks, our own offline, and others, as far as there are any.
-fn rows(report: &Report, measured: &Measured) -> Vec<Vec<Cell>> {
+fn rows(report: &StudyReport, measured: &MeasuredScenario) -> Vec<Vec<HtmlCell>> {
     let failed = format!("{} of {}", failures(measured), measured.rows.len());
     let mut rows = vec![row(measured.entry.name, &failed, |it| in_ticks(measured, it))];
     let mut more = |name: &str, cheapest: &dyn Fn(f64) -> Option<Cheapest>| {
@@ -39,9 +39,9 @@ fn rows(report: &Report, measured: &Measured) -> Vec<Vec<Cell>> {
     rows
 }
 
-fn row(name: &str, failed: &str, cheapest: impl Fn(f64) -> Option<Cheapest>) -> Vec<Cell> {
-    let first = [Cell::words(name), Cell::Number(failed.to_owned())];
-    let cells = TARGETS.map(|target| Cell::Words(words(cheapest(target))));
+fn row(name: &str, failed: &str, cheapest: impl Fn(f64) -> Option<Cheapest>) -> Vec<HtmlCell> {
+    let first = [HtmlCell::words(name), HtmlCell::Number(failed.to_owned())];
+    let cells = TARGETS.map(|target| HtmlCell::Words(words(cheapest(target))));
     first.into_iter().chain(cells).collect()
 }
 

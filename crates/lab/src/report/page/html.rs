@@ -9,7 +9,7 @@ pub(super) fn escape(text: &str) -> String {
 
 /// A cell of a table.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum Cell {
+pub(super) enum HtmlCell {
     /// Words, to the left.
     Words(String),
     /// A number, to the right.
@@ -18,7 +18,7 @@ pub(super) enum Cell {
     Wrong(String, usize),
 }
 
-impl Cell {
+impl HtmlCell {
     pub(super) fn words(text: &str) -> Self {
         Self::Words(text.to_owned())
     }
@@ -30,7 +30,7 @@ impl Cell {
 }
 
 /// A table that can be scrolled sideways on its own.
-pub(super) fn table(header: &[&str], rows: &[Vec<Cell>]) -> String {
+pub(super) fn table(header: &[&str], rows: &[Vec<HtmlCell>]) -> String {
     let mut text = "<div class=\"wide\"><table>\n<tr>".to_owned();
     for title in header {
         // Writing to a String cannot fail.
@@ -41,9 +41,9 @@ pub(super) fn table(header: &[&str], rows: &[Vec<Cell>]) -> String {
         text += "<tr>";
         for cell in row {
             let _written = match cell {
-                Cell::Words(words) => write!(text, "<td>{}</td>", escape(words)),
-                Cell::Number(number) => write!(text, "<td class=\"n\">{}</td>", escape(number)),
-                Cell::Wrong(what, columns) => {
+                HtmlCell::Words(words) => write!(text, "<td>{}</td>", escape(words)),
+                HtmlCell::Number(number) => write!(text, "<td class=\"n\">{}</td>", escape(number)),
+                HtmlCell::Wrong(what, columns) => {
                     write!(text, "<td class=\"wrong\" colspan=\"{columns}\">{}</td>", escape(what))
                 }
             };
@@ -65,8 +65,10 @@ mod tests {
     #[test]
     fn marks_in_text_stay_text() {
         assert_eq!(escape("a<b & \"c\">"), "a&lt;b &amp; &quot;c&quot;&gt;");
-        let text =
-            table(&["<x>"], &[vec![Cell::words("<script>"), Cell::maybe(None, |_| String::new())]]);
+        let text = table(
+            &["<x>"],
+            &[vec![HtmlCell::words("<script>"), HtmlCell::maybe(None, |_| String::new())]],
+        );
         assert!(!text.contains("<script>") && text.contains("&lt;x&gt;"), "{text}");
     }
 }

@@ -8,8 +8,8 @@ mod runs;
 
 use html::escape;
 
-use super::{Report, date};
-use crate::accuracy::Measured;
+use super::{StudyReport, date};
+use crate::accuracy::MeasuredScenario;
 
 const STYLE: &str = include_str!("style.css");
 
@@ -17,7 +17,7 @@ const STYLE: &str = include_str!("style.css");
 const HOW_TO_READ: &str = include_str!("how_to_read.html");
 
 /// The page with the plots of each scenario.
-pub(super) fn html(report: &Report, plots: &[Vec<String>]) -> String {
+pub(super) fn html(report: &StudyReport, plots: &[Vec<String>]) -> String {
     let machine = &report.machine;
     let head = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -40,7 +40,7 @@ pub(super) fn html(report: &Report, plots: &[Vec<String>]) -> String {
 }
 
 /// A scenario's title, what its reference is, and its plots.
-fn heading(measured: &Measured, plots: &[String]) -> String {
+fn heading(measured: &MeasuredScenario, plots: &[String]) -> String {
     let plots = plots.join("</figure>\n<figure>\n");
     let [name, title, source] =
         [measured.entry.name, measured.entry.title, measured.entry.source].map(escape);

@@ -1,7 +1,7 @@
 //! The tables of all runs: ours, and other codes'.
 
-use super::html::{Cell, folded, table};
-use crate::accuracy::{Difference, Measured, Row, Sequence};
+use super::html::{HtmlCell, folded, table};
+use crate::accuracy::{EventMismatch, MeasuredScenario, SequenceVerdict, StudyRow};
 use crate::report::peers::Peer;
 use crate::report::text::{error, setting, short};
 
@@ -25,17 +25,17 @@ const OURS: [&str; 16] = [
 ];
 
 /// The runs of a scenario.
-pub(super) fn ours(measured: &Measured) -> String {
+pub(super) fn ours(measured: &MeasuredScenario) -> String {
     let rows: Vec<_> = measured.rows.iter().map(row).collect();
     folded(&format!("All {} runs", rows.len()), &table(&OURS, &rows))
 }
 
-fn row(row: &Row) -> Vec<Cell> {
-    let Row { verdict, counts, times, .. } = row;
+fn row(row: &StudyRow) -> Vec<HtmlCell> {
+    let StudyRow { verdict, counts, times, .. } = row;
     let mut cells = vec![
-        Cell::words(row.method.name),
-        Cell::Number(setting(row)),
-        Cell::Number(verdict.events.to_string()),
+        HtmlCell::words(row.method.name),
+        HtmlCell::Number(setting(row)),
+        HtmlCell::Number(verdict.events.to_string()),
     ];
     cells.extend(judged(row));
     let most = times.with_most_events.map(|time| (time, times.most_events));
@@ -46,34 +46,37 @@ fn row(row: &Row) -> Vec<Cell> {
         String::new()
     };
     cells.extend([
-        Cell::Number(short(times.per_ms)),
-        Cell::Number(short(times.worst_tick)),
-        Cell::maybe(times.without_event, short),
-        Cell::maybe(times.with_one_event, short),
-        Cell::Number(most.unwrap_or_default()),
-        Cell::Number(short(counts.evaluations_per_ms)),
-        Cell::Number(short(counts.guards_per_ms)),
-        Cell::Number(format!("{}{jacobians}, {}", counts.worst_derivatives, counts.worst_guards)),
-        Cell::Number(format!(
+        HtmlCell::Number(short(times.per_ms)),
+        HtmlCell::Number(short(times.worst_tick)),
+        HtmlCell::maybe(times.without_event, short),
+        HtmlCell::maybe(times.with_one_event, short),
+        HtmlCell::Number(most.unwrap_or_default()),
+        HtmlCell::Number(short(counts.evaluations_per_ms)),
+        HtmlCell::Number(short(counts.guards_per_ms)),
+        HtmlCell::Number(format!(
+            "{}{jacobians}, {}",
+            counts.worst_derivatives, counts.worst_guards
+        )),
+        HtmlCell::Number(format!(
             "{}, {}, {}",
             counts.steps_certified, counts.steps_likely, counts.steps_unknown
         )),
-        Cell::Number(error(row.energy_residual)),
+        HtmlCell::Number(error(row.energy_residual)),
     ]);
     cells
 }
 
 /// The errors, or what went wrong in their place.
-fn judged(row: &Row) -> Vec<Cell> {
+fn judged(row: &StudyRow) -> Vec<HtmlCell> {
     let verdict = &row.verdict;
     let errors = [verdict.event_error, verdict.state_error, verdict.force_error];
     match &verdict.sequence {
-        Sequence::Right => errors.map(|value| Cell::maybe(value, error)).to_vec(),
-        Sequence::Wrong(Difference { index, expected, found }) => {
+        SequenceVerdict::Right => errors.map(|value| HtmlCell::maybe(value, error)).to_vec(),
+        SequenceVerdict::Wrong(EventMismatch { index, expected, found }) => {
             let what = format!("wrong after {index}: {found}; due was {expected}");
-            vec![Cell::Wrong(what, errors.len())]
+            vec![HtmlCell::Wrong(what, errors.len())]
         }
-        Sequence::Failed(why) => vec![Cell::Wrong(why.clone(), errors.len())],
+        SequenceVerdict::Failed(why) => vec![HtmlCell::Wrong(why.clone(), errors.len())],
     }
 }
 
@@ -100,27 +103,27 @@ pub(super) fn theirs(peers: &[&Peer]) -> String {
     folded(&format!("All {} runs of other codes", rows.len()), &table(&THEIRS, &rows))
 }
 
-fn their_row(peer: &Peer) -> Vec<Cell> {
+fn their_row(peer: &Peer) -> Vec<HtmlCell> {
     let mut cells = vec![
-        Cell::words(&peer.code),
-        Cell::words(&peer.version),
-        Cell::words(&peer.method),
-        Cell::words(&peer.setting),
-        Cell::Number(peer.knob()),
-        Cell::Number(peer.events.map(|events| events.to_string()).unwrap_or_default()),
+        HtmlCell::words(&peer.code),
+        HtmlCell::words(&peer.version),
+        HtmlCell::words(&peer.method),
+        HtmlCell::words(&peer.setting),
+        HtmlCell::Number(peer.knob()),
+        HtmlCell::Number(peer.events.map(|events| events.to_string()).unwrap_or_default()),
     ];
     if peer.sequence_ok {
-        cells.extend([peer.event_error_s, peer.state_error].map(|it| Cell::maybe(it, error)));
+        cells.extend([peer.event_error_s, peer.state_error].map(|it| HtmlCell::maybe(it, error)));
     } else {
         let failure = peer.failure.as_deref().unwrap_or("wrong events");
-        cells.push(Cell::Wrong(failure.to_owned(), 2));
+        cells.push(HtmlCell::Wrong(failure.to_owned(), 2));
     }
     let median = peer.ns_per_ms_median.map(|median| format!(" ({})", short(median)));
     let least = peer.ns_per_ms_min.map(|least| short(least) + &median.unwrap_or_default());
     cells.extend([
-        Cell::maybe(peer.rhs, |rhs| format!("{rhs:.0}")),
-        Cell::Number(least.unwrap_or_default()),
-        Cell::words(peer.note.as_deref().unwrap_or_default()),
+        HtmlCell::maybe(peer.rhs, |rhs| format!("{rhs:.0}")),
+        HtmlCell::Number(least.unwrap_or_default()),
+        HtmlCell::words(peer.note.as_deref().unwrap_or_default()),
     ]);
     cells
 }

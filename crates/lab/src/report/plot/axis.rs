@@ -5,14 +5,14 @@
 pub(super) struct Axis {
     /// Decimal logarithms of its ends.
     logs: (f64, f64),
-    /// Their places [pixels].
+    /// Their places (pixels).
     places: (f64, f64),
 }
 
 /// A line of the grid.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Line {
-    /// Where [pixels].
+pub(super) struct GridLine {
+    /// Where (pixels).
     pub(super) place: f64,
     /// Its number; lines between have none.
     pub(super) label: Option<String>,
@@ -36,14 +36,14 @@ impl Axis {
         Self { logs: (low - room, high + room), places }
     }
 
-    /// Where `value` is [pixels].
+    /// Where `value` is (pixels).
     pub(super) fn place(&self, value: f64) -> f64 {
         let part = (value.max(FLOOR).log10() - self.logs.0) / (self.logs.1 - self.logs.0);
         self.places.0 + part * (self.places.1 - self.places.0)
     }
 
     /// The lines of the grid, about `wanted` of them with a number.
-    pub(super) fn lines(&self, wanted: f64) -> Vec<Line> {
+    pub(super) fn lines(&self, wanted: f64) -> Vec<GridLine> {
         let decades = self.logs.1 - self.logs.0;
         let every = (decades / wanted).ceil().max(1.0);
         let digits: &[f64] = match decades / wanted {
@@ -57,7 +57,7 @@ impl Axis {
         let line = |(digit, power): (f64, f64)| {
             let log = power + digit.log10();
             let is_named = power.rem_euclid(every) < 0.5;
-            let line = Line {
+            let line = GridLine {
                 place: self.place(10_f64.powf(log)),
                 label: is_named.then(|| label(digit, power)),
             };

@@ -11,9 +11,9 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color as _, ShapeStyle};
 
 /// A place in pixels, from the upper left corner.
-pub(super) type Place = (f64, f64);
+pub(super) type Pixel = (f64, f64);
 /// Why something could not be drawn.
-pub(in crate::report) type Failure = DrawingAreaErrorKind<io::Error>;
+pub(in crate::report) type DrawError = DrawingAreaErrorKind<io::Error>;
 
 pub(super) const INK: RGBColor = RGBColor(40, 40, 40);
 pub(super) const GRID: RGBColor = RGBColor(222, 222, 222);
@@ -35,11 +35,11 @@ pub(super) struct Canvas<'a> {
     area: DrawingArea<SVGBackend<'a>, Shift>,
 }
 
-/// A picture of `size` [pixels] as SVG text.
+/// A picture of `size` (pixels) as SVG text.
 pub(super) fn svg(
     size: (f64, f64),
-    draw: impl FnOnce(&Canvas<'_>) -> Result<(), Failure>,
-) -> Result<String, Failure> {
+    draw: impl FnOnce(&Canvas<'_>) -> Result<(), DrawError>,
+) -> Result<String, DrawError> {
     let mut text = String::new();
     let [width, height] = [size.0, size.1].map(units).map(i32::unsigned_abs);
     let canvas =
@@ -61,10 +61,10 @@ impl Canvas<'_> {
     /// A line of `width` through `places`.
     pub(super) fn line(
         &self,
-        places: &[Place],
+        places: &[Pixel],
         color: RGBColor,
         width: f64,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), DrawError> {
         let places: Vec<_> = places.iter().copied().map(point).collect();
         self.area.draw(&PathElement::new(places, stroke(color, width)))
     }
@@ -72,10 +72,10 @@ impl Canvas<'_> {
     /// A line from `a` to `b` in dashes.
     pub(super) fn dashes(
         &self,
-        [a, b]: [Place; 2],
+        [a, b]: [Pixel; 2],
         color: RGBColor,
         width: f64,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), DrawError> {
         /// A dash and a gap.
         const PERIOD: f64 = 7.0;
         const DASH: f64 = 0.6;
@@ -89,18 +89,18 @@ impl Canvas<'_> {
     }
 
     /// A filled rectangle between two corners.
-    pub(super) fn fill(&self, corners: [Place; 2], color: RGBColor) -> Result<(), Failure> {
+    pub(super) fn fill(&self, corners: [Pixel; 2], color: RGBColor) -> Result<(), DrawError> {
         self.area.draw(&Rectangle::new(corners.map(point), color.filled()))
     }
 
     /// A disc or a ring.
     pub(super) fn circle(
         &self,
-        at: Place,
+        at: Pixel,
         radius: f64,
         fill: RGBColor,
         edge: RGBColor,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), DrawError> {
         let size = units(radius).unsigned_abs();
         self.area.draw(&Circle::new(point(at), size, fill.filled()))?;
         self.area.draw(&Circle::new(point(at), size, stroke(edge, 1.2)))
@@ -109,10 +109,10 @@ impl Canvas<'_> {
     /// A polygon with an edge.
     pub(super) fn polygon(
         &self,
-        corners: &[Place],
+        corners: &[Pixel],
         fill: RGBColor,
         edge: RGBColor,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), DrawError> {
         let mut places: Vec<_> = corners.iter().copied().map(point).collect();
         self.area.draw(&Polygon::new(places.clone(), fill.filled()))?;
         places.extend(places.first().copied());
@@ -123,10 +123,10 @@ impl Canvas<'_> {
     pub(super) fn text(
         &self,
         text: &str,
-        at: Place,
+        at: Pixel,
         size: f64,
         anchor: Anchor,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), DrawError> {
         /// The library's letters are smaller than they are asked to be.
         const SHRINKS: f64 = 1.24;
         let along = match anchor {
@@ -144,7 +144,7 @@ fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
     color.stroke_width(units(width).unsigned_abs())
 }
 
-fn point((x, y): Place) -> (i32, i32) {
+fn point((x, y): Pixel) -> (i32, i32) {
     (units(x), units(y))
 }
 

@@ -3,17 +3,16 @@
 use plotters::style::RGBColor;
 
 use super::marker::Shape;
-use super::quantity::Point;
-use crate::accuracy::{Kind, Measured};
+use super::quantity::CostErrorPoint;
+use crate::accuracy::{MeasuredScenario, MethodKind};
 use crate::report::peers::{Author, Peer};
 
 /// A curve: runs from the coarsest to the finest.
 #[derive(Clone, Debug)]
 pub(super) struct Curve {
-    /// In the legend.
     pub(super) name: String,
     pub(super) style: Style,
-    pub(super) points: Vec<Point>,
+    pub(super) points: Vec<CostErrorPoint>,
 }
 
 /// How a curve is drawn.
@@ -21,7 +20,7 @@ pub(super) struct Curve {
 pub(super) struct Style {
     pub(super) color: RGBColor,
     pub(super) shape: Shape,
-    /// [pixels]
+    /// (pixels)
     pub(super) width: f64,
     /// Another code's: dashed, with hollow marks.
     pub(super) is_peer: bool,
@@ -42,7 +41,7 @@ const BLACK: RGBColor = RGBColor(0, 0, 0);
 const GREY: RGBColor = RGBColor(125, 125, 125);
 
 /// The curves of our methods.
-pub(super) fn methods(measured: &Measured) -> Vec<Curve> {
+pub(super) fn methods(measured: &MeasuredScenario) -> Vec<Curve> {
     let mut curves: Vec<Curve> = Vec::new();
     for row in &measured.rows {
         let name = row.method.name;
@@ -51,17 +50,17 @@ pub(super) fn methods(measured: &Measured) -> Vec<Curve> {
             curves.push(Curve { name: name.to_owned(), style, points: Vec::new() });
         }
         if let Some(curve) = curves.last_mut() {
-            curve.points.push(Point::of(row));
+            curve.points.push(CostErrorPoint::of(row));
         }
     }
     curves
 }
 
-/// The curves of the codes that were run side by side on a problem that ends `until` [s].
+/// The curves of the codes that were run side by side on a problem that ends `until` (s).
 pub(super) fn peers(peers: &[&Peer], until: f64) -> Vec<Curve> {
     let mut curves: Vec<Curve> = Vec::new();
     for peer in peers {
-        let (name, point) = (peer.curve(), Point::of_peer(peer, until));
+        let (name, point) = (peer.curve(), CostErrorPoint::of_peer(peer, until));
         if let Some(curve) = curves.iter_mut().find(|curve| curve.name == name) {
             curve.points.push(point);
         } else {
@@ -73,7 +72,7 @@ pub(super) fn peers(peers: &[&Peer], until: f64) -> Vec<Curve> {
     curves
 }
 
-fn ours(index: usize, kind: Kind) -> Style {
+fn ours(index: usize, kind: MethodKind) -> Style {
     let style = Style {
         color: COLORS[index % COLORS.len()],
         shape: Shape::ALL[index % Shape::ALL.len()],
@@ -82,10 +81,10 @@ fn ours(index: usize, kind: Kind) -> Style {
     };
     let broad = Style { shape: Shape::Circle, width: 2.6, ..style };
     match kind {
-        Kind::Fixed | Kind::Controlled => style,
+        MethodKind::Fixed | MethodKind::Controlled => style,
         // What instruments play stands out.
-        Kind::Played => Style { color: BLACK, ..broad },
-        Kind::Budgeted => Style { color: GREY, ..broad },
+        MethodKind::Played => Style { color: BLACK, ..broad },
+        MethodKind::Budgeted => Style { color: GREY, ..broad },
     }
 }
 
@@ -137,7 +136,7 @@ mod tests {
                 assert!(twin.is_none(), "{problem}: {} and {twin:?}", curve.name);
             }
         }
-        let own: Vec<_> = (0..30).map(|index| looks(&ours(index, Kind::Fixed))).collect();
+        let own: Vec<_> = (0..30).map(|index| looks(&ours(index, MethodKind::Fixed))).collect();
         for (i, look) in own.iter().enumerate() {
             assert!(!own[..i].contains(look), "method {i}");
         }

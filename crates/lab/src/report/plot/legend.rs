@@ -1,20 +1,20 @@
 //! Which curve is what.
 
-use super::canvas::{Anchor, Canvas, Failure};
+use super::canvas::{Anchor, Canvas, DrawError};
 use super::curve::Curve;
 use super::{marker, place};
 
-/// Size of the text [pixels].
+/// Size of the text (pixels).
 const TEXT: f64 = 11.5;
-/// From one line to the next [pixels].
+/// From one line to the next (pixels).
 const ROW: f64 = 20.0;
-/// Length of a sample of a curve [pixels].
+/// Length of a sample of a curve (pixels).
 const SAMPLE: f64 = 30.0;
-/// Longest name [characters]; the end of a longer one is left out.
+/// Longest name (characters); the end of a longer one is left out.
 const LONGEST: usize = 44;
 
 /// Draws the legend beside the panels.
-pub(super) fn draw(canvas: &Canvas<'_>, curves: &[Curve]) -> Result<(), Failure> {
+pub(super) fn draw(canvas: &Canvas<'_>, curves: &[Curve]) -> Result<(), DrawError> {
     let left = place::LEGEND;
     for (row, curve) in curves.iter().enumerate() {
         let (y, style) = (height(row), &curve.style);
@@ -33,7 +33,7 @@ pub(super) fn draw(canvas: &Canvas<'_>, curves: &[Curve]) -> Result<(), Failure>
     canvas.text("wrong events, or no end", (left + SAMPLE + 8.0, y), TEXT, Anchor::Start)
 }
 
-/// Where the legend ends [pixels].
+/// Where the legend ends (pixels).
 pub(super) fn bottom(curves: &[Curve]) -> f64 {
     height(curves.len() + 1)
 }

@@ -2,7 +2,7 @@
 
 use plotters::style::RGBColor;
 
-use super::canvas::{Canvas, Failure, PAPER, Place};
+use super::canvas::{Canvas, DrawError, PAPER, Pixel};
 use super::curve::Style;
 
 /// The shape of a mark.
@@ -32,7 +32,7 @@ impl Shape {
     ];
 
     /// Its corners around the origin, in half widths; none for a circle.
-    const fn corners(self) -> &'static [Place] {
+    const fn corners(self) -> &'static [Pixel] {
         match self {
             Self::Circle => &[],
             Self::Square => &[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)],
@@ -46,11 +46,11 @@ impl Shape {
     }
 }
 
-/// Half a mark's width [pixels].
+/// Half a mark's width (pixels).
 const SIZE: f64 = 3.6;
 
 /// Draws the mark of a curve.
-pub(super) fn draw(canvas: &Canvas<'_>, at: Place, style: &Style) -> Result<(), Failure> {
+pub(super) fn draw(canvas: &Canvas<'_>, at: Pixel, style: &Style) -> Result<(), DrawError> {
     let fill = if style.is_peer { PAPER } else { style.color };
     let corners = style.shape.corners();
     if corners.is_empty() {
@@ -61,7 +61,11 @@ pub(super) fn draw(canvas: &Canvas<'_>, at: Place, style: &Style) -> Result<(), 
 }
 
 /// Draws the mark of a run whose events were wrong.
-pub(super) fn draw_failure(canvas: &Canvas<'_>, at: Place, color: RGBColor) -> Result<(), Failure> {
+pub(super) fn draw_failure(
+    canvas: &Canvas<'_>,
+    at: Pixel,
+    color: RGBColor,
+) -> Result<(), DrawError> {
     let (x, y) = at;
     let r = SIZE;
     canvas.line(&[(x - r, y - r), (x + r, y + r)], color, 1.6)?;

@@ -20,14 +20,14 @@ mod panel;
 mod quantity;
 
 use self::canvas::Canvas;
-pub(in crate::report) use self::canvas::Failure;
+pub(in crate::report) use self::canvas::DrawError;
 use self::curve::Curve;
 use self::panel::Panel;
 use self::quantity::Quantities;
 use super::peers::Peer;
-use crate::accuracy::Measured;
+use crate::accuracy::MeasuredScenario;
 
-/// Places in the picture [pixels].
+/// Places in the picture (pixels).
 mod place {
     pub(super) const WIDTH: f64 = 1300.0;
     /// Left ends of the columns of panels.
@@ -44,21 +44,21 @@ mod place {
 }
 
 /// Draws all methods on a scenario.
-pub(super) fn methods(measured: &Measured) -> Result<String, Failure> {
+pub(super) fn methods(measured: &MeasuredScenario) -> Result<String, DrawError> {
     svg(&title(measured), &quantity::OURS, &curve::methods(measured))
 }
 
 /// Draws all codes that were run side by side on the same problem.
-pub(super) fn peers(measured: &Measured, peers: &[&Peer]) -> Result<String, Failure> {
+pub(super) fn peers(measured: &MeasuredScenario, peers: &[&Peer]) -> Result<String, DrawError> {
     let title = format!("{}, side by side with other codes", title(measured));
     svg(&title, &quantity::THEIRS, &curve::peers(peers, measured.until))
 }
 
-fn title(measured: &Measured) -> String {
+fn title(measured: &MeasuredScenario) -> String {
     format!("{}: {}", measured.entry.name, measured.entry.title)
 }
 
-fn svg(title: &str, panels: &[Quantities], curves: &[Curve]) -> Result<String, Failure> {
+fn svg(title: &str, panels: &[Quantities], curves: &[Curve]) -> Result<String, DrawError> {
     let rows = panels.len().div_ceil(place::COLUMNS.len());
     let height = place::TOP + place::ROW * rows as f64;
     let size = (place::WIDTH, height.max(legend::bottom(curves)));
@@ -70,7 +70,7 @@ fn draw(
     title: &str,
     panels: &[Quantities],
     curves: &[Curve],
-) -> Result<(), Failure> {
+) -> Result<(), DrawError> {
     canvas.text(title, (place::COLUMNS[0], place::TITLE), 15.0, canvas::Anchor::Start)?;
     for (index, quantities) in panels.iter().enumerate() {
         let (row, column) = (index / place::COLUMNS.len(), index % place::COLUMNS.len());

@@ -1,15 +1,15 @@
 //! One pair of axes: curves of error against cost, and above them the runs that failed.
 
 use super::axis::Axis;
-use super::canvas::{Anchor, Canvas, Failure, GRID, INK, Place};
+use super::canvas::{Anchor, Canvas, DrawError, GRID, INK, Pixel};
 use super::curve::Curve;
 use super::marker;
 use super::place;
-use super::quantity::{Point, Quantities};
+use super::quantity::{CostErrorPoint, Quantities};
 
-/// Size of the text [pixels].
+/// Size of the text (pixels).
 const TEXT: f64 = 11.0;
-/// Height of the strip above the axes in which failures are marked [pixels].
+/// Height of the strip above the axes in which failures are marked (pixels).
 const STRIP: f64 = 18.0;
 /// The strip's colour.
 const WRONG: plotters::style::RGBColor = plotters::style::RGBColor(251, 232, 228);
@@ -20,13 +20,13 @@ pub(super) struct Panel<'a> {
     quantities: &'a Quantities,
     curves: &'a [Curve],
     /// Upper left corner, strip included.
-    corner: Place,
+    corner: Pixel,
     x: Axis,
     y: Axis,
 }
 
 impl<'a> Panel<'a> {
-    pub(super) fn new(quantities: &'a Quantities, curves: &'a [Curve], corner: Place) -> Self {
+    pub(super) fn new(quantities: &'a Quantities, curves: &'a [Curve], corner: Pixel) -> Self {
         let points = || curves.iter().flat_map(|curve| &curve.points);
         let (width, height) = place::PANEL;
         // Failures have a cost too: they count for the scale of x.
@@ -36,7 +36,7 @@ impl<'a> Panel<'a> {
         Self { quantities, curves, corner, x, y }
     }
 
-    pub(super) fn draw(&self, canvas: &Canvas<'_>) -> Result<(), Failure> {
+    pub(super) fn draw(&self, canvas: &Canvas<'_>) -> Result<(), DrawError> {
         self.draw_grid(canvas)?;
         self.draw_titles(canvas)?;
         for curve in self.curves {
@@ -45,7 +45,7 @@ impl<'a> Panel<'a> {
         Ok(())
     }
 
-    fn draw_grid(&self, canvas: &Canvas<'_>) -> Result<(), Failure> {
+    fn draw_grid(&self, canvas: &Canvas<'_>) -> Result<(), DrawError> {
         let (left, top) = self.corner;
         let (right, bottom) = (left + place::PANEL.0, top + place::PANEL.1);
         let axes_top = top + STRIP;
@@ -68,7 +68,7 @@ impl<'a> Panel<'a> {
         canvas.line(&frame, INK, 1.0)
     }
 
-    fn draw_titles(&self, canvas: &Canvas<'_>) -> Result<(), Failure> {
+    fn draw_titles(&self, canvas: &Canvas<'_>) -> Result<(), DrawError> {
         let (left, top) = self.corner;
         let (width, height) = place::PANEL;
         let below = (left + 0.5 * width, top + height + 29.0);
@@ -76,7 +76,7 @@ impl<'a> Panel<'a> {
         canvas.text(self.quantities.y_title, (left, top - 11.0), TEXT, Anchor::Start)
     }
 
-    fn draw_curve(&self, canvas: &Canvas<'_>, curve: &Curve) -> Result<(), Failure> {
+    fn draw_curve(&self, canvas: &Canvas<'_>, curve: &Curve) -> Result<(), DrawError> {
         let style = &curve.style;
         for pair in curve.points.windows(2) {
             let places = (self.place(&pair[0]), self.place(&pair[1]));
@@ -99,7 +99,7 @@ impl<'a> Panel<'a> {
     }
 
     /// Where a run is that was right and has both figures.
-    fn place(&self, point: &Point) -> Option<Place> {
+    fn place(&self, point: &CostErrorPoint) -> Option<Pixel> {
         let (x, y) = ((self.quantities.x)(point)?, (self.quantities.y)(point)?);
         point.is_right.then(|| (self.x.place(x), self.y.place(y)))
     }

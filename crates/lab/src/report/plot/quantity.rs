@@ -1,11 +1,11 @@
 //! Which figures of a run a panel shows.
 
-use crate::accuracy::Row;
+use crate::accuracy::StudyRow;
 use crate::report::peers::Peer;
 
 /// One run's figures: cost and error, as far as there are any.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Point {
+pub(super) struct CostErrorPoint {
     /// Whether the events were the right ones.
     pub(super) is_right: bool,
     event_error: Option<f64>,
@@ -19,9 +19,9 @@ pub(super) struct Point {
     worst_tick: Option<f64>,
 }
 
-impl Point {
-    pub(super) fn of(row: &Row) -> Self {
-        let Row { verdict, counts, times, .. } = row;
+impl CostErrorPoint {
+    pub(super) fn of(row: &StudyRow) -> Self {
+        let StudyRow { verdict, counts, times, .. } = row;
         Self {
             is_right: verdict.sequence.is_right(),
             event_error: verdict.event_error,
@@ -36,7 +36,7 @@ impl Point {
         }
     }
 
-    /// The same of another code's run until `until` [s].
+    /// The same of another code's run until `until` (s).
     pub(super) fn of_peer(peer: &Peer, until: f64) -> Self {
         Self {
             is_right: peer.sequence_ok,
@@ -50,7 +50,7 @@ impl Point {
 }
 
 /// A figure of a run, if it has it.
-type Figure = fn(&Point) -> Option<f64>;
+type Figure = fn(&CostErrorPoint) -> Option<f64>;
 
 /// What a panel shows: titles and figures of both axes.
 #[derive(Clone, Copy, Debug)]

@@ -13,13 +13,13 @@ use crate::output::Unavailable;
 const MOST: usize = 4096;
 
 /// Listens to the announcements about one port.
-pub(in crate::output) struct Watch {
+pub(in crate::output) struct AnnouncementWatch {
     sequencer: Seq,
     port: Addr,
     has_gone: bool,
 }
 
-impl Watch {
+impl AnnouncementWatch {
     /// Watches `port`; to be called before it is connected.
     pub(in crate::output) fn of(port: &MidiOutputPort) -> Result<Self, Unavailable> {
         let port = port.id().parse().map_err(|_no_address| Unavailable::NotStarted)?;
@@ -76,7 +76,6 @@ fn ends(event: &Event<'_>, port: Addr) -> bool {
 /// What follows from an error of reading.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Consequence {
-    /// All was read.
     NothingMore,
     /// An announcement that this library does not know, or a signal.
     ReadOn,

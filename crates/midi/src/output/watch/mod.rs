@@ -8,6 +8,6 @@ mod announced;
 mod listed;
 
 #[cfg(target_os = "linux")]
-pub(super) use announced::Watch;
+pub(super) use announced::AnnouncementWatch;
 #[cfg(not(target_os = "linux"))]
 pub(super) use listed::Watch;

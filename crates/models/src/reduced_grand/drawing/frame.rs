@@ -1,11 +1,11 @@
 //! What stands still: rails, screws, felts and the string.
 
-use super::super::{ReducedGrand, Values};
+use super::super::{ReducedGrand, ReducedGrandValues};
 use super::places::{FRONT, HALF_KEY, Places};
 use crate::draw::Material;
 use crate::shapes::{Pen, Point, Pose, plate, sum, turned};
 
-/// Half the thickness of the felts under the key [m].
+/// Half the thickness of the felts under the key (m).
 const FELT: f64 = 0.005;
 
 impl Places {
@@ -26,7 +26,7 @@ impl Places {
     }
 
     /// The balance rail with its pin, the bed's felt under the front, the rest's at the back.
-    fn key_frame(&self, pen: &mut Pen<'_>, p: &Values) {
+    fn key_frame(&self, pen: &mut Pen<'_>, p: &ReducedGrandValues) {
         pen.body("key frame", Pose::default(), &[]);
         let low = -HALF_KEY - 0.016;
         let wedge = [
@@ -58,7 +58,7 @@ impl Places {
     }
 
     /// The rail with the let-off button over the tender.
-    fn let_off_rail(&self, pen: &mut Pen<'_>, p: &Values) {
+    fn let_off_rail(&self, pen: &mut Pen<'_>, p: &ReducedGrandValues) {
         let button = self.button(p);
         let slope = self.slope_at_button(p);
         let place = |point: Point| sum(button, turned(slope, point));

@@ -1,6 +1,6 @@
 //! The jack, which goes with the whippen, turns on its button, or is out.
 
-use super::super::{ReducedGrand, Values};
+use super::super::{ReducedGrand, ReducedGrandValues};
 use super::places::{EDGE, JACK, KNUCKLE, Places, TENDER, TENDER_TOP, at};
 use super::{ON_BUTTON, TRIPPED, UNDER};
 use crate::draw::{Follow, Material};
@@ -33,19 +33,19 @@ impl Places {
 
     /// The jack's pin as a body of its own, from where the jack slips back to the bed: the
     /// chord of a flat arc.
-    pub(super) fn jack_pin(&self, p: &Values) -> Pose {
+    pub(super) fn jack_pin(&self, p: &ReducedGrandValues) -> Pose {
         let height = |y: f64| (y, self.on_whippen(y, Self::JACK_PIN)[1]);
         let y = through("y", height(p.reset), height(p.bed));
         Pose::rising(self.on_whippen(p.button, Self::JACK_PIN)[0], y)
     }
 
     /// Where the tender's end meets the button.
-    pub(super) fn button(&self, p: &Values) -> Point {
+    pub(super) fn button(&self, p: &ReducedGrandValues) -> Point {
         self.on_whippen(p.button, sum(Self::JACK_PIN, [-TENDER, TENDER_TOP]))
     }
 
-    /// The whippen's angle where the jack meets the button [rad].
-    pub(super) fn slope_at_button(&self, p: &Values) -> f64 {
+    /// The whippen's angle where the jack meets the button (rad).
+    pub(super) fn slope_at_button(&self, p: &ReducedGrandValues) -> f64 {
         at(&self.whippen, p.button)
     }
 }

@@ -1,18 +1,18 @@
 //! The repetition lever, its spring, and what it rests on.
 
-use super::super::{ReducedGrand, Values};
+use super::super::{ReducedGrand, ReducedGrandValues};
 use super::places::{HEAD, JACK, Places};
 use super::{LEVER_DROPPED, LEVER_FREE, LEVER_LOADED, LEVER_PRESSED};
 use crate::draw::{Follow, Material};
 use crate::shapes::{Pen, Point, Pose, difference, raised, sum, through, turned};
 
-/// From where the knuckle lies to the lever's pin on its post [m] (E).
+/// From where the knuckle lies to the lever's pin on its post (m) (E).
 const ARM: f64 = 0.032;
-/// The pin below the lever's upper side [m].
+/// The pin below the lever's upper side (m).
 const BELOW: f64 = 0.003;
-/// From where the knuckle lies to where the drop screw presses [m] (E).
+/// From where the knuckle lies to where the drop screw presses (m) (E).
 const TO_SCREW: f64 = 0.013;
-/// Where the spring presses the lever, from the knuckle [m].
+/// Where the spring presses the lever, from the knuckle (m).
 const SPRING: Point = [0.016, -0.006];
 
 impl Places {
@@ -39,7 +39,7 @@ impl Places {
         self.under_knuckle(model.lever(model.values().bed).height)
     }
 
-    /// Turned so that a lever whose seat is at this height lies on its post [rad].
+    /// Turned so that a lever whose seat is at this height lies on its post (rad).
     fn slope(&self, y: f64, seat: f64) -> f64 {
         raised([ARM, -BELOW], self.on_whippen(y, Self::POST)[1] - seat)
     }
@@ -67,8 +67,8 @@ impl Places {
         }
     }
 
-    /// Where the seat is on the way between the jack's reset and the bed [m].
-    fn seat_x(&self, p: &Values) -> f64 {
+    /// Where the seat is on the way between the jack's reset and the bed (m).
+    fn seat_x(&self, p: &ReducedGrandValues) -> f64 {
         self.on_whippen(0.5 * (p.reset + p.bed), Self::SEAT)[0]
     }
 

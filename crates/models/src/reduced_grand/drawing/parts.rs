@@ -7,13 +7,13 @@ use super::places::{
 use crate::draw::{Follow, Material};
 use crate::shapes::{Pen, Point, Pose, felt, plate, rim, sum, turned};
 
-/// The finger's place on the key, from its front [m].
+/// The finger's place on the key, from its front (m).
 const TOUCH: f64 = 0.013;
-/// Length of the coupling's spring, which no action has [m].
+/// Length of the coupling's spring, which no action has (m).
 const COUPLING: f64 = 0.014;
-/// The check leans back by so much [rad] (E).
+/// The check leans back by so much (rad) (E).
 const LEAN: f64 = 0.25;
-/// Where the check meets the tail, in the head's axes [m] (E).
+/// Where the check meets the tail, in the head's axes (m) (E).
 const TAIL: Point = [0.009, -0.020];
 
 impl Places {

@@ -2,37 +2,37 @@
 
 use pode::math::sqrt;
 
-use super::super::{ReducedGrand, Values};
+use super::super::{ReducedGrand, ReducedGrandValues};
 use crate::draw::Follow;
 use crate::shapes::{Point, difference, raised, sum, through, turned};
 
-/// Balance pin to key front [m] (S).
+/// Balance pin to key front (m) (S).
 pub(super) const FRONT: f64 = 0.2595;
-/// Balance pin to capstan [m] (S).
+/// Balance pin to capstan (m) (S).
 pub(super) const CAPSTAN: f64 = 0.1385;
-/// Hammer pin to head [m] (S).
+/// Hammer pin to head (m) (S).
 pub(super) const HEAD: f64 = 0.13;
-/// Whippen pin to its heel and to the jack's pin [m] (E).
+/// Whippen pin to its heel and to the jack's pin (m) (E).
 const HEEL_ARM: f64 = 0.055;
 const JACK_ARM: f64 = 0.072;
-/// Half the thickness of the key [m] (E).
+/// Half the thickness of the key (m) (E).
 pub(super) const HALF_KEY: f64 = 0.012;
-/// Top of the capstan over the key's axis [m] (E).
+/// Top of the capstan over the key's axis (m) (E).
 pub(super) const CAPSTAN_TOP: f64 = 0.030;
-/// From the whippen's axis down to its heel [m] (E).
+/// From the whippen's axis down to its heel (m) (E).
 pub(super) const HEEL: f64 = 0.012;
-/// From the jack's pin up to its top, and the radius of the top's edge [m] (E).
+/// From the jack's pin up to its top, and the radius of the top's edge (m) (E).
 pub(super) const JACK: f64 = 0.050;
 pub(super) const EDGE: f64 = 0.002;
-/// From the jack's pin to the end of its tender [m] (E): with it the head leaves the line
+/// From the jack's pin to the end of its tender (m) (E): with it the head leaves the line
 /// z = R y much as Z(y) does.
 pub(super) const TENDER: f64 = 0.016;
-/// From the jack's pin up to where the tender meets the button [m] (E).
+/// From the jack's pin up to where the tender meets the button (m) (E).
 pub(super) const TENDER_TOP: f64 = 0.006;
-/// Radius of the knuckle, and its middle below the shank's axis [m] (E).
+/// Radius of the knuckle, and its middle below the shank's axis (m) (E).
 pub(super) const KNUCKLE: f64 = 0.0045;
 pub(super) const KNUCKLE_DROP: f64 = 0.010;
-/// From the shank's axis up to the point of the head that strikes [m] (S).
+/// From the shank's axis up to the point of the head that strikes (m) (S).
 pub(super) const BORE: f64 = 0.050;
 
 /// The places of one key's parts, from the balance pin, and their turns.
@@ -40,17 +40,15 @@ pub(super) const BORE: f64 = 0.050;
 pub(super) struct Places {
     /// The key's angle over y.
     pub(super) key: Follow,
-    /// The whippen's pin.
     pub(super) whippen_pin: Point,
     /// Its angle over y.
     pub(super) whippen: Follow,
-    /// The hammer's pin.
     pub(super) hammer_pin: Point,
     /// Its angle over z.
     pub(super) hammer: Follow,
-    /// The shank's angle at the string [rad]; at rest it is as much below the level.
+    /// The shank's angle at the string (rad); at rest it is as much below the level.
     pub(super) strike: f64,
-    /// Hammer pin to knuckle, along the shank [m].
+    /// Hammer pin to knuckle, along the shank (m).
     pub(super) knuckle: f64,
     /// Where the head meets the string.
     pub(super) string: Point,
@@ -87,7 +85,7 @@ impl Places {
         places
     }
 
-    /// So high that the knuckle lies on the jack at rest [m].
+    /// So high that the knuckle lies on the jack at rest (m).
     fn pin_height(&self) -> f64 {
         let jack = self.on_whippen(0.0, sum(Self::JACK_PIN, [0.0, JACK - EDGE]));
         let knuckle = self.on_hammer(0.0, [self.knuckle, -KNUCKLE_DROP]);
@@ -127,7 +125,7 @@ impl Places {
         sum(self.on_hammer(z, [self.knuckle, -KNUCKLE_DROP]), [0.0, -KNUCKLE])
     }
 
-    /// Left, bottom, right, top [m].
+    /// Left, bottom, right, top (m).
     pub(super) fn view(&self) -> [f64; 4] {
         let down = at(&self.key, 0.0).abs().max(at(&self.key, 0.012).abs()) * FRONT;
         [-FRONT - 0.025, -HALF_KEY - down - 0.016, 0.275, self.string[1] + 0.016]
@@ -135,7 +133,7 @@ impl Places {
 }
 
 /// The whippen's angle: its heel on the capstan with the key up, and at the bed.
-fn whippen(p: &Values, key: &Follow, pin: Point) -> Follow {
+fn whippen(p: &ReducedGrandValues, key: &Follow, pin: Point) -> Follow {
     let angle = |y: f64| {
         let capstan = turned(at(key, y), [CAPSTAN, CAPSTAN_TOP]);
         (y, raised(Places::HEEL, difference(capstan, pin)[1]))

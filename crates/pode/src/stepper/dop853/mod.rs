@@ -8,7 +8,7 @@ pub use dense::Dense8;
 use crate::math::sqrt;
 use crate::state::State;
 use crate::stepper::{Field, Memory, Step, Stepper};
-use tableau::{A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, B, E3, E5, NODES, Row};
+use tableau::{A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, B, E3, E5, NODES, TableauRow};
 
 /// Order 8 with embedded estimates of orders 5 and 3, in 13 evaluations, 12 after the first.
 ///
@@ -20,7 +20,7 @@ use tableau::{A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, B, E3, E5, NODES, Ro
 /// Stable for ωh up to about 6 on the real axis; choose it for tolerances below 1e-8.
 ///
 /// # References
-/// [HNW93] II.5, and II.6 for the dense output; Hairer's `dop853.f`.
+/// `[HNW93]` II.5, and II.6 for the dense output; Hairer's `dop853.f`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Dop853;
 
@@ -103,17 +103,22 @@ impl Stepper for Dop853 {
 
 /// Σ weight × slope.
 #[inline]
-fn weighed<S: State, const N: usize, const K: usize>(k: &[S; K], row: &Row<N>) -> S {
+fn weighed<S: State, const N: usize, const K: usize>(k: &[S; K], row: &TableauRow<N>) -> S {
     row.iter().fold(S::ZERO, |sum, (stage, weight)| sum.plus(*weight, &k[*stage]))
 }
 
 /// x0 + h Σ weight × slope.
 #[inline]
-fn moved<S: State, const N: usize, const K: usize>(x0: &S, h: f64, k: &[S; K], row: &Row<N>) -> S {
+fn moved<S: State, const N: usize, const K: usize>(
+    x0: &S,
+    h: f64,
+    k: &[S; K],
+    row: &TableauRow<N>,
+) -> S {
     x0.plus(h, &weighed(k, row))
 }
 
-/// Both estimates as one: e5² / √(e5² + e3²/100), entry by entry. [HNW93] II.10
+/// Both estimates as one: e5² / √(e5² + e3²/100), entry by entry. `[HNW93]` II.10
 #[inline]
 fn estimate<S: State>(e5: &S, e3: &S) -> S {
     let mut error = S::ZERO;

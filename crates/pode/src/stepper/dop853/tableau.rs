@@ -1,9 +1,9 @@
-//! The coefficients of Dormand–Prince 8(5,3), as in Hairer's `dop853.f`. [HNW93] II.5, II.6.
+//! The coefficients of Dormand–Prince 8(5,3), as in Hairer's `dop853.f`. `[HNW93]` II.5, II.6.
 //!
 //! Each row is a list of (stage, weight), stages counted from 0; zeros are left out.
 
 /// One row: (stage, weight).
-pub(super) type Row<const N: usize> = [(usize, f64); N];
+pub(super) type TableauRow<const N: usize> = [(usize, f64); N];
 
 /// When each stage is evaluated; the last three belong to the dense output.
 pub(super) const NODES: [f64; 16] = [
@@ -26,24 +26,24 @@ pub(super) const NODES: [f64; 16] = [
 ];
 
 /// Stage 1.
-pub(super) const A1: Row<1> = [(0, 0.052_600_151_958_767_73)];
+pub(super) const A1: TableauRow<1> = [(0, 0.052_600_151_958_767_73)];
 
 /// Stage 2.
-pub(super) const A2: Row<2> = [(0, 0.019_725_056_984_537_9), (1, 0.059_175_170_953_613_7)];
+pub(super) const A2: TableauRow<2> = [(0, 0.019_725_056_984_537_9), (1, 0.059_175_170_953_613_7)];
 
 /// Stage 3.
-pub(super) const A3: Row<2> = [(0, 0.029_587_585_476_806_85), (2, 0.088_762_756_430_420_54)];
+pub(super) const A3: TableauRow<2> = [(0, 0.029_587_585_476_806_85), (2, 0.088_762_756_430_420_54)];
 
 /// Stage 4.
-pub(super) const A4: Row<3> =
+pub(super) const A4: TableauRow<3> =
     [(0, 0.241_365_134_159_266_7), (2, -0.884_549_479_328_286_1), (3, 0.924_834_003_261_792)];
 
 /// Stage 5.
-pub(super) const A5: Row<3> =
+pub(super) const A5: TableauRow<3> =
     [(0, 0.037_037_037_037_037_035), (3, 0.170_828_608_729_473_86), (4, 0.125_467_687_566_822_42)];
 
 /// Stage 6.
-pub(super) const A6: Row<4> = [
+pub(super) const A6: TableauRow<4> = [
     (0, 0.037_109_375),
     (3, 0.170_252_211_019_544_05),
     (4, 0.060_216_538_980_455_96),
@@ -51,7 +51,7 @@ pub(super) const A6: Row<4> = [
 ];
 
 /// Stage 7.
-pub(super) const A7: Row<5> = [
+pub(super) const A7: TableauRow<5> = [
     (0, 0.037_092_000_118_504_79),
     (3, 0.170_383_925_712_239_98),
     (4, 0.107_262_030_446_373_28),
@@ -60,7 +60,7 @@ pub(super) const A7: Row<5> = [
 ];
 
 /// Stage 8.
-pub(super) const A8: Row<6> = [
+pub(super) const A8: TableauRow<6> = [
     (0, 0.624_110_958_716_075_7),
     (3, -3.360_892_629_446_941_4),
     (4, -0.868_219_346_841_726),
@@ -70,7 +70,7 @@ pub(super) const A8: Row<6> = [
 ];
 
 /// Stage 9.
-pub(super) const A9: Row<7> = [
+pub(super) const A9: TableauRow<7> = [
     (0, 0.477_662_536_438_264_34),
     (3, -2.488_114_619_971_667_7),
     (4, -0.590_290_826_836_843),
@@ -81,7 +81,7 @@ pub(super) const A9: Row<7> = [
 ];
 
 /// Stage 10.
-pub(super) const A10: Row<8> = [
+pub(super) const A10: TableauRow<8> = [
     (0, -0.937_142_430_085_987_3),
     (3, 5.186_372_428_844_064),
     (4, 1.091_437_348_996_729_5),
@@ -93,7 +93,7 @@ pub(super) const A10: Row<8> = [
 ];
 
 /// Stage 11.
-pub(super) const A11: Row<9> = [
+pub(super) const A11: TableauRow<9> = [
     (0, 2.273_310_147_516_538),
     (3, -10.534_495_466_737_25),
     (4, -2.000_872_058_224_862_5),
@@ -106,7 +106,7 @@ pub(super) const A11: Row<9> = [
 ];
 
 /// The end of the step, of order 8.
-pub(super) const B: Row<8> = [
+pub(super) const B: TableauRow<8> = [
     (0, 0.054_293_734_116_568_765),
     (5, 4.450_312_892_752_409),
     (6, 1.891_517_899_314_500_3),
@@ -118,7 +118,7 @@ pub(super) const B: Row<8> = [
 ];
 
 /// Stage 13, for the dense output.
-pub(super) const A13: Row<8> = [
+pub(super) const A13: TableauRow<8> = [
     (0, 0.056_167_502_283_047_954),
     (6, 0.253_500_210_216_624_83),
     (7, -0.246_239_037_470_802_5),
@@ -130,7 +130,7 @@ pub(super) const A13: Row<8> = [
 ];
 
 /// Stage 14, for the dense output.
-pub(super) const A14: Row<8> = [
+pub(super) const A14: TableauRow<8> = [
     (0, 0.031_834_648_163_502_14),
     (5, 0.028_300_909_672_366_776),
     (6, 0.053_541_988_307_438_566),
@@ -142,7 +142,7 @@ pub(super) const A14: Row<8> = [
 ];
 
 /// Stage 15, for the dense output.
-pub(super) const A15: Row<8> = [
+pub(super) const A15: TableauRow<8> = [
     (0, -0.428_896_301_583_791_94),
     (5, -4.697_621_415_361_164),
     (6, 7.683_421_196_062_599),
@@ -154,7 +154,7 @@ pub(super) const A15: Row<8> = [
 ];
 
 /// Difference from the embedded result of order 5.
-pub(super) const E5: Row<8> = [
+pub(super) const E5: TableauRow<8> = [
     (0, 0.013_120_044_994_194_88),
     (5, -1.225_156_446_376_204_4),
     (6, -0.495_758_949_657_250_2),
@@ -166,7 +166,7 @@ pub(super) const E5: Row<8> = [
 ];
 
 /// Difference from the embedded result of order 3.
-pub(super) const E3: Row<8> = [
+pub(super) const E3: TableauRow<8> = [
     (0, -0.189_800_754_072_407_62),
     (5, 4.450_312_892_752_409),
     (6, 1.891_517_899_314_500_3),
@@ -178,7 +178,7 @@ pub(super) const E3: Row<8> = [
 ];
 
 /// Dense output, term 4.
-pub(super) const D0: Row<12> = [
+pub(super) const D0: TableauRow<12> = [
     (0, -8.428_938_276_109_013),
     (5, 0.566_714_953_519_377_7),
     (6, -3.068_949_945_949_891_7),
@@ -194,7 +194,7 @@ pub(super) const D0: Row<12> = [
 ];
 
 /// Dense output, term 5.
-pub(super) const D1: Row<12> = [
+pub(super) const D1: TableauRow<12> = [
     (0, 10.427_508_642_579_134),
     (5, 242.283_491_775_258_17),
     (6, 165.200_451_717_270_28),
@@ -210,7 +210,7 @@ pub(super) const D1: Row<12> = [
 ];
 
 /// Dense output, term 6.
-pub(super) const D2: Row<12> = [
+pub(super) const D2: TableauRow<12> = [
     (0, 19.985_053_242_002_433),
     (5, -387.037_308_749_351_8),
     (6, -189.178_138_195_167_58),
@@ -226,7 +226,7 @@ pub(super) const D2: Row<12> = [
 ];
 
 /// Dense output, term 7.
-pub(super) const D3: Row<12> = [
+pub(super) const D3: TableauRow<12> = [
     (0, -25.693_933_462_703_75),
     (5, -154.189_748_690_236_43),
     (6, -231.529_379_176_045_5),

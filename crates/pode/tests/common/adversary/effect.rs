@@ -15,9 +15,8 @@ enum Landing {
     Bounces(f64),
     /// At rest on the floor.
     Rests,
-    /// The time moves by so much [s].
+    /// The time moves by so much (s).
     Moves(f64),
-    /// One number everywhere.
     Is(f64),
 }
 
@@ -49,7 +48,7 @@ impl Landing {
 #[derive(Clone, Copy, Debug)]
 enum After {
     Nothing,
-    /// A declared Zeno sequence of this length [s], with this ratio.
+    /// A declared Zeno sequence of this length (s), with this ratio.
     Settles {
         after: f64,
         ratio: f64,

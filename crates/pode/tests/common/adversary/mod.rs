@@ -54,7 +54,7 @@ fn count(calls: &Cell<u32>) -> u32 {
 struct GuardPart {
     trouble: Trouble,
     effect: Effect,
-    /// What the model says of its curvature, true or not [1/s²].
+    /// What the model says of its curvature, true or not (1/s²).
     bound: f64,
 }
 

@@ -1,7 +1,7 @@
 //! What a mode does between its events: equations and all that the model says of them, sound
 //! or not.
 
-use pode::{Kind, Matrix, Motion, Nature, State};
+use pode::{EquationKind, Matrix, Motion, Nature, State};
 
 use super::STATE;
 use super::bytes::Bytes;
@@ -13,15 +13,15 @@ enum Field {
     Falls,
     /// Linear with this rate [1/s]: dies out, or grows.
     Linear(f64),
-    /// An oscillator [rad/s].
+    /// An oscillator (rad/s).
     Swings(f64),
     /// Explodes in finite time.
     Explodes,
     /// Driven by the input.
     Driven,
-    /// Jumps by a size at a time [s].
+    /// Jumps by a size at a time (s).
     Jumps(f64, f64),
-    /// One number everywhere, from a time [s] on.
+    /// One number everywhere, from a time (s) on.
     Becomes(f64, f64),
     /// Nothing moves, not even the time.
     Frozen,
@@ -66,7 +66,7 @@ impl Field {
 /// What a number that a model returns is replaced by.
 #[derive(Clone, Copy, Debug)]
 struct Lie {
-    /// From this time on [s]; infinite if never.
+    /// From this time on (s); infinite if never.
     from: f64,
     value: f64,
 }
@@ -98,8 +98,13 @@ pub struct ModePart {
 
 impl ModePart {
     pub fn from_bytes(bytes: &mut Bytes<'_>) -> Self {
-        const KINDS: [Kind; 5] =
-            [Kind::Affine, Kind::Linear, Kind::Smooth, Kind::Conservative, Kind::Stiff];
+        const KINDS: [EquationKind; 5] = [
+            EquationKind::Affine,
+            EquationKind::Linear,
+            EquationKind::Smooth,
+            EquationKind::Conservative,
+            EquationKind::Stiff,
+        ];
         Self {
             field: Field::from_bytes(bytes),
             jacobian: Lie::from_bytes(bytes),
@@ -125,7 +130,7 @@ impl ModePart {
             jacobian: NEVER,
             readout: NEVER,
             slaved: None,
-            nature: Nature::new(Kind::Affine, 0.0),
+            nature: Nature::new(EquationKind::Affine, 0.0),
             longest_step: f64::INFINITY,
             is_negated: false,
         }

@@ -12,7 +12,7 @@ pub const TICKS: usize = 8;
 /// What is done at one tick.
 #[derive(Clone, Copy, Debug)]
 pub struct Deed {
-    /// Length of the tick [s].
+    /// Length of the tick (s).
     pub h: f64,
     pub wave: Wave,
     /// Where the model is put before, if it is.

@@ -1,7 +1,7 @@
 //! What a tick promises, whatever the model does.
 
 use pode::{
-    Advance, Cause, Event, Fault, Limits, Model as _, Piece, Signal, Simulator, Stepper, Tick,
+    Advance, Event, EventCause, Fault, Limits, Model as _, Piece, Signal, Simulator, Stepper, Tick,
     Watch,
 };
 
@@ -166,7 +166,7 @@ impl Watch<Adversary<'_>> for Witness {
     fn event(&mut self, _: &Adversary<'_>, event: &Event<'_, Adversary<'_>>) {
         self.pass(event.theta);
         self.events += 1;
-        self.moves += u32::from(!matches!(event.cause, Cause::Guard(_)));
+        self.moves += u32::from(!matches!(event.cause, EventCause::Guard(_)));
         self.at_once += 1;
         self.most_at_once = self.most_at_once.max(self.at_once);
         self.last = event.after;

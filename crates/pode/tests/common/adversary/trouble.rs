@@ -10,19 +10,19 @@ use super::{Calls, STATE};
 /// A guard, as a function of the time x₀, the count x₁, the height x₂ and its rate x₃.
 #[derive(Clone, Copy, Debug)]
 pub enum Trouble {
-    /// A line that falls through zero at this time [s].
+    /// A line that falls through zero at this time (s).
     Falls(f64),
     /// Height over a floor.
     Floor,
-    /// Jumps between −1 and 1 at this frequency [1/s].
+    /// Jumps between −1 and 1 at this frequency (1/s).
     Chatters(f64),
     /// The same value and rate for ever.
     Constant(f64, f64),
-    /// Falls by a jump at this time [s].
+    /// Falls by a jump at this time (s).
     Jumps(f64),
-    /// Not a number over this long from this time on [s].
+    /// Not a number over this long from this time on (s).
     NotANumber(f64, f64),
-    /// Its rate is not a number from this time on [s].
+    /// Its rate is not a number from this time on (s).
     NoRate(f64),
     /// Many roots: cos ωt.
     Waves(f64),

@@ -19,7 +19,7 @@ pub enum Wave {
 }
 
 impl Wave {
-    /// An input over a tick of `h` [s]; `samples` go on from tick to tick.
+    /// An input over a tick of `h` (s); `samples` go on from tick to tick.
     pub fn from_bytes(bytes: &mut Bytes<'_>, h: f64, samples: &mut Reconstructor) -> Self {
         let place = |bytes: &mut Bytes<'_>| bytes.odd(|it| it.signed(1e-6, 10.0));
         match bytes.byte() % 12 {

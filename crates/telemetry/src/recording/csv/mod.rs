@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use self::table::Table;
+use self::table::CsvTable;
 use self::words::{EVENTS, fault, flags, header, mode, seconds};
 use super::error::{ExportError, ReadError};
 use super::reader::Recording;
@@ -19,7 +19,7 @@ use crate::{Catalogue, Event, KEYS, KeyBlock, Model, Topic, Update, Voice};
 pub struct Selection {
     /// Which keys, 0 (A0) to 87 (C8).
     pub keys: BTreeSet<u8>,
-    /// Messages made from then on [ns since 1970] …
+    /// Messages made from then on (ns since 1970) …
     pub from: u64,
     /// … and before then.
     pub to: u64,
@@ -35,11 +35,8 @@ impl Default for Selection {
 /// What has become of a recording.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Exported {
-    /// The tables.
     pub files: Vec<PathBuf>,
-    /// Rows of keys.
     pub rows: u64,
-    /// Events.
     pub events: u64,
     /// What could not be read, a sentence each.
     pub wrong: Vec<String>,
@@ -57,7 +54,7 @@ pub fn export_csv(
     folder: &Path,
     selection: &Selection,
 ) -> Result<Exported, ExportError> {
-    let mut tables = Tables::new(recording, folder, selection)?;
+    let mut tables = CsvTables::new(recording, folder, selection)?;
     let blocks = selection.keys.iter().map(|key| Topic::Block(*key));
     let topics = blocks.chain([Topic::Events, Topic::Voices]).collect();
     for message in recording.read(selection.from, selection.to, &topics) {
@@ -74,13 +71,13 @@ pub fn export_csv(
 
 /// A key's table, and whose columns it has.
 struct KeyTable {
-    table: Table,
+    table: CsvTable,
     model: String,
     /// How many tables the key has.
     number: u32,
 }
 
-struct Tables {
+struct CsvTables {
     folder: PathBuf,
     catalogue: Catalogue,
     /// Models by their names.
@@ -90,11 +87,11 @@ struct Tables {
     /// The model of each key now.
     current: BTreeMap<u32, Rc<Model>>,
     keys: BTreeMap<u32, KeyTable>,
-    events: Table,
+    events: CsvTable,
     done: Exported,
 }
 
-impl Tables {
+impl CsvTables {
     fn new(
         recording: &Recording,
         folder: &Path,
@@ -110,7 +107,7 @@ impl Tables {
             revisions: BTreeMap::new(),
             current: BTreeMap::new(),
             keys: BTreeMap::new(),
-            events: Table::create(folder.join("events.csv"), &EVENTS.map(str::to_owned))?,
+            events: CsvTable::create(folder.join("events.csv"), &EVENTS.map(str::to_owned))?,
             done: Exported::default(),
         };
         tables.note_revisions(recording);
@@ -189,7 +186,7 @@ impl Tables {
                 1 => format!("key-{key}.csv"),
                 _ => format!("key-{key}-{number}.csv"),
             };
-            let table = Table::create(self.folder.join(name), &header(model))?;
+            let table = CsvTable::create(self.folder.join(name), &header(model))?;
             let model = model.name.clone();
             let old = self.keys.insert(key, KeyTable { table, model, number });
             self.close(old.map(|old| old.table))?;
@@ -228,7 +225,7 @@ impl Tables {
         Ok(self.done)
     }
 
-    fn close(&mut self, table: Option<Table>) -> Result<(), ExportError> {
+    fn close(&mut self, table: Option<CsvTable>) -> Result<(), ExportError> {
         if let Some(table) = table {
             self.done.files.push(table.finish()?);
         }

@@ -9,12 +9,12 @@ use csv::Writer;
 use crate::recording::error::ExportError;
 
 /// A table that is being written.
-pub(super) struct Table {
+pub(super) struct CsvTable {
     path: PathBuf,
     writer: Writer<File>,
 }
 
-impl Table {
+impl CsvTable {
     pub(super) fn create(path: PathBuf, header: &[String]) -> Result<Self, ExportError> {
         let file = match File::options().write(true).create_new(true).open(&path) {
             Ok(file) => file,

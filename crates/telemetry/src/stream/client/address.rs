@@ -7,7 +7,7 @@ const PORT: u16 = 8765;
 
 /// Where a host is.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Address {
+pub(super) struct HostAddress {
     pub(super) scheme: Scheme,
     /// A name or an IP address, without brackets.
     pub(super) host: String,
@@ -17,9 +17,7 @@ pub(super) struct Address {
 /// How bytes travel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Scheme {
-    /// As they are.
     Ws,
-    /// Encrypted.
     Wss,
 }
 
@@ -28,7 +26,7 @@ pub(super) enum Scheme {
 #[error("{0:?} is no host's address: give one as ws://127.0.0.1:8765")]
 pub(super) struct NoAddress(String);
 
-impl Address {
+impl HostAddress {
     /// The address that `text` is.
     pub(super) fn parse(text: &str) -> Result<Self, NoAddress> {
         let no_address = || NoAddress(text.to_owned());
@@ -72,8 +70,8 @@ mod tests {
 
     #[track_caller]
     fn check(text: &str, scheme: Scheme, host: &str, port: u16) {
-        let address = Address { scheme, host: host.to_owned(), port };
-        assert_eq!(Address::parse(text), Ok(address));
+        let address = HostAddress { scheme, host: host.to_owned(), port };
+        assert_eq!(HostAddress::parse(text), Ok(address));
     }
 
     #[test]
@@ -88,7 +86,7 @@ mod tests {
     #[test]
     fn an_address_leads_to_its_uri() {
         for text in ["ws://127.0.0.1:9000/", "wss://[::1]:1/"] {
-            let uri = Address::parse(text).expect("an address").uri().expect("a URI");
+            let uri = HostAddress::parse(text).expect("an address").uri().expect("a URI");
             assert_eq!(uri.to_string(), text);
         }
     }
@@ -96,7 +94,7 @@ mod tests {
     #[test]
     fn what_is_none_is_refused() {
         for text in ["", "http://x", "ws://", "ws://a b", "ws://x:99999", "ws://x/path", "u@x"] {
-            assert!(Address::parse(text).is_err(), "{text}");
+            assert!(HostAddress::parse(text).is_err(), "{text}");
         }
     }
 }

@@ -6,15 +6,15 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use super::Waker;
 use crate::stream::backlog::{Backlog, Worth};
 use crate::stream::latch::latch;
-use crate::{Arrival, Standing, Topic};
+use crate::{Arrival, ConnectionState, Topic};
 
-/// Messages that wait for a window [bytes]; more are dropped.
+/// Messages that wait for a window (bytes); more are dropped.
 const ROOM: usize = 32 << 20;
 
 /// What has come and waits for the window.
 pub(super) struct Arrivals {
     waiting: Mutex<Backlog<Arrival>>,
-    standing: Mutex<Standing>,
+    standing: Mutex<ConnectionState>,
     waker: Option<Waker>,
 }
 
@@ -23,7 +23,7 @@ impl Arrivals {
     pub(super) fn new(waker: Option<Waker>) -> Self {
         Self {
             waiting: Mutex::new(Backlog::new(ROOM)),
-            standing: Mutex::new(Standing::Connecting),
+            standing: Mutex::new(ConnectionState::Connecting),
             waker,
         }
     }
@@ -39,7 +39,7 @@ impl Arrivals {
     pub(super) fn begin(&self) {
         self.waiting().forget(|arrival| !matches!(arrival, Arrival::Reply { .. }));
         self.push(Arrival::Anew, 0);
-        self.stand(Standing::Live);
+        self.stand(ConnectionState::Live);
     }
 
     /// What came next.
@@ -58,13 +58,13 @@ impl Arrivals {
     }
 
     /// How it stands from now on.
-    pub(super) fn stand(&self, standing: Standing) {
+    pub(super) fn stand(&self, standing: ConnectionState) {
         *self.standing.lock().unwrap_or_else(PoisonError::into_inner) = standing;
         self.wake();
     }
 
     /// How it stands.
-    pub(super) fn standing(&self) -> Standing {
+    pub(super) fn standing(&self) -> ConnectionState {
         self.standing.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
@@ -120,6 +120,6 @@ mod tests {
         arrivals.push(update(Update::Event(Event::default())), 10);
         arrivals.keep_only(&BTreeSet::from([Topic::Log]));
         assert_eq!(arrivals.pop(), None);
-        assert_eq!(arrivals.standing(), Standing::Live);
+        assert_eq!(arrivals.standing(), ConnectionState::Live);
     }
 }

@@ -12,7 +12,7 @@ use tokio_tungstenite::tungstenite::http::StatusCode;
 use tokio_tungstenite::tungstenite::protocol::WebSocketConfig;
 use tokio_tungstenite::{WebSocketStream, client_async_with_config};
 
-use super::address::{Address, Scheme};
+use super::address::{HostAddress, Scheme};
 use super::{Dial, pin};
 use crate::stream::carrier::Boxed;
 use crate::stream::protocol::SUBPROTOCOLS;
@@ -20,32 +20,31 @@ use crate::stream::protocol::SUBPROTOCOLS;
 /// Longest time to connect.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// Longest message from a host [bytes].
+/// Longest message from a host (bytes).
 const MOST_BYTES: usize = 64 << 20;
 
 /// Why there is no connection, in a sentence.
 #[derive(Debug)]
-pub(super) enum Trouble {
+pub(super) enum ConnectError {
     /// It may be better later.
     Lost(String),
-    /// It will not.
     Refused(String),
 }
 
 /// Connects as `dial` says.
-pub(super) async fn connect(dial: &Dial) -> Result<WebSocketStream<Boxed>, Trouble> {
-    let address =
-        Address::parse(&dial.address).map_err(|error| Trouble::Refused(error.to_string()))?;
+pub(super) async fn connect(dial: &Dial) -> Result<WebSocketStream<Boxed>, ConnectError> {
+    let address = HostAddress::parse(&dial.address)
+        .map_err(|error| ConnectError::Refused(error.to_string()))?;
     let connected = timeout(PATIENCE, async {
         let carrier = carrier(dial, &address).await?;
         greet(dial, &address, carrier).await
     });
-    let slow = || Trouble::Lost(format!("the host at {} does not answer", dial.address));
+    let slow = || ConnectError::Lost(format!("the host at {} does not answer", dial.address));
     connected.await.unwrap_or_else(|_elapsed| Err(slow()))
 }
 
-async fn carrier(dial: &Dial, address: &Address) -> Result<Boxed, Trouble> {
-    let lost = |error| Trouble::Lost(format!("no host answers at {}: {error}", dial.address));
+async fn carrier(dial: &Dial, address: &HostAddress) -> Result<Boxed, ConnectError> {
+    let lost = |error| ConnectError::Lost(format!("no host answers at {}: {error}", dial.address));
     let stream = TcpStream::connect((address.host.as_str(), address.port)).await.map_err(lost)?;
     stream.set_nodelay(true).map_err(lost)?;
     match address.scheme {
@@ -54,20 +53,24 @@ async fn carrier(dial: &Dial, address: &Address) -> Result<Boxed, Trouble> {
     }
 }
 
-async fn encrypted(dial: &Dial, address: &Address, stream: TcpStream) -> Result<Boxed, Trouble> {
+async fn encrypted(
+    dial: &Dial,
+    address: &HostAddress,
+    stream: TcpStream,
+) -> Result<Boxed, ConnectError> {
     let pin = dial.pin.ok_or_else(|| {
         let text = "wss:// needs the fingerprint of the host's certificate, which the host prints";
-        Trouble::Refused(text.to_owned())
+        ConnectError::Refused(text.to_owned())
     })?;
-    let refused = |text: String| Trouble::Refused(text);
+    let refused = |text: String| ConnectError::Refused(text);
     let connector = pin::connector(pin).map_err(|error| refused(error.to_string()))?;
     let name = ServerName::try_from(address.host.clone());
     let name = name.map_err(|error| refused(format!("{}: {error}", dial.address)))?;
     match connector.connect(name, stream).await {
         Ok(stream) => Ok(Box::new(stream)),
         Err(error) => Err(pin::refusal(&error).map_or_else(
-            || Trouble::Lost(format!("the host at {} speaks no TLS: {error}", dial.address)),
-            Trouble::Refused,
+            || ConnectError::Lost(format!("the host at {} speaks no TLS: {error}", dial.address)),
+            ConnectError::Refused,
         )),
     }
 }
@@ -75,10 +78,10 @@ async fn encrypted(dial: &Dial, address: &Address, stream: TcpStream) -> Result<
 /// The WebSocket handshake.
 async fn greet(
     dial: &Dial,
-    address: &Address,
+    address: &HostAddress,
     carrier: Boxed,
-) -> Result<WebSocketStream<Boxed>, Trouble> {
-    let uri = address.uri().ok_or_else(|| Trouble::Refused(dial.address.clone()))?;
+) -> Result<WebSocketStream<Boxed>, ConnectError> {
+    let uri = address.uri().ok_or_else(|| ConnectError::Refused(dial.address.clone()))?;
     let mut request = ClientRequestBuilder::new(uri);
     for protocol in SUBPROTOCOLS {
         request = request.with_sub_protocol(protocol);
@@ -86,7 +89,7 @@ async fn greet(
     if let Some(token) = &dial.token {
         if !token.bytes().all(|byte| byte.is_ascii_graphic()) {
             let text = "the token has other letters in it than a token has";
-            return Err(Trouble::Refused(text.to_owned()));
+            return Err(ConnectError::Refused(text.to_owned()));
         }
         request = request.with_header("Authorization", format!("Bearer {token}"));
     }
@@ -99,15 +102,15 @@ async fn greet(
     }
 }
 
-fn trouble(dial: &Dial, error: Error) -> Trouble {
+fn trouble(dial: &Dial, error: Error) -> ConnectError {
     if let Error::Http(response) = error {
         return turned_away(dial, &response);
     }
-    Trouble::Lost(format!("the host at {} speaks no WebSocket: {error}", dial.address))
+    ConnectError::Lost(format!("the host at {} speaks no WebSocket: {error}", dial.address))
 }
 
 /// What an answer of HTTP means.
-fn turned_away(dial: &Dial, response: &Response) -> Trouble {
+fn turned_away(dial: &Dial, response: &Response) -> ConnectError {
     let body = response.body().as_deref().unwrap_or_default();
     let text = String::from_utf8_lossy(body).trim().to_owned();
     let text = if text.is_empty() {
@@ -116,5 +119,9 @@ fn turned_away(dial: &Dial, response: &Response) -> Trouble {
         text
     };
     let will_not = [StatusCode::UNAUTHORIZED, StatusCode::FORBIDDEN, StatusCode::BAD_REQUEST];
-    if will_not.contains(&response.status()) { Trouble::Refused(text) } else { Trouble::Lost(text) }
+    if will_not.contains(&response.status()) {
+        ConnectError::Refused(text)
+    } else {
+        ConnectError::Lost(text)
+    }
 }

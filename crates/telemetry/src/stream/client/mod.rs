@@ -19,11 +19,11 @@ use std::thread;
 use tokio::sync::mpsc::{self, UnboundedSender};
 
 use arrivals::Arrivals;
-use line::{Line, Order};
+use line::{ClientCommand, ReconnectingClient};
 
 use super::Fingerprint;
 use crate::source::Ticket;
-use crate::{Arrival, Reply, Request, Source, Standing, Topic};
+use crate::{Arrival, ConnectionState, Reply, Request, Source, Topic};
 
 /// Called when something has come, from the client's own thread.
 pub type Waker = Box<dyn Fn() + Send + Sync>;
@@ -55,7 +55,7 @@ impl fmt::Debug for Dial {
 pub struct Client {
     name: String,
     arrivals: Arc<Arrivals>,
-    orders: UnboundedSender<Order>,
+    orders: UnboundedSender<ClientCommand>,
     tickets: u64,
 }
 
@@ -65,10 +65,11 @@ impl Client {
         let name = dial.address.clone();
         let arrivals = Arc::new(Arrivals::new(waker));
         let (orders, incoming) = mpsc::unbounded_channel();
-        let line = Line::new(dial, Arc::clone(&arrivals), incoming);
+        let line = ReconnectingClient::new(dial, Arc::clone(&arrivals), incoming);
         let thread = thread::Builder::new().name("letoff-stream".to_owned());
         if let Err(error) = thread.spawn(move || line.run()) {
-            arrivals.stand(Standing::Refused(format!("the system gives no thread: {error}")));
+            arrivals
+                .stand(ConnectionState::Refused(format!("the system gives no thread: {error}")));
         }
         Self { name, arrivals, orders, tickets: 0 }
     }
@@ -92,19 +93,19 @@ impl Source for Client {
     fn follow(&mut self, topics: &BTreeSet<Topic>) {
         self.arrivals.keep_only(topics);
         // If the thread is gone, `standing` has said why.
-        let _gone = self.orders.send(Order::Follow(topics.clone()));
+        let _gone = self.orders.send(ClientCommand::Follow(topics.clone()));
     }
 
     fn ask(&mut self, request: Request) -> Ticket {
         self.tickets += 1;
         let ticket = Ticket(self.tickets);
-        if self.orders.send(Order::Ask(ticket, request)).is_err() {
+        if self.orders.send(ClientCommand::Ask(ticket, request)).is_err() {
             self.answer(ticket, Err(line::NOT_CONNECTED.to_owned()));
         }
         ticket
     }
 
-    fn standing(&self) -> Standing {
+    fn standing(&self) -> ConnectionState {
         self.arrivals.standing()
     }
 

@@ -11,11 +11,11 @@ use tokio_tungstenite::tungstenite::protocol::CloseFrame;
 use tokio_tungstenite::tungstenite::{Bytes, Message};
 
 use super::arrivals::Arrivals;
-use super::line::Order;
+use super::line::ClientCommand;
 use crate::source::Ticket;
 use crate::stream::carrier::Boxed;
 use crate::stream::protocol::{
-    ClientFrame, FromClient, FromServer, Level, Parameter, ServerFrame, Service, Subscription,
+    ClientFrame, FromClient, FromServer, Level, ParameterValue, ServerFrame, Service, Subscription,
     Text as _,
 };
 use crate::{Arrival, Log, Reply, Request, Topic, Update, log};
@@ -31,7 +31,7 @@ const GRACE: Duration = Duration::from_secs(1);
 
 /// How a connection ended.
 #[derive(Debug)]
-pub(super) enum End {
+pub(super) enum SessionEnd {
     /// The window is gone.
     Gone,
     /// Why, in a sentence.
@@ -39,7 +39,7 @@ pub(super) enum End {
 }
 
 /// One connection.
-pub(super) struct Session<'a> {
+pub(super) struct ClientSession<'a> {
     socket: WebSocketStream<Boxed>,
     arrivals: &'a Arrivals,
     channels: BTreeMap<Topic, u32>,
@@ -53,14 +53,14 @@ pub(super) struct Session<'a> {
     sets: BTreeMap<String, Ticket>,
     calls: BTreeMap<u32, Ticket>,
     count: u32,
-    /// When the last message was made [ns since 1970].
+    /// When the last message was made (ns since 1970).
     at: u64,
 }
 
 /// What is sent next.
 type ToSend = Vec<Message>;
 
-impl<'a> Session<'a> {
+impl<'a> ClientSession<'a> {
     /// On a connection that was just made.
     pub(super) const fn new(socket: WebSocketStream<Boxed>, arrivals: &'a Arrivals) -> Self {
         Self {
@@ -81,9 +81,9 @@ impl<'a> Session<'a> {
     /// Runs until either side is gone; nothing that was asked stays without an answer.
     pub(super) async fn run(
         mut self,
-        orders: &mut UnboundedReceiver<Order>,
+        orders: &mut UnboundedReceiver<ClientCommand>,
         wanted: &mut BTreeSet<Topic>,
-    ) -> End {
+    ) -> SessionEnd {
         let end = self.talk(orders, wanted).await;
         let early = self.early.iter().map(|(ticket, _)| *ticket);
         for ticket in self.sets.values().chain(self.calls.values()).copied().chain(early) {
@@ -91,7 +91,7 @@ impl<'a> Session<'a> {
                         not known";
             answer(self.arrivals, ticket, Err(text.to_owned()));
         }
-        if matches!(end, End::Gone) {
+        if matches!(end, SessionEnd::Gone) {
             let _heard = timeout(GRACE, self.socket.close(None)).await;
         }
         end
@@ -99,37 +99,37 @@ impl<'a> Session<'a> {
 
     async fn talk(
         &mut self,
-        orders: &mut UnboundedReceiver<Order>,
+        orders: &mut UnboundedReceiver<ClientCommand>,
         wanted: &mut BTreeSet<Topic>,
-    ) -> End {
+    ) -> SessionEnd {
         let mut pings = tokio::time::interval(PING);
         let mut heard = Instant::now();
         loop {
             let to_send = tokio::select! {
                 message = self.socket.next() => match message {
-                    Some(Ok(Message::Close(frame))) => return End::Lost(farewell(frame)),
+                    Some(Ok(Message::Close(frame))) => return SessionEnd::Lost(farewell(frame)),
                     Some(Ok(message)) => {
                         heard = Instant::now();
                         self.hear(message, wanted)
                     }
-                    Some(Err(error)) => return End::Lost(format!("the connection broke: {error}")),
-                    None => return End::Lost(farewell(None)),
+                    Some(Err(error)) => return SessionEnd::Lost(format!("the connection broke: {error}")),
+                    None => return SessionEnd::Lost(farewell(None)),
                 },
                 order = orders.recv() => match order {
-                    Some(Order::Follow(topics)) => {
+                    Some(ClientCommand::Follow(topics)) => {
                         *wanted = topics;
                         self.follow(wanted)
                     }
-                    Some(Order::Ask(ticket, request)) => self.ask(ticket, request),
-                    None => return End::Gone,
+                    Some(ClientCommand::Ask(ticket, request)) => self.ask(ticket, request),
+                    None => return SessionEnd::Gone,
                 },
                 _now = pings.tick() => vec![Message::Ping(Bytes::new())],
             };
             if heard.elapsed() > PATIENCE {
-                return End::Lost("nothing is heard of the host any more".to_owned());
+                return SessionEnd::Lost("nothing is heard of the host any more".to_owned());
             }
             if let Err(text) = self.send(to_send).await {
-                return End::Lost(text);
+                return SessionEnd::Lost(text);
             }
         }
     }
@@ -281,7 +281,8 @@ impl<'a> Session<'a> {
         let Request::Set { changes } = request else { return vec![] };
         let id = format!("letoff-{}", ticket.0);
         self.sets.insert(id.clone(), ticket);
-        let parameters = changes.iter().map(|it| Parameter::new(it.name(), it.value)).collect();
+        let parameters =
+            changes.iter().map(|it| ParameterValue::new(it.name(), it.value)).collect();
         written(&FromClient::SetParameters { parameters, id: Some(id) }).into_iter().collect()
     }
 

@@ -1,6 +1,6 @@
 //! Binary messages: a byte that says what it is, numbers in little-endian order, then a payload.
 
-use super::DecodeError;
+use super::ProtocolError;
 
 const MESSAGE_DATA: u8 = 1;
 const TIME: u8 = 2;
@@ -14,22 +14,19 @@ pub enum ServerFrame<'a> {
     Message {
         /// To which subscription, by the client's own number.
         subscription: u32,
-        /// When it was made [ns since 1970].
+        /// When it was made (ns since 1970).
         at: u64,
-        /// The message.
         payload: &'a [u8],
     },
-    /// What time it is [ns since 1970].
+    /// What time it is (ns since 1970).
     Time(u64),
     /// The answer to a call.
     Response {
-        /// Which service answers.
         service: u32,
         /// Which call, by the client's own number.
         call: u32,
         /// What the payload is, as `json`.
         encoding: &'a str,
-        /// The answer.
         payload: &'a [u8],
     },
 }
@@ -57,8 +54,8 @@ impl<'a> ServerFrame<'a> {
     ///
     /// # Errors
     /// If they are none.
-    pub fn decode(bytes: &'a [u8]) -> Result<Self, DecodeError> {
-        let mut reader = Reader::new(bytes)?;
+    pub fn decode(bytes: &'a [u8]) -> Result<Self, ProtocolError> {
+        let mut reader = BinaryReader::new(bytes)?;
         match reader.opcode {
             MESSAGE_DATA => Ok(Self::Message {
                 subscription: reader.u32()?,
@@ -70,7 +67,7 @@ impl<'a> ServerFrame<'a> {
                 let Exchange { service, call, encoding, payload } = Exchange::read(&mut reader)?;
                 Ok(Self::Response { service, call, encoding, payload })
             }
-            other => Err(DecodeError::Opcode(other)),
+            other => Err(ProtocolError::Opcode(other)),
         }
     }
 }
@@ -80,13 +77,11 @@ impl<'a> ServerFrame<'a> {
 pub enum ClientFrame<'a> {
     /// A call of a service.
     Request {
-        /// Which service.
         service: u32,
         /// Which call, by the client's own number.
         call: u32,
         /// What the payload is, as `json`.
         encoding: &'a str,
-        /// The request.
         payload: &'a [u8],
     },
 }
@@ -102,14 +97,14 @@ impl<'a> ClientFrame<'a> {
     ///
     /// # Errors
     /// If they are none.
-    pub fn decode(bytes: &'a [u8]) -> Result<Self, DecodeError> {
-        let mut reader = Reader::new(bytes)?;
+    pub fn decode(bytes: &'a [u8]) -> Result<Self, ProtocolError> {
+        let mut reader = BinaryReader::new(bytes)?;
         match reader.opcode {
             SERVICE_REQUEST => {
                 let Exchange { service, call, encoding, payload } = Exchange::read(&mut reader)?;
                 Ok(Self::Request { service, call, encoding, payload })
             }
-            other => Err(DecodeError::Opcode(other)),
+            other => Err(ProtocolError::Opcode(other)),
         }
     }
 }
@@ -136,25 +131,27 @@ impl<'a> Exchange<'a> {
         bytes
     }
 
-    fn read(reader: &mut Reader<'a>) -> Result<Self, DecodeError> {
+    fn read(reader: &mut BinaryReader<'a>) -> Result<Self, ProtocolError> {
         let (service, call, length) = (reader.u32()?, reader.u32()?, reader.u32()?);
         let encoding = usize::try_from(length).ok().and_then(|length| reader.take(length));
         let encoding = encoding.ok_or_else(|| reader.short())?;
-        let Ok(encoding) = std::str::from_utf8(encoding) else { return Err(DecodeError::Encoding) };
+        let Ok(encoding) = std::str::from_utf8(encoding) else {
+            return Err(ProtocolError::Encoding);
+        };
         Ok(Self { service, call, encoding, payload: reader.rest })
     }
 }
 
 /// What is left to read of a binary message.
-struct Reader<'a> {
+struct BinaryReader<'a> {
     opcode: u8,
     bytes: usize,
     rest: &'a [u8],
 }
 
-impl<'a> Reader<'a> {
-    fn new(bytes: &'a [u8]) -> Result<Self, DecodeError> {
-        let (opcode, rest) = bytes.split_first().ok_or(DecodeError::Empty)?;
+impl<'a> BinaryReader<'a> {
+    fn new(bytes: &'a [u8]) -> Result<Self, ProtocolError> {
+        let (opcode, rest) = bytes.split_first().ok_or(ProtocolError::Empty)?;
         Ok(Self { opcode: *opcode, bytes: bytes.len(), rest })
     }
 
@@ -164,21 +161,21 @@ impl<'a> Reader<'a> {
         Some(taken)
     }
 
-    fn u32(&mut self) -> Result<u32, DecodeError> {
+    fn u32(&mut self) -> Result<u32, ProtocolError> {
         self.number().map(u32::from_le_bytes)
     }
 
-    fn u64(&mut self) -> Result<u64, DecodeError> {
+    fn u64(&mut self) -> Result<u64, ProtocolError> {
         self.number().map(u64::from_le_bytes)
     }
 
-    fn number<const N: usize>(&mut self) -> Result<[u8; N], DecodeError> {
+    fn number<const N: usize>(&mut self) -> Result<[u8; N], ProtocolError> {
         let bytes = self.take(N).and_then(|bytes| bytes.try_into().ok());
         bytes.ok_or_else(|| self.short())
     }
 
-    const fn short(&self) -> DecodeError {
-        DecodeError::Short { opcode: self.opcode, bytes: self.bytes }
+    const fn short(&self) -> ProtocolError {
+        ProtocolError::Short { opcode: self.opcode, bytes: self.bytes }
     }
 }
 

@@ -13,7 +13,6 @@ use crate::Topic;
 pub struct Channel {
     /// Its number on this connection.
     pub id: u32,
-    /// The topic's name.
     pub topic: String,
     /// What its messages are: `protobuf`.
     pub encoding: String,

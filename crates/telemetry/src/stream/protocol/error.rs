@@ -2,11 +2,10 @@
 
 /// Why a text or some bytes are no message of the protocol.
 #[derive(Debug, thiserror::Error)]
-pub enum DecodeError {
+pub enum ProtocolError {
     /// A text that is no JSON, or no message's.
     #[error("what came is no message of the protocol: {0}")]
     Json(#[from] serde_json::Error),
-    /// Nothing came.
     #[error("an empty message came, which says nothing")]
     Empty,
     /// A binary message of another kind.
@@ -17,7 +16,6 @@ pub enum DecodeError {
     Short {
         /// What it says that it is.
         opcode: u8,
-        /// Its length.
         bytes: usize,
     },
     /// A binary message whose encoding has no readable name.

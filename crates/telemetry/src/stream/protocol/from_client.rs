@@ -2,22 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Parameter;
+use super::ParameterValue;
 
 /// A text from a client.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(tag = "op", rename_all = "camelCase", rename_all_fields = "camelCase")]
 pub enum FromClient {
     /// Wants messages of channels.
-    Subscribe {
-        /// Which.
-        subscriptions: Vec<Subscription>,
-    },
+    Subscribe { subscriptions: Vec<Subscription> },
     /// Wants no more messages.
-    Unsubscribe {
-        /// Of which subscriptions.
-        subscription_ids: Vec<u32>,
-    },
+    Unsubscribe { subscription_ids: Vec<u32> },
     /// Wants to know parameters' values.
     GetParameters {
         /// Which; all if there are none.
@@ -28,8 +22,7 @@ pub enum FromClient {
     },
     /// Wants other values: all of them or none.
     SetParameters {
-        /// Which.
-        parameters: Vec<Parameter>,
+        parameters: Vec<ParameterValue>,
         /// What the answer shall be called.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         id: Option<String>,
@@ -55,7 +48,6 @@ pub enum FromClient {
 pub struct Subscription {
     /// The client's own number for it.
     pub id: u32,
-    /// The channel's number.
     pub channel_id: u32,
 }
 
@@ -101,7 +93,7 @@ mod tests {
     proptest! {
         #[test]
         fn a_value_that_is_set_comes_to_the_last_bit(value in prop::num::f64::NORMAL) {
-            let parameters = vec![Parameter::new("/key/39/k2", value)];
+            let parameters = vec![ParameterValue::new("/key/39/k2", value)];
             let text = FromClient::SetParameters { parameters, id: None }.encode().expect("text");
             let FromClient::SetParameters { parameters, .. } =
                 FromClient::decode(&text).expect("a message")

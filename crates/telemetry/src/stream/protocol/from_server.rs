@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{AdvertisedService, Channel, Parameter};
+use super::{AdvertisedService, Channel, ParameterValue};
 use crate::Reply;
 
 /// A text from a server.
@@ -13,12 +13,9 @@ use crate::Reply;
 pub enum FromServer {
     /// Who the server is; the first of all.
     ServerInfo {
-        /// Its name.
         name: String,
-        /// What it can.
         #[serde(default)]
         capabilities: Vec<String>,
-        /// What it reads.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         supported_encodings: Option<Vec<String>>,
         /// What else there is to know.
@@ -32,26 +29,17 @@ pub enum FromServer {
     Status {
         /// How bad it is.
         level: Level,
-        /// The sentence.
         message: String,
         /// Of a refusal: the request's own name.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         id: Option<String>,
     },
     /// Channels that can be followed.
-    Advertise {
-        /// Which.
-        channels: Vec<Channel>,
-    },
+    Advertise { channels: Vec<Channel> },
     /// Channels that are gone.
-    Unadvertise {
-        /// Which.
-        channel_ids: Vec<u32>,
-    },
-    /// Parameters' values.
+    Unadvertise { channel_ids: Vec<u32> },
     ParameterValues {
-        /// Which.
-        parameters: Vec<Parameter>,
+        parameters: Vec<ParameterValue>,
         /// What the request was called, if this is an answer.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         id: Option<String>,
@@ -60,18 +48,11 @@ pub enum FromServer {
         reply: Option<Reply>,
     },
     /// Services that can be called.
-    AdvertiseServices {
-        /// Which.
-        services: Vec<AdvertisedService>,
-    },
+    AdvertiseServices { services: Vec<AdvertisedService> },
     /// Services that are gone.
-    UnadvertiseServices {
-        /// Which.
-        service_ids: Vec<u32>,
-    },
+    UnadvertiseServices { service_ids: Vec<u32> },
     /// A call was refused.
     ServiceCallFailure {
-        /// Of which service.
         service_id: u32,
         /// Which call, by the client's own number.
         call_id: u32,
@@ -87,7 +68,6 @@ pub enum FromServer {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 #[serde(into = "u8", from = "u8")]
 pub enum Level {
-    /// Good to know.
     Info,
     /// Something is lost, or odd.
     Warning,
@@ -135,7 +115,7 @@ mod tests {
         );
         check(
             &FromServer::ParameterValues {
-                parameters: vec![Parameter::new("/key/39/k2", 1.0)],
+                parameters: vec![ParameterValue::new("/key/39/k2", 1.0)],
                 id: Some("x".to_owned()),
                 reply: None,
             },

@@ -18,12 +18,12 @@ mod text;
 pub use binary::{ClientFrame, ServerFrame};
 pub(crate) use channel::place;
 pub use channel::{Channel, channel_id, channels, topic_of};
-pub use error::DecodeError;
+pub use error::ProtocolError;
 pub use from_client::{FromClient, Subscription};
 pub use from_server::{FromServer, Level};
-pub use parameter::{Parameter, Refusal};
+pub use parameter::{ParameterError, ParameterValue};
 pub use schema::schema;
-pub use service::{AdvertisedService, Form, Service};
+pub use service::{AdvertisedService, Service, ServiceSchema};
 pub use text::Text;
 
 /// Names that the protocol goes by, the present one first.

@@ -6,7 +6,7 @@ use crate::request::Change;
 
 /// A parameter, with its value.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-pub struct Parameter {
+pub struct ParameterValue {
     /// Its name, as `/key/39/k2`.
     pub name: String,
     /// Its value; whatever a client sends.
@@ -17,7 +17,7 @@ pub struct Parameter {
     pub kind: Option<String>,
 }
 
-impl Parameter {
+impl ParameterValue {
     /// That called `name`.
     pub fn new(name: impl Into<String>, value: f64) -> Self {
         Self { name: name.into(), value: value.into(), kind: Some("float64".to_owned()) }
@@ -27,17 +27,17 @@ impl Parameter {
     ///
     /// # Errors
     /// If its name is no parameter's, or its value no number.
-    pub fn change(&self) -> Result<Change, Refusal> {
+    pub fn change(&self) -> Result<Change, ParameterError> {
         let value = self.value.as_f64().filter(|value| value.is_finite());
-        let value = value.ok_or_else(|| Refusal::NoNumber(shortened(&self.name)))?;
+        let value = value.ok_or_else(|| ParameterError::NoNumber(shortened(&self.name)))?;
         let change = Change::named(&self.name, value);
-        change.ok_or_else(|| Refusal::NoName(shortened(&self.name)))
+        change.ok_or_else(|| ParameterError::NoName(shortened(&self.name)))
     }
 }
 
 /// Why a parameter cannot be set.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
-pub enum Refusal {
+pub enum ParameterError {
     /// Its value is no number.
     #[error("the value for {0} is no finite number: send a number in the parameter's unit")]
     NoNumber(String),
@@ -60,13 +60,13 @@ mod tests {
     use super::*;
 
     fn refused(text: &str) -> String {
-        let parameter: Parameter = serde_json::from_str(text).expect("a parameter");
+        let parameter: ParameterValue = serde_json::from_str(text).expect("a parameter");
         parameter.change().expect_err("refused").to_string()
     }
 
     #[test]
     fn a_number_for_a_name_is_a_change() {
-        let parameter: Parameter =
+        let parameter: ParameterValue =
             serde_json::from_value(json!({"name": "/key/39/k2", "value": 2})).expect("JSON");
         let change = Change { key: 39, parameter: "k2".to_owned(), value: 2.0 };
         assert_eq!(parameter.change(), Ok(change));
@@ -80,7 +80,7 @@ mod tests {
         for value in ["null", "\"1\"", "true", "[1.0]", "{}"] {
             assert_eq!(refused(&format!(r#"{{"name":"/key/39/k2","value":{value}}}"#)), no_number);
         }
-        assert_eq!(Parameter::new("/key/39/k2", f64::NAN).value, serde_json::Value::Null);
+        assert_eq!(ParameterValue::new("/key/39/k2", f64::NAN).value, serde_json::Value::Null);
     }
 
     #[test]

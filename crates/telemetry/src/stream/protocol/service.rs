@@ -18,7 +18,7 @@ pub enum Service {
     Identify,
     /// [`Request::Scene`].
     Scene,
-    /// [`Request::Record`].
+    /// [`Request::CalibrationRecord`].
     Record,
 }
 
@@ -106,8 +106,8 @@ impl Service {
             id: self.id(),
             name: self.name(),
             kind: format!("letoff.{word}"),
-            request: Some(Form::json(format!("letoff.{word}.request"), &self.fields())),
-            response: Some(Form::json("letoff.reply".to_owned(), &reply())),
+            request: Some(ServiceSchema::json(format!("letoff.{word}.request"), &self.fields())),
+            response: Some(ServiceSchema::json("letoff.reply".to_owned(), &reply())),
         }
     }
 
@@ -172,26 +172,22 @@ fn reply() -> Value {
 pub struct AdvertisedService {
     /// Its number on this connection.
     pub id: u32,
-    /// Its name.
     pub name: String,
     /// The kind of service.
     #[serde(rename = "type")]
     pub kind: String,
-    /// What is asked.
     #[serde(default)]
-    pub request: Option<Form>,
-    /// What is answered.
+    pub request: Option<ServiceSchema>,
     #[serde(default)]
-    pub response: Option<Form>,
+    pub response: Option<ServiceSchema>,
 }
 
 /// What a service takes or gives.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Form {
+pub struct ServiceSchema {
     /// How it is written: `json`.
     pub encoding: String,
-    /// Its type's name.
     pub schema_name: String,
     /// What the schema is: `jsonschema`.
     pub schema_encoding: String,
@@ -199,7 +195,7 @@ pub struct Form {
     pub schema: String,
 }
 
-impl Form {
+impl ServiceSchema {
     fn json(schema_name: String, schema: &Value) -> Self {
         Self {
             encoding: "json".to_owned(),

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::{DecodeError, FromClient, FromServer};
+use super::{FromClient, FromServer, ProtocolError};
 
 /// A text of the protocol: a JSON object with an `op`.
 pub trait Text: Serialize + DeserializeOwned {
@@ -16,7 +16,7 @@ pub trait Text: Serialize + DeserializeOwned {
     ///
     /// # Errors
     /// If it is nothing of the protocol's.
-    fn decode(text: &str) -> Result<Self, DecodeError> {
+    fn decode(text: &str) -> Result<Self, ProtocolError> {
         Ok(serde_json::from_str(text)?)
     }
 }

@@ -18,12 +18,12 @@ use tokio_tungstenite::{WebSocketStream, accept_hdr_async_with_config};
 
 use super::connection;
 use super::door::{self, Closed};
-use super::{Backend, Publisher, Role, Server, Settings, Who};
+use super::{Backend, Publisher, Role, ServerSettings, StreamServer, Who};
 use crate::stream::carrier::Boxed;
 
 /// What all connections share.
-pub(super) struct House {
-    pub(super) settings: Settings,
+pub(super) struct ServerState {
+    pub(super) settings: ServerSettings,
     pub(super) publisher: Publisher,
     pub(super) backend: Arc<dyn Backend>,
     /// What everybody is told first, but for who they are.
@@ -56,13 +56,13 @@ impl Closer {
 ///
 /// # Errors
 /// If the runtime cannot use the listening socket.
-pub async fn serve(server: Server, backend: Arc<dyn Backend>) -> io::Result<()> {
+pub async fn serve(server: StreamServer, backend: Arc<dyn Backend>) -> io::Result<()> {
     /// Longest time from the closing to the end.
     const CLOSING: Duration = Duration::from_secs(3);
-    let Server { listener, settings, tls, publisher, hub, closer, .. } = server;
+    let StreamServer { listener, settings, tls, publisher, hub, closer, .. } = server;
     let listener = TcpListener::from_std(listener)?;
     let handshakes = Arc::new(Semaphore::new(settings.limits.handshakes.max(1)));
-    let house = Arc::new(House {
+    let house = Arc::new(ServerState {
         places: Arc::new(Semaphore::new(settings.limits.clients)),
         advertised: connection::advertised(),
         acceptor: tls.map(|armour| armour.acceptor),
@@ -87,7 +87,7 @@ pub async fn serve(server: Server, backend: Arc<dyn Backend>) -> io::Result<()> 
 
 /// Receives whoever comes, until it is dropped.
 async fn receive_all(
-    house: &Arc<House>,
+    house: &Arc<ServerState>,
     listener: TcpListener,
     handshakes: &Arc<Semaphore>,
     tasks: &mut JoinSet<()>,
@@ -117,13 +117,13 @@ async fn next(listener: &TcpListener, tasks: &mut JoinSet<()>) -> (TcpStream, So
 }
 
 /// Somebody who is in.
-struct Guest {
+struct Connection {
     socket: WebSocketStream<Boxed>,
     who: Who,
     _place: OwnedSemaphorePermit,
 }
 
-impl House {
+impl ServerState {
     async fn receive(
         self: Arc<Self>,
         stream: TcpStream,
@@ -142,7 +142,7 @@ impl House {
     }
 
     /// Both handshakes; `None` if somebody is not let in, which has been answered then.
-    async fn enter(&self, stream: TcpStream, address: SocketAddr) -> Option<Guest> {
+    async fn enter(&self, stream: TcpStream, address: SocketAddr) -> Option<Connection> {
         stream.set_nodelay(true).ok()?;
         let carrier: Boxed = match &self.acceptor {
             Some(acceptor) => Box::new(Box::pin(acceptor.accept(stream)).await.ok()?),
@@ -165,7 +165,7 @@ impl House {
             .ok()?;
         let (role, place) = admitted?;
         let number = self.count.fetch_add(1, Ordering::Relaxed) + 1;
-        Some(Guest { socket, who: Who { number, address, role }, _place: place })
+        Some(Connection { socket, who: Who { number, address, role }, _place: place })
     }
 
     /// Waits until the server closes.
@@ -192,7 +192,7 @@ impl House {
     }
 
     fn config(&self) -> WebSocketConfig {
-        /// Large enough for what clients usually send [bytes].
+        /// Large enough for what clients usually send (bytes).
         const READ_BUFFER: usize = 16 << 10;
         let most = Some(self.settings.limits.message_bytes);
         WebSocketConfig::default()

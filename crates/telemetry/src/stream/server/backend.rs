@@ -10,14 +10,14 @@ use crate::{Reply, Request};
 pub trait Backend: Send + Sync {
     /// The parameters called so, in any order; all without names. Those that are not known are
     /// left out.
-    fn parameters(&self, names: Option<&[String]>) -> Vec<Value>;
+    fn parameters(&self, names: Option<&[String]>) -> Vec<ParameterSetting>;
 
     /// Does what is asked, and returns when it is done; a set is done as a whole or not at all.
     ///
     /// It is called on a thread that may wait, for each client one call after the other, except for
     /// a stop, which overtakes.
     /// Whoever set values gets them as the answer; those who follow parameters are told by the
-    /// host, whoever changed them, with [`super::Publisher::parameters_changed`].
+    /// host, whoever changed them, with [`super::TickPublisher::parameters_changed`].
     ///
     /// # Errors
     /// If it is refused; a sentence.
@@ -44,7 +44,7 @@ pub trait Backend: Send + Sync {
 
 /// A parameter's value.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Value {
+pub struct ParameterSetting {
     /// Its name, as `/key/39/k2`.
     pub name: String,
     /// Its value, in its unit.
@@ -56,7 +56,6 @@ pub struct Value {
 pub struct Who {
     /// Counts the clients of a run.
     pub number: u64,
-    /// Where they are.
     pub address: SocketAddr,
     /// What they may do.
     pub role: Role,

@@ -4,7 +4,7 @@ use subtle::ConstantTimeEq as _;
 use tokio_tungstenite::tungstenite::handshake::server::{ErrorResponse, Request};
 use tokio_tungstenite::tungstenite::http::{HeaderMap, Response, StatusCode, header};
 
-use super::{Role, Settings, Token};
+use super::{Role, ServerSettings, Token};
 use crate::stream::protocol::SUBPROTOCOLS;
 
 /// Why somebody is not let in.
@@ -12,7 +12,6 @@ use crate::stream::protocol::SUBPROTOCOLS;
 pub(super) enum Closed {
     /// A web page that is not listed.
     Origin,
-    /// Another protocol.
     Protocol,
     /// Without a token that is known here.
     Token,
@@ -62,7 +61,7 @@ impl Closed {
 /// # Errors
 /// If they are not let in.
 pub(super) fn admit(
-    settings: &Settings,
+    settings: &ServerSettings,
     request: &Request,
 ) -> Result<(Role, &'static str), Closed> {
     check_origin(&settings.origins, request.headers())?;
@@ -116,12 +115,12 @@ fn queried(query: &str) -> Option<&str> {
 mod tests {
     use super::*;
 
-    fn settings() -> Settings {
+    fn settings() -> ServerSettings {
         let token = |secret: &str, role| Token { secret: secret.to_owned(), role };
-        Settings {
+        ServerSettings {
             origins: vec!["https://app.example".to_owned()],
             tokens: vec![token("see", Role::Viewer), token("tune", Role::Tuner)],
-            ..Settings::default()
+            ..ServerSettings::default()
         }
     }
 

@@ -6,23 +6,20 @@ use std::sync::Arc;
 use tokio::sync::mpsc;
 
 use super::outbox::Outbox;
-use super::publisher::Desk;
-use super::sample::Sample;
-use super::watched::Watched;
+use super::publisher::HubHandle;
+use super::sample::StreamSample;
+use super::watched::WatchedParameters;
 use crate::Topic;
-use crate::stream::protocol::{FromServer, Level, Parameter, Subscription, topic_of};
+use crate::stream::protocol::{FromServer, Level, ParameterValue, Subscription, topic_of};
 
 /// Counts the clients of a run.
 pub(super) type Number = u64;
 
 /// What the hub is told.
 #[derive(Debug)]
-pub(super) enum Command {
-    /// Somebody came.
+pub(super) enum HubCommand {
     Join(Number, Arc<Outbox>),
-    /// Somebody went.
     Leave(Number),
-    /// Somebody wants messages.
     Subscribe(Number, Vec<Subscription>),
     /// Somebody wants no more messages.
     Unsubscribe(Number, Vec<u32>),
@@ -31,17 +28,17 @@ pub(super) enum Command {
     /// Somebody wants to hear no more of parameters.
     Unwatch(Number, Vec<String>),
     /// Parameters have these values now.
-    Changed(Vec<Parameter>),
+    Changed(Vec<ParameterValue>),
 }
 
 /// Who is there and follows what.
 #[derive(Debug)]
 pub(super) struct Hub {
-    desk: Arc<Desk>,
-    samples: mpsc::Receiver<Sample>,
-    commands: mpsc::UnboundedReceiver<Command>,
+    desk: Arc<HubHandle>,
+    samples: mpsc::Receiver<StreamSample>,
+    commands: mpsc::UnboundedReceiver<HubCommand>,
     /// The last of each that every client gets.
-    latest: BTreeMap<u16, Sample>,
+    latest: BTreeMap<u16, StreamSample>,
     members: BTreeMap<Number, Member>,
 }
 
@@ -51,15 +48,15 @@ struct Member {
     outbox: Arc<Outbox>,
     /// What they follow, and their own number for it.
     follows: BTreeMap<Topic, u32>,
-    watched: Watched,
+    watched: WatchedParameters,
 }
 
 impl Hub {
     /// Nobody is there.
     pub(super) fn new(
-        desk: Arc<Desk>,
-        samples: mpsc::Receiver<Sample>,
-        commands: mpsc::UnboundedReceiver<Command>,
+        desk: Arc<HubHandle>,
+        samples: mpsc::Receiver<StreamSample>,
+        commands: mpsc::UnboundedReceiver<HubCommand>,
     ) -> Self {
         Self { desk, samples, commands, latest: BTreeMap::new(), members: BTreeMap::new() }
     }
@@ -75,22 +72,22 @@ impl Hub {
         }
     }
 
-    fn obey(&mut self, command: Command) {
+    fn obey(&mut self, command: HubCommand) {
         match command {
-            Command::Join(number, outbox) => {
-                let (follows, watched) = (BTreeMap::new(), Watched::none());
+            HubCommand::Join(number, outbox) => {
+                let (follows, watched) = (BTreeMap::new(), WatchedParameters::none());
                 self.members.insert(number, Member { outbox, follows, watched });
             }
-            Command::Leave(number) => self.leave(number),
-            Command::Subscribe(number, wanted) => self.subscribe(number, &wanted),
-            Command::Unsubscribe(number, ids) => self.unsubscribe(number, &ids),
-            Command::Watch(number, names) => {
+            HubCommand::Leave(number) => self.leave(number),
+            HubCommand::Subscribe(number, wanted) => self.subscribe(number, &wanted),
+            HubCommand::Unsubscribe(number, ids) => self.unsubscribe(number, &ids),
+            HubCommand::Watch(number, names) => {
                 self.with(number, |member| member.watched.add(names));
             }
-            Command::Unwatch(number, names) => {
+            HubCommand::Unwatch(number, names) => {
                 self.with(number, |member| member.watched.remove(&names));
             }
-            Command::Changed(parameters) => self.tell_changed(&parameters),
+            HubCommand::Changed(parameters) => self.tell_changed(&parameters),
         }
     }
 
@@ -142,7 +139,7 @@ impl Hub {
         }
     }
 
-    fn take(&mut self, sample: &Sample) {
+    fn take(&mut self, sample: &StreamSample) {
         if let Some((number, order)) = sample.latch {
             let last = self.latest.get(&number).and_then(|last| last.latch);
             // What was put aside may have overtaken what still waited in the queue.
@@ -154,7 +151,7 @@ impl Hub {
         self.hand_out(sample);
     }
 
-    fn hand_out(&self, sample: &Sample) {
+    fn hand_out(&self, sample: &StreamSample) {
         for member in self.members.values() {
             if let Some(subscription) = member.follows.get(&sample.topic) {
                 member.outbox.post(*subscription, sample.clone());
@@ -162,7 +159,7 @@ impl Hub {
         }
     }
 
-    fn tell_changed(&self, changed: &[Parameter]) {
+    fn tell_changed(&self, changed: &[ParameterValue]) {
         for member in self.members.values() {
             let parameters = member.watched.of(changed);
             if !parameters.is_empty() {
@@ -198,7 +195,7 @@ impl Member {
     }
 
     /// Whoever comes late gets the last of what is always there.
-    fn catch_up(&self, topic: Topic, latest: &BTreeMap<u16, Sample>) {
+    fn catch_up(&self, topic: Topic, latest: &BTreeMap<u16, StreamSample>) {
         let Some(subscription) = self.follows.get(&topic) else { return };
         for sample in latest.values().filter(|sample| sample.topic == topic) {
             self.outbox.post(*subscription, sample.clone());

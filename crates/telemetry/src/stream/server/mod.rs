@@ -32,34 +32,34 @@ use std::net::{SocketAddr, TcpListener};
 use hub::Hub;
 
 pub use accept::{Closer, serve};
-pub use backend::{Backend, Value, Who};
+pub use backend::{Backend, ParameterSetting, Who};
 pub use publisher::Publisher;
 pub use role::Role;
-pub use settings::{Limits, Settings, Tls, Token, Unsafe};
+pub use settings::{ServerLimits, ServerSettings, Tls, Token, Unsafe};
 
 use super::Fingerprint;
 
 /// A server that listens, and does not answer before [`serve`] is run.
 #[derive(Debug)]
-pub struct Server {
+pub struct StreamServer {
     listener: TcpListener,
     address: SocketAddr,
-    settings: Settings,
-    tls: Option<tls::Armour>,
+    settings: ServerSettings,
+    tls: Option<tls::TlsIdentity>,
     publisher: Publisher,
     hub: Hub,
     closer: Closer,
 }
 
-impl Server {
+impl StreamServer {
     /// Listens as `settings` say.
     ///
     /// # Errors
     /// If they are not safe or not consistent, a certificate cannot be had, or the address cannot
     /// be listened at; in a sentence.
-    pub fn listen(settings: Settings) -> io::Result<Self> {
+    pub fn listen(settings: ServerSettings) -> io::Result<Self> {
         settings.check().map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
-        let tls = settings.tls.as_ref().map(tls::Armour::new).transpose()?;
+        let tls = settings.tls.as_ref().map(tls::TlsIdentity::new).transpose()?;
         let listener = TcpListener::bind(settings.address).map_err(|error| {
             let text = format!(
                 "the stream cannot listen at {}: {error}; choose another address",

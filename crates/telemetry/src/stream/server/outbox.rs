@@ -6,8 +6,8 @@ use std::sync::{Mutex, PoisonError};
 use tokio::sync::{Notify, mpsc};
 use tokio_tungstenite::tungstenite::Message;
 
-use super::Limits;
-use super::sample::Sample;
+use super::ServerLimits;
+use super::sample::StreamSample;
 use crate::stream::backlog::{Backlog, Worth};
 use crate::stream::protocol::{FromServer, Level, ServerFrame, Text as _};
 
@@ -15,10 +15,10 @@ use crate::stream::protocol::{FromServer, Level, ServerFrame, Text as _};
 #[derive(Debug)]
 pub(super) struct Outbox {
     control: mpsc::Sender<Message>,
-    /// Of what waits in it [bytes].
+    /// Of what waits in it (bytes).
     control_bytes: AtomicUsize,
     most_control_bytes: usize,
-    data: Mutex<Backlog<Letter>>,
+    data: Mutex<Backlog<QueuedSample>>,
     is_data: Notify,
     is_cut: Notify,
     /// Whether nothing more is added.
@@ -28,14 +28,14 @@ pub(super) struct Outbox {
 
 /// A sample for a subscription.
 #[derive(Debug)]
-struct Letter {
+struct QueuedSample {
     subscription: u32,
-    sample: Sample,
+    sample: StreamSample,
 }
 
 impl Outbox {
     /// An empty one, and the end of its control queue from which is sent.
-    pub(super) fn new(limits: &Limits) -> (Self, mpsc::Receiver<Message>) {
+    pub(super) fn new(limits: &ServerLimits) -> (Self, mpsc::Receiver<Message>) {
         let (control, receiver) = mpsc::channel(limits.control_messages.max(1));
         let outbox = Self {
             control,
@@ -94,10 +94,10 @@ impl Outbox {
     }
 
     /// Adds a sample; the oldest are dropped if there is no room.
-    pub(super) fn post(&self, subscription: u32, sample: Sample) {
+    pub(super) fn post(&self, subscription: u32, sample: StreamSample) {
         let worth = sample.latch.map_or(Worth::Passing, |(number, _)| Worth::Latest(number));
         let bytes = sample.payload.len();
-        self.with_data(|data| data.push(Letter { subscription, sample }, worth, bytes));
+        self.with_data(|data| data.push(QueuedSample { subscription, sample }, worth, bytes));
         self.is_data.notify_one();
     }
 
@@ -121,12 +121,12 @@ impl Outbox {
         self.with_data(Backlog::take_dropped)
     }
 
-    fn with_data<T>(&self, work: impl FnOnce(&mut Backlog<Letter>) -> T) -> T {
+    fn with_data<T>(&self, work: impl FnOnce(&mut Backlog<QueuedSample>) -> T) -> T {
         work(&mut self.data.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
 
-impl Letter {
+impl QueuedSample {
     fn into_message(self) -> Message {
         let Self { subscription, sample } = self;
         let frame = ServerFrame::Message { subscription, at: sample.at, payload: &sample.payload };
@@ -139,13 +139,13 @@ mod tests {
     use super::*;
     use crate::{Topic, Update};
 
-    fn sample(at: u64) -> Sample {
-        Sample::new(Topic::Events, at, &Update::Event(crate::Event::default()))
+    fn sample(at: u64) -> StreamSample {
+        StreamSample::new(Topic::Events, at, &Update::Event(crate::Event::default()))
     }
 
     #[tokio::test]
     async fn replies_are_never_dropped_and_whoever_takes_none_is_cut() {
-        let limits = Limits { control_messages: 3, ..Limits::default() };
+        let limits = ServerLimits { control_messages: 3, ..ServerLimits::default() };
         let (outbox, mut control) = Outbox::new(&limits);
         for number in 0..4 {
             outbox.status(Level::Info, number.to_string(), None);
@@ -159,7 +159,7 @@ mod tests {
 
     #[tokio::test]
     async fn few_replies_that_are_long_are_too_many_as_well() {
-        let limits = Limits { control_bytes: 1000, ..Limits::default() };
+        let limits = ServerLimits { control_bytes: 1000, ..ServerLimits::default() };
         let (outbox, mut control) = Outbox::new(&limits);
         for _ in 0..5 {
             outbox.status(Level::Info, "x".repeat(900), None);
@@ -174,7 +174,7 @@ mod tests {
 
     #[tokio::test]
     async fn samples_are_dropped_and_none_comes_of_a_subscription_that_is_no_more() {
-        let limits = Limits { data_bytes: 200, ..Limits::default() };
+        let limits = ServerLimits { data_bytes: 200, ..ServerLimits::default() };
         let (outbox, _control) = Outbox::new(&limits);
         for at in 0..10 {
             outbox.post(7, sample(at));

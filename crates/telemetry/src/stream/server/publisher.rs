@@ -7,12 +7,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::mpsc::error::TrySendError;
 use tokio::sync::{Notify, mpsc};
 
-use super::Value;
+use super::ParameterSetting;
 use super::following::Following;
-use super::hub::{Command, Hub};
-use super::sample::Sample;
+use super::hub::{Hub, HubCommand};
+use super::sample::StreamSample;
 use crate::stream::latch::latch;
-use crate::stream::protocol::Parameter;
+use crate::stream::protocol::ParameterValue;
 use crate::{Topic, Update};
 
 /// Messages that wait for the runtime; more are dropped, and counted.
@@ -20,19 +20,19 @@ const FEED: usize = 4096;
 
 /// Where the host hands in its messages, from any thread.
 #[derive(Clone, Debug)]
-pub struct Publisher(Arc<Desk>);
+pub struct Publisher(Arc<HubHandle>);
 
 /// What publishers and the hub share.
 #[derive(Debug)]
-pub(super) struct Desk {
+pub(super) struct HubHandle {
     pub(super) following: Following,
     /// Of those that every client gets the latest that found no room, until the hub takes them.
-    latched: Mutex<BTreeMap<u16, Sample>>,
+    latched: Mutex<BTreeMap<u16, StreamSample>>,
     order: AtomicU64,
     /// That there is something in it.
     pub(super) is_latched: Notify,
-    feed: mpsc::Sender<Sample>,
-    commands: mpsc::UnboundedSender<Command>,
+    feed: mpsc::Sender<StreamSample>,
+    commands: mpsc::UnboundedSender<HubCommand>,
     lost: AtomicU64,
 }
 
@@ -40,7 +40,7 @@ pub(super) struct Desk {
 pub(super) fn pair() -> (Publisher, Hub) {
     let (feed, samples) = mpsc::channel(FEED);
     let (sender, commands) = mpsc::unbounded_channel();
-    let desk = Arc::new(Desk {
+    let desk = Arc::new(HubHandle {
         following: Following::default(),
         latched: Mutex::default(),
         order: AtomicU64::new(0),
@@ -53,7 +53,7 @@ pub(super) fn pair() -> (Publisher, Hub) {
 }
 
 impl Publisher {
-    /// Sends `update`, made at `at` [ns since 1970], to whom it may concern.
+    /// Sends `update`, made at `at` (ns since 1970), to whom it may concern.
     ///
     /// It waits for no client: what nobody follows is not even encoded, and what the runtime has no
     /// time for is dropped and counted.
@@ -62,9 +62,9 @@ impl Publisher {
         let Some(topic) = update.topic() else { return };
         if let Some(number) = latch(update) {
             let order = self.0.order.fetch_add(1, Ordering::Relaxed);
-            self.0.feed(Sample::new(topic, at, update).latched(number, order));
+            self.0.feed(StreamSample::new(topic, at, update).latched(number, order));
         } else if self.is_followed(topic) {
-            self.0.feed(Sample::new(topic, at, update));
+            self.0.feed(StreamSample::new(topic, at, update));
         }
     }
 
@@ -87,10 +87,10 @@ impl Publisher {
     }
 
     /// Tells those who want to know that parameters have these values now.
-    pub fn parameters_changed(&self, values: &[Value]) {
+    pub fn parameters_changed(&self, values: &[ParameterSetting]) {
         let parameters: Vec<_> =
-            values.iter().map(|it| Parameter::new(it.name.clone(), it.value)).collect();
-        self.0.command(Command::Changed(parameters));
+            values.iter().map(|it| ParameterValue::new(it.name.clone(), it.value)).collect();
+        self.0.command(HubCommand::Changed(parameters));
     }
 
     /// Messages that the runtime had no time for, since the start.
@@ -99,14 +99,14 @@ impl Publisher {
     }
 
     /// Tells the hub something.
-    pub(super) fn command(&self, command: Command) {
+    pub(super) fn command(&self, command: HubCommand) {
         self.0.command(command);
     }
 }
 
-impl Desk {
+impl HubHandle {
     /// Of those that must not be dropped the latest is put aside.
-    fn put_aside(&self, sample: Sample) {
+    fn put_aside(&self, sample: StreamSample) {
         let Some((number, _)) = sample.latch else {
             self.lost.fetch_add(1, Ordering::Relaxed);
             return;
@@ -117,11 +117,11 @@ impl Desk {
     }
 
     /// What was put aside since this was last asked.
-    pub(super) fn take_latched(&self) -> BTreeMap<u16, Sample> {
+    pub(super) fn take_latched(&self) -> BTreeMap<u16, StreamSample> {
         std::mem::take(&mut *self.latched.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    fn feed(&self, sample: Sample) {
+    fn feed(&self, sample: StreamSample) {
         match self.feed.try_send(sample) {
             Ok(()) => {}
             Err(TrySendError::Full(sample) | TrySendError::Closed(sample)) => {
@@ -130,7 +130,7 @@ impl Desk {
         }
     }
 
-    fn command(&self, command: Command) {
+    fn command(&self, command: HubCommand) {
         // Without a hub there are no clients whom it could concern.
         let _nobody = self.commands.send(command);
     }

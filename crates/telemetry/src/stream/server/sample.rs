@@ -6,18 +6,16 @@ use crate::{Topic, Update};
 
 /// A message on its way to clients.
 #[derive(Clone, Debug)]
-pub(super) struct Sample {
-    /// Where it travels.
+pub(super) struct StreamSample {
     pub(super) topic: Topic,
     /// Of those whose last one every client gets: which one it is, and how many there were before.
     pub(super) latch: Option<(u16, u64)>,
-    /// When it was made [ns since 1970].
+    /// When it was made (ns since 1970).
     pub(super) at: u64,
-    /// Its bytes.
     pub(super) payload: Bytes,
 }
 
-impl Sample {
+impl StreamSample {
     /// `update`, encoded.
     pub(super) fn new(topic: Topic, at: u64, update: &Update) -> Self {
         Self { topic, latch: None, at, payload: update.encode().into() }

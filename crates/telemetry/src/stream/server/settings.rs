@@ -11,7 +11,7 @@ use super::Role;
 
 /// How a server listens.
 #[derive(Clone, Debug)]
-pub struct Settings {
+pub struct ServerSettings {
     /// Where; port 0 takes any that is free.
     pub address: SocketAddr,
     /// What it is called in viewers.
@@ -27,10 +27,10 @@ pub struct Settings {
     /// Listens even where others could read along or need no token.
     pub insecure: bool,
     /// What it puts up with.
-    pub limits: Limits,
+    pub limits: ServerLimits,
 }
 
-impl Default for Settings {
+impl Default for ServerSettings {
     /// For programs of this machine, at port 8765.
     fn default() -> Self {
         Self {
@@ -41,7 +41,7 @@ impl Default for Settings {
             tokens: Vec::new(),
             tls: None,
             insecure: false,
-            limits: Limits::default(),
+            limits: ServerLimits::default(),
         }
     }
 }
@@ -90,7 +90,6 @@ pub enum Tls {
     Files {
         /// The server's certificate, and those that vouch for it.
         chain: PathBuf,
-        /// Its private key.
         key: PathBuf,
     },
     /// Self-made, for names or addresses; clients recognise it by its fingerprint.
@@ -104,22 +103,22 @@ pub enum Tls {
 
 /// What a server puts up with.
 #[derive(Clone, Copy, Debug)]
-pub struct Limits {
+pub struct ServerLimits {
     /// Clients at once; the next ones are turned away.
     pub clients: usize,
     /// Clients at once that are not in yet; the next ones wait.
     pub handshakes: usize,
-    /// Longest message from a client [bytes].
+    /// Longest message from a client (bytes).
     pub message_bytes: usize,
-    /// Messages from a client [1/s]; one that sends more is read more slowly.
+    /// Messages from a client (1/s); one that sends more is read more slowly.
     pub messages_per_second: u32,
-    /// Requests from a client [1/s]; more are refused.
+    /// Requests from a client (1/s); more are refused.
     pub requests_per_second: u32,
-    /// Data that waits for a slow client [bytes]; the oldest are dropped.
+    /// Data that waits for a slow client (bytes); the oldest are dropped.
     pub data_bytes: usize,
     /// Replies and the like that wait for a slow client; one with more is cut.
     pub control_messages: usize,
-    /// The same [bytes].
+    /// The same (bytes).
     pub control_bytes: usize,
     /// Longest time to get in.
     pub handshake: Duration,
@@ -129,7 +128,7 @@ pub struct Limits {
     pub idle: Duration,
 }
 
-impl Default for Limits {
+impl Default for ServerLimits {
     fn default() -> Self {
         Self {
             clients: 64,
@@ -166,7 +165,7 @@ pub enum Unsafe {
     Origin(String),
 }
 
-impl Settings {
+impl ServerSettings {
     /// Whether they are safe; a server that is not does not listen.
     ///
     /// # Errors
@@ -210,8 +209,11 @@ fn is_origin(text: &str) -> bool {
 mod tests {
     use super::*;
 
-    fn open() -> Settings {
-        Settings { address: SocketAddr::from((Ipv4Addr::UNSPECIFIED, 0)), ..Settings::default() }
+    fn open() -> ServerSettings {
+        ServerSettings {
+            address: SocketAddr::from((Ipv4Addr::UNSPECIFIED, 0)),
+            ..ServerSettings::default()
+        }
     }
 
     fn token(secret: &str) -> Vec<Token> {
@@ -220,29 +222,30 @@ mod tests {
 
     #[test]
     fn other_machines_need_a_token_and_tls() {
-        assert_eq!(Settings::default().check(), Ok(()));
+        assert_eq!(ServerSettings::default().check(), Ok(()));
         let open_without = |lack| Err(Unsafe::Open(open().address, lack));
         assert_eq!(open().check(), open_without("tokens and TLS"));
-        let with_token = Settings { tokens: token("secret"), ..open() };
+        let with_token = ServerSettings { tokens: token("secret"), ..open() };
         assert_eq!(with_token.check(), open_without("TLS"));
         let tls = Some(Tls::SelfMade { names: vec![], folder: None });
-        assert_eq!(Settings { tls: tls.clone(), ..open() }.check(), open_without("tokens"));
-        assert_eq!(Settings { tls, ..with_token }.check(), Ok(()));
-        assert_eq!(Settings { insecure: true, ..open() }.check(), Ok(()));
+        assert_eq!(ServerSettings { tls: tls.clone(), ..open() }.check(), open_without("tokens"));
+        assert_eq!(ServerSettings { tls, ..with_token }.check(), Ok(()));
+        assert_eq!(ServerSettings { insecure: true, ..open() }.check(), Ok(()));
     }
 
     #[test]
     fn secrets_and_origins_are_what_can_be_compared() {
         for secret in ["", "two words", "a&b", "ä"] {
-            let settings = Settings { tokens: token(secret), ..Settings::default() };
+            let settings = ServerSettings { tokens: token(secret), ..ServerSettings::default() };
             assert_eq!(settings.check(), Err(Unsafe::Token), "{secret}");
         }
         for origin in ["null", "", "*", "https://", "https://app.example/", "https://*.example"] {
-            let settings = Settings { origins: vec![origin.to_owned()], ..Settings::default() };
+            let settings =
+                ServerSettings { origins: vec![origin.to_owned()], ..ServerSettings::default() };
             assert_eq!(settings.check(), Err(Unsafe::Origin(origin.to_owned())), "{origin}");
         }
         let origins = vec!["https://app.example:8443".to_owned()];
-        assert_eq!(Settings { origins, ..Settings::default() }.check(), Ok(()));
+        assert_eq!(ServerSettings { origins, ..ServerSettings::default() }.check(), Ok(()));
     }
 
     #[test]

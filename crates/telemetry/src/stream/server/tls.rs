@@ -14,14 +14,14 @@ use super::Tls;
 use crate::stream::Fingerprint;
 
 /// What connections are encrypted with.
-pub(super) struct Armour {
+pub(super) struct TlsIdentity {
     /// What the certificate is recognised by.
     pub(super) fingerprint: Fingerprint,
     /// What makes a stream of bytes a secret one.
     pub(super) acceptor: TlsAcceptor,
 }
 
-impl std::fmt::Debug for Armour {
+impl std::fmt::Debug for TlsIdentity {
     /// Without the key.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Armour").field("fingerprint", &self.fingerprint).finish_non_exhaustive()
@@ -31,7 +31,7 @@ impl std::fmt::Debug for Armour {
 /// A certificate with those that vouch for it, and its key.
 type Identity = (Vec<CertificateDer<'static>>, PrivateKeyDer<'static>);
 
-impl Armour {
+impl TlsIdentity {
     /// As `tls` says.
     pub(super) fn new(tls: &Tls) -> io::Result<Self> {
         let (chain, key) = match tls {

@@ -3,24 +3,22 @@
 use std::collections::BTreeSet;
 
 use crate::request::Change;
-use crate::stream::protocol::Parameter;
+use crate::stream::protocol::ParameterValue;
 
 /// More names than a full keyboard has.
 const MOST_NAMES: usize = 16_384;
 
-/// Longest name [bytes].
+/// Longest name (bytes).
 const LONGEST_NAME: usize = 128;
 
 /// Of which parameters somebody wants to hear.
 #[derive(Debug)]
-pub(super) enum Watched {
-    /// Of all.
+pub(super) enum WatchedParameters {
     All,
-    /// Of these.
     Only(BTreeSet<String>),
 }
 
-impl Watched {
+impl WatchedParameters {
     /// Of none.
     pub(super) const fn none() -> Self {
         Self::Only(BTreeSet::new())
@@ -53,7 +51,7 @@ impl Watched {
     }
 
     /// Those of `changed` that are to be heard of.
-    pub(super) fn of(&self, changed: &[Parameter]) -> Vec<Parameter> {
+    pub(super) fn of(&self, changed: &[ParameterValue]) -> Vec<ParameterValue> {
         match self {
             Self::All => changed.to_vec(),
             Self::Only(set) => {
@@ -72,8 +70,8 @@ fn can_change(name: &str) -> bool {
 mod tests {
     use super::*;
 
-    fn heard(watched: &Watched) -> Vec<String> {
-        let changed = ["/key/1/m", "/key/2/m"].map(|name| Parameter::new(name, 1.0));
+    fn heard(watched: &WatchedParameters) -> Vec<String> {
+        let changed = ["/key/1/m", "/key/2/m"].map(|name| ParameterValue::new(name, 1.0));
         watched.of(&changed).into_iter().map(|parameter| parameter.name).collect()
     }
 
@@ -83,7 +81,7 @@ mod tests {
 
     #[test]
     fn only_what_is_watched_is_heard_of() {
-        let mut watched = Watched::none();
+        let mut watched = WatchedParameters::none();
         assert!(heard(&watched).is_empty());
         watched.add(names(&["/key/2/m", "/key/99/m", "foreign"]));
         assert_eq!(heard(&watched), ["/key/2/m"]);
@@ -93,7 +91,7 @@ mod tests {
 
     #[test]
     fn without_names_all_are_meant() {
-        let mut watched = Watched::none();
+        let mut watched = WatchedParameters::none();
         watched.add(vec![]);
         assert_eq!(heard(&watched), ["/key/1/m", "/key/2/m"]);
         watched.remove(&[]);
@@ -102,9 +100,9 @@ mod tests {
 
     #[test]
     fn names_without_end_take_no_memory_without_end() {
-        let mut watched = Watched::none();
+        let mut watched = WatchedParameters::none();
         watched.add((0..100_000).map(|number| format!("/key/1/p{number}")).collect());
         watched.add(vec![format!("/key/1/{}", "x".repeat(1 << 20))]);
-        assert!(matches!(watched, Watched::Only(set) if set.len() == MOST_NAMES));
+        assert!(matches!(watched, WatchedParameters::Only(set) if set.len() == MOST_NAMES));
     }
 }

@@ -4,7 +4,7 @@ use firmware_protocol::MAX_FRAME;
 use firmware_protocol::can::{agrees, identifier, padded};
 
 use super::CanMode;
-use super::bus::{Arrival, Bus, Data};
+use super::bus::{BusRead, CanBus, Data};
 use super::classic::Classic;
 use crate::link::{Health, Link, RecvError, SendError};
 
@@ -14,7 +14,7 @@ const MAX_ARRIVALS: usize = 256;
 
 /// A bus that carries the protocol.
 #[derive(Debug)]
-pub(super) struct Port<B> {
+pub(super) struct CanPort<B> {
     bus: B,
     /// Pieces, if it is classic CAN.
     classic: Option<Classic>,
@@ -22,7 +22,7 @@ pub(super) struct Port<B> {
     dropped: u64,
 }
 
-impl<B: Bus> Port<B> {
+impl<B: CanBus> CanPort<B> {
     pub(super) fn new(bus: B, mode: CanMode) -> Self {
         let classic = (mode == CanMode::Classic).then(Classic::new);
         Self { bus, classic, health: Health::default(), dropped: 0 }
@@ -43,11 +43,11 @@ impl<B: Bus> Port<B> {
     }
 
     /// Takes what came; returns the outcome of the frame that it ends, if it does.
-    fn arrive(&mut self, arrival: Arrival, buffer: &mut [u8]) -> Option<Result<usize, RecvError>> {
+    fn arrive(&mut self, arrival: BusRead, buffer: &mut [u8]) -> Option<Result<usize, RecvError>> {
         match arrival {
-            Arrival::Data(data) => self.unpack(&data, buffer),
-            Arrival::Foreign => Some(Err(RecvError::Corrupt)),
-            Arrival::Report(report) => {
+            BusRead::Data(data) => self.unpack(&data, buffer),
+            BusRead::Foreign => Some(Err(RecvError::Corrupt)),
+            BusRead::Report(report) => {
                 self.health.note(report);
                 None
             }
@@ -66,7 +66,7 @@ impl<B: Bus> Port<B> {
     }
 }
 
-impl<B: Bus> Link for Port<B> {
+impl<B: CanBus> Link for CanPort<B> {
     fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
         let too_long = SendError::TooLong { len: frame.len() };
         let id = identifier(frame).filter(|_| frame.len() <= MAX_FRAME).ok_or(too_long)?;

@@ -1,32 +1,32 @@
 use std::cell::RefCell;
 use std::collections::VecDeque;
 
-use super::super::bus::Report;
+use super::super::bus::ControllerReport;
 use super::*;
 use crate::link::WireState;
 
 /// A bus in memory: what is written is read by the same port, after the reports.
 #[derive(Default)]
 struct Memory {
-    arrivals: RefCell<VecDeque<Arrival>>,
+    arrivals: RefCell<VecDeque<BusRead>>,
     /// Frames that it takes before it is full.
     room: usize,
 }
 
-impl Bus for Memory {
+impl CanBus for Memory {
     fn write(&mut self, id: u16, data: &[u8]) -> Result<(), SendError> {
         self.room = self.room.checked_sub(1).ok_or(SendError::Full)?;
-        self.arrivals.borrow_mut().push_back(Arrival::Data(Data::new(id, data)));
+        self.arrivals.borrow_mut().push_back(BusRead::Data(Data::new(id, data)));
         Ok(())
     }
 
-    fn read(&mut self) -> Result<Option<Arrival>, RecvError> {
+    fn read(&mut self) -> Result<Option<BusRead>, RecvError> {
         Ok(self.arrivals.borrow_mut().pop_front())
     }
 }
 
-fn port(mode: CanMode) -> Port<Memory> {
-    Port::new(Memory { room: 1_000, ..Memory::default() }, mode)
+fn port(mode: CanMode) -> CanPort<Memory> {
+    CanPort::new(Memory { room: 1_000, ..Memory::default() }, mode)
 }
 
 /// Samples of a board, with its number all over, as long as `len`.
@@ -36,17 +36,17 @@ fn samples(board: u8, len: usize) -> Vec<u8> {
     frame
 }
 
-fn recv(port: &mut Port<Memory>) -> Result<Option<Vec<u8>>, RecvError> {
+fn recv(port: &mut CanPort<Memory>) -> Result<Option<Vec<u8>>, RecvError> {
     let mut buffer = [0; MAX_FRAME];
     Ok(port.try_recv(&mut buffer)?.map(|len| buffer[..len].to_vec()))
 }
 
 /// What was written to the bus, as identifiers and bytes.
-fn written(port: &Port<Memory>) -> Vec<(u16, Vec<u8>)> {
+fn written(port: &CanPort<Memory>) -> Vec<(u16, Vec<u8>)> {
     let arrivals = port.bus.arrivals.borrow();
-    let data = |arrival: &Arrival| match arrival {
-        Arrival::Data(data) => Some((data.id, data.bytes().to_vec())),
-        Arrival::Report(_) | Arrival::Foreign => None,
+    let data = |arrival: &BusRead| match arrival {
+        BusRead::Data(data) => Some((data.id, data.bytes().to_vec())),
+        BusRead::Report(_) | BusRead::Foreign => None,
     };
     arrivals.iter().filter_map(data).collect()
 }
@@ -113,7 +113,7 @@ fn a_frame_that_does_not_agree_with_its_identifier_is_corrupt() {
         for frame in [samples(5, 7), samples(6, 7)] {
             port.try_send(&frame).unwrap();
         }
-        if let Some(Arrival::Data(data)) = port.bus.arrivals.borrow_mut().front_mut() {
+        if let Some(BusRead::Data(data)) = port.bus.arrivals.borrow_mut().front_mut() {
             data.id = 0x206;
         }
         assert_eq!(recv(&mut port), Err(RecvError::Corrupt), "{mode:?}");
@@ -126,7 +126,7 @@ fn an_identifier_that_nobody_has_is_corrupt() {
     for (mode, id) in [(CanMode::Fd, 0x7FF), (CanMode::Classic, 0x7FF), (CanMode::Classic, 0x210)] {
         let mut port = port(mode);
         port.bus.write(id, &samples(0, 8)).unwrap();
-        port.bus.arrivals.borrow_mut().push_back(Arrival::Foreign);
+        port.bus.arrivals.borrow_mut().push_back(BusRead::Foreign);
         assert_eq!(recv(&mut port), Err(RecvError::Corrupt));
         assert_eq!(recv(&mut port), Err(RecvError::Corrupt));
         assert_eq!(recv(&mut port), Ok(None));
@@ -136,8 +136,8 @@ fn an_identifier_that_nobody_has_is_corrupt() {
 #[test]
 fn a_report_is_health_and_no_frame() {
     let mut port = port(CanMode::Fd);
-    let report = Report { class: 0x040, data: [0; 8] };
-    port.bus.arrivals.borrow_mut().push_back(Arrival::Report(report));
+    let report = ControllerReport { class: 0x040, data: [0; 8] };
+    port.bus.arrivals.borrow_mut().push_back(BusRead::Report(report));
     port.try_send(&samples(1, 8)).unwrap();
     assert_eq!(recv(&mut port), Ok(Some(samples(1, 8))));
     assert_eq!((port.health().state, port.health().reports), (WireState::Off, 1));

@@ -13,7 +13,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 /// Where is drawn.
 pub(super) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// Why something could not be drawn.
-pub(super) type Failure = DrawingAreaErrorKind<io::Error>;
+pub(super) type DrawError = DrawingAreaErrorKind<io::Error>;
 
 /// Drawing units per pixel: units are whole numbers, and curves are finer than pixels.
 pub(super) const FINE: u32 = 4;
@@ -41,24 +41,22 @@ pub(super) fn font(size: f64) -> TextStyle<'static> {
 /// How text stands to its place.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Anchor {
-    /// Begins there.
     Start,
     /// Has its middle there.
     Middle,
-    /// Rises from there.
     Rising,
     /// Rises, with its middle there.
     Upright,
 }
 
-/// Writes `text` of `size` at a height centred on `place` [all in pixels].
+/// Writes `text` of `size` at a height centred on `place` (all in pixels).
 pub(super) fn write(
     canvas: &Canvas<'_>,
     text: &str,
     place: (f64, f64),
     size: f64,
     anchor: Anchor,
-) -> Result<(), Failure> {
+) -> Result<(), DrawError> {
     let (along, turn) = match anchor {
         Anchor::Start => (HPos::Left, FontTransform::None),
         Anchor::Middle => (HPos::Center, FontTransform::None),
@@ -69,23 +67,23 @@ pub(super) fn write(
     canvas.draw(&Text::new(text, (fine(place.0), fine(place.1)), style))
 }
 
-/// Draws a line of `width` through `places` [pixels].
+/// Draws a line of `width` through `places` (pixels).
 pub(super) fn line(
     canvas: &Canvas<'_>,
     places: &[(f64, f64)],
     color: impl Color,
     width: f64,
-) -> Result<(), Failure> {
+) -> Result<(), DrawError> {
     let places: Vec<_> = places.iter().map(|(x, y)| (fine(*x), fine(*y))).collect();
     canvas.draw(&PathElement::new(places, color.stroke_width(fine_size(width))))
 }
 
-/// Fills the rectangle between two corners [pixels].
+/// Fills the rectangle between two corners (pixels).
 pub(super) fn fill(
     canvas: &Canvas<'_>,
     corners: [(f64, f64); 2],
     color: RGBColor,
-) -> Result<(), Failure> {
+) -> Result<(), DrawError> {
     let corners = corners.map(|(x, y)| (fine(x), fine(y)));
     canvas.draw(&Rectangle::new(corners, color.filled()))
 }

@@ -18,14 +18,14 @@ mod strip;
 
 use plotters::prelude::{IntoDrawingArea as _, RGBColor, SVGBackend, WHITE};
 
-use self::canvas::{Anchor, FINE, Failure, fine_size, write};
+use self::canvas::{Anchor, DrawError, FINE, fine_size, write};
 use super::Picture;
-use super::curve::Panel;
+use super::curve::PanelKind;
 
-/// Width of the time axis [pixels].
+/// Width of the time axis (pixels).
 pub(super) const COLUMNS: usize = 890;
 
-/// Places in the picture [pixels].
+/// Places in the picture (pixels).
 mod place {
     pub(super) const WIDTH: f64 = 1200.0;
     pub(super) const HEIGHT: f64 = 900.0;
@@ -65,7 +65,7 @@ const MODES: [RGBColor; 5] = [
 ];
 
 /// The picture as SVG text.
-pub(super) fn svg(picture: &Picture) -> Result<String, Failure> {
+pub(super) fn svg(picture: &Picture) -> Result<String, DrawError> {
     let mut text = String::new();
     let [width, height] = [place::WIDTH, place::HEIGHT].map(fine_size);
     draw(picture, SVGBackend::with_string(&mut text, (width, height)))?;
@@ -75,15 +75,15 @@ pub(super) fn svg(picture: &Picture) -> Result<String, Failure> {
     Ok(text.replacen(&size(width, height), &shown, 1))
 }
 
-fn draw(picture: &Picture, backend: SVGBackend<'_>) -> Result<(), Failure> {
+fn draw(picture: &Picture, backend: SVGBackend<'_>) -> Result<(), DrawError> {
     let canvas = backend.into_drawing_area();
     canvas.fill(&WHITE)?;
     for (row, text) in picture.title.iter().enumerate() {
         write(&canvas, text, (place::LEGEND, 20.0 * row as f64 + 18.0), 14.0, Anchor::Start)?;
     }
-    let kinds = [Panel::Forces, Panel::Guards, Panel::Coordinates];
+    let kinds = [PanelKind::Forces, PanelKind::Guards, PanelKind::Coordinates];
     for (kind, span) in kinds.into_iter().zip(place::PANELS) {
-        let panel = panel::Panel::new(picture, kind);
+        let panel = panel::SignalPanel::new(picture, kind);
         panel.draw(&canvas, span)?;
         legend::draw(&canvas, &panel, span.0)?;
     }
@@ -91,7 +91,7 @@ fn draw(picture: &Picture, backend: SVGBackend<'_>) -> Result<(), Failure> {
     canvas.present()
 }
 
-/// Where `t` [s] is on the time axis [pixels].
+/// Where `t` (s) is on the time axis (pixels).
 fn across(picture: &Picture, t: f64) -> f64 {
     place::LEFT + t / picture.axis.until * COLUMNS as f64
 }

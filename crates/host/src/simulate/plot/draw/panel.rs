@@ -10,15 +10,15 @@ use plotters::prelude::{
 use plotters::style::Color as _;
 
 use super::super::Picture;
-use super::super::curve::{Curve, Panel as Kind, Source};
-use super::super::track::Point;
+use super::super::curve::{CurveSource, PanelKind as Kind, SignalCurve};
+use super::super::track::TrackPoint;
 use super::super::unit::quantity;
-use super::canvas::{Anchor, Canvas, Failure, INK, fine, fine_size, font, write};
+use super::canvas::{Anchor, Canvas, DrawError, INK, fine, fine_size, font, write};
 use super::{CURVES, place, scale, shade};
 
-/// Size of the axes' text [pixels].
+/// Size of the axes' text (pixels).
 const TEXT: f64 = 12.0;
-/// Room for the numbers of the time axis [pixels].
+/// Room for the numbers of the time axis (pixels).
 const BELOW: f64 = 46.0;
 /// Lines of the grid across a panel.
 const GRID: usize = 6;
@@ -30,29 +30,28 @@ type Chart<'a, 'b> = DualCoordChartContext<'a, SVGBackend<'b>, Plane, Plane>;
 
 /// A curve as it is drawn.
 #[derive(Debug)]
-pub(super) struct Line {
-    stretches: Vec<Vec<Point>>,
+pub(super) struct PanelCurve {
+    stretches: Vec<Vec<TrackPoint>>,
     /// 0 left, 1 right.
     axis: usize,
     pub(super) color: RGBColor,
-    /// [pixels]
+    /// (pixels)
     pub(super) width: f64,
-    /// In the legend.
     pub(super) text: String,
 }
 
 /// A panel's curves and its axes.
 #[derive(Debug)]
-pub(super) struct Panel<'a> {
+pub(super) struct SignalPanel<'a> {
     picture: &'a Picture,
     kind: Kind,
     /// The axes' units, left and right.
     units: Vec<&'static str>,
     ranges: [Range<f64>; 2],
-    pub(super) lines: Vec<Line>,
+    pub(super) lines: Vec<PanelCurve>,
 }
 
-impl<'a> Panel<'a> {
+impl<'a> SignalPanel<'a> {
     pub(super) fn new(picture: &'a Picture, kind: Kind) -> Self {
         let curves: Vec<_> = picture.curves.iter().filter(|curve| curve.panel == kind).collect();
         let mut units = Vec::new();
@@ -62,17 +61,17 @@ impl<'a> Panel<'a> {
                 units.push(unit);
             }
         }
-        let axis = |curve: &Curve| units.iter().position(|unit| *unit == axis_unit(curve));
+        let axis = |curve: &SignalCurve| units.iter().position(|unit| *unit == axis_unit(curve));
         let mut colors = CURVES.iter().copied().cycle();
         let mut style = |source| match source {
-            Source::Input => INPUT,
-            Source::State(_) | Source::Output(_) | Source::Guard(_) => {
+            CurveSource::Input => INPUT,
+            CurveSource::State(_) | CurveSource::Output(_) | CurveSource::Guard(_) => {
                 (colors.next().unwrap_or(INK), 1.75)
             }
         };
-        let line = |curve: &&Curve| {
+        let line = |curve: &&SignalCurve| {
             let axis = axis(curve).unwrap_or(0);
-            Line::new(curve, (axis, units.len()), style(curve.source))
+            PanelCurve::new(curve, (axis, units.len()), style(curve.source))
         };
         let lines = curves.iter().map(line).filter(|line| !line.stretches.is_empty());
         let lines: Vec<_> = lines.collect();
@@ -80,12 +79,12 @@ impl<'a> Panel<'a> {
         Self { picture, kind, units, ranges, lines }
     }
 
-    /// Draws the panel between two heights [pixels].
+    /// Draws the panel between two heights (pixels).
     pub(super) fn draw(
         &self,
         canvas: &Canvas<'_>,
         (top, bottom): (f64, f64),
-    ) -> Result<(), Failure> {
+    ) -> Result<(), DrawError> {
         let below = if self.kind == Kind::Coordinates { BELOW } else { 0.0 };
         let right = place::LEGEND - place::GAP;
         let size = (fine(right), fine(bottom - top + below));
@@ -104,7 +103,7 @@ impl<'a> Panel<'a> {
         self.lines.iter().try_for_each(|line| line.draw(&mut chart))
     }
 
-    fn draw_shades(&self, chart: &mut Chart<'_, '_>) -> Result<(), Failure> {
+    fn draw_shades(&self, chart: &mut Chart<'_, '_>) -> Result<(), DrawError> {
         let Range { start: low, end: high } = self.ranges[0];
         let shades = self.picture.epochs.all.iter().map(|epoch| {
             let (start, end) = epoch.span;
@@ -114,7 +113,7 @@ impl<'a> Panel<'a> {
         Ok(())
     }
 
-    fn draw_axes(&self, chart: &mut Chart<'_, '_>) -> Result<(), Failure> {
+    fn draw_axes(&self, chart: &mut Chart<'_, '_>) -> Result<(), DrawError> {
         let [left, right] = &self.ranges;
         let time = 0.0..self.picture.axis.until;
         chart
@@ -147,8 +146,8 @@ impl<'a> Panel<'a> {
         Ok(())
     }
 
-    /// Writes beside the axes what they measure, around the height `middle` [pixels].
-    fn draw_titles(&self, canvas: &Canvas<'_>, middle: f64) -> Result<(), Failure> {
+    /// Writes beside the axes what they measure, around the height `middle` (pixels).
+    fn draw_titles(&self, canvas: &Canvas<'_>, middle: f64) -> Result<(), DrawError> {
         for (axis, x) in place::TITLES.into_iter().enumerate() {
             write(canvas, &self.title(axis), (x, middle), TEXT, Anchor::Upright)?;
         }
@@ -167,9 +166,13 @@ impl<'a> Panel<'a> {
     }
 }
 
-impl Line {
-    fn new(curve: &Curve, (axis, n_axes): (usize, usize), (color, width): (RGBColor, f64)) -> Self {
-        let Curve { name, unit, panel, track, .. } = curve;
+impl PanelCurve {
+    fn new(
+        curve: &SignalCurve,
+        (axis, n_axes): (usize, usize),
+        (color, width): (RGBColor, f64),
+    ) -> Self {
+        let SignalCurve { name, unit, panel, track, .. } = curve;
         let mut stretches = track.stretches();
         // Curves of two axes may coincide: the lower one is seen beside the upper one.
         let width = if n_axes > 1 && axis == 0 { width.max(2.75) } else { width };
@@ -188,7 +191,7 @@ impl Line {
         Self { stretches, axis, color, width, text }
     }
 
-    fn draw(&self, chart: &mut Chart<'_, '_>) -> Result<(), Failure> {
+    fn draw(&self, chart: &mut Chart<'_, '_>) -> Result<(), DrawError> {
         let style = self.color.stroke_width(fine_size(self.width));
         let paths = self.stretches.iter().map(|stretch| PathElement::new(stretch.clone(), style));
         if self.axis == 0 {
@@ -201,12 +204,12 @@ impl Line {
 }
 
 /// The unit of the axis that a curve is drawn to: guards of all units share one.
-fn axis_unit(curve: &Curve) -> &'static str {
+fn axis_unit(curve: &SignalCurve) -> &'static str {
     if curve.panel == Kind::Guards { "1" } else { curve.unit }
 }
 
 /// Lowest and highest value drawn to an axis.
-fn extent(lines: &[Line], axis: usize) -> Option<(f64, f64)> {
+fn extent(lines: &[PanelCurve], axis: usize) -> Option<(f64, f64)> {
     let lines = lines.iter().filter(|line| line.axis == axis);
     let values = lines.flat_map(|line| line.stretches.iter().flatten()).map(|point| point.1);
     let ends = values.map(|value| (value, value));

@@ -4,16 +4,16 @@ use plotters::style::{Color as _, RGBColor};
 
 use super::super::Picture;
 use super::super::epoch::Epoch;
-use super::canvas::{Anchor, Canvas, Failure, INK, fill, line, write};
+use super::canvas::{Anchor, Canvas, DrawError, INK, fill, line, write};
 use super::{across, place, shade};
 
-/// Size of the text [pixels].
+/// Size of the text (pixels).
 const TEXT: f64 = 12.0;
-/// Size of the events' names [pixels].
+/// Size of the events' names (pixels).
 const SMALL: f64 = 11.0;
-/// Between two names of events [pixels].
+/// Between two names of events (pixels).
 const APART: f64 = 14.0;
-/// How far a name may be from its event [pixels].
+/// How far a name may be from its event (pixels).
 const ASTRAY: f64 = 42.0;
 /// Events' lines.
 const EVENT: RGBColor = RGBColor(90, 90, 90);
@@ -23,7 +23,7 @@ const CROWD: f64 = 60.0;
 const FAINTEST: f64 = 0.12;
 
 /// Draws the band of modes, and the events over everything but the modes' names.
-pub(super) fn draw(canvas: &Canvas<'_>, picture: &Picture) -> Result<(), Failure> {
+pub(super) fn draw(canvas: &Canvas<'_>, picture: &Picture) -> Result<(), DrawError> {
     let (top, bottom) = place::BAND;
     for epoch in &picture.epochs.all {
         let [start, end] = span(picture, epoch);
@@ -35,7 +35,7 @@ pub(super) fn draw(canvas: &Canvas<'_>, picture: &Picture) -> Result<(), Failure
 }
 
 /// Writes a mode's name into its epoch, where it fits.
-fn draw_name(canvas: &Canvas<'_>, picture: &Picture, epoch: &Epoch) -> Result<(), Failure> {
+fn draw_name(canvas: &Canvas<'_>, picture: &Picture, epoch: &Epoch) -> Result<(), DrawError> {
     let ([start, end], (top, bottom)) = (span(picture, epoch), place::BAND);
     let name = picture.modes[epoch.mode];
     let half = 0.5 * width(name);
@@ -48,7 +48,7 @@ fn draw_name(canvas: &Canvas<'_>, picture: &Picture, epoch: &Epoch) -> Result<()
 }
 
 /// Draws what the shades mean.
-fn draw_modes(canvas: &Canvas<'_>, picture: &Picture) -> Result<(), Failure> {
+fn draw_modes(canvas: &Canvas<'_>, picture: &Picture) -> Result<(), DrawError> {
     let seen = |mode: &usize| picture.epochs.all.iter().any(|epoch| epoch.mode == *mode);
     for (row, mode) in (0..picture.modes.len()).filter(seen).enumerate() {
         let y = 18.0 * row as f64 + 100.0;
@@ -61,7 +61,7 @@ fn draw_modes(canvas: &Canvas<'_>, picture: &Picture) -> Result<(), Failure> {
 }
 
 /// Draws the events' lines and names.
-fn draw_events(canvas: &Canvas<'_>, picture: &Picture) -> Result<(), Failure> {
+fn draw_events(canvas: &Canvas<'_>, picture: &Picture) -> Result<(), DrawError> {
     let (top, bottom) = (place::BAND.0, place::PANELS[2].1);
     let marks = &picture.marks.all;
     let color = EVENT.mix((CROWD / marks.len() as f64).clamp(FAINTEST, 1.0));
@@ -77,12 +77,12 @@ fn draw_events(canvas: &Canvas<'_>, picture: &Picture) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Where an epoch begins and ends [pixels].
+/// Where an epoch begins and ends (pixels).
 fn span(picture: &Picture, epoch: &Epoch) -> [f64; 2] {
     [epoch.span.0, epoch.span.1].map(|t| across(picture, t))
 }
 
-/// About the width of a text, with room at both ends [pixels].
+/// About the width of a text, with room at both ends (pixels).
 fn width(text: &str) -> f64 {
     text.chars().count() as f64 * 0.62 * TEXT + 6.0
 }

@@ -5,17 +5,17 @@ use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::mpsc;
 use tokio_tungstenite::tungstenite::Message;
 
-use crate::stream::protocol::{FromServer, Level, Parameter, Refusal, ServerFrame};
-use crate::stream::server::accept::House;
+use crate::stream::protocol::{FromServer, Level, ParameterError, ParameterValue, ServerFrame};
+use crate::stream::server::accept::ServerState;
 use crate::stream::server::outbox::Outbox;
-use crate::stream::server::{Value, Who};
+use crate::stream::server::{ParameterSetting, Who};
 use crate::{Reply, Request};
 
 /// Something to be answered.
 #[derive(Debug)]
-pub(super) struct Job {
+pub(super) struct PendingAnswer {
     pub(super) receipt: Receipt,
-    pub(super) wish: Wish,
+    pub(super) wish: ClientRequest,
 }
 
 /// What an answer is told by.
@@ -29,19 +29,18 @@ pub(super) enum Receipt {
 
 /// What is asked.
 #[derive(Debug)]
-pub(super) enum Wish {
+pub(super) enum ClientRequest {
     /// Parameters' values; all without names.
     Get(Vec<String>),
-    /// Other values.
-    Set(Vec<Parameter>),
+    Set(Vec<ParameterValue>),
     /// A service; or why it was asked wrongly.
     Call(Result<Request, String>),
 }
 
-impl Job {
+impl PendingAnswer {
     /// Whether it may overtake others.
     pub(super) const fn is_urgent(&self) -> bool {
-        matches!(self.wish, Wish::Call(Ok(Request::Stop {})))
+        matches!(self.wish, ClientRequest::Call(Ok(Request::Stop {})))
     }
 }
 
@@ -57,8 +56,8 @@ impl Receipt {
     }
 
     /// Answers what became of it; `values` are those that were asked for or set.
-    fn tell(self, outbox: &Outbox, values: &[Value], reply: Option<Reply>) {
-        let parameters = values.iter().map(|it| Parameter::new(it.name.clone(), it.value));
+    fn tell(self, outbox: &Outbox, values: &[ParameterSetting], reply: Option<Reply>) {
+        let parameters = values.iter().map(|it| ParameterValue::new(it.name.clone(), it.value));
         match self {
             Self::Parameters(id) => {
                 let parameters = parameters.collect();
@@ -79,7 +78,7 @@ impl Receipt {
 pub(super) struct Answerer(Arc<Parts>);
 
 struct Parts {
-    house: Arc<House>,
+    house: Arc<ServerState>,
     outbox: Arc<Outbox>,
     who: Who,
     /// Whether the client is gone; held while a key is pressed.
@@ -88,7 +87,7 @@ struct Parts {
 
 impl Answerer {
     /// Of `who`, by `outbox`.
-    pub(super) fn new(house: Arc<House>, outbox: Arc<Outbox>, who: Who) -> Self {
+    pub(super) fn new(house: Arc<ServerState>, outbox: Arc<Outbox>, who: Who) -> Self {
         Self(Arc::new(Parts { house, outbox, who, is_gone: Mutex::new(false) }))
     }
 
@@ -104,8 +103,8 @@ impl Answerer {
     }
 
     /// Answers one job after the other.
-    pub(super) async fn run(&self, mut jobs: mpsc::Receiver<Job>) {
-        while let Some(Job { receipt, wish }) = jobs.recv().await {
+    pub(super) async fn run(&self, mut jobs: mpsc::Receiver<PendingAnswer>) {
+        while let Some(PendingAnswer { receipt, wish }) = jobs.recv().await {
             let (parts, copy) = (Arc::clone(&self.0), receipt.clone());
             // What was begun is finished and told to others, even if this client goes.
             let answered = tokio::task::spawn_blocking(move || parts.answer(copy, wish)).await;
@@ -118,21 +117,21 @@ impl Answerer {
 }
 
 impl Parts {
-    fn answer(&self, receipt: Receipt, wish: Wish) {
+    fn answer(&self, receipt: Receipt, wish: ClientRequest) {
         match wish {
-            Wish::Get(names) => {
+            ClientRequest::Get(names) => {
                 let names = if names.is_empty() { None } else { Some(names.as_slice()) };
                 receipt.tell(&self.outbox, &self.house.backend.parameters(names), None);
             }
-            Wish::Set(parameters) => self.set(receipt, &parameters),
-            Wish::Call(request) => match request.and_then(|request| self.ask(request)) {
+            ClientRequest::Set(parameters) => self.set(receipt, &parameters),
+            ClientRequest::Call(request) => match request.and_then(|request| self.ask(request)) {
                 Ok(reply) => receipt.tell(&self.outbox, &[], Some(reply)),
                 Err(refusal) => receipt.refuse(&self.outbox, refusal),
             },
         }
     }
 
-    fn set(&self, receipt: Receipt, parameters: &[Parameter]) {
+    fn set(&self, receipt: Receipt, parameters: &[ParameterValue]) {
         let result = self.try_set(parameters);
         let names: Vec<String> = parameters.iter().map(|it| it.name.clone()).collect();
         let values = self.house.backend.parameters(Some(&names));
@@ -150,8 +149,9 @@ impl Parts {
         }
     }
 
-    fn try_set(&self, parameters: &[Parameter]) -> Result<Reply, String> {
-        let changes: Result<Vec<_>, Refusal> = parameters.iter().map(Parameter::change).collect();
+    fn try_set(&self, parameters: &[ParameterValue]) -> Result<Reply, String> {
+        let changes: Result<Vec<_>, ParameterError> =
+            parameters.iter().map(ParameterValue::change).collect();
         let changes = changes.map_err(|refusal| refusal.to_string())?;
         if changes.is_empty() {
             return Err("nothing was set: name at least one parameter".to_owned());

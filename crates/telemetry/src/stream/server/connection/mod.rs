@@ -17,12 +17,12 @@ use tokio_tungstenite::WebSocketStream;
 use tokio_tungstenite::tungstenite::Message;
 
 use answer::Answerer;
-use read::Reader;
+use read::RequestReader;
 
-use super::accept::House;
-use super::hub::Command;
+use super::accept::ServerState;
+use super::hub::HubCommand;
 use super::outbox::Outbox;
-use super::{Publisher, Role, Settings, Who};
+use super::{Publisher, Role, ServerSettings, Who};
 use crate::stream::carrier::Boxed;
 use crate::stream::protocol::{FromServer, Service, Text as _, channels};
 
@@ -33,7 +33,7 @@ const CLOSING: Duration = Duration::from_secs(1);
 const WAITING: usize = 64;
 
 /// Talks with `who` until either side has enough.
-pub(super) async fn hold(house: &Arc<House>, socket: WebSocketStream<Boxed>, who: Who) {
+pub(super) async fn hold(house: &Arc<ServerState>, socket: WebSocketStream<Boxed>, who: Who) {
     let limits = &house.settings.limits;
     let (outbox, control) = Outbox::new(limits);
     let outbox = Arc::new(outbox);
@@ -46,20 +46,20 @@ pub(super) async fn hold(house: &Arc<House>, socket: WebSocketStream<Boxed>, who
     let (urgent, to_answer_first) = mpsc::channel(WAITING);
     let answerer = Answerer::new(Arc::clone(house), Arc::clone(&outbox), who);
     let presence = Presence::begin(&answerer);
-    let mut reader = Reader::new(house, Arc::clone(&outbox), who, asked, urgent);
+    let mut reader = RequestReader::new(house, Arc::clone(&outbox), who, asked, urgent);
     let mut writing = Box::pin(write::run(&mut sink, control, &outbox, limits));
     let mut answering =
         pin!(async { tokio::join!(answerer.run(to_answer), answerer.run(to_answer_first)) });
     let end = tokio::select! {
         end = reader.run(&mut stream) => end,
         end = &mut writing => end,
-        _ended = &mut answering => End::Left,
-        () = outbox.cut() => End::Stalled,
-        () = house.closing() => End::Over,
+        _ended = &mut answering => ConnectionEnd::Left,
+        () = outbox.cut() => ConnectionEnd::Stalled,
+        () = house.closing() => ConnectionEnd::Over,
     };
     // Nothing more is taken from the client: the answers come to their end.
     drop(reader);
-    if end == End::Over {
+    if end == ConnectionEnd::Over {
         let last_words = async {
             answering.await;
             outbox.finish();
@@ -70,7 +70,7 @@ pub(super) async fn hold(house: &Arc<House>, socket: WebSocketStream<Boxed>, who
     drop(writing);
     drop(presence);
     write::bid_farewell(&mut sink, end, &house.reason()).await;
-    if end == End::Over {
+    if end == ConnectionEnd::Over {
         // A client that is still heard reads what was sent; one that is not might lose it.
         let _gone = timeout(CLOSING, async { while stream.next().await.is_some() {} }).await;
     }
@@ -94,8 +94,7 @@ impl Drop for Presence {
 
 /// How a conversation ended.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum End {
-    /// The client went.
+pub(super) enum ConnectionEnd {
     Left,
     /// It does not take what is sent.
     Stalled,
@@ -103,7 +102,6 @@ pub(super) enum End {
     Silent,
     /// It sent more at once than is taken.
     TooLarge,
-    /// The server closes.
     Over,
 }
 
@@ -115,19 +113,19 @@ struct Membership {
 
 impl Membership {
     fn join(publisher: &Publisher, who: Who, outbox: &Arc<Outbox>) -> Self {
-        publisher.command(Command::Join(who.number, Arc::clone(outbox)));
+        publisher.command(HubCommand::Join(who.number, Arc::clone(outbox)));
         Self { publisher: publisher.clone(), number: who.number }
     }
 }
 
 impl Drop for Membership {
     fn drop(&mut self) {
-        self.publisher.command(Command::Leave(self.number));
+        self.publisher.command(HubCommand::Leave(self.number));
     }
 }
 
 /// Who we are, and what somebody in this role can ask.
-fn information(settings: &Settings, role: Role) -> FromServer {
+fn information(settings: &ServerSettings, role: Role) -> FromServer {
     let capabilities = ["parameters", "parametersSubscribe", "services"];
     FromServer::ServerInfo {
         name: settings.name.clone(),

@@ -10,14 +10,14 @@ use tokio::time::{Instant, sleep, timeout};
 use tokio_tungstenite::WebSocketStream;
 use tokio_tungstenite::tungstenite::{Error, Message};
 
-use super::End;
-use super::answer::{Job, Receipt, Wish};
+use super::ConnectionEnd;
+use super::answer::{ClientRequest, PendingAnswer, Receipt};
 use super::bucket::Bucket;
 use crate::Request;
 use crate::stream::carrier::Boxed;
 use crate::stream::protocol::{ClientFrame, FromClient, Level, Service, Text as _};
-use crate::stream::server::accept::House;
-use crate::stream::server::hub::Command;
+use crate::stream::server::accept::ServerState;
+use crate::stream::server::hub::HubCommand;
 use crate::stream::server::outbox::Outbox;
 use crate::stream::server::{Publisher, Who};
 
@@ -25,25 +25,25 @@ use crate::stream::server::{Publisher, Who};
 const MOST_SUBSCRIPTIONS: usize = 1000;
 
 /// Reads what a client says.
-pub(super) struct Reader {
+pub(super) struct RequestReader {
     publisher: Publisher,
     outbox: Arc<Outbox>,
     who: Who,
-    asked: mpsc::Sender<Job>,
-    urgent: mpsc::Sender<Job>,
+    asked: mpsc::Sender<PendingAnswer>,
+    urgent: mpsc::Sender<PendingAnswer>,
     messages: Bucket,
     requests: Bucket,
     idle: Duration,
 }
 
-impl Reader {
+impl RequestReader {
     /// For `who`; what is asked is handed on to `asked`, a stop to `urgent`.
     pub(super) fn new(
-        house: &House,
+        house: &ServerState,
         outbox: Arc<Outbox>,
         who: Who,
-        asked: mpsc::Sender<Job>,
-        urgent: mpsc::Sender<Job>,
+        asked: mpsc::Sender<PendingAnswer>,
+        urgent: mpsc::Sender<PendingAnswer>,
     ) -> Self {
         let limits = &house.settings.limits;
         let bucket = |per_second| Bucket::new(per_second, Instant::now());
@@ -60,13 +60,16 @@ impl Reader {
     }
 
     /// Reads until the client has nothing more to say, or nothing is heard of it.
-    pub(super) async fn run(&mut self, stream: &mut SplitStream<WebSocketStream<Boxed>>) -> End {
+    pub(super) async fn run(
+        &mut self,
+        stream: &mut SplitStream<WebSocketStream<Boxed>>,
+    ) -> ConnectionEnd {
         loop {
             let message = match timeout(self.idle, stream.next()).await {
                 Ok(Some(Ok(message))) => message,
-                Ok(Some(Err(Error::Capacity(_)))) => return End::TooLarge,
-                Ok(Some(Err(_)) | None) => return End::Left,
-                Err(_elapsed) => return End::Silent,
+                Ok(Some(Err(Error::Capacity(_)))) => return ConnectionEnd::TooLarge,
+                Ok(Some(Err(_)) | None) => return ConnectionEnd::Left,
+                Err(_elapsed) => return ConnectionEnd::Silent,
             };
             let wait = self.messages.book(Instant::now());
             // Even no time at all would be rounded up to a tick of the timer.
@@ -90,22 +93,22 @@ impl Reader {
                     let text = format!("at most {MOST_SUBSCRIPTIONS} subscriptions in a message");
                     return self.complain(text);
                 }
-                self.publisher.command(Command::Subscribe(number, subscriptions));
+                self.publisher.command(HubCommand::Subscribe(number, subscriptions));
             }
             Ok(FromClient::Unsubscribe { subscription_ids }) => {
-                self.publisher.command(Command::Unsubscribe(number, subscription_ids));
+                self.publisher.command(HubCommand::Unsubscribe(number, subscription_ids));
             }
             Ok(FromClient::SubscribeParameterUpdates { parameter_names }) => {
-                self.publisher.command(Command::Watch(number, parameter_names));
+                self.publisher.command(HubCommand::Watch(number, parameter_names));
             }
             Ok(FromClient::UnsubscribeParameterUpdates { parameter_names }) => {
-                self.publisher.command(Command::Unwatch(number, parameter_names));
+                self.publisher.command(HubCommand::Unwatch(number, parameter_names));
             }
             Ok(FromClient::GetParameters { parameter_names, id }) => {
-                self.ask(Receipt::Parameters(id), Wish::Get(parameter_names));
+                self.ask(Receipt::Parameters(id), ClientRequest::Get(parameter_names));
             }
             Ok(FromClient::SetParameters { parameters, id }) => {
-                self.ask(Receipt::Parameters(id), Wish::Set(parameters));
+                self.ask(Receipt::Parameters(id), ClientRequest::Set(parameters));
             }
             Ok(FromClient::Other) => {
                 self.complain("this host has not said that it could do this".to_owned());
@@ -122,12 +125,12 @@ impl Reader {
             Err(error) => return self.complain(error.to_string()),
         };
         let request = request(service, encoding, payload);
-        self.ask(Receipt::Call(service, call), Wish::Call(request));
+        self.ask(Receipt::Call(service, call), ClientRequest::Call(request));
     }
 
     /// Hands on what is asked, unless too much is.
-    fn ask(&mut self, receipt: Receipt, wish: Wish) {
-        let job = Job { receipt, wish };
+    fn ask(&mut self, receipt: Receipt, wish: ClientRequest) {
+        let job = PendingAnswer { receipt, wish };
         let queue = if job.is_urgent() { &self.urgent } else { &self.asked };
         // Whoever asks for a stop gets it, whatever else they ask for.
         if !job.is_urgent() && !self.requests.take(Instant::now()) {

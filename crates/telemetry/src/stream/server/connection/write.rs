@@ -9,14 +9,14 @@ use tokio_tungstenite::tungstenite::protocol::CloseFrame;
 use tokio_tungstenite::tungstenite::protocol::frame::coding::CloseCode;
 use tokio_tungstenite::tungstenite::{Bytes, Message, Utf8Bytes};
 
-use super::End;
+use super::ConnectionEnd;
 use crate::stream::carrier::Boxed;
 use crate::stream::protocol::Level;
-use crate::stream::server::Limits;
+use crate::stream::server::ServerLimits;
 use crate::stream::server::outbox::Outbox;
 
 /// One end of a connection.
-type Sink = SplitSink<WebSocketStream<Boxed>, Message>;
+type FrameSink = SplitSink<WebSocketStream<Boxed>, Message>;
 
 /// Pings in the time after which a client counts as gone.
 const PINGS: u32 = 3;
@@ -26,11 +26,11 @@ const BETWEEN_WARNINGS: Duration = Duration::from_secs(1);
 
 /// Sends what waits, control first, until the client takes no more or all is sent.
 pub(super) async fn run(
-    sink: &mut Sink,
+    sink: &mut FrameSink,
     mut control: mpsc::Receiver<Message>,
     outbox: &Outbox,
-    limits: &Limits,
-) -> End {
+    limits: &ServerLimits,
+) -> ConnectionEnd {
     let mut pings = interval(limits.idle / PINGS);
     let mut warnings = interval(BETWEEN_WARNINGS);
     loop {
@@ -46,13 +46,13 @@ pub(super) async fn run(
                 continue;
             }
             message = outbox.sample() => message,
-            () = outbox.finished() => return End::Over,
+            () = outbox.finished() => return ConnectionEnd::Over,
         };
         // Whoever takes nothing for so long is gone, or will not catch up.
         match timeout(limits.stall, sink.send(next)).await {
             Ok(Ok(())) => {}
-            Ok(Err(_gone)) => return End::Left,
-            Err(_elapsed) => return End::Stalled,
+            Ok(Err(_gone)) => return ConnectionEnd::Left,
+            Err(_elapsed) => return ConnectionEnd::Stalled,
         }
     }
 }
@@ -60,17 +60,17 @@ pub(super) async fn run(
 /// Says why it is over, if the client may still hear it.
 ///
 /// `closing` is why the server closes, if it does.
-pub(super) async fn bid_farewell(sink: &mut Sink, end: End, closing: &str) {
+pub(super) async fn bid_farewell(sink: &mut FrameSink, end: ConnectionEnd, closing: &str) {
     /// Longest time for a last word.
     const GRACE: Duration = Duration::from_secs(1);
-    /// Longest reason that a close frame carries [bytes].
+    /// Longest reason that a close frame carries (bytes).
     const LONGEST: usize = 123;
     let (code, reason) = match end {
-        End::Left => return,
-        End::Stalled => (CloseCode::Policy, "you do not take what is sent to you"),
-        End::Silent => (CloseCode::Policy, "nothing was heard of you, not even a pong"),
-        End::TooLarge => (CloseCode::Size, "your message is larger than this host takes"),
-        End::Over => (CloseCode::Away, &closing[..closing.floor_char_boundary(LONGEST)]),
+        ConnectionEnd::Left => return,
+        ConnectionEnd::Stalled => (CloseCode::Policy, "you do not take what is sent to you"),
+        ConnectionEnd::Silent => (CloseCode::Policy, "nothing was heard of you, not even a pong"),
+        ConnectionEnd::TooLarge => (CloseCode::Size, "your message is larger than this host takes"),
+        ConnectionEnd::Over => (CloseCode::Away, &closing[..closing.floor_char_boundary(LONGEST)]),
     };
     let frame = CloseFrame { code, reason: Utf8Bytes::from(reason) };
     let _heard = timeout(GRACE, sink.send(Message::Close(Some(frame)))).await;
