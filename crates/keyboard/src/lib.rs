@@ -1,0 +1,17 @@
+//! The 88 keys of a full compass: index, note name, range.
+//!
+//! A key has one number, its [`KeyIndex`], 0 (A0) to 87 (C8); names and MIDI numbers are other
+//! spellings of it.
+#![no_std]
+#![forbid(unsafe_code)]
+
+#[cfg(test)]
+extern crate std;
+
+mod index;
+mod name;
+mod range;
+
+pub use index::{KEYS, KeyIndex};
+pub use name::NoteError;
+pub use range::{KeyRange, RangeError};
