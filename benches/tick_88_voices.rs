@@ -21,9 +21,7 @@ use haptics::RigParameters;
 use hardware::sim::key::SimulatedKey;
 use host::adapters::observer::{LiveCounters, TickPublisher};
 use host::adapters::tap::{TickRecorder, TickRecorderRings};
-use host::adapters::voice::RehearsableVoice;
-use host::assemble::VoiceBuilder;
-use host::bell::WakeFd;
+use realtime::wake_fd::WakeFd;
 use scheduler::motion::{KEYS, KeyEvent, KeySample};
 use scheduler::port::{FinishedTick, KeyBus, Lanes, TickObserver};
 use scheduler::slot::Slot;
@@ -32,6 +30,8 @@ use scheduler::time::{Nanos, Period, Timetable};
 use scheduler::voice::{Voice, VoiceOutput};
 use setting::{TICKS, swing};
 use stage::{Stage, scene, stroke};
+use voice::RehearsableVoice;
+use voice::VoiceBuilder;
 
 const HZ: u32 = 1000;
 
@@ -204,7 +204,7 @@ impl Lanes for Copies {
 /// A scheduler whose next tick is `tick`.
 fn scheduler_at(tick: u64) -> Box<Scheduler> {
     let period = Period::from_hz(HZ).expect("a rate that can be kept");
-    let mut scheduler = host::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), SLEW);
+    let mut scheduler = realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), SLEW);
     let (due, mut nothing) = (scheduler.timetable().due(tick - 1), Copies(Vec::new()));
     scheduler.poll(due, &mut Held(0.0), &mut nothing, &mut stage::Nobody);
     scheduler

@@ -10,18 +10,18 @@ use std::sync::Arc;
 
 use criterion::Criterion;
 use haptics::RigParameters;
-use host::assemble::{AnyVoice, VoiceBuilder};
-use host::config::{self, Scene};
+use scene::Scene;
 use scheduler::motion::KeySample;
 use scheduler::voice::VoiceOutput;
 use setting::{TICKS, swing};
+use voice::{AnyVoice, VoiceBuilder};
 
 /// C4, the key that stands for the others.
 const MIDDLE: usize = 39;
 
 fn main() {
     let mut criterion = setting::criterion();
-    for instrument in config::instruments() {
+    for instrument in scene::instruments() {
         let name = format!("voice/{}", instrument.name);
         let positions = swing(0.0, RigParameters::default().quantum);
         ticks(&mut criterion, &name, voice(&instrument.name), &positions);

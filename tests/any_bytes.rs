@@ -8,11 +8,11 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-use host::config::{Scene, check_file};
 use host::session::{RunOptions, RunSession};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
+use scene::{Scene, check_file};
 
 const BACH: &[u8] = include_bytes!("../configs/performances/bach-bwv-846.mid");
 const MIXED: &[u8] = include_bytes!("../configs/scenes/mixed.toml");

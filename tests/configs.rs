@@ -5,23 +5,23 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use host::config::{self, FileKind, check_file};
+use scene::{FileKind, check_file};
 
 #[test]
 fn every_scene_loads_and_is_embedded() {
-    check_shelf("scenes", FileKind::Scene, &config::scenes().map(String::from).collect());
+    check_shelf("scenes", FileKind::Scene, &scene::scenes().map(String::from).collect());
 }
 
 #[test]
 fn every_instrument_loads_and_is_embedded() {
-    let names = config::instruments().into_iter().map(|instrument| instrument.name);
+    let names = scene::instruments().into_iter().map(|instrument| instrument.name);
     check_shelf("instruments", FileKind::Instrument, &names.collect());
 }
 
 #[test]
 fn every_performance_is_read_without_leaving_a_note_out_and_is_embedded() {
     let paths = files("performances", "mid");
-    assert_eq!(names(&paths), config::performances().map(String::from).collect());
+    assert_eq!(names(&paths), scene::performances().map(String::from).collect());
     for path in paths {
         let score = performance::read(&fs::read(&path).expect("a file"));
         let score = score.unwrap_or_else(|error| panic!("{}: {error}", path.display()));

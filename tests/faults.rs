@@ -8,7 +8,7 @@ use firmware_protocol::key::BoardId;
 use haptics::Touch;
 use hardware::link::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use hardware::sim::keybed::SimulatedKeybed;
-use host::config::Scene;
+use scene::Scene;
 use scheduler::motion::KEYS;
 use scheduler::port::KeyBus;
 use stage::broken_sensor::BrokenSensor;

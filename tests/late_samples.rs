@@ -8,12 +8,12 @@ use firmware_protocol::key::BoardId;
 use haptics::Touch;
 use hardware::link::faulty::{Chance, FaultPlan, LinkFault};
 use hardware::sim::keybed::SimulatedKeybed;
-use host::adapters::audit::AuditCell;
-use host::config::Scene;
+use scene::Scene;
 use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;
 use stage::{Stage, audited, key, keybed, scene, stroke};
+use voice::AuditCell;
 
 /// Strokes on each key.
 const STROKES: u32 = 8;

@@ -7,9 +7,9 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-use host::config::{self, Scene};
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession};
+use scene::Scene;
 use stage::scene;
 
 /// Promised of 99 % of the notes: how far from their time (ms), and from their velocity.
@@ -39,7 +39,7 @@ fn the_fast_scene_is_played_as_written() {
 
 #[test]
 fn every_embedded_scene_runs_without_a_fault() {
-    for name in config::scenes() {
+    for name in scene::scenes() {
         check_healthy(&run(&scene(name, &[]), 3.0));
     }
 }
@@ -48,7 +48,7 @@ fn every_embedded_scene_runs_without_a_fault() {
 fn every_instrument_runs_on_all_keys_without_a_fault() {
     let stable = [("tick_hz", "4000"), ("render.jerk_density", "10")];
     let mut refused = Vec::new();
-    for instrument in config::instruments() {
+    for instrument in scene::instruments() {
         let chosen = [("keys.instrument", instrument.name.as_str())];
         let load = |more: &[(&str, &str)]| {
             let all = chosen.iter().chain(more);

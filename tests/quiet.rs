@@ -5,13 +5,13 @@ mod stage;
 
 use std::sync::Arc;
 
-use host::adapters::audit::AuditCell;
-use host::config::{Scene, instruments};
-use host::realtime::pool::BoxedVoice;
+use realtime::pool::BoxedVoice;
+use scene::{Scene, instruments};
 use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;
 use stage::{Stage, keybed, play_all, scene};
+use voice::AuditCell;
 
 /// Energy that a key's model may have been given or have made when nobody was there \[J\].
 const NOTHING: f64 = 1e-3;

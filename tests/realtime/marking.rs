@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use host::realtime::pool::BoxedVoice;
+use realtime::pool::BoxedVoice;
 use scheduler::motion::KeySample;
 use scheduler::slot::lane_of;
 use scheduler::voice::{Voice, VoiceOutput};

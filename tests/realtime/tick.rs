@@ -6,13 +6,13 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use host::adapters::observer::{LiveCounters, TickPublisher};
 use host::adapters::tap::{TickRecorder, TickRecorderRings};
-use host::bell::WakeFd;
-use host::config::Scene;
-use host::realtime::run::{Assembly, Timings, Until};
-use host::realtime::{clock, run};
 use midi::NoteEvent as MidiEvent;
 use models::catalogue;
+use realtime::run::{Assembly, Timings, Until};
+use realtime::wake_fd::WakeFd;
+use realtime::{clock, run};
 use rtrb::Consumer;
+use scene::Scene;
 use scheduler::motion::KEYS;
 use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::time::Nanos;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use host::realtime::pool::{LaneCounters, WaitLimit, Way};
+use realtime::pool::{LaneCounters, WaitLimit, Way};
 use scheduler::motion::KeySample;
 use scheduler::slot::lane_of;
 use scheduler::time::Nanos;

@@ -1,6 +1,6 @@
 //! Builds and runs the program.
 //!
-//! Cargo tells a test where the programs of its own package are, but `letoff` is the host's.
+//! Cargo tells a test where the programs of its own package are, but `letoff` is that of `cli`.
 //! So the program is built here, once, by the Cargo that runs the tests, into the folder and
 //! profile that this test was built in: it is there already, or up to date in seconds, and
 //! never an old one.
@@ -36,7 +36,7 @@ fn build() -> PathBuf {
     }
     let built = build
         .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(["build", "--quiet", "--package", "host", "--bin", "letoff"])
+        .args(["build", "--quiet", "--package", "cli", "--bin", "letoff"])
         .args(["--profile", profile, "--target-dir"])
         .arg(target)
         .status();

@@ -10,14 +10,14 @@ use std::sync::Arc;
 use firmware_protocol::key::KeyIndex;
 use haptics::{Gesture, RigParameters, Touch};
 use hardware::sim::keybed::SimulatedKeybed;
-use host::adapters::audit::AuditCell;
-use host::assemble::VoiceBuilder;
-use host::config::Scene;
-use host::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
+use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
+use scene::Scene;
 use scheduler::motion::KEYS;
 use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::tick::{Scheduler, TickReport};
 use scheduler::time::{Nanos, Period, Timetable};
+use voice::AuditCell;
+use voice::VoiceBuilder;
 
 /// A scene of ours with overrides.
 pub fn scene(name: &str, overrides: &[(&str, &str)]) -> Scene {
@@ -128,7 +128,7 @@ impl<B: KeyBus> Stage<B, Nobody> {
     ) -> Self {
         let (lanes, swaps) = lanes(voices, n_lanes);
         let period = Period::from_hz(tick_hz).expect("a rate that can be kept");
-        let scheduler = host::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), slew);
+        let scheduler = realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), slew);
         Self { scheduler, bus, lanes, swaps, observer: Nobody }
     }
 

@@ -12,9 +12,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use hdrhistogram::Histogram;
-use host::config::Scene;
 use host::control::{Folders, RequestHandler, StreamSink, VoiceSwitcher};
 use host::session::{RunOptions, RunSession};
+use scene::Scene;
 use telemetry::request::Change;
 use telemetry::stream::{Client, Dial, ServerSettings, StreamServer, serve};
 use telemetry::{Arrival, KeyBlock, Request, Source as _, Topic, Update};

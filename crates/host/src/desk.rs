@@ -10,10 +10,9 @@ use performance::Struck;
 use rtrb::Consumer;
 use scheduler::time::Nanos;
 
-use crate::bell::WakeFd;
-use crate::realtime::clock;
-use crate::realtime::thread::{DEFAULT_PRIORITY, ask_for_fifo};
-use crate::session::whole;
+use realtime::clock;
+use realtime::thread::{DEFAULT_PRIORITY, ask_for_fifo};
+use realtime::wake_fd::WakeFd;
 
 /// Longest wait without a bell: ports that vanished are looked for this often.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -107,7 +106,7 @@ impl MidiDispatcher {
     fn play_due(&mut self, start: Nanos, handover: &mut Histogram<u64>) {
         self.collect();
         while let Some(first) = self.schedule.first() {
-            let due = start.after(Nanos::new(whole(first.at * 1e9)));
+            let due = start.after(clock::from_seconds(first.at));
             if clock::monotonic() < due {
                 // The tick sees up to one period ahead: wait for the event's own time, and look
                 // whether something earlier has come meanwhile.
@@ -205,7 +204,7 @@ mod tests {
 
     use super::*;
     use crate::adapters::observer::{LiveCounters, TickPublisher};
-    use crate::realtime::run::histogram;
+    use realtime::run::histogram;
 
     /// An output that writes down what it is sent, in the order in which that happens.
     #[derive(Clone, Default)]

@@ -1,25 +1,26 @@
-//! The keyboard host service and everything behind the `letoff` command.
+//! The keyboard host service: a checked scene becomes a run that plays, is observed and replayed.
 //!
-//! The only crate that knows all others. [`command`] is what people type, [`config`] turns
-//! their files into checked values, [`assemble`] connects objects, [`session`] runs them,
-//! [`realtime`] holds threads and clocks, [`adapters`] plug into the scheduler's ports.
+//! | module | what stands there |
+//! |---|---|
+//! | [`session`] | one run from its scene to its report |
+//! | [`control`] | requests of commands and of the stream, on their way to a running voice |
+//! | [`adapters`] | what plugs into the scheduler's ports: strikes, rows of telemetry, links |
+//! | [`observe`] | from rings to telemetry messages, to recordings and to the stream |
+//! | [`desk`] | the thread that sends MIDI |
+//! | [`replay`] | a recording run again and compared |
+//! | [`rehearsal`] | one key with its voice in virtual time, for the virtual pianist |
+//! | [`report`] | what a run did, for people and as JSON |
+//! | [`simulated`] | simulated boards on wires of their own |
 //!
-//! Not here: equations, wire formats, what a strike means in MIDI.
+//! Not here: equations, wire formats, what a strike means in MIDI, what people type.
 
 pub mod adapters;
-pub mod assemble;
-pub mod bell;
-mod boards;
-pub mod command;
-pub mod config;
+pub mod boards;
 pub mod control;
 pub mod desk;
-mod names;
 pub mod observe;
-pub mod realtime;
 pub mod rehearsal;
 pub mod replay;
 pub mod report;
 pub mod session;
-pub mod simulate;
 pub mod simulated;

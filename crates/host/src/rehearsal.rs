@@ -1,17 +1,30 @@
 //! A key with its action, to rehearse strokes on: the very loop that will run later.
 
 use std::fmt;
+use std::sync::Arc;
 
 use haptics::Gesture;
 use hardware::sim::key::SimulatedKey;
 use performance::{PlayOutcome, Rehearsal, Strike};
+use scene::KeyVoice;
 use scheduler::motion::{KeyEvent, Moment};
 use scheduler::safety::KeyGate;
 use scheduler::slot::Slot;
 use scheduler::time::Period;
 use scheduler::voice::{Voice, VoiceOutput};
 
-use crate::adapters::voice::RehearsableVoice;
+use voice::{BuildError, RehearsableVoice, VoiceBuilder};
+
+/// Why a key of a scene cannot be rehearsed.
+#[derive(Debug, thiserror::Error)]
+pub enum RehearsalError {
+    /// The scene's values make no voice.
+    #[error(transparent)]
+    Voice(#[from] BuildError),
+    /// The simulated keybed refuses the scene's period.
+    #[error("the simulated keybed cannot run the scene: {0}")]
+    Keybed(#[from] hardware::Error),
+}
 
 /// One key of the simulated keybed and its voice, in virtual time.
 ///
@@ -63,6 +76,21 @@ impl RehearsedKey {
 }
 
 impl RehearsedKey {
+    /// Returns one key of a scene with its voice, on the simulated keybed's rig.
+    ///
+    /// # Errors
+    /// If the voice or the keybed are refused.
+    pub fn of_scene(
+        builder: &VoiceBuilder<'_>,
+        key: usize,
+        voice: &KeyVoice,
+    ) -> Result<Self, RehearsalError> {
+        let period = builder.period();
+        let sim = SimulatedKey::new(period.as_secs_f64(), builder.rig())?;
+        let voice = builder.voice(voice, Arc::default())?;
+        Ok(Self::new(key, sim, voice, (period, builder.slew_limit())))
+    }
+
     fn note(&self, (at, event): &(Moment, KeyEvent), outcome: &mut PlayOutcome) {
         let at = at.seconds(self.period);
         match *event {

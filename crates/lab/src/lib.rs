@@ -15,3 +15,4 @@
 pub mod accuracy;
 pub mod report;
 pub mod scenario;
+pub mod simulate;

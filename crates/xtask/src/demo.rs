@@ -16,9 +16,9 @@ const DURATION: &str = "30";
 pub(crate) fn play(forwarded: Vec<OsString>) -> Result<(), Error> {
     apt::install_missing()?;
     println!("building the host, in release mode; the first time takes a few minutes");
-    command::run(&mut cargo(["build", "--release", "--package", "host"]))?;
+    command::run(&mut cargo(["build", "--release", "--package", "cli"]))?;
     let arguments = letoff_arguments(forwarded);
-    let ours = ["run", "--release", "--quiet", "--package", "host", "--"].map(OsString::from);
+    let ours = ["run", "--release", "--quiet", "--package", "cli", "--"].map(OsString::from);
     command::become_command(&mut cargo(ours.into_iter().chain(arguments)))
 }
 

@@ -9,7 +9,7 @@ use scheduler::motion::{KeyEvent, Moment};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::{VoiceFault, VoiceOutput};
 
-use crate::bell::WakeFd;
+use realtime::wake_fd::WakeFd;
 
 /// What anybody may look at while the host runs.
 #[derive(Debug, Default)]

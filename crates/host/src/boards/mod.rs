@@ -1,6 +1,6 @@
 //! Boards on links, as every command has them: opened, planned, and how their keys read.
 
-pub(crate) mod planning;
+pub mod planning;
 
 use std::path::PathBuf;
 
@@ -16,23 +16,23 @@ use hardware::plan::uart::Wiring;
 use hardware::refusal::{BoardName, Refusal};
 use scheduler::time::Nanos;
 
-use crate::config::{BoardBus, Boards};
 use crate::control::BoardsTold;
-use crate::realtime::clock;
+use realtime::clock;
+use scene::{BoardBus, Boards};
 
 /// How long boards may take to answer, and to be armed (us).
-pub(crate) const PATIENCE_US: u64 = 4_000_000;
+pub const PATIENCE_US: u64 = 4_000_000;
 
 /// Begins of the names of serial ports whose bits take their time on a wire.
 const UARTS: [&str; 7] = ["ttyS", "ttyUSB", "ttyAMA", "ttyO", "ttyTHS", "ttymxc", "cu.usbserial"];
 
 /// The host's clock, as boards' clocks are compared with it (us).
-pub(crate) fn now_us() -> u64 {
+pub fn now_us() -> u64 {
     clock::monotonic().as_u64() / 1_000
 }
 
 /// Opens a link that is opened again whenever it goes down.
-pub(crate) fn open(bus: &BoardBus) -> Result<NamedLink, hardware::Error> {
+pub fn open(bus: &BoardBus) -> Result<NamedLink, hardware::Error> {
     let address = bus.address.clone();
     let link = Lasting::open(move || address.open(BusSide::Host))?;
     let medium = medium(bus).filter(|_| !is_virtual(&bus.address));
@@ -44,7 +44,7 @@ pub(crate) fn open(bus: &BoardBus) -> Result<NamedLink, hardware::Error> {
 ///
 /// # Errors
 /// All that cannot be opened, a sentence on each, ready to be said after "letoff: ".
-pub(crate) fn open_all(buses: &[BoardBus]) -> Result<Vec<NamedLink>, String> {
+pub fn open_all(buses: &[BoardBus]) -> Result<Vec<NamedLink>, String> {
     let (mut lines, mut wrong) = (Vec::new(), Vec::new());
     for bus in buses {
         match open(bus) {
@@ -58,7 +58,7 @@ pub(crate) fn open_all(buses: &[BoardBus]) -> Result<Vec<NamedLink>, String> {
 /// What a link is made of, as far as its name and its rates tell.
 ///
 /// USB devices and pseudo-terminals take any baud rate and keep none.
-pub(crate) fn medium(bus: &BoardBus) -> Option<Medium> {
+pub fn medium(bus: &BoardBus) -> Option<Medium> {
     let (nominal, data) = bus.bit_rates;
     match &bus.address {
         Address::Can { mode: CanMode::Fd, .. } => Some(Medium::CanFd { nominal, data }),
@@ -75,7 +75,7 @@ pub(crate) fn medium(bus: &BoardBus) -> Option<Medium> {
 }
 
 /// Whether a link exists in memory only, and takes no time.
-pub(crate) fn is_virtual(address: &Address) -> bool {
+pub fn is_virtual(address: &Address) -> bool {
     match address {
         Address::Can { interface, .. } => {
             interface.starts_with("vcan") || interface.starts_with("vxcan")
@@ -85,13 +85,13 @@ pub(crate) fn is_virtual(address: &Address) -> bool {
 }
 
 /// Where calibration files are.
-pub(crate) fn folder(boards: &Boards) -> Option<PathBuf> {
+pub fn folder(boards: &Boards) -> Option<PathBuf> {
     boards.calibration.clone().or_else(file::usual_folder)
 }
 
 /// How the keys of a board behind one of the `boards`' buses read: from its file; a simulated
 /// board reads as it says.
-pub(crate) fn calibration(
+pub fn calibration(
     found: &FoundBoard,
     name: &BoardName,
     boards: &Boards,
@@ -113,7 +113,7 @@ pub(crate) fn calibration(
 }
 
 /// Tells all boards to render no force until they are seen to, several times since none answers.
-pub(crate) fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
+pub fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
     /// How often a board is told that may not have heard it.
     const TIMES: u8 = 3;
     /// How often a line is tried that has no room yet, and how long it is given meanwhile.
@@ -138,7 +138,7 @@ fn nominal(found: &FoundBoard) -> PerKey<KeyCalibration> {
 
 /// Keys that are to be measured: how they read is as their board says, where they are may be
 /// anywhere.
-pub(crate) fn unmeasured(found: &FoundBoard) -> PerKey<KeyCalibration> {
+pub fn unmeasured(found: &FoundBoard) -> PerKey<KeyCalibration> {
     alike(found, found.nominal().unmeasured())
 }
 

@@ -7,11 +7,11 @@ use hardware::keybed::{Calibrated, Keybed};
 use hardware::plan::{BusPlan, BusVerdict, Extras, standard};
 use hardware::refusal::KeyRange;
 
-use crate::config::{BoardBus, Boards};
+use scene::{BoardBus, Boards};
 
 /// Why nothing is planned for a link.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum NoPlan {
+pub enum NoPlan {
     /// It exists in memory only.
     Virtual,
     /// Its name does not tell how fast it is.
@@ -38,24 +38,20 @@ impl fmt::Display for NoPlan {
 
 /// Plans of the links of `boards` at `tick_hz` with the boards that the scene lists; a link
 /// without a list, or whose times are not known, has none.
-pub(crate) fn listed(boards: &Boards, tick_hz: u32) -> Vec<BusPlan> {
+pub fn listed(boards: &Boards, tick_hz: u32) -> Vec<BusPlan> {
     let buses = boards.buses.iter();
     buses.filter_map(|bus| plan(boards, bus, listed_on(bus), tick_hz).ok()).collect()
 }
 
 /// The same with an entry for each link; those of which nothing is said share the standard
 /// boards that no other has.
-pub(crate) fn assumed(boards: &Boards, tick_hz: u32) -> Vec<Result<BusPlan, NoPlan>> {
+pub fn assumed(boards: &Boards, tick_hz: u32) -> Vec<Result<BusPlan, NoPlan>> {
     let keys = shares(boards).into_iter().zip(&boards.buses);
     keys.map(|(keys, bus)| plan(boards, bus, keys, tick_hz)).collect()
 }
 
 /// Plans of all links of a keybed whose boards are known; none where times are not known.
-pub(crate) fn found(
-    boards: &Boards,
-    keybed: &Keybed<Calibrated>,
-    tick_hz: u32,
-) -> Vec<Option<BusPlan>> {
+pub fn found(boards: &Boards, keybed: &Keybed<Calibrated>, tick_hz: u32) -> Vec<Option<BusPlan>> {
     let lines = keybed.line_names().zip(keybed.media()).enumerate();
     let plans = lines.map(|(line, (name, medium))| {
         let plan = of(boards, name.to_owned(), medium?, keybed.boards_on(line), tick_hz);
@@ -65,7 +61,7 @@ pub(crate) fn found(
 }
 
 /// What plans with this verdict say.
-pub(crate) fn sentences<'a, P: IntoIterator<Item = &'a BusPlan>>(
+pub fn sentences<'a, P: IntoIterator<Item = &'a BusPlan>>(
     plans: P,
     verdict: BusVerdict,
 ) -> Vec<String> {

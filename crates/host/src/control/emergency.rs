@@ -4,8 +4,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Duration;
 
-use telemetry::Reply;
+use telemetry::{Reply, Request};
 use tokio::sync::Notify;
+
+use super::{Answer, Answers};
 
 /// How many of the armed boards were told to render no force.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -117,6 +119,16 @@ impl EmergencyStop {
         let told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
         let waited = self.is_told.wait_timeout_while(told, patience, |told| told.is_none());
         *waited.unwrap_or_else(PoisonError::into_inner).0
+    }
+}
+
+/// While keys are calibrated, a stop is all that is answered.
+impl Answers for EmergencyStop {
+    fn reply_to(&self, request: &Request) -> Answer {
+        if matches!(request, Request::Stop {}) {
+            return self.ask_and_wait();
+        }
+        Err("keys are being calibrated here: only `letoff stop` is heard".to_owned())
     }
 }
 

@@ -4,8 +4,8 @@ use std::fs::{self, DirBuilder};
 use std::os::unix::fs::DirBuilderExt as _;
 use std::path::{Component, Path, PathBuf};
 
-use crate::config::instruments;
-use crate::names::{choice, quoted};
+use diagnostics::{choice, quoted};
+use scene::instruments;
 
 /// Folders in which clients of the stream may name files; without one they may name none.
 #[derive(Clone, Debug, Default)]

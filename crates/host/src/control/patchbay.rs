@@ -10,9 +10,9 @@ use rtrb::Producer;
 use telemetry::{Log, Update, log};
 
 use super::{Connection, EmergencyStop, FingerQueue};
-use crate::adapters::audit::AuditCell;
 use crate::observe::{RecordingHandle, TelemetryMessage};
-use crate::realtime::pool::{BoxedVoice, VoiceSwaps, Way};
+use realtime::pool::{BoxedVoice, VoiceSwaps, Way};
+use voice::AuditCell;
 
 /// Off the tick on both sides; the tick itself only sees the rings behind it.
 #[derive(Debug, Default)]

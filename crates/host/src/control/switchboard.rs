@@ -8,10 +8,10 @@ use telemetry::{Event, Reply, Request, Update, event};
 
 use super::tuning::CurrentVoices;
 use super::{Connection, RunHandle};
-use crate::assemble::VoiceBuilder;
-use crate::config::{Instrument, KeyVoice, Scene, keys_named, written};
 use crate::observe::{self, Origin, TelemetryMessage};
-use crate::realtime::pool::{BoxedVoice, Way};
+use realtime::pool::{BoxedVoice, Way};
+use scene::{Instrument, KeyVoice, Scene, keys_named, written};
+use voice::VoiceBuilder;
 
 /// Builds voices for a running scene and hands them to its lanes.
 #[derive(Debug)]
@@ -140,12 +140,12 @@ impl VoiceSwitcher {
         instrument: Option<&str>,
         (way, who): (Way, &str),
     ) -> Result<(), String> {
-        let assembler = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
+        let builder = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
         let mut built: Vec<(usize, BoxedVoice)> = Vec::new();
         let mut told = Vec::new();
         for (key, voice) in &voices {
             let (revision, cell) = (self.patchbay.new_revision(), self.patchbay.new_cell());
-            let made = assembler.numbered(voice, cell, revision);
+            let made = builder.numbered(voice, cell, revision);
             built.push((usize::from(*key), made.map_err(|it| it.to_string())?));
             // Values that are changed are still that instrument's.
             let before = playing.instruments[usize::from(*key)].as_deref();

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use models::Parameter;
 use telemetry::request::Change;
 
-use crate::config::KeyVoice;
-use crate::names::{choice, quoted};
 use crate::observe::instrument_of;
+use diagnostics::{choice, quoted};
+use scene::KeyVoice;
 
 /// What plays on each key now.
 #[derive(Clone, Debug)]
@@ -77,7 +77,7 @@ fn refuse(parameter: &Parameter, value: f64) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::config::Scene;
+    use scene::Scene;
 
     fn playing() -> CurrentVoices {
         CurrentVoices::new(Scene::load("default", &[]).expect("the default scene").keys)

@@ -6,7 +6,7 @@ use telemetry::{Catalogue, Instrument, Model, Parameter};
 
 use super::embedded;
 use super::eye::{modes, signals};
-use crate::config::{self, LinksConfig, Scene};
+use scene::{self, LinksConfig, Scene};
 
 /// The catalogue of a host that runs `scene`; when it began is not known yet.
 pub fn catalogue(scene: &Scene) -> Catalogue {
@@ -19,7 +19,7 @@ pub fn catalogue(scene: &Scene) -> Catalogue {
         models: ENTRIES.iter().map(model).collect(),
         instruments: instruments(),
         fingers: scene.links == LinksConfig::Simulated,
-        scene_text: config::written(scene),
+        scene_text: scene::written(scene),
         ..Catalogue::default()
     }
 }

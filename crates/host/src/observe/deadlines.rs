@@ -5,8 +5,8 @@ use scheduler::deadline::{MissCause, Outcome};
 use telemetry::{Deadlines, Spread};
 
 use super::pulses::PulseRow;
-use crate::realtime::run::{CreationError, histogram};
 use crate::report::Quantiles;
+use realtime::run::{CreationError, histogram};
 
 /// Sums up ticks.
 #[derive(Debug)]

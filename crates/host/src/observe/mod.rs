@@ -26,7 +26,7 @@ mod voice;
 
 use std::sync::OnceLock;
 
-use crate::config::{Instrument, instruments};
+use scene::{Instrument, instruments};
 
 pub(crate) use block::flag;
 pub use catalogue::catalogue;

@@ -17,7 +17,7 @@ use super::pulses::PulseRow;
 use super::ticks::TicksBuilder;
 use super::{LinksWatch, ModelProbe, events};
 use crate::adapters::tap::{EventKind, KeyRow, RecorderRow, TickEvent, TickRecorderRings, TickRow};
-use crate::realtime::run::CreationError;
+use realtime::run::CreationError;
 
 /// Somebody who takes messages.
 pub trait MessageSink: Send {

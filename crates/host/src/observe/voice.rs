@@ -3,7 +3,7 @@
 use telemetry::Voice;
 
 use super::{TelemetryMessage, embedded, eye};
-use crate::config::KeyVoice;
+use scene::KeyVoice;
 
 /// Where a voice comes from.
 #[derive(Clone, Copy, Debug)]

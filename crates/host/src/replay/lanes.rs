@@ -9,9 +9,9 @@ use scheduler::voice::VoiceOutput;
 
 use super::ReplayError;
 use super::feed::{KeyTick, LaneStatus};
-use crate::assemble::{AnyVoice, VoiceBuilder};
-use crate::config::{KeyVoice, Scene};
-use crate::realtime::pool::{LateResult, PanicGuard};
+use realtime::pool::{LateResult, PanicGuard};
+use scene::{KeyVoice, Scene};
+use voice::{AnyVoice, VoiceBuilder};
 
 /// A voice of the recording.
 #[derive(Clone, Debug)]
@@ -79,9 +79,9 @@ impl ReplayLanes {
 }
 
 fn build(scene: &Scene, part: &RecordedVoice, revision: u32) -> Result<AnyVoice, ReplayError> {
-    let failed = |error: crate::assemble::AssembleError| ReplayError::Voice(error.to_string());
-    let assembler = VoiceBuilder::new(scene).map_err(failed)?;
-    assembler.numbered(&part.voice, std::sync::Arc::default(), revision).map_err(failed)
+    let failed = |error: voice::BuildError| ReplayError::Voice(error.to_string());
+    let builder = VoiceBuilder::new(scene).map_err(failed)?;
+    builder.numbered(&part.voice, std::sync::Arc::default(), revision).map_err(failed)
 }
 
 impl ReplaySlot {

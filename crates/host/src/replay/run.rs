@@ -15,12 +15,13 @@ use super::feed::{Arm, Feed, ticks};
 use super::lanes::{RecordedVoice, ReplayBus, ReplayLanes};
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use crate::adapters::tap::TickRecorder;
-use crate::bell::WakeFd;
-use crate::config::{KeyVoice, Scene};
 use crate::desk::MidiDispatcher;
 use crate::observe::{Origin, Pulses, TelemetryMessage, TelemetryThread, voice};
-use crate::realtime::run::scheduler;
-use crate::session::{Overheard, Watchers, nowhere, whole};
+use crate::session::{Overheard, Watchers, nowhere};
+use realtime::clock;
+use realtime::run::scheduler;
+use realtime::wake_fd::WakeFd;
+use scene::{KeyVoice, Scene};
 
 /// What a replay came to.
 #[derive(Clone, PartialEq, Debug, Serialize)]
@@ -161,7 +162,12 @@ impl Replay {
         let (_no_times, times) = Pulses::new();
         let (told, hear) = mpsc::channel();
         let system = |error: String| ReplayError::Read(error);
-        let pump = TelemetryThread::new(tapped, times, hear, whole(period.as_secs_f64() * 1e9));
+        let pump = TelemetryThread::new(
+            tapped,
+            times,
+            hear,
+            clock::from_seconds(period.as_secs_f64()).as_u64(),
+        );
         let mut pump = pump.map_err(|error| system(error.to_string()))?;
         pump.begin(catalogue.began, catalogue.clone());
         let said = Said::default();

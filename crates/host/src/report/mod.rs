@@ -6,7 +6,7 @@ use hdrhistogram::Histogram;
 use performance::Assessment;
 use serde::Serialize;
 
-use crate::adapters::audit::AuditReport;
+use voice::AuditReport;
 
 mod board_line;
 mod link_line;

@@ -10,8 +10,8 @@ use super::bus::{MonitoredTransport, Plans};
 use super::keys::SimulatedTransport;
 use super::{PreparedRun, SessionError, all_keys};
 use crate::boards::{PATIENCE_US, calibration, now_us, open_all, planning};
-use crate::config::{Boards, period_us};
-use crate::realtime::clock;
+use realtime::clock;
+use scene::{Boards, period_us};
 
 /// Weights that may wait to be laid on simulated keys.
 const WEIGHTS: usize = 256;

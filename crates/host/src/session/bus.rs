@@ -16,8 +16,8 @@ use crate::adapters::lookout::LinkMonitor;
 use crate::boards::stop_all;
 use crate::control::{BoardsTold, IdentifyTarget, Lights};
 use crate::observe::{LinksWatch, TelemetryMessage};
-use crate::realtime::clock;
 use crate::report::{BoardLine, LinkLine, LinkReport};
+use realtime::clock;
 
 /// Time between two looks at the boards before the first tick.
 const LOOK: Nanos = Nanos::from_millis(1);

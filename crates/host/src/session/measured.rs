@@ -1,10 +1,10 @@
 //! What a run measured besides the notes.
 
-use crate::realtime::baseline;
-use crate::realtime::memory::Locked;
-use crate::realtime::run::Timings;
-use crate::realtime::thread::SchedulingPolicy;
 use crate::report::{Deadline, Quantiles, Realtime};
+use realtime::baseline;
+use realtime::memory::Locked;
+use realtime::run::Timings;
+use realtime::thread::SchedulingPolicy;
 
 /// The measured part of a report.
 #[derive(Debug)]

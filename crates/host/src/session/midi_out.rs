@@ -4,10 +4,10 @@ use std::path::Path;
 
 use midi::{Message, MidiPort, MidiSendError, Output, Smf, Unavailable};
 
-use crate::config::{Midi, MidiOutput};
 use crate::desk::AnyOutput;
 use crate::report::MidiReport;
 use crate::session::SessionError;
+use scene::{Midi, MidiOutput};
 
 /// Sends nothing anywhere.
 #[derive(Clone, Copy, Debug)]

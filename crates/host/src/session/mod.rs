@@ -22,14 +22,12 @@ use performance::{Performance, Struck, assess};
 use scheduler::time::{Nanos, Timetable};
 
 use crate::adapters::observer::{LiveCounters, TickPublisher};
-use crate::assemble::{AssembleError, VoiceBuilder};
-use crate::bell::WakeFd;
-use crate::config::{LaneCount, LinksConfig as SceneLinks, Scene};
+use voice::{BuildError, VoiceBuilder};
+
 use crate::control::RunHandle;
 use crate::desk::{MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
-use crate::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
-use crate::realtime::thread::DEFAULT_PRIORITY;
+use crate::rehearsal::RehearsalError;
 use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, Realtime, RunReport};
 use bed::KeySource;
 use bus::MonitoredTransport;
@@ -38,15 +36,26 @@ pub(crate) use midi_out::nowhere;
 use observed::ObservedOutputs;
 pub(crate) use observed::Watchers;
 pub(crate) use overheard::Overheard;
+use realtime::clock;
+use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
+use realtime::thread::DEFAULT_PRIORITY;
+use realtime::wake_fd::WakeFd;
+use scene::{LaneCount, LinksConfig as SceneLinks, Scene};
 
 pub use pianist::PianistProgress;
 
 /// Why a run could not be prepared or finished.
 #[derive(Debug, thiserror::Error)]
 pub enum SessionError {
-    /// The scene cannot be assembled.
+    /// The scene's values make no voice.
     #[error(transparent)]
-    Assemble(#[from] AssembleError),
+    Build(#[from] BuildError),
+    /// A key cannot be rehearsed.
+    #[error(transparent)]
+    Rehearsal(#[from] RehearsalError),
+    /// The simulated keybed refuses the scene's period.
+    #[error("the simulated keybed cannot run the scene: {0}")]
+    Keybed(#[from] hardware::Error),
     /// The performance cannot be read.
     #[error("the performance `{name}` cannot be played: {reason}")]
     Performance {
@@ -172,14 +181,14 @@ impl RunSession {
         options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
-        let assembler = VoiceBuilder::new(scene)?;
-        let period = assembler.period().as_secs_f64();
+        let builder = VoiceBuilder::new(scene)?;
+        let period = builder.period().as_secs_f64();
         // What is missing is said before anybody rehearses.
-        let mut bed = lay(scene, &assembler, options)?;
+        let mut bed = lay(scene, &builder, options)?;
         if scene.performance.is_some() && !bed.has_fingers() {
             return Err(SessionError::NoFingers);
         }
-        let performance = pianist::rehearse(scene, &assembler, &bed, options.duration, progress)?;
+        let performance = pianist::rehearse(scene, &builder, &bed, options.duration, progress)?;
         let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
         if options.virtual_time && seconds.is_none() {
             return Err(SessionError::Endless);
@@ -189,10 +198,10 @@ impl RunSession {
         }
         let (tap, observed) = observed::connect(scene, period, &patchbay)?;
         let mut voices = Vec::new();
-        for (key, voice) in assembler.keys() {
+        for (key, voice) in builder.keys() {
             let revision = patchbay.new_revision();
             patchbay.tell(observed::of_scene(key, voice, revision));
-            let voice = assembler.numbered(voice, patchbay.new_cell(), revision)?;
+            let voice = builder.numbered(voice, patchbay.new_cell(), revision)?;
             voices.push((key, voice as BoxedVoice));
         }
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
@@ -218,7 +227,7 @@ impl RunSession {
             slew_limit: scene.render.slew_limit,
             n_voices: voices.len(),
             n_lanes: lanes(scene.lanes),
-            ticks: seconds.map(|seconds| whole(seconds / period)),
+            ticks: seconds.map(|seconds| clock::nearest_integer(seconds / period)),
             virtual_time: options.virtual_time,
             voices,
             performance,
@@ -289,8 +298,8 @@ impl RunSession {
 impl PreparedRun {
     /// The timetable, with tick 0 due at time 0.
     fn timetable(&self) -> Result<Timetable, SessionError> {
-        let period = scheduler::time::Period::from_hz(self.tick_hz)
-            .ok_or(AssembleError::Rate(self.tick_hz))?;
+        let period =
+            scheduler::time::Period::from_hz(self.tick_hz).ok_or(BuildError::Rate(self.tick_hz))?;
         Ok(Timetable::new(Nanos::ZERO, period))
     }
 
@@ -350,12 +359,6 @@ impl PreparedRun {
     }
 }
 
-/// A count that is not negative, rounded.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
-pub(crate) fn whole(count: f64) -> u64 {
-    count.round() as u64
-}
-
 /// How many threads share the tick.
 fn lanes(lanes: LaneCount) -> NonZeroUsize {
     match lanes {
@@ -380,14 +383,13 @@ fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteRep
 /// The keys of a scene: simulated, or on boards that were found.
 fn lay(
     scene: &Scene,
-    assembler: &VoiceBuilder<'_>,
+    builder: &VoiceBuilder<'_>,
     options: RunOptions,
 ) -> Result<KeySource, SessionError> {
     match &scene.links {
         SceneLinks::Simulated => {
-            let period = assembler.period().as_secs_f64();
-            let keybed =
-                SimulatedKeybed::new(period, assembler.rig()).map_err(AssembleError::from)?;
+            let period = builder.period().as_secs_f64();
+            let keybed = SimulatedKeybed::new(period, builder.rig())?;
             Ok(KeySource::Simulated(Box::new(keybed)))
         }
         SceneLinks::Boards(_) if options.virtual_time => Err(SessionError::RealBoards),

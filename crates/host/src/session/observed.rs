@@ -8,12 +8,13 @@ use std::time::Duration;
 use scheduler::port::{FinishedTick, TickObserver};
 use telemetry::Catalogue;
 
-use super::{SessionError, whole};
+use super::SessionError;
 use crate::adapters::observer::TickPublisher;
 use crate::adapters::tap::TickRecorder;
-use crate::config::{KeyVoice, Scene};
 use crate::control::RunHandle;
 use crate::observe::{self, Origin, Pulses, TelemetryMessage, TelemetryThread};
+use realtime::clock;
+use scene::{KeyVoice, Scene};
 
 /// Time between two looks at the rings: a frame of a screen.
 const LOOK: Duration = Duration::from_millis(16);
@@ -48,7 +49,7 @@ pub(super) fn connect(
     let (tap, tapped) = TickRecorder::new();
     let (pulses, times) = Pulses::new();
     let (tell, told) = mpsc::channel();
-    let pump = TelemetryThread::new(tapped, times, told, whole(period * 1e9));
+    let pump = TelemetryThread::new(tapped, times, told, clock::from_seconds(period).as_u64());
     let pump = pump.map_err(std::io::Error::other)?;
     patchbay.connect(tell.clone());
     let catalogue = Box::new(observe::catalogue(scene));

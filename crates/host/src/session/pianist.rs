@@ -6,16 +6,16 @@ use performance::{Performance, Pianist, Score, Technique, read};
 
 use super::SessionError;
 use super::bed::KeySource;
-use crate::assemble::VoiceBuilder;
-use crate::config::{PerformanceSource, Scene};
 use crate::rehearsal::RehearsedKey;
+use scene::{PerformanceSource, Scene};
+use voice::VoiceBuilder;
 
 pub use performance::Progress as PianistProgress;
 
 /// Rehearses the scene's piece, up to `duration` (s) if the run ends before the piece does.
 pub(super) fn rehearse(
     scene: &Scene,
-    assembler: &VoiceBuilder<'_>,
+    builder: &VoiceBuilder<'_>,
     bed: &KeySource,
     duration: Option<f64>,
     progress: &(dyn Fn(PianistProgress) + Sync),
@@ -23,7 +23,7 @@ pub(super) fn rehearse(
     let Some(source) = &scene.performance else { return Ok(None) };
     let technique = Technique::default();
     let score = load(source)?;
-    let keys = keys_of(assembler, bed)?;
+    let keys = keys_of(builder, bed)?;
     let score = within(score, duration, technique.lead_in, &keys);
     let keys = Mutex::new(keys);
     let instrument = |key: u8| {
@@ -51,12 +51,12 @@ fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
 
 /// One key of every voice that has a motor, at rest.
 fn keys_of(
-    assembler: &VoiceBuilder<'_>,
+    builder: &VoiceBuilder<'_>,
     bed: &KeySource,
 ) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
     let mut keys = vec![None; scheduler::motion::KEYS];
-    for (key, voice) in assembler.keys().filter(|(key, _)| bed.carries(*key)) {
-        keys[key] = Some(assembler.rehearsed(key, voice)?);
+    for (key, voice) in builder.keys().filter(|(key, _)| bed.carries(*key)) {
+        keys[key] = Some(RehearsedKey::of_scene(builder, key, voice)?);
     }
     Ok(keys)
 }

@@ -11,12 +11,12 @@ use super::{PreparedRun, SessionError};
 use crate::adapters::observer::LiveCounters;
 use crate::desk::{MidiDispatcher, MidiThread};
 use crate::observe::Pulses;
-use crate::realtime::baseline::Baseline;
-use crate::realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down, scheduler};
-use crate::realtime::thread::{DEFAULT_PRIORITY, SchedulingPolicy, ask_for_fifo};
-use crate::realtime::{memory, run as ticks};
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;
+use realtime::baseline::Baseline;
+use realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down, scheduler};
+use realtime::thread::{DEFAULT_PRIORITY, SchedulingPolicy, ask_for_fifo};
+use realtime::{memory, run as ticks};
 
 /// From set-up to the first tick: threads are up by then.
 const LEAD: Nanos = Nanos::from_millis(50);
@@ -107,7 +107,7 @@ fn tick(
 fn since_1970(start: Nanos) -> u64 {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     let now = now.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX));
-    now.saturating_add(start.since(crate::realtime::clock::monotonic()).as_u64())
+    now.saturating_add(start.since(realtime::clock::monotonic()).as_u64())
 }
 
 /// Smooths the tick's work and counts misses, for the live line.

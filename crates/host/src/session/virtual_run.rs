@@ -7,10 +7,10 @@ use super::measured::MeasuredRun;
 use super::observed::ObservedOutputs;
 use super::{PreparedRun, SessionError, no_clock};
 use crate::desk::MidiDispatcher;
-use crate::realtime::run::{Assembly, Until, scheduler};
-use crate::realtime::virtual_time;
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;
+use realtime::run::{Assembly, Until, scheduler};
+use realtime::virtual_time;
 
 /// Ticks between two looks at the rings.
 const TICKS_PER_LOOK: u64 = 16;

@@ -14,9 +14,9 @@ use hardware::sim::board::BoardCounts;
 use scheduler::time::Nanos;
 use serde::Serialize;
 
-use crate::realtime::clock;
 use fate::FaultScript;
 pub use living::BoardProcess;
+use realtime::clock;
 pub use wire::{Placed, WireEndpoint, place};
 
 /// Time between two looks at the links.

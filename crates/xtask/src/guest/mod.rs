@@ -67,7 +67,7 @@ impl GuestCheck {
             }
         };
         apt::install_missing()?;
-        command::run(&mut cargo(["build", "--release", "--package", "host"]))?;
+        command::run(&mut cargo(["build", "--release", "--package", "cli"]))?;
         let initrd =
             image::make(&folder.join(self.name), self, &kernel, &target.join("release/letoff"))?;
         let machine = VirtualMachine { kernel: kernel.image, initrd, time_limit: self.time_limit };

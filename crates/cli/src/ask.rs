@@ -1,0 +1,23 @@
+//! Asks the running host of this user, and says what it did.
+
+use std::io::Write;
+
+use super::Failure;
+use host::control::{Reply, Request, send, socket_path};
+
+/// Asks; a refusal becomes what `refused` makes of it.
+pub(super) fn ask(
+    request: &Request,
+    refused: fn(String) -> Failure,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let answer = send(&socket_path(), request);
+    let answer = answer.map_err(|error| Failure::Running(error.to_string()))?;
+    match answer.map_err(refused)? {
+        Reply::Stopped { text, told, boards } if told < boards => return Err(refused(text)),
+        Reply::Done { text } | Reply::Stopped { text, .. } => writeln!(out, "{text}")?,
+        Reply::Scene { toml } => write!(out, "{toml}")?,
+        Reply::Where { address, token: _ } => writeln!(out, "{address}")?,
+    }
+    Ok(())
+}

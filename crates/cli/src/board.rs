@@ -1,0 +1,313 @@
+//! `letoff board`: simulated boards, for developing without hardware.
+
+use std::fmt;
+use std::fs;
+use std::io::{self, Write};
+use std::os::unix::fs::symlink;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::{ArgGroup, Args};
+use firmware_protocol::key::{BoardId, KEYS, KEYS_PER_BOARD};
+use haptics::RigParameters;
+use hardware::link::address::Address;
+use hardware::link::wire::WirePlan;
+use hardware::sim::board::{BoardMake, FakeIdentity};
+use serde::Serialize;
+
+use super::arguments::{number, ratio, seconds, share};
+use super::signals::Signals;
+use super::{Failure, print_json, system};
+use host::simulated::fate::FaultScript;
+use host::simulated::{BoardProcess, ExitReport, WireEndpoint, fates_of, live, place};
+use realtime::clock;
+use scene::keys_named;
+
+/// How often a simulated board works out its motors' forces (s).
+const LAW_PERIOD: f64 = 100e-6;
+
+/// What `letoff board` takes.
+#[derive(Clone, Debug, Args)]
+#[command(group(ArgGroup::new("wire").args(["loss", "flip", "baud"]).multiple(true)))]
+#[command(after_help = "Examples:
+  letoff board                        board 0 on a pseudo-terminal; says how to reach it
+  letoff board --count 8              a whole keybed, each board on its own
+  letoff board --count 8 --on can:vcan0
+  letoff board --number 3 --loss 0.001 --flip 0.001 --baud 1000000
+  letoff board --count 2 --fate 1@2:mute=0.5 --fate 0@4:restart=1")]
+pub struct BoardArgs {
+    /// Number of the board, or of the first.
+    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=14))]
+    pub number: u8,
+    /// How many boards to simulate.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=15))]
+    pub count: u8,
+    /// Keys of the (first) board; without it eleven keys, those of its number.
+    #[arg(long, value_name = "A0..G1")]
+    pub keys: Option<String>,
+    /// The link on which all boards shall be, instead of pseudo-terminals.
+    #[arg(long, value_name = "can:INTERFACE", value_parser = Address::parse,
+          conflicts_with_all = ["wire", "links"])]
+    pub on: Option<Address>,
+    /// Share of the bytes on the wire that are lost.
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    pub loss: Option<f64>,
+    /// Share of the bytes on the wire that come with an inverted bit.
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    pub flip: Option<f64>,
+    /// Bits per second of the wire.
+    #[arg(long, value_name = "BITS")]
+    pub baud: Option<u32>,
+    /// Where the wires' chance starts from, if there is a wire: 1 without.
+    #[arg(long, requires = "wire")]
+    pub seed: Option<u64>,
+    /// Folder for links of fixed names to the pseudo-terminals: board0, board1 and so on.
+    #[arg(long, value_name = "FOLDER")]
+    pub links: Option<PathBuf>,
+    /// What their encoders read when keys are at rest (counts).
+    #[arg(long, default_value_t = 0, value_name = "COUNTS", allow_negative_numbers = true)]
+    pub offset: i32,
+    /// Force of their motors for a newton that is asked for.
+    #[arg(long, default_value_t = 1.0, value_name = "RATIO", value_parser = ratio,
+          allow_negative_numbers = true)]
+    pub strength: f64,
+    /// How much too fast their clocks run (1e-6).
+    #[arg(long, default_value_t = 0.0, value_name = "PPM", value_parser = number,
+          allow_negative_numbers = true)]
+    pub drift: f64,
+    /// What happens to a board, and when: NUMBER@SECONDS:WHAT, from its first arming on.
+    #[arg(long = "fate", value_name = "FATE", value_parser = FaultScript::parse)]
+    pub fates: Vec<FaultScript>,
+    /// Another major version of the protocol that they say they speak.
+    #[arg(long, value_name = "MAJOR")]
+    pub say_major: Option<u8>,
+    /// Another schema of the cyclic layouts that they say they have.
+    #[arg(long, value_name = "HASH")]
+    pub say_schema: Option<u64>,
+    /// Other keys than theirs that they say they carry: the first, and how many.
+    #[arg(long, value_name = "FIRST,COUNT", value_parser = pair)]
+    pub say_keys: Option<(u8, u8)>,
+    /// The id that they all say they have, as six numbers.
+    #[arg(long, value_name = "NUMBER")]
+    pub say_uid: Option<u8>,
+    /// How long they live (s); without it, until they are stopped.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
+    pub duration: Option<f64>,
+    /// Prints where they are, on one line, and in the end what became of them, both as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn pair(text: &str) -> Result<(u8, u8), String> {
+    let pair = text.split_once(',').and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
+    pair.ok_or_else(|| format!("`{text}` is no range: write FIRST,COUNT, as 0,11"))
+}
+
+/// Lets boards live, and says what became of them.
+pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let mut boards = boards(args)?;
+    if let Some(folder) = &args.links {
+        link_names(&boards, folder)?;
+    }
+    introduce(&boards, args, out)?;
+    let stop = Arc::new(AtomicBool::new(false));
+    let duration = args.duration.map(clock::from_seconds);
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    let runtime = runtime.map_err(system)?;
+    let boards = runtime.block_on(async {
+        let its_stop = Arc::clone(&stop);
+        let mut signals = Signals::new().map_err(system)?;
+        let mut living = tokio::task::spawn_blocking(move || {
+            live(&mut boards, duration, &its_stop, &mut shine);
+            boards
+        });
+        loop {
+            tokio::select! {
+                done = &mut living => {
+                    return done.map_err(|panic| Failure::Running(panic.to_string()));
+                }
+                () = signals.next() => stop.store(true, Ordering::Release),
+            }
+        }
+    })?;
+    let epitaphs: Vec<_> = boards.iter().map(BoardProcess::epitaph).collect();
+    if args.json {
+        print_json(&epitaphs, out)
+    } else {
+        Ok(write!(out, "{}", BoardTable(&epitaphs))?)
+    }
+}
+
+/// Says which board shows its light, for whoever looks for it.
+fn shine(board: &BoardProcess) {
+    let _nobody_reads = writeln!(io::stderr(), "{} shows its light", board.address());
+}
+
+/// The boards that are asked for, where they are asked for.
+fn boards(args: &BoardArgs) -> Result<Vec<BoardProcess>, Failure> {
+    refuse_nobodys_fates(args)?;
+    let at = if let Some(address) = &args.on {
+        WireEndpoint::Shared(address.clone())
+    } else if args.loss.is_some() || args.flip.is_some() || args.baud.is_some() {
+        WireEndpoint::Wire(WirePlan {
+            seed: args.seed.unwrap_or(1),
+            baud: args.baud,
+            loss: args.loss.unwrap_or(0.0),
+            flip: args.flip.unwrap_or(0.0),
+            ..WirePlan::default()
+        })
+    } else {
+        WireEndpoint::Pty
+    };
+    (0..args.count).map(|n| board(args, n, &at)).collect()
+}
+
+/// Refuses what would happen to boards that are not there.
+fn refuse_nobodys_fates(args: &BoardArgs) -> Result<(), Failure> {
+    let last = args.number.saturating_add(args.count - 1);
+    let strangers = args.fates.iter().filter(|it| !(args.number..=last).contains(&it.number));
+    let wrong: Vec<_> = strangers
+        .map(|it| format!("--fate {}@{}: there is no board {0}", it.number, it.at))
+        .collect();
+    if wrong.is_empty() {
+        return Ok(());
+    }
+    let all = if args.number == last { String::new() } else { format!(" to {last}") };
+    let help = format!("; give fates to board {}{all}, or another --count", args.number);
+    Err(Failure::Usage(wrong.join("\nletoff: ") + &help))
+}
+
+/// The n-th board.
+fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Failure> {
+    let usage = |error: hardware::Error| Failure::Usage(error.to_string());
+    let number = args.number.saturating_add(n);
+    let id = BoardId::new(number).ok_or_else(|| {
+        Failure::Usage(format!("no board has the number {number}; they end at 14"))
+    })?;
+    let (first_key, n_keys) = keys(args, n, number)?;
+    let guise = FakeIdentity {
+        major: args.say_major,
+        schema: args.say_schema,
+        keys: args.say_keys,
+        uid: args.say_uid.map(|it| [it; 6]),
+    };
+    let rig = RigParameters::default();
+    let (period, offset, strength) = (LAW_PERIOD, args.offset, args.strength);
+    let make = BoardMake { id, first_key, n_keys, period, rig, offset, strength, guise };
+    let placed = place(id, at).map_err(usage)?;
+    BoardProcess::new(make, placed, args.drift, fates_of(&args.fates, number)).map_err(usage)
+}
+
+/// Keys of the n-th board, which has this number: the first, and how many.
+fn keys(args: &BoardArgs, n: u8, number: u8) -> Result<(u8, usize), Failure> {
+    let (first, len) = match &args.keys {
+        Some(keys) => {
+            let range = keys_named(keys).map_err(Failure::Usage)?;
+            (usize::from(*range.start()), range.count())
+        }
+        None => (usize::from(number - n) * KEYS_PER_BOARD, KEYS_PER_BOARD),
+    };
+    let first = first + usize::from(n) * len;
+    if KEYS < first + len {
+        let sentence = format!("board {number} would carry keys beyond C8: give --keys");
+        return Err(Failure::Usage(sentence));
+    }
+    Ok((u8::try_from(first).unwrap_or(u8::MAX), len))
+}
+
+/// Makes links of fixed names to the boards' ports.
+fn link_names(boards: &[BoardProcess], folder: &Path) -> Result<(), Failure> {
+    let refuse = |path: &Path, error: io::Error| {
+        Failure::Usage(format!(
+            "--links: {} cannot be made: {error}; give a folder in which you may write",
+            path.display()
+        ))
+    };
+    fs::create_dir_all(folder).map_err(|error| refuse(folder, error))?;
+    for living in boards {
+        let name = folder.join(format!("board{}", living.board().make().id.number()));
+        let port = living.address().trim_start_matches("serial:");
+        let port = port.rsplit_once('@').map_or(port, |(port, _baud)| port);
+        // One of an earlier run may lie there.
+        let _none = fs::remove_file(&name);
+        symlink(port, &name).map_err(|error| refuse(&name, error))?;
+    }
+    Ok(())
+}
+
+/// Where a board is, for a program.
+#[derive(Serialize)]
+struct Whereabouts<'a> {
+    number: u8,
+    keys: String,
+    link: &'a str,
+}
+
+/// Says which boards there are, and how a host reaches them.
+fn introduce(
+    boards: &[BoardProcess],
+    args: &BoardArgs,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let boards = boards.iter().map(|living| Whereabouts {
+        number: living.board().make().id.number(),
+        keys: living.keys().to_string(),
+        link: living.address(),
+    });
+    let boards: Vec<_> = boards.collect();
+    if args.json {
+        writeln!(out, "{}", serde_json::json!({ "boards": boards }))?;
+        return Ok(out.flush()?);
+    }
+    for Whereabouts { number, keys, link } in &boards {
+        writeln!(out, "board {number}, {keys}: {link}")?;
+    }
+    let mut links: Vec<_> = boards.iter().map(|it| format!("--link {}", it.link)).collect();
+    links.dedup();
+    writeln!(out, "reach them with: letoff run {}", links.join(" "))?;
+    Ok(out.flush()?)
+}
+
+/// What became of the boards, as a table.
+struct BoardTable<'a>(&'a [ExitReport]);
+
+impl fmt::Display for BoardTable<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "{:>5} {:9} {:>8} {:>8} {:>7} {:>7} {:>6} {:>6} {:>5} {:>9} {:>8}  state",
+            "board",
+            "keys",
+            "samples",
+            "forces",
+            "corrupt",
+            "refused",
+            "stale",
+            "unasw.",
+            "trips",
+            "oldest ms",
+            "force N",
+        )?;
+        for it in self.0 {
+            let c = &it.counts;
+            writeln!(
+                f,
+                "{:5} {:9} {:8} {:8} {:7} {:7} {:6} {:6} {:5} {:9.1} {:8.3}  {}",
+                it.number,
+                it.keys,
+                c.samples,
+                c.forces,
+                c.corrupt,
+                c.refused,
+                c.stale,
+                c.unanswered,
+                c.trips,
+                c.oldest_us as f64 * 1e-3,
+                it.force_n,
+                it.state,
+            )?;
+        }
+        Ok(())
+    }
+}

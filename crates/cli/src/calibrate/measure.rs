@@ -1,0 +1,145 @@
+//! All keys of all boards, one after the other.
+
+use firmware_protocol::key::KeyIndex;
+use hardware::calibrate::{Bench, CalibrationFault, Ending, Rested, calibrated};
+use hardware::calibration::KeyCalibration;
+use hardware::keybed::{Armed, Keybed};
+use hardware::refusal::{KeyName, Refusal};
+use indicatif::ProgressBar;
+
+use super::bring_up::MeasuredBoard;
+use super::operator::Operator;
+use super::write::CalibrationRecord;
+use crate::live;
+
+/// Times that a key is measured again which was interrupted.
+const TRIES: usize = 3;
+
+/// What came of the keys of one board.
+#[derive(Debug)]
+pub(super) enum MeasureOutcome {
+    /// All of them, in the order of slots.
+    All(Vec<(KeyIndex, KeyCalibration)>),
+    /// Why some of them could not be measured, of so many.
+    Faults(Vec<Refusal>, usize),
+    /// The operator stopped, or somebody else did.
+    Stopped,
+}
+
+/// Why there is nothing of one key.
+enum KeyFailure {
+    Fault(CalibrationFault),
+    Stopped,
+}
+
+impl From<CalibrationFault> for KeyFailure {
+    fn from(fault: CalibrationFault) -> Self {
+        if fault == CalibrationFault::Stopped { Self::Stopped } else { Self::Fault(fault) }
+    }
+}
+
+/// Measures all keys, and records those of each board at once, until somebody stops it; returns
+/// the boards without forces, and how they were ended if they were.
+pub(super) fn all(
+    boards: &[MeasuredBoard],
+    mut bench: Box<Bench>,
+    grams: Option<f64>,
+    record: &mut CalibrationRecord,
+) -> (Keybed<Armed>, Option<Ending>) {
+    let n_keys: usize = boards.iter().map(|it| keys(it).len()).sum();
+    let bar = live::keys(n_keys);
+    for board in boards {
+        let outcome = self::board(board, &mut bench, grams, &bar);
+        let is_over = matches!(outcome, MeasureOutcome::Stopped);
+        // A disk may take its time, and boards that hear nothing meanwhile would trip.
+        std::thread::scope(|scope| {
+            let writer = scope.spawn(|| record.keep(board, outcome));
+            bench.wait(|| writer.is_finished());
+        });
+        if is_over {
+            break;
+        }
+    }
+    bar.finish_and_clear();
+    let ending = bench.ending();
+    (bench.release(), ending)
+}
+
+/// The keys of a board.
+fn keys(board: &MeasuredBoard) -> Vec<KeyIndex> {
+    let keys = board.found.keys();
+    (keys.first..keys.first.saturating_add(keys.n)).map_while(KeyIndex::new).collect()
+}
+
+/// Measures the keys of one board.
+fn board(
+    board: &MeasuredBoard,
+    bench: &mut Bench,
+    grams: Option<f64>,
+    bar: &ProgressBar,
+) -> MeasureOutcome {
+    let keys = keys(board);
+    let n_keys = keys.len();
+    bar.set_message(format!("{}: rest", board.name));
+    let rests = bench.rests(&keys);
+    let (mut measured, mut refusals) = (Vec::new(), Vec::new());
+    for (key, rested) in keys.into_iter().zip(rests) {
+        bar.set_message(format!("{}: {}", board.name, KeyName(key)));
+        let rested = rested.map_err(KeyFailure::from);
+        match rested.and_then(|rested| self::key(board, bench, key, &rested, grams, bar)) {
+            Ok(calibration) => measured.push((key, calibration)),
+            Err(KeyFailure::Stopped) => return MeasureOutcome::Stopped,
+            Err(KeyFailure::Fault(fault)) => {
+                let (board, key) = (board.name.clone(), KeyName(key));
+                refusals.push(Refusal::Key { board, key, fault });
+            }
+        }
+        bar.inc(1);
+    }
+    if refusals.is_empty() {
+        MeasureOutcome::All(measured)
+    } else {
+        MeasureOutcome::Faults(refusals, n_keys)
+    }
+}
+
+/// Measures one key that rests there.
+fn key(
+    board: &MeasuredBoard,
+    bench: &mut Bench,
+    key: KeyIndex,
+    rested: &Rested,
+    grams: Option<f64>,
+    bar: &ProgressBar,
+) -> Result<KeyCalibration, KeyFailure> {
+    let travelled = again(|| bench.trip(key, rested))?;
+    let gain = match grams {
+        None => 1.0,
+        Some(grams) => {
+            let name = KeyName(key);
+            let ask = |bench: &mut Bench, what: &str| {
+                let goes_on = bar.suspend(|| Operator::wait_for(bench, what));
+                if goes_on { Ok(()) } else { Err(KeyFailure::Stopped) }
+            };
+            ask(bench, &format!("put {grams} g on the front of {name}"))?;
+            let gain = again(|| bench.balance(key, rested, &travelled, grams * 1e-3));
+            ask(bench, &format!("take it off {name}"))?;
+            gain?
+        }
+    };
+    Ok(calibrated(&board.found.nominal(), rested, &travelled, gain))
+}
+
+/// Measures again what was interrupted.
+fn again<T>(
+    mut measure: impl FnMut() -> Result<T, CalibrationFault>,
+) -> Result<T, CalibrationFault> {
+    let mut outcome = measure();
+    for _ in 1..TRIES {
+        if !matches!(outcome, Err(CalibrationFault::Interrupted)) {
+            break;
+        }
+        outcome = measure();
+    }
+    outcome
+}

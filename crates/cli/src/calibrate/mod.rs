@@ -1,0 +1,155 @@
+//! `letoff calibrate`: how the keys of boards read and push, measured and written down.
+//!
+//! The keys move by themselves: down with 1.5 N at most, and up again, one after the other; with
+//! a weight, once more with twice its force and 0.5 N at most.
+
+mod bring_up;
+mod measure;
+mod operator;
+mod table;
+mod write;
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+use hardware::calibrate::{Ending, WEIGHTS};
+use hardware::keybed::{Armed, Keybed};
+
+use self::bring_up::Ready;
+use self::operator::Operator;
+use self::write::CalibrationRecord;
+use super::signals::Signals;
+use super::target::SceneTarget;
+use super::{Failure, print_json, reach, system};
+use host::boards::stop_all;
+use host::control::{BoardsTold, EmergencyStop};
+
+/// What `letoff calibrate` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Examples:
+  letoff calibrate --link serial:/dev/ttyACM0
+  letoff calibrate my-scene.toml --board 3 --weight 50
+
+Nobody may touch the keys meanwhile: each goes down and up by itself, with 1.5 N
+at most; with --weight, once more with twice the weight's force and 0.5 N at most.
+`letoff stop` takes the force away at once; Ctrl-C ends it and disarms all boards.")]
+pub struct CalibrateArgs {
+    /// Whose keys shall be measured.
+    #[command(flatten)]
+    pub target: SceneTarget,
+    /// Only the board with this number, on whatever link.
+    #[arg(long, value_name = "N")]
+    pub board: Option<u8>,
+    /// Overwrites files without asking; the old ones are kept as .bak.
+    #[arg(long)]
+    pub yes: bool,
+    /// Prints what was measured as JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// Measures motors by a weight of so many grams, which is put on each key.
+    #[arg(long, value_name = "GRAMS", value_parser = grams, allow_negative_numbers = true)]
+    pub weight: Option<f64>,
+    /// Where the files shall be; without it, where `links.calibration` of the scene says, or in
+    /// the user's own folder.
+    #[arg(long, value_name = "DIR")]
+    pub folder: Option<PathBuf>,
+}
+
+fn grams(text: &str) -> Result<f64, String> {
+    let (least, most) = (1e3 * WEIGHTS.0, 1e3 * WEIGHTS.1);
+    match text.parse::<f64>() {
+        Ok(grams) if (least..=most).contains(&grams) => Ok(grams),
+        Ok(_) | Err(_) => Err(format!("`{text}` is no weight: give {least} to {most} grams")),
+    }
+}
+
+/// What ends the measurements from outside.
+#[derive(Clone, Default)]
+struct Endings {
+    /// `letoff stop`: the boards are told at once, and stay stopped.
+    emergency: Arc<EmergencyStop>,
+    /// A signal: the push is taken back, and the boards are disarmed.
+    is_over: Arc<AtomicBool>,
+}
+
+impl Endings {
+    /// Whether measurements end; an emergency stop is done here.
+    fn look(&self, keybed: &mut Keybed<Armed>) -> Option<Ending> {
+        if self.emergency.is_asked() {
+            self.emergency.answer(stop_all(keybed));
+            return Some(Ending::AtOnce);
+        }
+        self.is_over.load(Ordering::Acquire).then_some(Ending::Gently)
+    }
+}
+
+/// Measures, writes, and prints a table.
+pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    let runtime = runtime.map_err(system)?;
+    let Some(record) = runtime.block_on(attended(args))? else {
+        // Whoever is still asked for files, or looked for, is not waited for: no board is armed.
+        runtime.shutdown_background();
+        return Err(Failure::Running("stopped before any board was armed".into()));
+    };
+    let CalibrationRecord { written, wrong, .. } = record;
+    if args.json {
+        print_json(&written, out)?;
+    } else {
+        table::print(&written, out)?;
+    }
+    if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
+}
+
+/// Measures and writes, until somebody stops it; nothing if that was before any board was armed.
+async fn attended(args: &CalibrateArgs) -> Result<Option<CalibrationRecord>, Failure> {
+    let operator = Operator::new(args);
+    if args.weight.is_some() {
+        operator.must_be_there("--weight")?;
+    }
+    let mut signals = Signals::new().map_err(system)?;
+    let endings = Endings::default();
+    let clients = reach::listen(Arc::clone(&endings.emergency));
+    let (target, only, folder) = (args.target.clone(), args.board, args.folder.clone());
+    let finding =
+        tokio::task::spawn_blocking(move || bring_up::find(&target, only, folder, &operator));
+    let found = tokio::select! {
+        biased;
+        () = endings.emergency.asked() => None,
+        () = signals.next() => None,
+        found = finding => Some(found),
+    };
+    let Some(found) = found.filter(|_| !endings.emergency.is_asked()) else {
+        endings.emergency.answer(BoardsTold::NONE_ARMED);
+        clients.leave().await;
+        return Ok(None);
+    };
+    let Ready { boards, keybed } = found.map_err(panicked)??;
+    let (its_endings, weight) = (endings.clone(), args.weight);
+    let mut measuring = tokio::task::spawn_blocking(move || {
+        let mut record = CalibrationRecord::default();
+        let bench = bring_up::arm(keybed, &its_endings)?;
+        match measure::all(&boards, bench, weight, &mut record) {
+            // Boards that were stopped are left alone.
+            (_stopped, Some(Ending::AtOnce)) => {}
+            (keybed, Some(Ending::Gently) | None) => record.tell(keybed),
+        }
+        Ok(record)
+    });
+    let record = loop {
+        tokio::select! {
+            record = &mut measuring => break record,
+            () = signals.next() => endings.is_over.store(true, Ordering::Release),
+        }
+    };
+    clients.leave().await;
+    record.map_err(panicked)?.map(Some)
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "fits map_err")]
+fn panicked(panic: tokio::task::JoinError) -> Failure {
+    Failure::Running(panic.to_string())
+}

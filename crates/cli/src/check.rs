@@ -1,0 +1,46 @@
+//! `letoff check FILE`: is this scene or instrument right?
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::{Failure, print_json};
+use scene::check_file;
+
+/// What `letoff check` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Example:
+  letoff check my-scene.toml")]
+pub struct CheckArgs {
+    /// The scenes or instruments to check.
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// Prints the mistakes as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Checks every file; fails if one is wrong.
+pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let mut wrong = Vec::new();
+    for file in &args.files {
+        match check_file(file) {
+            Ok(_) if args.json => {}
+            Ok(kind) => writeln!(out, "{}: a good {}", file.display(), kind.name())?,
+            Err(diagnostics) => wrong.push(diagnostics),
+        }
+    }
+    if args.json {
+        print_json(&wrong, out)?;
+    }
+    if wrong.is_empty() {
+        return Ok(());
+    }
+    let texts: Vec<_> = wrong.iter().map(ToString::to_string).collect();
+    Err(Failure::Usage(format!("{} wrong:\n{}", files(wrong.len()), texts.join("\n"))))
+}
+
+fn files(n: usize) -> String {
+    if n == 1 { "1 file is".to_owned() } else { format!("{n} files are") }
+}

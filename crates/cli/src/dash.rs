@@ -1,0 +1,248 @@
+//! `letoff dash`: the window, which is a program of its own beside this one.
+
+use std::io::{self, IsTerminal as _, Write};
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use clap::Args;
+
+use super::owned::{Farewell, Owned};
+use super::signals::Signals;
+use super::{Failure, system, tell};
+use host::control::{ControlError, Reply, Request, send, socket_path};
+
+/// What `letoff dash` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Examples:
+  letoff dash                        the host that runs here; offers to start one if none does
+  letoff dash --start                starts one on the simulated keybed, and ends it with the window
+  letoff dash take1.mcap             a recording
+  letoff dash --print                the address for Foxglove and other viewers, with its secret
+  letoff dash wss://piano.local:8765 --fingerprint AB:CD:…   a host elsewhere, LETOFF_TOKEN has its token")]
+pub struct DashArgs {
+    /// A host's address, or a recording; the host that runs here without.
+    #[arg(value_name = "ADDRESS|RECORDING")]
+    pub target: Option<String>,
+    /// Starts a host on the simulated keybed if none runs here, without asking.
+    #[arg(long, conflicts_with = "target")]
+    pub start: bool,
+    /// Prints where the host that runs here streams, with the secret that lets another viewer in,
+    /// and opens no window. Whoever has the secret is the host's owner.
+    #[arg(long, conflicts_with_all = ["target", "start"])]
+    pub print: bool,
+    /// What the certificate of a host elsewhere must be, as it printed it.
+    #[arg(long, requires = "target")]
+    pub fingerprint: Option<String>,
+}
+
+/// The window's program.
+const PROGRAM: &str = "letoff-dashboard";
+
+/// How long a host may take until it runs: it may have a piece to rehearse.
+const PATIENCE: Duration = Duration::from_mins(1);
+
+/// Between two looks whether it does.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// What a window looks at.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct DashTarget {
+    /// An address or a recording.
+    target: String,
+    /// What a host must be told.
+    token: Option<String>,
+    /// What its certificate must be.
+    fingerprint: Option<String>,
+}
+
+/// Opens the window and waits until it is closed, or until a signal ends both.
+pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    if args.print {
+        return print(out);
+    }
+    let program = program()?;
+    let place = wanted(args, out)?;
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    runtime.map_err(system)?.block_on(async {
+        // Before anything is started: nothing of it is left behind.
+        let mut signals = Signals::new().map_err(system)?;
+        let (host, place) = match place {
+            Some(place) => (None, place),
+            None => match start(&mut signals).await? {
+                Some((host, place)) => (Some(host), place),
+                None => return Ok(()),
+            },
+        };
+        let shown = show(place.window(program), &mut signals).await;
+        // Ends with the window.
+        drop(host);
+        shown
+    })
+}
+
+/// Prints where other people's viewers find the host that runs here.
+fn print(out: &mut dyn Write) -> Result<(), Failure> {
+    let place = whereabouts();
+    let DashTarget { target, token, fingerprint } = place.map_err(|absent| match absent {
+        Absent::Nobody(why) | Absent::Refused(why) => Failure::Running(why),
+    })?;
+    let token = token.map_or_else(String::new, |token| format!("/?token={token}"));
+    writeln!(out, "{target}{token}")?;
+    if let Some(fingerprint) = fingerprint {
+        writeln!(out, "its certificate is {fingerprint}")?;
+    }
+    Ok(())
+}
+
+/// What the window shall look at; none if a host is to be started for it.
+fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<DashTarget>, Failure> {
+    if let Some(target) = &args.target {
+        let (target, fingerprint) = (target.clone(), args.fingerprint.clone());
+        return Ok(Some(DashTarget { target, token: None, fingerprint }));
+    }
+    match whereabouts() {
+        Ok(place) => Ok(Some(place)),
+        Err(Absent::Nobody(why)) if !args.start && !wants_one(&why, out)? => {
+            Err(Failure::Running(why))
+        }
+        Err(Absent::Nobody(_)) => Ok(None),
+        Err(Absent::Refused(why)) => Err(Failure::Running(why)),
+    }
+}
+
+impl DashTarget {
+    /// Where a host says that it streams: its fingerprint, if it has one, stands behind a `#`.
+    fn said(address: &str, token: Option<String>) -> Self {
+        let (target, fingerprint) = match address.split_once('#') {
+            Some((target, fingerprint)) => (target, Some(fingerprint.to_owned())),
+            None => (address, None),
+        };
+        Self { target: target.to_owned(), token, fingerprint }
+    }
+
+    /// What opens a window onto it.
+    fn window(self, program: PathBuf) -> Command {
+        let mut window = Command::new(program);
+        window.arg(self.target);
+        if let Some(fingerprint) = self.fingerprint {
+            window.args(["--fingerprint", &fingerprint]);
+        }
+        if let Some(token) = self.token {
+            // Not as an argument, which everybody on the machine can read.
+            window.env("LETOFF_TOKEN", token);
+        }
+        window
+    }
+}
+
+/// Why there is no stream.
+enum Absent {
+    /// No host runs here.
+    Nobody(String),
+    /// One runs, and streams nothing.
+    Refused(String),
+}
+
+/// Where the host that runs here streams, and what it must be told.
+fn whereabouts() -> Result<DashTarget, Absent> {
+    match send(&socket_path(), &Request::Where {}) {
+        Ok(Ok(Reply::Where { address, token })) => Ok(DashTarget::said(&address, token)),
+        Ok(Ok(Reply::Done { .. } | Reply::Stopped { .. } | Reply::Scene { .. })) => {
+            Err(Absent::Refused("the host that runs here said something else".into()))
+        }
+        Ok(Err(why)) => Err(Absent::Refused(why)),
+        Err(nobody @ ControlError::NoHost { .. }) => Err(Absent::Nobody(nobody.to_string())),
+        Err(other) => Err(Absent::Refused(other.to_string())),
+    }
+}
+
+/// Asks whoever sits there.
+fn wants_one(why: &str, out: &mut dyn Write) -> Result<bool, Failure> {
+    if !io::stdin().is_terminal() {
+        return Ok(false);
+    }
+    write!(out, "{why}\nStart one on the simulated keybed, until the window is closed? [Y/n] ")?;
+    out.flush()?;
+    let mut line = String::new();
+    io::stdin().read_line(&mut line)?;
+    Ok(matches!(line.trim(), "" | "y" | "Y" | "yes"))
+}
+
+/// Starts a host on the simulated keybed, which nobody plays but the window, and waits until it
+/// answers; nothing if a signal came before.
+async fn start(signals: &mut Signals) -> Result<Option<(Owned, DashTarget)>, Failure> {
+    let failed = |error| Failure::Running(format!("the host cannot be started: {error}"));
+    let own = std::env::current_exe().map_err(failed)?;
+    let mut host = Command::new(own);
+    host.args(["run", "--performance", "none"]).stdin(Stdio::null()).stdout(Stdio::null());
+    tell("starting a host on the simulated keybed");
+    let mut host = Owned::start(&mut host, Farewell::Patient).map_err(failed)?;
+    let deadline = Instant::now() + PATIENCE;
+    let mut looks = tokio::time::interval(LOOK);
+    loop {
+        if signals.come_before(&mut looks).await {
+            return Ok(None);
+        }
+        if let Some(place) = look(deadline)? {
+            return Ok(Some((host, place)));
+        }
+        if let Some(status) = host.ended().map_err(failed)? {
+            // It has said why.
+            return Err(Failure::Running(format!("the host that was started ended: {status}")));
+        }
+    }
+}
+
+/// Where the host that was started streams, if it answers by now.
+fn look(deadline: Instant) -> Result<Option<DashTarget>, Failure> {
+    match whereabouts() {
+        Ok(place) => Ok(Some(place)),
+        Err(Absent::Nobody(_)) if Instant::now() < deadline => Ok(None),
+        Err(Absent::Nobody(why) | Absent::Refused(why)) => Err(Failure::Running(why)),
+    }
+}
+
+/// The window's program: beside this one, or where programs are looked for.
+fn program() -> Result<PathBuf, Failure> {
+    let beside = std::env::current_exe().ok().map(|own| own.with_file_name(PROGRAM));
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let others = std::env::split_paths(&path).map(|folder| folder.join(PROGRAM));
+    let found = beside.into_iter().chain(others).find(|file| file.is_file());
+    found.ok_or_else(|| {
+        Failure::Running(format!(
+            "the window is a program of its own, {PROGRAM}, and is not installed: `cargo build \
+             --release --package dashboard` makes it"
+        ))
+    })
+}
+
+/// Shows the window until it is closed, or a signal closes it.
+async fn show(mut window: Command, signals: &mut Signals) -> Result<(), Failure> {
+    let failed = |error| Failure::Running(format!("the window cannot be opened: {error}"));
+    let mut window = Owned::start(&mut window, Farewell::Brief).map_err(failed)?;
+    match window.end(signals).await.map_err(system)? {
+        Some(status) if !status.success() => {
+            // It has said why.
+            Err(Failure::Running(format!("the window ended: {status}")))
+        }
+        Some(_) | None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_host_s_fingerprint_stands_behind_its_address() {
+        let place = |target: &str, fingerprint: Option<&str>| DashTarget {
+            target: target.to_owned(),
+            token: None,
+            fingerprint: fingerprint.map(str::to_owned),
+        };
+        assert_eq!(DashTarget::said("ws://127.0.0.1:1", None), place("ws://127.0.0.1:1", None));
+        let said = DashTarget::said("wss://[::1]:1#AB:CD", None);
+        assert_eq!(said, place("wss://[::1]:1", Some("AB:CD")));
+    }
+}

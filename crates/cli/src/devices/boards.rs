@@ -1,0 +1,207 @@
+//! `letoff devices --boards`: what answers on links, and who that is.
+
+use std::io::Write;
+
+use firmware_protocol::Nothing;
+use firmware_protocol::acyclic::light::Light;
+use firmware_protocol::acyclic::log::{LogLine, ReadLog};
+use firmware_protocol::acyclic::{Operation, Status};
+use firmware_protocol::frame::hello::feature;
+use hardware::calibration::file;
+use hardware::keybed::{FoundBoard, Identified, Keybed, Offline};
+use hardware::link::address::Address;
+use hardware::refusal::{Refusal, reason_words};
+use hardware::rt::steward::LIGHT_S;
+use serde::Serialize;
+
+use super::DevicesArgs;
+use crate::{Failure, print_json};
+use host::boards::{folder, now_us, open};
+use scene::{BoardBus, Boards};
+
+/// How long the boards of one link may take to answer (us).
+const PATIENCE_US: u64 = 2_500_000;
+/// Lines of a log that are read at most.
+const MOST_LINES: u16 = 1_000;
+
+/// A link, and what answers on it.
+#[derive(Debug, Serialize)]
+struct OnLink {
+    link: String,
+    boards: Vec<BoardRow>,
+    /// Why it, or a board on it, cannot be used, a sentence each.
+    refusals: Vec<String>,
+}
+
+/// A board that answered.
+#[derive(Debug, Serialize)]
+struct BoardRow {
+    number: u8,
+    uid: String,
+    keys: String,
+    protocol: String,
+    firmware: String,
+    /// Samples, forces, and how often motors' forces are worked out (1/s).
+    sample_hz: u16,
+    force_hz: u16,
+    law_hz: u16,
+    quantum_nm: u32,
+    max_force_n: f64,
+    features: Vec<&'static str>,
+    reset_reason: u8,
+    /// Why it renders no force.
+    safe_reason: &'static str,
+    config_crc: String,
+    /// Where its calibration file is or would be, and whether it is there.
+    calibration: Option<String>,
+    is_calibrated: bool,
+    log: Vec<String>,
+}
+
+/// Prints the boards on all links.
+pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    if args.links.is_empty() {
+        return Err(Failure::Usage(
+            "--boards needs a link: give --link serial:PORT or --link can:INTERFACE; `letoff \
+             devices` lists what there is"
+                .into(),
+        ));
+    }
+    let links: Vec<_> = args.links.iter().map(|address| look(address, args)).collect();
+    if args.json {
+        return print_json(&links, out);
+    }
+    links.iter().try_for_each(|link| print(link, out))
+}
+
+/// Asks who is on a link, and does with them what is wanted.
+fn look(address: &Address, args: &DevicesArgs) -> OnLink {
+    let mut link = OnLink { link: address.name(), boards: Vec::new(), refusals: Vec::new() };
+    let line = match open(&BoardBus::new(address.clone())) {
+        Ok(line) => line,
+        Err(error) => {
+            link.refusals.push(error.to_string());
+            return link;
+        }
+    };
+    let mut keybed = match Keybed::<Offline>::new(vec![line], now_us).identify(PATIENCE_US) {
+        Ok(keybed) => keybed,
+        Err(refusals) => {
+            link.refusals.extend(refusals.0.iter().map(ToString::to_string));
+            return link;
+        }
+    };
+    for found in keybed.boards().to_vec() {
+        let (mut board, trouble) = describe(&found);
+        link.refusals.extend(trouble);
+        if args.log && found.hello.features & feature::LOG != 0 {
+            match log(&found, &mut keybed) {
+                Ok(lines) => board.log = lines,
+                Err(refusal) => link.refusals.push(refusal.to_string()),
+            }
+        }
+        if args.light == Some(board.number)
+            && let Err(refusal) = light(&found, &mut keybed)
+        {
+            link.refusals.push(refusal.to_string());
+        }
+        link.boards.push(board);
+    }
+    link
+}
+
+/// What a board said, and what is wrong with its calibration file.
+fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
+    let hello = &found.hello;
+    let file = folder(&Boards::default()).map(|folder| file::path(&folder, found.uid()));
+    let n_keys = usize::from(hello.n_keys);
+    let read = file.as_ref().map(|file| file::read(file, found.uid(), n_keys));
+    let is_calibrated = matches!(read, Some(Ok(Some(_))));
+    let board = BoardRow {
+        number: found.board.number(),
+        uid: found.uid().to_string(),
+        keys: found.keys().to_string(),
+        protocol: format!("{}.{}", hello.major, hello.minor),
+        firmware: format!("{}.{}", hello.firmware_major, hello.firmware_minor),
+        sample_hz: hello.max_sample_hz,
+        force_hz: hello.max_force_hz,
+        law_hz: hello.law_hz,
+        quantum_nm: hello.quantum_nm,
+        max_force_n: f64::from(hello.max_force_mn) * 1e-3,
+        features: features(hello.features),
+        reset_reason: hello.reset_reason,
+        safe_reason: reason_words(hello.safe_reason),
+        config_crc: format!("{:08x}", hello.config_crc),
+        is_calibrated,
+        calibration: file.map(|file| file.display().to_string()),
+        log: Vec::new(),
+    };
+    (board, read.and_then(Result::err))
+}
+
+/// What a board can, in words.
+fn features(bits: u16) -> Vec<&'static str> {
+    const WORDS: [(u16, &str); 5] = [
+        (feature::SLOPES, "slopes"),
+        (feature::MULTICAST, "multicast forces"),
+        (feature::VELOCITY, "velocities"),
+        (feature::FINGERS, "simulated fingers"),
+        (feature::LOG, "a log"),
+    ];
+    WORDS.iter().filter(|(bit, _)| bits & bit != 0).map(|(_, word)| *word).collect()
+}
+
+fn light(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Nothing, Refusal> {
+    let mut asker = keybed.asker(found.line, found.board);
+    keybed.ask(&mut asker, Operation::Light, &Light { seconds: LIGHT_S })
+}
+
+/// The lines of a board's log.
+fn log(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Vec<String>, Refusal> {
+    let mut asker = keybed.asker(found.line, found.board);
+    let mut lines = Vec::new();
+    for line in 0..MOST_LINES {
+        let read = keybed.ask::<_, LogLine>(&mut asker, Operation::ReadLog, &ReadLog { line });
+        let it = match read {
+            Ok(it) => it,
+            // There is no such line: the log is empty, or was shortened.
+            Err(Refusal::Declined { status: Status::BadValue, .. }) => break,
+            Err(refusal) => return Err(refusal),
+        };
+        let text = String::from_utf8_lossy(&it.text);
+        let text = text.trim_end_matches('\0');
+        lines.push(format!("{:12.6} s  {text}", f64::from(it.board_us) * 1e-6));
+        if it.lines <= line + 1 {
+            break;
+        }
+    }
+    Ok(lines)
+}
+
+fn print(link: &OnLink, out: &mut dyn Write) -> Result<(), Failure> {
+    writeln!(out, "{}:", link.link)?;
+    for it in &link.boards {
+        writeln!(
+            out,
+            "  board {:<3} {} {:9} firmware {}, protocol {}, configuration {}",
+            it.number, it.uid, it.keys, it.firmware, it.protocol, it.config_crc
+        )?;
+        writeln!(
+            out,
+            "    samples {}/s, forces {}/s, worked out {}/s, at most {:.1} N, {} nm a count",
+            it.sample_hz, it.force_hz, it.law_hz, it.max_force_n, it.quantum_nm
+        )?;
+        let has = if it.features.is_empty() { "nothing".into() } else { it.features.join(", ") };
+        writeln!(out, "    has {has}")?;
+        let start = match it.reset_reason {
+            1 => "started by power".to_owned(),
+            other => format!("started for reason {other}"),
+        };
+        writeln!(out, "    {start}; {}", it.safe_reason)?;
+        let file = it.calibration.as_deref().unwrap_or("anywhere");
+        let is = if it.is_calibrated { "calibrated in" } else { "no calibration in" };
+        writeln!(out, "    {is} {file}")?;
+        it.log.iter().try_for_each(|line| writeln!(out, "    {line}"))?;
+    }
+    link.refusals.iter().try_for_each(|why| Ok(writeln!(out, "  {why}")?))
+}

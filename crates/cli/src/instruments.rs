@@ -1,0 +1,157 @@
+//! `letoff instruments`: what there is to play.
+
+use std::io::Write;
+
+use clap::{Args, Subcommand};
+use models::catalogue;
+use serde::Serialize;
+
+use super::{Failure, ask, print_json};
+use host::control::Request;
+use scene::{InstrumentInfo, instruments};
+
+/// What `letoff instruments` takes.
+#[derive(Clone, Debug, Args)]
+#[command(
+    args_conflicts_with_subcommands = true,
+    after_help = "Examples:
+  letoff instruments key-hammer-springs          its parameters and presets
+  letoff instruments use spring-wall --keys C4..B4   on the host that is running"
+)]
+pub struct InstrumentsArgs {
+    /// What to do besides listing.
+    #[command(subcommand)]
+    pub action: Option<Action>,
+    /// A model, to see its parameters and presets.
+    pub model: Option<String>,
+    /// Prints the list as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What can be done with instruments.
+#[derive(Clone, Debug, Subcommand)]
+pub enum Action {
+    /// Gives keys of the running host another instrument, without a force step.
+    Use {
+        /// An instrument's name or file.
+        instrument: String,
+        /// Which keys, as `C4..B5` or `60..83`; all without.
+        #[arg(long)]
+        keys: Option<String>,
+    },
+}
+
+#[derive(Serialize)]
+struct InstrumentListing {
+    instruments: Vec<InstrumentInfo>,
+    models: Vec<ModelInfo>,
+}
+
+#[derive(Serialize)]
+struct ModelInfo {
+    name: &'static str,
+    summary: &'static str,
+    parameters: Vec<ParameterInfo>,
+    presets: Vec<PresetInfo>,
+}
+
+#[derive(Serialize)]
+struct ParameterInfo {
+    name: &'static str,
+    unit: &'static str,
+    range: (f64, f64),
+    default: f64,
+    doc: &'static str,
+}
+
+#[derive(Serialize)]
+struct PresetInfo {
+    name: &'static str,
+    doc: &'static str,
+}
+
+impl From<&catalogue::ModelEntry> for ModelInfo {
+    fn from(entry: &catalogue::ModelEntry) -> Self {
+        let parameter = |(index, it): (usize, &models::Parameter)| ParameterInfo {
+            name: it.name,
+            unit: it.unit,
+            range: it.range,
+            default: (entry.presets[0].value)(index, 0),
+            doc: it.doc,
+        };
+        Self {
+            name: entry.name,
+            summary: entry.summary,
+            parameters: entry.parameters.iter().enumerate().map(parameter).collect(),
+            presets: entry
+                .presets
+                .iter()
+                .map(|it| PresetInfo { name: it.name, doc: it.doc })
+                .collect(),
+        }
+    }
+}
+
+/// Prints the instruments and models, or one model's parameters.
+pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    if let Some(Action::Use { instrument, keys }) = &args.action {
+        return switch(instrument, keys.clone(), out);
+    }
+    let models = chosen(args.model.as_deref())?;
+    let instruments = instruments();
+    if args.json {
+        return print_json(&InstrumentListing { instruments, models }, out);
+    }
+    if args.model.is_none() {
+        writeln!(out, "Instruments (a scene's `instrument = \"…\"`):")?;
+        for it in &instruments {
+            writeln!(out, "  {:16} {} ({}, {})", it.name, it.title, it.model, it.preset)?;
+            if let Some(needs) = &it.needs {
+                writeln!(out, "  {:16} needs {needs}", "")?;
+            }
+        }
+        writeln!(out, "\nModels (`letoff instruments MODEL` shows parameters):")?;
+    }
+    for model in &models {
+        writeln!(out, "  {:20} {}", model.name, model.summary)?;
+        if args.model.is_some() {
+            print_model(model, out)?;
+        }
+    }
+    Ok(())
+}
+
+/// Asks the running host to switch.
+fn switch(instrument: &str, keys: Option<String>, out: &mut dyn Write) -> Result<(), Failure> {
+    // The host may stand in another folder.
+    let path = std::fs::canonicalize(instrument).map(|path| path.display().to_string());
+    let instrument = path.unwrap_or_else(|_no_file| instrument.to_owned());
+    ask::ask(&Request::UseInstrument { instrument, keys }, Failure::Usage, out)
+}
+
+fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {
+    let Some(name) = model else {
+        return Ok(catalogue::ENTRIES.iter().map(ModelInfo::from).collect());
+    };
+    let entry = catalogue::find(name).ok_or_else(|| {
+        let names: Vec<_> = catalogue::ENTRIES.iter().map(|it| it.name).collect();
+        Failure::Usage(format!("there is no model `{name}`: choose one of {}", names.join(", ")))
+    })?;
+    Ok(vec![entry.into()])
+}
+
+fn print_model(model: &ModelInfo, out: &mut dyn Write) -> Result<(), Failure> {
+    for preset in &model.presets {
+        writeln!(out, "    preset {:12} {}", preset.name, preset.doc)?;
+    }
+    for it in &model.parameters {
+        let (lo, hi) = it.range;
+        writeln!(
+            out,
+            "    {:14} {:>12} {:12} {lo} ..= {hi}  {}",
+            it.name, it.default, it.unit, it.doc
+        )?;
+    }
+    Ok(())
+}

@@ -1,0 +1,165 @@
+//! What people type: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
+//! `instruments`, `stop`, `lab`.
+//!
+//! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
+//! file.
+
+mod arguments;
+mod ask;
+mod board;
+mod calibrate;
+mod check;
+mod dash;
+mod devices;
+mod instruments;
+mod live;
+mod log;
+mod owned;
+mod plan;
+mod reach;
+mod record;
+mod recover;
+mod replay;
+mod run;
+mod signals;
+mod stop;
+mod streaming;
+mod studies;
+mod target;
+mod tokens;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use lab::simulate::SimulateArgs;
+
+/// The host of force-feedback keyboards.
+#[derive(Debug, Parser)]
+#[command(name = "letoff", version, about, arg_required_else_help = true)]
+pub struct Letoff {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Runs the host; without a scene, 88 simulated keys and a virtual pianist.
+    Run(run::RunArgs),
+    /// Opens the window: keys, scopes, sliders, recordings.
+    Dash(dash::DashArgs),
+    /// Runs the host, and records everything that it does.
+    Record(Box<record::RecordArgs>),
+    /// Runs a recording again, and says the first bit that differs.
+    Replay(replay::ReplayArgs),
+    /// Saves what can be read of a recording that breaks off.
+    Recover(recover::RecoverArgs),
+    /// Simulates one key offline and writes its trajectory and events.
+    Simulate(Box<SimulateArgs>),
+    /// Simulated boards on pseudo-terminals or CAN, for developing without hardware.
+    Board(board::BoardArgs),
+    /// Checks a scene or an instrument: all mistakes at once, with line and column.
+    Check(check::CheckArgs),
+    /// Computes whether the links of a scene can carry what it asks of them.
+    Plan(plan::PlanArgs),
+    /// Measures how the keys of boards read and push, and writes it into files.
+    Calibrate(calibrate::CalibrateArgs),
+    /// Lists serial ports, CAN interfaces and MIDI ports, and why one is missing.
+    Devices(devices::DevicesArgs),
+    /// Lists the instruments, models and their parameters.
+    Instruments(instruments::InstrumentsArgs),
+    /// Takes all forces away at once, and ends the running host.
+    Stop,
+    /// Offline studies with reports.
+    Lab(studies::LabArgs),
+}
+
+/// How a command ended, other than well.
+#[derive(Debug)]
+pub enum Failure {
+    /// Something failed while running: exit code 1.
+    Running(String),
+    /// Wrong usage or a wrong file: exit code 2.
+    Usage(String),
+    /// Whoever read the output has seen enough, as `head` does: no failure at all.
+    Unread,
+}
+
+/// Of the output, which every command writes with `?`; what else the system refuses is named
+/// where it is asked for.
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            return Self::Unread;
+        }
+        Self::Running(format!("the output cannot be written: {error}"))
+    }
+}
+
+/// What the system refuses to any program in such a state.
+#[expect(clippy::needless_pass_by_value, reason = "fits map_err")]
+fn system(error: io::Error) -> Failure {
+    Failure::Running(format!(
+        "the system refused a thread, signals or descriptors: {error}; see `ulimit -a`"
+    ))
+}
+
+/// Does what `letoff` asks for, and says how it went.
+pub fn run(letoff: &Letoff) -> ExitCode {
+    let mut out = io::stdout().lock();
+    let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
+    let (code, text) = match done {
+        Ok(()) | Err(Failure::Unread) => return ExitCode::SUCCESS,
+        Err(Failure::Running(text)) => (1, text),
+        Err(Failure::Usage(text)) => (2, text),
+    };
+    tell(&text);
+    ExitCode::from(code)
+}
+
+/// Says something beside the output.
+fn tell(text: &str) {
+    // A closed stderr leaves nobody to tell.
+    let _unheard = writeln!(io::stderr(), "letoff: {text}");
+}
+
+fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
+    match command {
+        Command::Run(args) => run::run(args, out),
+        Command::Dash(args) => dash::run(args, out),
+        Command::Record(args) => record::run(args, out),
+        Command::Replay(args) => replay::run(args, out),
+        Command::Recover(args) => recover::run(args, out),
+        Command::Simulate(args) => simulate(args, out),
+        Command::Board(args) => board::run(args, out),
+        Command::Check(args) => check::run(args, out),
+        Command::Plan(args) => plan::run(args, out),
+        Command::Calibrate(args) => calibrate::run(args, out),
+        Command::Devices(args) => devices::run(args, out),
+        Command::Instruments(args) => instruments::run(args, out),
+        Command::Stop => stop::run(out),
+        Command::Lab(args) => studies::run(args, out),
+    }
+}
+
+fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    use lab::simulate::SimulateError;
+    lab::simulate::run(args, out).map_err(|error| {
+        let text = error.to_string();
+        if let SimulateError::Summary(cause) = error {
+            cause.into()
+        } else if matches!(error, SimulateError::Usage(_)) {
+            Failure::Usage(text)
+        } else {
+            Failure::Running(text)
+        }
+    })
+}
+
+/// Prints `value` as JSON.
+fn print_json(value: &impl serde::Serialize, out: &mut dyn Write) -> Result<(), Failure> {
+    serde_json::to_writer_pretty(&mut *out, value).map_err(io::Error::from)?;
+    Ok(writeln!(out)?)
+}

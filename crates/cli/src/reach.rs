@@ -1,0 +1,123 @@
+//! How others reach a running command: the control socket, and the stream.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use telemetry::stream::{Closer, Publisher};
+use tokio::task::JoinHandle;
+
+use super::{Failure, streaming, tell};
+use host::control::{
+    Answers, Clients, ControlServer, RequestHandler, RunHandle, StreamSink, VoiceSwitcher, serve,
+    socket_path,
+};
+use host::session::RunSession;
+use scene::{LinksConfig, Scene};
+
+/// How others reach a running command.
+#[derive(Debug, Default)]
+pub(super) struct Reach {
+    clients: Clients,
+    stream: Option<ServedStream>,
+}
+
+/// A stream that is served.
+#[derive(Debug)]
+struct ServedStream {
+    publisher: Publisher,
+    closer: Closer,
+    /// Where, in a sentence.
+    news: String,
+    serving: JoinHandle<std::io::Result<()>>,
+}
+
+impl Reach {
+    /// Listens for requests to a host that will run `scene`, before anything is rehearsed.
+    ///
+    /// # Errors
+    /// If the stream that was asked for cannot be had.
+    pub(super) fn open(
+        scene: &Scene,
+        patchbay: &Arc<RunHandle>,
+        wanted: Option<streaming::WantedStream>,
+    ) -> Result<Self, Failure> {
+        let switchboard = Arc::new(VoiceSwitcher::new(scene.clone(), Arc::clone(patchbay)));
+        let stream = wanted.map(|wanted| stream(wanted, &switchboard)).transpose()?.flatten();
+        Ok(Self { clients: listen(switchboard), stream })
+    }
+
+    /// Lets those who follow the stream see what `session` does.
+    pub(super) fn observe(&self, session: &RunSession) {
+        if let Some(stream) = &self.stream {
+            session.observe(Box::new(StreamSink::new(stream.publisher.clone())));
+        }
+    }
+
+    /// What is said when the run has begun.
+    pub(super) fn news(&self, scene: &Scene, session: &RunSession) -> Vec<String> {
+        let (name, hz, n_voices) = (&scene.name, session.tick_hz(), session.n_voices());
+        let keys = match &scene.links {
+            LinksConfig::Simulated => "simulated keys".to_owned(),
+            LinksConfig::Boards(boards) => format!("boards on {} links", boards.buses.len()),
+        };
+        let midi = session.midi();
+        let plays = format!("plays {name:?}: {n_voices} voices at {hz} Hz on {keys}; MIDI: {midi}");
+        let streams = self.stream.as_ref().map(|stream| stream.news.clone());
+        [Some(plays), streams].into_iter().flatten().collect()
+    }
+
+    /// Waits until everybody has their answer, tells those who follow the stream `why` it is over,
+    /// and ends it.
+    pub(super) async fn leave(self, why: &str) {
+        /// Longer than a stream takes to close.
+        const GRACE: Duration = Duration::from_secs(4);
+        let stream = async {
+            if let Some(stream) = self.stream {
+                stream.closer.close(why.to_owned());
+                let _closed = tokio::time::timeout(GRACE, stream.serving).await;
+            }
+        };
+        tokio::join!(self.clients.leave(), stream);
+    }
+}
+
+/// Lets `answers` answer at this user's control socket; says so where that cannot be.
+pub(super) fn listen<A: Answers>(answers: Arc<A>) -> Clients {
+    let clients = Clients::default();
+    let path = socket_path();
+    match ControlServer::listen(&path) {
+        Ok(server) => {
+            // Ends with the runtime, and takes the socket with it.
+            tokio::spawn(serve(server, answers, clients.clone()));
+        }
+        // A second host, or a machine without a place for sockets, runs all the same.
+        Err(error) => tell(&format!(
+            "`letoff stop`, `dash` and `instruments use` do not reach this process: {}: {error}; \
+             give it a place of its own with LETOFF_SOCKET",
+            path.display()
+        )),
+    }
+    clients
+}
+
+/// Streams to dashboards and viewers, and hears what they ask.
+fn stream(
+    wanted: streaming::WantedStream,
+    switchboard: &Arc<VoiceSwitcher>,
+) -> Result<Option<ServedStream>, Failure> {
+    let Some(server) = wanted.listen()? else { return Ok(None) };
+    let mut address = server.url();
+    let news = wanted.news(&address);
+    if let Some(fingerprint) = server.fingerprint() {
+        tell(&format!(
+            "the stream's certificate is {fingerprint}: elsewhere, give it to `letoff dash \
+             --fingerprint`"
+        ));
+        address = format!("{address}#{fingerprint}");
+    }
+    switchboard.streams_at(address, wanted.owner());
+    let (publisher, closer) = (server.publisher(), server.closer());
+    let studio = Arc::new(RequestHandler::new(Arc::clone(switchboard), wanted.folders));
+    let serving = tokio::spawn(telemetry::stream::serve(server, studio));
+    Ok(Some(ServedStream { publisher, closer, news, serving }))
+}

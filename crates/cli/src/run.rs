@@ -1,0 +1,302 @@
+//! `letoff run [SCENE]`: the host.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+
+use super::arguments::seconds;
+use super::log::StderrLog;
+use super::reach::Reach;
+use super::signals::Signals;
+use super::streaming::{self, StreamArgs};
+use super::target::SceneTarget;
+use super::{Failure, live, print_json, system, tell};
+use host::control::{BoardsTold, RunHandle};
+use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
+use host::report::RunReport;
+use host::session::{RunOptions, RunSession, SessionError};
+use scene::{LinksConfig, Override, Scene};
+
+/// What `letoff run` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Examples:
+  letoff run                                  the default scene, until its piece is over
+  letoff run --duration 30 --json             half a minute, with a report for a program
+  letoff run bach --virtual-time --midi bach-played.mid
+  letoff run --set tick_hz=4000 --set keys.0.instrument=grand-reduced
+  letoff run --link serial:/dev/ttyACM0 --link can:can0 --performance none")]
+pub struct RunArgs {
+    /// What shall be run.
+    #[command(flatten)]
+    pub target: SceneTarget,
+    /// The scene again, for those who prefer it as an option.
+    #[arg(long = "scene", value_name = "SCENE", conflicts_with = "scene")]
+    pub scene_option: Option<String>,
+    /// Length of the run (s); without it, to the end of the performance.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
+    pub duration: Option<f64>,
+    /// What the virtual pianist plays: an embedded piece's name or a MIDI file.
+    #[arg(long, value_name = "FILE.mid")]
+    pub performance: Option<String>,
+    /// Where strikes go: a port's name, `virtual`, a file, or `none`.
+    #[arg(long, value_name = "PORT|virtual|FILE.mid|none")]
+    pub midi: Option<String>,
+    /// Records everything into a file of MCAP, from before the first tick on.
+    #[arg(long, value_name = "FILE.mcap")]
+    pub record: Option<PathBuf>,
+    /// Where the last seconds are written when a voice fails; the user's own folder for what
+    /// programs leave behind if none is given.
+    #[arg(long, value_name = "FOLDER|none")]
+    pub black_box: Option<PathBuf>,
+    /// To whom it tells what it does.
+    #[command(flatten)]
+    pub stream: StreamArgs,
+    /// As fast as it goes, with the same bits every time.
+    #[arg(long)]
+    pub virtual_time: bool,
+    /// Prints the report as JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// Logs nothing on stderr: boards and clients that come and go, changes, stops.
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+impl RunArgs {
+    fn scene(&self) -> &str {
+        self.scene_option.as_deref().unwrap_or(&self.target.scene)
+    }
+
+    /// Everything that overrides the scene, the named options last.
+    fn overrides(&self) -> Vec<Override> {
+        let named = [
+            ("--performance", "pianist.performance", &self.performance),
+            ("--midi", "midi.output", &self.midi),
+        ];
+        let named = named.into_iter().filter_map(|(option, name, value)| {
+            let value = value.clone()?;
+            Some(Override { name: name.into(), typed: format!("{option} {value}"), value })
+        });
+        self.target.overrides().into_iter().chain(named).collect()
+    }
+}
+
+/// Runs the host and prints its report.
+pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let scene = Scene::load_as_typed(args.scene(), &args.overrides())
+        .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
+    let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
+    // A mistake is told before anything is rehearsed or recorded.
+    let stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;
+    let Some(report) = perform(&scene, options, args, stream)? else {
+        tell("stopped before it began to play");
+        return Ok(());
+    };
+    if args.json {
+        print_json(&report, out)?;
+    } else {
+        write!(out, "{report}")?;
+    }
+    let troubles = report.board_troubles();
+    if report.misses_a_board() {
+        return Err(Failure::Running(troubles.join("\nletoff: ")));
+    }
+    for trouble in &troubles {
+        tell(trouble);
+    }
+    if let Some(trouble) = report.recording.as_ref().and_then(|it| it.trouble.clone()) {
+        return Err(Failure::Running(trouble));
+    }
+    match &report.midi.trouble {
+        Some(trouble) if report.midi.failed > 0 => Err(Failure::Running(trouble.clone())),
+        Some(_) | None => without_faults(&report),
+    }
+}
+
+/// Whether the models did what they should.
+///
+/// A run that `letoff stop` ended has done what it was asked, whatever came before: an exit code
+/// of failure would have a supervisor start it again, forces and all.
+fn without_faults(report: &RunReport) -> Result<(), Failure> {
+    if report.faults == 0 {
+        return Ok(());
+    }
+    let text = format!(
+        "voices failed in {} turns, and their keys had no force meanwhile: take a higher tick_hz or \
+         parameters that are less stiff; `letoff dash` names keys and reasons while it runs",
+        report.faults
+    );
+    if report.stopped {
+        tell(&text);
+        return Ok(());
+    }
+    Err(Failure::Running(text))
+}
+
+/// Rehearses, runs until the end or a signal, and reports; nothing if it was stopped before it
+/// began.
+fn perform(
+    scene: &Scene,
+    options: RunOptions,
+    args: &RunArgs,
+    wanted: Option<streaming::WantedStream>,
+) -> Result<Option<Box<RunReport>>, Failure> {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    let runtime = runtime.map_err(system)?;
+    let ended = runtime.block_on(host(scene, options, args, wanted));
+    if let Ok(None) = ended {
+        // What still rehearses is not waited for: no board is armed, and no note has sounded.
+        runtime.shutdown_background();
+    }
+    ended
+}
+
+async fn host(
+    scene: &Scene,
+    options: RunOptions,
+    args: &RunArgs,
+    wanted: Option<streaming::WantedStream>,
+) -> Result<Option<Box<RunReport>>, Failure> {
+    let mut signals = Signals::new().map_err(system)?;
+    let is_quiet = args.quiet || options.virtual_time;
+    let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
+    let patchbay = Arc::new(RunHandle::default());
+    // In virtual time there is nobody to talk to.
+    let reach = if options.virtual_time {
+        Reach::default()
+    } else {
+        Reach::open(scene, &patchbay, wanted)?
+    };
+    let Some(session) = prepare(scene, options, &patchbay, &mut signals).await? else {
+        reach.leave("the host was stopped before it began to play").await;
+        return Ok(None);
+    };
+    session.notices().iter().for_each(|notice| tell(notice));
+    let recording = args.record.as_deref().map(|file| record(&session, file)).transpose()?;
+    if !options.virtual_time {
+        keep_black_box(&session, args.black_box.as_deref());
+        let lines = log.lines();
+        let sink = LogSink::new(Box::new(move |it| lines.say(it)));
+        let has_boards = matches!(scene.links, LinksConfig::Boards(_));
+        session.observe(Box::new(if has_boards { sink.naming_boards() } else { sink }));
+    }
+    reach.observe(&session);
+    let counters = session.counters();
+    let line = live::StatusLine::new(session.tick_hz(), session.ticks());
+    log.draw_above(line.bar());
+    let mut news = Some(reach.news(scene, &session));
+    let stop = Arc::new(AtomicBool::new(false));
+    let its_stop = Arc::clone(&stop);
+    let _stops = StopOnDrop(Arc::clone(&stop));
+    let mut running = tokio::task::spawn_blocking(move || session.run(&its_stop).map(Box::new));
+    let mut every = tokio::time::interval(live::REFRESH);
+    loop {
+        tokio::select! {
+            done = &mut running => {
+                line.finish();
+                let why = patchbay.emergency.answered().map_or("the run is over", |_| STOPPED);
+                reach.leave(why).await;
+                let done = done.map_err(|panic| Failure::Running(panic.to_string()))?;
+                let mut report = done.map_err(|error| failure(&error))?;
+                report.recording = recording.map(|it| it.report());
+                return Ok(Some(report));
+            }
+            () = signals.next() => {
+                stop.store(true, Ordering::Release);
+                log.say("a signal ends the run: forces fade, notes end".to_owned());
+            }
+            _ = every.tick() => {
+                line.show(&counters);
+                if 0 < counters.ticks.load(Ordering::Relaxed) {
+                    news.take().into_iter().flatten().for_each(|text| log.say(text));
+                }
+            }
+        }
+    }
+}
+
+/// What clients are told of a host that was stopped.
+const STOPPED: &str = "the host was stopped: no board renders a force until it is started anew";
+
+/// Prepares the run; nothing if a stop or a signal comes before it is ready.
+async fn prepare(
+    scene: &Scene,
+    options: RunOptions,
+    patchbay: &Arc<RunHandle>,
+    signals: &mut Signals,
+) -> Result<Option<RunSession>, Failure> {
+    let rehearsal = live::RehearsalProgress::new();
+    let (scene, its_patchbay, shown) = (scene.clone(), Arc::clone(patchbay), rehearsal.clone());
+    let preparing = tokio::task::spawn_blocking(move || {
+        RunSession::prepare_behind(its_patchbay, &scene, options, &|progress| shown.show(progress))
+    });
+    let prepared = tokio::select! {
+        biased;
+        () = patchbay.emergency.asked() => None,
+        () = signals.next() => None,
+        prepared = preparing => Some(prepared),
+    };
+    rehearsal.finish();
+    let Some(prepared) = prepared.filter(|_| !patchbay.emergency.is_asked()) else {
+        patchbay.emergency.answer(BoardsTold::NONE_ARMED);
+        return Ok(None);
+    };
+    let prepared = prepared.map_err(|panic| Failure::Running(panic.to_string()))?;
+    prepared.map(Some).map_err(|error| failure(&error))
+}
+
+/// Records all that the session will do into `file`.
+fn record(session: &RunSession, file: &Path) -> Result<RecordingHandle, Failure> {
+    let begun = RecordingHandle::begin(file).map_err(|error| Failure::Usage(error.to_string()))?;
+    let (recording, sink) = begun;
+    session.observe(sink);
+    Ok(recording)
+}
+
+/// Keeps the last seconds for when a voice fails.
+fn keep_black_box(session: &RunSession, folder: Option<&Path>) {
+    let folder = match folder {
+        Some(folder) if folder == Path::new("none") => return,
+        Some(folder) => folder.to_owned(),
+        None => state_folder(),
+    };
+    session.observe(Box::new(BlackBoxSink::new(folder, tell)));
+}
+
+/// The user's own folder for what programs leave behind, or one among temporary files.
+fn state_folder() -> PathBuf {
+    streaming::own_state_folder().unwrap_or_else(|| std::env::temp_dir().join("letoff"))
+}
+
+/// Ends the run when this thread unwinds: notes off, forces down.
+struct StopOnDrop(Arc<AtomicBool>);
+
+impl Drop for StopOnDrop {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Release);
+    }
+}
+
+fn failure(error: &SessionError) -> Failure {
+    match error {
+        // A board that has no power yet is no mistake of the scene's: who starts hosts tries again.
+        SessionError::System(_)
+        | SessionError::Panicked(_)
+        | SessionError::Links(_)
+        | SessionError::Boards(_) => Failure::Running(error.to_string()),
+        SessionError::Build(_)
+        | SessionError::Rehearsal(_)
+        | SessionError::Keybed(_)
+        | SessionError::BoardRate { .. }
+        | SessionError::Overload(_)
+        | SessionError::RealBoards
+        | SessionError::NoFingers
+        | SessionError::Performance { .. }
+        | SessionError::NoFolder { .. }
+        | SessionError::Midi(_)
+        | SessionError::Endless => Failure::Usage(error.to_string()),
+    }
+}

@@ -1,0 +1,168 @@
+//! Options of the stream to dashboards and viewers.
+
+use std::io;
+use std::net::SocketAddr;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use hardware::calibration::file::usual_folder;
+use telemetry::stream::server::{Tls, Token};
+use telemetry::stream::{Role, ServerSettings, StreamServer};
+
+use super::{Failure, tell, tokens};
+use host::control::Folders;
+
+/// Where and to whom the host streams.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "Stream to dashboards and viewers")]
+pub struct StreamArgs {
+    /// Where it streams: an address and port, or `none`. Anything but this machine needs
+    /// --tokens and --tls.
+    #[arg(long, value_name = "ADDRESS:PORT|none", default_value = DEFAULT)]
+    pub listen: String,
+    /// A file with who may do what: lines of `viewer`, `tuner` or `owner` and a secret. Without
+    /// it there is one secret, made for this run, that this user's `letoff dash` learns.
+    #[arg(long, value_name = "FILE")]
+    pub tokens: Option<PathBuf>,
+    /// Encrypts the stream: with a certificate and key (PEM), or one that is made here.
+    #[arg(long, value_name = "self-made|CHAIN.pem,KEY.pem")]
+    pub tls: Option<String>,
+    /// Web pages from there may connect, as `https://app.foxglove.dev`.
+    #[arg(long, value_name = "ORIGIN")]
+    pub origin: Vec<String>,
+    /// Lets everybody who reaches the stream do everything, without tokens and encryption: every
+    /// user of this machine, and whoever is on its network.
+    #[arg(long)]
+    pub insecure: bool,
+    /// Where recordings go that clients begin; in the user's own folder for what programs leave
+    /// behind if none is given.
+    #[arg(long, value_name = "FOLDER")]
+    pub recordings: Option<PathBuf>,
+    /// Where instruments are that clients may use beside those of the program; the user's own
+    /// folder of instruments if none is given.
+    #[arg(long, value_name = "FOLDER")]
+    pub instruments: Option<PathBuf>,
+}
+
+/// What Foxglove's own viewers look for first.
+const DEFAULT: &str = "127.0.0.1:8765";
+
+/// The stream that the options ask for.
+#[derive(Debug)]
+pub(super) struct WantedStream {
+    settings: ServerSettings,
+    /// Where clients may name files.
+    pub(super) folders: Folders,
+    /// Nobody asked for it: it is what is done without options.
+    is_usual: bool,
+}
+
+impl StreamArgs {
+    /// The stream that the options ask for, if any; `folder` keeps a certificate of our own.
+    ///
+    /// # Errors
+    /// What is wrong with them, in a sentence.
+    pub(super) fn wanted(&self, name: &str, folder: &Path) -> Result<Option<WantedStream>, String> {
+        if self.listen == "none" {
+            return Ok(None);
+        }
+        let address: SocketAddr = self.listen.parse().map_err(|_no_address| {
+            format!("--listen {} is no address and port: write {DEFAULT} or none", self.listen)
+        })?;
+        let mut settings = ServerSettings {
+            address,
+            name: format!("letoff: {name}"),
+            origins: self.origin.clone(),
+            tokens: self.tokens.as_deref().map_or_else(|| Ok(Vec::new()), tokens::read)?,
+            tls: self.tls.as_deref().map(|tls| certificate(tls, folder)).transpose()?,
+            insecure: self.insecure,
+            ..ServerSettings::default()
+        };
+        settings.check().map_err(|error| error.to_string())?;
+        if settings.tokens.is_empty() && !self.insecure {
+            // Every user of this machine reaches its loopback.
+            settings.tokens.push(Token::random(Role::Owner).map_err(|error| error.to_string())?);
+        }
+        let is_usual = self.listen == DEFAULT && self.tokens.is_none() && self.tls.is_none();
+        Ok(Some(WantedStream { settings, folders: self.folders(), is_usual }))
+    }
+
+    /// Where clients may name files: folders that were given, or the user's own.
+    fn folders(&self) -> Folders {
+        let recordings = || Some(own_state_folder()?.join("recordings"));
+        let instruments = || Some(usual_folder()?.with_file_name("instruments"));
+        Folders {
+            recordings: self.recordings.clone().or_else(recordings),
+            instruments: self.instruments.clone().or_else(instruments),
+        }
+    }
+}
+
+/// The user's own folder for what programs leave behind, if the user has a home.
+pub(super) fn own_state_folder() -> Option<PathBuf> {
+    let home = || std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".local/state"));
+    let state = std::env::var_os("XDG_STATE_HOME").map(PathBuf::from).or_else(home)?;
+    Some(state.join("letoff"))
+}
+
+impl WantedStream {
+    /// Listens; nothing if it cannot and nobody asked for it.
+    ///
+    /// # Errors
+    /// Why it cannot, in a sentence; an address that is taken or not there yet may be free later.
+    pub(super) fn listen(&self) -> Result<Option<StreamServer>, Failure> {
+        let Self { settings, is_usual, .. } = self;
+        let listened = match StreamServer::listen(settings.clone()) {
+            // Another host has the usual port; who looks for this one asks it.
+            Err(error) if error.kind() == io::ErrorKind::AddrInUse && *is_usual => {
+                let address = SocketAddr::new(settings.address.ip(), 0);
+                StreamServer::listen(ServerSettings { address, ..settings.clone() })
+            }
+            listened => listened,
+        };
+        match listened {
+            // A machine without a network plays all the same.
+            Err(error) if *is_usual => {
+                tell(&format!("nothing is streamed: {error}"));
+                Ok(None)
+            }
+            listened => listened.map(Some).map_err(|error| {
+                let text = error.to_string();
+                if matches!(
+                    error.kind(),
+                    io::ErrorKind::AddrInUse | io::ErrorKind::AddrNotAvailable
+                ) {
+                    return Failure::Running(text);
+                }
+                Failure::Usage(text)
+            }),
+        }
+    }
+
+    /// Where it streams, in a sentence.
+    pub(super) fn news(&self, url: &str) -> String {
+        let wanted = self.settings.address;
+        if self.is_usual && !url.ends_with(&wanted.to_string()) {
+            return format!("streams at {url}, since another program has {wanted}");
+        }
+        format!("streams at {url}")
+    }
+
+    /// The secret of an owner, if there are secrets.
+    pub(super) fn owner(&self) -> Option<String> {
+        let owner = self.settings.tokens.iter().find(|token| token.role == Role::Owner)?;
+        Some(owner.secret.clone())
+    }
+}
+
+fn certificate(text: &str, folder: &Path) -> Result<Tls, String> {
+    match text.split_once(',') {
+        Some((chain, key)) => Ok(Tls::Files { chain: chain.into(), key: key.into() }),
+        None if text == "self-made" => {
+            Ok(Tls::SelfMade { names: vec!["localhost".into()], folder: Some(folder.to_owned()) })
+        }
+        None => Err(format!(
+            "--tls {text} names no key: write CHAIN.pem,KEY.pem with a comma between, or self-made"
+        )),
+    }
+}

@@ -1,0 +1,44 @@
+//! Which scene is meant, with what the command line puts in its place.
+
+use clap::Args;
+use hardware::link::address::Address;
+
+use super::Failure;
+use super::arguments::{LINK, assignment};
+use scene::{Boards, LinksConfig, Override, Scene, link_overrides};
+
+/// A scene, with other links or values than its own.
+#[derive(Clone, Debug, Args)]
+pub struct SceneTarget {
+    /// A scene's name or file.
+    #[arg(default_value = "default")]
+    pub scene: String,
+    /// Links instead of those of the scene.
+    #[arg(long = "link", value_name = "LINK", help = LINK, value_parser = Address::parse)]
+    pub links: Vec<Address>,
+    /// Any value of the scene, as `tick_hz=4000` or `links.bus.0.bit_rate=500000`.
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
+    pub set: Vec<(String, String)>,
+}
+
+impl SceneTarget {
+    /// Everything that overrides the scene, single values last.
+    pub(super) fn overrides(&self) -> Vec<Override> {
+        let set = self.set.iter().cloned().map(Override::from);
+        link_overrides(&self.links).into_iter().chain(set).collect()
+    }
+
+    /// The scene's rate (Hz), and its boards.
+    pub(super) fn boards(&self) -> Result<(u32, Boards), Failure> {
+        let scene = Scene::load_as_typed(&self.scene, &self.overrides())
+            .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
+        match scene.links {
+            LinksConfig::Boards(boards) if !boards.buses.is_empty() => Ok((scene.tick_hz, boards)),
+            LinksConfig::Boards(_) | LinksConfig::Simulated => Err(Failure::Usage(format!(
+                "the scene {:?} has no boards: give --link serial:PORT or --link can:INTERFACE, \
+                 or a scene whose [links] have some",
+                scene.name
+            ))),
+        }
+    }
+}

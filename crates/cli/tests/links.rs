@@ -1,0 +1,106 @@
+//! What is seen of lines and boards while a host runs, and the light of one of them.
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+
+mod common;
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::Duration;
+
+use common::{Board, make, run_while};
+use hardware::link::address::Address;
+use host::control::RunHandle;
+use host::observe::MessageSink;
+use host::session::{RunOptions, RunSession};
+use scene::{Override, Scene, link_overrides};
+use telemetry::event::Kind;
+use telemetry::{Links, Topic, Update};
+
+/// Long enough for any machine: it only ends what has failed.
+const PATIENCE: Duration = Duration::from_mins(1);
+
+/// Passes messages on.
+struct Ear(Sender<Update>);
+
+impl MessageSink for Ear {
+    fn take(&mut self, _at: u64, update: &Update) {
+        let _gone = self.0.send(update.clone());
+    }
+
+    fn wants(&self, topic: Topic) -> bool {
+        matches!(topic, Topic::Links | Topic::Events)
+    }
+}
+
+/// Runs a host that nobody plays on these links, or on simulated keys if there are none.
+fn beside_a_host(links: &[String], look: impl FnOnce(&RunHandle, &Receiver<Update>)) {
+    let parsed: Vec<_> = links.iter().map(|it| Address::parse(it).expect("a link")).collect();
+    let silent = Override::from(("pianist.performance".to_owned(), "none".to_owned()));
+    let overrides: Vec<_> = link_overrides(&parsed).into_iter().chain([silent]).collect();
+    let scene = Scene::load_as_typed("default", &overrides).expect("a scene");
+    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
+    let patchbay = session.patchbay();
+    let (tell, told) = channel();
+    session.observe(Box::new(Ear(tell)));
+    run_while(session, || look(&patchbay, &told));
+}
+
+/// The next message about links of which `is_it` holds.
+fn links(told: &Receiver<Update>, is_it: impl Fn(&Links) -> bool) -> Links {
+    loop {
+        if let Update::Links(it) = told.recv_timeout(PATIENCE).expect("links in time")
+            && is_it(&it)
+        {
+            return it;
+        }
+    }
+}
+
+/// Waits until this is told of a board or a line.
+fn told_until(told: &Receiver<Update>, sentence: &str) {
+    let is_it = |update: &Update| matches!(update, Update::Event(it) if it.kind() == Kind::Board && it.text == sentence);
+    while !is_it(&told.recv_timeout(PATIENCE).expect("an event in time")) {}
+}
+
+#[test]
+fn boards_are_seen_show_their_light_and_are_missed_when_they_die() {
+    let boards = [3, 4].map(|number| Board::start(make(number, 11)));
+    let addresses = boards.each_ref().map(Board::link);
+    let [three, four] = boards;
+    beside_a_host(&addresses, |patchbay, told| {
+        let is_well = |it: &telemetry::Board| it.state == "armed" && 0.0 < it.round_trip;
+        let seen = links(told, |it| it.boards.iter().all(is_well));
+        let both = seen.lines.iter().zip(&seen.boards).zip(&addresses);
+        for (n, ((line, board), address)) in (0..).zip(both) {
+            assert!(address.ends_with(&line.name), "{line:?}");
+            assert_eq!(line.state, "active");
+            assert!(line.planned.is_nan(), "a pseudo-terminal has no load: {line:?}");
+            let place = (board.line, board.id, board.first_key, board.keys);
+            assert_eq!(place, (n, 3 + n, 33 + 11 * n, 11));
+            assert!(0 < board.samples && 0 < board.armings, "{board:?}");
+        }
+        let refused = patchbay.identify(0, 4).expect_err("it is on the other link");
+        assert!(refused.contains("but board 3"), "{refused}");
+        patchbay.identify(1, 4).expect("it is there");
+        let before = seen.boards[1].samples;
+        links(told, |it| before + 1_500 < it.boards[1].samples && is_well(&it.boards[1]));
+
+        // What becomes of a board is told; a busy machine may tell of the other one too.
+        assert_eq!((three.stop().lights(), patchbay.emergency.is_asked()), (0, false));
+        let port = &seen.lines[0].name;
+        told_until(told, &format!("{port} is down now"));
+        told_until(told, &format!("board 3 on {port}: silent"));
+        links(told, |it| it.boards[0].state == "silent" && is_well(&it.boards[1]));
+    });
+    assert_eq!(four.stop().lights(), 1);
+}
+
+#[test]
+fn simulated_boards_are_seen_and_have_no_lights() {
+    beside_a_host(&[], |patchbay, told| {
+        let seen = links(told, |it| it.boards.iter().all(|board| 500 < board.samples));
+        assert_eq!((seen.lines.len(), seen.boards.len()), (8, 8));
+        assert_eq!(seen.boards.iter().map(|it| it.keys).sum::<u32>(), 88);
+        let refused = patchbay.identify(0, 0).expect_err("nothing to be lit");
+        assert!(refused.contains("simulated"), "{refused}");
+    });
+}

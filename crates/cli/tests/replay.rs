@@ -1,0 +1,182 @@
+//! A run is recorded, and run again from its recording: the same to the last bit.
+
+#![expect(clippy::expect_used, reason = "helpers of tests")]
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use host::observe::RecordingHandle as Recorded;
+use host::replay::{ReplayError, Replayed, replay};
+use host::session::{RunOptions, RunSession};
+use scene::Scene;
+use telemetry::Update;
+use telemetry::recording::Recording;
+use telemetry::request::Change;
+
+/// A folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("letoff-replay-{}-{name}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+/// All kinds of models, and a piece.
+fn scene() -> Scene {
+    let piece = ("pianist.performance".to_owned(), "beethoven-ode-to-joy".to_owned());
+    Scene::load("mixed", &[piece]).unwrap_or_else(|wrong| unreachable!("{wrong}"))
+}
+
+/// Runs `scene` and records it into `file`.
+fn record(scene: &Scene, options: RunOptions, file: &Path) {
+    let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
+    let (recording, sink) = Recorded::begin(file).expect("a new file");
+    session.observe(sink);
+    session.run(&AtomicBool::new(false)).expect("a report");
+    assert_eq!(recording.report().trouble, None);
+}
+
+/// What the recording says, message by message.
+fn messages(file: &Path) -> Vec<Result<Update, String>> {
+    let recording = Recording::open(file).expect("a recording");
+    assert!(recording.tear().is_none());
+    recording.messages().map(|it| it.map(|it| it.1).map_err(|error| error.to_string())).collect()
+}
+
+fn again(file: &Path) -> Result<Replayed, ReplayError> {
+    replay(messages(file).into_iter(), |_| {})
+}
+
+/// The piece begins after two.
+const FOUR_SECONDS: RunOptions = RunOptions { duration: Some(4.0), virtual_time: true };
+
+#[test]
+fn a_piece_on_five_models_comes_out_the_same() {
+    let file = folder("piece").join("a.mcap");
+    record(&scene(), RunOptions { duration: Some(6.0), ..FOUR_SECONDS }, &file);
+    let replayed = again(&file).expect("a replay");
+    assert_eq!(replayed.first_difference, None);
+    assert_eq!((replayed.ticks, replayed.different), (24_000, 0), "six seconds at 4 kHz");
+    assert!(0 < replayed.strikes && 1000 < replayed.compared, "{replayed:?}");
+}
+
+#[test]
+fn a_recording_that_breaks_off_is_the_same_as_far_as_it_goes() {
+    let file = folder("torn").join("a.mcap");
+    record(&scene(), FOUR_SECONDS, &file);
+    let all = messages(&file);
+    let mut noticed = 0;
+    for cut in [5, 6, 7].into_iter().flat_map(|part| (0..4).map(move |more| (part, more))) {
+        let (part, more) = cut;
+        let rest = all.iter().take(all.len() * part / 8 + more).cloned();
+        let replayed = replay(rest, |_| {}).expect("a replay");
+        assert_eq!(replayed.first_difference, None, "{cut:?}");
+        assert!((1_000..16_000).contains(&replayed.ticks), "{cut:?}: {replayed:?}");
+        noticed += u32::from(replayed.incomplete_from == Some(replayed.ticks));
+    }
+    assert!(6 < noticed, "most cuts are between rows and their ticks, but {noticed} of 12 were");
+}
+
+#[test]
+fn a_hole_is_named_and_is_no_difference() {
+    let file = folder("hole").join("a.mcap");
+    record(&scene(), FOUR_SECONDS, &file);
+    let all = messages(&file);
+    for (part, more) in [3, 5, 7].into_iter().flat_map(|part| (0..4).map(move |it| (part, it))) {
+        let from = all.len() * part / 8 + more;
+        let mut rest = all.clone();
+        // A quarter of a second, as a damaged chunk takes it out.
+        rest.splice(from..from + all.len() / 16, [Err("it is damaged".to_owned())]);
+        let replayed = replay(rest.into_iter(), |_| {}).expect("a replay");
+        assert_eq!(replayed.first_difference, None, "{part}, {more}");
+        assert!((1_000..16_000).contains(&replayed.ticks), "{replayed:?}");
+        let [missing] = replayed.missing.as_slice() else { panic!("{replayed:?}") };
+        assert_eq!((missing.from, missing.why.as_str()), (replayed.ticks, "it is damaged"));
+        assert_eq!(replayed.incomplete_from, Some(missing.from));
+        let ticks = missing.to.expect("an end") - missing.from + 1;
+        assert!((100..4_000).contains(&ticks), "{missing:?}: a sixteenth of all messages");
+    }
+    // What comes behind the last tick is nothing that would be missed.
+    let end = all.into_iter().chain([Err("it is damaged".to_owned())]);
+    let replayed = replay(end, |_| {}).expect("a replay");
+    assert_eq!((replayed.first_difference, replayed.incomplete_from), (None, None));
+}
+
+#[test]
+fn a_changed_bit_is_found_where_it_is() {
+    let file = folder("bit").join("a.mcap");
+    record(&scene(), FOUR_SECONDS, &file);
+    let mut messages = messages(&file);
+    let mut blocks = messages.iter_mut().filter_map(|message| match message {
+        Ok(Update::Block(block)) if block.position.iter().any(|it| 0.0 < *it) => Some(block),
+        Ok(_) | Err(_) => None,
+    });
+    let block = blocks.next().expect("a key that moves");
+    let (row, sent) = (block.sent.len() / 2, block.sent[block.sent.len() / 2]);
+    block.sent[row] = f64::from_bits(sent.to_bits() ^ 1);
+    let tick = block.tick + u64::from(block.after[row]);
+    drop(blocks);
+    let replayed = replay(messages.into_iter(), |_| {}).expect("a replay");
+    let first = replayed.first_difference.expect("a difference");
+    assert_eq!((first.tick, replayed.different), (tick, 1), "{first}");
+    assert!(first.text.contains("sent force"), "{first}");
+}
+
+#[test]
+fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
+    let file = folder("tuned").join("a.mcap");
+    let silent = [("pianist.performance".to_owned(), "none".to_owned())];
+    let scene = Scene::load("default", &silent).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    tuned(&scene, RunOptions { duration: Some(2.0), virtual_time: false }, &file);
+    let messages = messages(&file);
+    let is_kept = |message: &&Result<Update, String>| matches!(message, Ok(Update::Voice(voice)) if voice.kept);
+    assert_eq!(messages.iter().filter(is_kept).count(), 20);
+    let replayed = replay(messages.into_iter(), |_| {}).expect("a replay");
+    assert_eq!(replayed.first_difference, None);
+}
+
+/// A run in real time in which keys are pressed, retuned and replaced.
+fn tuned(scene: &Scene, options: RunOptions, file: &Path) {
+    use host::control::{Request, VoiceSwitcher};
+    let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
+    let (_recording, sink) = Recorded::begin(file).expect("a new file");
+    session.observe(sink);
+    let switchboard = VoiceSwitcher::new(scene.clone(), session.patchbay());
+    let ask = |request: Request| loop {
+        match switchboard.answer(&request, "test") {
+            Err(why) if why.contains("not running yet") => std::thread::yield_now(),
+            answer => return answer.expect("done"),
+        }
+    };
+    std::thread::scope(|scope| {
+        let run = scope.spawn(|| session.run(&AtomicBool::new(false)));
+        let mass = |value| Request::Set {
+            changes: vec![Change { key: 39, parameter: "k2".into(), value }],
+        };
+        for n in 0..20 {
+            ask(mass(800.0 + f64::from(n)));
+            ask(Request::Press { key: 39, newtons: f64::from(n % 5) * 2.0 });
+        }
+        ask(Request::UseInstrument {
+            instrument: "spring-wall".into(),
+            keys: Some("C4..E4".into()),
+        });
+        run.join().expect("no panic").expect("a report");
+    });
+}
+
+#[test]
+fn what_is_no_recording_of_a_whole_run_is_refused_in_a_sentence() {
+    let nothing = replay(std::iter::empty(), |_| {}).expect_err("nothing");
+    assert!(nothing.to_string().contains("no catalogue"));
+    let file = folder("middle").join("a.mcap");
+    record(&scene(), FOUR_SECONDS, &file);
+    // Without its first second it begins in the middle of a run.
+    let is_late = |message: &Result<Update, String>| match message {
+        Ok(Update::Block(block)) => 1000 <= block.tick,
+        Ok(Update::Ticks(ticks)) => 1000 <= ticks.tick,
+        Ok(Update::Event(event)) => 1000 <= event.tick,
+        Ok(_) | Err(_) => true,
+    };
+    let middle = replay(messages(&file).into_iter().filter(is_late), |_| {}).expect_err("middle");
+    assert!(matches!(middle, ReplayError::Middle(_)), "{middle}");
+}

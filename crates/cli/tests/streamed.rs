@@ -1,0 +1,227 @@
+//! A host and a client of its stream: seen, tuned, pressed.
+
+#![expect(clippy::expect_used, reason = "helpers of tests")]
+
+mod common;
+mod stranger;
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use common::run_while;
+use host::control::{Folders, RequestHandler, StreamSink, VoiceSwitcher};
+use host::session::{RunOptions, RunSession};
+use scene::Scene;
+use stranger::Stranger;
+use telemetry::request::Change;
+use telemetry::stream::protocol::{FromClient, FromServer, ParameterValue};
+use telemetry::stream::{Client, Dial, ServerSettings, StreamServer, serve};
+use telemetry::{Arrival, Request, Source as _, Topic, Update, event};
+
+/// Long enough for any machine: it only ends what has failed.
+const PATIENCE: Duration = Duration::from_mins(1);
+
+/// Runs a host on simulated keys that nobody plays, and `clients` of its stream, who get its
+/// address, and what the control socket asks.
+fn beside_a_host(clients: impl FnOnce(&str, &VoiceSwitcher)) {
+    let silent = [("pianist.performance".to_owned(), "none".to_owned())];
+    let scene = Scene::load("default", &silent).expect("the default scene");
+    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
+    let switchboard = Arc::new(VoiceSwitcher::new(scene, session.patchbay()));
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .worker_threads(1)
+        .enable_all()
+        .build()
+        .expect("a runtime");
+    let address = std::net::SocketAddr::from(([127, 0, 0, 1], 0));
+    let server = {
+        let _inside = runtime.enter();
+        StreamServer::listen(ServerSettings { address, ..ServerSettings::default() })
+            .expect("a port")
+    };
+    let address = server.url();
+    session.observe(Box::new(StreamSink::new(server.publisher())));
+    runtime.spawn(serve(
+        server,
+        Arc::new(RequestHandler::new(Arc::clone(&switchboard), Folders::default())),
+    ));
+    run_while(session, || clients(&address, &switchboard));
+}
+
+/// Waits for what `wanted` finds.
+fn wait<T>(client: &mut Client, mut wanted: impl FnMut(Arrival) -> Option<T>) -> T {
+    let end = Instant::now() + PATIENCE;
+    while Instant::now() < end {
+        match client.next() {
+            Some(arrival) => {
+                if let Some(found) = wanted(arrival) {
+                    return found;
+                }
+            }
+            None => std::thread::yield_now(),
+        }
+    }
+    unreachable!("nothing came")
+}
+
+fn update(arrival: Arrival) -> Option<Update> {
+    if let Arrival::Update { update, .. } = arrival { Some(*update) } else { None }
+}
+
+#[test]
+fn a_client_sees_presses_and_tunes_a_key() {
+    beside_a_host(|address, _switchboard| {
+        let client =
+            &mut Client::connect(Dial { address: address.into(), ..Dial::default() }, None);
+        let topics = [Topic::Catalogue, Topic::Voices, Topic::Events, Topic::Overview];
+        let topics: BTreeSet<_> = topics.into_iter().chain([Topic::Block(39)]).collect();
+        client.follow(&topics);
+        let catalogue = wait(client, |arrival| {
+            if let Update::Catalogue(it) = update(arrival)? { Some(it) } else { None }
+        });
+        let model = catalogue.models.iter().find(|it| it.name == "key-hammer-springs");
+        let model = model.expect("the model that plays");
+        let k2 = model.parameters.iter().position(|it| it.name == "k2").expect("a spring");
+
+        // Pressed hard, the hammer strikes.
+        client.ask(Request::Press { key: 39, newtons: 12.0 });
+        let strike = wait(client, |arrival| {
+            let Update::Event(it) = update(arrival)? else { return None };
+            (it.kind() == event::Kind::Strike).then_some(it)
+        });
+        assert_eq!(strike.key, 39);
+        client.ask(Request::Press { key: 39, newtons: 0.0 });
+
+        // A value that is set is what the key is played by, and its rows say so.
+        let change = |value| Change { key: 39, parameter: "k2".into(), value };
+        let ticket = client.ask(Request::Set { changes: vec![change(20_000.5)] });
+        let (mut revision, mut is_answered) = (None, false);
+        let deepest = wait(client, |arrival| {
+            if let Arrival::Reply { ticket: of, result } = &arrival {
+                assert_eq!(result.clone().err(), None);
+                is_answered |= *of == ticket;
+            }
+            let update = update(arrival)?;
+            if let Update::Voice(voice) = &update
+                && voice.key == 39
+                && voice.kept
+            {
+                assert!((voice.values[k2] - 20_000.5).abs() < f64::EPSILON);
+                revision = Some(voice.revision);
+            }
+            let Update::Block(block) = update else { return None };
+            let is_it = is_answered && block.revision.last().copied() == revision;
+            block.position.last().copied().filter(|_| is_it)
+        });
+        assert!(deepest.is_finite());
+
+        // What is no value is refused, and changes nothing.
+        let ticket = client.ask(Request::Set { changes: vec![change(-1.0), change(9e99)] });
+        let refused = wait(client, |arrival| {
+            let Arrival::Reply { ticket: of, result } = arrival else { return None };
+            (of == ticket).then_some(result)
+        });
+        assert!(refused.expect_err("wrong values").contains("k2"));
+    });
+}
+
+/// A client that follows all parameters, and is heard already.
+fn follower(address: &str) -> Stranger {
+    let mut follower = Stranger::knock(address, &[]).unwrap_or_else(|it| unreachable!("{it}"));
+    let parameter_names = Vec::new();
+    follower.say(&FromClient::SubscribeParameterUpdates { parameter_names });
+    get(&mut follower, "/key/39/k2");
+    follower
+}
+
+/// A parameter's value.
+fn get(client: &mut Stranger, name: &str) -> f64 {
+    let parameter_names = vec![name.to_owned()];
+    client.say(&FromClient::GetParameters { parameter_names, id: Some("now".into()) });
+    let values = client.hear(|message| values(message, Some("now")));
+    values.first().expect("the parameter").1
+}
+
+/// The values that `message` tells, if it is called so; updates have no name.
+fn values(message: FromServer, called: Option<&str>) -> Option<Vec<(String, f64)>> {
+    let FromServer::ParameterValues { parameters, id, .. } = message else { return None };
+    let value = |it: ParameterValue| (it.name, it.value.as_f64().unwrap_or(f64::NAN));
+    (id.as_deref() == called).then(|| parameters.into_iter().map(value).collect())
+}
+
+/// What `client` is told until `last` has its value, and that.
+fn told_until(client: &mut Stranger, last: (&str, f64)) -> Vec<(String, f64)> {
+    let mut told = Vec::new();
+    while !told.iter().any(|(name, value): &(String, f64)| (name.as_str(), *value) == last) {
+        told.extend(client.hear(|message| values(message, None)));
+    }
+    told
+}
+
+/// Asks as the control socket does, and again while the host does not run yet.
+fn ask(switchboard: &VoiceSwitcher, request: &Request) {
+    let end = Instant::now() + PATIENCE;
+    while let Err(why) = switchboard.answer(request, "letoff") {
+        assert!(why.contains("not running yet") && Instant::now() < end, "{why}");
+        std::thread::yield_now();
+    }
+}
+
+fn tune(key: u8, parameter: &str, value: f64) -> Request {
+    Request::Set { changes: vec![Change { key, parameter: parameter.into(), value }] }
+}
+
+#[test]
+fn each_change_is_told_once_whoever_made_it() {
+    beside_a_host(|address, switchboard| {
+        let (mut one, mut other) = (follower(address), follower(address));
+        // What plays at the beginning is told before this.
+        ask(switchboard, &tune(38, "g", 9.5));
+        told_until(&mut one, ("/key/38/g", 9.5));
+        told_until(&mut other, ("/key/38/g", 9.5));
+
+        // By a client of the stream, who gets an answer beside what all are told.
+        let parameters = vec![ParameterValue::new("/key/39/k2", 20_000.5)];
+        one.say(&FromClient::SetParameters { parameters, id: Some("x".into()) });
+        for client in [&mut one, &mut other] {
+            let told = told_until(client, ("/key/39/k2", 20_000.5));
+            assert_eq!(told, [("/key/39/k2".to_owned(), 20_000.5)]);
+        }
+        // By the control socket: only what is another value now, and nothing more of key 39.
+        ask(switchboard, &tune(40, "g", 8.5));
+        for client in [&mut one, &mut other] {
+            let told = told_until(client, ("/key/40/g", 8.5));
+            assert_eq!(told, [("/key/40/g".to_owned(), 8.5)]);
+        }
+        // And by another instrument.
+        let (instrument, keys) = ("grand-reduced".to_owned(), Some("41".to_owned()));
+        ask(switchboard, &Request::UseInstrument { instrument, keys });
+        ask(switchboard, &tune(42, "g", 8.5));
+        let told = told_until(&mut other, ("/key/42/g", 8.5));
+        let of_key = |key: &str| told.iter().filter(|(name, _)| name.starts_with(key)).count();
+        assert!(0 < of_key("/key/") && of_key("/key/42/") == 1, "{told:?}");
+        assert_eq!(of_key("/key/42/") + of_key("/key/20/"), told.len(), "{told:?}");
+        assert!((get(&mut one, "/key/39/k2") - 20_000.5).abs() < f64::EPSILON);
+    });
+}
+
+#[test]
+fn a_key_comes_up_when_the_client_that_pressed_it_goes() {
+    beside_a_host(|address, _switchboard| {
+        let dial = || Dial { address: address.into(), ..Dial::default() };
+        let (mut presses, mut watches) =
+            (Client::connect(dial(), None), Client::connect(dial(), None));
+        watches.follow(&BTreeSet::from([Topic::Block(39)]));
+        // Not before it runs.
+        wait(&mut watches, update);
+        presses.ask(Request::Press { key: 39, newtons: 3.0 });
+        let is_at = |arrival, there: &dyn Fn(f64) -> bool| {
+            let Update::Block(block) = update(arrival)? else { return None };
+            block.position.last().copied().filter(|position| there(*position)).map(drop)
+        };
+        wait(&mut watches, |arrival| is_at(arrival, &|position| 8e-3 < position));
+        drop(presses);
+        wait(&mut watches, |arrival| is_at(arrival, &|position| position < 1e-3));
+    });
+}

@@ -1,0 +1,192 @@
+//! What `letoff simulate` can refuse or run into, in sentences for whoever called it.
+
+use std::fmt::Write as _;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::input::InputMistake;
+use diagnostics::nearest;
+
+/// Why a simulation did not come to its end.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SimulateError {
+    /// Wrong usage or file: every mistake that was found; nothing was run.
+    #[error("{}", lines(.0))]
+    Usage(Vec<Mistake>),
+    /// The model failed while running; the files hold everything up to there.
+    #[error("{model} failed after t = {t:?} s in mode {mode}: {why}")]
+    Fault {
+        /// The model's name.
+        model: &'static str,
+        /// The last instant with a finite state (s).
+        t: f64,
+        /// The mode there.
+        mode: &'static str,
+        /// What failed, and what to do.
+        why: &'static str,
+    },
+    /// Ticks reached a declared maximum and held their state; the files hold everything.
+    #[error(
+        "{model} reached a maximum in {capped} of {ticks} ticks ({kinds}) and held its state for \
+         the rest of each, so what comes after the first of them is not the model's motion: take \
+         a shorter --step{}", if *tolerance { " or a larger --tolerance" } else { "" }
+    )]
+    Capped {
+        /// The model's name.
+        model: &'static str,
+        capped: u64,
+        ticks: u64,
+        /// Which maxima, and how often.
+        kinds: String,
+        /// Whether a tolerance was asked for.
+        tolerance: bool,
+    },
+    /// A file could not be written to its end.
+    #[error("cannot write {}: {cause}; make room there or choose another file", path.display())]
+    Write {
+        path: PathBuf,
+        /// What the system said.
+        cause: csv::Error,
+    },
+    /// The summary could not be written; the files are complete.
+    #[error("cannot write the summary: {0}")]
+    Summary(io::Error),
+}
+
+impl SimulateError {
+    /// The command's exit code: 1 failed while running, 2 wrong usage or file.
+    pub const fn exit_code(&self) -> u8 {
+        match self {
+            Self::Fault { .. } | Self::Capped { .. } | Self::Write { .. } | Self::Summary(_) => 1,
+            Self::Usage(_) => 2,
+        }
+    }
+}
+
+/// One mistake in the arguments or in the input file.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Mistake {
+    /// A path where only a name is known.
+    #[error(
+        "`{path}` looks like a path: MODEL is a built-in name for now, a path to a description \
+         comes later; there are {}", known.join(", ")
+    )]
+    ModelPath { path: String, known: Vec<&'static str> },
+    /// A name that is not among those that there are.
+    #[error("there is no {what} `{name}`{}; there are {}", suggestion(name, known), known.join(", "))]
+    Unknown {
+        /// What kind of thing.
+        what: &'static str,
+        /// The name that was given.
+        name: String,
+        /// The names that there are.
+        known: Vec<&'static str>,
+    },
+    /// Not of the form name=value.
+    #[error("`{option} {text}` must be NAME=VALUE")]
+    NotNameValue { option: &'static str, text: String },
+    /// A value that is not a finite number.
+    #[error("`{option} {name}={text}`: `{text}` is not a finite number")]
+    NotANumber {
+        option: &'static str,
+        /// The name before the `=`.
+        name: String,
+        /// What stands after it.
+        text: String,
+    },
+    /// The same name twice.
+    #[error("`{option} {name}` is given twice")]
+    Twice { option: &'static str, name: String },
+    /// A value outside its range.
+    #[error(
+        "{what} = {} is out of range: {} to {}{}",
+        short(*value), short(*low), short(*high), after_number(unit)
+    )]
+    OutOfRange {
+        /// What has the value.
+        what: String,
+        value: f64,
+        low: f64,
+        high: f64,
+        /// Unit of all three; `1` for a ratio.
+        unit: &'static str,
+    },
+    /// A tolerance for a method that cannot heed one.
+    #[error("--tolerance is not for {method}, which has no say in its steps; it is for {}", known.join(", "))]
+    NoTolerance {
+        method: String,
+        /// Those that heed one.
+        known: &'static [&'static str],
+    },
+    /// A time that is not a length of time.
+    #[error("{option} = {value:?}: it must be a positive, finite number of seconds")]
+    NotADuration {
+        option: &'static str,
+        /// The value (s).
+        value: f64,
+    },
+    /// More ticks than anybody waits for.
+    #[error("--until / --step are {ticks:e} ticks, more than {most:e}: take a longer --step")]
+    TooManyTicks { ticks: f64, most: f64 },
+    /// A reconstruction without samples.
+    #[error("--reconstruct is for an --input from a CSV file")]
+    NothingToReconstruct,
+    /// The model does not start anywhere.
+    #[error("the model is not at rest anywhere at t = 0: give --initial for every state")]
+    NoStart,
+    #[error(transparent)]
+    Input(#[from] InputMistake),
+    /// Two files are the same.
+    #[error("{first} and {second} are the same file, {}", path.display())]
+    SameFile { first: &'static str, second: &'static str, path: PathBuf },
+    /// A file cannot be created.
+    #[error("cannot create {}: {cause}", path.display())]
+    Create {
+        path: PathBuf,
+        /// What the system said.
+        cause: io::Error,
+    },
+}
+
+impl Mistake {
+    pub(super) fn unknown(what: &'static str, name: &str, known: &[&'static str]) -> Self {
+        Self::Unknown { what, name: name.to_owned(), known: known.to_vec() }
+    }
+
+    pub(super) fn model(name: &str, known: Vec<&'static str>) -> Self {
+        let path = Path::new(name);
+        if path.components().count() > 1 || path.extension().is_some() {
+            Self::ModelPath { path: name.to_owned(), known }
+        } else {
+            Self::Unknown { what: "model", name: name.to_owned(), known }
+        }
+    }
+}
+
+/// One mistake per line.
+fn lines(mistakes: &[Mistake]) -> String {
+    let mut text = String::new();
+    for (index, mistake) in mistakes.iter().enumerate() {
+        let separator = if index == 0 { "" } else { "\n" };
+        // Writing to a String cannot fail.
+        let _written = write!(text, "{separator}{mistake}");
+    }
+    text
+}
+
+fn suggestion(name: &str, known: &[&'static str]) -> String {
+    nearest(name, known).map_or_else(String::new, |near| format!(" (did you mean `{near}`?)"))
+}
+
+/// A number as people write it: 88, not 88.0.
+fn short(number: f64) -> String {
+    let text = format!("{number:?}");
+    text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
+}
+
+/// The unit behind a number; a ratio has none.
+fn after_number(unit: &str) -> String {
+    if unit == "1" { String::new() } else { format!(" {unit}") }
+}

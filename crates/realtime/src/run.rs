@@ -1,0 +1,205 @@
+//! The loop in real time: sleep until due, poll, measure.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use hdrhistogram::Histogram;
+use scheduler::deadline::{Counters, Ledger, Outcome, TickTimes};
+use scheduler::port::{KeyBus, TickObserver};
+use scheduler::safety::FADE;
+use scheduler::tick::{Scheduler, TickReport};
+use scheduler::time::{Nanos, Timetable};
+
+use super::clock;
+use super::pool::{ThreadedLanes, WaitLimit};
+
+pub use hdrhistogram::CreationError;
+
+/// Longest time that a histogram tells apart (ns); longer ones count as this.
+const LONGEST: u64 = 1_000_000_000;
+
+/// Significant digits that a histogram keeps: 0.1 %.
+const DIGITS: u8 = 3;
+
+/// Part of a period kept free after the lanes, for safety, sending and observing.
+const RESERVE: u64 = 10;
+
+/// All that a tick touches.
+#[derive(Debug)]
+pub struct Assembly<'a, B, O> {
+    pub scheduler: &'a mut Scheduler,
+    pub bus: &'a mut B,
+    pub lanes: &'a mut ThreadedLanes,
+    pub observer: &'a mut O,
+}
+
+/// When a run ends: whichever comes first.
+#[derive(Clone, Copy, Debug)]
+pub struct Until<'a> {
+    /// Set by anybody, seen before the next tick.
+    pub stop: &'a AtomicBool,
+    /// Ticks until it is over, run or skipped; `None` for no limit.
+    pub ticks: Option<u64>,
+}
+
+impl Until<'_> {
+    /// Whether a run of `ticks` ticks is over.
+    pub(super) fn reached(&self, ticks: u64) -> bool {
+        self.ticks.is_some_and(|limit| limit <= ticks) || self.stop.load(Ordering::Acquire)
+    }
+}
+
+/// One tick as the loop saw it.
+#[derive(Clone, Copy, Debug)]
+pub struct TickTiming {
+    pub report: TickReport,
+    pub times: TickTimes,
+    pub outcome: Outcome,
+}
+
+/// What a run measured, in memory that was there before it began.
+#[derive(Debug)]
+pub struct Timings {
+    /// Woken − due of the tick that was slept for, run or skipped, in nanoseconds.
+    pub lateness: Histogram<u64>,
+    /// Samples in → forces out and observed, in nanoseconds of host time.
+    pub turnaround: Histogram<u64>,
+    /// CPU time of the tick by its threads' clocks, in nanoseconds.
+    pub work: Histogram<u64>,
+    /// Voices' turns that were not ready in time and were held.
+    pub late_turns: u64,
+    ledger: Ledger,
+}
+
+impl Timings {
+    /// Empty.
+    ///
+    /// # Errors
+    /// If the histograms cannot be made, which their constants rule out.
+    pub fn new() -> Result<Self, CreationError> {
+        Ok(Self {
+            lateness: histogram()?,
+            turnaround: histogram()?,
+            work: histogram()?,
+            late_turns: 0,
+            ledger: Ledger::default(),
+        })
+    }
+
+    /// Ticks, misses by cause, skips.
+    pub const fn counters(&self) -> Counters {
+        self.ledger.counters()
+    }
+
+    /// Enters one tick that was woken `lateness` after the one that was slept for was due.
+    fn enter(&mut self, lateness: Nanos, report: &TickReport, times: &TickTimes) -> Outcome {
+        self.lateness.saturating_record(lateness.as_u64());
+        self.turnaround.saturating_record(times.turnaround().as_u64());
+        self.work.saturating_record(times.work.as_u64());
+        self.late_turns += u64::from(report.voices.late);
+        self.ledger.enter(times, report.skipped)
+    }
+}
+
+/// Returns a histogram of fixed size from a nanosecond to [`LONGEST`].
+///
+/// # Errors
+/// Never for these bounds.
+pub fn histogram() -> Result<Histogram<u64>, CreationError> {
+    Histogram::new_with_bounds(1, LONGEST, DIGITS)
+}
+
+/// A scheduler on the heap, since it is large, whose forces change by at most `slew` (N/s) on
+/// their way to a voice; before the tick.
+#[expect(clippy::large_stack_frames, reason = "once, at set-up, on its way to the heap")]
+pub fn scheduler(timetable: Timetable, slew: f64) -> Box<Scheduler> {
+    Box::new(Scheduler::new(timetable, slew))
+}
+
+/// Runs ticks as they become due, the next one at `start`, and hands each to `watch`.
+///
+/// # Real-time
+/// Allocates, locks and logs nothing; `watch` must not either.
+pub fn run<B: KeyBus, O: TickObserver>(
+    assembly: &mut Assembly<'_, B, O>,
+    start: Nanos,
+    until: Until<'_>,
+    timings: &mut Timings,
+    mut watch: impl FnMut(&TickTiming),
+) {
+    assembly.scheduler.resume_at(start);
+    let mut ticks = 0;
+    while !until.reached(ticks) {
+        let slept_for = assembly.scheduler.next_due();
+        clock::sleep_until(slept_for);
+        if let Some((report, times)) = tick(assembly) {
+            let lateness = times.woken.since(slept_for);
+            let outcome = timings.enter(lateness, &report, &times);
+            watch(&TickTiming { report, times, outcome });
+            ticks += 1 + report.skipped;
+        }
+    }
+}
+
+/// Disarms all keys and runs on until they feel the safe force.
+///
+/// Not measured: the performance is over.
+pub fn ramp_down<B: KeyBus, O: TickObserver>(assembly: &mut Assembly<'_, B, O>) {
+    assembly.scheduler.disarm();
+    let fade_ticks = assembly.scheduler.timetable().period().ticks_in(FADE);
+    // One more than the fade: its first tick holds.
+    for _ in 0..=fade_ticks {
+        clock::sleep_until(assembly.scheduler.next_due());
+        tick(assembly);
+    }
+}
+
+/// Polls once and measures around it.
+fn tick<B: KeyBus, O: TickObserver>(
+    assembly: &mut Assembly<'_, B, O>,
+) -> Option<(TickReport, TickTimes)> {
+    let Assembly { scheduler, bus, lanes, observer } = assembly;
+    let (woken, cpu_before) = (clock::monotonic(), clock::thread_cpu());
+    lanes.set_patience(patience(scheduler.timetable(), scheduler.deadline(woken)));
+    let report = scheduler.poll(woken, *bus, *lanes, *observer)?;
+    let (finished, cpu) = (clock::monotonic(), clock::thread_cpu().since(cpu_before));
+    let (due, deadline) = (report.due, report.deadline);
+    let work = lanes.work_of_tick(cpu);
+    Some((report, TickTimes { due, deadline, woken, finished, work }))
+}
+
+/// Lanes must be done early enough for their forces to be out by `deadline`.
+const fn patience(timetable: Timetable, deadline: Nanos) -> WaitLimit {
+    let period = timetable.period().span(1);
+    let reserve = Nanos::new(period.as_u64() / RESERVE);
+    WaitLimit::Until { time: deadline.before(reserve), share: period.since(reserve) }
+}
+
+#[cfg(test)]
+mod tests {
+    use scheduler::lane::LaneReport;
+    use scheduler::safety::SafetyReport;
+    use scheduler::voice::VoiceWork;
+
+    use super::*;
+
+    /// Links, telemetry and page faults take time that no evaluation explains.
+    #[test]
+    fn a_tick_that_worked_too_long_is_own_work_however_quick_as_many_evaluations_once_were() {
+        let mut timings = Timings::new().unwrap();
+        let mut enter = |tick: u64, work: u64| {
+            let due = Nanos::from_millis(tick);
+            let finished = due.after(Nanos::from_micros(work));
+            let deadline = due.after(Nanos::from_millis(1));
+            let times =
+                TickTimes { due, deadline, woken: due, finished, work: Nanos::from_micros(work) };
+            let work = VoiceWork { derivatives: 400, guards: 100, events: 0 };
+            let voices = LaneReport { work, ..LaneReport::default() };
+            let safety = SafetyReport::default();
+            let report = TickReport { tick, due, deadline, skipped: 0, voices, safety };
+            timings.enter(Nanos::ZERO, &report, &times)
+        };
+        assert_eq!(enter(0, 30), Outcome::Met);
+        assert_eq!(enter(1, 1500), Outcome::Missed(scheduler::deadline::MissCause::OwnWork));
+        assert_eq!(timings.counters().missed_own_work, 1);
+    }
+}

@@ -1,0 +1,127 @@
+//! An instrument: a model and a preset over the compass, with a title.
+
+use std::path::Path;
+
+use models::Preset;
+use models::catalogue::ModelEntry;
+use serde::Serialize;
+
+use super::document;
+use super::embedded::INSTRUMENTS;
+use super::needs::Needs;
+use super::read::TableReader;
+use super::report::MistakeList;
+use super::source::{SourceError, SourceText, refuse};
+use super::voicing::Voicing;
+use diagnostics::Diagnostics;
+
+/// A checked instrument.
+#[derive(Clone, Debug)]
+pub struct Instrument {
+    /// Its name in scenes and on the command line.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// What it is, in a sentence or two; may be empty.
+    pub doc: String,
+    /// What a scene must have for it to be stable.
+    pub needs: Needs,
+    pub(super) voicing: Voicing,
+}
+
+impl Instrument {
+    /// Loads the embedded instrument of that name, or the file at that path.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with it.
+    pub fn load(name_or_path: &str) -> Result<Self, Diagnostics> {
+        let source = SourceText::find(&INSTRUMENTS, name_or_path, Path::new(""));
+        Self::check(&source.map_err(|missing| match missing {
+            SourceError::Unknown((message, help)) => {
+                refuse(Path::new(name_or_path), None, message, help)
+            }
+            SourceError::Unreadable(diagnostics) => diagnostics,
+        })?)
+    }
+
+    /// The model that every key has.
+    pub const fn model(&self) -> &'static ModelEntry {
+        self.voicing.model
+    }
+
+    /// One value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
+    pub fn values(&self, key: u8) -> Vec<f64> {
+        self.voicing.values(key)
+    }
+
+    /// Reads an instrument from `source`.
+    pub(super) fn check(source: &SourceText) -> Result<Self, Diagnostics> {
+        let mut report = MistakeList::new(source, &[]);
+        let root = document::parse(&mut report);
+        let read = root.and_then(|root| {
+            let mut reader = TableReader::new(&mut report, &source.name, &root)?;
+            let instrument = Self::read(&mut report, &mut reader);
+            reader.finish(&mut report);
+            instrument
+        });
+        report.verdict(read)
+    }
+
+    fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<Self> {
+        let source = report.source();
+        let title = reader.text(report, "title").map_or_else(|| source.name.clone(), |(t, _)| t);
+        let doc = reader.text(report, "doc").map_or_else(String::new, |(doc, _)| doc);
+        if reader.take("model").is_none() {
+            report.miss(reader.place, "the instrument has no model", "add model = \"…\"");
+        }
+        let needs = Needs::read(report, reader);
+        let voicing = Voicing::read(report, reader);
+        let Some(mut voicing) = voicing else {
+            reader.take("parameters");
+            return None;
+        };
+        voicing.read_parameters(report, reader);
+        Some(Self { name: source.name.clone(), title, doc, needs, voicing })
+    }
+}
+
+/// The embedded instrument that has `model` with `preset`; the first with that model, if none
+/// has both or no preset is named, since the parameters may be anybody's then.
+///
+/// What is known of an instrument's stability is known of its model, too.
+pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<Instrument> {
+    let all = || INSTRUMENTS.names().filter_map(|name| Instrument::load(name).ok());
+    let of_model = |it: &Instrument| it.voicing.model.name == model.name;
+    let same = |it: &Instrument| preset.is_some_and(|preset| it.voicing.preset.name == preset.name);
+    all().find(|it| of_model(it) && same(it)).or_else(|| all().find(of_model))
+}
+
+/// What is listed of an embedded instrument.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+pub struct InstrumentInfo {
+    /// Its name in scenes.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// Name of its model.
+    pub model: &'static str,
+    /// Name of its preset.
+    pub preset: &'static str,
+    /// What a scene must have for it to be stable.
+    pub needs: Option<String>,
+}
+
+/// Every embedded instrument, in the order in which they are listed to people.
+pub fn instruments() -> Vec<InstrumentInfo> {
+    let loaded = INSTRUMENTS.names().filter_map(|name| Instrument::load(name).ok());
+    loaded
+        .map(|Instrument { name, title, needs, voicing, .. }| InstrumentInfo {
+            name,
+            title,
+            model: voicing.model.name,
+            preset: voicing.preset.name,
+            needs: needs.summary(),
+        })
+        .collect()
+}

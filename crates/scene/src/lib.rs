@@ -1,0 +1,57 @@
+//! Scenes and instruments: TOML → checked values, or all mistakes at once.
+//!
+//! ```text
+//! name or path ─ source ─▶ text ─ document ─▶ tree with places ─ overrides ─▶ tree
+//!                                               tree ─ read, quantity ─▶ Scene, Instrument
+//!                                      mistakes of every stage ─ report ─▶ Diagnostics
+//! ```
+//!
+//! | module | what stands there |
+//! |---|---|
+//! | `scene`, `render`, `keys`, `links`, `range` | the scene, a file per table |
+//! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
+//! | `kind` | which of the two a file is |
+//! | `embedded`, `source` | what is part of the program; what lies on the disk |
+//! | `document`, `read`, `quantity`, `overrides` | the language, whatever is said in it |
+//! | `report` | what is wrong, where, and what to do |
+//!
+//! A value that comes out is within its range; a name that comes out exists. Not here: whether
+//! the machine has the ports and boards that a scene asks for.
+//!
+//! Relative paths of instruments and performances are relative to the file that names them, or
+//! to the working directory where an override or an embedded scene does.
+
+mod document;
+mod embedded;
+mod instrument;
+mod keys;
+mod kind;
+mod links;
+mod needs;
+mod overrides;
+mod quantity;
+mod range;
+mod read;
+mod render;
+mod report;
+mod scene;
+mod source;
+mod voicing;
+mod write;
+
+#[cfg(test)]
+mod tests;
+
+pub use embedded::{performances, scenes};
+pub use instrument::{Instrument, InstrumentInfo, instruments};
+pub use keys::KeyVoice;
+pub use kind::{FileKind, check_file};
+pub use links::{
+    BoardBus, Boards, FORCES, LinksConfig, SAMPLES, overrides as link_overrides, period_us,
+};
+pub use needs::{Needs, Unmet};
+pub use overrides::Override;
+pub use range::keys_named;
+pub use render::{EstimatorName, InputReconstruction, Render, StepperName};
+pub use scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
+pub use write::written;

@@ -1,0 +1,100 @@
+//! `[[links.bus.board]]`: a board that must be there, and its keys.
+
+use firmware_protocol::key::MOST_KEYS;
+use hardware::refusal::KeyRange as BoardKeys;
+
+use crate::document::Node;
+use crate::quantity::Quantity;
+use crate::range::{KeyRange, keys_named};
+use crate::read::{self, TableReader};
+use crate::report::{Location, MistakeList};
+
+const NUMBER: Quantity = Quantity { unit: "1", range: (0.0, 14.0) };
+
+/// A board as far as it could be read, and where it stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Listed {
+    place: Location,
+    number: Option<(u8, Location)>,
+    keys: Option<(KeyRange, Location)>,
+}
+
+impl Listed {
+    /// Its number and keys, if both are right.
+    pub(super) fn checked(&self) -> Option<(u8, BoardKeys)> {
+        let ((number, _), (keys, _)) = (self.number?, self.keys?);
+        let n = keys.last.saturating_sub(keys.first).saturating_add(1);
+        Some((number, BoardKeys { first: keys.first, n }))
+    }
+}
+
+/// Reads all boards of a bus.
+pub(super) fn read_all(report: &mut MistakeList<'_>, node: &Node) -> Vec<Listed> {
+    let mut boards = Vec::new();
+    for node in read::tables(report, "links.bus.board", node) {
+        let Some(mut reader) = TableReader::new(report, "links.bus.board", node) else { continue };
+        boards.push(read(report, &mut reader));
+        reader.finish(report);
+    }
+    boards
+}
+
+fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Listed {
+    let number = reader.whole(report, "number", NUMBER).and_then(|it| u8::try_from(it).ok());
+    let number = number.zip(reader.take("number").map(|entry| entry.node.place));
+    let keys = reader.text(report, "keys");
+    if reader.take("number").is_none() || reader.take("keys").is_none() {
+        let message = "a board has a number and keys";
+        report.miss(reader.place, message, "as number = 3, keys = \"F#3..E4\"");
+    }
+    let keys = keys.and_then(|(keys, place)| Some((read_keys(report, &keys, place)?, place)));
+    Listed { place: reader.place, number, keys }
+}
+
+/// The keys of a board, if it can have so many.
+fn read_keys(report: &mut MistakeList<'_>, text: &str, place: Location) -> Option<KeyRange> {
+    match keys_named(text) {
+        Ok(keys) if keys.len() <= MOST_KEYS => {
+            Some(KeyRange { first: *keys.start(), last: *keys.end() })
+        }
+        Ok(keys) => {
+            let message = format!("these are {} keys, and a board has {MOST_KEYS}", keys.len());
+            report.say(place, message, "give each board its own, as F#3..E4");
+            None
+        }
+        Err(sentence) => {
+            report.say(place, sentence, "write the first and the last key, as F#3..E4");
+            None
+        }
+    }
+}
+
+/// Refuses numbers that two boards of one bus have.
+pub(super) fn refuse_shared_numbers(report: &mut MistakeList<'_>, boards: &[Listed]) {
+    for (n, board) in boards.iter().enumerate() {
+        let Some((number, place)) = board.number else { continue };
+        let is_it = |other: &&Listed| other.number.is_some_and(|(it, _)| it == number);
+        if let Some(first) = boards.iter().take(n).find(is_it) {
+            let there = report.describe(first.place);
+            let message = format!("{number} is already the number of the board of {there}");
+            report.say(place, message, "give each board on a bus its own");
+        }
+    }
+}
+
+/// Refuses keys that two boards have, on whatever buses.
+pub(super) fn refuse_shared_keys(report: &mut MistakeList<'_>, boards: &[Listed]) {
+    for (n, board) in boards.iter().enumerate() {
+        let Some((keys, place)) = board.keys else { continue };
+        let shared = boards.iter().take(n).find_map(|other| {
+            other.keys.and_then(|(its, _)| its.shared(keys)).map(|shared| (other, shared))
+        });
+        if let Some((first, shared)) = shared {
+            let message = format!(
+                "{shared} already belongs to the board of {}",
+                report.describe(first.place)
+            );
+            report.say(place, message, "let every key be on one board only");
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! `--set name=value`: values of a scene by dotted path, put into the document before it is checked.
+//!
+//! A number in a path is a place in a list: `links.bus.0.bit_rate` is that of the first bus.
+
+use super::document::{DocumentEntry, Node, TomlValue};
+use super::report::{Location, MistakeList};
+use diagnostics::quoted;
+
+/// Names in the longest path that means anything are four: `keys.0.parameters.restitution`.
+const DEEPEST: usize = 8;
+
+/// What a key range's model comes from; a new one replaces what the file says of all three.
+const VOICE: [&str; 3] = ["instrument", "model", "preset"];
+
+/// A value of a scene that the command line replaces.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Override {
+    pub name: String,
+    pub value: String,
+    /// What was typed for it, as `--link can:can0`.
+    pub typed: String,
+}
+
+impl From<(String, String)> for Override {
+    fn from((name, value): (String, String)) -> Self {
+        let typed = format!("--set {name}={value}");
+        Self { name, value, typed }
+    }
+}
+
+/// Puts `overrides` into the scene `root`, the last of a name winning.
+///
+/// `keys.0.…` means the first key range, and `keys.…` all of them.
+pub(super) fn apply(report: &mut MistakeList<'_>, root: &mut Node, overrides: &[Override]) {
+    for (index, Override { name, value, .. }) in overrides.iter().enumerate() {
+        let place = Location::Override(index);
+        let steps: Vec<&str> = name.split('.').map(str::trim).collect();
+        if steps.iter().any(|step| step.is_empty()) || DEEPEST < steps.len() {
+            let help = "write it as render.stepper=heun or keys.0.instrument=grand-reduced";
+            report.say(place, format!("{} is no name of a value", quoted(name)), help);
+            continue;
+        }
+        let node = Node::overriding(value, place);
+        match steps.as_slice() {
+            ["keys", rest @ ..] if !rest.is_empty() => set_keys(report, root, rest, &node),
+            steps => set(report, root, steps, 0, &node),
+        }
+    }
+}
+
+/// Sets the value at `steps` of some or all key ranges.
+fn set_keys(report: &mut MistakeList<'_>, root: &mut Node, steps: &[&str], value: &Node) {
+    let (chosen, steps) = match steps {
+        [first, rest @ ..] => match first.parse::<usize>() {
+            Ok(range) => (Some(range), rest),
+            Err(_all_ranges) => (None, steps),
+        },
+        [] => (None, steps),
+    };
+    let ranges = ranges_of(root);
+    let n_ranges = ranges.len();
+    if n_ranges <= chosen.unwrap_or(0) {
+        let (message, help) = match (chosen, n_ranges) {
+            (_, 0) => ("the scene has no key ranges".to_owned(), "add [[keys]] to the file".into()),
+            (Some(wanted), 1) => {
+                (format!("there is no key range {wanted}"), "use keys.0, the only one".into())
+            }
+            (wanted, n) => (
+                format!("there is no key range {}", wanted.unwrap_or(0)),
+                format!("use keys.0 to keys.{}, or keys for all", n - 1),
+            ),
+        };
+        report.miss(value.place, message, help);
+        return;
+    }
+    for (index, range) in ranges.iter_mut().enumerate() {
+        if chosen.is_none_or(|chosen| chosen == index) {
+            replace_voice(range, steps);
+            set(report, range, steps, 0, value);
+        }
+    }
+}
+
+fn ranges_of(root: &mut Node) -> &mut [Node] {
+    let TomlValue::Table(entries) = &mut root.value else { return &mut [] };
+    match entries.iter_mut().find(|entry| entry.name == "keys").map(|entry| &mut entry.node.value) {
+        Some(TomlValue::List(ranges)) => ranges,
+        _ => &mut [],
+    }
+}
+
+/// Removes what the file says of the voice, if `steps` set another.
+fn replace_voice(range: &mut Node, steps: &[&str]) {
+    if !matches!(steps, ["instrument" | "model"]) {
+        return;
+    }
+    if let TomlValue::Table(entries) = &mut range.value {
+        entries.retain(|entry| {
+            matches!(entry.place, Location::Override(_)) || !VOICE.contains(&entry.name.as_str())
+        });
+    }
+}
+
+/// Sets the value at `steps` of a table, of which the first `depth` have led to `node`; whether
+/// it belongs there is checked later.
+fn set(report: &mut MistakeList<'_>, node: &mut Node, steps: &[&str], depth: usize, value: &Node) {
+    let Some(step) = steps.get(depth) else {
+        node.clone_from(value);
+        return;
+    };
+    let index = step.parse::<usize>().ok().filter(|_| 0 < depth);
+    if index.is_some() || node.items().is_some() {
+        match index.and_then(|index| node.item_mut(index)) {
+            Some(item) => set(report, item, steps, depth + 1, value),
+            None => refuse_item(report, node, steps.get(..depth).unwrap_or(&[]), value.place),
+        }
+        return;
+    }
+    if node.entries().is_none() {
+        *node = empty(value.place);
+    }
+    let TomlValue::Table(entries) = &mut node.value else { return };
+    let entry = entry(entries, step, value.place);
+    if depth + 1 == steps.len() {
+        entry.place = value.place;
+    }
+    set(report, &mut entry.node, steps, depth + 1, value);
+}
+
+/// The entry called `name`; made if it is not there.
+fn entry<'a>(
+    entries: &'a mut Vec<DocumentEntry>,
+    name: &str,
+    place: Location,
+) -> &'a mut DocumentEntry {
+    let found = entries.iter().position(|entry| entry.name == name);
+    let index = found.unwrap_or_else(|| {
+        entries.push(DocumentEntry { name: name.to_owned(), place, node: empty(place) });
+        entries.len() - 1
+    });
+    &mut entries[index]
+}
+
+/// Reports that `node`, to which `path` leads, has no such item.
+fn refuse_item(report: &mut MistakeList<'_>, node: &Node, path: &[&str], place: Location) {
+    let path = path.join(".");
+    let n = node.items().map_or(0, <[Node]>::len);
+    let help = match n {
+        0 => "add one to the file first".to_owned(),
+        1 => format!("use {path}.0, the only one"),
+        _ => format!("use {path}.0 to {path}.{}", n - 1),
+    };
+    let what = if n == 0 { "has no items" } else { "is a list without this item" };
+    report.miss(place, format!("{} {what}", quoted(&path)), help);
+}
+
+const fn empty(place: Location) -> Node {
+    Node { place, value: TomlValue::Table(Vec::new()) }
+}

@@ -1,0 +1,133 @@
+//! Where mistakes are gathered while a file is read.
+
+use std::path::Path;
+
+use super::overrides::Override;
+use super::source::SourceText;
+use diagnostics::{Diagnostic, Diagnostics};
+
+/// Mistakes reported of one file; whoever made so many does not read on.
+const MOST: usize = 100;
+
+/// Where something stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Location {
+    /// At a byte of the file.
+    At(usize),
+    /// In the override with this index.
+    Override(usize),
+}
+
+/// The mistakes found so far in one file and its overrides.
+#[derive(Debug)]
+pub(super) struct MistakeList<'a> {
+    source: &'a SourceText,
+    overrides: &'a [Override],
+    /// Byte at which each line starts.
+    lines: Vec<usize>,
+    /// Part of the file could not be read, so what seems missing may stand there.
+    pub(super) broken: bool,
+    found: Vec<Diagnostic>,
+}
+
+impl<'a> MistakeList<'a> {
+    /// Nothing is wrong yet.
+    pub(super) fn new(source: &'a SourceText, overrides: &'a [Override]) -> Self {
+        let ends = source.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        let lines = std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect();
+        Self { source, overrides, lines, broken: false, found: Vec::new() }
+    }
+
+    /// The file that is read.
+    pub(super) const fn source(&self) -> &'a SourceText {
+        self.source
+    }
+
+    /// What a relative path written at `place` is relative to.
+    pub(super) fn folder(&self, place: Location) -> &'a Path {
+        match place {
+            Location::At(_) => &self.source.folder,
+            Location::Override(_) => Path::new(""),
+        }
+    }
+
+    /// The value of the override at `place`, as it was written, if there is one.
+    pub(super) fn overriding(&self, place: Location) -> Option<&'a str> {
+        match place {
+            Location::At(_) => None,
+            Location::Override(index) => self.overrides.get(index).map(|it| it.value.as_str()),
+        }
+    }
+
+    /// Records that `message` is wrong at `place`, and that `help` would put it right.
+    pub(super) fn say(
+        &mut self,
+        place: Location,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        if self.found.len() >= MOST {
+            return;
+        }
+        let (file, position) = self.locate(place);
+        self.found.push(Diagnostic {
+            file,
+            line: position.map(|(line, _)| line),
+            column: position.map(|(_, column)| column),
+            message: message.into(),
+            help: help.into(),
+        });
+    }
+
+    /// As [`MistakeList::say`], for something that is not there.
+    pub(super) fn miss(
+        &mut self,
+        place: Location,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        if !self.broken {
+            self.say(place, message, help);
+        }
+    }
+
+    /// Adds what is wrong with another file.
+    pub(super) fn absorb(&mut self, others: Diagnostics) {
+        self.found.extend(others.into_vec());
+    }
+
+    /// `checked` if nothing is wrong.
+    pub(super) fn verdict<T>(self, checked: Option<T>) -> Result<T, Diagnostics> {
+        match checked {
+            Some(checked) if self.found.is_empty() => Ok(checked),
+            _ => Err(Diagnostics::new(self.found)),
+        }
+    }
+
+    /// "line 3", or the override, for a message that points at a second place.
+    pub(super) fn describe(&self, place: Location) -> String {
+        match self.locate(place) {
+            (_, Some((line, _))) => format!("line {line}"),
+            (file, None) => file,
+        }
+    }
+
+    fn locate(&self, place: Location) -> (String, Option<(usize, usize)>) {
+        match place {
+            Location::At(offset) => (self.source.file.clone(), Some(self.position(offset))),
+            Location::Override(index) => {
+                let typed = self.overrides.get(index).map(|it| &it.typed);
+                (typed.unwrap_or(&self.source.file).clone(), None)
+            }
+        }
+    }
+
+    /// Line and column, from 1.
+    fn position(&self, offset: usize) -> (usize, usize) {
+        let line = self.lines.partition_point(|start| *start <= offset).max(1);
+        let start = self.lines.get(line - 1).copied().unwrap_or(0);
+        let end = self.source.text.floor_char_boundary(offset);
+        let before = self.source.text.get(start..end).unwrap_or("");
+        (line, before.chars().count() + 1)
+    }
+}

@@ -1,0 +1,285 @@
+//! A scene: which keys, models, parameters, rate, links and MIDI.
+
+use std::path::{Path, PathBuf};
+
+use midi::VelocityCurve;
+
+use super::document::{self, TomlValue};
+use super::embedded::{PERFORMANCES, SCENES};
+use super::keys::{self, KeyVoice};
+use super::links::{self, LinksConfig, Rate};
+use super::needs::LoopSettings;
+use super::overrides::{self, Override};
+use super::quantity::Quantity;
+use super::read::{self, TableReader};
+use super::render::{self, Render};
+use super::report::{Location, MistakeList};
+use super::source::{SourceError, SourceText, no_file, refuse};
+use diagnostics::Diagnostics;
+use diagnostics::{choice, quoted};
+
+/// The tick's rate on hardware (Hz).
+const DEFAULT_TICK_HZ: u32 = 1000;
+
+pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
+
+const LANES: Quantity = Quantity { unit: "1", range: (1.0, 16.0) };
+
+/// A checked scene.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The embedded scene's name, or the file's without its ending.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// Ticks in a second, 100 ..= 10000 (Hz).
+    pub tick_hz: u32,
+    /// Threads of the tick.
+    pub lanes: LaneCount,
+    /// How a voice is computed.
+    pub render: Render,
+    /// What each of the 88 keys is; none where it is silent.
+    pub keys: Vec<Option<KeyVoice>>,
+    /// Where the keys are.
+    pub links: LinksConfig,
+    pub midi: Midi,
+    /// What the virtual pianist plays, if there is one.
+    pub performance: Option<PerformanceSource>,
+}
+
+/// Threads of the tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LaneCount {
+    /// One for each processor, at most 16.
+    Auto,
+    /// So many, 1 ..= 16.
+    Count(usize),
+}
+
+/// Where strikes go.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Midi {
+    /// The port or file.
+    pub output: MidiOutput,
+    /// How a hammer speed becomes a velocity.
+    pub curve: VelocityCurve,
+}
+
+/// A MIDI port or file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum MidiOutput {
+    None,
+    /// A port of our own, to which other programs connect.
+    Virtual,
+    /// The first port whose name contains this.
+    Port(String),
+    /// A Standard MIDI File to be written, relative to the working directory.
+    File(PathBuf),
+}
+
+/// A performance for the virtual pianist.
+#[derive(Clone, PartialEq, Eq)]
+pub enum PerformanceSource {
+    /// An embedded one: its name and the MIDI file.
+    Embedded(&'static str, &'static [u8]),
+    Path(PathBuf),
+}
+
+impl std::fmt::Debug for PerformanceSource {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Embedded(name, _bytes) => f.debug_tuple("Embedded").field(name).finish(),
+            Self::Path(path) => f.debug_tuple("Path").field(path).finish(),
+        }
+    }
+}
+
+/// Whether instruments must be stable in a scene's loop.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Stability {
+    /// Hands and motors are in the loop.
+    Required,
+    /// It has run before, and is looked at again.
+    Recorded,
+}
+
+impl Scene {
+    /// Loads the embedded scene of that name, or the file at that path, with `overrides`.
+    ///
+    /// An override is the dotted path of a value and what it becomes: `tick_hz` and `4000`,
+    /// `keys.0.instrument` and `grand-reduced`, `keys.parameters.restitution` and `0.2`
+    /// (of all key ranges).
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with the scene and with the overrides.
+    pub fn load(name_or_path: &str, overrides: &[(String, String)]) -> Result<Self, Diagnostics> {
+        let overrides: Vec<_> = overrides.iter().cloned().map(Override::from).collect();
+        Self::load_as_typed(name_or_path, &overrides)
+    }
+
+    /// As [`Scene::load`]; of a wrong override is said what was typed.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with the scene and with the overrides.
+    pub fn load_as_typed(name_or_path: &str, overrides: &[Override]) -> Result<Self, Diagnostics> {
+        let source = SourceText::find(&SCENES, name_or_path, Path::new(""));
+        let source = source.map_err(|missing| match missing {
+            SourceError::Unknown((message, help)) => {
+                refuse(Path::new(name_or_path), None, message, help)
+            }
+            SourceError::Unreadable(diagnostics) => diagnostics,
+        })?;
+        Self::check(&source, overrides)
+    }
+
+    /// The recorded scene that `text` says, called `name`; relative paths are to the working
+    /// directory.
+    ///
+    /// What was recorded is run again without a hand or a motor, whether it is stable or not.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with it.
+    pub fn from_text(name: &str, text: String) -> Result<Self, Diagnostics> {
+        let source = SourceText::from_bytes(Path::new(name), text.into_bytes())?;
+        Self::read_from(&source, &[], Stability::Recorded)
+    }
+
+    /// Reads a scene from `source`.
+    pub(super) fn check(source: &SourceText, overrides: &[Override]) -> Result<Self, Diagnostics> {
+        Self::read_from(source, overrides, Stability::Required)
+    }
+
+    fn read_from(
+        source: &SourceText,
+        overrides: &[Override],
+        stability: Stability,
+    ) -> Result<Self, Diagnostics> {
+        let mut report = MistakeList::new(source, overrides);
+        let root = document::parse(&mut report);
+        let read = root.and_then(|mut root| {
+            overrides::apply(&mut report, &mut root, overrides);
+            let mut reader = TableReader::new(&mut report, &source.name, &root)?;
+            let scene = Self::read(&mut report, &mut reader, stability);
+            reader.finish(&mut report);
+            Some(scene)
+        });
+        report.verdict(read)
+    }
+
+    /// Reads everything, with a default for what is missing or wrong.
+    fn read(
+        report: &mut MistakeList<'_>,
+        reader: &mut TableReader<'_>,
+        stability: Stability,
+    ) -> Self {
+        let name = report.source().name.clone();
+        let title = reader.text(report, "title").map_or_else(|| name.clone(), |(title, _)| title);
+        let rate = read_tick_hz(report, reader);
+        let tick_hz = rate.map_or(DEFAULT_TICK_HZ, |rate| rate.hz);
+        let lanes = read_lanes(report, reader).unwrap_or(LaneCount::Auto);
+        let render = render::read(report, reader, tick_hz);
+        let in_loop = match stability {
+            Stability::Required => Some(LoopSettings { tick_hz, render: &render }),
+            Stability::Recorded => None,
+        };
+        let keys = keys::read(report, reader, in_loop);
+        let links = links::read(report, reader, rate);
+        let midi = read_midi(report, reader);
+        let performance = read_pianist(report, reader);
+        Self { name, title, tick_hz, lanes, render, keys, links, midi, performance }
+    }
+}
+
+fn read_tick_hz(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<Rate> {
+    let node = &reader.take("tick_hz")?.node;
+    let hz = read::whole(report, "tick_hz", node, TICK_HZ)?;
+    Some(Rate { hz, place: node.place })
+}
+
+fn read_lanes(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<LaneCount> {
+    let node = &reader.take("lanes")?.node;
+    if let TomlValue::Text(text) = &node.value {
+        if text == "auto" {
+            return Some(LaneCount::Auto);
+        }
+        let message = format!("\"lanes\" is {}", quoted(text));
+        report.say(node.place, message, "give \"auto\" or a number, 1 to 16");
+        return None;
+    }
+    let count = read::whole(report, "lanes", node, LANES)?;
+    Some(LaneCount::Count(usize::try_from(count).unwrap_or(1)))
+}
+
+fn read_midi(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Midi {
+    let mut midi = Midi { output: MidiOutput::None, curve: VelocityCurve::default() };
+    let Some(mut reader) = scene.table(report, "midi") else { return midi };
+    if let Some((output, _)) = reader.text(report, "output") {
+        midi.output = midi_output(output);
+    }
+    let curves = VelocityCurve::ALL.map(|curve| (curve.name(), curve));
+    if let Some(curve) = reader.choice(report, "curve", "there is no velocity curve", &curves) {
+        midi.curve = curve;
+    }
+    reader.finish(report);
+    midi
+}
+
+fn midi_output(output: String) -> MidiOutput {
+    let ending = Path::new(&output).extension();
+    if output == "none" {
+        MidiOutput::None
+    } else if output == "virtual" {
+        MidiOutput::Virtual
+    } else if ending
+        .is_some_and(|e| e.eq_ignore_ascii_case("mid") || e.eq_ignore_ascii_case("midi"))
+    {
+        MidiOutput::File(output.into())
+    } else {
+        MidiOutput::Port(output)
+    }
+}
+
+fn read_pianist(
+    report: &mut MistakeList<'_>,
+    scene: &mut TableReader<'_>,
+) -> Option<PerformanceSource> {
+    let mut reader = scene.table(report, "pianist")?;
+    let performance = reader.text(report, "performance");
+    if reader.take("performance").is_none() {
+        let help = "add performance = \"…\", or leave the table out";
+        report.miss(reader.place, "the pianist has no performance", help);
+    }
+    reader.finish(report);
+    let (wanted, place) = performance?;
+    find_performance(report, place, &wanted)
+}
+
+/// The embedded performance or the file that is `wanted`; "none" is no performance.
+fn find_performance(
+    report: &mut MistakeList<'_>,
+    place: Location,
+    wanted: &str,
+) -> Option<PerformanceSource> {
+    if wanted == "none" {
+        return None;
+    }
+    if let Some((name, bytes)) = PERFORMANCES.iter().find(|(name, _)| *name == wanted) {
+        return Some(PerformanceSource::Embedded(name, bytes));
+    }
+    let path = report.folder(place).join(wanted);
+    if path.is_file() {
+        return Some(PerformanceSource::Path(path));
+    }
+    let (message, help) = if Path::new(wanted).extension().is_some() {
+        no_file(&path)
+    } else {
+        let known = PERFORMANCES.iter().map(|(name, _)| *name).chain(["none"]);
+        let help = format!("{}, or a path to a MIDI file of yours", choice(wanted, known));
+        (format!("there is no performance {}", quoted(wanted)), help)
+    };
+    report.say(place, message, help);
+    None
+}

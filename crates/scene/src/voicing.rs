@@ -1,0 +1,167 @@
+//! What a range of keys is: a model, a preset, and the parameters that differ from it.
+
+use models::catalogue::{self, ModelEntry};
+use models::{Parameter, Preset};
+
+use super::document::{Node, TomlValue};
+use super::quantity::Quantity;
+use super::read::{self, TableReader, unknown};
+use super::report::{Location, MistakeList};
+use diagnostics::quoted;
+
+/// Index of the compass's last key.
+const LAST: u8 = midi::KEYS - 1;
+
+/// A value that goes from the bass to the treble in a straight line.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Graded {
+    /// At key 0, A0.
+    bass: f64,
+    /// At key 87, C8.
+    treble: f64,
+}
+
+impl Graded {
+    fn at(self, key: u8) -> f64 {
+        let place = f64::from(key.min(LAST)) / f64::from(LAST);
+        let value = self.bass + (self.treble - self.bass) * place;
+        // Rounding must not carry a checked value out of its range.
+        value.clamp(self.bass.min(self.treble), self.bass.max(self.treble))
+    }
+}
+
+/// A model with a value for each of its parameters on each key.
+#[derive(Clone, Debug)]
+pub(super) struct Voicing {
+    pub(super) model: &'static ModelEntry,
+    pub(super) preset: &'static Preset,
+    /// What differs from the preset, by parameter.
+    changed: Vec<Option<Graded>>,
+}
+
+impl Voicing {
+    const fn new(model: &'static ModelEntry, preset: &'static Preset) -> Self {
+        Self { model, preset, changed: Vec::new() }
+    }
+
+    /// One value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
+    pub(super) fn values(&self, key: u8) -> Vec<f64> {
+        let value = |index: usize| match self.changed.get(index) {
+            Some(Some(graded)) => graded.at(key),
+            _ => (self.preset.value)(index, key),
+        };
+        (0..self.model.parameters.len()).map(value).collect()
+    }
+
+    /// Reads the keys `model` and `preset`; the model's first preset if none is named.
+    pub(super) fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<Self> {
+        let model = reader.text(report, "model");
+        let preset = reader.text(report, "preset");
+        let (name, place) = model?;
+        let Some(model) = catalogue::find(&name) else {
+            let known = catalogue::ENTRIES.iter().map(|entry| entry.name);
+            unknown(report, place, "there is no model", &name, known);
+            return None;
+        };
+        let preset = match preset {
+            None => model.presets.first(),
+            Some((name, place)) => {
+                let found = model.presets.iter().find(|preset| preset.name == name);
+                if found.is_none() {
+                    let refusal = format!("{} has no preset", model.name);
+                    let known = model.presets.iter().map(|preset| preset.name);
+                    unknown(report, place, &refusal, &name, known);
+                }
+                // The parameters can be checked with any preset.
+                found.or(model.presets.first())
+            }
+        };
+        preset.map(|preset| Self::new(model, preset))
+    }
+
+    /// Reads the table `parameters`, if there is one.
+    pub(super) fn read_parameters(
+        &mut self,
+        report: &mut MistakeList<'_>,
+        reader: &mut TableReader<'_>,
+    ) {
+        let Some(entry) = reader.take("parameters") else { return };
+        let Some(entries) = entry.node.entries() else {
+            let help = "write it as a table of the model's parameters";
+            read::wrong_type(report, "parameters", &entry.node, "a table", help);
+            return;
+        };
+        let parameters = self.model.parameters;
+        self.changed.resize(parameters.len(), None);
+        for entry in entries {
+            let index = parameters.iter().position(|parameter| parameter.name == entry.name);
+            let Some(index) = index else {
+                self.unknown_parameter(report, entry.place, &entry.name);
+                continue;
+            };
+            let graded = read_graded(report, &parameters[index], &entry.node);
+            self.changed[index] = graded.or(self.changed[index]);
+        }
+    }
+
+    fn unknown_parameter(&self, report: &mut MistakeList<'_>, place: Location, name: &str) {
+        let refusal = format!("{} has no parameter", self.model.name);
+        let known = self.model.parameters.iter().map(|parameter| parameter.name);
+        unknown(report, place, &refusal, name, known);
+    }
+}
+
+/// A number, or `{ bass = …, treble = … }`.
+fn read_graded(report: &mut MistakeList<'_>, parameter: &Parameter, node: &Node) -> Option<Graded> {
+    let quantity = Quantity { unit: parameter.unit, range: parameter.range };
+    if !matches!(node.value, TomlValue::Table(_)) {
+        let value = read::number(report, parameter.name, node, quantity)?;
+        return Some(Graded { bass: value, treble: value });
+    }
+    let mut reader = TableReader::new(report, parameter.name, node)?;
+    let mut end = |report: &mut MistakeList<'_>, name| {
+        let value = reader.take(name);
+        if value.is_none() {
+            let message = format!("{} is graded but has no {name}", quoted(parameter.name));
+            report.miss(node.place, message, "write { bass = …, treble = … }");
+        }
+        let full_name = format!("{}.{name}", parameter.name);
+        value.and_then(|entry| read::number(report, &full_name, &entry.node, quantity))
+    };
+    let (bass, treble) = (end(report, "bass"), end(report, "treble"));
+    reader.finish(report);
+    Some(Graded { bass: bass?, treble: treble? })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_graded_value_is_exact_at_both_ends_and_straight_between() {
+        let graded = Graded { bass: 0.1, treble: 0.05 };
+        assert_eq!(graded.at(0).to_bits(), 0.1_f64.to_bits());
+        assert_eq!(graded.at(87).to_bits(), 0.05_f64.to_bits());
+        // One rounding of a value below 1 in each of three operations.
+        assert!((graded.at(29) - (0.1 - 0.05 / 3.0)).abs() < 4.0 * f64::EPSILON);
+    }
+
+    #[test]
+    fn a_constant_is_exact_on_every_key() {
+        let graded = Graded { bass: 0.1, treble: 0.1 };
+        assert!((0..88).all(|key| graded.at(key).to_bits() == 0.1_f64.to_bits()));
+    }
+
+    #[test]
+    fn every_preset_stays_within_its_model_s_ranges() {
+        let entries = catalogue::ENTRIES.iter();
+        for (model, preset) in entries.flat_map(|m| m.presets.iter().map(move |p| (m, p))) {
+            for (index, parameter) in model.parameters.iter().enumerate() {
+                let quantity = Quantity { unit: parameter.unit, range: parameter.range };
+                let allows = |key| quantity.allows((preset.value)(index, key));
+                let name = parameter.name;
+                assert!((0..88).all(allows), "{} {} {name}", model.name, preset.name);
+            }
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! A model as a key's voice: sample in, force out.
+//!
+//! The only crate that instantiates a simulator per model and method; from outside a voice is a
+//! [`RehearsableVoice`], a scheduler's voice that can be copied.
+//!
+//! | module | what stands there |
+//! |---|---|
+//! | [`rendered_key`] | the voice: estimate, advance, read out, limit |
+//! | [`input`] | from a key's samples to the motion of the model's input |
+//! | [`damper`] | when the key lifts and drops its damper |
+//! | [`audit`] | where a voice publishes its energy audit |
+//! | [`builder`] | from a scene's values to a voice |
+
+pub mod audit;
+pub mod builder;
+pub mod damper;
+pub mod input;
+pub mod rendered_key;
+
+pub use audit::{AuditCell, AuditReport};
+pub use builder::{AnyVoice, BuildError, VoiceBuilder};
+pub use rendered_key::{RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};

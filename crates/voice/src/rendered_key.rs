@@ -1,0 +1,389 @@
+//! A pode model as the scheduler's voice: sample in, force out.
+
+use std::any::Any;
+use std::sync::Arc;
+
+use haptics::{EnergyBound, ForceGate, PassivityObserver};
+use models::Playable;
+use pode::{Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch};
+use scheduler::look::{MAX_STATES, ModelSnapshot, Switch, Switches};
+use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
+use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
+
+use crate::audit::AuditCell;
+use crate::damper::DamperTracker;
+use crate::input::{Followed, InputPath};
+
+/// A voice that can be copied, for rehearsals.
+pub trait RehearsableVoice: Voice + Send {
+    /// A copy with the same bits.
+    fn copy(&self) -> Box<dyn RehearsableVoice>;
+}
+
+/// A key's model in motion, between its sensor and its motor.
+#[derive(Clone, Debug)]
+pub struct RenderedKey<M: Playable, T: Stepper> {
+    simulator: Simulator<M, T>,
+    input: InputPath,
+    gate: ForceGate,
+    damper: DamperTracker,
+    rest: RestDetector,
+    audit: EnergyAudit,
+    passivity: PassivityObserver,
+    cell: Arc<AuditCell>,
+    /// Tick (s).
+    h: f64,
+    slopes: SlopeOutput,
+    revision: u32,
+}
+
+/// Hammer speed below which a string is touched but does not sound (m/s).
+///
+/// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so
+/// that the limit lies below the softest MIDI velocity of the Disklavier's curve.
+const SOFTEST_TONE: f64 = 0.15;
+
+/// Farther than a key moves in a tick [m]: twice its dip.
+const LONGEST_WAY: f64 = 0.02;
+
+/// What a voice is built from, besides its model.
+#[derive(Clone, Debug)]
+pub struct VoiceSettings {
+    /// From samples to the model's input.
+    pub input: InputPath,
+    /// Force and slew limits.
+    pub gate: ForceGate,
+    /// Work limits and step.
+    pub limits: Limits,
+    /// Where the energy audit is published.
+    pub cell: Arc<AuditCell>,
+    /// Tick (s).
+    pub h: f64,
+    /// Whether the boards render slopes.
+    pub slopes: SlopeOutput,
+    /// Its number among all voices of a run.
+    pub revision: u32,
+}
+
+/// Whether a voice works out how its force goes on between two ticks.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum SlopeOutput {
+    /// Nobody would use it.
+    #[default]
+    Unused,
+    /// The boards render it.
+    Rendered,
+}
+
+impl<M: Playable, T: Stepper> RenderedKey<M, T> {
+    /// A voice at rest with its key up.
+    pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
+        let VoiceSettings { input, gate, limits, cell, h, slopes, revision } = fittings;
+        let (mode, state) = model.at_rest(&Motion::default());
+        let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit()), h);
+        Self {
+            simulator: Simulator::new(model, stepper, limits, mode, state),
+            input,
+            gate,
+            damper: DamperTracker::new(0.0),
+            rest: RestDetector::new(h),
+            audit: EnergyAudit::default(),
+            passivity,
+            cell,
+            h,
+            slopes,
+            revision,
+        }
+    }
+
+    /// What the model is like under `input`.
+    fn look(&self, input: &Motion) -> ModelSnapshot {
+        const { assert!(M::STATES.len() <= MAX_STATES, "raise MAX_STATES of scheduler::look") }
+        let mut look = ModelSnapshot {
+            revision: self.revision,
+            mode: number::<M>(self.simulator.mode()),
+            input: [input.position, input.rate, input.acceleration, input.jerk],
+            ..ModelSnapshot::default()
+        };
+        look.show(pode::State::entries(self.simulator.state()));
+        look
+    }
+
+    /// How the mean force of a tick without events goes on around the middle of that tick, at
+    /// whose start the newest sample was `late` (s).
+    ///
+    /// # Real-time
+    /// At most four readouts.
+    fn slope(&self, middle: &Motion, late: f64) -> KeySlope {
+        let model = self.simulator.model();
+        let slopes = model.slopes(self.simulator.mode(), self.simulator.state(), middle);
+        let scale = model.input_per_metre();
+        KeySlope {
+            stiffness: -slopes.per_position * scale * scale,
+            damping: -slopes.per_rate * scale * scale,
+            position: middle.position / scale,
+            velocity: middle.rate / scale,
+            ahead: late + 0.5 * self.h,
+        }
+    }
+
+    /// Whether the model accounts for the energy that it gained or lost in this tick, but for
+    /// less than the strongest force does over [`LONGEST_WAY`].
+    ///
+    /// Energies are the same at the finger and in the model, whatever its input is measured in.
+    fn is_explained(&self, audit: &EnergyAudit) -> bool {
+        let most = self.gate.limit() * LONGEST_WAY;
+        (audit.residual() - self.audit.residual()).abs() <= most
+    }
+
+    fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        turn.begin();
+        let is_passive = self.passivity.is_passive(tick, sample.position);
+        let Followed { signal, position, late } = self.input.follow(tick, sample);
+        if let Some((at, event)) = self.damper.follow(tick, position, self.h) {
+            turn.events.push(at, event);
+        }
+        let before = *self.simulator.state();
+        // What a tick says counts only if it ends well: a model that diverges must neither
+        // play notes nor spoil the sums.
+        let (mut audit, mut events) = (self.audit, turn.events);
+        let mut strikes = Strikes { tick, events: &mut events, switches: &mut turn.switches };
+        let mut watch = (&mut audit, &mut strikes);
+        let done = self.simulator.advance(self.h, &signal, &mut watch);
+        turn.look = self.look(&signal.at(1.0));
+        let per_metre = self.simulator.model().input_per_metre();
+        let gated = self.gate.apply(done.mean_readout * per_metre, self.h);
+        turn.force = gated.force;
+        let is_free = gated.finite && !gated.limited && !gated.slewed && done.work.events == 0;
+        if self.slopes == SlopeOutput::Rendered && is_free {
+            turn.slope = self.slope(&signal.at(0.5), late);
+        }
+        turn.work = VoiceWork {
+            derivatives: done.work.derivatives,
+            guards: done.work.guards,
+            events: done.work.events,
+        };
+        turn.fault = fault(done.advance, done.work.events)
+            .or_else(|| (!self.is_explained(&audit)).then_some(VoiceFault::Diverged))
+            .or((!is_passive).then_some(VoiceFault::MakesEnergy));
+        if turn.fault.is_none() {
+            (self.audit, turn.events) = (audit, events);
+            self.cell.publish(&self.audit);
+            self.passivity.hold(tick, sample.position, turn.force);
+        }
+        self.rest.observe(sample.position, turn.force);
+        if moves::<M>(&before, self.simulator.state(), self.h) {
+            self.rest.still = 0;
+        }
+    }
+}
+
+impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
+    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
+        let mut turn = VoiceOutput::default();
+        self.tick_into(tick, sample, &mut turn);
+        turn
+    }
+
+    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        if let Some(force) = self.rest.force_at(sample.position) {
+            self.input.go_on(tick, sample);
+            turn.rest_at(force);
+        } else if sample.position.is_finite() && sample.taken.is_finite() {
+            self.advance(tick, sample, turn);
+        } else {
+            *turn = VoiceOutput::faulty(VoiceFault::BadSample);
+        }
+    }
+
+    fn reset(&mut self, sample: &KeySample) {
+        let input = self.input.reset(sample.position);
+        let (mode, state) = self.simulator.model().at_rest(&input);
+        self.simulator.place(mode, state);
+        self.damper = DamperTracker::new(sample.position);
+        self.passivity.reset();
+        self.rest = RestDetector::new(self.h);
+    }
+
+    fn retune(&mut self, donor: &mut dyn Any) -> bool {
+        let Some(donor) = donor.downcast_mut::<Self>() else { return false };
+        let (mine, its) = (*self.simulator.model(), *donor.simulator.model());
+        self.simulator.set_model(its);
+        donor.simulator.set_model(mine);
+        std::mem::swap(&mut self.revision, &mut donor.revision);
+        // What was at rest may not be any more, and what was stored is another amount.
+        self.rest = RestDetector::new(self.h);
+        self.passivity.reset();
+        true
+    }
+
+    fn as_donor(&mut self) -> Option<&mut dyn Any> {
+        Some(self)
+    }
+}
+
+impl<M, T> RehearsableVoice for RenderedKey<M, T>
+where
+    M: Playable,
+    T: Stepper + Send + 'static,
+{
+    fn copy(&self) -> Box<dyn RehearsableVoice> {
+        Box::new(Self { cell: Arc::default(), ..self.clone() })
+    }
+}
+
+/// Whether a voice has come to rest, so that its equations can be skipped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct RestDetector {
+    position: f64,
+    force: f64,
+    /// Ticks for which neither key nor model has moved.
+    still: u32,
+    /// So many of them are rest.
+    patience: u32,
+}
+
+impl RestDetector {
+    /// Time without any movement after which a voice sleeps (s).
+    const PATIENCE: f64 = 20e-3;
+
+    /// Nothing is known to be still; ticks take `h` (s).
+    fn new(h: f64) -> Self {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "2 to 200")]
+        let patience = (Self::PATIENCE / h).round().clamp(1.0, 1e6) as u32;
+        Self { position: 0.0, force: 0.0, still: 0, patience }
+    }
+
+    fn observe(&mut self, position: f64, force: f64) {
+        // Bits, not a tolerance: the encoder says whether the key has moved.
+        let same = self.position.to_bits() == position.to_bits();
+        self.still = if same { self.still.saturating_add(1) } else { 0 };
+        (self.position, self.force) = (position, force);
+    }
+
+    /// The force to hold if the voice sleeps and the key is still at `position` (m).
+    fn force_at(&self, position: f64) -> Option<f64> {
+        let asleep = self.still >= self.patience;
+        (asleep && self.position.to_bits() == position.to_bits()).then_some(self.force)
+    }
+}
+
+/// Speed of a coordinate that counts as none [m/s or rad/s]: a millimetre takes two seconds.
+///
+/// A part that swings at 5 Hz is this fast where its acceleration is [`STILL_ACCELERATION`].
+const STILL_SPEED: f64 = 5e-4;
+
+/// Rate of a speed that counts as none [m/s² or rad/s²]: of a hammer it means 0.1 mN at the
+/// finger, a tenth of what the wire resolves.
+const STILL_ACCELERATION: f64 = 2e-2;
+
+/// Whether a coordinate or a speed changed from `before` to `after`, `h` (s) later, by what
+/// counts as motion.
+///
+/// Both are asked by their rate: how far something moves in a tick says nothing of how fast it
+/// moves. One that is at the end of a swing has no speed, and one in the middle no acceleration.
+fn moves<M: Playable>(before: &M::State, after: &M::State, h: f64) -> bool {
+    use pode::State as _;
+    let pairs = before.entries().iter().zip(after.entries()).enumerate();
+    let limit = |index| if index < M::COORDS { STILL_SPEED } else { STILL_ACCELERATION };
+    // What is no number counts as motion.
+    pairs.map(|(index, (a, b))| (b - a).abs() <= limit(index) * h).any(|is_still| !is_still)
+}
+
+/// The number of `mode` among the model's; 255 if it is not among them.
+fn number<M: Playable>(mode: M::Mode) -> u8 {
+    let index = M::MODES.iter().position(|(other, _name)| *other == mode);
+    index.and_then(|index| u8::try_from(index).ok()).unwrap_or(u8::MAX)
+}
+
+/// Turns the guard that sounds into a strike, and notes changes of mode.
+struct Strikes<'a> {
+    tick: u64,
+    events: &'a mut Events,
+    switches: &'a mut Switches,
+}
+
+impl<M: Playable> Watch<M> for Strikes<'_> {
+    fn piece<S: Signal<Motion>>(&mut self, _model: &M, _piece: &Piece<'_, M, S>) {}
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        let guard =
+            if let pode::EventCause::Guard(spec) = event.cause { spec.id.0 } else { u8::MAX };
+        self.switches.push(Switch {
+            theta: event.theta,
+            from: number::<M>(event.before.0),
+            to: number::<M>(event.after.0),
+            guard,
+        });
+        let pode::EventCause::Guard(spec) = event.cause else { return };
+        let sounding = model.sounding(spec.id, &event.before.1);
+        if let Some(sounding) = sounding.filter(|it| it.speed >= SOFTEST_TONE) {
+            let at = Moment { tick: self.tick, theta: event.theta };
+            self.events.push(at, KeyEvent::Strike { speed: sounding.speed });
+        }
+    }
+}
+
+const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {
+    match advance {
+        Advance::Completed => None,
+        Advance::Capped(_) => Some(VoiceFault::Capped { handled }),
+        Advance::Faulty(_) => Some(VoiceFault::NotFinite),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use haptics::Kalman;
+    use models::BouncingBall;
+
+    use super::super::input::AnyEstimator;
+    use super::*;
+
+    #[test]
+    fn slow_motion_is_no_rest_at_any_rate() {
+        for h in [1e-2, 1e-3, 1e-4] {
+            let after = |speed: f64, acceleration: f64| {
+                moves::<BouncingBall>(&[0.0, speed], &[speed * h, speed + acceleration * h], h)
+            };
+            assert!(after(20e-3, 0.0), "20 mm/s in ticks of {h} s");
+            assert!(after(1e-3, 0.0), "1 mm/s in ticks of {h} s");
+            assert!(after(0.0, 0.05), "0.05 m/s² in ticks of {h} s");
+            assert!(!after(1e-4, 0.01), "0.1 mm/s in ticks of {h} s");
+            assert!(after(f64::NAN, 0.0));
+        }
+    }
+
+    /// A ball that weighs nothing, on a key that is not touched.
+    fn weightless(h: f64) -> RenderedKey<BouncingBall, pode::stepper::Rk4> {
+        let estimator = AnyEstimator::Kalman(Kalman::new(h, 1e-6, 10.0));
+        let fittings = VoiceSettings {
+            input: InputPath::new(estimator, None, -5.0, h),
+            gate: ForceGate::new(25.0, 2e4).unwrap(),
+            limits: Limits::default(),
+            cell: Arc::default(),
+            h,
+            slopes: SlopeOutput::Unused,
+            revision: 0,
+        };
+        let model = BouncingBall { g: 0.0, restitution: 0.5, mass: 0.01, y0: 0.1, scale: -5.0 };
+        let mut voice = RenderedKey::new(model, pode::stepper::Rk4, fittings);
+        voice.reset(&KeySample::fresh(0.0));
+        voice
+    }
+
+    #[test]
+    fn a_ball_that_hovers_sleeps_after_20_ms_and_one_that_drifts_never_does() {
+        for hz in [1000_u32, 10_000] {
+            let h = 1.0 / f64::from(hz);
+            let idle = |voice: &mut RenderedKey<_, _>| {
+                (0..u64::from(hz)).find(|tick| voice.tick(*tick, &KeySample::fresh(0.0)).idle)
+            };
+            assert_eq!(idle(&mut weightless(h)), Some(u64::from(hz) / 50), "{hz} Hz");
+            let mut drifting = weightless(h);
+            let mode = drifting.simulator.mode();
+            drifting.simulator.place(mode, [0.1, 20e-3]);
+            assert_eq!(idle(&mut drifting), None, "{hz} Hz");
+        }
+    }
+}
