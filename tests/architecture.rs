@@ -93,68 +93,6 @@ const EVERYONE: [&str; 22] = [
     "letoff",
 ];
 
-#[test]")]
-
-use std::collections::BTreeSet;
-use std::fs;
-use std::path::{Path, PathBuf};
-
-use toml_edit::{Document, Item};
-
-/// Every crate of ours with the crates of ours that it may depend on.
-///
-/// Crates that design.md names but that are not there yet are listed too, so that
-/// their first commit is held to the same rule.
-const MAY_KNOW: [(&str, &[&str]); 15] = [
-    ("pode", &[]),
-    ("haptics", &[]),
-    ("telemetry", &[]),
-    ("scheduler", &[]),
-    ("firmware-protocol", &[]),
-    ("midi", &[]),
-    ("xtask", &[]),
-    ("models", &["pode"]),
-    ("kane", &["pode"]),
-    ("hardware", &["firmware-protocol", "haptics", "scheduler"]),
-    ("performance", &["haptics", "midi"]),
-    ("lab", &["haptics", "kane", "models", "performance", "pode"]),
-    ("dashboard", &["telemetry"]),
-    ("host", &HOST_MAY_KNOW),
-    // tests/ and benches/ belong to the source-less root package, which may know all.
-    ("letoff", &EVERYONE),
-];
-
-const HOST_MAY_KNOW: [&str; 11] = [
-    "firmware-protocol",
-    "haptics",
-    "hardware",
-    "kane",
-    "lab",
-    "midi",
-    "models",
-    "performance",
-    "pode",
-    "scheduler",
-    "telemetry",
-];
-
-const EVERYONE: [&str; 14] = [
-    "dashboard",
-    "firmware-protocol",
-    "haptics",
-    "hardware",
-    "host",
-    "kane",
-    "lab",
-    "midi",
-    "models",
-    "performance",
-    "pode",
-    "scheduler",
-    "telemetry",
-    "xtask",
-];
-
 #[test]
 fn every_crate_knows_only_whom_it_may() {
     for manifest in manifests() {
