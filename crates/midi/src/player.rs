@@ -27,7 +27,7 @@ pub struct NoteEvent {
 pub enum EventKind {
     /// The hammer meets the string.
     Strike {
-        /// Hammer speed (m/s).
+        /// Speed of the hammer at the string (m/s).
         speed: f64,
     },
     /// The damper reaches the string.

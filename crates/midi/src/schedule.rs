@@ -44,7 +44,7 @@ impl Schedule {
         self.waiting.insert(place, ScheduledEvent { rank, event });
     }
 
-    /// The earliest event.
+    /// Returns the event that is due first.
     pub fn first(&self) -> Option<&NoteEvent> {
         self.waiting.front().map(|entry| &entry.event)
     }

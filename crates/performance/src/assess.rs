@@ -2,19 +2,30 @@
 
 use std::fmt;
 
-use crate::pianist::ExpectedNote;
-
 /// A strike further than this from its note's onset belongs to no note (s).
 ///
 /// A little more than half of a grand's quickest repetition (15/s).
 pub const WINDOW: f64 = 0.04;
+
+/// A note that should be heard.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ExpectedNote {
+    /// Which key, 0 ..= 87.
+    pub key: u8,
+    /// When (s since the start of the performance).
+    pub onset: f64,
+    /// Speed of the hammer at the string (m/s).
+    pub speed: f64,
+    /// MIDI velocity, 1 ..= 127.
+    pub velocity: u8,
+}
 
 /// A strike that really happened.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Struck {
     /// Which key, 0 ..= 87.
     pub key: u8,
-    /// When (s).
+    /// Time of the strike (s).
     pub at: f64,
     /// How hard, as a MIDI velocity, 1 ..= 127.
     pub velocity: u8,

@@ -10,7 +10,7 @@
 //! Hammers are thrown, not placed: what a stroke does depends on the action and on the state
 //! that the key is in. So every stroke is rehearsed by simulation, from the state its key will
 //! really have then, until it gives the wanted velocity and onset.
-//! This crate knows no instrument: the host hands one in as a [`RehearsalProgress`].
+//! This crate knows no instrument: the host hands one in as a [`Rehearsal`].
 //! Times are `f64` seconds since the start of the performance.
 
 #![forbid(unsafe_code)]
@@ -21,8 +21,8 @@ pub mod rehearse;
 pub mod score;
 pub mod stroke;
 
-pub use assess::{Assessment, Spread, Struck, WINDOW, assess};
-pub use pianist::{ExpectedNote, Performance, Pianist, Progress};
+pub use assess::{Assessment, ExpectedNote, Spread, Struck, WINDOW, assess};
+pub use pianist::{Performance, Pianist, Progress};
 pub use rehearse::{
     PlayOutcome, Practice, Rehearsal, RehearsedStroke, Strike, StrokeTable, StrokeTables,
 };

@@ -8,12 +8,12 @@ use std::thread;
 use haptics::plant::Gesture;
 use midi::{KEYS, VelocityCurve};
 
-use crate::assess::Struck;
+use crate::assess::{ExpectedNote, Struck};
 use crate::rehearse::{Practice, Rehearsal, RehearsedStroke, StrokeTables};
 use crate::score::Score;
 use crate::stroke::{PlannedStroke, Technique, plan};
 
-/// Prepares performances.
+/// Finds the gestures by which simulated fingers play a score.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Pianist {
     /// What a hammer speed is worth.
@@ -40,19 +40,6 @@ pub struct Progress {
     pub done: usize,
     /// Strokes of the score.
     pub total: usize,
-}
-
-/// A note that should be heard.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct ExpectedNote {
-    /// Which key, 0 ..= 87.
-    pub key: u8,
-    /// When (s since the start of the performance).
-    pub onset: f64,
-    /// Hammer speed (m/s).
-    pub speed: f64,
-    /// MIDI velocity, 1 ..= 127.
-    pub velocity: u8,
 }
 
 /// What the fingers do, and what should be heard of it.

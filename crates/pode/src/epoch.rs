@@ -5,7 +5,7 @@
 //!
 //! | g | g' | g'' | stands | and then |
 //! |---|---|---|---|---|
-//! | + | | | `TriggerState` | fires when it falls through zero |
+//! | + | | | `Armed` | fires when it falls through zero |
 //! | 0 | + | | `Departing` | silent until it has been positive |
 //! | 0 | − | | `Leaving` | fires at once |
 //! | 0 | 0 | + | `Departing` | |

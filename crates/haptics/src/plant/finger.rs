@@ -1,6 +1,6 @@
 //! The simulated finger: a small mass on a muscle's spring, with a soft pulp.
 
-use super::stroke::MuscleCommand;
+use super::gesture::MuscleCommand;
 
 /// Height of a finger that is away [m]: well above any key.
 const AWAY: f64 = 20e-3;

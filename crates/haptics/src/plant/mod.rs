@@ -12,7 +12,6 @@ mod key;
 mod motor;
 mod rig;
 mod smooth;
-mod stroke;
 
 pub use encoder::Encoder;
 pub use felt::Felt;

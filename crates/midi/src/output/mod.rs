@@ -4,6 +4,7 @@
 
 mod memory;
 mod port;
+mod ports;
 mod reconnecting;
 mod smf;
 mod system;

@@ -1,7 +1,8 @@
 //! A MIDI port of the system: one that exists, or a virtual one of our own.
 
+use super::ports::CLIENT;
 use super::reconnecting::Reconnecting;
-use super::system::{CLIENT, System, Unavailable, WantedPort};
+use super::system::{System, Unavailable, WantedPort};
 use super::{MidiSendError, Output};
 use crate::message::Message;
 

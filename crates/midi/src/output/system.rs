@@ -4,11 +4,9 @@ use std::fmt;
 
 use midir::{MidiOutput, MidiOutputConnection, MidiOutputPort};
 
+use super::ports::{CLIENT, named, open};
 use super::reconnecting::MidiSystem;
-use super::watch::AnnouncementWatch;
-
-/// Our name towards other programs, and that of the virtual port.
-pub(super) const CLIENT: &str = "letoff";
+use super::watch::PortWatch;
 
 /// Why there is no connection to a MIDI port.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
@@ -85,7 +83,7 @@ pub(super) struct System {
     /// Full name of the port that is connected; none for a virtual one.
     port: Option<String>,
     /// Notices that it has gone; none for a virtual one.
-    watch: Option<AnnouncementWatch>,
+    watch: Option<PortWatch>,
 }
 
 impl System {
@@ -96,7 +94,7 @@ impl System {
     fn connect_existing(&mut self, wanted: &str) -> Result<(), Unavailable> {
         let system = open()?;
         let (name, port) = find(&system, wanted)?;
-        let watch = AnnouncementWatch::of(&port)?;
+        let watch = PortWatch::of(&port)?;
         let connection =
             system.connect(&port, CLIENT).map_err(|error| refused(&name, &error.to_string()))?;
         self.connection = Some(connection);
@@ -134,7 +132,7 @@ impl MidiSystem for System {
     }
 
     fn is_there(&mut self) -> bool {
-        self.connection.is_some() && self.watch.as_mut().is_none_or(AnnouncementWatch::is_there)
+        self.connection.is_some() && self.watch.as_mut().is_none_or(PortWatch::is_there)
     }
 }
 
@@ -150,36 +148,6 @@ impl fmt::Debug for System {
 
 fn refused(port: &str, reason: &str) -> Unavailable {
     Unavailable::Refused { port: port.to_owned(), reason: reason.to_owned() }
-}
-
-pub(super) fn open() -> Result<MidiOutput, Unavailable> {
-    look_for_sequencer()?;
-    MidiOutput::new(CLIENT).map_err(|_init| Unavailable::NotStarted)
-}
-
-/// ALSA says on stderr only why it does not start, so its device is looked at first.
-#[cfg(target_os = "linux")]
-fn look_for_sequencer() -> Result<(), Unavailable> {
-    use std::io::ErrorKind;
-
-    let opened = std::fs::OpenOptions::new().read(true).write(true).open("/dev/snd/seq");
-    match opened.map_err(|error| error.kind()) {
-        Ok(_) => Ok(()),
-        Err(ErrorKind::PermissionDenied) => Err(Unavailable::NotAllowed),
-        Err(ErrorKind::NotFound) => Err(Unavailable::NoSequencer),
-        Err(_) => Err(Unavailable::NotStarted),
-    }
-}
-
-#[cfg(not(target_os = "linux"))]
-fn look_for_sequencer() -> Result<(), Unavailable> {
-    Ok(())
-}
-
-/// All ports with their names; a port that vanishes meanwhile is left out.
-pub(super) fn named(system: &MidiOutput) -> Vec<(String, MidiOutputPort)> {
-    let ports = system.ports().into_iter();
-    ports.filter_map(|port| Some((system.port_name(&port).ok()?, port))).collect()
 }
 
 fn find(system: &MidiOutput, wanted: &str) -> Result<(String, MidiOutputPort), Unavailable> {

@@ -54,9 +54,9 @@ pub struct PlayOutcome {
 /// The hammer meets the string.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Strike {
-    /// When (s).
+    /// Time of the strike (s).
     pub at: f64,
-    /// Hammer speed (m/s).
+    /// Speed of the hammer at the string (m/s).
     pub speed: f64,
 }
 

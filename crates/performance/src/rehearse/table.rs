@@ -32,9 +32,9 @@ const USUAL_WAY: f64 = 0.01;
 /// What one finger speed gives.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct TablePoint {
-    /// Finger speed (m/s).
+    /// Speed that the finger commands (m/s).
     command: f64,
-    /// Hammer speed (m/s).
+    /// Speed of the hammer at the string (m/s).
     hammer: f64,
     /// From the start of the gesture to the strike (s).
     delay: f64,

@@ -10,7 +10,7 @@ use super::{Score, ScoreNote};
 /// Channel 10, counted from 0: percussion by convention.
 const PERCUSSION: u8 = 9;
 
-/// CC64.
+/// Controller number of the sustain pedal.
 const SUSTAIN: u8 = 64;
 
 /// The notes heard so far.

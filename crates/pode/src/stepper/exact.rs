@@ -12,7 +12,7 @@ use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 /// with A, and the series is the dense output as well, so that an event lies on the exact
 /// flow and costs no step of its own. No energy is made or lost, at any stiffness.
 /// r is taken as a cubic through four places of the step: exact for a constant (gravity) and
-/// for every [`InputReconstruction`](crate::input::Reconstruction); for other inputs of order 4.
+/// for every [`Reconstruction`](crate::input::Reconstruction); for other inputs of order 4.
 /// At most 1 rad of the mode's fastest motion per step, so that guards are seen; a stiff
 /// contact within one tick is three or four steps. What a step lost in rounding is carried to
 /// the next one, and void after a reset.

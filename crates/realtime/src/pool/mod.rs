@@ -70,7 +70,7 @@ impl WaitLimit {
     }
 }
 
-/// Fills the scheduler's `LaneCount` port with threads.
+/// Fills the scheduler's `Lanes` port with threads.
 ///
 /// # Real-time
 /// A tick allocates, locks and frees nothing, unless a voice panics, and ends by its patience.

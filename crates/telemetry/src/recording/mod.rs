@@ -2,7 +2,7 @@
 //!
 //! A recording is [MCAP](https://mcap.dev): the same topics and messages as on the stream, with
 //! their schemas, in compressed chunks.
-//! [`Recorder`] writes one and goes on in another file when one is full, [`RecordingHandle`] reads what
+//! [`Recorder`] writes one and goes on in another file when one is full, [`Recording`] reads what
 //! is there of one, [`Playback`] lets a window see it as if it were live, [`BlackBox`] keeps the
 //! last seconds to be written when something fails, [`recover`] makes a complete file of one that
 //! breaks off, and [`export_csv`] makes tables of it.

@@ -13,13 +13,13 @@ use crate::output::Unavailable;
 const MOST: usize = 4096;
 
 /// Listens to the announcements about one port.
-pub(in crate::output) struct AnnouncementWatch {
+pub(in crate::output) struct PortWatch {
     sequencer: Seq,
     port: Addr,
     has_gone: bool,
 }
 
-impl AnnouncementWatch {
+impl PortWatch {
     /// Watches `port`; to be called before it is connected.
     pub(in crate::output) fn of(port: &MidiOutputPort) -> Result<Self, Unavailable> {
         let port = port.id().parse().map_err(|_no_address| Unavailable::NotStarted)?;

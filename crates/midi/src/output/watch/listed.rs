@@ -3,16 +3,16 @@
 use midir::{MidiOutput, MidiOutputPort};
 
 use crate::output::Unavailable;
-use crate::output::system::{named, open};
+use crate::output::ports::{named, open};
 
 /// Looks for one port in the list of all.
-pub(in crate::output) struct Watch {
+pub(in crate::output) struct PortWatch {
     /// An established connection cannot list ports.
     system: MidiOutput,
     name: String,
 }
 
-impl Watch {
+impl PortWatch {
     /// Watches `port`; to be called before it is connected.
     pub(in crate::output) fn of(port: &MidiOutputPort) -> Result<Self, Unavailable> {
         let system = open()?;

@@ -8,6 +8,6 @@ mod announced;
 mod listed;
 
 #[cfg(target_os = "linux")]
-pub(super) use announced::AnnouncementWatch;
+pub(super) use announced::PortWatch;
 #[cfg(not(target_os = "linux"))]
-pub(super) use listed::Watch;
+pub(super) use listed::PortWatch;

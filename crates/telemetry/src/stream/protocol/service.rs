@@ -18,7 +18,7 @@ pub enum Service {
     Identify,
     /// [`Request::Scene`].
     Scene,
-    /// [`Request::CalibrationRecord`].
+    /// [`Request::Record`].
     Record,
 }
 

@@ -17,7 +17,7 @@ pub trait Backend: Send + Sync {
     /// It is called on a thread that may wait, for each client one call after the other, except for
     /// a stop, which overtakes.
     /// Whoever set values gets them as the answer; those who follow parameters are told by the
-    /// host, whoever changed them, with [`super::TickPublisher::parameters_changed`].
+    /// host, whoever changed them, with [`super::Publisher::parameters_changed`].
     ///
     /// # Errors
     /// If it is refused; a sentence.

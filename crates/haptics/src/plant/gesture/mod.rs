@@ -1,7 +1,11 @@
 //! A gesture: what a finger's muscle commands during one stroke, as a function of time.
 
+mod stroke;
+
+pub(super) use stroke::MuscleCommand;
+
 use super::smooth::{quintic, quintic_slope};
-use super::stroke::{MuscleCommand, StrokeProfile};
+use stroke::StrokeProfile;
 
 /// Height above the key to which a finger is lifted (m) (estimate).
 const LIFT_HEIGHT: f64 = 10e-3;

@@ -12,8 +12,8 @@
 //! Until it settles, a faster stroke is at no time behind a slower one, so whatever it
 //! pushes is no slower for it.
 
-use super::gesture::{Gesture, Touch};
-use super::smooth::{cubic, cubic_integral, quintic, quintic_slope};
+use super::{Gesture, Touch};
+use crate::plant::smooth::{cubic, cubic_integral, quintic, quintic_slope};
 
 /// Speeds that a stroke keeps to [m/s]: slower never arrives, faster is no finger.
 const SPEEDS: (f64, f64) = (1e-3, 20.0);
@@ -47,11 +47,11 @@ const SETTLE: f64 = 80e-3;
 
 /// What a muscle commands at one instant, down positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct MuscleCommand {
+pub(in crate::plant) struct MuscleCommand {
     /// Position (m).
-    pub(super) position: f64,
+    pub(in crate::plant) position: f64,
     /// Velocity (m/s).
-    pub(super) velocity: f64,
+    pub(in crate::plant) velocity: f64,
 }
 
 /// One way down: its depths (m) and how long each part of it takes (s).
