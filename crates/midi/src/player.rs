@@ -258,7 +258,7 @@ impl<O: Output> Player<O> {
 }
 
 impl<O: Output> Drop for Player<O> {
-    /// Silences what is held; an output that is away cannot be told, and nobody is left to know.
+    /// Silences what is held; an output that is away cannot be told.
     fn drop(&mut self) {
         if self.stirred && self.silence().is_err() {
             self.stirred = false;

@@ -15,7 +15,7 @@ pub(super) trait MidiSystem {
     /// Sends one message; false if it was not accepted.
     fn send(&mut self, bytes: &[u8]) -> bool;
 
-    /// Whether the destination still exists: some systems accept messages to nobody.
+    /// Whether the destination still exists: some systems accept messages to a port that has gone.
     fn is_there(&mut self) -> bool;
 }
 
@@ -29,7 +29,7 @@ enum PortState {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Sound {
     Silent,
-    /// Its note-off was accepted, but nobody has looked since whether the destination was there.
+    /// Its note-off was accepted, but the destination was not looked at since.
     Ended,
     Sounding,
 }
@@ -245,7 +245,7 @@ mod tests {
         port.send(0.1, on(64)).unwrap();
         port.send(0.2, off(60)).unwrap();
         port.poll(0.3).unwrap();
-        // The connection accepts a while longer, for nobody.
+        // The connection accepts a while longer, and what it takes is lost.
         port.backend.unplugged = true;
         port.send(0.5, off(64)).unwrap();
         assert!(port.poll(1.4).is_err());

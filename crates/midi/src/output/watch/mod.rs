@@ -1,6 +1,6 @@
 //! Whether the port that was connected is still there.
 //!
-//! No system tells the sender: messages to a port that has gone are accepted, for nobody.
+//! No system tells the sender: messages to a port that has gone are accepted and lost.
 
 #[cfg(target_os = "linux")]
 mod announced;
