@@ -1,7 +1,5 @@
 //! Samples and forces that are late by a tick or two, more often than not, and overtake each other.
 
-mod stage;
-
 use std::sync::Arc;
 
 use firmware_protocol::key::BoardId;
@@ -13,7 +11,8 @@ use host::config::Scene;
 use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{Seen, TickObserver};
 use scheduler::voice::VoiceFault;
-use stage::{Stage, audited, key, keybed, scene, stroke};
+
+use crate::stage::{Stage, audited, key, keybed, scene, stroke};
 
 /// Strokes on each key.
 const STROKES: u32 = 8;

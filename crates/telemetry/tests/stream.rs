@@ -3,13 +3,9 @@
 #![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
 #![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
 
-mod stage;
-
 use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 
-use stage::synthetic::{self, KEY};
-use stage::{Stage, Stranger, Watcher, eventually, set};
 use telemetry::stream::protocol::{
     FromClient, FromServer, Level, Parameter, ServerFrame, Subscription, Text as _, channel_id,
 };
@@ -17,6 +13,9 @@ use telemetry::stream::server::{Limits, Tls, Token};
 use telemetry::stream::{Backend, Dial, Fingerprint, Role, Server, Settings, Value, Who};
 use telemetry::{Arrival, Reply, Request, Source as _, Standing, Topic, Update};
 use tokio_tungstenite::tungstenite::{Error, Message};
+
+use crate::stage::synthetic::{self, KEY};
+use crate::stage::{Stage, Stranger, Watcher, eventually, set};
 
 fn done(text: &str) -> Reply {
     Reply::Done { text: text.to_owned() }
@@ -352,7 +351,7 @@ fn dropped_in(text: &str) -> u64 {
 #[test]
 fn a_slow_client_loses_data_and_a_fast_one_nothing() {
     // However slow this machine is, nobody is cut.
-    let (stall, idle) = (stage::PATIENCE, stage::PATIENCE);
+    let (stall, idle) = (crate::stage::PATIENCE, crate::stage::PATIENCE);
     let stage = Stage::within(Limits { data_bytes: 1 << 18, stall, idle, ..Limits::default() });
     let mut slow = stage.stranger();
     let subscription = Subscription { id: 5, channel_id: channel_id(Topic::Block(KEY)) };

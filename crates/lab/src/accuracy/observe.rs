@@ -1,6 +1,7 @@
 //! What happens in a run: events, states at the times of samples, work of each tick.
 
-use pode::{Advance, Cap, EnergyAudit, Event, Fault, Model, Piece, Signal, Stepper, Watch, Work};
+use pode::stepper::Any;
+use pode::{Advance, Cap, EnergyAudit, Event, Fault, Model, Piece, Signal, Watch, Work};
 
 use super::job::Job;
 use super::stepped::Stepped;
@@ -37,7 +38,7 @@ pub(super) struct Observed<M: Model> {
 }
 
 /// Does the run once, looking on.
-pub(super) fn observe<S: Scenario, T: Stepper>(job: &Job<'_, S, T>) -> Observed<S::Model> {
+pub(super) fn observe<S: Scenario>(job: &Job<'_, S, Any>) -> Observed<S::Model> {
     let mut log = Log::<S::Model>::new(job.tick);
     let mut samples = Samples::new(job.scenario, job.tick);
     let mut trouble = None;
@@ -64,7 +65,7 @@ pub(super) fn observe<S: Scenario, T: Stepper>(job: &Job<'_, S, T>) -> Observed<
 
 /// Work of every tick, until the end or the first fault, while nobody looks on: who looks
 /// inside a step may cost evaluations.
-fn work<S: Scenario, T: Stepper>(job: &Job<'_, S, T>) -> Vec<Work> {
+fn work<S: Scenario>(job: &Job<'_, S, Any>) -> Vec<Work> {
     let mut simulator = job.simulator();
     let mut work = Vec::new();
     for _ in 0..job.ticks() {

@@ -1,5 +1,6 @@
 //! A scenario whose model's type is known by name only, and the runs it can do.
 
+use pode::stepper::Any;
 use pode::{Limits, Stepper};
 
 use super::Effort;
@@ -123,15 +124,19 @@ struct Run<'a, S> {
 impl<S: Scenario> Visit for Run<'_, S> {
     type Output = Row;
 
-    fn visit<T: Stepper>(self, stepper: T) -> Row {
+    /// What is timed is the method itself; what happens is observed through [`Any`], whose steps
+    /// are the same to the last bit and which is compiled once for all methods.
+    fn visit<T: Stepper + Into<Any>>(self, stepper: T) -> Row {
         let Self { scenario, name, method, setting, effort } = self;
         let (stepping, limits) = match method.kind {
             Kind::Fixed => (Stepping::Ticks, Limits::default()),
             Kind::Played | Kind::Budgeted => (Stepping::Models, Limits::default()),
             Kind::Controlled => (Stepping::Ticks, offline()),
         };
-        let job = Job { scenario, stepper, limits, stepping, tick: setting.tick };
-        let observed = observe(&job);
+        let tick = setting.tick;
+        let any = stepper.into();
+        let observed = observe(&Job { scenario, stepper: any, limits, stepping, tick });
+        let job = Job { scenario, stepper, limits, stepping, tick };
         let times = time(&job, &observed.work, effort);
         Row {
             scenario: name,
