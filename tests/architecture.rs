@@ -127,6 +127,32 @@ fn the_graph_in_architecture_md_names_every_crate() {
 }
 
 #[test]
+fn every_dependency_is_used() {
+    for manifest in manifests() {
+        let folder = manifest.parent().expect("its folder");
+        let product = sources(&folder.join("src"));
+        let tests = ["tests", "benches", "examples"].map(|it| sources(&folder.join(it))).concat();
+        for (kind, name) in dependencies(&manifest) {
+            let word = name.replace('-', "_");
+            let is_used =
+                names(&product, &word) || kind.starts_with("dev-") && names(&tests, &word);
+            assert!(is_used, "no source of {} uses {name}: remove it", manifest.display());
+        }
+    }
+}
+
+#[test]
+fn every_dependency_of_the_workspace_is_somebody_s() {
+    let inherited: BTreeSet<String> =
+        manifests().iter().flat_map(|it| dependencies(it)).map(|(_, name)| name).collect();
+    let root = parse(&root().join("Cargo.toml"));
+    let shared = root["workspace"]["dependencies"].as_table_like().expect("a table");
+    for (name, _) in shared.iter() {
+        assert!(inherited.contains(name), "no crate depends on {name}: remove it");
+    }
+}
+
+#[test]
 fn every_dependency_has_a_reason() {
     let text = fs::read_to_string(root().join("Cargo.toml")).expect("Cargo.toml");
     let others = text.split("# Others'").nth(1).expect("the section of others' crates");
@@ -168,14 +194,47 @@ fn manifests() -> Vec<PathBuf> {
 
 /// A package's name, and those of its dependencies of any kind that are ours.
 fn read(manifest: &Path) -> (String, Vec<String>) {
-    let text = fs::read_to_string(manifest).expect("a manifest");
-    let document: Document<String> = text.parse().expect("valid TOML");
-    let name = document["package"]["name"].as_str().expect("a name").to_owned();
-    let ours = ["dependencies", "dev-dependencies", "build-dependencies"]
-        .iter()
-        .filter_map(|kind| document.get(kind).and_then(Item::as_table_like))
-        .flat_map(|table| table.iter().map(|(key, _)| key.to_owned()).collect::<Vec<_>>())
-        .filter(|key| EVERYONE.contains(&key.as_str()))
-        .collect();
-    (name, ours)
+    let name = parse(manifest)["package"]["name"].as_str().expect("a name").to_owned();
+    let all = dependencies(manifest).into_iter().map(|(_, name)| name);
+    (name, all.filter(|name| EVERYONE.contains(&name.as_str())).collect())
+}
+
+fn parse(manifest: &Path) -> Document<String> {
+    fs::read_to_string(manifest).expect("a manifest").parse().expect("valid TOML")
+}
+
+/// The dependencies of a package with their kind, those for some targets only as well.
+fn dependencies(manifest: &Path) -> Vec<(&'static str, String)> {
+    let document = parse(manifest);
+    let targets = document.get("target").and_then(Item::as_table_like);
+    let targets = targets.iter().flat_map(|table| table.iter()).map(|(_, target)| target);
+    let tables: Vec<_> = [document.as_item()].into_iter().chain(targets).collect();
+    let of_kind = |kind: &'static str| {
+        let tables = tables.iter().filter_map(move |it| it.get(kind)?.as_table_like());
+        tables.flat_map(move |table| table.iter().map(move |(key, _)| (kind, key.to_owned())))
+    };
+    ["dependencies", "dev-dependencies", "build-dependencies"]
+        .into_iter()
+        .flat_map(of_kind)
+        .collect()
+}
+
+/// All Rust below `folder`, one file after the other; nothing if there is no such folder.
+fn sources(folder: &Path) -> String {
+    let entries = fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
+    let text = |path: PathBuf| {
+        if path.is_dir() {
+            sources(&path)
+        } else if path.extension().is_some_and(|it| it == "rs") {
+            fs::read_to_string(path).expect("a source")
+        } else {
+            String::new()
+        }
+    };
+    entries.map(|entry| text(entry.path())).collect()
+}
+
+/// Whether `text` has `word`, not as a part of a longer one.
+fn names(text: &str, word: &str) -> bool {
+    text.split(|letter: char| !letter.is_alphanumeric() && letter != '_').any(|it| it == word)
 }

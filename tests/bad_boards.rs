@@ -2,8 +2,6 @@
 //! to them, in virtual time.
 #![allow(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
-mod stage;
-
 use std::cell::Cell;
 
 use firmware_protocol::acyclic::Operation;
@@ -23,7 +21,8 @@ use hardware::rt::steward::{ArmLockout, ArmState as BoardStage};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
 use scheduler::motion::KeyEvent;
 use scheduler::port::{FinishedTick, TickObserver};
-use stage::{Stage, scene, stroke};
+
+use crate::stage::{Stage, scene, stroke};
 
 /// A tick (us).
 const TICK_US: u64 = 1_000;

@@ -1,7 +1,5 @@
 //! A key's sensor or wire fails; its neighbours never notice, and it fades and comes back.
 
-mod stage;
-
 use std::ops::Range;
 
 use firmware_protocol::key::BoardId;
@@ -11,8 +9,9 @@ use hardware::sim::keybed::SimulatedKeybed;
 use scene::Scene;
 use scheduler::motion::KEYS;
 use scheduler::port::KeyBus;
-use stage::broken_sensor::BrokenSensor;
-use stage::{Nobody, Stage, key, keybed, play_all, scene, stroke};
+
+use crate::stage::broken_sensor::BrokenSensor;
+use crate::stage::{Nobody, Stage, key, keybed, play_all, scene, stroke};
 
 /// The key whose sensor fails: held down, so that it should feel a force all the time.
 const FAILING: usize = 40;

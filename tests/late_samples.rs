@@ -1,7 +1,5 @@
 //! Samples and forces that are late by a tick or two, more often than not, and overtake each other.
 
-mod stage;
-
 use std::sync::Arc;
 
 use firmware_protocol::key::BoardId;
@@ -12,7 +10,8 @@ use scene::Scene;
 use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;
-use stage::{Stage, audited, key, keybed, scene, stroke};
+
+use crate::stage::{Stage, audited, key, keybed, scene, stroke};
 use voice::AuditCell;
 
 /// Strokes on each key.

@@ -1,8 +1,6 @@
 //! What the virtual pianist plays is what comes out, whole runs in virtual time.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
-mod stage;
-
 use std::fs;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -10,7 +8,8 @@ use std::sync::atomic::AtomicBool;
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession};
 use scene::Scene;
-use stage::scene;
+
+use crate::stage::scene;
 
 /// Promised of 99 % of the notes: how far from their time (ms), and from their velocity.
 const ONSET_MS: f64 = 1.0;

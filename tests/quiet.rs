@@ -1,8 +1,6 @@
 //! Keys that are left alone are quiet, with every instrument that a scene lets in; and a loop
 //! that makes energy all the same is muted.
 
-mod stage;
-
 use std::sync::Arc;
 
 use realtime::pool::BoxedVoice;
@@ -10,7 +8,8 @@ use scene::{Scene, instruments};
 use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;
-use stage::{Stage, keybed, play_all, scene};
+
+use crate::stage::{Stage, keybed, play_all, scene};
 use voice::AuditCell;
 
 /// Energy that a key's model may have been given or have made when nobody was there \[J\].
@@ -56,7 +55,7 @@ impl TickObserver for Listener {
 /// Every eighth voice of `scene`, with its energy audit.
 fn some_voices(scene: &Scene) -> (Vec<(usize, BoxedVoice)>, [Arc<AuditCell>; KEYS]) {
     let audits: [Arc<AuditCell>; KEYS] = std::array::from_fn(|_key| Arc::default());
-    let voices = stage::audited(scene, &audits).into_iter().step_by(EVERY).collect();
+    let voices = crate::stage::audited(scene, &audits).into_iter().step_by(EVERY).collect();
     (voices, audits)
 }
 

@@ -1,13 +1,10 @@
 //! What the README says of commands: each can be typed, and prints what stands there.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
-#[path = "stage/letoff.rs"]
-mod letoff;
-
 use std::fs;
 use std::path::Path;
 
-use letoff::{folder, run};
+use crate::letoff::{folder, run};
 
 /// The README's lines, those that end with a backslash joined with the next.
 fn lines() -> Vec<String> {

@@ -1,7 +1,5 @@
 //! How much a tick computes, in counted evaluations: the same on every machine.
 
-mod stage;
-
 use std::sync::atomic::AtomicBool;
 
 use haptics::Touch;
@@ -9,7 +7,8 @@ use host::session::{RunOptions, RunSession};
 use pode::Limits;
 use scheduler::motion::KEYS;
 use scheduler::voice::VoiceWork;
-use stage::{Stage, key, keybed, play_all, scene, stroke};
+
+use crate::stage::{Stage, key, keybed, play_all, scene, stroke};
 
 /// Time in which a keyboard that nobody plays must have fallen asleep (ms).
 ///

@@ -1,17 +1,6 @@
 //! The C codec is held to the same vectors, and to this crate frame by frame.
-#![expect(clippy::expect_used, clippy::panic, reason = "helpers of tests, outside #[test]")]
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_macros, reason = "tests run on the host")]
-
-#[expect(dead_code, reason = "its main is for people")]
-#[path = "../examples/c_header.rs"]
-mod c_header;
-#[path = "support/random.rs"]
-mod random;
-#[path = "support/tools.rs"]
-mod tools;
-#[expect(dead_code, reason = "other tests use the rest")]
-#[path = "support/vector.rs"]
-mod vector;
 
 use core::fmt::Write as _;
 use std::path::PathBuf;
@@ -30,8 +19,9 @@ use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePack
 use firmware_protocol::frame::multicast_forces::MulticastForces;
 use firmware_protocol::quantity::SlopeCode;
 use firmware_protocol::serial::{self, Deframer, FramingError};
-use random::Random;
-use tools::{STRICT, are_there, crate_root, run, say, scratch};
+
+use crate::random::Random;
+use crate::tools::{STRICT, are_there, crate_root, run, say, scratch};
 
 /// Frames that are made for a comparison.
 const FRAMES: usize = 8_000;
@@ -41,14 +31,14 @@ fn the_generated_header_is_current() {
     let committed = crate_root().join("c/letoff_protocol.h");
     let committed = std::fs::read_to_string(committed).expect("the header");
     let hint = "run: cargo run -p firmware-protocol --example c_header";
-    assert!(committed == c_header::header(), "c/letoff_protocol.h is not current; {hint}");
+    assert!(committed == crate::c_header::header(), "c/letoff_protocol.h is not current; {hint}");
 }
 
 #[test]
 fn the_c_codec_meets_every_vector() {
     let Some(program) = build("vectors", &[]) else { return };
-    let names = vector::all().into_iter().map(|vector| format!("{}.hex", vector.name));
-    let paths: Vec<_> = names.map(|name| vector::folder().join(name)).collect();
+    let names = crate::vector::all().into_iter().map(|vector| format!("{}.hex", vector.name));
+    let paths: Vec<_> = names.map(|name| crate::vector::folder().join(name)).collect();
     let output = run(Command::new(program).args(&paths));
     let said = String::from_utf8_lossy(&output.stdout);
     assert_eq!(said.trim(), format!("{} vectors, 0 failures", paths.len()));
@@ -57,7 +47,7 @@ fn the_c_codec_meets_every_vector() {
 #[test]
 fn the_c_codec_takes_refuses_and_writes_frames_as_the_rust_does() {
     let mut random = Random::new(1);
-    let seeds: Vec<_> = vector::all().iter().map(vector::Vector::frame).collect();
+    let seeds: Vec<_> = crate::vector::all().iter().map(crate::vector::Vector::frame).collect();
     let frames = (0..FRAMES).map(|i| random.near(&seeds[i % seeds.len()], 80));
     compare(&frames.map(|frame| (format!("f {}", hex(&frame)), frame_line(&frame))).collect());
 }
@@ -65,7 +55,8 @@ fn the_c_codec_takes_refuses_and_writes_frames_as_the_rust_does() {
 #[test]
 fn the_c_deframer_finds_what_the_rust_does_in_any_stream() {
     let mut random = Random::new(2);
-    let seeds: Vec<_> = vector::all().iter().map(|vector| vector.bytes("wire").concat()).collect();
+    let seeds: Vec<_> =
+        crate::vector::all().iter().map(|vector| vector.bytes("wire").concat()).collect();
     let streams = (0..FRAMES / 4).map(|i| {
         let wires = (0..4).map(|j| random.near(&seeds[(i + 7 * j) % seeds.len()], 90));
         wires.collect::<Vec<_>>().concat()
@@ -76,7 +67,7 @@ fn the_c_deframer_finds_what_the_rust_does_in_any_stream() {
 #[test]
 fn the_c_assembler_finds_what_the_rust_does_in_any_pieces() {
     let mut random = Random::new(3);
-    let seeds: Vec<_> = vector::all().iter().map(vector::Vector::frame).collect();
+    let seeds: Vec<_> = crate::vector::all().iter().map(crate::vector::Vector::frame).collect();
     let trains = (0..FRAMES / 4).map(|i| {
         let frames = [&seeds[i % seeds.len()], &seeds[(i + 5) % seeds.len()]];
         let cut = frames.into_iter().zip(0..).flat_map(|(frame, roll)| pieces::cut(frame, roll));

@@ -2,12 +2,6 @@
 #![expect(clippy::expect_used, clippy::panic, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_macros, reason = "tests run on the host")]
 
-#[expect(dead_code, reason = "other tests use the rest")]
-#[path = "support/tools.rs"]
-mod tools;
-#[path = "support/vector.rs"]
-mod vector;
-
 use core::fmt::Debug;
 
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
@@ -35,11 +29,12 @@ use firmware_protocol::sequence::SequenceNumber;
 use firmware_protocol::serial::{self, Deframer};
 use firmware_protocol::version::ProtocolVersion;
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
-use vector::Vector;
+
+use crate::vector::Vector;
 
 #[test]
 fn every_vector_reads_as_its_fields_and_its_fields_write_it() {
-    for vector in vector::all() {
+    for vector in crate::vector::all() {
         match vector.text("kind") {
             "hello" => check_hello(&vector),
             "key_samples" => check_samples(&vector),
@@ -55,7 +50,7 @@ fn every_vector_reads_as_its_fields_and_its_fields_write_it() {
 
 #[test]
 fn every_vector_travels_on_the_stream_and_on_both_kinds_of_can() {
-    for vector in vector::all() {
+    for vector in crate::vector::all() {
         check_wire(&vector);
         check_can(&vector);
         check_pieces(&vector);
@@ -64,17 +59,17 @@ fn every_vector_travels_on_the_stream_and_on_both_kinds_of_can() {
 
 #[test]
 fn the_vectors_are_what_their_program_makes() {
-    if !tools::are_there(&["python3"]) {
+    if !crate::tools::are_there(&["python3"]) {
         return;
     }
-    let program = tools::crate_root().join("vectors/make.py");
+    let program = crate::tools::crate_root().join("vectors/make.py");
     // Only a check, which leaves nothing behind.
-    tools::run(std::process::Command::new("python3").arg("-B").arg(program).arg("--check"));
+    crate::tools::run(std::process::Command::new("python3").arg("-B").arg(program).arg("--check"));
 }
 
 #[test]
 fn there_is_a_vector_of_every_kind_packing_and_operation() {
-    let vectors = vector::all();
+    let vectors = crate::vector::all();
     let has = |kind: &str, name: &str, number: u8| {
         let of_kind = vectors.iter().filter(|vector| vector.text("kind") == kind);
         let found = of_kind.into_iter().any(|vector| vector.number::<u8>(name) == number);

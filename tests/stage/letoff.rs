@@ -1,9 +1,9 @@
 //! Builds and runs the program.
 //!
 //! Cargo tells a test where the programs of its own package are, but `letoff` is that of `cli`.
-//! So the program is built here, once, by the Cargo that runs the tests, into the folder and
-//! profile that this test was built in: it is there already, or up to date in seconds, and
-//! never an old one.
+//! `cargo xtask test` builds it with the tests and says where it is. Otherwise the program is
+//! built here, once, by the Cargo that runs the tests, into the folder and profile that this
+//! test was built in, and is never an old one.
 #![allow(dead_code, reason = "each test program uses its own part")]
 
 use std::fmt::Debug;
@@ -19,6 +19,9 @@ fn program() -> &'static Path {
 }
 
 fn build() -> PathBuf {
+    if let Some(built) = std::env::var_os("LETOFF_PROGRAM") {
+        return built.into();
+    }
     // <target>/<profile's folder>/deps/<this test>
     let test = std::env::current_exe().expect("this test");
     let folder = test.ancestors().nth(2).expect("the profile's folder");

@@ -2,16 +2,15 @@
 
 #![expect(clippy::cast_possible_truncation, reason = "what is too large becomes infinite")]
 
-mod common;
-
-use common::snapshot::Canvas;
-use common::{Behind, Hand, source};
 use dashboard::{App, Pane};
 use eframe::egui::{self, Theme};
 use telemetry::{
     Body, Coil, Deadlines, Drawing, Event, Follower, KeyBlock, Line, Links, Midi, Outline,
     Overview, Spread, Ticks, Update, Voice,
 };
+
+use crate::common::snapshot::Canvas;
+use crate::common::{Behind, Hand, source};
 
 const KEY: u32 = 39;
 

@@ -1,15 +1,14 @@
 //! Somebody at the window: what is clicked, dragged and typed, and what the source is asked.
 
-mod common;
-
 use std::time::Duration;
 
-use common::{Behind, Stage, stage, stage_with};
 use dashboard::{Pane, SavedWindow};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use telemetry::{Catalogue, Model, Request, Signal, Update, signal};
+
+use crate::common::{Behind, Stage, stage, stage_with};
 
 const C4: u8 = 39;
 

@@ -1,11 +1,10 @@
 //! How the window looks, panel by panel, drawn without a graphics card.
 
-mod common;
-
-use common::snapshot::Canvas;
-use common::{Behind, Hand, source};
 use dashboard::{App, Pane, SavedWindow};
 use eframe::egui::{Event, Key, Modifiers, Theme};
+
+use crate::common::snapshot::Canvas;
+use crate::common::{Behind, Hand, source};
 
 /// A canvas after `seconds` of the demonstration.
 fn canvas(

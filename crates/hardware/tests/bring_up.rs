@@ -2,11 +2,8 @@
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_methods, reason = "boards live in real time")]
 
-mod common;
-
 use std::time::Duration;
 
-use common::{Living, board, keybed, nominal, now_us, pair};
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::key::KeyIndex;
@@ -17,6 +14,8 @@ use hardware::rt::glance::LinkSnapshot;
 use hardware::rt::steward::{ArmLockout, ArmState};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus as _;
+
+use crate::common::{Living, board, keybed, nominal, now_us, pair};
 
 const PATIENCE: u64 = 5_000_000;
 

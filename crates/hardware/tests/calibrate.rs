@@ -2,9 +2,6 @@
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_methods, reason = "boards live in real time")]
 
-mod common;
-
-use common::{Living, nominal, now_us, pair};
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::Operation;
 use firmware_protocol::acyclic::calibration::{KeyCalibration as Kept, ReadCalibration};
@@ -16,6 +13,8 @@ use hardware::calibrate::{self, Bench, CalibrationFault, Rested, Travelled};
 use hardware::calibration::KeyCalibration;
 use hardware::keybed::{Keybed, NamedLink, Terms, WantedBoards};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
+
+use crate::common::{Living, nominal, now_us, pair};
 
 const PATIENCE: u64 = 5_000_000;
 

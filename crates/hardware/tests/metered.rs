@@ -1,15 +1,14 @@
 //! What a line was seen to carry, beside what was planned.
 #![expect(clippy::disallowed_methods, reason = "boards live in real time")]
 
-mod common;
-
 use std::time::Duration;
 
-use common::{Living, board, nominal, now_us, pair};
 use hardware::keybed::{Keybed, NamedLink, Terms, WantedBoards};
 use hardware::plan::{BusPlan, Extras, Medium, standard};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus as _;
+
+use crate::common::{Living, board, nominal, now_us, pair};
 
 #[test]
 fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {

@@ -7,15 +7,13 @@
     reason = "a test has the heap, and fails aloud"
 )]
 
-mod random;
-mod stroke;
-
 use models::catalogue::{self, Visitor};
 use models::{Described, Parameter, Playable};
 use pode::stepper::{Given, Rk4, Stepper as _};
 use pode::{Dense as _, EquationKind, GuardId, MAX_GUARDS, Matrix as _, Motion, Nature, State};
-use random::Random;
-use stroke::{run, still};
+
+use crate::random::Random;
+use crate::stroke::{run, still};
 
 /// Does `check` with every model.
 macro_rules! with_all {

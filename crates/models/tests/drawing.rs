@@ -6,15 +6,13 @@
     reason = "helpers of tests, outside #[test]: on the heap, and fail aloud"
 )]
 
-mod sketch;
-mod stroke;
-
 use models::catalogue::{self, Visitor};
 use models::{Described as _, Playable, Preset, ReducedGrand, SpringWall};
-use sketch::play::{Moment, film};
-use sketch::svg::picture;
-use sketch::{Drawing, Part, Point};
-use stroke::preset;
+
+use crate::sketch::play::{Moment, film};
+use crate::sketch::svg::picture;
+use crate::sketch::{Drawing, Part, Point};
+use crate::stroke::preset;
 
 /// Does `check` with every preset of every model, for the lowest and the highest key.
 macro_rules! with_all {

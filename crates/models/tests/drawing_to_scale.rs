@@ -1,17 +1,15 @@
 //! What the models draw is to scale, and in contact where they say so.
 
-mod sketch;
-mod stroke;
-
 use models::draw::Material;
 use models::reduced_grand::Mode;
 use models::{
     BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, Playable, ReducedGrand,
     SpringWall,
 };
-use sketch::play::{Moment, film};
-use sketch::{Drawing, Part, Point, distance};
-use stroke::preset;
+
+use crate::sketch::play::{Moment, film};
+use crate::sketch::{Drawing, Part, Point, distance};
+use crate::stroke::preset;
 
 #[test]
 fn the_stroke_visits_the_modes_of_the_actions() {

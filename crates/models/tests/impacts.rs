@@ -2,14 +2,13 @@
 
 #![expect(clippy::float_cmp, clippy::expect_used, reason = "rest is exact, and a test fails aloud")]
 
-mod stroke;
-
 use models::bouncing_ball::Mode as Ball;
 use models::cart_pendulum::Mode as Cart;
 use models::spring_wall::Mode as Wall;
 use models::{BouncingBall, CartPendulum, Described as _, Playable as _, SpringWall};
 use pode::{GuardId, Motion};
-use stroke::{bells, preset, run, sine, still};
+
+use crate::stroke::{bells, preset, run, sine, still};
 
 /// √(2/g), the fall from 1 m (s).
 const T1: f64 = 0.451_523_640_985_730_9;

@@ -8,9 +8,6 @@
 
 #![expect(clippy::float_cmp, reason = "what is copied or declared zero is so to the bit")]
 
-mod random;
-mod stroke;
-
 use models::bouncing_ball::Mode as Ball;
 use models::cart_pendulum::Mode as Cart;
 use models::key_hammer::KeyHammerValues;
@@ -18,8 +15,9 @@ use models::key_hammer_rigid::Mode as Rigid;
 use models::key_hammer_springs::Mode as Springs;
 use models::{BouncingBall, CartPendulum, Described as _, KeyHammerRigid, KeyHammerSprings};
 use pode::{Energetic as _, GuardId, Guarded as _, Model as _, Motion, Resets as _};
-use random::Random;
-use stroke::{preset, still};
+
+use crate::random::Random;
+use crate::stroke::{preset, still};
 
 /// Relative error that the differences are allowed.
 const TOLERANCE: f64 = 1e-9;

@@ -4,8 +4,6 @@
 //! is what is stored, but for the integration error: RK4's, of order 4 in h ω per
 //! oscillation, with ω the fastest one that the model resolves (`longest_step`).
 
-mod stroke;
-
 use models::bouncing_ball::Mode as Ball;
 use models::cart_pendulum::Mode as Cart;
 use models::key_hammer_rigid::Mode as Rigid;
@@ -17,7 +15,8 @@ use models::{
 };
 use pode::{Energetic as _, Model as _, Motion};
 use proptest::prelude::*;
-use stroke::{Books, bells, preset, presses, run, sine, still};
+
+use crate::stroke::{Books, bells, preset, presses, run, sine, still};
 
 /// What rounding adds up to over a run (J).
 const ROUNDING: f64 = 1e-12;

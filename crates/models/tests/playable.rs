@@ -1,14 +1,12 @@
 //! The `playable` presets of models A and B feel like a key, over the whole compass.
 
-mod random;
-mod stroke;
-
 use models::{Described, KeyHammerRigid, KeyHammerSprings, Playable as _};
 use pode::input::{Reconstruction, Reconstructor};
 use pode::stepper::Rk4;
 use pode::{Advance, Limits, Model as _, Motion, Simulator};
-use random::Random;
-use stroke::{Books, preset, run, still};
+
+use crate::random::Random;
+use crate::stroke::{Books, preset, run, still};
 
 /// Key dip (m) and lever arm of the finger [m]: piano-facts.
 const DIP: f64 = 0.010_16;
@@ -90,7 +88,7 @@ fn press(duration: f64, t: f64) -> Motion {
 fn strikes(key: u8, duration: f64) -> Vec<f64> {
     let model: KeyHammerSprings = preset("playable", key, &[]);
     let (books, _) = run(model, model.at_rest(&still(0.0)), (1e-3, 1.0), |t| press(duration, t));
-    let hit = |event: &stroke::Seen<KeyHammerSprings>| {
+    let hit = |event: &crate::stroke::Seen<KeyHammerSprings>| {
         let id = if event.name == "string" { 2 } else { 0 };
         model.sounding(pode::GuardId(id), &event.before.1).map(|it| it.speed)
     };

@@ -1,15 +1,12 @@
 //! The reduced grand's equations against geometry, virtual work and energy.
 
-mod grand;
-mod random;
-mod stroke;
-
-use grand::{BUTTON, STRING, TRIP, agree, carried, lever};
 use models::reduced_grand::Mode;
 use models::{Described as _, ReducedGrand};
 use pode::{Energetic as _, GuardId, Guarded as _, Matrix, Model as _, Motion, Resets as _};
-use random::Random;
-use stroke::{preset, still};
+
+use crate::grand::{BUTTON, STRING, TRIP, agree, carried, lever};
+use crate::random::Random;
+use crate::stroke::{preset, still};
 
 /// A way into the string or the bed (m).
 const DEEP: f64 = 1e-3;

@@ -1,14 +1,12 @@
 //! The reduced grand's modes: where their guards stand, and where they lead.
 #![expect(clippy::expect_used, reason = "a test fails aloud")]
 
-mod grand;
-mod stroke;
-
-use grand::{BUTTON, STRING, TRIP, agree, carried, lever};
 use models::reduced_grand::Mode;
 use models::{Described as _, Playable as _, ReducedGrand};
 use pode::{GuardId, Guarded as _, Resets as _};
-use stroke::{preset, still};
+
+use crate::grand::{BUTTON, STRING, TRIP, agree, carried, lever};
+use crate::stroke::{preset, still};
 
 #[test]
 fn guards_on_the_key_stand_where_the_table_says() {

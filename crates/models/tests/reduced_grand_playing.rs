@@ -1,14 +1,12 @@
 //! The reduced grand under a finger: its weights, its let-off, its blows and repetitions.
 
-mod grand;
-mod stroke;
-
-use grand::lever;
 use models::reduced_grand::Mode;
 use models::{Described as _, ReducedGrand};
 use pode::stepper::Rk4;
 use pode::{Advance, GuardId, Guarded as _, Limits, Model as _, Motion, Simulator};
-use stroke::{Books, preset, presses, run, still};
+
+use crate::grand::lever;
+use crate::stroke::{Books, preset, presses, run, still};
 
 /// Weight of a gram (N).
 const GRAM: f64 = 9.806_65e-3;

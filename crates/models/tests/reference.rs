@@ -7,12 +7,11 @@
     reason = "a test fails aloud; counts of rows are small"
 )]
 
-mod common;
-
-use common::{Case, Trace, mode_name, run};
 use models::{Described, KeyHammerRigid, KeyHammerSprings, ReducedGrand};
 use pode::State as _;
 use pode::stepper::Rk4;
+
+use crate::common::{Case, Trace, mode_name, run};
 
 /// Largest event-time error of a run (s); panics unless the mode sequence is the same.
 #[track_caller]

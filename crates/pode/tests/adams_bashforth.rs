@@ -1,15 +1,13 @@
 //! The Adams–Bashforth methods: steps of any length, and no memory across an event.
 
-mod common;
-mod known;
-
-use common::ONE;
-use known::{PENDULUM, check_order, exact, global_error, largest_inside, step};
 use pode::stepper::{AdamsBashforth2, AdamsBashforth3, Field, Memory};
 use pode::{
     Advance, Dense as _, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets,
     Simulator, State, Step, Stepper,
 };
+
+use crate::common::ONE;
+use crate::known::{PENDULUM, check_order, exact, global_error, largest_inside, step};
 
 #[test]
 fn steps_of_any_length_keep_the_order_and_that_of_the_dense_output() {
@@ -100,7 +98,7 @@ fn rebound_error<T: Stepper>(steps: i32) -> f64 {
     let exact = 7.0 * WALL.acos();
     let h = exact / f64::from(steps);
     let mut simulator = Simulator::new(Rebound, T::default(), Limits::default(), (), [1.0, 0.0]);
-    let mut recorder = common::Recorder::new(h);
+    let mut recorder = crate::common::Recorder::new(h);
     while recorder.seen.len() < 4 {
         assert_eq!(simulator.advance(h, &|_| (), &mut recorder).advance, Advance::Completed);
     }

@@ -1,12 +1,11 @@
 //! A method that is chosen at run time does what the method itself does, to the last bit.
 
-mod common;
-
-use common::{Ball, BallMode, run};
 use pode::stepper::{
     Any, BogackiShampine, ByNeed, Controlled, Dop853, Exact, Rk4, Rodas4, Tolerance, Tsitouras5,
 };
 use pode::{Limits, Simulator, Stepper, Tick};
+
+use crate::common::{Ball, BallMode, run};
 
 /// Every tick of a ball that bounces through long and short steps.
 fn ticks<T: Stepper>(stepper: T) -> (Vec<Tick>, Vec<u64>) {

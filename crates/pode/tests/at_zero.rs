@@ -4,10 +4,9 @@
 //! first or second derivative is therefore seen to turn only where tᵖ leaves that band:
 //! (16 ε)^⅓ for t³, which is 1.5e-5. Any other root is located to 2⁻⁴⁰ of the tick.
 
-mod common;
-
-use common::{ONE, Recorder, Timed, close, count, count_and_flip};
 use pode::{Advance, GuardId, GuardValue};
+
+use crate::common::{ONE, Recorder, Timed, close, count, count_and_flip};
 
 /// How a unit of time is cut into ticks.
 const TICKS: [u32; 4] = [1, 10, 143, 1000];
@@ -136,9 +135,9 @@ fn a_guard_entered_below_zero_that_rises_and_dips_within_a_step_fires_at_the_dip
 fn hops_lower_than_rounding_take_time_and_no_cascade() {
     // e = 1 and 2e-7 m/s: 2e-15 m high, below 16 ε of 1 m, and 41 ns long.
     let speed = 2e-7;
-    let hop = 2.0 * speed / common::G;
-    let mut ball = common::Ball::dropped(1.0, 0.0, pode::Limits::default());
-    ball.place(common::BallMode::Flight, [0.0, speed]);
+    let hop = 2.0 * speed / crate::common::G;
+    let mut ball = crate::common::Ball::dropped(1.0, 0.0, pode::Limits::default());
+    ball.place(crate::common::BallMode::Flight, [0.0, speed]);
     let mut recorder = Recorder::new(1e-7);
     for _ in 0..10 {
         assert_eq!(ball.advance(1e-7, &|_| (), &mut recorder).advance, Advance::Completed);

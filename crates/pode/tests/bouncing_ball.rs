@@ -3,10 +3,9 @@
 //! The flow is a parabola, which RK4 and its dense output follow exactly: what is
 //! left is rounding, a few ulps of the time per bounce.
 
-mod common;
-
-use common::{Ball, BallMode, G, all_completed, close, each_step_and_phase, run};
 use pode::Limits;
+
+use crate::common::{Ball, BallMode, G, all_completed, close, each_step_and_phase, run};
 
 /// t1 = √(2/g), from 40-digit arithmetic.
 const T1: f64 = 0.451_523_640_985_730_9;

@@ -5,15 +5,14 @@
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
-mod common;
-
-use common::{Ball, BallMode, G, STEPS, all_completed, close, each_step_and_phase, run};
 use pode::stepper::Rk4;
 use pode::{
     GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Piece, Reset, Resets, Signal, Silent,
     Simulator, Watch,
 };
 use proptest::prelude::*;
+
+use crate::common::{Ball, BallMode, G, STEPS, all_completed, close, each_step_and_phase, run};
 
 /// The lowest place that a ball was seen at, between events too.
 #[derive(Debug)]

@@ -1,10 +1,9 @@
 //! A tick ends within its declared maxima; what a maximum of one more or less changes.
 
-mod common;
-
-use common::{Ball, ONE, Timed, count};
 use pode::stepper::Rk4;
 use pode::{Advance, Cap, GuardId, GuardValue, Limits, Silent, Simulator, Work};
+
+use crate::common::{Ball, ONE, Timed, count};
 
 /// A guard that is negative again as soon as it has fired: each reset goes back 1/64 s.
 fn comes_back() -> Timed {
@@ -53,13 +52,13 @@ fn a_tick_with_exactly_the_most_pieces_completes_and_one_more_is_capped() {
 
 #[test]
 fn a_jump_of_a_guard_is_one_event() {
-    for h in common::STEPS {
+    for h in crate::common::STEPS {
         let guard = |_: GuardId, t: f64| GuardValue::new(if t < 0.1 { 1.0 } else { -1.0 }, 0.0);
         let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
-        let (recorder, ticks) = common::run(&mut timed, h, 0.0, 0.2);
-        common::all_completed(&ticks);
+        let (recorder, ticks) = crate::common::run(&mut timed, h, 0.0, 0.2);
+        crate::common::all_completed(&ticks);
         assert_eq!(recorder.seen.len(), 1, "h {h}: {:?}", recorder.times());
-        common::close("the jump", recorder.seen[0].t, 0.1, 1e-12 * h + 2e-14);
+        crate::common::close("the jump", recorder.seen[0].t, 0.1, 1e-12 * h + 2e-14);
     }
 }
 

@@ -2,11 +2,10 @@
 
 #![expect(clippy::disallowed_macros, reason = "a test names its case")]
 
-mod common;
-
-use common::head::{CONTACTS, Head};
 use pode::stepper::{ByNeed, Given, Heun, MENU, NeededMethod, Rk4, VelocityVerlet};
 use pode::{Dense as _, EquationKind, Nature, Silent, Stepper};
+
+use crate::common::head::{CONTACTS, Head};
 
 /// Relative error after 20 rad of x'' = −ω² x in steps of `h` (s), and its evaluations.
 fn oscillate<T: Stepper>(stepper: T, kind: EquationKind, omega: f64, h: f64) -> (f64, f64) {
@@ -103,5 +102,5 @@ fn a_model_of_linear_modes_moves_on_its_exact_flow() {
         let _ = head.advance(1e-3, &|_| (), &mut Silent);
     }
     let [x, v] = *head.state();
-    common::close("energy", v * v + 2.0 * common::G * x, 1.0, 1e-12);
+    crate::common::close("energy", v * v + 2.0 * crate::common::G * x, 1.0, 1e-12);
 }

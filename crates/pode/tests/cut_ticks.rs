@@ -6,15 +6,14 @@
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
-mod common;
-
-use common::head::{CONTACTS, Head};
-use common::{STEPS, all_completed, close, run};
 use pode::stepper::{Exact, Rk4};
 use pode::{
     EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset, Resets,
     Simulator,
 };
+
+use crate::common::head::{CONTACTS, Head};
+use crate::common::{STEPS, all_completed, close, run};
 
 /// A mass on a spring, x'' = −ω² x, that bounces off a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +76,7 @@ fn check<M: Resets<Input = ()> + Copy>(what: &str, start: Simulator<M, Exact>) {
     let whole = events(start, 1e-3, 0.0);
     assert!(whole.len() >= 2, "{what}: {whole:?}");
     for h in STEPS.into_iter().chain([1e-2, 0.05]) {
-        for phase in common::PHASES {
+        for phase in crate::common::PHASES {
             let cut = events(start, h, phase);
             assert_eq!(cut.len(), whole.len(), "{what}, h {h}, phase {phase}");
             for (cut, whole) in cut.iter().zip(&whole) {

@@ -6,12 +6,11 @@
 
 #![expect(clippy::disallowed_macros, reason = "a test names its case")]
 
-mod common;
-
-use common::head::{CONTACTS, Head, MASS, Mode};
-use common::{G, all_completed, close, each_step_and_phase, run};
 use pode::stepper::{Exact, Rk4};
 use pode::{Advance, Silent};
+
+use crate::common::head::{CONTACTS, Head, MASS, Mode};
+use crate::common::{G, all_completed, close, each_step_and_phase, run};
 
 /// Whatever fills the modes that are not linear: there are none.
 const EXACT: Exact<Rk4> = Exact { other: Rk4 };
@@ -51,7 +50,7 @@ fn a_contact_has_its_time_depth_and_period() {
 #[test]
 fn twenty_seconds_at_the_stiffest_keep_events_and_energy() {
     let [k, _, _, period] = CONTACTS[2];
-    for phase in common::PHASES {
+    for phase in crate::common::PHASES {
         let mut head = Head { k }.dropped(EXACT);
         let (recorder, ticks) = run(&mut head, 1e-3, phase, 20.0);
         all_completed(&ticks);

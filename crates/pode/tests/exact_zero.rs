@@ -3,15 +3,14 @@
 //! What counts in a Taylor series is counted against the series, not against its sum: an
 //! entry that comes to zero within rounding would have terms that count for ever.
 
-mod common;
-
-use common::close;
-use common::head::{CONTACTS, Head};
 use pode::stepper::{Exact, Rk4};
 use pode::{
     Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
     Resets, Silent, Simulator,
 };
+
+use crate::common::close;
+use crate::common::head::{CONTACTS, Head};
 
 /// x'' = −x.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,15 +8,14 @@
     reason = "a test asks both ways, and fails aloud"
 )]
 
-mod common;
-
-use common::head::{CONTACTS, Head};
-use common::{G, run};
 use pode::stepper::Rk4;
 use pode::{
     EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset, Resets,
     Silent, Simulator, Work,
 };
+
+use crate::common::head::{CONTACTS, Head};
+use crate::common::{G, run};
 
 /// A pendulum between a wall at its lowest point and seven more that it never reaches:
 /// angle (rad) and its rate. |θ''| ≤ ω0² everywhere, which bounds every guard's curvature.
@@ -78,7 +77,7 @@ fn swing(is_bounded: bool) -> (Vec<f64>, Work, Work) {
     let limits = Limits::default();
     let mut pendulum = Simulator::new(Walled { is_bounded }, Rk4, limits, (), [1.2, 0.0]);
     let (recorder, ticks) = run(&mut pendulum, 1e-3, 0.0, 5.0);
-    common::all_completed(&ticks);
+    crate::common::all_completed(&ticks);
     let worst = ticks.iter().skip(1).max_by_key(|tick| tick.work.guards).expect("a tick");
     let sum = ticks.iter().fold(Work::default(), |sum, tick| sum.plus(tick.work));
     (recorder.times(), worst.work, sum)
@@ -91,7 +90,7 @@ fn far_guards_are_left_alone_and_every_tick_is_cheaper_the_worst_one_too() {
     assert_eq!((times.len(), plain_times.len()), (5, 5));
     for (time, plain) in times.iter().zip(&plain_times) {
         // The same events; a step that ends behind one may end elsewhere.
-        common::close("an impact", *time, *plain, 1e-12);
+        crate::common::close("an impact", *time, *plain, 1e-12);
     }
     // Eight guards a tick, 5000 ticks; with a bound, each when its worst parabola comes near.
     assert!(plain_sum.guards > 40_000 && sum.guards < 2_000, "{plain_sum:?}\n{sum:?}");
@@ -120,8 +119,8 @@ fn exit_speed(radians: f64, start: f64, forecast: bool) -> (f64, u32) {
     let limits = Limits { forecast, longest_step: h, ..Limits::default() };
     let (t, v) = (start * h, 1.0 - G * start * h);
     let at = [v * t + 0.5 * G * t * t, -v];
-    let mut head = Simulator::new(head, Rk4, limits, common::head::Mode::Flight, at);
-    let mut recorder = common::Recorder::new(h);
+    let mut head = Simulator::new(head, Rk4, limits, crate::common::head::Mode::Flight, at);
+    let mut recorder = crate::common::Recorder::new(h);
     let mut derivatives = 0;
     while recorder.seen.len() < 3 {
         let tick = head.advance(h, &|_| (), &mut recorder);
@@ -151,12 +150,12 @@ fn an_expected_event_lies_at_a_steps_end_and_costs_no_more() {
 #[test]
 fn a_bound_that_is_exact_hides_nothing() {
     // A parabola that touches its bound everywhere: thrown up so that it comes back late.
-    for h in common::STEPS {
+    for h in crate::common::STEPS {
         let mut ball = Simulator::new(Tossed, Rk4, Limits::default(), (), [0.0, 9.81]);
         let (recorder, ticks) = run(&mut ball, h, 0.0, 2.5);
-        common::all_completed(&ticks);
+        crate::common::all_completed(&ticks);
         assert_eq!(recorder.seen.len(), 1, "h {h}");
-        common::close("back on the floor", recorder.seen[0].t, 2.0, 1e-12);
+        crate::common::close("back on the floor", recorder.seen[0].t, 2.0, 1e-12);
         let guards: u32 = ticks.iter().map(|tick| tick.work.guards).sum();
         assert!(f64::from(guards) < 20.0 + 0.55 / h, "h {h}: {guards} guards");
     }

@@ -4,15 +4,13 @@
 //! its third-order dense output takes r⁴/69 of the amplitude at an event. A speed errs like
 //! the amplitude times ω, and the time of a landing by that over the slope of the slip speed.
 
-mod common;
-mod driven;
-
-use common::{Seen, all_completed, close, each_step_and_phase};
-use driven::run_driven;
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::input::{Reconstruction, Reconstructor};
 use pode::stepper::{Exact, Rk4};
 use pode::{Advance, EquationKind, Limits, Motion, Nature, Silent, Simulator, Stepper};
+
+use crate::common::{Seen, all_completed, close, each_step_and_phase};
+use crate::driven::run_driven;
 
 /// Part of a radian that one step may take.
 const RADIANS: f64 = 0.02;
@@ -253,7 +251,7 @@ fn check_rest(block: Block, x0: f64, (h, phase): (f64, f64)) {
 
 #[test]
 fn a_block_on_dry_ground_loses_twice_its_dead_band_per_swing_and_stops() {
-    let block = Block::coulomb(0.2, 50.0, 0.3 * 0.2 * common::G);
+    let block = Block::coulomb(0.2, 50.0, 0.3 * 0.2 * crate::common::G);
     let dead = block.kinetic / block.k;
     for swings in [0.5, 0.999, 1.5, 4.0, 7.7, 12.2, 30.1] {
         for sign in [1.0, -1.0] {

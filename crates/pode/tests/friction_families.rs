@@ -7,14 +7,12 @@
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
 
-mod common;
-mod driven;
-
-use driven::{root, run_driven};
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
 use pode::{Advance, Limits, Motion, Simulator};
 use proptest::prelude::*;
+
+use crate::driven::{root, run_driven};
 
 /// Mass 1 kg, ω = 10 rad/s; the belt goes at v + w sin Ωt.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,15 +5,13 @@
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
-mod common;
-mod driven;
-
-use common::{all_completed, close, each_step_and_phase};
-use driven::run_driven;
 use pode::stepper::Rk4;
 use pode::{
     Fires, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion, Reset, Resets, Simulator,
 };
+
+use crate::common::{all_completed, close, each_step_and_phase};
+use crate::driven::run_driven;
 
 /// A body at rest at 0 over a platform that moves: the gap is the platform's distance below.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,15 +7,12 @@
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
-mod common;
-
-use common::{all_completed, close, each_step_and_phase, run};
-use driven::root;
 use pode::stepper::{Controlled, Dop853, Tolerance};
 use pode::{GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator};
 use proptest::prelude::*;
 
-mod driven;
+use crate::common::{all_completed, close, each_step_and_phase, run};
+use crate::driven::root;
 
 /// A mass (kg) against a felt: penetration and its rate, in parts of the closed form's depth
 /// and of the entry speed, so that tolerances mean the same for every k.

@@ -7,16 +7,14 @@
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
 
-mod common;
-mod driven;
-
-use common::{all_completed, close, each_step_and_phase};
-use driven::{Clock, root, run_driven};
 use pode::stepper::Rk4;
 use pode::{
     Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator,
 };
 use proptest::prelude::*;
+
+use crate::common::{all_completed, close, each_step_and_phase};
+use crate::driven::{Clock, root, run_driven};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Oscillator {

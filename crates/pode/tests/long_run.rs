@@ -7,16 +7,15 @@
 
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "counts are small")]
 
-mod common;
-
-use common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
-use common::stick_slip::StickSlip;
-use common::{G, STEPS, close};
 use pode::filippov::{self, Branch, Filippov, Sided, Surface};
 use pode::stepper::{Exact, Rk4};
 use pode::{
     Advance, EquationKind, Event, Limits, Model, Nature, Resets, Silent, Simulator, Stepper, Watch,
 };
+
+use crate::common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
+use crate::common::stick_slip::StickSlip;
+use crate::common::{G, STEPS, close};
 
 /// How often each guard fired, and when last (s).
 #[derive(Debug)]

@@ -1,16 +1,15 @@
 //! Case C12: what the machinery does with broken models, broken periods and odd resets.
 
-mod common;
-
-use common::{
-    Ball, BallMode, ONE, Recorder, STEPS, Timed, all_completed, close, count, count_and_flip,
-    each_step_and_phase, run,
-};
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{
     Advance, Cap, Event, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion,
     Reset, Resets, Silent, Simulator, Watch,
+};
+
+use crate::common::{
+    Ball, BallMode, ONE, Recorder, STEPS, Timed, all_completed, close, count, count_and_flip,
+    each_step_and_phase, run,
 };
 
 #[test]

@@ -1,9 +1,6 @@
 //! The declared maxima of work per tick, with the default limits: for each there is a model
 //! that reaches it to the number, and cannot exceed it, tick after tick.
 
-mod busy;
-
-use busy::{Busy, Stirred};
 use pode::stepper::{
     BogackiShampine, ByNeed, Controlled, Dop853, Exact, ExplicitEuler, ExponentialRosenbrock,
     Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler,
@@ -13,6 +10,8 @@ use pode::{
     Advance, Bracket, Cap, EquationKind, GuardSpec, GuardValue, Limits, Nature, Silent, Simulator,
     Stepper, Tick, locate,
 };
+
+use crate::busy::{Busy, Stirred};
 
 const LIMITS: Limits = Limits {
     events: 32,

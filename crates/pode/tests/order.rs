@@ -1,14 +1,6 @@
 //! Observed order of every stepper, of its dense output and of the events located on it,
 //! and the evaluations that a step takes.
 
-mod common;
-mod known;
-
-use common::ONE;
-use known::{
-    OSCILLATOR, PENDULUM, Problem, check_order, distance, exact, first_step, global_error,
-    largest_inside, step, whole_step,
-};
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, BogackiShampine, ExplicitEuler, ExponentialRosenbrock,
     Exprb32, Given, Heun, LinearImplicitMidpoint, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler,
@@ -17,6 +9,12 @@ use pode::stepper::{
 use pode::{
     Advance, Dense as _, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model,
     Nature, Reset, Resets, Silent, Simulator, Stepper, Work,
+};
+
+use crate::common::ONE;
+use crate::known::{
+    OSCILLATOR, PENDULUM, Problem, check_order, distance, exact, first_step, global_error,
+    largest_inside, step, whole_step,
 };
 
 /// Asks `$check` of every method.
@@ -150,7 +148,7 @@ fn event_error<T: Stepper>(n: f64) -> f64 {
         let start = [exact(0.0)[0], exact(0.0)[1], 0.0];
         let (driven, limits) = (Driven { level }, Limits::default());
         let mut simulator = Simulator::new(driven, T::default(), limits, (), start);
-        let mut recorder = common::Recorder::new(h);
+        let mut recorder = crate::common::Recorder::new(h);
         while recorder.seen.is_empty() {
             assert_eq!(simulator.advance(h, &|_| (), &mut recorder).advance, Advance::Completed);
         }

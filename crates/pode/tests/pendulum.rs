@@ -4,13 +4,12 @@
 //! adds as much again per impact. Together less than (ω h)⁴ t / 30; below that, the
 //! rounding of some 1e5 steps, 1e-12 of the time.
 
-mod common;
-
-use common::{G, all_completed, close, each_step_and_phase, run};
 use pode::stepper::Rk4;
 use pode::{
     GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Settling, Simulator,
 };
+
+use crate::common::{G, all_completed, close, each_step_and_phase, run};
 
 /// Angle (rad) and its rate; ω0² = 9.81 1/s², e = 0.9.
 #[derive(Clone, Copy, Debug, PartialEq)]

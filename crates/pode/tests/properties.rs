@@ -2,15 +2,14 @@
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
-mod common;
-
-use common::{Ball, G, Recorder, close};
 use pode::stepper::Rk4;
 use pode::{
     Advance, Energetic, EnergyAudit, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset,
     Resets, Simulator,
 };
 use proptest::prelude::*;
+
+use crate::common::{Ball, G, Recorder, close};
 
 /// Three balls over one floor: heights, then speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,11 +73,11 @@ fn bits(guards: &'static [GuardSpec], heights: [f64; 3], e: f64, h: f64) -> Vec<
 }
 
 impl Energetic for Ball {
-    fn energy(&self, _: common::BallMode, x: &[f64; 2], (): &()) -> f64 {
+    fn energy(&self, _: crate::common::BallMode, x: &[f64; 2], (): &()) -> f64 {
         self.mass * (G * x[0] + 0.5 * x[1] * x[1])
     }
 
-    fn supplied(&self, _: common::BallMode, _: &[f64; 2], (): &()) -> f64 {
+    fn supplied(&self, _: crate::common::BallMode, _: &[f64; 2], (): &()) -> f64 {
         0.0
     }
 }

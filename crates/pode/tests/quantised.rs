@@ -8,15 +8,14 @@
 //! tick, its noise gain, and a transition errs by that over the input's speed, and by the
 //! tick, and by the reconstruction's latency. With a band of 2λe no noise can fire twice.
 
-mod common;
-
-use common::{PHASES, STEPS, close};
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 use pode::stepper::Rk4;
 use pode::{
     Advance, Event, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion, Reset, Resets,
     Signal as _, Simulator, Watch,
 };
+
+use crate::common::{PHASES, STEPS, close};
 
 /// A switch with a threshold and a band around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -347,7 +346,7 @@ fn fired(s: impl Fn(f64) -> f64, until: f64, (h, phase): (f64, f64)) -> u32 {
 #[test]
 fn thresholds_that_are_apart_switch_as_often_as_they_should() {
     let drift = |t: f64| 0.1 - 4.0 * QUANTUM + 1e-3 * t;
-    common::each_step_and_phase(|h, phase| {
+    crate::common::each_step_and_phase(|h, phase| {
         assert_eq!(fired(sine, 5.0, (h, phase)), 10, "h {h}, phase {phase}");
         assert_eq!(fired(drift, 10.0, (h, phase)), 1, "h {h}, phase {phase}");
     });

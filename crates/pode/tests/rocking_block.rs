@@ -12,14 +12,13 @@
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::disallowed_methods, reason = "a test may use the heap")]
 
-mod common;
-
-use common::{all_completed, close, each_step_and_phase, run};
 use pode::stepper::Rk4;
 use pode::{
     Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator,
 };
 use proptest::prelude::*;
+
+use crate::common::{all_completed, close, each_step_and_phase, run};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Block {

@@ -1,10 +1,11 @@
 //! Cases C6 and C2: several roots within a step, touches, and a ball on a shaker.
 
-mod common;
-
-use common::{G, ONE, Recorder, Timed, all_completed, close, count, each_step_and_phase, run};
 use pode::stepper::Rk4;
 use pode::{GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator};
+
+use crate::common::{
+    G, ONE, Recorder, Timed, all_completed, close, count, each_step_and_phase, run,
+};
 
 /// Fires on each fall; a rise brings it back without a word.
 const FALLS: [GuardSpec; 1] = [ONE[0].on_crossing()];
@@ -52,7 +53,7 @@ fn a_pair_of_roots_inside_a_step_is_found() {
 
 #[test]
 fn a_pair_of_roots_leaves_a_mode_and_comes_back() {
-    check(pair, common::count_and_flip, &[0.2, 0.3]);
+    check(pair, crate::common::count_and_flip, &[0.2, 0.3]);
 }
 
 /// A ball thrown upwards, watched from below 1 m.

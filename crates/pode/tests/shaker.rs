@@ -7,17 +7,15 @@
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
 
-mod common;
-mod driven;
-
-use common::{G, all_completed, close, each_step_and_phase};
-use driven::{root, run_driven};
 use pode::stepper::Rk4;
 use pode::{
     Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion, Reset, Resets,
     Simulator,
 };
 use proptest::prelude::*;
+
+use crate::common::{G, all_completed, close, each_step_and_phase};
+use crate::driven::{root, run_driven};
 
 /// A ball of 1 kg that does not bounce: height (m) and speed (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]

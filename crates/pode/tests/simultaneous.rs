@@ -1,13 +1,12 @@
 //! Case C4: several guards at one instant, and one on a tick's boundary.
 
-mod common;
+use pode::stepper::Rk4;
+use pode::{GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator};
 
-use common::{
+use crate::common::{
     G, ONE, Recorder, STEPS, Timed, all_completed, close, count, count_and_flip,
     each_step_and_phase, run,
 };
-use pode::stepper::Rk4;
-use pode::{GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator};
 
 /// Two balls over one floor, e = 0.8: heights, then speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]

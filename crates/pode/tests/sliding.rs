@@ -4,14 +4,12 @@
 //! integrates exactly. What is left is rounding: each step rounds a state of size 4 at most
 //! by 4.5e-16, and an event's time errs by the state over the rate at which it is met.
 
-mod common;
-mod driven;
-
-use common::{Seen, all_completed, close, each_step_and_phase};
-use driven::{Clock, run_driven};
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
 use pode::{Limits, Simulator, Tick};
+
+use crate::common::{Seen, all_completed, close, each_step_and_phase};
+use crate::driven::{Clock, run_driven};
 
 /// Two fields that depend on the time alone, on either side of x = 0: x' = r₊(t) above and
 /// r₋(t) below; y' = +1 above and −1 below, so that y tells the share of each.

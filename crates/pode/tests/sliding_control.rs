@@ -3,14 +3,12 @@
 //! Error model: RK4, with r the part of a radian (or of a time constant) per step, errs by
 //! r⁴/120 of what it follows; what holds the state on the surface errs by rounding only.
 
-mod common;
-mod driven;
-
-use common::{all_completed, close, each_step_and_phase, run};
-use driven::{Clock, root, run_driven};
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface};
 use pode::stepper::Rk4;
 use pode::{Limits, Simulator, State as _};
+
+use crate::common::{all_completed, close, each_step_and_phase, run};
+use crate::driven::{Clock, root, run_driven};
 
 /// x'' = −u sign(x' + λx): a mass that is switched onto the line x' = −λx.
 #[derive(Clone, Copy, Debug, PartialEq)]

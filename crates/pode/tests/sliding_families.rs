@@ -6,14 +6,12 @@
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
 
-mod common;
-mod driven;
-
-use driven::{Clock, run_driven};
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
 use pode::{Advance, Limits, Simulator};
 use proptest::prelude::*;
+
+use crate::driven::{Clock, run_driven};
 
 /// x' = a + b t, on either side of a surface x = c t.
 #[derive(Clone, Copy, Debug, PartialEq)]

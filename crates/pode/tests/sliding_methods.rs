@@ -3,10 +3,6 @@
 //! Error model: with r = ω h, a method of order p keeps the phase of a slip of 5 rad to some
 //! 5 rᵖ, and its dense output, of order p at least, the landing. 8 rᵖ / ω covers both.
 
-mod common;
-
-use common::stick_slip::StickSlip;
-use common::{all_completed, close, run};
 use pode::filippov::{Filippov, Mode};
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, BogackiShampine, ByNeed, Controlled, Dop853, Exact,
@@ -14,6 +10,9 @@ use pode::stepper::{
     Rodas4, Ros2, SemiImplicitEuler, Tsitouras5, VelocityVerlet,
 };
 use pode::{Limits, Nature, Simulator, Stepper};
+
+use crate::common::stick_slip::StickSlip;
+use crate::common::{all_completed, close, run};
 
 /// Asserts four cycles with the method `T`.
 #[track_caller]

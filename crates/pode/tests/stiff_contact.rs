@@ -6,14 +6,13 @@
 //! two events inside, the deepest point and the end. All relative; below that, the rounding
 //! of the sums, 1e-12.
 
-mod common;
-
-use common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
-use common::{G, all_completed, close, each_step_and_phase, run};
 use pode::stepper::Rk4;
 use pode::{
     Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator,
 };
+
+use crate::common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
+use crate::common::{G, all_completed, close, each_step_and_phase, run};
 
 /// Relative error of a time in contact.
 fn phase_error() -> f64 {

@@ -8,14 +8,13 @@
     reason = "counts of a test are small"
 )]
 
-mod common;
-
-use common::{G, STEPS};
 use pode::stepper::Rk4;
 use pode::{
     Advance, Cap, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Silent,
     Simulator,
 };
+
+use crate::common::{G, STEPS};
 
 /// A ball over a floor, which never says where it rests.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,14 +5,13 @@
 
 #![expect(clippy::disallowed_macros, reason = "a test names its case")]
 
-mod common;
-
-use common::{G, all_completed, close, each_step_and_phase, run};
 use pode::stepper::{Exact, Rk4};
 use pode::{
     Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
     Resets, Silent, Simulator,
 };
+
+use crate::common::{G, all_completed, close, each_step_and_phase, run};
 
 /// A ball over a floor whose restitution falls with the speed of the impact: e0 / (1 + v/v0).
 /// Its ratio of intervals is constant only in the limit.

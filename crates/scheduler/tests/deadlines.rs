@@ -1,9 +1,8 @@
 //! When a tick runs, and which one, in virtual time.
 
-mod rig;
-
-use rig::Rig;
 use scheduler::time::Nanos;
+
+use crate::rig::Rig;
 
 #[test]
 fn a_tick_runs_once_and_not_before_it_is_due() {

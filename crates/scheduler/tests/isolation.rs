@@ -1,11 +1,10 @@
 //! One voice fails; the others never notice, to the last bit.
 #![expect(clippy::large_stack_frames, reason = "a scheduler on the stack of a test")]
 
-mod rig;
-
-use rig::{Failure, Rig, Spring, spring};
 use scheduler::motion::KEYS;
 use scheduler::slot::Slot;
+
+use crate::rig::{Failure, Rig, Spring, spring};
 
 /// Ticks of a run; key 40 fails in the middle.
 const TICKS: u64 = 200;

@@ -1,12 +1,11 @@
 //! What key 40 feels when its voice or its samples fail, through the whole tick.
 #![expect(clippy::large_stack_frames, reason = "a scheduler on the stack of a test")]
 
-mod rig;
-
-use rig::{Failure, HZ, Rig, Spring, spring};
 use scheduler::safety::FADE;
 use scheduler::slot::Slot;
 use scheduler::time::Period;
+
+use crate::rig::{Failure, HZ, Rig, Spring, spring};
 
 /// Ticks of the fade at the tests' rate.
 const FADE_TICKS: u32 = 20;

@@ -1,4 +1,4 @@
-//! What it costs to record: all 88 keys at 1 kHz, and ten of them; zstd against lz4.
+//! What it costs to record: all 88 keys at 1 kHz, and ten of them.
 //!
 //! `cargo run --release -p telemetry --example recording_cost [folder]`
 #![expect(clippy::print_stdout, reason = "it prints what it measures")]
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use rustix::time::{ClockId, clock_gettime};
-use telemetry::recording::{Compression, Recorder, Recording, RecordingSettings};
+use telemetry::recording::{Recorder, Recording, RecordingSettings};
 use telemetry::{Catalogue, KeyBlock, Overview, Source as _, Timeline as _, Topic, Update, Voice};
 
 /// Signals of a model.
@@ -23,15 +23,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).map_or_else(std::env::temp_dir, PathBuf::from);
     let folder = folder.join(format!("letoff-recording-cost-{}", std::process::id()));
     fs::create_dir(&folder)?;
-    for compression in [Compression::Zstd, Compression::Lz4] {
-        for keys in [88, 10] {
-            let path = folder.join(format!("{compression:?}-{keys}.mcap"));
-            let cost = record(&path, compression, keys, 60)?;
-            println!("{compression:?}, {keys:>2} keys: {cost}");
-        }
+    for keys in [88, 10] {
+        let cost = record(&folder.join(format!("{keys}.mcap")), keys, 60)?;
+        println!("{keys:>2} keys: {cost}");
     }
     let path = folder.join("ten-minutes.mcap");
-    let cost = record(&path, Compression::default(), 10, 600)?;
+    let cost = record(&path, 10, 600)?;
     println!("ten minutes, 10 keys: {cost}");
     open(&path)?;
     fs::remove_dir_all(folder)?;
@@ -39,14 +36,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Records `seconds` of `keys` keys; what it cost.
-fn record(
-    path: &Path,
-    compression: Compression,
-    keys: u32,
-    seconds: u64,
-) -> Result<String, Box<dyn Error>> {
-    let settings =
-        RecordingSettings { compression, lowest_free: 0, ..RecordingSettings::new(path, "cost") };
+fn record(path: &Path, keys: u32, seconds: u64) -> Result<String, Box<dyn Error>> {
+    let settings = RecordingSettings { lowest_free: 0, ..RecordingSettings::new(path, "cost") };
     let settings =
         RecordingSettings { largest_file: u64::MAX, largest_total: u64::MAX, ..settings };
     let mut recorder = Recorder::create(settings)?;

@@ -3,14 +3,10 @@
 #![expect(clippy::expect_used, reason = "a test that cannot go on fails")]
 #![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
 
-mod stage;
-
 use std::io::Write as _;
 use std::net::TcpStream;
 use std::time::Duration;
 
-use stage::synthetic::{self, KEY};
-use stage::{Stage, Stranger, Watcher, eventually, set};
 use telemetry::stream::protocol::{
     ClientFrame, FromClient, FromServer, Level, ParameterValue, Subscription, Text as _, channel_id,
 };
@@ -18,6 +14,9 @@ use telemetry::stream::server::{ServerLimits, Tls};
 use telemetry::stream::{Dial, ServerSettings};
 use telemetry::{Reply, Request, Topic};
 use tokio_tungstenite::tungstenite::{Error, Message};
+
+use crate::stage::synthetic::{self, KEY};
+use crate::stage::{Stage, Stranger, Watcher, eventually, set};
 
 /// A good client, and the host that it is a client of.
 struct Scene {

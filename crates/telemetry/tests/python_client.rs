@@ -1,9 +1,5 @@
 //! A client in another language, which shares no code with ours, gets along with the server.
 
-#![expect(clippy::expect_used, reason = "a test that cannot go on fails")]
-
-mod stage;
-
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -11,9 +7,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use stage::Stage;
-use stage::synthetic;
 use telemetry::stream::Publisher;
+
+use crate::stage::{Stage, synthetic};
 
 /// What the client needs, of the Python Package Index.
 const PACKAGES: [&str; 2] = ["protobuf>=5", "websockets>=14"];

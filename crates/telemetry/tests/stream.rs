@@ -3,13 +3,9 @@
 #![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
 #![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
 
-mod stage;
-
 use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 
-use stage::synthetic::{self, KEY};
-use stage::{Stage, Stranger, Watcher, eventually, set};
 use telemetry::stream::protocol::{
     FromClient, FromServer, Level, ParameterValue, ServerFrame, Subscription, Text as _, channel_id,
 };
@@ -19,6 +15,9 @@ use telemetry::stream::{
 };
 use telemetry::{Arrival, ConnectionState, Reply, Request, Source as _, Topic, Update};
 use tokio_tungstenite::tungstenite::{Error, Message};
+
+use crate::stage::synthetic::{self, KEY};
+use crate::stage::{Stage, Stranger, Watcher, eventually, set};
 
 fn done(text: &str) -> Reply {
     Reply::Done { text: text.to_owned() }
@@ -362,7 +361,7 @@ fn dropped_in(text: &str) -> u64 {
 #[test]
 fn a_slow_client_loses_data_and_a_fast_one_nothing() {
     // However slow this machine is, nobody is cut.
-    let (stall, idle) = (stage::PATIENCE, stage::PATIENCE);
+    let (stall, idle) = (crate::stage::PATIENCE, crate::stage::PATIENCE);
     let stage =
         Stage::within(ServerLimits { data_bytes: 1 << 18, stall, idle, ..ServerLimits::default() });
     let mut slow = stage.stranger();

@@ -2,7 +2,7 @@
 
 use std::env;
 use std::ffi::OsStr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::error::Error;
@@ -30,6 +30,16 @@ fn is_of_our_build(name: &OsStr) -> bool {
 pub(crate) fn root() -> &'static Path {
     let ours = Path::new(env!("CARGO_MANIFEST_DIR"));
     ours.ancestors().nth(2).unwrap_or(ours)
+}
+
+/// The folder that cargo builds into, which is ours two levels up: `target/debug/xtask`.
+///
+/// # Errors
+/// If this program lies elsewhere.
+pub(crate) fn target() -> Result<PathBuf, Error> {
+    let ours = env::current_exe().map_err(|cause| Error::file("this program", cause))?;
+    let target = ours.ancestors().nth(2).map(PathBuf::from);
+    target.ok_or_else(|| Error::unobtainable("cargo's target folder", "this program was moved"))
 }
 
 /// The command as it would be typed; a program's folder is left out.

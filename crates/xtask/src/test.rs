@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::apt;
-use crate::command::cargo;
+use crate::command::{cargo, target};
 use crate::error::Error;
 use crate::guest_boards::{self, CheckScope};
 use crate::optional;
@@ -16,6 +16,9 @@ const SEED_NAME: &str = "PROPTEST_RNG_SEED";
 /// The cases of property tests are the same in each run here, so that a failure is a change's
 /// own; `cargo test` draws others each time, and whoever sets the variable chooses.
 const SEED: &str = "1994";
+
+/// Where tests look for the program before they build it: it is built with them.
+const PROGRAM: &str = "LETOFF_PROGRAM";
 
 /// The crates of the tick, which must do without the standard library.
 const NO_STD: [&str; 4] = ["pode", "models", "scheduler", "firmware-protocol"];
@@ -33,14 +36,20 @@ const NOT_INSTALLED: &str = "the target is not installed (rustup target add thum
 pub(crate) fn run() -> Result<(), Error> {
     apt::install_missing()?;
     optional::install();
-    stage::run_all(stages((!has_bare_target()).then_some(NOT_INSTALLED)))
+    let program = target()?.join("debug").join(format!("letoff{}", std::env::consts::EXE_SUFFIX));
+    stage::run_all(stages(&program, (!has_bare_target()).then_some(NOT_INSTALLED)))
 }
 
-/// All stages; `no_bare_target` says why the one for the bare target is skipped, if it is.
-fn stages(no_bare_target: Option<&'static str>) -> Vec<Stage> {
+/// All stages, for tests of `program`; `no_bare_target` says why the one for the bare target is
+/// skipped, if it is.
+///
+/// What is built for one stage is there for the next: they all select the whole workspace, since
+/// Cargo compiles dependencies once for each set of features that is asked of them.
+fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
     let stage = |name, arguments: &[&str]| {
         let mut command = cargo(arguments);
         command.env(SEED_NAME, std::env::var_os(SEED_NAME).unwrap_or_else(|| SEED.into()));
+        command.env(PROGRAM, program);
         Stage { name, work: StageWork::Command(command), skipped: None }
     };
     vec![
@@ -49,11 +58,10 @@ fn stages(no_bare_target: Option<&'static str>) -> Vec<Stage> {
             skipped: no_bare_target,
             ..stage("the same on bare metal", &no_std(&["--target", BARE_TARGET]))
         },
-        // Every failing test is shown, not only the first crate's.
-        stage("tests and examples", &test(&["--workspace", "--tests", "--examples"])),
+        // Every failing test is shown, not only the first crate's. Outside `cargo bench` each
+        // bench runs once.
+        stage("tests, examples and benches", &test(&["--workspace", "--all-targets"])),
         stage("examples in the documentation", &test(&["--workspace", "--doc"])),
-        // The root package owns all benches; outside `cargo bench` each runs once.
-        stage("benches, once each", &test(&["--package", "letoff", "--benches"])),
         Stage {
             name: "boards in a Debian kernel (QEMU)",
             work: StageWork::Chore(|| guest_boards::guest(CheckScope::Short).run()),
@@ -62,10 +70,10 @@ fn stages(no_bare_target: Option<&'static str>) -> Vec<Stage> {
     ]
 }
 
-/// Arguments that build the crates of the tick without the standard library.
+/// Arguments that check the crates of the tick without the standard library.
 fn no_std<'a>(more: &[&'a str]) -> Vec<&'a str> {
     let packages = NO_STD.iter().flat_map(|package| ["--package", package]);
-    ["build", "--no-default-features"].into_iter().chain(packages).chain(more.to_vec()).collect()
+    ["check", "--no-default-features"].into_iter().chain(packages).chain(more.to_vec()).collect()
 }
 
 fn test<'a>(which: &[&'a str]) -> Vec<&'a str> {
@@ -88,7 +96,7 @@ mod tests {
 
     #[test]
     fn every_crate_is_tested_not_only_the_default_one() {
-        for stage in stages(None) {
+        for stage in stages(Path::new("letoff"), None) {
             let StageWork::Command(command) = stage.work else { continue };
             let line = words(&command);
             let selects = ["--workspace", "--package"].iter().any(|flag| line.contains(flag));
@@ -98,23 +106,26 @@ mod tests {
 
     #[test]
     fn the_cases_of_property_tests_are_chosen() {
-        for stage in stages(None) {
+        for stage in stages(Path::new("letoff"), None) {
             let StageWork::Command(command) = stage.work else { continue };
-            assert!(command.get_envs().any(|(name, value)| name == SEED_NAME && value.is_some()));
+            for set in [SEED_NAME, PROGRAM] {
+                assert!(command.get_envs().any(|(name, value)| name == set && value.is_some()));
+            }
         }
     }
 
     #[test]
     fn without_the_bare_target_only_that_stage_is_skipped() {
-        let skipped: Vec<_> = stages(Some("x")).iter().map(|stage| stage.skipped).collect();
-        assert_eq!(skipped, [None, Some("x"), None, None, None, None]);
+        let stages = stages(Path::new("letoff"), Some("x"));
+        let skipped: Vec<_> = stages.iter().map(|stage| stage.skipped).collect();
+        assert_eq!(skipped, [None, Some("x"), None, None, None]);
     }
 
     #[test]
     fn the_no_std_build_names_each_crate() {
         assert_eq!(
             no_std(&[]).join(" "),
-            "build --no-default-features --package pode --package models --package scheduler \
+            "check --no-default-features --package pode --package models --package scheduler \
              --package firmware-protocol"
         );
     }

@@ -2,7 +2,7 @@
 
 use pode::Stepper;
 use pode::stepper::{
-    AdamsBashforth2, AdamsBashforth3, BogackiShampine, ByNeed, Controlled, Dop853, Exact,
+    AdamsBashforth2, AdamsBashforth3, Any, BogackiShampine, ByNeed, Controlled, Dop853, Exact,
     ExplicitEuler, ExponentialRosenbrock, Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3,
     Rodas4, Ros2, SemiImplicitEuler, Tolerance, Tsitouras5, VelocityVerlet,
 };
@@ -37,7 +37,7 @@ pub enum MethodKind {
 pub(super) trait Visit {
     type Output;
 
-    fn visit<T: Stepper>(self, stepper: T) -> Self::Output;
+    fn visit<T: Stepper + Into<Any>>(self, stepper: T) -> Self::Output;
 }
 
 macro_rules! methods {

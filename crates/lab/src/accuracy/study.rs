@@ -1,5 +1,6 @@
 //! A scenario whose model's type is known by name only, and the runs it can do.
 
+use pode::stepper::Any;
 use pode::{Limits, Stepper};
 
 use super::Effort;
@@ -123,15 +124,19 @@ struct PlannedRun<'a, S> {
 impl<S: Scenario> Visit for PlannedRun<'_, S> {
     type Output = StudyRow;
 
-    fn visit<T: Stepper>(self, stepper: T) -> StudyRow {
+    /// What is timed is the method itself; what happens is observed through [`Any`], whose steps
+    /// are the same to the last bit and which is compiled once for all methods.
+    fn visit<T: Stepper + Into<Any>>(self, stepper: T) -> StudyRow {
         let Self { scenario, name, method, setting, effort } = self;
         let (stepping, limits) = match method.kind {
             MethodKind::Fixed => (Stepping::Ticks, Limits::default()),
             MethodKind::Played | MethodKind::Budgeted => (Stepping::Models, Limits::default()),
             MethodKind::Controlled => (Stepping::Ticks, offline()),
         };
-        let job = RunJob { scenario, stepper, limits, stepping, tick: setting.tick };
-        let observed = observe(&job);
+        let tick = setting.tick;
+        let any = stepper.into();
+        let observed = observe(&RunJob { scenario, stepper: any, limits, stepping, tick });
+        let job = RunJob { scenario, stepper, limits, stepping, tick };
         let times = time(&job, &observed.work, effort);
         StudyRow {
             scenario: name,

@@ -11,9 +11,6 @@
     reason = "a test's own module: it has the heap and files, and fails aloud"
 )]
 
-#[path = "../stroke/mod.rs"]
-mod stroke;
-
 use std::fs;
 use std::path::PathBuf;
 
@@ -106,14 +103,18 @@ impl Case {
     /// The exact input at `t` (s).
     pub fn input(&self, t: f64) -> Motion {
         match self.shape {
-            Shape::Bells => stroke::bells(&self.terms, t),
-            Shape::Presses => stroke::presses(&self.terms, t),
+            Shape::Bells => crate::stroke::bells(&self.terms, t),
+            Shape::Presses => crate::stroke::presses(&self.terms, t),
         }
     }
 
     /// Mode and state of `model` at the start.
     pub fn start<M: Described>(&self, model: &M) -> (M::Mode, M::State) {
-        model.at_rest(&if self.starts_at_zero { stroke::still(0.0) } else { self.input(0.0) })
+        model.at_rest(&if self.starts_at_zero {
+            crate::stroke::still(0.0)
+        } else {
+            self.input(0.0)
+        })
     }
 
     /// The value in `column` of `row`.

@@ -80,6 +80,28 @@ impl<S: State> Fits<S> for super::Either<Flow<S>, Cubic<S>> {
     }
 }
 
+/// A field whose type is forgotten, so that each method is compiled once for each kind of state
+/// and not once for each model.
+struct Erased<'a, S>(&'a mut dyn Field<S>);
+
+impl<S: State> Field<S> for Erased<'_, S> {
+    fn coords(&self) -> usize {
+        self.0.coords()
+    }
+
+    fn nature(&self) -> Nature {
+        self.0.nature()
+    }
+
+    fn derivative(&mut self, tau: f64, x: &S) -> S {
+        self.0.derivative(tau, x)
+    }
+
+    fn jacobian(&mut self, tau: f64, x: &S) -> S::Matrix {
+        self.0.jacobian(tau, x)
+    }
+}
+
 macro_rules! any {
     ($($(#[$doc:meta])* $name:ident($stepper:ty)),+ $(,)?) => {
         /// Any of the methods, chosen at run time: where a simulation is set up by name, and a
@@ -131,6 +153,12 @@ macro_rules! any {
             }
         }
 
+        $(impl From<$stepper> for Any {
+            fn from(stepper: $stepper) -> Self {
+                Self::$name(stepper)
+            }
+        })+
+
         impl Any {
             /// The method called `name` with its defaults; of several of one name the first.
             pub fn named(name: &str) -> Option<Self> {
@@ -168,15 +196,7 @@ macro_rules! any {
                 memory: &mut AnyMemory<S>,
                 h: f64,
             ) -> Step<S, AnyDense<S>> {
-                match self {
-                    $(Self::$name(stepper) => {
-                        if !matches!(memory, AnyMemory::$name(_)) {
-                            *memory = AnyMemory::$name(Default::default());
-                        }
-                        let AnyMemory::$name(memory) = memory else { unreachable!("just put there") };
-                        stepper.step(field, x0, memory, h).map(Fits::wide)
-                    })+
-                }
+                self.step_erased(&mut Erased(field), x0, memory, h)
             }
 
             fn refine<S: State>(
@@ -186,14 +206,7 @@ macro_rules! any {
                 dense: &mut AnyDense<S>,
                 h: f64,
             ) {
-                match (self, memory) {
-                    $((Self::$name(stepper), AnyMemory::$name(memory)) => {
-                        if let Some(dense) = Fits::narrow(dense) {
-                            stepper.refine(field, memory, dense, h);
-                        }
-                    })+
-                    _ => {}
-                }
+                self.refine_erased(&mut Erased(field), memory, dense, h);
             }
 
             fn longest_step(&self, nature: &Nature, own: f64) -> f64 {
@@ -211,6 +224,45 @@ macro_rules! any {
             fn is_smooth_inside(&self) -> bool {
                 match self {
                     $(Self::$name(stepper) => stepper.is_smooth_inside()),+
+                }
+            }
+        }
+
+        impl Any {
+            /// The method's step.
+            fn step_erased<S: State>(
+                &self,
+                field: &mut Erased<'_, S>,
+                x0: &S,
+                memory: &mut AnyMemory<S>,
+                h: f64,
+            ) -> Step<S, AnyDense<S>> {
+                match self {
+                    $(Self::$name(stepper) => {
+                        if !matches!(memory, AnyMemory::$name(_)) {
+                            *memory = AnyMemory::$name(Default::default());
+                        }
+                        let AnyMemory::$name(memory) = memory else { unreachable!("just put there") };
+                        stepper.step(field, x0, memory, h).map(Fits::wide)
+                    })+
+                }
+            }
+
+            /// Brings the method's dense output to its full order.
+            fn refine_erased<S: State>(
+                &self,
+                field: &mut Erased<'_, S>,
+                memory: &AnyMemory<S>,
+                dense: &mut AnyDense<S>,
+                h: f64,
+            ) {
+                match (self, memory) {
+                    $((Self::$name(stepper), AnyMemory::$name(memory)) => {
+                        if let Some(dense) = Fits::narrow(dense) {
+                            stepper.refine(field, memory, dense, h);
+                        }
+                    })+
+                    _ => {}
                 }
             }
         }

@@ -9,7 +9,6 @@ use super::format::Labels;
 use super::latest::Latest;
 use super::part::RecordingPart;
 use super::raw::Raw;
-use super::settings::Compression;
 use crate::Update;
 
 /// The last seconds of messages, and the catalogue and voices that they need, in bounded memory.
@@ -67,7 +66,7 @@ impl BlackBox {
     /// If a file of this name is there already or cannot be written.
     pub fn dump(&self, path: &Path, run: &str) -> Result<u64, RecordError> {
         let labels = Labels::new(run, 1);
-        let mut part = RecordingPart::create(path, &labels, Compression::default())?;
+        let mut part = RecordingPart::create(path, &labels)?;
         let mut latest = self.before.clone();
         let begins = self.ring.front().map_or(self.newest, |raw| raw.at);
         for raw in self.before.again(begins) {

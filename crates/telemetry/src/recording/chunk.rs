@@ -5,6 +5,7 @@ use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{McapError, McapResult};
 
 use super::format::LARGEST_CHUNK;
+use super::zstd::Zstd;
 
 /// Records of one chunk, which is decompressed and compared with its checksum before the first.
 pub(super) struct Chunk {
@@ -28,6 +29,8 @@ impl Chunk {
             .with_prevalidate_chunk_crcs(true)
             .with_record_length_limit(LARGEST_CHUNK);
         let mut reader = LinearReader::new_with_options(options);
+        // It is refused only without a name.
+        let _added = reader.add_decompressor(Zstd::default());
         reader.insert(record.len()).copy_from_slice(record);
         reader.notify_read(record.len());
         Self { reader, is_at_end: false }

@@ -42,6 +42,7 @@ mod rows;
 mod settings;
 mod walk;
 mod writer;
+mod zstd;
 
 pub use blackbox::BlackBox;
 pub use csv::{Exported, Selection, export_csv};
@@ -52,5 +53,5 @@ pub use playback::{Playback, PlaybackClock};
 pub use reader::{Messages, Recording, Tear};
 pub use recover::{RecoverError, Recovered, recover};
 pub use rows::{Row, rows};
-pub use settings::{Compression, RecordingSettings};
+pub use settings::RecordingSettings;
 pub use writer::{Recorder, RecordingStatus};

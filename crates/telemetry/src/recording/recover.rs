@@ -9,7 +9,6 @@ use super::part::RecordingPart;
 use super::part_file::PartFile;
 use super::raw::Raw;
 use super::reader::Recording;
-use super::settings::Compression;
 
 /// What came of a file that was recovered.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -49,7 +48,7 @@ pub enum RecoverError {
 pub fn recover(path: &Path, to: &Path) -> Result<Recovered, RecoverError> {
     let old = Recording::open_file(path)?;
     let part = old.parts().first().ok_or_else(|| OpenError::Empty(path.to_owned()))?;
-    let new = RecordingPart::create(to, &part.labels, Compression::default())?;
+    let new = RecordingPart::create(to, &part.labels)?;
     let saved = save(&old, new, part).map_err(RecoverError::from).and_then(|saved| {
         if saved.span.is_some() { Ok(saved) } else { Err(RecoverError::Nothing(path.to_owned())) }
     });

@@ -21,19 +21,6 @@ pub struct RecordingSettings {
     pub lowest_free: u64,
     /// For how long a message may wait in memory; at most a second.
     pub flush: Duration,
-    /// How chunks are compressed.
-    pub compression: Compression,
-}
-
-/// How chunks are compressed; each of its fastest kind.
-///
-/// `examples/recording_cost.rs` compares them: for keys that all move, lz4 takes two thirds of
-/// the time of zstd and makes files that are a twelfth larger. Public viewers read both.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Compression {
-    Zstd,
-    #[default]
-    Lz4,
 }
 
 impl RecordingSettings {
@@ -49,7 +36,6 @@ impl RecordingSettings {
             largest_total: 16 << 30,
             lowest_free: 1 << 30,
             flush: Duration::from_millis(500),
-            compression: Compression::default(),
         }
     }
 

@@ -71,7 +71,7 @@ impl Recorder {
             return Err(RecordError::Exists(second));
         }
         let labels = Labels::new(&settings.run, 1);
-        let part = RecordingPart::create(&settings.path, &labels, settings.compression)?;
+        let part = RecordingPart::create(&settings.path, &labels)?;
         Ok(Self {
             settings,
             part: Some(part),
@@ -211,7 +211,7 @@ impl Recorder {
         self.number += 1;
         let path = part_path(&self.settings.path, self.number);
         let labels = Labels::new(&self.settings.run, self.number);
-        self.part = Some(RecordingPart::create(&path, &labels, self.settings.compression)?);
+        self.part = Some(RecordingPart::create(&path, &labels)?);
         let again: Vec<Raw> = self.latest.again(at).collect();
         self.repeated = u64::try_from(again.len()).unwrap_or(u64::MAX);
         again.iter().try_for_each(|raw| self.add(raw))

@@ -29,7 +29,7 @@ fn a_killed_host_loses_a_second_at_most() {
     for seconds in [1, 3, 10] {
         let path = folder.path().join(format!("{seconds}.mcap"));
         let mut host = Command::new(env::current_exe().expect("this program"))
-            .args(["--exact", "killed::it_records_until_it_is_killed", "--nocapture"])
+            .args(["--exact", "recording::killed::it_records_until_it_is_killed", "--nocapture"])
             .env(TO, &path)
             .stdout(Stdio::piped())
             .spawn()

@@ -1,8 +1,10 @@
 //! What was told comes back as it was told.
 
 use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
 
-use telemetry::recording::{Compression, Recorder, Recording};
+use telemetry::recording::{Recorder, Recording};
 use telemetry::{Topic, Update};
 
 use crate::common::{KEYS, at, catalogue, event, performance, read, record, settings, voice};
@@ -13,24 +15,43 @@ fn every_topic_comes_back_in_order() {
     let told = performance(5000);
     let topics: BTreeSet<_> = told.iter().filter_map(|(_, update)| update.topic()).collect();
     assert!(Topic::COMMON.iter().all(|topic| topics.contains(topic)), "the test tells all");
-    for compression in [Compression::Zstd, Compression::Lz4] {
-        let path = folder.path().join(format!("{compression:?}.mcap"));
-        let mut recorder = Recorder::create(telemetry::recording::RecordingSettings {
-            compression,
-            ..settings(&path)
-        })
-        .expect("a new file");
-        for (at, update) in &told {
-            recorder.write(*at, update).expect("written");
-        }
-        let recorded = recorder.finish().expect("complete");
-        assert_eq!(recorded.messages, told.len() as u64);
-        assert_eq!(recorded.bytes, path.metadata().expect("the file").len());
-        let recording = Recording::open(&path).expect("a recording");
-        assert_eq!(recording.tear(), None);
-        assert_eq!(recording.run(), "the run");
-        assert_eq!(recording.span(), Some((at(0), at(5000))));
-        assert_eq!(read(&recording), (told.clone(), vec![]));
+    let path = folder.path().join("take.mcap");
+    let mut recorder = Recorder::create(settings(&path)).expect("a new file");
+    for (at, update) in &told {
+        recorder.write(*at, update).expect("written");
+    }
+    let recorded = recorder.finish().expect("complete");
+    assert_eq!(recorded.messages, told.len() as u64);
+    assert_eq!(recorded.bytes, path.metadata().expect("the file").len());
+    let recording = Recording::open(&path).expect("a recording");
+    assert_eq!(recording.tear(), None);
+    assert_eq!(recording.run(), "the run");
+    assert_eq!(recording.span(), Some((at(0), at(5000))));
+    assert_eq!(read(&recording), (told, vec![]));
+}
+
+/// `zstd.mcap` is what a recorder wrote whose chunks the C library compressed.
+#[test]
+fn what_is_compressed_with_zstd_is_read_as_well() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/recording/zstd.mcap");
+    let recording = Recording::open(&path).expect("a recording");
+    assert_eq!(recording.tear(), None);
+    assert_eq!(read(&recording), (performance(500), vec![]));
+}
+
+/// What is damaged in it is told of and nothing more: the rest is read.
+#[test]
+fn damaged_zstd_loses_a_chunk_at_most() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/recording/zstd.mcap");
+    let whole = fs::read(path).expect("the file");
+    let folder = tempfile::tempdir().expect("a folder");
+    for place in (2_000..whole.len() - 20_000).step_by(whole.len() / 16) {
+        let path = folder.path().join(format!("{place}.mcap"));
+        let mut damaged = whole.clone();
+        damaged[place] ^= 0x55;
+        fs::write(&path, damaged).expect("a file");
+        let (found, wrong) = read(&Recording::open(&path).expect("a recording"));
+        assert!(!wrong.is_empty() || found == performance(500), "{place}");
     }
 }
 

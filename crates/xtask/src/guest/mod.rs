@@ -14,12 +14,11 @@ pub(crate) mod piece;
 pub(crate) mod tools;
 mod verdict;
 
-use std::env;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use crate::apt;
-use crate::command::{self, cargo};
+use crate::command::{self, cargo, target};
 use crate::error::Error;
 use crate::stage::Done;
 use kernel::Kernel;
@@ -87,13 +86,6 @@ impl GuestCheck {
         let bar = "=".repeat(72);
         format!("\n{bar}\nSKIPPED: nothing was played on {}\n{error}\n{bar}\n", self.plays_on)
     }
-}
-
-/// The folder that cargo builds into, which is ours two levels up: `target/debug/xtask`.
-fn target() -> Result<PathBuf, Error> {
-    let ours = env::current_exe().map_err(|cause| Error::file("this program", cause))?;
-    let target = ours.ancestors().nth(2).map(PathBuf::from);
-    target.ok_or_else(|| Error::unobtainable("cargo's target folder", "this program was moved"))
 }
 
 #[cfg(test)]

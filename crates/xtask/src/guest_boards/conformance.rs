@@ -6,7 +6,8 @@ use crate::command::{self, cargo};
 
 /// Builds the tests; nothing if that fails, which the guest says.
 pub(super) fn program() -> Option<PathBuf> {
-    let arguments = ["--package", "hardware", "--test", "conformance", "--no-run"];
+    // Of the whole workspace, as in the tests: it is there already.
+    let arguments = ["--workspace", "--test", "conformance", "--no-run"];
     let mut command = cargo(["test", "--quiet", "--message-format=json"]);
     command.args(arguments).stderr(std::process::Stdio::inherit());
     println!("$ {}", command::words(&command));

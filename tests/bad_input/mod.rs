@@ -5,8 +5,6 @@
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod lab;
-#[path = "../stage/letoff.rs"]
-mod letoff;
 mod midi_files;
 mod output;
 mod parameters;

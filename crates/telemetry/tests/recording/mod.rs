@@ -1,9 +1,6 @@
 //! Recordings: what was told comes back, whatever happened to the file.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod bad_input;
 mod black_box;
 mod csv;

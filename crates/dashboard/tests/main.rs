@@ -1,0 +1,6 @@
+//! The window, as a user sees and clicks it.
+
+mod common;
+mod foreign;
+mod panels;
+mod snapshots;

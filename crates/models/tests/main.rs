@@ -1,0 +1,18 @@
+//! The models against closed forms, references and what every model promises.
+
+mod common;
+mod conformance;
+mod drawing;
+mod drawing_to_scale;
+mod grand;
+mod impacts;
+mod oracle;
+mod passivity;
+mod playable;
+mod random;
+mod reduced_grand;
+mod reduced_grand_modes;
+mod reduced_grand_playing;
+mod reference;
+mod sketch;
+mod stroke;

@@ -1,0 +1,21 @@
+//! The wire format against golden bytes, C, and other versions of itself.
+#![allow(
+    clippy::disallowed_macros,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests run on the host, and their helpers fail aloud"
+)]
+
+mod any_bytes;
+mod c_codec;
+#[expect(dead_code, reason = "its main is for people")]
+#[path = "../examples/c_header.rs"]
+mod c_header;
+mod evolution;
+#[path = "support/random.rs"]
+mod random;
+#[path = "support/tools.rs"]
+mod tools;
+#[path = "support/vector.rs"]
+mod vector;
+mod vectors;

@@ -1,0 +1,18 @@
+//! Promises of no single crate.
+#![allow(clippy::expect_used, reason = "helpers of tests fail aloud")]
+
+mod any_bytes;
+mod architecture;
+mod bad_boards;
+mod bad_input;
+mod configs;
+mod faults;
+mod late_samples;
+#[path = "stage/letoff.rs"]
+mod letoff;
+mod performance;
+mod quiet;
+mod readme;
+mod references;
+mod stage;
+mod work;
