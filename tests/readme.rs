@@ -291,3 +291,20 @@ fn every_line_has_one_sentence() {
         }
     }
 }
+
+#[test]
+fn the_figures_of_the_first_page_are_those_of_pode() {
+    let documents = documents();
+    let text = |folder: &str| {
+        let path = root().join(folder).join("README.md");
+        documents.iter().find(|it| it.path == path).map(|it| it.text.as_str()).expect("a README")
+    };
+    let (_, figures) = text("").split_once("<!-- figures: begin").expect("figures");
+    let (figures, _) = figures.split_once("<!-- figures: end").expect("their end");
+    let rows = figures.lines().filter(|line| line.starts_with('|')).skip(2);
+    let figures: Vec<_> = rows.filter_map(|row| row.rsplit('|').nth(1)).map(str::trim).collect();
+    assert_eq!(figures.len(), 3);
+    for figure in figures {
+        assert!(text("crates/pode").contains(figure), "crates/pode/README.md lacks {figure}");
+    }
+}
