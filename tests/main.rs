@@ -14,5 +14,8 @@ mod performance;
 mod quiet;
 mod readme;
 mod references;
+mod rooms;
+mod sources;
 mod stage;
+mod wording;
 mod work;
