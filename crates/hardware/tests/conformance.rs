@@ -10,8 +10,6 @@ use hardware::link::can::{BusSide as CanSide, Can, CanMode};
 use hardware::link::faulty::{FaultPlan, Faults};
 use hardware::link::framed::Framing;
 use hardware::link::loopback::Loopback;
-use hardware::link::recorder::Tape;
-use hardware::link::replay::Replay;
 use hardware::link::serial::{Pty, Serial};
 use hardware::link::wire::{Wire, WirePlan};
 use hardware::link::{Health, Link, RecvError, SendError};
@@ -66,49 +64,6 @@ fn serial_on_a_wire_without_faults() {
         let counts = wire.counts();
         assert_eq!([counts.lost, counts.flipped, counts.stalls], [0; 3]);
     }
-}
-
-#[test]
-fn recorder_around_a_loopback() {
-    let mut wire = Loopback::new(16);
-    let (mut host, mut board) = (Framing::default(), Framing::default());
-    let (mut tape, _recording) = Tape::new(1);
-    check(&mut |side, turn| match side {
-        Side::Host => turn(&mut tape.around(host.around(wire.host_end()))),
-        Side::Board => turn(&mut board.around(wire.board_end())),
-    });
-}
-
-#[test]
-fn a_replay_answers_the_host_as_the_link_did_that_was_recorded() {
-    let mut wire = Loopback::new(16);
-    let (mut host, mut board) = (Framing::default(), Framing::default());
-    let (mut tape, mut recording) = Tape::new(10_000);
-    let mut calls = Vec::new();
-    check(&mut |side, turn| match side {
-        Side::Host => {
-            tape.set_time(calls.len() as u64);
-            let link = tape.around(host.around(wire.host_end()));
-            turn(&mut Overheard { link, calls: &mut calls });
-        }
-        Side::Board => turn(&mut board.around(wire.board_end())),
-    });
-    let mut text = Vec::new();
-    assert!(10 < recording.save(&mut text).unwrap());
-    let mut replay = Replay::parse(&String::from_utf8(text).unwrap()).unwrap();
-    for (call, time_us) in calls.iter().zip(0..) {
-        replay.set_time(time_us);
-        match call {
-            Call::Send(frame, outcome) => assert_eq!(replay.try_send(frame), *outcome),
-            Call::Recv(room, outcome) => {
-                let mut buffer = vec![0; *room];
-                let got = replay.try_recv(&mut buffer);
-                assert_eq!(got.map(|len| len.map(|len| buffer[..len].to_vec())), *outcome);
-            }
-        }
-    }
-    assert!(replay.difference().is_none());
-    assert_eq!((replay.to_send(), replay.to_receive()), (0, 0));
 }
 
 /// One test for both modes: they share an interface, and would hear each other.
@@ -285,31 +240,4 @@ fn encoded(frame: &[u8]) -> Vec<u8> {
 /// Says on stderr, past the test harness, what was not tested.
 fn skip(what: &str) {
     let _unheard = writeln!(std::io::stderr(), "SKIPPED: {what}");
-}
-
-/// What was asked of a link, and what it answered.
-enum Call {
-    Send(Vec<u8>, Result<(), SendError>),
-    Recv(usize, Result<Option<Vec<u8>>, RecvError>),
-}
-
-/// A link of which all calls are written down.
-struct Overheard<'a, L> {
-    link: L,
-    calls: &'a mut Vec<Call>,
-}
-
-impl<L: Link> Link for Overheard<'_, L> {
-    fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
-        let outcome = self.link.try_send(frame);
-        self.calls.push(Call::Send(frame.to_vec(), outcome));
-        outcome
-    }
-
-    fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
-        let outcome = self.link.try_recv(buffer);
-        let frame = |len: Option<usize>| len.map(|len| buffer[..len].to_vec());
-        self.calls.push(Call::Recv(buffer.len(), outcome.map(frame)));
-        outcome
-    }
 }

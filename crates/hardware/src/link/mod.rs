@@ -10,8 +10,6 @@ pub mod framed;
 pub mod lasting;
 pub mod loopback;
 mod random;
-pub mod recorder;
-pub mod replay;
 #[cfg(unix)]
 pub mod serial;
 pub mod trouble;
