@@ -5,9 +5,9 @@ use std::ops::Range;
 
 use firmware_protocol::key::{BoardId, KeyIndex};
 use haptics::plant::{Gesture, RigParameters, Touch};
-use hardware::link::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use hardware::sim::key::SimulatedKey;
 use hardware::sim::keybed::SimulatedKeybed;
+use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use proptest::prelude::*;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;

@@ -8,7 +8,7 @@ use scheduler::port::KeyBus as _;
 
 use super::{Balance, CalibrationFault, Next, RestMeasurement, Rested, Travelled, TripMeasurement};
 use crate::keybed::{Armed, Keybed};
-use crate::pause::pause;
+use links::pause;
 
 /// A key of which nothing was heard for so long is given up (us).
 const SILENT_US: u64 = 500_000;

@@ -10,7 +10,6 @@ use scheduler::port::KeyBus;
 
 use super::{Keybed, NamedLink, address};
 use crate::courier::RequestChannel;
-use crate::link::Link as _;
 use crate::plan::{Medium, MeterWindow};
 use crate::refusal::{BoardName, Refusal};
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
@@ -19,6 +18,7 @@ use crate::rt::glance::{BoardGlance, LinkSnapshot};
 use crate::rt::lateness::Lateness;
 use crate::rt::steward::{ArmLockout, ArmState, BoardSupervisor, Condition};
 use crate::topology::BoardPlace;
+use links::Link as _;
 
 /// Time in which the forces of a board grow once it renders them, and fade once it does not (us).
 const FADE_US: u64 = 20_000;

@@ -6,9 +6,9 @@ use firmware_protocol::{MAX_FRAME, Nothing, Record};
 
 use super::{Keybed, LOOK, NamedLink};
 use crate::courier::RequestChannel;
-use crate::link::Link as _;
-use crate::pause::pause;
 use crate::refusal::{BoardName, Refusal};
+use links::Link as _;
+use links::pause;
 
 /// Whoever asks one board, and the numbers of its requests.
 #[derive(Clone, Debug)]
@@ -76,7 +76,7 @@ impl<S> Keybed<S> {
 
 /// Takes what has come until it is the answer.
 fn hear<A: Record>(
-    link: &mut (impl crate::link::Link + ?Sized),
+    link: &mut (impl links::Link + ?Sized),
     courier: &mut RequestChannel,
 ) -> Option<Result<A, Status>> {
     let mut frame = [0; MAX_FRAME];

@@ -6,13 +6,13 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 
 use super::{Armed, Keybed, LOOK, NamedLink};
-use crate::link::{Link as _, RecvError};
-use crate::pause::pause;
 use crate::refusal::{BoardName, KeyRange, Refusals};
 use crate::rt::board::BoardTerms;
 use crate::rt::bus::KeybedBus;
 use crate::rt::steward::{Agreed, BoardSupervisor};
 use crate::topology::BoardPlace;
+use links::pause;
+use links::{Link as _, RecvError};
 
 /// The boards are known and measured.
 #[derive(Clone, PartialEq, Debug)]

@@ -24,8 +24,8 @@ pub use calibrated::{Calibrated, Terms};
 pub use identified::{FoundBoard, Identified, WantedBoards};
 pub use offline::Offline;
 
-use crate::link::Link;
 use crate::plan::Medium;
+use links::Link;
 
 /// Boards on their lines, and how far they have been brought up.
 #[derive(Debug)]

@@ -11,9 +11,9 @@ use firmware_protocol::schema;
 use firmware_protocol::version::PROTOCOL_VERSION;
 
 use super::{FoundBoard, Identified, Keybed, LOOK, MicrosClock, NamedLink};
-use crate::link::{Link as _, RecvError};
-use crate::pause::pause;
 use crate::refusal::{BoardName, LineTraffic, Refusal, Refusals, Uid};
+use links::pause;
+use links::{Link as _, RecvError};
 
 /// Time between two questions (us).
 const ASK_US: u64 = 100_000;

@@ -17,8 +17,8 @@ use scheduler::motion::{KEYS, KeySample, KeySlope};
 
 use super::board::{BoardEnd, BoardStatistics, BoardTerms};
 use super::multicast::Multicast;
-use crate::link::{Health, Link, RecvError};
 use crate::plan::{LinkMeter, Medium, MeterWindow};
+use links::{Health, Link, RecvError};
 
 /// Frames taken from one line in one tick; the rest waits for the next.
 const MAX_FRAMES: usize = 128;

@@ -239,7 +239,7 @@ impl BoardSupervisor {
         &mut self,
         line: usize,
         bus: &mut KeybedBus,
-        link: &mut (impl crate::link::Link + ?Sized),
+        link: &mut (impl links::Link + ?Sized),
     ) {
         let (now, origin) = (self.now, self.origin);
         let charges = self.charges.iter_mut().enumerate();

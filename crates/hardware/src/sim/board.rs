@@ -28,7 +28,7 @@ use super::requests::BoardRequestHandler;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
 use crate::clock::low;
-use crate::link::{Link, RecvError};
+use links::{Link, RecvError};
 
 /// What a simulated board can.
 const FEATURES: u16 =

@@ -10,13 +10,13 @@ use scheduler::port::KeyBus;
 
 use super::board::{BoardCounts, BoardMake, SimulatedBoard};
 use crate::Error;
-use crate::link::faulty::{FaultCounts, FaultPlan, Faults};
-use crate::link::framed::Framing;
-use crate::link::loopback::Loopback;
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
 use crate::rt::bus::{KeybedBus, LineStatistics, Unread};
 use crate::rt::glance::LinkSnapshot;
 use crate::topology;
+use links::faulty::{FaultCounts, FaultPlan, Faults};
+use links::framed::Framing;
+use links::loopback::Loopback;
 
 /// Frames that a wire holds: those of one tick, and what faults repeat or delay into it.
 const WIRE_CAPACITY: usize = 8;

@@ -18,7 +18,7 @@ use haptics::plant::{Gesture, Touch};
 
 use super::board::{BoardMake, SimulatedBoard};
 use super::guard::NotArmed;
-use crate::link::Link;
+use links::Link;
 
 /// Lines that the log keeps.
 const LOG: usize = 32;

@@ -15,8 +15,8 @@ use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use haptics::plant::RigParameters;
 
 use super::board::{BoardMake, SimulatedBoard};
-use crate::link::Link as _;
-use crate::link::loopback::Loopback;
+use links::Link as _;
+use links::loopback::Loopback;
 
 /// A tick (us).
 const TICK_US: u64 = 1_000;
