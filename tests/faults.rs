@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use firmware_protocol::key::BoardId;
 use haptics::Touch;
-use hardware::link::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
+use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use hardware::sim::keybed::SimulatedKeybed;
 use host::config::Scene;
 use scheduler::motion::KEYS;

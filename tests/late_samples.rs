@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use firmware_protocol::key::BoardId;
 use haptics::Touch;
-use hardware::link::faulty::{Chance, FaultPlan, LinkFault};
+use links::faulty::{Chance, FaultPlan, LinkFault};
 use hardware::sim::keybed::SimulatedKeybed;
 use host::adapters::audit::AuditCell;
 use host::config::Scene;

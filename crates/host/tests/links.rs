@@ -7,7 +7,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
 use common::{Board, make, run_while};
-use hardware::link::address::Address;
+use links::address::Address;
 use host::config::{Override, Scene, link_overrides};
 use host::control::RunHandle;
 use host::observe::MessageSink;

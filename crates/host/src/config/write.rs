@@ -1,7 +1,7 @@
 //! A scene as a file that says everything, with the values that its keys have now.
 
-use hardware::link::address::Address;
-use hardware::link::can::CanMode;
+use links::address::Address;
+use links::can::CanMode;
 use hardware::refusal::KeyRange as BoardKeys;
 use models::catalogue::ModelEntry;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value, value};

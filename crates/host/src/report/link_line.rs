@@ -3,7 +3,7 @@
 use std::fmt;
 
 use hardware::keybed::{BoardReport, LineReport};
-use hardware::link::WireState;
+use links::WireState;
 use hardware::plan::{BusPlan, BusVerdict};
 use serde::Serialize;
 

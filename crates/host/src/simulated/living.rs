@@ -1,7 +1,7 @@
 //! One simulated board in real time, and what befalls it.
 
 use firmware_protocol::frame::hello::safe_reason;
-use hardware::link::{Link, RecvError, SendError};
+use links::{Link, RecvError, SendError};
 use hardware::refusal::{KeyRange, reason_words};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
 use scheduler::time::Nanos;
