@@ -129,7 +129,7 @@ fn disturbed(plan: FaultPlan) -> (Felt, Stage<SimulatedKeybed, Nobody>) {
 }
 
 fn board() -> BoardId {
-    key(FAILING).board()
+    BoardId::of(key(FAILING))
 }
 
 fn scripted(exchanges: Range<u64>, fault: LinkFault) -> FaultPlan {

@@ -58,6 +58,7 @@ pub mod acyclic;
 pub mod can;
 pub mod frame;
 pub mod key;
+mod length;
 pub mod quantity;
 pub mod schema;
 pub mod sequence;

@@ -64,7 +64,7 @@ impl SimulatedKeybed {
 
     /// Plays `gestures` on `key` from now on instead of those before.
     pub fn play(&mut self, key: KeyIndex, gestures: Vec<Gesture>) {
-        self.lines[key.board().index()].board.play(key.slot(), gestures);
+        self.lines[BoardId::of(key).index()].board.play(BoardId::slot_of(key), gestures);
     }
 
     /// Lays a weight on `key` that presses with `newtons`; 0 takes it away.
@@ -72,7 +72,7 @@ impl SimulatedKeybed {
     /// # Real-time
     /// One assignment.
     pub fn lay(&mut self, key: KeyIndex, newtons: f64) {
-        self.lines[key.board().index()].board.lay(key.slot(), newtons);
+        self.lines[BoardId::of(key).index()].board.lay(BoardId::slot_of(key), newtons);
     }
 
     /// Disturbs the wire of `board` from now on, as planned; exchanges count from 0.
@@ -119,7 +119,7 @@ impl SimulatedKeybed {
 
     /// The plant of `key`, with what no sensor tells.
     pub fn rig(&self, key: KeyIndex) -> Option<&KeyRig> {
-        self.lines[key.board().index()].board.rig(key.slot())
+        self.lines[BoardId::of(key).index()].board.rig(BoardId::slot_of(key))
     }
 }
 
