@@ -12,11 +12,13 @@
 pub mod calibrate;
 pub mod calibration;
 pub mod clock;
-pub mod courier;
 mod error;
+pub mod identity;
 pub mod keybed;
+mod periods;
 pub mod plan;
 pub mod refusal;
+pub mod request_channel;
 pub mod rt;
 pub mod sim;
 pub mod topology;

@@ -13,10 +13,10 @@ use firmware_protocol::quantity::Millinewtons;
 use firmware_protocol::sequence::SequenceNumber;
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use haptics::plant::RigParameters;
-
-use super::board::{BoardMake, SimulatedBoard};
 use links::Link as _;
 use links::loopback::Loopback;
+
+use super::board::{BoardMake, SimulatedBoard};
 
 /// A tick (us).
 const TICK_US: u64 = 1_000;

@@ -5,8 +5,8 @@ use std::fs;
 use std::path::Path;
 
 use super::can_interface::CanInterface;
+use super::can_link::{self, CanLink};
 use super::diagnosis;
-use super::diagnosis::can_link::{self, CanLink};
 use super::{Listing, Obstacle};
 use crate::Error;
 

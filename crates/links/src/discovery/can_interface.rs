@@ -1,6 +1,6 @@
 //! What is known of a CAN interface.
 
-use super::diagnosis::can_link::CanLink;
+use super::can_link::CanLink;
 use crate::obstacle::Obstacle;
 
 /// A CAN interface of this machine.

@@ -7,6 +7,7 @@
 mod access;
 mod can;
 mod can_interface;
+mod can_link;
 mod diagnosis;
 mod serial;
 #[cfg(test)]
@@ -16,7 +17,7 @@ pub use crate::obstacle::Obstacle;
 pub use can::can_interfaces;
 pub(crate) use can::known_can_interfaces;
 pub use can_interface::CanInterface;
-pub use diagnosis::can_link::{BitTiming, CanLink};
+pub use can_link::{BitTiming, CanLink};
 pub use diagnosis::machine::{Fact, this_machine};
 pub use diagnosis::usb::{UsbPlace, UsbSpeed};
 pub use serial::{SerialPort, UsbIdentity, serial_ports};

@@ -2,9 +2,9 @@
 
 use std::ops::RangeInclusive;
 
-use super::can_link::{BitTiming, CanLink};
 use super::kernel::KernelVersion;
 use crate::discovery::can_interface::CanInterface;
+use crate::discovery::can_link::{BitTiming, CanLink};
 
 /// Force frames of a cycle for eight boards, twice: the last cycle may still wait.
 const LEAST_QUEUE_FD: u32 = 2 * 8;

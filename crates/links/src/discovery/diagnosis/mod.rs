@@ -2,7 +2,7 @@
 //!
 //! | module | what it looks at |
 //! |---|---|
-//! | [`can_link`], [`can`] | a CAN controller's timing, state and queue |
+//! | [`can`] | a CAN controller's timing, state and queue |
 //! | [`usb`], [`serial`] | where a serial port hangs, and how long it holds bytes back |
 //! | [`kernel`], [`limits`] | what delays a tick on this machine |
 //! | [`machine`] | the two together, as a list |
@@ -11,7 +11,6 @@
 //! files it reads.
 
 pub(super) mod can;
-pub(super) mod can_link;
 mod files;
 pub(super) mod kernel;
 mod limits;

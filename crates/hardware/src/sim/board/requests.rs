@@ -15,10 +15,10 @@ use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::key::MOST_KEYS;
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use haptics::plant::{Gesture, Touch};
-
-use super::board::{BoardMake, SimulatedBoard};
-use super::guard::NotArmed;
 use links::Link;
+
+use super::{BoardMake, SimulatedBoard};
+use crate::sim::force_interlock::NotArmed;
 
 /// Lines that the log keeps.
 const LOG: usize = 32;
@@ -104,12 +104,12 @@ impl SimulatedBoard {
         let operation = request.operation.map_or_else(|it| it, |it| it as u8);
         // A host that starts anew may come upon the same number with another wish.
         let this = (request.id, operation);
-        match self.desk.last {
+        match self.requests.last {
             Some((last, bytes, len)) if last == this => self.send(&bytes[..len], link),
             Some(_) | None => {
                 let mut answer = ReplyBuffer { request, operation, bytes: [0; MAX_FRAME], len: 0 };
                 self.work_out(from_us, &mut answer);
-                self.desk.last = Some((this, answer.bytes, answer.len));
+                self.requests.last = Some((this, answer.bytes, answer.len));
                 self.send(&answer.bytes[..answer.len], link);
             }
         }
@@ -164,7 +164,7 @@ impl SimulatedBoard {
     }
 
     fn disarm(&mut self, from_us: u64) -> Result<Disarmed, Status> {
-        let nonce = self.guard.disarm(from_us).ok_or(Status::WrongState)?;
+        let nonce = self.interlock.disarm(from_us).ok_or(Status::WrongState)?;
         Ok(Disarmed { nonce })
     }
 
@@ -174,27 +174,27 @@ impl SimulatedBoard {
             return Err(Status::BadValue);
         }
         let valid_us = u64::from(wanted.valid_ms) * 1_000;
-        self.guard.arm(wanted.nonce, valid_us).map_err(|why| match why {
+        self.interlock.arm(wanted.nonce, valid_us).map_err(|why| match why {
             NotArmed::NotDisarmed => Status::WrongState,
             NotArmed::WrongNonce => Status::WrongNonce,
         })?;
         self.forces.packing = packing;
         self.forget_forces();
-        self.desk.note(self.clock_us(), "armed");
+        self.requests.note(self.clock_us(), "armed");
         Ok(Nothing)
     }
 
     fn read_config(&self, wanted: ReadConfig) -> Result<Config, Status> {
-        let value = self.desk.settings.get(usize::from(wanted.setting));
+        let value = self.requests.settings.get(usize::from(wanted.setting));
         let value = *value.ok_or(Status::BadValue)?;
-        Ok(Config { value, config_crc: self.desk.config_crc() })
+        Ok(Config { value, config_crc: self.requests.config_crc() })
     }
 
     fn write_config(&mut self, wanted: WriteConfig) -> Result<Config, Status> {
         let WriteConfig { setting, value } = wanted;
-        let place = self.desk.settings.get_mut(usize::from(setting)).ok_or(Status::BadValue)?;
+        let place = self.requests.settings.get_mut(usize::from(setting)).ok_or(Status::BadValue)?;
         *place = value;
-        Ok(Config { value, config_crc: self.desk.config_crc() })
+        Ok(Config { value, config_crc: self.requests.config_crc() })
     }
 
     fn read_calibration(&self, wanted: ReadCalibration) -> Result<KeyCalibration, Status> {
@@ -202,7 +202,7 @@ impl SimulatedBoard {
         if self.make.n_keys <= slot {
             return Err(Status::BadValue);
         }
-        self.desk.calibration[slot].ok_or(Status::Impossible)
+        self.requests.calibration[slot].ok_or(Status::Impossible)
     }
 
     fn write_calibration(&mut self, wanted: KeyCalibration) -> Result<Nothing, Status> {
@@ -210,25 +210,25 @@ impl SimulatedBoard {
         if self.make.n_keys <= slot {
             return Err(Status::BadValue);
         }
-        self.desk.calibration[slot] = Some(wanted);
+        self.requests.calibration[slot] = Some(wanted);
         Ok(Nothing)
     }
 
     fn read_log(&self, wanted: ReadLog) -> Result<LogLine, Status> {
-        let line = self.desk.log.get(usize::from(wanted.line)).ok_or(Status::BadValue)?;
-        let lines = u16::try_from(self.desk.log.len()).unwrap_or(u16::MAX);
+        let line = self.requests.log.get(usize::from(wanted.line)).ok_or(Status::BadValue)?;
+        let lines = u16::try_from(self.requests.log.len()).unwrap_or(u16::MAX);
         Ok(LogLine { lines, ..*line })
     }
 
     fn light(&mut self, wanted: Light) -> Nothing {
-        self.desk.light_until_us = self.now_us() + u64::from(wanted.seconds) * 1_000_000;
-        self.desk.note(self.clock_us(), "light");
+        self.requests.light_until_us = self.now_us() + u64::from(wanted.seconds) * 1_000_000;
+        self.requests.note(self.clock_us(), "light");
         Nothing
     }
 
     /// Whether the light that shows which board it is burns.
     pub fn is_lit(&self) -> bool {
-        self.desk.is_lit(self.now_us())
+        self.requests.is_lit(self.now_us())
     }
 
     fn counters(&self) -> Counters {

@@ -9,9 +9,9 @@ use firmware_protocol::frame::key_forces::{ForcePacking, KeySlopes};
 use firmware_protocol::frame::multicast_forces::{GROUP, GROUPS, MulticastForces};
 use firmware_protocol::quantity::Millinewtons;
 
-use super::board::SimulatedBoard;
-use super::guard::ForceDecision;
-use super::law::Law;
+use super::SimulatedBoard;
+use crate::sim::force_interlock::ForceDecision;
+use crate::sim::force_law::Law;
 
 /// When the newest forces of each group were worked out, since the board was armed (us).
 #[derive(Clone, Copy, Debug, Default)]
@@ -58,7 +58,7 @@ impl SimulatedBoard {
             let force = if frame.flag { Millinewtons::default() } else { force };
             Law::here(force, KeySlopes::default(), (0.0, 0.0), from_us)
         };
-        match self.guard.judge(taken_us, from_us) {
+        match self.interlock.judge(taken_us, from_us) {
             ForceDecision::Stale => self.counts.stale += 1,
             ForceDecision::Unarmed => self.counts.unarmed += 1,
             ForceDecision::Rendered => {
@@ -71,7 +71,7 @@ impl SimulatedBoard {
                 }
                 if let Some(oldest_us) = self.groups.hear(frame.group, taken_us, &mine) {
                     // If those are stale, nothing is fed, and they expire.
-                    let _fed = self.guard.feed(oldest_us, from_us);
+                    let _fed = self.interlock.feed(oldest_us, from_us);
                 }
             }
         }

@@ -24,7 +24,7 @@ pub(super) struct KeyPush {
     rest: f64,
     /// Within so much it stands still (m).
     still: f64,
-    /// When it was first felt (s).
+    /// Time of the first position (s).
     began: Option<f64>,
     /// Time of the last look, and of the one before (s).
     times: (f64, f64),
@@ -35,7 +35,7 @@ pub(super) struct KeyPush {
 }
 
 impl KeyPush {
-    /// A hand that does not push yet, on a key with this rest and spread of readings (m).
+    /// Starts without a push, on a key with this rest and spread of readings (m).
     pub(super) const fn new(rest: f64, spread: f64) -> Self {
         Self {
             push: 0.0,
@@ -49,7 +49,7 @@ impl KeyPush {
     }
 
     /// Takes where the key is at `t` (s, m).
-    pub(super) fn feel(&mut self, t: f64, position: f64) -> Result<(), CalibrationFault> {
+    pub(super) fn update(&mut self, t: f64, position: f64) -> Result<(), CalibrationFault> {
         let began = *self.began.get_or_insert_with(|| {
             (self.position, self.times, self.stand) = (position, (t, t), (position, t));
             t

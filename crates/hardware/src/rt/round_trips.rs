@@ -8,18 +8,18 @@ const RECENT: usize = 15;
 
 /// The last 256 round trips (us).
 #[derive(Clone, Debug)]
-pub(super) struct Trips {
+pub(super) struct RoundTrips {
     lengths: [u32; WINDOW],
     n: usize,
 }
 
-impl Default for Trips {
+impl Default for RoundTrips {
     fn default() -> Self {
         Self { lengths: [0; WINDOW], n: 0 }
     }
 }
 
-impl Trips {
+impl RoundTrips {
     /// Remembers one (us).
     pub(super) fn push(&mut self, length: u64) {
         self.lengths[self.n % WINDOW] = u32::try_from(length).unwrap_or(u32::MAX);
@@ -55,7 +55,7 @@ mod tests {
 
     #[test]
     fn the_recent_median_forgets_soon_and_is_not_moved_by_one_that_was_late() {
-        let mut trips = Trips::default();
+        let mut trips = RoundTrips::default();
         assert_eq!(trips.recent(), None);
         (0..WINDOW).for_each(|_| trips.push(900));
         assert_eq!(trips.recent(), Some(900));
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn quantiles_are_those_of_the_last_256() {
-        let mut trips = Trips::default();
+        let mut trips = RoundTrips::default();
         assert_eq!(trips.quantiles(), None);
         (0..1_000).for_each(|length| trips.push(length));
         assert_eq!(trips.quantiles(), Some([872, 997, 999]));

@@ -1,9 +1,14 @@
 //! A simulated board: its keys behind one link, complete as a real one.
 //!
 //! It lives in ticks of its own, at each of which its motors' forces are worked out; every so
-//! many it sends samples. It answers requests (`requests.rs`), takes forces only when it
-//! is armed (`guard.rs`) and only as answers to what it has just sent (`history.rs`) or with a
+//! many it sends samples. It answers requests (`requests`), takes forces only when it
+//! is armed (`force_interlock.rs`) and only as answers to what it has just sent (`history.rs`) or with a
 //! time of the bus (`multicast.rs`).
+
+mod bus_time;
+mod multicast;
+mod requests;
+mod sample_history;
 
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::acyclic::arm::VALID_MS;
@@ -16,19 +21,19 @@ use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
 use firmware_protocol::version::PROTOCOL_VERSION;
 use firmware_protocol::{key, schema};
 use haptics::plant::{Gesture, KeyRig, RigParameters};
+use links::{Link, RecvError};
 use serde::Serialize;
 
-use super::bus_time::BusTime;
-use super::guard::{ForceDecision, ForceInterlock};
-use super::history::SampleHistory;
+use self::bus_time::BusTime;
+use self::multicast::Groups;
+use self::requests::BoardRequestHandler;
+use self::sample_history::SampleHistory;
+use super::force_interlock::{ForceDecision, ForceInterlock};
+use super::force_law::Law;
 use super::key::{Plant, SampleProgress};
-use super::law::Law;
-use super::multicast::Groups;
-use super::requests::BoardRequestHandler;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
 use crate::clock::low;
-use links::{Link, RecvError};
 
 /// What a simulated board can.
 const FEATURES: u16 =
@@ -81,7 +86,7 @@ pub struct BoardMake {
     /// Force of its motors for a newton that is asked for (1).
     pub strength: f64,
     /// What it says of itself that is not true.
-    pub guise: FakeIdentity,
+    pub fake_identity: FakeIdentity,
 }
 
 /// What a board says of itself that is not true; by default nothing.
@@ -101,8 +106,8 @@ impl BoardMake {
     pub fn standard(id: BoardId, period: f64, rig: RigParameters) -> Self {
         let first_key = u8::try_from(id.keys().start).unwrap_or_default();
         let (n_keys, offset, strength) = (KEYS_PER_BOARD, 0, 1.0);
-        let guise = FakeIdentity::default();
-        Self { id, first_key, n_keys, period, rig, offset, strength, guise }
+        let fake_identity = FakeIdentity::default();
+        Self { id, first_key, n_keys, period, rig, offset, strength, fake_identity }
     }
 
     /// Who the board is: the same for the same number and keys.
@@ -114,19 +119,19 @@ impl BoardMake {
 /// A board with its keys, motors, encoders and clock.
 #[derive(Clone, Debug)]
 pub struct SimulatedBoard {
-    pub(super) make: BoardMake,
-    pub(super) progress: SampleProgress,
-    pub(super) keys: Vec<Plant>,
-    pub(super) guard: ForceInterlock,
-    pub(super) desk: BoardRequestHandler,
+    make: BoardMake,
+    progress: SampleProgress,
+    keys: Vec<Plant>,
+    interlock: ForceInterlock,
+    requests: BoardRequestHandler,
     pub(super) samples: SampleLayout,
     pub(super) forces: ForceLayout,
     /// Ticks between two frames of samples, and how many are left; none for no samples.
-    pub(super) every: Option<(u32, u32)>,
-    pub(super) counts: BoardCounts,
-    pub(super) laws: PerKey<Law>,
-    pub(super) bus_time: BusTime,
-    pub(super) groups: Groups,
+    every: Option<(u32, u32)>,
+    counts: BoardCounts,
+    laws: PerKey<Law>,
+    bus_time: BusTime,
+    groups: Groups,
     history: SampleHistory,
     /// How much its clock was set back (us).
     late_us: u64,
@@ -150,8 +155,8 @@ impl SimulatedBoard {
             make,
             progress: SampleProgress::new(make.period)?,
             keys: (0..make.n_keys).map(|_| Plant::new(make.rig, make.offset)).collect(),
-            guard: ForceInterlock::new(u32::from(make.id.number()) + 1),
-            desk: BoardRequestHandler::new(make),
+            interlock: ForceInterlock::new(u32::from(make.id.number()) + 1),
+            requests: BoardRequestHandler::new(make),
             samples: SampleLayout { packing: SamplePacking::Position24, n_keys: make.n_keys },
             forces: ForceLayout { packing: ForcePacking::Force16, n_keys: make.n_keys },
             every: None,
@@ -170,7 +175,7 @@ impl SimulatedBoard {
     #[must_use]
     pub const fn armed(mut self) -> Self {
         self.every = Some((1, 1));
-        self.guard.force_armed(VALID_MS as u64 * 1_000);
+        self.interlock.force_armed(VALID_MS as u64 * 1_000);
         self
     }
 
@@ -181,10 +186,10 @@ impl SimulatedBoard {
         }
     }
 
-    /// Lays a weight on the key in `slot` (N); 0 takes it away.
-    pub fn lay(&mut self, slot: usize, newtons: f64) {
+    /// Presses on the key in `slot` with a weight (N); 0 takes it away.
+    pub fn press(&mut self, slot: usize, newtons: f64) {
         if let Some(key) = self.keys.get_mut(slot) {
-            key.lay(newtons);
+            key.press(newtons);
         }
     }
 
@@ -212,23 +217,23 @@ impl SimulatedBoard {
 
     /// Whether it renders no forces, for whatever reason.
     pub const fn is_safe(&self) -> bool {
-        !self.guard.is_armed()
+        !self.interlock.is_armed()
     }
 
     /// Why it renders no forces, as in [`safe_reason`].
     pub const fn safe_reason(&self) -> u8 {
-        self.guard.reason()
+        self.interlock.reason()
     }
 
     /// Leaves the safe state without force, whatever brought it there; the next valid forces are
     /// taken again.
     pub fn rearm(&mut self) {
-        self.guard.force_armed(u64::from(VALID_MS) * 1_000);
+        self.interlock.force_armed(u64::from(VALID_MS) * 1_000);
         self.forget_forces();
     }
 
     /// Lets go of all forces.
-    pub(super) fn forget_forces(&mut self) {
+    fn forget_forces(&mut self) {
         self.laws.as_mut_slice().fill(Law::default());
         self.answered = None;
         self.groups = Groups::default();
@@ -236,7 +241,7 @@ impl SimulatedBoard {
 
     /// What was counted.
     pub fn counts(&self) -> BoardCounts {
-        let (trips, armings) = self.guard.counts();
+        let (trips, armings) = self.interlock.counts();
         BoardCounts { trips: trips.into(), armings: armings.into(), ..self.counts }
     }
 
@@ -257,7 +262,7 @@ impl SimulatedBoard {
 
     /// Who it is.
     pub fn introduction(&self) -> Introduction {
-        let FakeIdentity { major, schema, keys, uid } = self.make.guise;
+        let FakeIdentity { major, schema, keys, uid } = self.make.fake_identity;
         let n_keys = u8::try_from(self.make.n_keys).unwrap_or(u8::MAX);
         let (first_key, n_keys) = keys.unwrap_or((self.make.first_key, n_keys));
         let hello = Hello {
@@ -274,12 +279,12 @@ impl SimulatedBoard {
             law_hz: rate(self.make.period),
             quantum_nm: nanometres(self.make.rig.quantum),
             max_force_mn: millinewtons(self.make.rig.motor.limit),
-            config_crc: self.desk.config_crc(),
+            config_crc: self.requests.config_crc(),
             board_us: self.clock_us(),
             firmware_major: 1,
             firmware_minor: 0,
             reset_reason: 1,
-            safe_reason: self.guard.reason(),
+            safe_reason: self.interlock.reason(),
         };
         Introduction { board: self.make.id, safe: self.is_safe(), hello }
     }
@@ -299,16 +304,16 @@ impl SimulatedBoard {
     /// One of its keys fails: it renders no force, for this reason; a failed key or a stop it
     /// forgets only without power.
     pub fn fail(&mut self, reason: u8) {
-        self.guard.trip(reason, self.now_us());
+        self.interlock.trip(reason, self.now_us());
     }
 
     /// Its clock now (us), as requests see it.
-    pub(super) fn clock_us(&self) -> u32 {
+    fn clock_us(&self) -> u32 {
         low(self.told_us(self.now_us()))
     }
 
     /// Its clock now (us).
-    pub(super) fn now_us(&self) -> u64 {
+    fn now_us(&self) -> u64 {
         self.progress.now_us()
     }
 
@@ -352,7 +357,7 @@ impl SimulatedBoard {
     fn obey(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
         match Broadcast::decode(frame) {
             Ok(Broadcast::EmergencyStop { .. }) => {
-                self.guard.trip(safe_reason::EMERGENCY_STOP, from_us);
+                self.interlock.trip(safe_reason::EMERGENCY_STOP, from_us);
             }
             Ok(Broadcast::WhoIsThere { .. }) => {
                 let mut bytes = [0; MAX_FRAME];
@@ -374,7 +379,7 @@ impl SimulatedBoard {
             self.counts.stale += 1;
             return;
         }
-        match self.guard.feed(sent.taken_us, now_us) {
+        match self.interlock.feed(sent.taken_us, now_us) {
             ForceDecision::Stale => self.counts.stale += 1,
             ForceDecision::Unarmed => self.counts.unarmed += 1,
             ForceDecision::Rendered => {
@@ -395,7 +400,7 @@ impl SimulatedBoard {
     /// Advances the keys over `tick`.
     fn step(&mut self, tick: u64) {
         let now_us = self.progress.us(tick);
-        let share = self.guard.share(now_us) * self.make.strength;
+        let share = self.interlock.share(now_us) * self.make.strength;
         let (t, h) = (self.progress.seconds(tick), self.progress.period());
         for (key, law) in self.keys.iter_mut().zip(self.laws.as_slice()) {
             key.advance(t, h, share * law.force(now_us, key.measured()));
@@ -443,7 +448,7 @@ impl SimulatedBoard {
     }
 
     /// Sends a frame that is not cyclic.
-    pub(super) fn send(&mut self, frame: &[u8], link: &mut impl Link) {
+    fn send(&mut self, frame: &[u8], link: &mut impl Link) {
         self.counts.unsent += u64::from(link.try_send(frame).is_err());
     }
 }

@@ -9,7 +9,7 @@ use firmware_protocol::{MAX_FRAME, Record};
 /// Times that a request is asked before the board counts as silent.
 const TRIES: u8 = 8;
 
-/// A request and when it was asked.
+/// A request and when it was pending.
 #[derive(Clone, Copy, Debug)]
 struct PendingRequest {
     frame: [u8; MAX_FRAME],
@@ -20,12 +20,12 @@ struct PendingRequest {
     tries: u8,
 }
 
-/// One board's courier: one request at a time.
+/// The requests to one board, one at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct RequestChannel {
     board: BoardId,
     next_id: u8,
-    asked: Option<PendingRequest>,
+    pending: Option<PendingRequest>,
 }
 
 /// A reply that came, and how long it took.
@@ -39,17 +39,17 @@ pub struct ReceivedReply<'a> {
 }
 
 impl RequestChannel {
-    /// A courier to `board` whose first request has the number `first`.
+    /// Begins without a request; the first one will have the number `first`.
     ///
     /// A host that starts anew begins elsewhere, or its first request would be taken for the
     /// last one of the host before.
     pub const fn new(board: BoardId, first: u8) -> Self {
-        Self { board, next_id: first, asked: None }
+        Self { board, next_id: first, pending: None }
     }
 
-    /// Whether a request may be asked.
+    /// Whether a request may be pending.
     pub const fn is_free(&self) -> bool {
-        self.asked.is_none()
+        self.pending.is_none()
     }
 
     /// Asks; a request that is under way is forgotten.
@@ -57,42 +57,42 @@ impl RequestChannel {
         let (id, mut frame) = (self.next_id, [0; MAX_FRAME]);
         self.next_id = self.next_id.wrapping_add(1);
         let len = encode_request(self.board, id, operation, record, &mut frame);
-        self.asked = Some(PendingRequest { frame, len, id, operation, sent_us: None, tries: 0 });
+        self.pending = Some(PendingRequest { frame, len, id, operation, sent_us: None, tries: 0 });
     }
 
-    /// The frame to be sent at `now_us`, if one is due.
+    /// Returns the frame to be sent at `now_us`, if one is due.
     pub fn due(&mut self, now_us: u64) -> Option<&[u8]> {
-        let asked = self.asked.as_mut()?;
-        let patience_us = u64::from(RETRY_MS) * 1_000;
-        if asked.sent_us.is_some_and(|sent| now_us < sent + patience_us) || TRIES <= asked.tries {
+        let pending = self.pending.as_mut()?;
+        let retry_us = u64::from(RETRY_MS) * 1_000;
+        if pending.sent_us.is_some_and(|sent| now_us < sent + retry_us) || TRIES <= pending.tries {
             return None;
         }
-        asked.sent_us = Some(now_us);
-        asked.tries += 1;
-        Some(&asked.frame[..asked.len])
+        pending.sent_us = Some(now_us);
+        pending.tries += 1;
+        Some(&pending.frame[..pending.len])
     }
 
     /// Takes a frame; returns the reply if it is the one that is waited for.
-    pub fn hear<'a>(&mut self, frame: &'a [u8]) -> Option<ReceivedReply<'a>> {
+    pub fn take_reply<'a>(&mut self, frame: &'a [u8]) -> Option<ReceivedReply<'a>> {
         let reply = AcyclicReply::decode(frame).ok()?;
-        let is_it = |asked: &mut PendingRequest| {
+        let is_it = |pending: &mut PendingRequest| {
             reply.board == self.board
-                && reply.id == asked.id
-                && reply.operation == Ok(asked.operation)
+                && reply.id == pending.id
+                && reply.operation == Ok(pending.operation)
         };
-        let asked = self.asked.take_if(is_it)?;
-        let sent_us = asked.sent_us.filter(|_| asked.tries == 1);
-        Some(ReceivedReply { reply, operation: asked.operation, sent_us })
+        let pending = self.pending.take_if(is_it)?;
+        let sent_us = pending.sent_us.filter(|_| pending.tries == 1);
+        Some(ReceivedReply { reply, operation: pending.operation, sent_us })
     }
 
-    /// Whether the board did not answer, however often it was asked; then it may be asked
+    /// Tells whether the board did not answer, however often it was asked; then it may be asked
     /// something else.
     pub fn gave_up(&mut self, now_us: u64) -> bool {
-        let patience_us = u64::from(RETRY_MS) * 1_000;
-        let is_silent = |asked: &mut PendingRequest| {
-            TRIES <= asked.tries && asked.sent_us.is_none_or(|sent| sent + patience_us <= now_us)
+        let retry_us = u64::from(RETRY_MS) * 1_000;
+        let is_silent = |pending: &mut PendingRequest| {
+            TRIES <= pending.tries && pending.sent_us.is_none_or(|sent| sent + retry_us <= now_us)
         };
-        self.asked.take_if(is_silent).is_some()
+        self.pending.take_if(is_silent).is_some()
     }
 }
 
@@ -116,14 +116,14 @@ mod tests {
 
     #[test]
     fn it_asks_again_after_25_ms_and_gives_up_in_the_end() {
-        let mut courier = RequestChannel::new(board(), 9);
-        courier.ask(Operation::Ping, &Nothing);
+        let mut channel = RequestChannel::new(board(), 9);
+        channel.ask(Operation::Ping, &Nothing);
         let mut sent = 0;
         for now in (0..1_000_000).step_by(1_000) {
-            sent += u32::from(courier.due(now).is_some());
-            if courier.gave_up(now) {
+            sent += u32::from(channel.due(now).is_some());
+            if channel.gave_up(now) {
                 assert_eq!((sent, now), (8, 200_000));
-                assert!(courier.is_free());
+                assert!(channel.is_free());
                 return;
             }
         }
@@ -132,25 +132,25 @@ mod tests {
 
     #[test]
     fn only_the_reply_that_is_waited_for_counts() {
-        let mut courier = RequestChannel::new(board(), 9);
-        courier.ask(Operation::Ping, &Nothing);
-        assert!(courier.due(100).is_some());
+        let mut channel = RequestChannel::new(board(), 9);
+        channel.ask(Operation::Ping, &Nothing);
+        assert!(channel.due(100).is_some());
         for (id, operation) in [(8, Operation::Ping), (9, Operation::Light)] {
             let (bytes, len) = reply(id, operation);
-            assert!(courier.hear(&bytes[..len]).is_none());
+            assert!(channel.take_reply(&bytes[..len]).is_none());
         }
         let (bytes, len) = reply(9, Operation::Ping);
-        let heard = courier.hear(&bytes[..len]).unwrap();
+        let heard = channel.take_reply(&bytes[..len]).unwrap();
         assert_eq!(heard.sent_us, Some(100));
-        assert!(courier.hear(&bytes[..len]).is_none(), "it counts once");
+        assert!(channel.take_reply(&bytes[..len]).is_none(), "it counts once");
     }
 
     #[test]
     fn a_reply_to_what_was_asked_twice_tells_no_time() {
-        let mut courier = RequestChannel::new(board(), 0);
-        courier.ask(Operation::Ping, &Nothing);
-        assert!(courier.due(0).is_some() && courier.due(25_000).is_some());
+        let mut channel = RequestChannel::new(board(), 0);
+        channel.ask(Operation::Ping, &Nothing);
+        assert!(channel.due(0).is_some() && channel.due(25_000).is_some());
         let (bytes, len) = reply(0, Operation::Ping);
-        assert_eq!(courier.hear(&bytes[..len]).unwrap().sent_us, None);
+        assert_eq!(channel.take_reply(&bytes[..len]).unwrap().sent_us, None);
     }
 }

@@ -32,7 +32,7 @@ enum InterlockState {
     Armed { expires_us: Option<u64> },
 }
 
-/// The guard of one board.
+/// The interlock of one board.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ForceInterlock {
     state: InterlockState,
@@ -214,60 +214,60 @@ mod tests {
     const VALID: u64 = 20_000;
 
     fn armed() -> ForceInterlock {
-        let mut guard = ForceInterlock::new(7);
-        let nonce = guard.disarm(0).unwrap();
-        assert_eq!(guard.arm(nonce, VALID), Ok(()));
-        guard
+        let mut interlock = ForceInterlock::new(7);
+        let nonce = interlock.disarm(0).unwrap();
+        assert_eq!(interlock.arm(nonce, VALID), Ok(()));
+        interlock
     }
 
     #[test]
     fn it_is_armed_by_the_nonce_that_was_given_out_and_only_once() {
-        let mut guard = ForceInterlock::new(7);
-        assert_eq!(guard.arm(7, VALID), Err(NotArmed::NotDisarmed));
-        let (old, nonce) = (guard.disarm(0).unwrap(), guard.disarm(0).unwrap());
+        let mut interlock = ForceInterlock::new(7);
+        assert_eq!(interlock.arm(7, VALID), Err(NotArmed::NotDisarmed));
+        let (old, nonce) = (interlock.disarm(0).unwrap(), interlock.disarm(0).unwrap());
         assert_ne!(old, nonce);
-        assert_eq!(guard.arm(old, VALID), Err(NotArmed::WrongNonce));
-        assert_eq!(guard.arm(nonce, VALID), Ok(()));
-        assert_eq!(guard.arm(nonce, VALID), Err(NotArmed::NotDisarmed));
+        assert_eq!(interlock.arm(old, VALID), Err(NotArmed::WrongNonce));
+        assert_eq!(interlock.arm(nonce, VALID), Ok(()));
+        assert_eq!(interlock.arm(nonce, VALID), Err(NotArmed::NotDisarmed));
     }
 
     #[test]
     fn before_the_first_force_there_is_none_and_nothing_expires() {
-        let mut guard = armed();
-        assert!((0..1_000_000).step_by(1_000).all(|now| guard.share(now) <= 0.0));
-        assert!(guard.is_armed());
+        let mut interlock = armed();
+        assert!((0..1_000_000).step_by(1_000).all(|now| interlock.share(now) <= 0.0));
+        assert!(interlock.is_armed());
     }
 
     #[test]
     fn a_force_expires_and_fades_within_10_ms() {
-        let mut guard = armed();
-        assert_eq!(guard.feed(1_000, 1_500), ForceDecision::Rendered);
-        assert!(1.0 <= guard.share(21_000));
-        let shares: Vec<_> = (0..12).map(|ms| guard.share(21_001 + 1_000 * ms)).collect();
+        let mut interlock = armed();
+        assert_eq!(interlock.feed(1_000, 1_500), ForceDecision::Rendered);
+        assert!(1.0 <= interlock.share(21_000));
+        let shares: Vec<_> = (0..12).map(|ms| interlock.share(21_001 + 1_000 * ms)).collect();
         assert!(shares.is_sorted_by(|one, next| next <= one), "{shares:?}");
         assert!(0.99 < shares[0] && shares[10..].iter().all(|share| *share <= 0.0), "{shares:?}");
-        assert_eq!((guard.is_armed(), guard.counts()), (false, (1, 1)));
+        assert_eq!((interlock.is_armed(), interlock.counts()), (false, (1, 1)));
     }
 
     #[test]
     fn it_stays_safe_until_it_is_disarmed_and_armed() {
-        let mut guard = armed();
-        assert_eq!(guard.feed(0, 0), ForceDecision::Rendered);
-        assert!(guard.share(50_000) <= 0.0);
-        assert_eq!(guard.feed(50_000, 50_000), ForceDecision::Unarmed);
-        let nonce = guard.disarm(60_000).unwrap();
-        assert_eq!(guard.feed(60_000, 60_000), ForceDecision::Unarmed);
-        assert_eq!(guard.arm(nonce, VALID), Ok(()));
-        assert_eq!(guard.feed(60_000, 60_000), ForceDecision::Rendered);
-        assert!(1.0 <= guard.share(61_000));
+        let mut interlock = armed();
+        assert_eq!(interlock.feed(0, 0), ForceDecision::Rendered);
+        assert!(interlock.share(50_000) <= 0.0);
+        assert_eq!(interlock.feed(50_000, 50_000), ForceDecision::Unarmed);
+        let nonce = interlock.disarm(60_000).unwrap();
+        assert_eq!(interlock.feed(60_000, 60_000), ForceDecision::Unarmed);
+        assert_eq!(interlock.arm(nonce, VALID), Ok(()));
+        assert_eq!(interlock.feed(60_000, 60_000), ForceDecision::Rendered);
+        assert!(1.0 <= interlock.share(61_000));
     }
 
     #[test]
     fn a_force_that_answers_old_samples_is_stale_and_does_not_feed() {
-        let mut guard = armed();
-        assert_eq!(guard.feed(0, 0), ForceDecision::Rendered);
-        assert_eq!(guard.feed(0, 20_001), ForceDecision::Stale);
-        assert!(guard.share(20_001) < 1.0 && !guard.is_armed());
+        let mut interlock = armed();
+        assert_eq!(interlock.feed(0, 0), ForceDecision::Rendered);
+        assert_eq!(interlock.feed(0, 20_001), ForceDecision::Stale);
+        assert!(interlock.share(20_001) < 1.0 && !interlock.is_armed());
     }
 
     #[test]
@@ -277,32 +277,32 @@ mod tests {
         let _silent = silent.feed(0, 0);
         assert!(silent.share(VALID + 5_000) < 1.0 && silent.reason() == SILENCE);
         let _disarmed = disarmed.disarm(VALID + 5_000).unwrap();
-        for guard in [ForceInterlock::new(7), silent, disarmed, armed()] {
-            check_latched(guard, EMERGENCY_STOP, KEY_FAULT);
-            check_latched(guard, KEY_FAULT, EMERGENCY_STOP);
-            let mut guard = guard;
-            guard.trip(SILENCE, 0);
-            assert_ne!(guard.disarm(0), None, "silence is not for good");
+        for interlock in [ForceInterlock::new(7), silent, disarmed, armed()] {
+            check_latched(interlock, EMERGENCY_STOP, KEY_FAULT);
+            check_latched(interlock, KEY_FAULT, EMERGENCY_STOP);
+            let mut interlock = interlock;
+            interlock.trip(SILENCE, 0);
+            assert_ne!(interlock.disarm(0), None, "silence is not for good");
         }
     }
 
     /// Asserts that `reason` replaces whatever there was, and that nothing replaces it.
     #[track_caller]
-    fn check_latched(mut guard: ForceInterlock, reason: u8, other: u8) {
+    fn check_latched(mut interlock: ForceInterlock, reason: u8, other: u8) {
         for later in [reason, other, safe_reason::SILENCE] {
-            guard.trip(later, VALID + 6_000);
-            assert_eq!(guard.reason(), reason);
+            interlock.trip(later, VALID + 6_000);
+            assert_eq!(interlock.reason(), reason);
         }
-        assert_eq!(guard.disarm(VALID + 7_000), None);
-        assert_eq!(guard.arm(guard.seed, VALID), Err(NotArmed::NotDisarmed));
-        assert_eq!(guard.reason(), reason);
+        assert_eq!(interlock.disarm(VALID + 7_000), None);
+        assert_eq!(interlock.arm(interlock.seed, VALID), Err(NotArmed::NotDisarmed));
+        assert_eq!(interlock.reason(), reason);
     }
 
     #[test]
     fn what_fades_or_has_faded_does_not_come_back_with_another_reason() {
         let away: [fn(&mut ForceInterlock, u64); 2] = [
-            |guard, now_us| guard.trip(safe_reason::EMERGENCY_STOP, now_us),
-            |guard, now_us| _ = guard.disarm(now_us),
+            |interlock, now_us| interlock.trip(safe_reason::EMERGENCY_STOP, now_us),
+            |interlock, now_us| _ = interlock.disarm(now_us),
         ];
         for take_away in away {
             // Disarmed at 5 ms, expired at 20 ms and nobody has looked, armed and never fed.
