@@ -13,12 +13,12 @@ use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
 use firmware_protocol::quantity::Counts;
 use haptics::{RigParameters, Touch};
 use hardware::keybed::{Armed, Keybed, NamedLink, Offline, Terms, WantedBoards};
-use hardware::link::loopback::Loopback;
-use hardware::link::{Link, RecvError, SendError};
 use hardware::refusal::Refusals;
+use hardware::rt::board_supervisor::{ArmLockout, ArmState as BoardStage};
 use hardware::rt::plausible::Implausible;
-use hardware::rt::steward::{ArmLockout, ArmState as BoardStage};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
+use links::loopback::Loopback;
+use links::{Link, RecvError, SendError};
 use scheduler::motion::KeyEvent;
 use scheduler::port::{FinishedTick, TickObserver};
 
@@ -296,7 +296,7 @@ fn a_board_whose_clock_leaves_the_tolerance_in_a_run_is_disarmed_and_renders_not
     DRIFT.set(0.045);
     run(&mut stage, 2 * TICKS);
     let report = stage.bus.board_reports().remove(0);
-    let BoardStage::Barred(ArmLockout::Clock(ppm)) = report.condition.stage else {
+    let BoardStage::Barred(ArmLockout::Clock(ppm)) = report.condition.state else {
         panic!("it is used as if nothing was: {report:?}");
     };
     // As soon as that is sure, and before it is known exactly.
@@ -351,7 +351,7 @@ fn a_board_that_renders_no_force_in_a_run_is_sent_none_and_armed_a_few_times_onl
             assert_eq!(SENT.get(), [0; KEYS_PER_BOARD], "{wrong:?}");
         }
         let report = stage.bus.board_reports().remove(0);
-        assert_eq!(report.condition.stage, BoardStage::Barred(bar), "{wrong:?}");
+        assert_eq!(report.condition.state, BoardStage::Barred(bar), "{wrong:?}");
         assert!(ARMINGS.get() <= 5, "{wrong:?}: {} times", ARMINGS.get());
     }
 }
@@ -362,7 +362,7 @@ fn a_board_that_is_well_again_is_armed_after_a_while() {
     WRONG.set(Wrong::Nothing);
     run(&mut stage, 10_500);
     let report = stage.bus.board_reports().remove(0);
-    assert_eq!((report.condition.stage, report.condition.armings), (BoardStage::Armed, 2));
+    assert_eq!((report.condition.state, report.condition.armings), (BoardStage::Armed, 2));
 }
 
 /// Asserts that a key which reads nonsense is sent nothing after some `ticks`, and never more than
@@ -383,7 +383,7 @@ fn check_muted(wrong: Wrong, reason: Implausible, ticks: u64, most: f64) {
     let mut muted = [None; MOST_KEYS];
     muted[PLAYED.1] = Some(reason);
     assert_eq!(report.statistics.muted, muted, "{wrong:?}");
-    assert_eq!(report.condition.stage, BoardStage::Armed, "{wrong:?}");
+    assert_eq!(report.condition.state, BoardStage::Armed, "{wrong:?}");
     assert_eq!((stage.observer.strikes, stage.observer.faults), (0, 0), "{wrong:?}");
     assert!(stage.observer.force < most, "{wrong:?}: {} N", stage.observer.force);
 }

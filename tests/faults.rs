@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use firmware_protocol::key::BoardId;
 use haptics::Touch;
-use hardware::link::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use hardware::sim::keybed::SimulatedKeybed;
+use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use scene::Scene;
 use scheduler::motion::KEYS;
 use scheduler::port::KeyBus;
@@ -128,7 +128,7 @@ fn disturbed(plan: FaultPlan) -> (Felt, Stage<SimulatedKeybed, Nobody>) {
 }
 
 fn board() -> BoardId {
-    key(FAILING).board()
+    BoardId::of(key(FAILING))
 }
 
 fn scripted(exchanges: Range<u64>, fault: LinkFault) -> FaultPlan {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use firmware_protocol::key::BoardId;
 use haptics::Touch;
-use hardware::link::faulty::{Chance, FaultPlan, LinkFault};
 use hardware::sim::keybed::SimulatedKeybed;
+use links::faulty::{Chance, FaultPlan, LinkFault};
 use scene::Scene;
 use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{FinishedTick, TickObserver};

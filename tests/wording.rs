@@ -132,7 +132,11 @@ impl<'a> Visit<'a> for Comments<'_, '_> {
     }
 
     fn visit_trait_item_fn(&mut self, it: &'a TraitItemFn) {
-        self.public(&Visibility::Public(syn::token::Pub::default()), &it.attrs, &it.sig.ident.to_string());
+        self.public(
+            &Visibility::Public(syn::token::Pub::default()),
+            &it.attrs,
+            &it.sig.ident.to_string(),
+        );
     }
 
     fn visit_field(&mut self, it: &'a Field) {

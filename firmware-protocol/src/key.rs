@@ -3,8 +3,8 @@
 //! A board says itself which keys it carries, at most twelve in a row. In the standard
 //! compass, which the simulated keybed has, board `b` carries the keys `11 b ..= 11 b + 10`.
 
-/// Keys of a full compass.
-pub const KEYS: usize = 88;
+pub use keyboard::{KEYS, KeyIndex};
+
 /// Keys that one board carries at most: an octave.
 pub const MOST_KEYS: usize = 12;
 /// Boards of the standard compass.
@@ -15,37 +15,6 @@ pub const KEYS_PER_BOARD: usize = 11;
 const STANDARD_SLOTS: u8 = 11;
 const STANDARD_BOARDS: u8 = 8;
 
-/// A key of the compass, `0 ..= 87`: 0 is A0, 87 is C8.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub struct KeyIndex(u8);
-
-impl KeyIndex {
-    /// The key with this number; none above 87.
-    pub const fn new(number: u8) -> Option<Self> {
-        if (number as usize) < KEYS { Some(Self(number)) } else { None }
-    }
-
-    /// The number, for arrays over the compass.
-    pub const fn index(self) -> usize {
-        self.0 as usize
-    }
-
-    /// The number as it stands on the wire.
-    pub const fn number(self) -> u8 {
-        self.0
-    }
-
-    /// The board of the standard compass that carries this key.
-    pub const fn board(self) -> BoardId {
-        BoardId(self.0 / STANDARD_SLOTS)
-    }
-
-    /// The key's place on its board of the standard compass, `0 ..= 10`.
-    pub const fn slot(self) -> usize {
-        self.index() % KEYS_PER_BOARD
-    }
-}
-
 /// A board's number on its link, `0 ..= 14`; 15 on the wire means all boards.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct BoardId(u8);
@@ -54,27 +23,37 @@ impl BoardId {
     /// The largest number that a board can have.
     pub const MAX: Self = Self(14);
 
-    /// The board with this number; none above 14.
+    /// Returns the board with this number; none above 14.
     pub const fn new(number: u8) -> Option<Self> {
         if number <= Self::MAX.0 { Some(Self(number)) } else { None }
     }
 
-    /// The boards of the standard compass, from the bass to the treble.
+    /// Returns the board of the standard compass that carries `key`.
+    pub const fn of(key: KeyIndex) -> Self {
+        Self(key.number() / STANDARD_SLOTS)
+    }
+
+    /// Returns the place of `key` on its board of the standard compass, `0 ..= 10`.
+    pub const fn slot_of(key: KeyIndex) -> usize {
+        key.index() % KEYS_PER_BOARD
+    }
+
+    /// Returns the boards of the standard compass, from the bass to the treble.
     pub fn all() -> impl Iterator<Item = Self> {
         (0..STANDARD_BOARDS).map(Self)
     }
 
-    /// The number as it stands on the wire.
+    /// Returns the number as it stands on the wire.
     pub const fn number(self) -> u8 {
         self.0
     }
 
-    /// The number, for arrays over boards.
+    /// Returns the number as an index into arrays over boards.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 
-    /// The places of this board's keys in the standard compass.
+    /// Returns the indices of this board's keys in the standard compass.
     pub const fn keys(self) -> core::ops::Range<usize> {
         let first = self.index() * KEYS_PER_BOARD;
         first..first + KEYS_PER_BOARD
@@ -89,7 +68,7 @@ pub struct PerKey<T> {
 }
 
 impl<T: Copy + Default> PerKey<T> {
-    /// Keeps the first 12 of `values`.
+    /// Returns the first 12 of `values`.
     pub fn collect(values: impl IntoIterator<Item = T>) -> Self {
         let mut kept = Self::default();
         for (place, value) in kept.values.iter_mut().zip(values) {
@@ -99,17 +78,17 @@ impl<T: Copy + Default> PerKey<T> {
         kept
     }
 
-    /// The values that are there.
+    /// Returns the values that are there.
     pub fn as_slice(&self) -> &[T] {
         &self.values[..self.n]
     }
 
-    /// Whether there is none.
+    /// Tells whether there is no value.
     pub const fn is_empty(&self) -> bool {
         self.n == 0
     }
 
-    /// The same, to be changed.
+    /// Returns the values that are there, to be changed.
     pub fn as_mut_slice(&mut self) -> &mut [T] {
         &mut self.values[..self.n]
     }
@@ -132,9 +111,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_compass_ends_at_key_87_and_boards_at_14() {
-        assert!(KeyIndex::new(87).is_some());
-        assert_eq!(KeyIndex::new(88), None);
+    fn boards_end_at_14() {
         assert!(BoardId::new(14).is_some());
         assert_eq!(BoardId::new(15), None);
     }
@@ -145,7 +122,8 @@ mod tests {
         for board in BoardId::all() {
             for (slot, number) in board.keys().enumerate() {
                 let key = KeyIndex::new(u8::try_from(number).unwrap()).unwrap();
-                assert_eq!((key.index(), key.board(), key.slot()), (expected, board, slot));
+                let (its_board, its_slot) = (BoardId::of(key), BoardId::slot_of(key));
+                assert_eq!((key.index(), its_board, its_slot), (expected, board, slot));
                 expected += 1;
             }
         }

@@ -17,14 +17,14 @@
 //! padded to a length that the bus has, on classic CAN in pieces ([`can`]).
 //!
 //! ```
-//! use firmware_protocol::frame::{Header, Kind, key_forces::{self, ForceLayout, ForcePacking, KeyForces}};
+//! use firmware_protocol::frame::{FrameKind, Header, key_forces::{self, ForceLayout, ForcePacking, KeyForces}};
 //! use firmware_protocol::key::{BoardId, PerKey};
 //! use firmware_protocol::quantity::Millinewtons;
-//! use firmware_protocol::sequence::Sequence;
+//! use firmware_protocol::sequence::SequenceNumber;
 //! use firmware_protocol::serial::{self, Deframer};
 //!
 //! let board = BoardId::new(3).unwrap();
-//! let header = Header { board, sequence: Sequence(0), stamp_us: 1_000, flag: false };
+//! let header = Header { board, sequence: SequenceNumber(0), stamp_us: 1_000, flag: false };
 //! let sent = KeyForces {
 //!     header,
 //!     forces: PerKey::collect([Millinewtons::saturating(500)]),
@@ -40,7 +40,7 @@
 //! for byte in &wire[..len] {
 //!     if let Some(frame) = deframer.push(*byte) {
 //!         let frame = frame.unwrap();
-//!         assert_eq!(Kind::of(frame), Some(Kind::KeyForces));
+//!         assert_eq!(FrameKind::of(frame), Some(FrameKind::KeyForces));
 //!         assert_eq!(KeyForces::decode(frame, layout), Ok(sent));
 //!     }
 //! }
@@ -58,6 +58,7 @@ pub mod acyclic;
 pub mod can;
 pub mod frame;
 pub mod key;
+mod length;
 pub mod quantity;
 pub mod schema;
 pub mod sequence;

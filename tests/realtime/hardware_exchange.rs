@@ -1,7 +1,7 @@
 //! The exchange with the boards alone, on good wires and bad ones.
 
 use firmware_protocol::key::BoardId;
-use hardware::link::faulty::{Chance, FaultPlan, LinkFault};
+use links::faulty::{Chance, FaultPlan, LinkFault};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus as _;
 

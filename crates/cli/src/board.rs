@@ -11,9 +11,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::{ArgGroup, Args};
 use firmware_protocol::key::{BoardId, KEYS, KEYS_PER_BOARD};
 use haptics::RigParameters;
-use hardware::link::address::Address;
-use hardware::link::wire::WirePlan;
 use hardware::sim::board::{BoardMake, FakeIdentity};
+use links::address::Address;
+use links::wire::WirePlan;
 use serde::Serialize;
 
 use super::arguments::{number, ratio, seconds, share};
@@ -195,7 +195,7 @@ fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Fai
     let rig = RigParameters::default();
     let (period, offset, strength) = (LAW_PERIOD, args.offset, args.strength);
     let make = BoardMake { id, first_key, n_keys, period, rig, offset, strength, guise };
-    let placed = place(id, at).map_err(usage)?;
+    let placed = place(id, at).map_err(|error| Failure::Usage(error.to_string()))?;
     BoardProcess::new(make, placed, args.drift, fates_of(&args.fates, number)).map_err(usage)
 }
 

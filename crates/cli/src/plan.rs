@@ -198,7 +198,7 @@ fn print(rows: &[PlanRow], out: &mut dyn Write) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hardware::link::address::Address;
+    use links::address::Address;
 
     fn args(links: &[&str]) -> PlanArgs {
         let links = links.iter().map(|it| Address::parse(it).unwrap()).collect();

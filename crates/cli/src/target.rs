@@ -1,7 +1,7 @@
 //! Which scene is meant, with what the command line puts in its place.
 
 use clap::Args;
-use hardware::link::address::Address;
+use links::address::Address;
 
 use super::Failure;
 use super::arguments::{LINK, assignment};

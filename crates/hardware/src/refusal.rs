@@ -4,11 +4,12 @@ use std::fmt;
 
 use firmware_protocol::acyclic::{Operation, Status};
 use firmware_protocol::frame::hello::safe_reason;
-use firmware_protocol::key::KeyIndex;
 use firmware_protocol::version::PROTOCOL_VERSION;
+use keyboard::{KeyIndex, KeyRange};
 
-use crate::calibrate::CalibrationFault;
+use crate::calibration::CalibrationFault;
 use crate::clock::MOST_DRIFT;
+use crate::identity::{ClaimedKeys, Uid};
 
 /// A board as it is called in sentences.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -21,50 +22,6 @@ pub struct BoardName {
 impl fmt::Display for BoardName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "board {} on {}", self.number, self.line)
-    }
-}
-
-/// Who a board is, as twelve hexadecimal digits.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct Uid(pub [u8; 6]);
-
-impl fmt::Display for Uid {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
-    }
-}
-
-/// A key as musicians call it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct KeyName(pub KeyIndex);
-
-impl fmt::Display for KeyName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        const NAMES: [&str; 12] = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
-        // Key 0 is A0, nine semitones above C0.
-        let semitones = self.0.index() + 9;
-        write!(f, "{}{}", NAMES[semitones % 12], semitones / 12)
-    }
-}
-
-/// The first and last of some keys in a row.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct KeyRange {
-    /// The first, `0 ..= 87`.
-    pub first: u8,
-    pub n: u8,
-}
-
-impl fmt::Display for KeyRange {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.n == 0 {
-            return write!(f, "no keys");
-        }
-        let last = self.first.saturating_add(self.n - 1);
-        match (KeyIndex::new(self.first), KeyIndex::new(last)) {
-            (Some(first), Some(last)) => write!(f, "{}..{}", KeyName(first), KeyName(last)),
-            _ => write!(f, "keys {} to {last} (A0 is 0, C8 is 87)", self.first),
-        }
     }
 }
 
@@ -97,11 +54,11 @@ pub enum Refusal {
     #[error("{one} and {other} are both board {uid}; unplug one of the two cables")]
     SameBoard { one: BoardName, other: BoardName, uid: Uid },
     #[error("{board} says that it carries {keys}; a board carries 1 to 12 keys, all within A0..C8")]
-    Keys { board: BoardName, keys: KeyRange },
+    Keys { board: BoardName, keys: ClaimedKeys },
     #[error("{board} says that it carries {says}, the scene says {scene}; correct one of the two")]
-    OtherKeys { board: BoardName, says: KeyRange, scene: KeyRange },
+    OtherKeys { board: BoardName, says: ClaimedKeys, scene: KeyRange },
     #[error("{one} and {other} both carry {key}; correct the range of one of them")]
-    KeyTwice { one: BoardName, other: BoardName, key: KeyName },
+    KeyTwice { one: BoardName, other: BoardName, key: KeyIndex },
     #[error("the scene wants {board}, and nobody answers to that number there")]
     Missing { board: BoardName },
     #[error("{board} is another board than before, or has other firmware; start the host again")]
@@ -145,7 +102,7 @@ pub enum Refusal {
     #[error("{board}: {why}")]
     Calibration { board: BoardName, why: String },
     #[error("{key} of {board}: {fault}")]
-    Key { board: BoardName, key: KeyName, fault: CalibrationFault },
+    Key { board: BoardName, key: KeyIndex, fault: CalibrationFault },
 }
 
 /// What came over a line on which no board answered.
@@ -224,19 +181,6 @@ impl std::error::Error for Refusals {}
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn keys_have_the_names_that_musicians_use() {
-        let name = |key| KeyName(KeyIndex::new(key).unwrap()).to_string();
-        assert_eq!(
-            (name(0), name(3), name(39), name(87)),
-            ("A0".into(), "C1".into(), "C4".into(), "C8".into())
-        );
-        assert_eq!(KeyRange { first: 33, n: 11 }.to_string(), "F#3..E4");
-        let beyond = KeyRange { first: 80, n: 11 }.to_string();
-        assert_eq!(beyond, "keys 80 to 90 (A0 is 0, C8 is 87)");
-        assert_eq!(KeyRange { first: 3, n: 0 }.to_string(), "no keys");
-    }
 
     #[test]
     fn what_is_to_be_typed_names_the_link() {

@@ -1,32 +1,39 @@
 //! Which key sits where: on which line, on which board, in which slot.
 
-use firmware_protocol::key::{BoardId, KEYS, KeyIndex, MOST_KEYS};
+use firmware_protocol::key::{BoardId, MOST_KEYS};
+use keyboard::{KEYS, KeyIndex, KeyRange};
 
 /// A board's place among all lines, and the keys that it carries.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BoardPlace {
-    /// Which line it is on.
+    /// Index of the line that it is on.
     pub line: usize,
     pub board: BoardId,
     pub first_key: KeyIndex,
-    /// Its keys, `1 ..= 12`, in a row.
+    /// How many keys it carries in a row, `1 ..= 12`.
     pub n_keys: usize,
 }
 
 impl BoardPlace {
-    /// The keys that it carries, as places in an array over the compass.
+    /// Returns the keys that it carries, as indices into an array over the compass.
     pub const fn keys(&self) -> std::ops::Range<usize> {
         let first = self.first_key.index();
         first..first + self.n_keys
     }
 
-    /// Whether its keys are a board's keys, and all of the compass.
+    /// Returns the range of its keys; none if they are not possible.
+    pub fn key_range(&self) -> Option<KeyRange> {
+        let last = u8::try_from(self.keys().end.checked_sub(1)?).ok()?;
+        KeyRange::new(self.first_key, KeyIndex::new(last)?)
+    }
+
+    /// Tells whether its keys are a board's keys, and all of the compass.
     pub const fn is_possible(&self) -> bool {
         0 < self.n_keys && self.n_keys <= MOST_KEYS && self.keys().end <= KEYS
     }
 }
 
-/// Eight boards of eleven keys, each on a line of its own.
+/// Returns eight boards of eleven keys, each on a line of its own.
 pub fn standard() -> Vec<BoardPlace> {
     let places = BoardId::all().enumerate().map(|(line, board)| {
         let first_key = u8::try_from(board.keys().start).ok().and_then(KeyIndex::new)?;

@@ -10,8 +10,9 @@ use firmware_protocol::key::KeyIndex;
 use haptics::plant::{Gesture, Touch};
 use hardware::keybed::{Armed, Keybed, NamedLink, Offline, Terms, WantedBoards};
 use hardware::refusal::Refusal;
-use hardware::rt::glance::LinkSnapshot;
-use hardware::rt::steward::{ArmLockout, ArmState};
+use hardware::rt::board_supervisor::{ArmLockout, ArmState};
+use hardware::rt::link_snapshot::LinkSnapshot;
+use keyboard::KeyRange;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus as _;
 
@@ -73,20 +74,22 @@ fn two_boards_are_found_armed_and_take_forces() {
 fn one_board_shows_its_light_while_all_render_and_each_is_seen() {
     let (offline, mut boards) = keybed(&[2, 5]);
     let mut keybed = armed(offline);
+    let (mut lights, mut samples) = (keybed.identify_requests(), keybed.monitor(1_000));
     exchange(&mut keybed, 0, 50, 0.0);
-    keybed.light(1);
+    lights.push(1).expect("room");
     exchange(&mut keybed, 50, 100, 0.0);
-    let care = |place| match keybed.glance(place) {
-        Some(LinkSnapshot::Board(board, it)) => (board, it.care.expect("it is looked after")),
-        it => panic!("no board at {place}: {it:?}"),
-    };
-    assert!(matches!(keybed.glance(1), Some(LinkSnapshot::Line(1, _))));
-    for (place, board) in [(2, 0), (3, 1)] {
-        let (index, care) = care(place);
-        assert_eq!((index, care.stage, care.armings), (board, ArmState::Armed, 1));
-        assert!(care.round_trip_us.is_some_and(|it| 0 < it), "{care:?}");
+    let mut seen = std::iter::from_fn(|| samples.pop().ok());
+    for line in [0, 1] {
+        let (tick, snapshot) = seen.next().expect("a line");
+        assert!(matches!(snapshot, LinkSnapshot::Line(it, _) if it == line), "{tick}");
     }
-    assert_eq!(keybed.glance(4), None);
+    for board in [0, 1] {
+        let Some((_, LinkSnapshot::Board(index, it))) = seen.next() else { panic!("no board") };
+        let status = it.status.expect("it is supervised");
+        assert_eq!((index, status.state, status.armings), (board, ArmState::Armed, 1));
+        assert!(status.round_trip_us.is_some_and(|it| 0 < it), "{status:?}");
+    }
+    assert_eq!(seen.next(), None, "they are shown once a second");
     let lit: Vec<_> = boards.drain(..).map(|board| board.stop().is_lit()).collect();
     assert_eq!(lit, [false, true]);
 }
@@ -98,11 +101,11 @@ fn a_board_that_was_stopped_shows_its_light_all_the_same() {
     exchange(&mut keybed, 0, 50, 0.0);
     keybed.stop(1);
     exchange(&mut keybed, 50, 200, 0.0);
-    keybed.light(0);
+    keybed.request_light(0);
     exchange(&mut keybed, 250, 100, 0.0);
     let report = keybed.board_reports().remove(0);
     assert!(
-        matches!(report.condition.stage, ArmState::Barred(ArmLockout::Latched(_))),
+        matches!(report.condition.state, ArmState::Barred(ArmLockout::Latched(_))),
         "{report:?}"
     );
     assert!(boards.remove(0).stop().is_lit());
@@ -170,12 +173,12 @@ fn one_board_on_two_lines_is_refused() {
 fn a_board_that_carries_other_keys_than_the_scene_says_is_refused() {
     let (offline, _boards) = keybed(&[1]);
     let identified = offline.identify(PATIENCE).expect("a board");
-    let scene = hardware::refusal::KeyRange { first: 0, n: 11 };
+    let scene = KeyRange::parse("A0..G1").expect("keys");
     let boards = vec![(0, 1, scene), (0, 7, scene)];
     let refusals = identified.calibrate(&WantedBoards { boards, ..wanted() }, nominal);
     let sentence = refusals.expect_err("other keys").to_string();
     assert!(
-        sentence.contains("says that it carries G#1..F#2, the scene says A0..G1"),
+        sentence.contains("says that it carries G#1 to F#2, the scene says A0 to G1"),
         "{sentence}"
     );
     assert!(sentence.contains("the scene wants board 7 on socket 1"), "{sentence}");

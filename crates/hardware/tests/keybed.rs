@@ -5,9 +5,9 @@ use std::ops::Range;
 
 use firmware_protocol::key::{BoardId, KeyIndex};
 use haptics::plant::{Gesture, RigParameters, Touch};
-use hardware::link::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use hardware::sim::key::SimulatedKey;
 use hardware::sim::keybed::SimulatedKeybed;
+use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use proptest::prelude::*;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
@@ -48,7 +48,7 @@ impl Bed {
 
     fn disturbed(plan: FaultPlan) -> Self {
         let mut bed = Self::new();
-        bed.keybed.disturb(key(PLAYED).board(), plan);
+        bed.keybed.disturb(BoardId::of(key(PLAYED)), plan);
         bed
     }
 
@@ -82,7 +82,7 @@ impl Bed {
     }
 
     fn is_safe(&self) -> bool {
-        self.keybed.is_safe(key(PLAYED).board())
+        self.keybed.is_safe(BoardId::of(key(PLAYED)))
     }
 }
 
@@ -172,7 +172,7 @@ fn a_lost_sample_is_old_and_the_next_one_fresh() {
     let mut bed = Bed::disturbed(FaultPlan { script: vec![lost], ..FaultPlan::default() });
     let ages: Vec<_> = (0..10).map(|tick| bed.exchange(tick).age).collect();
     assert_eq!(ages, [0, 0, 0, 0, 0, 1, 2, 3, 0, 0]);
-    let counts = bed.keybed.statistics(key(PLAYED).board()).samples;
+    let counts = bed.keybed.statistics(BoardId::of(key(PLAYED))).samples;
     assert_eq!((counts.frames, counts.gaps, counts.missing), (7, 1, 3));
     // The neighbours never noticed.
     assert_eq!(bed.samples[0].age, 0);
@@ -183,7 +183,7 @@ fn a_board_that_was_never_heard_has_samples_that_say_so() {
     let lost = Scripted { exchanges: 0..9, direction: Direction::Receive, fault: LinkFault::Drop };
     let mut bed = Bed::disturbed(FaultPlan { script: vec![lost], ..FaultPlan::default() });
     assert_eq!(bed.exchange(0).age, u32::MAX);
-    assert_eq!(bed.keybed.statistics(key(PLAYED).board()).unsent, 1);
+    assert_eq!(bed.keybed.statistics(BoardId::of(key(PLAYED))).unsent, 1);
 }
 
 #[test]
@@ -198,7 +198,7 @@ fn a_flipped_bit_is_counted_and_never_moves_a_key() {
             bed.exchange(tick).position.to_bits() == undisturbed.exchange(tick).position.to_bits()
         );
     }
-    let board = key(PLAYED).board();
+    let board = BoardId::of(key(PLAYED));
     let found = bed.keybed.wire(board).corrupt + bed.keybed.board_counts(board).corrupt;
     let made = bed.keybed.fault_counts(board).flipped;
     // A flip of a closing zero joins two frames, which is one refusal for what may be two.
@@ -216,7 +216,7 @@ fn a_silent_host_loses_the_motors_within_30_ms_for_good() {
     bed.silence(120..135);
     // The current loop of 1 kHz forgets 2 N to the nanonewton within 4 ms.
     assert!(bed.is_safe() && bed.motor_force().abs() < 1e-9, "{} N", bed.motor_force());
-    let board = key(PLAYED).board();
+    let board = BoardId::of(key(PLAYED));
     assert!(bed.keybed.statistics(board).is_safe, "the host is told");
     // The host returns: nothing until the board is armed.
     bed.exchanges(135..140);
@@ -238,7 +238,7 @@ fn forces_that_come_too_late_are_not_acted_on() {
     let mut bed = Bed::disturbed(FaultPlan { script: vec![down_only(50)], ..FaultPlan::default() });
     bed.exchanges(0..145);
     assert!(bed.is_safe() && bed.motor_force().abs() < 1e-9);
-    assert!(0 < bed.keybed.board_counts(key(PLAYED).board()).stale);
+    assert!(0 < bed.keybed.board_counts(BoardId::of(key(PLAYED))).stale);
 }
 
 #[test]
@@ -248,7 +248,7 @@ fn a_wire_that_is_pulled_trips_one_board_only() {
     let mut bed = Bed::disturbed(FaultPlan { script, ..FaultPlan::default() });
     bed.exchanges(0..100);
     for board in BoardId::all() {
-        assert_eq!(bed.keybed.is_safe(board), board == key(PLAYED).board(), "{board:?}");
+        assert_eq!(bed.keybed.is_safe(board), board == BoardId::of(key(PLAYED)), "{board:?}");
     }
     assert_eq!(bed.samples[PLAYED].age, 80);
 }

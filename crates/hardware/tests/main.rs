@@ -3,7 +3,6 @@
 mod bring_up;
 mod calibrate;
 mod common;
-mod faulty;
 mod keybed;
 mod metered;
 mod plan;

@@ -1,8 +1,8 @@
 //! A scene as a file that says everything, with the values that its keys have now.
 
-use hardware::link::address::Address;
-use hardware::link::can::CanMode;
 use hardware::refusal::KeyRange as BoardKeys;
+use links::address::Address;
+use links::can::CanMode;
 use models::catalogue::ModelEntry;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value, value};
 

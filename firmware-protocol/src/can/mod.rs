@@ -10,6 +10,8 @@
 
 pub mod pieces;
 
+pub use crate::length::{LENGTHS, padded};
+
 use crate::frame::{ALL_BOARDS, FrameKind};
 
 /// What a frame is, by urgency; the smaller number wins the bus.
@@ -78,21 +80,6 @@ pub fn agrees(id: u16, frame: &[u8]) -> bool {
     identifier(frame) == Some(id)
 }
 
-/// Lengths that a CAN FD frame can have.
-pub const LENGTHS: [usize; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 20, 24, 32, 48, 64];
-
-/// The shortest length of a CAN FD frame that holds `len` bytes; 64 for more than it can.
-pub const fn padded(len: usize) -> usize {
-    let mut i = 0;
-    while i < LENGTHS.len() {
-        if len <= LENGTHS[i] {
-            return LENGTHS[i];
-        }
-        i += 1;
-    }
-    crate::MAX_FRAME
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,13 +100,5 @@ mod tests {
         }
         assert_eq!(identifier(&[]), None);
         assert_eq!(identifier(&[0xFF]), None);
-    }
-
-    #[test]
-    fn a_length_is_padded_to_the_next_that_the_bus_has() {
-        for (len, expected) in [(0, 0), (8, 8), (9, 12), (26, 32), (37, 48), (48, 48), (59, 64)] {
-            assert_eq!(padded(len), expected);
-        }
-        assert_eq!(padded(65), 64);
     }
 }

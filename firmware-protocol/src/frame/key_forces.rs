@@ -173,7 +173,7 @@ mod tests {
             let mut bytes = [0xAA; MAX_LEN];
             assert_eq!(frame(packing).encode(&mut bytes), len);
             let layout = ForceLayout { packing, n_keys: 11 };
-            for len in [len, crate::can::padded(len)] {
+            for len in [len, crate::length::padded(len)] {
                 assert_eq!(KeyForces::decode(&bytes[..len], layout), Ok(frame(packing)));
             }
         }

@@ -184,7 +184,7 @@ mod tests {
             let mut bytes = [0xAA; MAX_LEN];
             assert_eq!(frame(packing).encode(packing, &mut bytes), len);
             let layout = SampleLayout { packing, n_keys: 11 };
-            for len in [len, crate::can::padded(len)] {
+            for len in [len, crate::length::padded(len)] {
                 assert_eq!(KeySamples::decode(&bytes[..len], layout), Ok(frame(packing)));
             }
         }

@@ -23,6 +23,7 @@ pub mod key_samples;
 pub mod multicast_forces;
 
 use crate::key::BoardId;
+use crate::length::padded;
 use crate::sequence::SequenceNumber;
 
 mod field {
@@ -157,7 +158,7 @@ impl Header {
         let [first, sequence, low, high] = *head;
         let board = check_board(first, kind)?;
         let (values, padding) = rest.split_at_checked(len).ok_or(length)?;
-        if crate::can::padded(field::HEADER_LEN + len) < bytes.len() {
+        if padded(field::HEADER_LEN + len) < bytes.len() {
             return Err(length);
         }
         check_padding(padding)?;

@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use clap::Args;
-use hardware::discovery;
-use hardware::link::address::Address;
+use links::address::Address;
+use links::discovery;
 use serde::Serialize;
 
 use super::arguments::LINK;
@@ -195,7 +195,7 @@ fn midi() -> Section {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hardware::discovery::{BitTiming, CanInterface, CanLink};
+    use links::discovery::{BitTiming, CanInterface, CanLink};
 
     fn text(section: &Section) -> String {
         let mut out = Vec::new();

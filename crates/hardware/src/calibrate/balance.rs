@@ -1,6 +1,6 @@
 //! How strong a motor is, by a weight that it balances.
 
-use super::hand::KeyPush;
+use super::key_push::KeyPush;
 use super::trip::{AWAY, BACK, RATE};
 use super::{CalibrationFault, G, Next, Rested, Travelled};
 
@@ -25,7 +25,7 @@ enum BalancePhase {
 /// The measurement of one key on which the weight lies already.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Balance {
-    hand: KeyPush,
+    key: KeyPush,
     phase: BalancePhase,
     /// What the trip without the weight told.
     empty: Travelled,
@@ -39,10 +39,10 @@ impl Balance {
     /// Balances `mass` (kg) on a key that rested there and travelled so without it.
     pub fn new(rested: &Rested, empty: &Travelled, mass: f64) -> Self {
         let weight = mass * G;
-        let hand = KeyPush::new(rested.position, rested.spread);
+        let key = KeyPush::new(rested.position, rested.spread);
         // A motor of half its strength, and friction.
         let most = 2.0 * weight + 0.5;
-        Self { hand, phase: BalancePhase::Sinking, empty: *empty, weight, most }
+        Self { key, phase: BalancePhase::Sinking, empty: *empty, weight, most }
     }
 
     /// Takes where the key is at `t` (s, m); says how to push it, or the gain: what must be
@@ -51,61 +51,61 @@ impl Balance {
     /// # Errors
     /// The key does not sink, rise, or sink again.
     pub fn advance(&mut self, t: f64, position: f64) -> Result<Next<f64>, CalibrationFault> {
-        self.hand.feel(t, position)?;
+        self.key.update(t, position)?;
         match self.phase {
             BalancePhase::Sinking => self.sink()?,
             BalancePhase::Lifting { bottom } => self.lift(bottom)?,
             BalancePhase::Rising { lifted_by } => self.rise(lifted_by)?,
             BalancePhase::Lowering { lifted_by } => {
-                self.hand.press(self.most, RATE);
-                if AWAY < self.hand.depth() {
+                self.key.press(self.most, RATE);
+                if AWAY < self.key.depth() {
                     return self.gain(lifted_by).map(Next::Done);
                 }
-                if self.most <= self.hand.push() {
+                if self.most <= self.key.push() {
                     return Err(CalibrationFault::Stuck { push: self.most });
                 }
             }
         }
-        Ok(Next::Push(self.hand.push()))
+        Ok(Next::Push(self.key.push()))
     }
 
     fn sink(&mut self) -> Result<(), CalibrationFault> {
-        if SETTLED < self.hand.still_for() {
-            let travel = self.empty.bottom - self.hand.position() + self.hand.depth();
-            if self.hand.depth() < travel - AWAY {
-                return Err(CalibrationFault::Floats { position: self.hand.depth() });
+        if SETTLED < self.key.still_for() {
+            let travel = self.empty.bottom - self.key.position() + self.key.depth();
+            if self.key.depth() < travel - AWAY {
+                return Err(CalibrationFault::Floats { position: self.key.depth() });
             }
-            self.phase = BalancePhase::Lifting { bottom: self.hand.position() };
+            self.phase = BalancePhase::Lifting { bottom: self.key.position() };
         }
         Ok(())
     }
 
     fn lift(&mut self, bottom: f64) -> Result<(), CalibrationFault> {
-        self.hand.press(-self.most, RATE);
-        if self.hand.position() < bottom - AWAY {
-            self.phase = BalancePhase::Rising { lifted_by: self.hand.push() };
+        self.key.press(-self.most, RATE);
+        if self.key.position() < bottom - AWAY {
+            self.phase = BalancePhase::Rising { lifted_by: self.key.push() };
         }
         self.refuse_stuck()
     }
 
     fn rise(&mut self, lifted_by: f64) -> Result<(), CalibrationFault> {
-        self.hand.press(-self.most, RATE);
-        if self.hand.depth() < BACK && SETTLED < self.hand.still_for() {
+        self.key.press(-self.most, RATE);
+        if self.key.depth() < BACK && SETTLED < self.key.still_for() {
             self.phase = BalancePhase::Lowering { lifted_by };
         }
         self.refuse_stuck()
     }
 
     fn refuse_stuck(&self) -> Result<(), CalibrationFault> {
-        let push = self.hand.push();
-        if push <= -self.most && SETTLED < self.hand.still_for() {
-            return Err(CalibrationFault::Stays { position: self.hand.depth(), push: self.most });
+        let push = self.key.push();
+        if push <= -self.most && SETTLED < self.key.still_for() {
+            return Err(CalibrationFault::Stays { position: self.key.depth(), push: self.most });
         }
         Ok(())
     }
 
     fn gain(&self, lifted_by: f64) -> Result<f64, CalibrationFault> {
-        let float = 0.5 * (lifted_by + self.hand.push());
+        let float = 0.5 * (lifted_by + self.key.push());
         let gain = (self.empty.float - float) / self.weight;
         let (least, most) = GAINS;
         if (least..=most).contains(&gain) {

@@ -3,12 +3,12 @@
 use std::time::Duration;
 
 use firmware_protocol::key::KeyIndex;
+use links::pause;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::KeyBus as _;
 
 use super::{Balance, CalibrationFault, Next, RestMeasurement, Rested, Travelled, TripMeasurement};
 use crate::keybed::{Armed, Keybed};
-use crate::pause::pause;
 
 /// A key of which nothing was heard for so long is given up (us).
 const SILENT_US: u64 = 500_000;

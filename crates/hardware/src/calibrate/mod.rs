@@ -14,8 +14,8 @@
 
 pub mod balance;
 pub mod bench;
-mod fault;
-mod hand;
+
+mod key_push;
 pub mod rest;
 pub mod trip;
 
@@ -23,9 +23,9 @@ use firmware_protocol::acyclic::calibration as wire;
 
 use crate::calibration::KeyCalibration;
 
+pub use crate::calibration::CalibrationFault;
 pub use balance::Balance;
 pub use bench::{Bench, Ending};
-pub use fault::CalibrationFault;
 pub use rest::{RestMeasurement, Rested};
 pub use trip::{Travelled, TripMeasurement};
 

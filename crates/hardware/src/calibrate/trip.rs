@@ -1,6 +1,6 @@
 //! Down to the bottom and up again.
 
-use super::hand::KeyPush;
+use super::key_push::KeyPush;
 use super::{CalibrationFault, MOST_PUSH, Next, Rested, TRAVELS};
 
 /// How fast the push changes (N/s).
@@ -44,7 +44,7 @@ enum TripPhase {
 /// The trip of one key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TripMeasurement {
-    hand: KeyPush,
+    key: KeyPush,
     phase: TripPhase,
     /// The push under which it left its rest (N).
     left_by: f64,
@@ -64,8 +64,8 @@ pub struct Travelled {
 impl TripMeasurement {
     /// The trip of a key that rests there.
     pub const fn new(rested: &Rested) -> Self {
-        let hand = KeyPush::new(rested.position, rested.spread);
-        Self { hand, phase: TripPhase::Leaving, left_by: 0.0 }
+        let key = KeyPush::new(rested.position, rested.spread);
+        Self { key, phase: TripPhase::Leaving, left_by: 0.0 }
     }
 
     /// Takes where the key is at `t` (s, m); says how to push it.
@@ -73,7 +73,7 @@ impl TripMeasurement {
     /// # Errors
     /// It does not move, does not stop, or does not come back.
     pub fn advance(&mut self, t: f64, position: f64) -> Result<Next<Travelled>, CalibrationFault> {
-        self.hand.feel(t, position)?;
+        self.key.update(t, position)?;
         match self.phase {
             TripPhase::Leaving => self.leave()?,
             TripPhase::Sinking { moved_at } => self.sink(t, moved_at)?,
@@ -85,29 +85,29 @@ impl TripMeasurement {
                 }
             }
         }
-        Ok(Next::Push(self.hand.push()))
+        Ok(Next::Push(self.key.push()))
     }
 
     fn leave(&mut self) -> Result<(), CalibrationFault> {
-        self.hand.press(MOST_PUSH, RATE);
-        let push = self.hand.push();
-        if AWAY < self.hand.depth() {
+        self.key.press(MOST_PUSH, RATE);
+        let push = self.key.push();
+        if AWAY < self.key.depth() {
             self.left_by = push;
             self.phase = TripPhase::Sinking { moved_at: push };
-        } else if MOST_PUSH <= push && LOOK < self.hand.still_for() {
+        } else if MOST_PUSH <= push && LOOK < self.key.still_for() {
             return Err(CalibrationFault::Stuck { push });
         }
         Ok(())
     }
 
     fn sink(&mut self, t: f64, moved_at: f64) -> Result<(), CalibrationFault> {
-        self.hand.press(MOST_PUSH, RATE);
-        let push = self.hand.push();
-        let is_still = LOOK < self.hand.still_for();
+        self.key.press(MOST_PUSH, RATE);
+        let push = self.key.push();
+        let is_still = LOOK < self.key.still_for();
         let moved_at = if is_still { moved_at } else { push };
         self.phase = TripPhase::Sinking { moved_at };
         if is_still && (moved_at + REACH <= push || MOST_PUSH <= push) {
-            let (travel, (least, _)) = (self.hand.depth(), TRAVELS);
+            let (travel, (least, _)) = (self.key.depth(), TRAVELS);
             if travel < least {
                 return Err(CalibrationFault::Short { travel, least });
             }
@@ -126,27 +126,27 @@ impl TripMeasurement {
 
     fn lift(&mut self, bottom: f64) -> Result<(), CalibrationFault> {
         // No key rises by itself under the push under which it sank.
-        let is_safe = self.left_by < self.hand.push();
+        let is_safe = self.left_by < self.key.push();
         let (limit, rate) = if is_safe { (self.left_by, FAST) } else { (-MOST_PUSH, RATE) };
-        self.hand.press(limit, rate);
-        let push = self.hand.push();
-        if self.hand.position() < bottom - AWAY {
+        self.key.press(limit, rate);
+        let push = self.key.push();
+        if self.key.position() < bottom - AWAY {
             self.phase = TripPhase::Rising { bottom, lifted_by: push };
-        } else if push <= -MOST_PUSH && LOOK < self.hand.still_for() {
-            return Err(CalibrationFault::Stays { position: self.hand.depth(), push: MOST_PUSH });
+        } else if push <= -MOST_PUSH && LOOK < self.key.still_for() {
+            return Err(CalibrationFault::Stays { position: self.key.depth(), push: MOST_PUSH });
         }
         Ok(())
     }
 
     fn rise(&mut self, bottom: f64, lifted_by: f64) -> Result<Option<Travelled>, CalibrationFault> {
-        self.hand.press(-MOST_PUSH, RATE);
-        if self.hand.depth() < BACK {
+        self.key.press(-MOST_PUSH, RATE);
+        if self.key.depth() < BACK {
             let friction = 0.5 * (self.left_by - lifted_by);
             let float = 0.5 * (self.left_by + lifted_by);
             return Ok(Some(Travelled { bottom, friction, float }));
         }
-        if self.hand.push() <= -MOST_PUSH && LOOK < self.hand.still_for() {
-            return Err(CalibrationFault::Stays { position: self.hand.depth(), push: MOST_PUSH });
+        if self.key.push() <= -MOST_PUSH && LOOK < self.key.still_for() {
+            return Err(CalibrationFault::Stays { position: self.key.depth(), push: MOST_PUSH });
         }
         Ok(None)
     }

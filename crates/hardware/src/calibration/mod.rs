@@ -1,10 +1,13 @@
 //! Counts ↔ metres, millinewtons ↔ newtons: the only place of these conversions.
 
+mod fault;
 pub mod file;
 
 use firmware_protocol::frame::key_forces::KeySlopes;
 use firmware_protocol::quantity::{Counts, Millinewtons, SlopeCode, SpeedCode};
 use scheduler::motion::KeySlope;
+
+pub use fault::CalibrationFault;
 
 /// How one key's encoder reads, and how strong its motor is.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -5,29 +5,34 @@ use firmware_protocol::acyclic::Operation;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::key::KeyIndex;
 use haptics::plant::Gesture;
+use links::Link as _;
+use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 
 use super::{Keybed, NamedLink, address};
-use crate::courier::RequestChannel;
-use crate::link::Link as _;
 use crate::plan::{Medium, MeterWindow};
 use crate::refusal::{BoardName, Refusal};
+use crate::request_channel::RequestChannel;
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
+use crate::rt::board_supervisor::{ArmLockout, ArmState, BoardSupervisor, Condition};
 use crate::rt::bus::{KeybedBus, LineStatistics};
-use crate::rt::glance::{BoardGlance, LinkSnapshot};
 use crate::rt::lateness::Lateness;
-use crate::rt::steward::{ArmLockout, ArmState, BoardSupervisor, Condition};
+use crate::rt::link_monitor::{LinkMonitor, LinkSample};
+use crate::rt::link_snapshot::{BoardSnapshot, LinkSnapshot};
 use crate::topology::BoardPlace;
 
 /// Time in which the forces of a board grow once it renders them, and fade once it does not (us).
 const FADE_US: u64 = 20_000;
 
+/// Lights that may be asked for at once.
+const MOST_IDENTIFY_REQUESTS: usize = 32;
+
 /// Armed boards.
 #[derive(Debug)]
 pub struct Armed {
     bus: Box<KeybedBus>,
-    steward: BoardSupervisor,
+    supervisor: BoardSupervisor,
     names: Vec<BoardName>,
     /// Time between two exchanges (us).
     period_us: u64,
@@ -39,6 +44,9 @@ pub struct Armed {
     lateness: Vec<Lateness>,
     /// When tick 0 was due, but for a constant (us).
     first_us: Option<u64>,
+    monitor: Option<LinkMonitor>,
+    /// Boards that shall show their lights.
+    identify: Option<Consumer<usize>>,
 }
 
 /// What became of one board.
@@ -72,17 +80,44 @@ pub struct LineReport {
 impl Armed {
     pub(super) fn new(
         bus: KeybedBus,
-        steward: BoardSupervisor,
+        supervisor: BoardSupervisor,
         names: Vec<BoardName>,
         period_us: u64,
     ) -> Self {
         let before = vec![(0, 0); names.len()];
-        let since_us = steward.now();
+        let since_us = supervisor.now();
         let lateness = vec![Lateness::default(); names.len()];
-        let (mut bus, first_us) = (Box::new(bus), None);
+        let mut bus = Box::new(bus);
         let fade_ticks = FADE_US / period_us.max(1);
         bus.fade_over(u32::try_from(fade_ticks).unwrap_or(u32::MAX));
-        Self { bus, steward, names, period_us, before, since_us, lateness, first_us }
+        Self {
+            bus,
+            supervisor,
+            names,
+            period_us,
+            before,
+            since_us,
+            lateness,
+            first_us: None,
+            monitor: None,
+            identify: None,
+        }
+    }
+
+    /// The line or board at `place`, lines first, as it is now; nothing behind the last.
+    fn snapshot(
+        bus: &KeybedBus,
+        supervisor: &BoardSupervisor,
+        place: usize,
+    ) -> Option<LinkSnapshot> {
+        let snapshot = bus.snapshot(place)?;
+        Some(match snapshot {
+            LinkSnapshot::Line(..) => snapshot,
+            LinkSnapshot::Board(board, it) => {
+                let status = supervisor.status(board);
+                LinkSnapshot::Board(board, BoardSnapshot { status, ..it })
+            }
+        })
     }
 
     /// Dates by their board's clock the samples that have come in this tick.
@@ -90,13 +125,13 @@ impl Armed {
         let period_us = self.period_us.max(1);
         let passed_us = tick.saturating_mul(period_us);
         // The ticks are regular; when this thread wakes is not, and no reason to move a sample.
-        let first_us = self.steward.now().saturating_sub(passed_us);
+        let first_us = self.supervisor.now().saturating_sub(passed_us);
         let due_us = *self.first_us.get_or_insert(first_us) + passed_us;
         for (board, lateness) in self.lateness.iter_mut().enumerate() {
             let newest = self.bus.boards().get(board).and_then(BoardEnd::newest);
             let Some(newest) = newest.filter(|_| self.bus.has_news(board)) else { continue };
             let stamp_us = newest.header.stamp_us;
-            let Some(age_us) = self.steward.age_us(board, due_us, stamp_us) else { continue };
+            let Some(age_us) = self.supervisor.age_us(board, due_us, stamp_us) else { continue };
             lateness.learn(age_us, period_us);
             self.bus.date(board, lateness.of(age_us) / period_us as f64);
         }
@@ -124,58 +159,67 @@ const fn whole(ticks: f64) -> u32 {
 impl Keybed<Armed> {
     /// Takes what has come and sends what boards are asked, without forces.
     pub fn attend(&mut self) {
-        let Self { lines, stage: Armed { bus, steward, .. }, clock } = self;
-        steward.set_now(clock());
+        let Self { lines, stage: Armed { bus, supervisor, .. }, clock } = self;
+        supervisor.set_now(clock());
         for (index, NamedLink { link, .. }) in lines.iter_mut().enumerate() {
             if index < bus.n_lines() {
-                bus.receive(index, link, steward);
-                steward.attend(index, bus, link);
+                bus.receive(index, link, supervisor);
+                supervisor.attend(index, bus, link);
             }
         }
         for board in 0..bus.boards().len() {
-            bus.limit_share(board, if steward.renders(board) { 1.0 } else { 0.0 });
+            bus.limit_share(board, if supervisor.renders(board) { 1.0 } else { 0.0 });
         }
     }
 
-    /// The line or board at `place`, lines first, as it is now; nothing behind the last.
+    /// Returns the line or board at `place`, lines first, as it is now; nothing behind the last.
     ///
     /// # Real-time
     /// Copies, and sorts 15 numbers; no heap.
-    pub fn glance(&self, place: usize) -> Option<LinkSnapshot> {
-        let glance = self.stage.bus.glance(place)?;
-        Some(match glance {
-            LinkSnapshot::Line(..) => glance,
-            LinkSnapshot::Board(board, it) => {
-                let care = self.stage.steward.care(board);
-                LinkSnapshot::Board(board, BoardGlance { care, ..it })
-            }
-        })
+    pub fn snapshot(&self, place: usize) -> Option<LinkSnapshot> {
+        Armed::snapshot(&self.stage.bus, &self.stage.supervisor, place)
+    }
+
+    /// Returns where snapshots of all lines and boards come once a second, for ticks at `tick_hz`
+    /// (1/s); not for the tick.
+    pub fn monitor(&mut self, tick_hz: u32) -> Consumer<LinkSample> {
+        let (monitor, samples) = LinkMonitor::new(tick_hz);
+        self.stage.monitor = Some(monitor);
+        samples
+    }
+
+    /// Returns where boards are asked to show their lights, by their places among all boards; not
+    /// for the tick.
+    pub fn identify_requests(&mut self) -> Producer<usize> {
+        let (requests, identify) = RingBuffer::new(MOST_IDENTIFY_REQUESTS);
+        self.stage.identify = Some(identify);
+        requests
     }
 
     /// Lets a board show its light, as soon as it listens.
-    pub fn light(&mut self, board: usize) {
-        self.stage.steward.light(board);
+    pub fn request_light(&mut self, board: usize) {
+        self.stage.supervisor.request_light(board);
     }
 
     /// Whether all boards render forces.
     pub fn is_ready(&self) -> bool {
-        self.stage.steward.is_ready()
+        self.stage.supervisor.is_ready()
     }
 
     /// Whether every board renders forces, or may not be armed.
     pub(super) fn is_settled(&self) -> bool {
-        self.stage.steward.is_settled()
+        self.stage.supervisor.is_settled()
     }
 
     /// Plays `gestures` on `key`, in time from [`Self::begin_at`] on.
     pub fn play(&mut self, key: KeyIndex, gestures: &[Gesture]) {
-        let Armed { bus, steward, .. } = &mut self.stage;
+        let Armed { bus, supervisor, .. } = &mut self.stage;
         for (index, board) in bus.boards().iter().enumerate() {
             let keys = board.terms().place.keys();
             if keys.contains(&key.index())
                 && let Ok(slot) = u8::try_from(key.index() - keys.start)
             {
-                steward.play(index, slot, gestures);
+                supervisor.play(index, slot, gestures);
             }
         }
     }
@@ -198,14 +242,14 @@ impl Keybed<Armed> {
     /// Times that the board of `key` was armed, if it renders forces.
     pub fn armings(&self, key: KeyIndex) -> Option<u64> {
         let has = |it: &BoardTerms| it.place.keys().contains(&key.index());
-        self.stage.steward.armings(self.terms().position(has)?)
+        self.stage.supervisor.armings(self.terms().position(has)?)
     }
 
     /// From when on gestures and frames count: host time (us).
     ///
     /// What has come before is thrown away.
     pub fn begin_at(&mut self, origin_us: u64) {
-        self.stage.steward.begin_at(origin_us);
+        self.stage.supervisor.begin_at(origin_us);
         self.attend();
         let Armed { bus, before, .. } = &mut self.stage;
         for (before, board) in before.iter_mut().zip(bus.boards()) {
@@ -233,15 +277,15 @@ impl Keybed<Armed> {
     ///
     /// One that was stopped, or has failed, is left as it is until somebody sees to it.
     pub fn disarm(&mut self) {
-        let Armed { bus, steward, .. } = &self.stage;
+        let Armed { bus, supervisor, .. } = &self.stage;
         let boards = bus.boards().iter().enumerate();
-        for (_, board) in boards.filter(|(index, _)| !steward.is_latched(*index)) {
+        for (_, board) in boards.filter(|(index, _)| !supervisor.is_latched(*index)) {
             let place = board.terms().place;
             // Another number than that of any request that may be under way.
             let [first, ..] = (self.clock)().to_le_bytes();
-            let mut courier = RequestChannel::new(place.board, first ^ 0x80);
-            courier.ask(Operation::Disarm, &Nothing);
-            if let Some(frame) = courier.due(0) {
+            let mut channel = RequestChannel::new(place.board, first ^ 0x80);
+            channel.ask(Operation::Disarm, &Nothing);
+            if let Some(frame) = channel.due(0) {
                 // A board that does not hear it is safe when its forces expire.
                 let _lost = self.lines[place.line].link.try_send(frame);
             }
@@ -250,7 +294,7 @@ impl Keybed<Armed> {
 
     /// What became of each board.
     pub fn board_reports(&self) -> Vec<BoardReport> {
-        let Armed { bus, steward, names, .. } = &self.stage;
+        let Armed { bus, supervisor, names, .. } = &self.stage;
         let reports = bus.boards().iter().zip(names).enumerate().map(|(index, (board, name))| {
             let (came, went) = exchanged(&board.statistics());
             let (before, already) = self.stage.before.get(index).copied().unwrap_or_default();
@@ -260,7 +304,7 @@ impl Keybed<Armed> {
                 is_calibrated: board.terms().is_calibrated(),
                 statistics: board.statistics(),
                 exchanged: (came - before, went - already),
-                condition: steward.condition(index)?,
+                condition: supervisor.condition(index)?,
             })
         });
         reports.flatten().collect()
@@ -268,8 +312,8 @@ impl Keybed<Armed> {
 
     /// What became of each line.
     pub fn line_reports(&self) -> Vec<LineReport> {
-        let Armed { bus, steward, since_us, .. } = &self.stage;
-        let seconds = steward.now().saturating_sub(*since_us) as f64 * 1e-6;
+        let Armed { bus, supervisor, since_us, .. } = &self.stage;
+        let seconds = supervisor.now().saturating_sub(*since_us) as f64 * 1e-6;
         let lines = self.lines.iter().enumerate();
         let report = |(index, line): (usize, &NamedLink)| LineReport {
             name: line.name.clone(),
@@ -285,7 +329,7 @@ impl Keybed<Armed> {
         let boards = self.board_reports().into_iter().enumerate();
         let refusal = |(index, report): (usize, BoardReport)| {
             let board = report.name;
-            match report.condition.stage {
+            match report.condition.state {
                 ArmState::Barred(ArmLockout::Latched(reason)) => {
                     Some(Refusal::Latched { board, reason })
                 }
@@ -301,14 +345,14 @@ impl Keybed<Armed> {
                     Some(Refusal::Unreadable { board, n_keys })
                 }
                 ArmState::Barred(ArmLockout::StaysSafe) => Some(Refusal::StaysSafe { board }),
-                ArmState::Armed if self.stage.steward.is_board_ready(index) => None,
+                ArmState::Armed if self.stage.supervisor.is_board_ready(index) => None,
                 ArmState::Greeting
                 | ArmState::Streaming
                 | ArmState::Disarming
                 | ArmState::Arming { .. }
                 | ArmState::Confirming
                 | ArmState::Armed => {
-                    let asked = self.stage.steward.asked(index).unwrap_or(Operation::Hello);
+                    let asked = self.stage.supervisor.asked(index).unwrap_or(Operation::Hello);
                     Some(Refusal::NoAnswer { board, asked, seconds })
                 }
             }
@@ -328,11 +372,18 @@ impl KeyBus for Keybed<Armed> {
     /// # Real-time
     /// At most 128 frames and one request for each board; no heap.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        if let Some(Ok(board)) = self.stage.identify.as_mut().map(Consumer::pop) {
+            self.request_light(board);
+        }
         self.stage.bus.begin(tick);
         self.attend();
         self.stage.date(tick);
         samples.copy_from_slice(self.stage.bus.samples());
         samples.iter_mut().for_each(outdate);
+        let Armed { bus, supervisor, monitor, .. } = &mut self.stage;
+        if let Some(monitor) = monitor {
+            monitor.take(tick, |place| Armed::snapshot(bus, supervisor, place));
+        }
     }
 
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {

@@ -3,19 +3,19 @@
 use firmware_protocol::acyclic::{AcyclicReply, Operation, Status};
 use firmware_protocol::key::BoardId;
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
+use links::Link as _;
+use links::pause;
 
 use super::{Keybed, LOOK, NamedLink};
-use crate::courier::RequestChannel;
-use crate::link::Link as _;
-use crate::pause::pause;
 use crate::refusal::{BoardName, Refusal};
+use crate::request_channel::RequestChannel;
 
 /// Whoever asks one board, and the numbers of its requests.
 #[derive(Clone, Debug)]
 pub struct Asker {
     line: usize,
     name: BoardName,
-    courier: RequestChannel,
+    channel: RequestChannel,
 }
 
 impl<S> Keybed<S> {
@@ -24,10 +24,10 @@ impl<S> Keybed<S> {
     /// Not while an armed keybed is attended: a board answers one request at a time.
     pub fn asker(&mut self, line: usize, board: BoardId) -> Asker {
         let [first, ..] = self.now_us().to_le_bytes();
-        let courier = RequestChannel::new(board, first);
+        let channel = RequestChannel::new(board, first);
         let name = self.lines.get(line).map_or_else(String::new, |it| it.name.clone());
         let name = BoardName { line: name, number: board.number() };
-        let mut asker = Asker { line, name, courier };
+        let mut asker = Asker { line, name, channel };
         // If somebody else's last request had this number, the board repeats its answer to
         // that: let it be the answer to nothing.
         let _whatever = self.ask::<_, Nothing>(&mut asker, Operation::Ping, &Nothing);
@@ -47,12 +47,12 @@ impl<S> Keybed<S> {
         let clock = self.clock;
         let start = clock();
         let board = || asker.name.clone();
-        asker.courier.ask(operation, record);
+        asker.channel.ask(operation, record);
         let Some(NamedLink { link, address, .. }) = self.lines.get_mut(asker.line) else {
             return Err(Refusal::Missing { board: board() });
         };
         loop {
-            if let Some(outcome) = hear(link, &mut asker.courier) {
+            if let Some(outcome) = hear(link, &mut asker.channel) {
                 return outcome.map_err(|status| Refusal::Declined {
                     board: board(),
                     link: address.clone(),
@@ -61,11 +61,11 @@ impl<S> Keybed<S> {
                 });
             }
             let now = clock();
-            if asker.courier.gave_up(now) {
+            if asker.channel.gave_up(now) {
                 let seconds = now.saturating_sub(start) as f64 * 1e-6;
                 return Err(Refusal::NoAnswer { board: board(), asked: operation, seconds });
             }
-            if let Some(frame) = asker.courier.due(now) {
+            if let Some(frame) = asker.channel.due(now) {
                 // What the link does not take is asked again.
                 let _lost = link.try_send(frame);
             }
@@ -76,12 +76,12 @@ impl<S> Keybed<S> {
 
 /// Takes what has come until it is the answer.
 fn hear<A: Record>(
-    link: &mut (impl crate::link::Link + ?Sized),
-    courier: &mut RequestChannel,
+    link: &mut (impl links::Link + ?Sized),
+    channel: &mut RequestChannel,
 ) -> Option<Result<A, Status>> {
     let mut frame = [0; MAX_FRAME];
     while let Ok(Some(len)) = link.try_recv(&mut frame) {
-        let Some(heard) = courier.hear(&frame[..len.min(MAX_FRAME)]) else { continue };
+        let Some(heard) = channel.take_reply(&frame[..len.min(MAX_FRAME)]) else { continue };
         let AcyclicReply { status, record, .. } = heard.reply;
         let is_done = status == Status::Done;
         return Some(if is_done { A::take(record).ok_or(Status::BadValue) } else { Err(status) });

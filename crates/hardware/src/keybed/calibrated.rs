@@ -2,16 +2,15 @@
 
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::frame::hello::feature;
-use firmware_protocol::frame::key_forces::ForcePacking;
-use firmware_protocol::frame::key_samples::SamplePacking;
+use keyboard::KeyRange;
+use links::{Link as _, RecvError, pause};
 
 use super::{Armed, Keybed, LOOK, NamedLink};
-use crate::link::{Link as _, RecvError};
-use crate::pause::pause;
-use crate::refusal::{BoardName, KeyRange, Refusals};
+use crate::refusal::{BoardName, Refusals};
 use crate::rt::board::BoardTerms;
+use crate::rt::board_supervisor::BoardSupervisor;
 use crate::rt::bus::KeybedBus;
-use crate::rt::steward::{Agreed, BoardSupervisor};
+use crate::rt::terms::{Agreed, Terms};
 use crate::topology::BoardPlace;
 
 /// The boards are known and measured.
@@ -20,19 +19,6 @@ pub struct Calibrated {
     pub(super) boards: Vec<BoardTerms>,
     pub(super) uids: Vec<[u8; 6]>,
     pub(super) features: Vec<u16>,
-}
-
-/// What is agreed with all boards when they are armed.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Terms {
-    /// Time between two exchanges (us).
-    pub period_us: u16,
-    /// How samples are packed.
-    pub samples: SamplePacking,
-    /// How forces are packed.
-    pub forces: ForcePacking,
-    /// How long forces are valid after the samples that they answer (ms).
-    pub valid_ms: u8,
 }
 
 impl Keybed<Calibrated> {
@@ -55,12 +41,10 @@ impl Keybed<Calibrated> {
         self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
     }
 
-    /// The keys of each board on `line`.
+    /// Returns the keys of each board on `line`.
     pub fn boards_on(&self, line: usize) -> Vec<KeyRange> {
         let boards = self.stage.boards.iter().filter(|it| it.place.line == line);
-        let n = |place: &BoardPlace| u8::try_from(place.n_keys).unwrap_or(u8::MAX);
-        let keys = boards.map(|it| (it.place.first_key.number(), n(&it.place)));
-        keys.map(|(first, n)| KeyRange { first, n }).collect()
+        boards.filter_map(|it| it.place.key_range()).collect()
     }
 
     /// Asks for samples and arms every board; waits until all are, for `patience_us` at most.
@@ -77,14 +61,14 @@ impl Keybed<Calibrated> {
         });
         let names: Vec<_> = names.collect();
         let start = clock();
-        let steward = BoardSupervisor::new(agreed, start);
+        let supervisor = BoardSupervisor::new(agreed, start);
         let mut bus = KeybedBus::new(&stage.boards);
         for (index, line) in lines.iter().enumerate() {
             if let Some(medium) = line.medium {
                 bus.meter(index, medium);
             }
         }
-        let armed = Armed::new(bus, steward, names, u64::from(terms.period_us));
+        let armed = Armed::new(bus, supervisor, names, u64::from(terms.period_us));
         let mut keybed = Keybed { lines, stage: armed, clock };
         while !keybed.is_ready() {
             let now = clock();

@@ -3,11 +3,13 @@
 use firmware_protocol::frame::hello::{Hello, feature};
 use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking};
 use firmware_protocol::frame::key_samples::{SampleLayout, SamplePacking};
-use firmware_protocol::key::{BoardId, KeyIndex, PerKey};
+use firmware_protocol::key::{BoardId, PerKey};
+use keyboard::{KeyIndex, KeyRange};
 
 use super::{Calibrated, Keybed, NamedLink};
 use crate::calibration::KeyCalibration;
-use crate::refusal::{BoardName, KeyName, KeyRange, Refusal, Refusals, Uid};
+use crate::identity::{ClaimedKeys, Uid};
+use crate::refusal::{BoardName, Refusal, Refusals};
 use crate::rt::board::BoardTerms;
 use crate::topology::BoardPlace;
 
@@ -32,9 +34,9 @@ impl FoundBoard {
         Uid(self.hello.uid)
     }
 
-    /// The keys that it says it carries.
-    pub const fn keys(&self) -> KeyRange {
-        KeyRange { first: self.hello.first_key, n: self.hello.n_keys }
+    /// Returns the keys that it says it carries.
+    pub const fn keys(&self) -> ClaimedKeys {
+        ClaimedKeys { first: self.hello.first_key, n: self.hello.n_keys }
     }
 
     /// How its keys read as long as nobody has measured them.
@@ -179,7 +181,7 @@ fn refuse_shared_keys(found: &[FoundBoard], lines: &[NamedLink], refusals: &mut 
             let shared = keys(one).find(|key| keys(other).contains(key)).and_then(KeyIndex::new);
             if let Some(key) = shared {
                 let (one, other) = (one.name(lines), other.name(lines));
-                refusals.push(Refusal::KeyTwice { one, other, key: KeyName(key) });
+                refusals.push(Refusal::KeyTwice { one, other, key });
             }
         }
     }
@@ -200,7 +202,7 @@ fn refuse_other_boards(
         let it = found.iter().find(|it| it.line == *line && it.board.number() == *number);
         match it.map(FoundBoard::keys) {
             None => refusals.push(Refusal::Missing { board }),
-            Some(says) if says != *scene => {
+            Some(says) if says.range() != Some(*scene) => {
                 refusals.push(Refusal::OtherKeys { board, says, scene: *scene });
             }
             Some(_) => {}

@@ -20,11 +20,14 @@ use std::time::Duration;
 
 pub use armed::{Armed, BoardReport, LineReport};
 pub use ask::Asker;
-pub use calibrated::{Calibrated, Terms};
+pub use calibrated::Calibrated;
 pub use identified::{FoundBoard, Identified, WantedBoards};
 pub use offline::Offline;
 
-use crate::link::Link;
+pub use crate::rt::terms::Terms;
+
+use links::Link;
+
 use crate::plan::Medium;
 
 /// Boards on their lines, and how far they have been brought up.

@@ -8,13 +8,13 @@ use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::{REPLY_HEAD, REQUEST_HEAD};
 use firmware_protocol::frame::multicast_forces::{self, GROUP, GROUPS};
-use firmware_protocol::key::BoardId;
+use keyboard::KeyRange;
 
 use super::can::Stuffing;
 use super::response::{Periodic, worst_response};
-use super::verdict::REFUSE;
 use super::{ForcePacking, Medium, SamplePacking};
-use crate::refusal::KeyRange;
+use crate::periods::{COUNTERS_US, PING_US, SYNC_US};
+use crate::topology::{self, BoardPlace};
 
 /// What time it is on the bus: kind, number, and 4 bytes of time (bytes).
 const SYNC: usize = 6;
@@ -45,18 +45,15 @@ pub struct BusPlan {
     pub extras: Extras,
 }
 
-/// The keys of the standard boards with these numbers.
+/// Returns the keys of the standard boards with these numbers.
 pub fn standard(boards: Range<usize>) -> Vec<KeyRange> {
-    let keys = |board: BoardId| {
-        let keys = board.keys();
-        let [first, n] = [keys.start, keys.len()].map(|it| u8::try_from(it).unwrap_or(u8::MAX));
-        KeyRange { first, n }
-    };
-    BoardId::all().skip(boards.start).take(boards.len()).map(keys).collect()
+    let all = topology::standard();
+    let places = all.iter().skip(boards.start).take(boards.len());
+    places.filter_map(BoardPlace::key_range).collect()
 }
 
 /// What goes over a bus besides samples and forces, as long as nothing goes wrong: what
-/// `rt::steward` asks each board that is armed, and the time of the bus where `rt::multicast`
+/// `rt::board_supervisor` asks each board that is armed, and the time of the bus where `rt::multicast`
 /// sends forces.
 ///
 /// Not planned are the second in which boards are brought up, what is asked again, and the
@@ -78,7 +75,9 @@ impl Extras {
 
 impl Default for Extras {
     fn default() -> Self {
-        Self { sync_rate: 50.0, ping_rate: 20.0, counters_rate: 1.0 }
+        let [sync_rate, ping_rate, counters_rate] =
+            [SYNC_US, PING_US, COUNTERS_US].map(|period_us| 1e6 / period_us as f64);
+        Self { sync_rate, ping_rate, counters_rate }
     }
 }
 
@@ -123,13 +122,6 @@ impl BusPlan {
     pub fn load(&self) -> f64 {
         let loads = self.lanes().map(|lane| self.sum(&lane, |_| true));
         loads.into_iter().fold(0.0, f64::max)
-    }
-
-    /// The rate at which all keys can be sampled and given a force, both in each cycle, if
-    /// the bus is taken as far as it may be (Hz); infinite without boards.
-    pub fn max_rate(&self) -> f64 {
-        let one = Self { sample_rate: 1.0, force_rate: 1.0, ..self.clone() };
-        one.stretch(REFUSE)
     }
 
     /// By how much both rates can be multiplied until the load is `limit`.
@@ -197,7 +189,7 @@ impl BusPlan {
         for keys in &self.boards {
             all.push(of(
                 TrafficKind::Samples,
-                self.samples.frame_len(keys.n.into()),
+                self.samples.frame_len(keys.numbers().len()),
                 self.sample_rate,
             ));
             for (reply, rate) in [(PONG, ping_rate), (COUNTERS, counters_rate)] {
@@ -223,7 +215,7 @@ impl BusPlan {
     /// How long each of the force frames of a cycle is (bytes).
     fn force_frames(&self) -> Vec<usize> {
         if !self.is_for_all() {
-            let len = |keys: &KeyRange| self.forces.frame_len(keys.n.into());
+            let len = |keys: &KeyRange| self.forces.frame_len(keys.numbers().len());
             return self.boards.iter().map(len).collect();
         }
         let frames = if self.medium.reaches_all() {
@@ -239,8 +231,7 @@ impl BusPlan {
 /// one of them or thirty.
 fn groups(boards: &[KeyRange]) -> usize {
     let has = |keys: &KeyRange, group: usize| {
-        let (first, end) = (usize::from(keys.first), usize::from(keys.first) + usize::from(keys.n));
-        first < (group + 1) * GROUP && group * GROUP < end
+        keys.first().index() < (group + 1) * GROUP && group * GROUP <= keys.last().index()
     };
     (0..GROUPS).filter(|group| boards.iter().any(|keys| has(keys, *group))).count()
 }
@@ -248,6 +239,7 @@ fn groups(boards: &[KeyRange]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::identity::ClaimedKeys;
     use crate::plan::uart::Wiring;
 
     fn plan(medium: Medium) -> BusPlan {
@@ -267,11 +259,12 @@ mod tests {
 
     #[test]
     fn a_bus_is_told_the_forces_of_each_group_of_thirty_that_it_has_keys_of() {
-        let of = |first, n| groups(&[KeyRange { first, n }]);
+        let range = |first, n| ClaimedKeys { first, n }.range().unwrap();
+        let of = |first, n| groups(&[range(first, n)]);
         assert_eq!((groups(&standard(0..8)), groups(&[])), (3, 0));
         assert_eq!((of(0, 11), of(22, 11), of(29, 1), of(30, 1), of(29, 2)), (1, 2, 1, 1, 2));
         // The outermost boards have nothing in the middle.
-        assert_eq!(groups(&[KeyRange { first: 0, n: 11 }, KeyRange { first: 77, n: 11 }]), 2);
+        assert_eq!(groups(&[range(0, 11), range(77, 11)]), 2);
         // Links of their own carry the groups of their own boards.
         let usb = BusPlan { forces: ForcePacking::Multicast16, ..plan(Medium::UsbFullSpeed) };
         assert_eq!(usb.force_frames(), [64; 6 + 2 * 2]);

@@ -8,7 +8,7 @@ use firmware_protocol::can::pieces::PIECE;
 
 use super::can::{self, FdBits, Id, Stuffing};
 use super::uart::{self, Wiring};
-use super::usb::UsbSpeed;
+use super::usb::UsbRate;
 
 /// What carries frames between the host and its boards.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -58,8 +58,8 @@ impl Medium {
     /// How long a frame of `bytes` keeps the most urgent other one waiting, at worst (us).
     pub fn blocking(self, bytes: usize) -> f64 {
         match self {
-            Self::UsbFullSpeed => UsbSpeed::Full.frame_time(),
-            Self::UsbHighSpeed => UsbSpeed::High.frame_time(),
+            Self::UsbFullSpeed => UsbRate::Full.frame_time(),
+            Self::UsbHighSpeed => UsbRate::High.frame_time(),
             Self::ClassicCan { .. } | Self::CanFd { .. } | Self::Uart { .. } => {
                 self.piece_time(self.piece(bytes), Stuffing::Most)
             }
@@ -89,8 +89,8 @@ impl Medium {
             Self::Uart { baud, wiring: Wiring::HalfDuplex { turnaround } } => {
                 uart::time(bytes, baud) + f64::from(turnaround)
             }
-            Self::UsbFullSpeed => UsbSpeed::Full.time(uart::wire_bytes(bytes)),
-            Self::UsbHighSpeed => UsbSpeed::High.time(uart::wire_bytes(bytes)),
+            Self::UsbFullSpeed => UsbRate::Full.time(uart::wire_bytes(bytes)),
+            Self::UsbHighSpeed => UsbRate::High.time(uart::wire_bytes(bytes)),
         }
     }
 

@@ -4,14 +4,14 @@
 
 /// How fast a device signals.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum UsbSpeed {
+pub enum UsbRate {
     /// 12 Mbit/s, frames of 1 ms; all such devices behind one transaction translator share it.
     Full,
     /// 480 Mbit/s, frames of 125 us.
     High,
 }
 
-impl UsbSpeed {
+impl UsbRate {
     /// Most payload of one transaction (bytes).
     pub const fn payload(self) -> usize {
         match self {
@@ -70,9 +70,9 @@ mod tests {
 
     #[test]
     fn a_transfer_that_fills_its_last_transaction_costs_an_empty_one_more() {
-        assert_eq!(UsbSpeed::Full.cost(63), 63 + 13);
-        assert_eq!(UsbSpeed::Full.cost(64), 64 + 2 * 13);
-        assert_eq!(UsbSpeed::Full.cost(65), 65 + 2 * 13);
-        assert_eq!(UsbSpeed::High.cost(512), 512 + 2 * 55);
+        assert_eq!(UsbRate::Full.cost(63), 63 + 13);
+        assert_eq!(UsbRate::Full.cost(64), 64 + 2 * 13);
+        assert_eq!(UsbRate::Full.cost(65), 65 + 2 * 13);
+        assert_eq!(UsbRate::High.cost(512), 512 + 2 * 55);
     }
 }

@@ -32,7 +32,14 @@ impl BusVerdict {
 }
 
 impl BusPlan {
-    /// Whether the bus can carry this.
+    /// Returns the rate at which all keys can be sampled and given a force, both in each cycle, if
+    /// the bus is taken as far as it may be (Hz); infinite without boards.
+    pub fn max_rate(&self) -> f64 {
+        let one = Self { sample_rate: 1.0, force_rate: 1.0, ..self.clone() };
+        one.stretch(REFUSE)
+    }
+
+    /// Tells whether the bus can carry this.
     pub fn verdict(&self) -> BusVerdict {
         BusVerdict::of(self.load())
     }
@@ -59,7 +66,7 @@ impl BusPlan {
 
     /// The bus and what it is asked for.
     fn what(&self) -> String {
-        let keys: usize = self.boards.iter().map(|it| usize::from(it.n)).sum();
+        let keys: usize = self.boards.iter().map(|it| it.numbers().len()).sum();
         format!(
             "{} ({}): samples of {keys} keys on {} at {} Hz and forces at {} Hz",
             self.name,

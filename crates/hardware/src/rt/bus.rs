@@ -13,11 +13,11 @@
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::frame::{FrameKind, board_of};
 use firmware_protocol::key::BoardId;
+use links::{Health, Link, RecvError};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 
 use super::board::{BoardEnd, BoardStatistics, BoardTerms};
 use super::multicast::Multicast;
-use crate::link::{Health, Link, RecvError};
 use crate::plan::{LinkMeter, Medium, MeterWindow};
 
 /// Frames taken from one line in one tick; the rest waits for the next.
@@ -104,18 +104,18 @@ impl LineEnd {
     }
 }
 
-/// Whoever reads what is not cyclic: replies and hellos.
-pub trait Acyclic {
-    /// Reads a frame that came over `line`.
-    fn hear(&mut self, line: usize, frame: &[u8]);
+/// Takes what is not cyclic: replies and hellos.
+pub trait AcyclicHandler {
+    /// Takes a frame that came over `line`.
+    fn take(&mut self, line: usize, frame: &[u8]);
 }
 
-/// Nobody reads it.
+/// Drops what is not cyclic.
 #[derive(Clone, Copy, Debug)]
-pub struct Unread;
+pub struct IgnoreAcyclic;
 
-impl Acyclic for Unread {
-    fn hear(&mut self, _line: usize, _frame: &[u8]) {}
+impl AcyclicHandler for IgnoreAcyclic {
+    fn take(&mut self, _line: usize, _frame: &[u8]) {}
 }
 
 impl KeybedBus {
@@ -189,7 +189,7 @@ impl KeybedBus {
         &mut self,
         line: usize,
         link: &mut (impl Link + ?Sized),
-        acyclic: &mut impl Acyclic,
+        acyclic: &mut impl AcyclicHandler,
     ) {
         let n_boards = self.lines[line].boards.iter().flatten().count().max(1);
         for _ in 0..MAX_FRAMES * n_boards {
@@ -327,7 +327,7 @@ impl KeybedBus {
     }
 
     /// Reads one frame.
-    fn read(&mut self, line: usize, frame: &[u8], acyclic: &mut impl Acyclic) {
+    fn read(&mut self, line: usize, frame: &[u8], acyclic: &mut impl AcyclicHandler) {
         self.lines[line].saw_up(frame.len());
         match (FrameKind::of(frame), self.board_on(line, frame)) {
             (Some(FrameKind::KeySamples), Some(index)) => {
@@ -336,7 +336,7 @@ impl KeybedBus {
                     board.publish(&mut self.samples);
                 }
             }
-            (Some(FrameKind::Reply | FrameKind::Hello), Some(_)) => acyclic.hear(line, frame),
+            (Some(FrameKind::Reply | FrameKind::Hello), Some(_)) => acyclic.take(line, frame),
             _ => self.lines[line].statistics.foreign += 1,
         }
     }

@@ -3,11 +3,13 @@
 //! No heap, no lock, no clock; the only system calls are those of the links.
 
 pub mod board;
+pub mod board_supervisor;
 pub mod bus;
-pub mod glance;
 pub mod lateness;
+pub mod link_monitor;
+pub mod link_snapshot;
 pub mod loss;
 mod multicast;
 pub mod plausible;
-pub mod steward;
-mod trips;
+mod round_trips;
+pub mod terms;

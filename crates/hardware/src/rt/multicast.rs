@@ -9,9 +9,7 @@ use scheduler::motion::KEYS;
 
 use super::board::BoardTerms;
 use crate::clock::low;
-
-/// Time between two frames of bus time (us).
-const SYNC_US: u64 = 20_000;
+use crate::periods::SYNC_US;
 
 /// What a line with multicast remembers.
 #[derive(Clone, Copy, Debug, Default)]

@@ -8,8 +8,8 @@ use firmware_protocol::quantity::Counts;
 use haptics::plant::{Gesture, KeyRig, RigParameters};
 use scheduler::motion::{KeySample, KeySlope, Moment};
 
-use super::guard::{ForceDecision, ForceInterlock};
-use super::law::Law;
+use super::force_interlock::{ForceDecision, ForceInterlock};
+use super::force_law::Law;
 use crate::Error;
 use crate::calibration::{self, KeyCalibration};
 
@@ -46,8 +46,8 @@ impl Plant {
         self.current = 0;
     }
 
-    /// Lays a weight on the key (N); 0 takes it away.
-    pub(super) fn lay(&mut self, newtons: f64) {
+    /// Presses on the key with a weight (N); 0 takes it away.
+    pub(super) fn press(&mut self, newtons: f64) {
         self.rig.lay(newtons);
     }
 
@@ -176,7 +176,7 @@ impl SampleProgress {
 pub struct SimulatedKey {
     plant: Plant,
     calibration: KeyCalibration,
-    guard: ForceInterlock,
+    interlock: ForceInterlock,
     progress: SampleProgress,
     law: Law,
     /// A law that has come since the sample that it answers, taken then (us).
@@ -190,12 +190,12 @@ impl SimulatedKey {
     /// Refuses a period that is not above 0 and up to 1 s.
     pub fn new(period: f64, rig: RigParameters) -> Result<Self, Error> {
         let plant = Plant::new(rig, 0);
-        let mut guard = ForceInterlock::new(0);
-        guard.force_armed(u64::from(VALID_MS) * 1_000);
+        let mut interlock = ForceInterlock::new(0);
+        interlock.force_armed(u64::from(VALID_MS) * 1_000);
         Ok(Self {
             calibration: plant.calibration(),
             plant,
-            guard,
+            interlock,
             progress: SampleProgress::new(period)?,
             law: Law::default(),
             answer: None,
@@ -217,11 +217,11 @@ impl SimulatedKey {
         for step in self.progress.go_on(tick) {
             let now_us = self.progress.us(step);
             if let Some((answered_us, law)) = self.answer.take()
-                && self.guard.feed(answered_us, now_us) == ForceDecision::Rendered
+                && self.interlock.feed(answered_us, now_us) == ForceDecision::Rendered
             {
                 self.law = law;
             }
-            let share = self.guard.share(now_us);
+            let share = self.interlock.share(now_us);
             self.render(self.progress.seconds(step), share);
         }
         KeySample::fresh(self.calibration.position(self.plant.counts()))
@@ -265,7 +265,7 @@ impl SimulatedKey {
 
     /// Whether no force came for 20 ms, after which the key takes none.
     pub const fn is_safe(&self) -> bool {
-        !self.guard.is_armed()
+        !self.interlock.is_armed()
     }
 
     /// The plant itself, with what no sensor tells.

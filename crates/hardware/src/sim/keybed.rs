@@ -5,28 +5,42 @@
 
 use firmware_protocol::key::{BoardId, KeyIndex, PerKey};
 use haptics::plant::{Gesture, KeyRig, RigParameters};
+use links::faulty::{FaultCounts, FaultPlan, Faults};
+use links::framed::Framing;
+use links::loopback::Loopback;
+use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 
 use super::board::{BoardCounts, BoardMake, SimulatedBoard};
 use crate::Error;
-use crate::link::faulty::{FaultCounts, FaultPlan, Faults};
-use crate::link::framed::Framing;
-use crate::link::loopback::Loopback;
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
-use crate::rt::bus::{KeybedBus, LineStatistics, Unread};
-use crate::rt::glance::LinkSnapshot;
+use crate::rt::board_supervisor::ArmState;
+use crate::rt::bus::{IgnoreAcyclic, KeybedBus, LineStatistics};
+use crate::rt::link_monitor::{LinkMonitor, LinkSample};
+use crate::rt::link_snapshot::{BoardSnapshot, BoardStatus, LinkSnapshot};
 use crate::topology;
 
 /// Frames that a wire holds: those of one tick, and what faults repeat or delay into it.
 const WIRE_CAPACITY: usize = 8;
 
+/// Weights that may wait to press on keys.
+const MOST_PRESS_REQUESTS: usize = 256;
+
+/// Weights that one tick takes at most.
+const MOST_WEIGHTS: usize = 16;
+
 /// Eight simulated boards and the host's end of their wires.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct SimulatedKeybed {
-    /// Away from the stack, where whoever owns a keybed would have to find room for it.
+    /// In a box, since it is too large for the stack of its owner.
     bus: Box<KeybedBus>,
     lines: Vec<SimulatedLine>,
+    /// Times that boards were armed again, if they are when they are found safe.
+    rearmed: Option<u64>,
+    /// Weights that shall press on keys (N).
+    weights: Option<Consumer<(KeyIndex, f64)>>,
+    monitor: Option<LinkMonitor>,
 }
 
 /// A board, its wire, and what goes wrong on it.
@@ -59,20 +73,51 @@ impl SimulatedKeybed {
                 calibration: PerKey::collect(line.board.calibration()),
             })
             .collect();
-        Ok(Self { bus: Box::new(KeybedBus::new(&terms)), lines })
+        let bus = Box::new(KeybedBus::new(&terms));
+        Ok(Self { bus, lines, rearmed: None, weights: None, monitor: None })
     }
 
     /// Plays `gestures` on `key` from now on instead of those before.
     pub fn play(&mut self, key: KeyIndex, gestures: Vec<Gesture>) {
-        self.lines[key.board().index()].board.play(key.slot(), gestures);
+        self.lines[BoardId::of(key).index()].board.play(BoardId::slot_of(key), gestures);
     }
 
-    /// Lays a weight on `key` that presses with `newtons`; 0 takes it away.
+    /// Presses on `key` with a weight of `newtons` from now on; 0 takes it away.
     ///
     /// # Real-time
     /// One assignment.
-    pub fn lay(&mut self, key: KeyIndex, newtons: f64) {
-        self.lines[key.board().index()].board.lay(key.slot(), newtons);
+    pub fn press(&mut self, key: KeyIndex, newtons: f64) {
+        self.lines[BoardId::of(key).index()].board.press(BoardId::slot_of(key), newtons);
+    }
+
+    /// Returns where weights (N) for keys are given while ticks run, as in [`Self::press`]; not
+    /// for the tick.
+    pub fn press_requests(&mut self) -> Producer<(KeyIndex, f64)> {
+        let (requests, weights) = RingBuffer::new(MOST_PRESS_REQUESTS);
+        self.weights = Some(weights);
+        requests
+    }
+
+    /// Returns where snapshots of all lines and boards come once a second, for ticks at `tick_hz`
+    /// (1/s); not for the tick.
+    pub fn monitor(&mut self, tick_hz: u32) -> Consumer<LinkSample> {
+        let (monitor, samples) = LinkMonitor::new(tick_hz);
+        self.monitor = Some(monitor);
+        samples
+    }
+
+    /// Arms boards again from now on within the tick in which they are found safe, as a host does
+    /// with real ones.
+    ///
+    /// By then safety has faded the host's own forces out too, and blends them in again, so
+    /// nothing is felt but the pause.
+    pub fn keep_armed(&mut self) {
+        self.rearmed.get_or_insert(0);
+    }
+
+    /// Returns how often boards were armed again by [`Self::keep_armed`].
+    pub fn rearmed(&self) -> u64 {
+        self.rearmed.unwrap_or_default()
     }
 
     /// Disturbs the wire of `board` from now on, as planned; exchanges count from 0.
@@ -92,9 +137,9 @@ impl SimulatedKeybed {
         self.lines[board.index()].board.is_safe()
     }
 
-    /// The line or board at `place`, lines first, as it is now; nothing behind the last.
-    pub fn glance(&self, place: usize) -> Option<LinkSnapshot> {
-        self.bus.glance(place)
+    /// Returns the line or board at `place`, lines first, as it is now; nothing behind the last.
+    pub fn snapshot(&self, place: usize) -> Option<LinkSnapshot> {
+        snapshot(&self.bus, self.rearmed, place)
     }
 
     /// What the host has counted on the wire of `board`.
@@ -119,8 +164,41 @@ impl SimulatedKeybed {
 
     /// The plant of `key`, with what no sensor tells.
     pub fn rig(&self, key: KeyIndex) -> Option<&KeyRig> {
-        self.lines[key.board().index()].board.rig(key.slot())
+        self.lines[BoardId::of(key).index()].board.rig(BoardId::slot_of(key))
     }
+}
+
+impl SimulatedKeybed {
+    fn take_weights(&mut self) {
+        for _ in 0..MOST_WEIGHTS {
+            let Some(Ok((key, newtons))) = self.weights.as_mut().map(Consumer::pop) else { break };
+            self.press(key, newtons);
+        }
+    }
+
+    fn rearm_if_kept(&mut self) {
+        let is_safe = self.lines.iter().any(|line| line.board.is_safe());
+        if let Some(rearmed) = self.rearmed.as_mut().filter(|_| is_safe) {
+            *rearmed += 1;
+            self.rearm();
+        }
+    }
+}
+
+/// A line or board as it is now; boards that are kept armed were armed once more than again.
+fn snapshot(bus: &KeybedBus, rearmed: Option<u64>, place: usize) -> Option<LinkSnapshot> {
+    let snapshot = bus.snapshot(place)?;
+    let status = rearmed.map(|rearmed| BoardStatus {
+        state: ArmState::Armed,
+        armings: 1 + rearmed,
+        round_trip_us: None,
+    });
+    Some(match snapshot {
+        LinkSnapshot::Line(..) => snapshot,
+        LinkSnapshot::Board(board, it) => {
+            LinkSnapshot::Board(board, BoardSnapshot { status, ..it })
+        }
+    })
 }
 
 impl KeyBus for SimulatedKeybed {
@@ -129,6 +207,7 @@ impl KeyBus for SimulatedKeybed {
     /// # Real-time
     /// One tick of 88 plants for each tick since the last call, at most 256; no heap.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        self.take_weights();
         self.bus.begin(tick);
         for (index, SimulatedLine { board, wire, faults, framing, .. }) in
             self.lines.iter_mut().enumerate()
@@ -136,13 +215,18 @@ impl KeyBus for SimulatedKeybed {
             let [host, away] = framing;
             board.advance(tick, &mut away.around(wire.board_end()));
             let mut link = host.around(faults.around(wire.host_end()));
-            self.bus.receive(index, &mut link, &mut Unread);
+            self.bus.receive(index, &mut link, &mut IgnoreAcyclic);
             let newest = self.bus.boards().get(index).and_then(BoardEnd::newest);
             if let Some(newest) = newest.filter(|_| self.bus.has_news(index)) {
                 self.bus.date(index, board.ticks_since(newest.header.stamp_us));
             }
         }
         samples.copy_from_slice(self.bus.samples());
+        self.rearm_if_kept();
+        let Self { bus, rearmed, monitor, .. } = self;
+        if let Some(monitor) = monitor {
+            monitor.take(tick, |place| snapshot(bus, *rearmed, place));
+        }
     }
 
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {

@@ -3,13 +3,9 @@
 //! They speak the wire format on links in memory, through the same bus as real boards.
 
 pub mod board;
-mod bus_time;
-mod guard;
-mod history;
+mod force_interlock;
+mod force_law;
 pub mod key;
 pub mod keybed;
-mod law;
-mod multicast;
-mod requests;
 #[cfg(test)]
 mod tests;

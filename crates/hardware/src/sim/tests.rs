@@ -13,10 +13,10 @@ use firmware_protocol::quantity::Millinewtons;
 use firmware_protocol::sequence::SequenceNumber;
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use haptics::plant::RigParameters;
+use links::Link as _;
+use links::loopback::Loopback;
 
 use super::board::{BoardMake, SimulatedBoard};
-use crate::link::Link as _;
-use crate::link::loopback::Loopback;
 
 /// A tick (us).
 const TICK_US: u64 = 1_000;

@@ -16,9 +16,9 @@ use firmware_protocol::key::PerKey;
 use haptics::plant::RigParameters;
 use hardware::calibration::KeyCalibration;
 use hardware::keybed::{FoundBoard, Keybed, NamedLink, Offline};
-use hardware::link::{Link, RecvError, SendError};
 use hardware::refusal::{BoardName, Refusal};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
+use links::{Link, RecvError, SendError};
 
 /// Microseconds since this program began.
 pub fn now_us() -> u64 {

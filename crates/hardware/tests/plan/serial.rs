@@ -1,9 +1,9 @@
 //! Highest rates over serial lines and USB.
 
 use hardware::plan::uart::{Wiring, wire_bytes};
-use hardware::plan::usb::UsbSpeed;
+use hardware::plan::usb::UsbRate;
 use hardware::plan::{BusPlan, Extras, ForcePacking, Medium, SamplePacking, standard};
-use hardware::refusal::KeyRange;
+use keyboard::KeyRange;
 
 use super::hertz;
 use SamplePacking::{Position16, Position16Velocity, Position24, Position24Velocity};
@@ -37,7 +37,7 @@ fn frames_on_the_wire_have_the_lengths_of_the_table() {
 }
 
 /// One for all keys.
-const HUB: [KeyRange; 1] = [KeyRange { first: 0, n: 88 }];
+const HUB: [KeyRange; 1] = [KeyRange::ALL];
 
 /// Rate (Mbaud); rates of a board's own link, of one for all 88 keys, of a line for eight
 /// boards (Hz).
@@ -68,7 +68,7 @@ fn serial_lines_reach_the_rates_of_the_table() {
 fn a_frame_of_usb_has_room_for_as_many_transactions_as_its_standard_says() {
     let full = [(1, 107), (2, 100), (4, 88), (8, 71), (16, 51), (32, 33), (64, 19)];
     for (bytes, transactions) in full {
-        assert_eq!(UsbSpeed::Full.transactions_per_frame(bytes), transactions, "{bytes} bytes");
+        assert_eq!(UsbRate::Full.transactions_per_frame(bytes), transactions, "{bytes} bytes");
     }
     let high = [
         (1, 133),
@@ -83,14 +83,14 @@ fn a_frame_of_usb_has_room_for_as_many_transactions_as_its_standard_says() {
         (512, 13),
     ];
     for (bytes, transactions) in high {
-        assert_eq!(UsbSpeed::High.transactions_per_frame(bytes), transactions, "{bytes} bytes");
+        assert_eq!(UsbRate::High.transactions_per_frame(bytes), transactions, "{bytes} bytes");
     }
 }
 
 #[test]
 fn a_cycle_of_eight_full_speed_boards_takes_what_the_table_says() {
     let costs = PACKINGS.map(|packing| {
-        let cost = |bytes| UsbSpeed::Full.cost(wire_bytes(bytes));
+        let cost = |bytes| UsbRate::Full.cost(wire_bytes(bytes));
         8 * (cost(packing.frame_len(11)) + cost(ForcePacking::Force16.frame_len(11)))
     });
     assert_eq!(costs, [688, 776, 864, 952]);

@@ -1,7 +1,7 @@
 //! The tick's wait-free end of what is seen of lines and boards: one of them a tick, all of them
 //! once a second; full is dropped, since newer will come.
 
-use hardware::rt::glance::LinkSnapshot;
+use hardware::rt::link_snapshot::LinkSnapshot;
 use rtrb::{Consumer, Producer, RingBuffer};
 
 /// What was seen, and in which tick.
@@ -48,14 +48,14 @@ impl LinkMonitor {
 #[cfg(test)]
 mod tests {
     use hardware::rt::bus::LineStatistics;
-    use hardware::rt::glance::LineGlance;
+    use hardware::rt::link_snapshot::LineSnapshot;
 
     use super::*;
 
     #[test]
     fn a_round_takes_a_tick_for_each_and_is_made_once_a_second() {
         let (mut lookout, mut seen) = LinkMonitor::new(100);
-        let line = LineGlance { statistics: LineStatistics::default(), meter: None };
+        let line = LineSnapshot { statistics: LineStatistics::default(), meter: None };
         let three = |place| (place < 3).then_some(LinkSnapshot::Line(place, line));
         (0..250).for_each(|tick| lookout.take(tick, three));
         let mut ticks = Vec::new();

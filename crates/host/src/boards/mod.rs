@@ -8,12 +8,12 @@ use firmware_protocol::frame::hello::feature;
 use firmware_protocol::key::PerKey;
 use hardware::calibration::{KeyCalibration, file};
 use hardware::keybed::{Armed, FoundBoard, Keybed, NamedLink};
-use hardware::link::address::Address;
-use hardware::link::can::{BusSide, CanMode};
-use hardware::link::lasting::Lasting;
 use hardware::plan::Medium;
 use hardware::plan::uart::Wiring;
 use hardware::refusal::{BoardName, Refusal};
+use links::address::Address;
+use links::can::{BusSide, CanMode};
+use links::reconnecting::ReconnectingLink;
 use scheduler::time::Nanos;
 
 use crate::control::BoardsTold;
@@ -32,9 +32,9 @@ pub fn now_us() -> u64 {
 }
 
 /// Opens a link that is opened again whenever it goes down.
-pub fn open(bus: &BoardBus) -> Result<NamedLink, hardware::Error> {
+pub fn open(bus: &BoardBus) -> Result<NamedLink, links::Error> {
     let address = bus.address.clone();
-    let link = Lasting::open(move || address.open(BusSide::Host))?;
+    let link = ReconnectingLink::open(move || address.open(BusSide::Host))?;
     let medium = medium(bus).filter(|_| !is_virtual(&bus.address));
     let (name, address) = (bus.address.name(), bus.address.to_string());
     Ok(NamedLink { name, address, link: Box::new(link), medium })

@@ -129,7 +129,7 @@ fn shares(boards: &Boards) -> Vec<Vec<KeyRange>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hardware::link::address::Address;
+    use links::address::Address;
 
     fn boards(links: &[&str]) -> Boards {
         let bus = |link: &&str| BoardBus::new(Address::parse(link).unwrap());

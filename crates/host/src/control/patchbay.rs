@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
 use firmware_protocol::key::KeyIndex;
-use hardware::rt::steward::LIGHT_S;
+use hardware::rt::board_supervisor::LIGHT_S;
 use pode::EnergyAudit;
 use rtrb::Producer;
 use telemetry::{Log, Update, log};

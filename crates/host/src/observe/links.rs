@@ -1,7 +1,7 @@
 //! Lines and boards as a message, and what became of them in sentences.
 
 use hardware::rt::board::BoardStatistics;
-use hardware::rt::glance::{BoardGlance, LineGlance, LinkSnapshot};
+use hardware::rt::link_snapshot::{BoardSnapshot, LineSnapshot, LinkSnapshot};
 use rtrb::Consumer;
 use telemetry::Links;
 
@@ -16,7 +16,7 @@ pub struct LinksWatch {
     period: f64,
     links: Links,
     /// Each line as it was seen last, and in which tick.
-    last: Vec<Option<(u64, LineGlance)>>,
+    last: Vec<Option<(u64, LineSnapshot)>>,
 }
 
 impl LinksWatch {
@@ -45,10 +45,10 @@ impl LinksWatch {
         is_news.then_some(changes)
     }
 
-    fn line(&mut self, index: usize, tick: u64, it: &LineGlance) -> Option<String> {
+    fn line(&mut self, index: usize, tick: u64, it: &LineSnapshot) -> Option<String> {
         let before = self.last.get_mut(index)?.replace((tick, *it));
         let line = self.links.lines.get_mut(index)?;
-        let LineGlance { statistics, .. } = it;
+        let LineSnapshot { statistics, .. } = it;
         let since = before.filter(|(last, _)| *last < tick);
         let load = since.and_then(|(last, was)| {
             let seconds = (tick - last) as f64 * self.period;
@@ -64,17 +64,17 @@ impl LinksWatch {
         told
     }
 
-    fn board(&mut self, index: usize, it: &BoardGlance) -> Option<String> {
+    fn board(&mut self, index: usize, it: &BoardSnapshot) -> Option<String> {
         let board = self.links.boards.get_mut(index)?;
         let BoardStatistics { samples, refused, .. } = it.statistics;
         (board.samples, board.gaps, board.refused) = (samples.frames, samples.gaps, refused);
-        let care = it.care?;
+        let care = it.status?;
         board.armings = care.armings;
         board.round_trip = care.round_trip_us.map_or(f64::NAN, f64::from);
         let first_key = u8::try_from(board.first_key).unwrap_or(u8::MAX);
         let muted = muted_keys(first_key, &it.statistics.muted);
         let muted = muted.iter().map(|key| format!("; {key}"));
-        let state: String = std::iter::once(stage_words(care.stage)).chain(muted).collect();
+        let state: String = std::iter::once(stage_words(care.state)).chain(muted).collect();
         let line = usize::try_from(board.line).ok().and_then(|it| self.links.lines.get(it));
         let line = line.map_or("", |line| line.name.as_str());
         let told =
@@ -93,12 +93,12 @@ fn news(before: &str, now: &str) -> bool {
 mod tests {
     use super::*;
     use firmware_protocol::key::MOST_KEYS;
-    use hardware::link::{Health, WireState};
     use hardware::plan::{LinkMeter, Medium};
+    use hardware::rt::board_supervisor::ArmState;
     use hardware::rt::bus::LineStatistics;
-    use hardware::rt::glance::BoardStatus;
+    use hardware::rt::link_snapshot::BoardStatus;
     use hardware::rt::plausible::Implausible;
-    use hardware::rt::steward::ArmState;
+    use links::{Health, WireState};
     use rtrb::{Producer, RingBuffer};
     use telemetry::{Board, Line};
 
@@ -114,7 +114,7 @@ mod tests {
     fn line(state: WireState, meter: Option<LinkMeter>) -> LinkSnapshot {
         let health = Health { state, ..Health::default() };
         let statistics = LineStatistics { health, ..LineStatistics::default() };
-        LinkSnapshot::Line(0, LineGlance { statistics, meter })
+        LinkSnapshot::Line(0, LineSnapshot { statistics, meter })
     }
 
     fn board(stage: ArmState) -> LinkSnapshot {
@@ -122,9 +122,9 @@ mod tests {
     }
 
     fn with_muted(stage: ArmState, muted: [Option<Implausible>; MOST_KEYS]) -> LinkSnapshot {
-        let care = Some(BoardStatus { stage, armings: 2, round_trip_us: Some(990) });
+        let care = Some(BoardStatus { state: stage, armings: 2, round_trip_us: Some(990) });
         let statistics = BoardStatistics { muted, ..BoardStatistics::default() };
-        LinkSnapshot::Board(0, BoardGlance { statistics, care })
+        LinkSnapshot::Board(0, BoardSnapshot { statistics, status: care })
     }
 
     #[test]
@@ -168,7 +168,7 @@ mod tests {
         look(line(WireState::Active, None));
         assert_eq!(look(line(WireState::Off, None)).1, ["can0 is off now"]);
         let unplugged = LineStatistics { down: 900, ..LineStatistics::default() };
-        let glance = LineGlance { statistics: unplugged, meter: None };
+        let glance = LineSnapshot { statistics: unplugged, meter: None };
         assert_eq!(look(LinkSnapshot::Line(0, glance)).1, ["can0 is down now"]);
         assert_eq!(look(LinkSnapshot::Line(0, glance)).1, ["can0 is active now"], "it was mended");
     }

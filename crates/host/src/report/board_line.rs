@@ -5,8 +5,8 @@ use std::fmt;
 use firmware_protocol::key::{KeyIndex, MOST_KEYS};
 use hardware::keybed::BoardReport;
 use hardware::refusal::{KeyName, KeyRange, clock_words, reason_words};
+use hardware::rt::board_supervisor::{ArmLockout, ArmState};
 use hardware::rt::plausible::Implausible;
-use hardware::rt::steward::{ArmLockout, ArmState};
 use serde::Serialize;
 
 /// One board of a run.
@@ -120,7 +120,7 @@ impl BoardLine {
             clock_jumps: condition.jumps,
             declined: condition.declined,
             rearmed: condition.armings.saturating_sub(1),
-            state: stage_words(condition.stage),
+            state: stage_words(condition.state),
             calibrated: report.is_calibrated,
             implausible: statistics.implausible,
             muted: muted_keys(place.first_key.number(), &statistics.muted),

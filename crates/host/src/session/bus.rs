@@ -111,10 +111,10 @@ impl KeyBus for MonitoredTransport {
             }
             KeyTransport::Boards(keybed, _, sought) => {
                 if let Ok(board) = sought.pop() {
-                    keybed.light(board);
+                    keybed.request_light(board);
                 }
                 keybed.receive(tick, samples);
-                lookout.take(tick, |place| keybed.glance(place));
+                lookout.take(tick, |place| keybed.snapshot(place));
             }
         }
     }

@@ -1,8 +1,8 @@
 //! The simulated keybed as the tick's bus, with the host's answer to a tripped watchdog.
 
 use firmware_protocol::key::{BoardId, KeyIndex};
-use hardware::rt::glance::{BoardGlance, BoardStatus, LinkSnapshot};
-use hardware::rt::steward::ArmState;
+use hardware::rt::board_supervisor::ArmState;
+use hardware::rt::link_snapshot::{BoardSnapshot, BoardStatus, LinkSnapshot};
 use hardware::sim::keybed::SimulatedKeybed;
 use rtrb::Consumer;
 use scheduler::motion::{KEYS, KeySample};
@@ -32,14 +32,14 @@ impl SimulatedTransport {
 
     /// The line or board at `place`, lines first, as it is now; nothing behind the last.
     pub(super) fn glance(&self, place: usize) -> Option<LinkSnapshot> {
-        let glance = self.keybed.glance(place)?;
+        let glance = self.keybed.snapshot(place)?;
         Some(match glance {
             LinkSnapshot::Line(..) => glance,
             LinkSnapshot::Board(board, it) => {
                 let (stage, armings) = (ArmState::Armed, 1 + self.rearmed);
                 // Armed again within the tick in which they are found safe.
-                let care = Some(BoardStatus { stage, armings, round_trip_us: None });
-                LinkSnapshot::Board(board, BoardGlance { care, ..it })
+                let care = Some(BoardStatus { state: stage, armings, round_trip_us: None });
+                LinkSnapshot::Board(board, BoardSnapshot { status: care, ..it })
             }
         })
     }
@@ -49,7 +49,7 @@ impl KeyBus for SimulatedTransport {
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
         for _ in 0..MOST_WEIGHTS {
             let Ok((key, newtons)) = self.weights.pop() else { break };
-            self.keybed.lay(key, newtons);
+            self.keybed.press(key, newtons);
         }
         self.keybed.receive(tick, samples);
         if BoardId::all().any(|board| self.keybed.is_safe(board)) {

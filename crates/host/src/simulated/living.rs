@@ -1,9 +1,9 @@
 //! One simulated board in real time, and what befalls it.
 
 use firmware_protocol::frame::hello::safe_reason;
-use hardware::link::{Link, RecvError, SendError};
 use hardware::refusal::{KeyRange, reason_words};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
+use links::{Link, RecvError, SendError};
 use scheduler::time::Nanos;
 
 use super::fate::{FaultEvent, FaultScript};

@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use firmware_protocol::key::BoardId;
-use hardware::link::Link;
-use hardware::link::address::Address;
-use hardware::link::can::BusSide;
-use hardware::link::lasting::Lasting;
-use hardware::link::serial::{Pty, Serial};
-use hardware::link::wire::{Wire, WirePlan};
+use links::Link;
+use links::address::Address;
+use links::can::BusSide;
+use links::reconnecting::ReconnectingLink;
+use links::serial::{Pty, Serial};
+use links::wire::{Wire, WirePlan};
 
 /// Where boards shall be found.
 #[derive(Clone, PartialEq, Debug)]
@@ -40,7 +40,7 @@ impl std::fmt::Debug for Placed {
 ///
 /// # Errors
 /// Says what the system refused.
-pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, hardware::Error> {
+pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, links::Error> {
     match at {
         WireEndpoint::Pty => {
             let Pty { board, path } = Pty::open()?;
@@ -55,12 +55,12 @@ pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, hardware::Erro
         }
         WireEndpoint::Shared(address) => {
             let its_address = address.clone();
-            let link = Lasting::open(move || its_address.open(BusSide::Board(board)))?;
+            let link = ReconnectingLink::open(move || its_address.open(BusSide::Board(board)))?;
             Ok(Placed { link: Box::new(link), address: address.clone(), _wire: None })
         }
     }
 }
 
 fn serial(port: PathBuf) -> Address {
-    Address::Serial { port, baud: hardware::link::address::BAUD }
+    Address::Serial { port, baud: links::address::BAUD }
 }

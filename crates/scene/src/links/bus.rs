@@ -1,7 +1,7 @@
 //! `[[links.bus]]`: a link, and what it is like.
 
-use hardware::link::address::{Address, BAUD};
-use hardware::link::can::CanMode;
+use links::address::{Address, BAUD};
+use links::can::CanMode;
 
 use super::board::{self, Listed};
 use super::{BIT_RATES, BoardBus};

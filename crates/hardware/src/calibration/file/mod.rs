@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use firmware_protocol::key::PerKey;
 
 use super::KeyCalibration;
-use crate::refusal::Uid;
+use crate::identity::Uid;
 
 pub use read::load;
 pub use sheet::CalibrationSheet;

@@ -9,7 +9,7 @@ use toml_edit::{Document, Item, Table};
 
 use super::CalibrationSheet;
 use crate::calibration::KeyCalibration;
-use crate::refusal::Uid;
+use crate::identity::Uid;
 
 /// Readings that 24 bits hold (counts).
 const READINGS: (f64, f64) = (Counts::MIN.get() as f64, Counts::MAX.get() as f64);

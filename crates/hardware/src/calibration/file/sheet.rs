@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use firmware_protocol::key::PerKey;
 
 use crate::calibration::KeyCalibration;
-use crate::refusal::Uid;
+use crate::identity::Uid;
 
 /// What stands above the values.
 const HEAD: &str = "\

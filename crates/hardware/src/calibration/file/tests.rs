@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::read::parse;
 use super::{CalibrationSheet, backup, load, read, write};
 use crate::calibration::KeyCalibration;
-use crate::refusal::Uid;
+use crate::identity::Uid;
 
 const UID: Uid = Uid([0x53, 0x49, 0x4d, 3, 33, 0]);
 

@@ -1,0 +1,58 @@
+//! What a board says of itself: its identity, and the keys that it carries.
+
+use std::fmt;
+
+use keyboard::{KeyIndex, KeyRange};
+
+/// Six bytes that no other board has; displayed as twelve hexadecimal digits.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct Uid(pub [u8; 6]);
+
+impl fmt::Display for Uid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
+}
+
+/// The keys that a board claims to carry, possible or not.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ClaimedKeys {
+    /// Number of the lowest key, `0 ..= 87` if it is one.
+    pub first: u8,
+    pub n: u8,
+}
+
+impl ClaimedKeys {
+    /// Returns the range of these keys; none if they are no keys, or not all on the keyboard.
+    pub fn range(self) -> Option<KeyRange> {
+        let last = self.first.checked_add(self.n.checked_sub(1)?)?;
+        KeyRange::new(KeyIndex::new(self.first)?, KeyIndex::new(last)?)
+    }
+}
+
+impl fmt::Display for ClaimedKeys {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { first, n } = *self;
+        match (n.checked_sub(1), self.range()) {
+            (None, _) => write!(f, "no keys"),
+            (Some(_), Some(range)) => write!(f, "{range}"),
+            (Some(others), None) => {
+                let last = first.saturating_add(others);
+                write!(f, "keys {first} to {last} (A0 is 0, C8 is 87)")
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_that_no_board_can_have_are_shown_as_they_are_claimed() {
+        assert_eq!(ClaimedKeys { first: 33, n: 11 }.to_string(), "F#3 to E4");
+        let beyond = ClaimedKeys { first: 80, n: 11 }.to_string();
+        assert_eq!(beyond, "keys 80 to 90 (A0 is 0, C8 is 87)");
+        assert_eq!(ClaimedKeys { first: 3, n: 0 }.to_string(), "no keys");
+    }
+}

@@ -1,9 +1,0 @@
-//! Waiting, for set-up and for threads beside the tick; never in it.
-
-use std::time::Duration;
-
-/// Lets the calling thread sleep for a while.
-#[expect(clippy::disallowed_methods, reason = "the only place that sleeps, and none of the tick")]
-pub(crate) fn pause(length: Duration) {
-    std::thread::sleep(length);
-}

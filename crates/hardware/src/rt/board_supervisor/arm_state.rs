@@ -1,0 +1,70 @@
+//! The states of a board's bring-up, and why it may end without a force.
+
+use firmware_protocol::acyclic::{Operation, Status};
+
+/// How far a board has been brought up.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ArmState {
+    /// It is asked for its hello.
+    Greeting,
+    /// It is asked for samples.
+    Streaming,
+    /// It is asked for a nonce.
+    Disarming,
+    /// It is told to render forces.
+    Arming {
+        nonce: u32,
+    },
+    /// It says that it renders forces; samples that say so too are waited for.
+    Confirming,
+    Armed,
+    /// It may not be armed until a person has seen to it, or a while has passed.
+    Barred(ArmLockout),
+}
+
+impl ArmState {
+    /// Returns the request whose answer leads on from this state.
+    pub const fn waits_for(self) -> Option<Operation> {
+        match self {
+            Self::Greeting => Some(Operation::Hello),
+            Self::Streaming => Some(Operation::Stream),
+            Self::Disarming => Some(Operation::Disarm),
+            Self::Arming { .. } => Some(Operation::Arm),
+            Self::Confirming | Self::Armed | Self::Barred(_) => None,
+        }
+    }
+
+    /// Tells whether the board may not be armed.
+    pub const fn is_barred(self) -> bool {
+        matches!(self, Self::Barred(_))
+    }
+}
+
+/// Why a board may not be armed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ArmLockout {
+    /// It renders no force, for this reason.
+    Latched(u8),
+    /// It answered a request with this status.
+    Declined(Operation, Status),
+    /// Another board has taken its place, or its firmware was changed.
+    Exchanged,
+    /// Its clock runs too fast by so much (1e-6), more than is accepted.
+    Clock(i32),
+    /// It said that it was armed, and sent no samples.
+    NoSamples,
+    /// It said that it was armed, and sent samples that cannot be read.
+    Unreadable,
+    /// It said that it was armed, and its samples that it renders no force.
+    StaysSafe,
+}
+
+impl ArmLockout {
+    /// Tells whether the board is tried again after a while.
+    pub(super) const fn ends(self) -> bool {
+        match self {
+            Self::Declined(..) | Self::NoSamples | Self::Unreadable | Self::StaysSafe => true,
+            Self::Latched(_) | Self::Exchanged | Self::Clock(_) => false,
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! How far a board has been brought up: the state machine, all of its events on one page.
+//!
+//! ```text
+//! Greeting ─ hello ─▶ Streaming ─ done ─▶ Disarming ─ nonce ─▶ Arming ─ done ─▶ Confirming ─▶ Armed
+//!    ▲                                                                              │           │
+//!    └── it fell silent, started anew, or renders no force and did not say why ◀────┴───────────┘
+//! ```
+//!
+//! A board that tripped over silence is armed again. One that was stopped, or whose key failed,
+//! stays `Barred` until a person has seen to it. One that does not get to `Armed` in five attempts
+//! is left alone for ten seconds, or until it says hello anew.
+
+use firmware_protocol::acyclic::arm::{Arm, Disarmed};
+use firmware_protocol::acyclic::stream::Stream;
+use firmware_protocol::acyclic::{Operation, Status};
+use firmware_protocol::frame::hello::{Hello, safe_reason};
+use firmware_protocol::{Nothing, Record as _, schema};
+
+use super::arm_state::{ArmLockout, ArmState};
+use super::sample_watch::{SampleWatch, is_silence};
+use crate::request_channel::RequestChannel;
+use crate::rt::terms::Agreed;
+
+/// Time after which an attempt to bring a board up is made again (us).
+const AGAIN_US: u64 = 100_000;
+/// A board that was armed for a shorter time than this is not armed again at once (us).
+const SHORT_US: u64 = 1_000_000;
+/// Attempts to arm a board until it is left alone.
+const MOST_ATTEMPTS: u8 = 5;
+/// Time for which a board is left alone after too many attempts (us).
+const LEFT_ALONE_US: u64 = 10_000_000;
+
+/// The bring-up of one board.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Arming {
+    state: ArmState,
+    /// Times that it was armed.
+    armings: u64,
+    /// Attempts since it was armed last.
+    attempts: u8,
+    /// When the state `Confirming` or `Armed` began (us).
+    since: u64,
+    /// Frames of samples that had been refused when it was told to arm.
+    refused: u64,
+    /// Earliest time of the next request (us).
+    rest_until: u64,
+    /// End of the time for which a barred board is left alone (us).
+    barred_until: u64,
+    /// The board must be told to let go of all forces.
+    must_disarm: bool,
+}
+
+impl Arming {
+    pub(super) const fn new(now: u64) -> Self {
+        Self {
+            state: ArmState::Greeting,
+            armings: 0,
+            attempts: 0,
+            since: now,
+            refused: 0,
+            rest_until: 0,
+            barred_until: 0,
+            must_disarm: false,
+        }
+    }
+
+    pub(super) const fn state(&self) -> ArmState {
+        self.state
+    }
+
+    pub(super) const fn armings(&self) -> u64 {
+        self.armings
+    }
+
+    /// Tells whether the next request may be asked.
+    pub(super) const fn has_rested(&self, now: u64) -> bool {
+        self.rest_until <= now
+    }
+
+    /// Asks nothing for a while.
+    pub(super) const fn rest(&mut self, now: u64) {
+        self.rest_until = now + AGAIN_US;
+    }
+
+    /// Event: the board has started anew.
+    pub(super) const fn on_start(&mut self, now: u64) {
+        self.attempts = 0;
+        self.greet(now);
+    }
+
+    /// Event: a request was never answered.
+    pub(super) const fn on_loss(&mut self, now: u64) {
+        if !self.state.is_barred() {
+            self.greet(now + AGAIN_US);
+        }
+    }
+
+    /// Event: the board's clock runs by `ppm` (1e-6) too fast, more than is accepted.
+    pub(super) const fn on_clock(&mut self, ppm: i32, now: u64) {
+        if matches!(self.state, ArmState::Confirming | ArmState::Armed) {
+            self.bar(ArmLockout::Clock(ppm), now);
+            self.must_disarm = true;
+        }
+    }
+
+    /// Event: time passes, and `samples` have come meanwhile.
+    pub(super) const fn on_time(&mut self, samples: &SampleWatch, now: u64) {
+        match self.state {
+            ArmState::Arming { .. } => self.refused = samples.refused(),
+            ArmState::Confirming => self.confirm(samples, now),
+            ArmState::Armed if samples.is_silent(now) || samples.is_flagged() => {
+                let is_short = now < self.since + SHORT_US;
+                self.greet(if is_short { now + AGAIN_US } else { now });
+            }
+            ArmState::Barred(why) if why.ends() && self.barred_until <= now => {
+                self.attempts = MOST_ATTEMPTS - 1;
+                self.greet(now);
+            }
+            ArmState::Greeting
+            | ArmState::Streaming
+            | ArmState::Disarming
+            | ArmState::Armed
+            | ArmState::Barred(_) => {}
+        }
+    }
+
+    /// Event: the board has done what it was asked, and answers with `record`.
+    ///
+    /// An answer for which the state does not wait is late, and changes nothing.
+    pub(super) fn on_done(&mut self, done: Operation, record: &[u8], agreed: &Agreed, now: u64) {
+        if self.state.waits_for() != Some(done) {
+            return;
+        }
+        match self.state {
+            ArmState::Greeting => {
+                let hello = Hello::take(record);
+                self.state = hello.map_or(ArmState::Greeting, |it| after_hello(&it, agreed));
+            }
+            ArmState::Streaming => self.attempt(),
+            ArmState::Disarming => {
+                if let Some(Disarmed { nonce }) = Disarmed::take(record) {
+                    self.state = ArmState::Arming { nonce };
+                }
+            }
+            ArmState::Arming { .. } => (self.state, self.since) = (ArmState::Confirming, now),
+            ArmState::Confirming | ArmState::Armed | ArmState::Barred(_) => {}
+        }
+    }
+
+    /// Event: the board declines a request of its bring-up.
+    pub(super) fn on_declined(&mut self, asked: Operation, status: Status, now: u64) {
+        let why = ArmLockout::Declined(asked, status);
+        let is_nonce_old =
+            status == Status::WrongNonce || (asked, status) == (Operation::Arm, Status::WrongState);
+        if (asked, status) == (Operation::Disarm, Status::WrongState) {
+            // It was stopped, or has failed, since it said hello: the next one says which.
+            self.fail(why, now);
+        } else if is_nonce_old && self.attempts < MOST_ATTEMPTS {
+            self.attempt();
+        } else {
+            self.bar(why, now);
+        }
+    }
+
+    /// Asks what brings the board on; returns whether there is such a request.
+    pub(super) fn ask(&mut self, agreed: &Agreed, channel: &mut RequestChannel) -> bool {
+        let terms = agreed.terms;
+        if std::mem::take(&mut self.must_disarm) {
+            channel.ask(Operation::Disarm, &Nothing);
+            return true;
+        }
+        match self.state {
+            ArmState::Greeting => channel.ask(Operation::Hello, &Nothing),
+            ArmState::Streaming => {
+                let (period_us, phase_us) = (terms.period_us, agreed.phase_us);
+                let packing = terms.samples as u8;
+                channel.ask(Operation::Stream, &Stream { period_us, packing, phase_us });
+            }
+            ArmState::Disarming => channel.ask(Operation::Disarm, &Nothing),
+            ArmState::Arming { nonce } => {
+                let (packing, valid_ms) = (terms.forces as u8, terms.valid_ms);
+                channel.ask(Operation::Arm, &Arm { nonce, packing, valid_ms });
+            }
+            ArmState::Confirming | ArmState::Armed | ArmState::Barred(_) => return false,
+        }
+        true
+    }
+
+    const fn greet(&mut self, rest_until: u64) {
+        self.state = ArmState::Greeting;
+        self.rest_until = rest_until;
+    }
+
+    const fn attempt(&mut self) {
+        self.state = ArmState::Disarming;
+        self.attempts = self.attempts.saturating_add(1);
+    }
+
+    /// Believes a board that says that it is armed as soon as its samples say so too.
+    const fn confirm(&mut self, samples: &SampleWatch, now: u64) {
+        if samples.is_clear_at(now) {
+            self.state = ArmState::Armed;
+            self.armings += 1;
+            (self.since, self.attempts) = (now, 0);
+        } else if is_silence(self.since, now) {
+            let why = if samples.have_come_since(self.since) {
+                ArmLockout::StaysSafe
+            } else if self.refused < samples.refused() {
+                ArmLockout::Unreadable
+            } else {
+                ArmLockout::NoSamples
+            };
+            self.fail(why, now);
+        }
+    }
+
+    /// Ends an attempt: another one follows, unless there were too many.
+    const fn fail(&mut self, why: ArmLockout, now: u64) {
+        if self.attempts < MOST_ATTEMPTS {
+            self.greet(now + AGAIN_US);
+        } else {
+            self.bar(why, now);
+        }
+    }
+
+    const fn bar(&mut self, why: ArmLockout, now: u64) {
+        self.state = ArmState::Barred(why);
+        self.barred_until = now + LEFT_ALONE_US;
+    }
+}
+
+/// Returns what follows a hello: whether the board may be armed.
+fn after_hello(hello: &Hello, agreed: &Agreed) -> ArmState {
+    let is_same = hello.uid == agreed.uid && hello.schema == schema::HASH;
+    if !is_same {
+        return ArmState::Barred(ArmLockout::Exchanged);
+    }
+    match hello.safe_reason {
+        latched @ (safe_reason::EMERGENCY_STOP | safe_reason::KEY_FAULT) => {
+            ArmState::Barred(ArmLockout::Latched(latched))
+        }
+        _ => ArmState::Streaming,
+    }
+}

@@ -1,0 +1,248 @@
+//! The requests to one board beside the cyclic frames: which is next, and what its answer means.
+
+use firmware_protocol::acyclic::counters::Counters;
+use firmware_protocol::acyclic::finger::Finger;
+use firmware_protocol::acyclic::light::Light;
+use firmware_protocol::acyclic::ping::Pong;
+use firmware_protocol::acyclic::{Operation, Status};
+use firmware_protocol::frame::hello::{Introduction, safe_reason};
+use firmware_protocol::{Nothing, Record as _};
+
+use super::arm_state::{ArmLockout, ArmState};
+use super::arming::Arming;
+use super::gesture_queue::GestureQueue;
+use super::sample_watch::SampleWatch;
+use super::status::{BoardStatus, Condition};
+use super::timing::BoardTiming;
+use crate::periods::COUNTERS_US;
+use crate::request_channel::{ReceivedReply, RequestChannel};
+use crate::rt::bus::KeybedBus;
+use crate::rt::terms::Agreed;
+
+/// How long a light shows which board it is on (s).
+pub const LIGHT_S: u8 = 10;
+
+/// What goes on with one board.
+#[derive(Clone, Debug)]
+pub(super) struct BoardSession {
+    pub(super) agreed: Agreed,
+    pub(super) gestures: GestureQueue,
+    /// The board shall show its light.
+    pub(super) is_light_wanted: bool,
+    channel: RequestChannel,
+    arming: Arming,
+    timing: BoardTiming,
+    samples: SampleWatch,
+    counters: Option<Counters>,
+    /// When the counters are asked for next (us).
+    next_counters: u64,
+    /// Requests that it declined while it was armed.
+    declined: u64,
+    /// It has started anew, and the numbers of its samples with it.
+    is_anew: bool,
+}
+
+impl BoardSession {
+    pub(super) fn new(agreed: Agreed, now: u64) -> Self {
+        // Another host's last request may have had any number.
+        let [first, ..] = now.to_le_bytes();
+        Self {
+            channel: RequestChannel::new(agreed.place.board, first),
+            agreed,
+            gestures: GestureQueue::default(),
+            is_light_wanted: false,
+            arming: Arming::new(now),
+            timing: BoardTiming::default(),
+            samples: SampleWatch::new(now),
+            counters: None,
+            next_counters: 0,
+            declined: 0,
+            is_anew: false,
+        }
+    }
+
+    pub(super) const fn state(&self) -> ArmState {
+        self.arming.state()
+    }
+
+    pub(super) const fn timing(&self) -> &BoardTiming {
+        &self.timing
+    }
+
+    /// Tells whether the board renders forces and its clock is known.
+    pub(super) fn is_ready(&self) -> bool {
+        self.state() == ArmState::Armed && self.timing.is_known()
+    }
+
+    /// Returns how often the board was armed, if it is now.
+    pub(super) fn armings(&self) -> Option<u64> {
+        (self.state() == ArmState::Armed).then_some(self.arming.armings())
+    }
+
+    pub(super) fn status(&self) -> BoardStatus {
+        BoardStatus {
+            state: self.state(),
+            armings: self.arming.armings(),
+            round_trip_us: self.timing.round_trips().recent(),
+        }
+    }
+
+    pub(super) fn condition(&self) -> Condition {
+        Condition {
+            state: self.state(),
+            armings: self.arming.armings(),
+            jumps: self.timing.jumps(),
+            drift_ppm: self.timing.clock().drift_ppm(),
+            round_trips_us: self.timing.round_trips().quantiles(),
+            counters: self.counters,
+            declined: self.declined,
+        }
+    }
+
+    /// Sees what has come from the board with this index, and goes on; returns the frame to send.
+    pub(super) fn attend(
+        &mut self,
+        now: u64,
+        origin: Option<u64>,
+        board: usize,
+        bus: &mut KeybedBus,
+    ) -> Option<&[u8]> {
+        self.watch(now, board, bus);
+        if self.channel.gave_up(now) {
+            self.arming.on_loss(now);
+        }
+        if self.channel.is_free() && self.arming.has_rested(now) {
+            self.ask_next(now, origin);
+        }
+        self.channel.due(now)
+    }
+
+    /// Looks whether the board is still there and renders forces.
+    fn watch(&mut self, now: u64, board: usize, bus: &mut KeybedBus) {
+        if std::mem::take(&mut self.is_anew) {
+            bus.forget(board);
+            bus.unmute(board);
+        }
+        self.samples.update(&bus.statistics(board), now);
+        if let Some(ppm) = self.timing.excess_ppm() {
+            self.arming.on_clock(ppm, now);
+        }
+        if self.state() == ArmState::Armed && self.samples.is_silent(now) {
+            // Its numbers may begin anew.
+            bus.forget(board);
+        }
+        self.arming.on_time(&self.samples, now);
+    }
+
+    /// Asks what comes next: what brings the board on, its light, then the rest by turns.
+    fn ask_next(&mut self, now: u64, origin: Option<u64>) {
+        if self.arming.ask(&self.agreed, &mut self.channel) {
+            return;
+        }
+        match self.state() {
+            ArmState::Armed | ArmState::Barred(_) if self.is_light_wanted => {
+                self.is_light_wanted = false;
+                self.channel.ask(Operation::Light, &Light { seconds: LIGHT_S });
+            }
+            ArmState::Armed => self.ask_by_turns(now, origin),
+            ArmState::Greeting
+            | ArmState::Streaming
+            | ArmState::Disarming
+            | ArmState::Arming { .. }
+            | ArmState::Confirming
+            | ArmState::Barred(_) => {}
+        }
+    }
+
+    /// Asks an armed board for its time, for a gesture or for its counters, if one is due.
+    fn ask_by_turns(&mut self, now: u64, origin: Option<u64>) {
+        if self.timing.take_ping(now) {
+            self.channel.ask(Operation::Ping, &Nothing);
+        } else if let Some(finger) = self.next_gesture(now, origin) {
+            self.channel.ask(Operation::Finger, &finger);
+        } else if self.next_counters <= now {
+            self.next_counters = now + COUNTERS_US;
+            self.channel.ask(Operation::Counters, &Nothing);
+        }
+    }
+
+    /// Returns the gesture that is handed over next, once gestures count.
+    fn next_gesture(&self, now: u64, origin: Option<u64>) -> Option<Finger> {
+        self.gestures.next(now, origin?, self.timing.clock())
+    }
+
+    /// Takes a hello that was not asked for: the board may have started anew.
+    pub(super) fn take_hello(&mut self, frame: &[u8], now: u64) {
+        let Ok(it) = Introduction::decode(frame) else { return };
+        if it.hello.uid != self.agreed.uid || it.hello.safe_reason != safe_reason::NEVER_ARMED {
+            return;
+        }
+        if matches!(self.state(), ArmState::Barred(ArmLockout::Clock(_))) {
+            self.timing.forget();
+        } else {
+            self.timing.on_start();
+        }
+        self.is_anew = true;
+        self.arming.on_start(now);
+    }
+
+    /// Takes a frame, which counts if it is the answer that is waited for.
+    pub(super) fn take_reply(&mut self, frame: &[u8], now: u64) {
+        let Some(received) = self.channel.take_reply(frame) else { return };
+        let ReceivedReply { reply, operation, sent_us } = received;
+        if reply.status == Status::Done {
+            self.on_done(operation, reply.record, sent_us, now);
+        } else {
+            self.on_declined(operation, reply.status, now);
+        }
+    }
+
+    fn on_done(&mut self, done: Operation, record: &[u8], sent_us: Option<u64>, now: u64) {
+        match done {
+            Operation::Hello | Operation::Stream | Operation::Disarm | Operation::Arm => {
+                self.arming.on_done(done, record, &self.agreed, now);
+            }
+            Operation::Ping => {
+                // A request that was sent twice tells no time.
+                if let Some((Pong { board_us }, sent_us)) = Pong::take(record).zip(sent_us) {
+                    self.timing.learn(sent_us, board_us, now);
+                }
+            }
+            // A gesture that was never answered is handed over again.
+            Operation::Finger => self.gestures.advance(),
+            Operation::Counters => self.counters = Counters::take(record),
+            Operation::Light
+            | Operation::ReadConfig
+            | Operation::WriteConfig
+            | Operation::ReadCalibration
+            | Operation::WriteCalibration
+            | Operation::ReadLog => {}
+        }
+    }
+
+    fn on_declined(&mut self, asked: Operation, status: Status, now: u64) {
+        if self.state().is_barred() {
+            self.declined += 1;
+            return;
+        }
+        match asked {
+            Operation::Hello | Operation::Stream | Operation::Disarm | Operation::Arm => {
+                self.arming.on_declined(asked, status, now);
+            }
+            // As many gestures wait there as it can hold: again, a little later.
+            Operation::Finger if status == Status::WrongState => self.arming.rest(now),
+            Operation::Finger => {
+                self.declined += 1;
+                self.gestures.advance();
+            }
+            Operation::Ping
+            | Operation::Counters
+            | Operation::Light
+            | Operation::ReadConfig
+            | Operation::WriteConfig
+            | Operation::ReadCalibration
+            | Operation::WriteCalibration
+            | Operation::ReadLog => self.declined += 1,
+        }
+    }
+}

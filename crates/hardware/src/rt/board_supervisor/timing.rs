@@ -1,0 +1,92 @@
+//! The clock of a board, learned from round trips.
+
+use crate::clock::{ClockModel, ClockUpdate};
+use crate::periods::PING_US;
+use crate::rt::round_trips::RoundTrips;
+
+/// Round trips at the start, to learn a board's clock from.
+const QUICK_PINGS: u32 = 8;
+/// Round trips after which they are no quicker for a clock that is not known yet: on a machine
+/// that is slow because it is busy, more of them would keep it so, and those that are farther
+/// apart tell a rate better.
+const MOST_QUICK_PINGS: u32 = 32;
+/// Time between two quick round trips (us).
+const QUICK_PING_US: u64 = 10_000;
+
+/// A board's clock, and its round trips.
+#[derive(Clone, Debug, Default)]
+pub(super) struct BoardTiming {
+    clock: ClockModel,
+    round_trips: RoundTrips,
+    /// Round trips since the clock was set anew or has jumped.
+    n_pings: u32,
+    /// When the next round trip is due (us).
+    next_ping: u64,
+    jumps: u64,
+}
+
+impl BoardTiming {
+    pub(super) const fn clock(&self) -> &ClockModel {
+        &self.clock
+    }
+
+    pub(super) const fn round_trips(&self) -> &RoundTrips {
+        &self.round_trips
+    }
+
+    /// Returns how often the clock has jumped.
+    pub(super) const fn jumps(&self) -> u64 {
+        self.jumps
+    }
+
+    /// Tells whether the board's time can be told.
+    pub(super) const fn is_known(&self) -> bool {
+        QUICK_PINGS <= self.n_pings && self.clock.is_known()
+    }
+
+    /// Returns by how much the clock runs too fast (1e-6), if that is more than is accepted.
+    pub(super) fn excess_ppm(&self) -> Option<i32> {
+        self.clock.is_beyond_tolerance().then(|| millionths(self.clock.drift_ppm()))
+    }
+
+    /// Tells whether a round trip is due at `now` (us), and expects it to be made if it is.
+    pub(super) const fn take_ping(&mut self, now: u64) -> bool {
+        if now < self.next_ping {
+            return false;
+        }
+        let is_quick =
+            self.n_pings < QUICK_PINGS || self.n_pings < MOST_QUICK_PINGS && !self.clock.is_known();
+        self.next_ping = now + if is_quick { QUICK_PING_US } else { PING_US };
+        true
+    }
+
+    /// Learns from a round trip that began at `sent_us` and ended at `now` (us).
+    pub(super) fn learn(&mut self, sent_us: u64, board_us: u32, now: u64) {
+        self.round_trips.push(now.saturating_sub(sent_us));
+        match self.clock.learn(sent_us, board_us, now) {
+            ClockUpdate::News => self.n_pings = self.n_pings.saturating_add(1),
+            ClockUpdate::Jumped => {
+                self.jumps += 1;
+                self.n_pings = 0;
+            }
+        }
+    }
+
+    /// Keeps the rate and forgets the time, for a board that has started anew.
+    pub(super) fn on_start(&mut self) {
+        self.clock = self.clock.set_anew();
+        self.n_pings = 0;
+    }
+
+    /// Forgets the clock, for a board that was refused for it and has started anew.
+    pub(super) fn forget(&mut self) {
+        self.clock = ClockModel::default();
+        self.n_pings = 0;
+    }
+}
+
+/// Whole millionths.
+#[expect(clippy::cast_possible_truncation, reason = "saturates")]
+const fn millionths(ppm: f64) -> i32 {
+    ppm.round() as i32
+}

@@ -1,0 +1,97 @@
+//! How a simulated board takes forces that are for all boards.
+//!
+//! Its keys may stand in two groups of thirty. If those of one are lost, the other must not keep
+//! them alive: what counts is the older of the two.
+
+use std::ops::Range;
+
+use firmware_protocol::frame::key_forces::{ForcePacking, KeySlopes};
+use firmware_protocol::frame::multicast_forces::{GROUP, GROUPS, MulticastForces};
+use firmware_protocol::quantity::Millinewtons;
+
+use super::SimulatedBoard;
+use crate::sim::force_interlock::ForceDecision;
+use crate::sim::force_law::Law;
+
+/// When the newest forces of each group were worked out, since the board was armed (us).
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Groups {
+    taken_us: [Option<u64>; GROUPS],
+}
+
+impl Groups {
+    /// Takes note of forces of `group`; returns when the oldest of those groups were worked out
+    /// in which `keys` stand, one at least; none as long as one of them has not come.
+    fn hear(&mut self, group: u8, taken_us: u64, keys: &Range<usize>) -> Option<u64> {
+        *self.taken_us.get_mut(usize::from(group))? = Some(taken_us);
+        let mine = keys.start / GROUP..keys.end.div_ceil(GROUP);
+        // None is less than any time.
+        self.taken_us.get(mine)?.iter().copied().min().flatten()
+    }
+}
+
+impl SimulatedBoard {
+    /// Takes forces that are for all boards, if that was agreed and they are recent; they hold
+    /// from `from_us` on.
+    pub(super) fn take_multicast(&mut self, from_us: u64, frame: &[u8]) {
+        let Ok(frame) = MulticastForces::decode(frame) else {
+            self.counts.refused += 1;
+            return;
+        };
+        let first = usize::from(frame.group) * GROUP;
+        let mine =
+            usize::from(self.make.first_key)..usize::from(self.make.first_key) + self.make.n_keys;
+        let shared = first.max(mine.start)..(first + GROUP).min(mine.end);
+        if self.forces.packing != ForcePacking::Multicast16 || shared.is_empty() {
+            return;
+        }
+        // How old they are is told by the clock, whatever has not been lived through yet.
+        let now_us = self.now_us();
+        let is_newer = self.bus_time.accept(frame.group, frame.sequence, now_us);
+        let Some(age_us) = self.bus_time.age_us(now_us, frame.stamp_us).filter(|_| is_newer) else {
+            self.counts.stale += 1;
+            return;
+        };
+        let taken_us = now_us.saturating_sub(age_us).min(from_us);
+        let held = |force| {
+            // A frame that says "no force" says so of its own keys.
+            let force = if frame.flag { Millinewtons::default() } else { force };
+            Law::here(force, KeySlopes::default(), (0.0, 0.0), from_us)
+        };
+        match self.interlock.judge(taken_us, from_us) {
+            ForceDecision::Stale => self.counts.stale += 1,
+            ForceDecision::Unarmed => self.counts.unarmed += 1,
+            ForceDecision::Rendered => {
+                self.counts.forces += 1;
+                self.counts.oldest_us = self.counts.oldest_us.max(age_us);
+                let forces = &frame.forces[shared.start - first..shared.end - first];
+                let laws = &mut self.laws.as_mut_slice()[shared.start - mine.start..];
+                for (law, force) in laws.iter_mut().zip(forces) {
+                    *law = held(*force);
+                }
+                if let Some(oldest_us) = self.groups.hear(frame.group, taken_us, &mine) {
+                    // If those are stale, nothing is fed, and they expire.
+                    let _fed = self.interlock.feed(oldest_us, from_us);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_oldest_of_a_board_s_groups_counts_once_all_have_come() {
+        let mut groups = Groups::default();
+        let (one, two) = (0..11, 22..33);
+        assert_eq!(groups.hear(0, 5, &one), Some(5));
+        assert_eq!(groups.hear(0, 6, &two), None);
+        assert_eq!(groups.hear(1, 9, &two), Some(6));
+        assert_eq!(groups.hear(1, 30, &two), Some(6));
+        assert_eq!(groups.hear(0, 31, &two), Some(30));
+        assert_eq!(groups.hear(0, 40, &(19..30)), Some(40));
+        assert_eq!(groups.hear(200, 1, &one), None);
+    }
+}

@@ -1,0 +1,320 @@
+//! Whether a board may render forces: armed, safe, and what has expired.
+//!
+//! ```text
+//! Safe ── disarm (gives a nonce) ──▶ Disarmed ── arm (takes it) ──▶ Armed
+//!  ▲                                    ▲                             │
+//!  │  expired: fades in 10 ms           └──────── disarm ─────────────┤
+//!  └──────────────── or stopped, or a key failed ◀────────────────────┘
+//! ```
+//!
+//! Forces expire from the first on that is taken after an arming: an armed board that was given
+//! none renders none, so nothing can be stale.
+//!
+//! A board that was stopped, or whose key failed, is safe for good: that takes the place of any
+//! lesser reason, and no request undoes it. Only its power does.
+//!
+//! Times are the board's own (us).
+
+use firmware_protocol::acyclic::arm::FADE_MS;
+use firmware_protocol::frame::hello::safe_reason;
+
+/// Time in which a force fades (us).
+const FADE_US: f64 = FADE_MS as f64 * 1e3;
+
+/// What a board may do.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum InterlockState {
+    /// Nothing, for this reason; the force of before fades from then on, if there was one.
+    Safe { reason: u8, fades_us: Option<u64> },
+    /// Nothing yet; whoever says this nonce may arm it.
+    Disarmed { nonce: u32, fades_us: Option<u64> },
+    /// It renders forces; the newest ones expire then. Nothing expires before the first.
+    Armed { expires_us: Option<u64> },
+}
+
+/// The interlock of one board.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ForceInterlock {
+    state: InterlockState,
+    /// How long forces are valid (us).
+    valid_us: u64,
+    /// What the next nonce is made of.
+    seed: u32,
+    /// Times that forces expired.
+    trips: u16,
+    /// Times that it was armed.
+    armings: u16,
+}
+
+/// Why a board was not armed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum NotArmed {
+    /// It was not disarmed before.
+    NotDisarmed,
+    /// The nonce is another one.
+    WrongNonce,
+}
+
+impl ForceInterlock {
+    /// A board that was just switched on.
+    pub(super) const fn new(seed: u32) -> Self {
+        let state = InterlockState::Safe { reason: safe_reason::NEVER_ARMED, fades_us: None };
+        Self { state, valid_us: 0, seed, trips: 0, armings: 0 }
+    }
+
+    /// Takes all forces away; returns the nonce for arming, or none if it is safe for good.
+    pub(super) const fn disarm(&mut self, now_us: u64) -> Option<u32> {
+        if self.is_latched() {
+            return None;
+        }
+        self.seed = self.seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        self.state = InterlockState::Disarmed { nonce: self.seed, fades_us: self.fades_us(now_us) };
+        Some(self.seed)
+    }
+
+    /// Whether it is safe for good.
+    const fn is_latched(&self) -> bool {
+        matches!(self.state, InterlockState::Safe { reason, .. } if latches(reason))
+    }
+
+    /// From when on the last forces fade if they are taken away at `now_us`; none if there are
+    /// none. What has expired before has begun to fade then, and nothing fades twice.
+    const fn fades_us(&self, now_us: u64) -> Option<u64> {
+        match self.state {
+            InterlockState::Safe { fades_us, .. } | InterlockState::Disarmed { fades_us, .. } => {
+                fades_us
+            }
+            InterlockState::Armed { expires_us: Some(expires_us) } if now_us < expires_us => {
+                Some(now_us)
+            }
+            InterlockState::Armed { expires_us } => expires_us,
+        }
+    }
+
+    /// Arms the board for forces that are valid for `valid_us`.
+    pub(super) const fn arm(&mut self, nonce: u32, valid_us: u64) -> Result<(), NotArmed> {
+        match self.state {
+            InterlockState::Disarmed { nonce: given, .. } if given == nonce => {
+                self.force_armed(valid_us);
+                Ok(())
+            }
+            InterlockState::Disarmed { .. } => Err(NotArmed::WrongNonce),
+            InterlockState::Safe { .. } | InterlockState::Armed { .. } => {
+                Err(NotArmed::NotDisarmed)
+            }
+        }
+    }
+
+    /// Arms the board without asking, as in a simulation without a link.
+    pub(super) const fn force_armed(&mut self, valid_us: u64) {
+        self.state = InterlockState::Armed { expires_us: None };
+        self.valid_us = valid_us;
+        self.armings = self.armings.saturating_add(1);
+    }
+
+    /// Takes note of forces that answer samples of `answered_us`; says whether they may be
+    /// rendered.
+    pub(super) const fn feed(&mut self, answered_us: u64, now_us: u64) -> ForceDecision {
+        let fed = self.judge(answered_us, now_us);
+        let until_us = answered_us.saturating_add(self.valid_us);
+        if let (ForceDecision::Rendered, InterlockState::Armed { expires_us }) =
+            (fed, &mut self.state)
+        {
+            *expires_us = match *expires_us {
+                Some(later_us) if until_us < later_us => Some(later_us),
+                Some(_) | None => Some(until_us),
+            };
+        }
+        fed
+    }
+
+    /// Whether forces that answer samples of `answered_us` may be rendered.
+    pub(super) const fn judge(&self, answered_us: u64, now_us: u64) -> ForceDecision {
+        let expires_us = answered_us.saturating_add(self.valid_us);
+        match self.state {
+            InterlockState::Armed { .. } if now_us <= expires_us => ForceDecision::Rendered,
+            InterlockState::Armed { .. } => ForceDecision::Stale,
+            // A board that was never armed cannot tell.
+            InterlockState::Safe { .. } | InterlockState::Disarmed { .. }
+                if 0 < self.valid_us && expires_us < now_us =>
+            {
+                ForceDecision::Stale
+            }
+            InterlockState::Safe { .. } | InterlockState::Disarmed { .. } => ForceDecision::Unarmed,
+        }
+    }
+
+    /// Goes safe for `reason`; a board that is safe already keeps its first reason, unless this
+    /// one is for good and the first is not.
+    pub(super) const fn trip(&mut self, reason: u8, now_us: u64) {
+        let is_safe = matches!(self.state, InterlockState::Safe { .. });
+        if !self.is_latched() && (!is_safe || latches(reason)) {
+            self.state = InterlockState::Safe { reason, fades_us: self.fades_us(now_us) };
+        }
+    }
+
+    /// Looks whether anything has expired by now; returns the share of the last forces to
+    /// render, `0 ..= 1`.
+    pub(super) fn share(&mut self, now_us: u64) -> f64 {
+        match self.state {
+            InterlockState::Armed { expires_us: None } => 0.0,
+            InterlockState::Armed { expires_us: Some(expires_us) } if now_us <= expires_us => 1.0,
+            InterlockState::Armed { expires_us: Some(expires_us) } => {
+                self.trips = self.trips.saturating_add(1);
+                let fades_us = Some(expires_us);
+                self.state = InterlockState::Safe { reason: safe_reason::SILENCE, fades_us };
+                self.share(now_us)
+            }
+            InterlockState::Safe { fades_us, .. } | InterlockState::Disarmed { fades_us, .. } => {
+                let left = |since_us| 1.0 - now_us.saturating_sub(since_us) as f64 / FADE_US;
+                fades_us.map_or(0.0, left).max(0.0)
+            }
+        }
+    }
+
+    /// Whether forces are rendered.
+    pub(super) const fn is_armed(&self) -> bool {
+        matches!(self.state, InterlockState::Armed { .. })
+    }
+
+    /// Why no forces are rendered, as the hello says it.
+    pub(super) const fn reason(&self) -> u8 {
+        match self.state {
+            InterlockState::Safe { reason, .. } => reason,
+            InterlockState::Disarmed { .. } => safe_reason::DISARMED,
+            InterlockState::Armed { .. } => safe_reason::NONE,
+        }
+    }
+
+    /// Times that forces expired, and that it was armed.
+    pub(super) const fn counts(&self) -> (u16, u16) {
+        (self.trips, self.armings)
+    }
+}
+
+/// Whether a board that is safe for `reason` is so for good.
+const fn latches(reason: u8) -> bool {
+    matches!(reason, safe_reason::EMERGENCY_STOP | safe_reason::KEY_FAULT)
+}
+
+/// What becomes of forces that came.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum ForceDecision {
+    Rendered,
+    /// They are too old.
+    Stale,
+    /// The board is not armed.
+    Unarmed,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const VALID: u64 = 20_000;
+
+    fn armed() -> ForceInterlock {
+        let mut interlock = ForceInterlock::new(7);
+        let nonce = interlock.disarm(0).unwrap();
+        assert_eq!(interlock.arm(nonce, VALID), Ok(()));
+        interlock
+    }
+
+    #[test]
+    fn it_is_armed_by_the_nonce_that_was_given_out_and_only_once() {
+        let mut interlock = ForceInterlock::new(7);
+        assert_eq!(interlock.arm(7, VALID), Err(NotArmed::NotDisarmed));
+        let (old, nonce) = (interlock.disarm(0).unwrap(), interlock.disarm(0).unwrap());
+        assert_ne!(old, nonce);
+        assert_eq!(interlock.arm(old, VALID), Err(NotArmed::WrongNonce));
+        assert_eq!(interlock.arm(nonce, VALID), Ok(()));
+        assert_eq!(interlock.arm(nonce, VALID), Err(NotArmed::NotDisarmed));
+    }
+
+    #[test]
+    fn before_the_first_force_there_is_none_and_nothing_expires() {
+        let mut interlock = armed();
+        assert!((0..1_000_000).step_by(1_000).all(|now| interlock.share(now) <= 0.0));
+        assert!(interlock.is_armed());
+    }
+
+    #[test]
+    fn a_force_expires_and_fades_within_10_ms() {
+        let mut interlock = armed();
+        assert_eq!(interlock.feed(1_000, 1_500), ForceDecision::Rendered);
+        assert!(1.0 <= interlock.share(21_000));
+        let shares: Vec<_> = (0..12).map(|ms| interlock.share(21_001 + 1_000 * ms)).collect();
+        assert!(shares.is_sorted_by(|one, next| next <= one), "{shares:?}");
+        assert!(0.99 < shares[0] && shares[10..].iter().all(|share| *share <= 0.0), "{shares:?}");
+        assert_eq!((interlock.is_armed(), interlock.counts()), (false, (1, 1)));
+    }
+
+    #[test]
+    fn it_stays_safe_until_it_is_disarmed_and_armed() {
+        let mut interlock = armed();
+        assert_eq!(interlock.feed(0, 0), ForceDecision::Rendered);
+        assert!(interlock.share(50_000) <= 0.0);
+        assert_eq!(interlock.feed(50_000, 50_000), ForceDecision::Unarmed);
+        let nonce = interlock.disarm(60_000).unwrap();
+        assert_eq!(interlock.feed(60_000, 60_000), ForceDecision::Unarmed);
+        assert_eq!(interlock.arm(nonce, VALID), Ok(()));
+        assert_eq!(interlock.feed(60_000, 60_000), ForceDecision::Rendered);
+        assert!(1.0 <= interlock.share(61_000));
+    }
+
+    #[test]
+    fn a_force_that_answers_old_samples_is_stale_and_does_not_feed() {
+        let mut interlock = armed();
+        assert_eq!(interlock.feed(0, 0), ForceDecision::Rendered);
+        assert_eq!(interlock.feed(0, 20_001), ForceDecision::Stale);
+        assert!(interlock.share(20_001) < 1.0 && !interlock.is_armed());
+    }
+
+    #[test]
+    fn a_stop_or_a_failed_key_takes_the_place_of_any_lesser_reason_and_stays() {
+        use safe_reason::{EMERGENCY_STOP, KEY_FAULT, SILENCE};
+        let (mut silent, mut disarmed) = (armed(), armed());
+        let _silent = silent.feed(0, 0);
+        assert!(silent.share(VALID + 5_000) < 1.0 && silent.reason() == SILENCE);
+        let _disarmed = disarmed.disarm(VALID + 5_000).unwrap();
+        for interlock in [ForceInterlock::new(7), silent, disarmed, armed()] {
+            check_latched(interlock, EMERGENCY_STOP, KEY_FAULT);
+            check_latched(interlock, KEY_FAULT, EMERGENCY_STOP);
+            let mut interlock = interlock;
+            interlock.trip(SILENCE, 0);
+            assert_ne!(interlock.disarm(0), None, "silence is not for good");
+        }
+    }
+
+    /// Asserts that `reason` replaces whatever there was, and that nothing replaces it.
+    #[track_caller]
+    fn check_latched(mut interlock: ForceInterlock, reason: u8, other: u8) {
+        for later in [reason, other, safe_reason::SILENCE] {
+            interlock.trip(later, VALID + 6_000);
+            assert_eq!(interlock.reason(), reason);
+        }
+        assert_eq!(interlock.disarm(VALID + 7_000), None);
+        assert_eq!(interlock.arm(interlock.seed, VALID), Err(NotArmed::NotDisarmed));
+        assert_eq!(interlock.reason(), reason);
+    }
+
+    #[test]
+    fn what_fades_or_has_faded_does_not_come_back_with_another_reason() {
+        let away: [fn(&mut ForceInterlock, u64); 2] = [
+            |interlock, now_us| interlock.trip(safe_reason::EMERGENCY_STOP, now_us),
+            |interlock, now_us| _ = interlock.disarm(now_us),
+        ];
+        for take_away in away {
+            // Disarmed at 5 ms, expired at 20 ms and nobody has looked, armed and never fed.
+            let (mut disarmed, mut expired, mut unfed) = (armed(), armed(), armed());
+            let _fed = [disarmed.feed(0, 0), expired.feed(0, 0)];
+            let _nonce = disarmed.disarm(5_000);
+            take_away(&mut disarmed, 10_000);
+            take_away(&mut expired, VALID + 5_000);
+            take_away(&mut unfed, 1_000);
+            assert!((disarmed.share(10_000) - 0.5).abs() < 1e-9);
+            assert!((expired.share(VALID + 5_000) - 0.5).abs() < 1e-9);
+            assert!(unfed.share(1_000) <= 0.0);
+        }
+    }
+}

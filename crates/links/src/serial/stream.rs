@@ -1,0 +1,48 @@
+//! Bytes that come and go without waiting.
+
+use rustix::fd::{AsFd, BorrowedFd, OwnedFd};
+use rustix::io::Errno;
+
+/// A descriptor that does not wait.
+#[derive(Debug)]
+pub(crate) struct NonBlockingFd(OwnedFd);
+
+/// Nobody is at the other end any more.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Disconnected;
+
+impl NonBlockingFd {
+    /// `descriptor` was opened not to wait.
+    pub(super) const fn new(descriptor: OwnedFd) -> Self {
+        Self(descriptor)
+    }
+
+    /// Reads what is there, up to the length of `bytes`, which is not 0; returns how much.
+    pub(crate) fn read(&self, bytes: &mut [u8]) -> Result<usize, Disconnected> {
+        match rustix::io::read(&self.0, bytes) {
+            // A terminal that was hung up is at its end.
+            Ok(0) => Err(Disconnected),
+            outcome => taken(outcome),
+        }
+    }
+
+    /// Writes the first part of `bytes`, as far as there is room; returns how much.
+    pub(crate) fn write(&self, bytes: &[u8]) -> Result<usize, Disconnected> {
+        taken(rustix::io::write(&self.0, bytes))
+    }
+}
+
+impl AsFd for NonBlockingFd {
+    fn as_fd(&self) -> BorrowedFd<'_> {
+        self.0.as_fd()
+    }
+}
+
+/// What did not wait has moved nothing; any other refusal is final.
+const fn taken(outcome: Result<usize, Errno>) -> Result<usize, Disconnected> {
+    match outcome {
+        Ok(n) => Ok(n),
+        Err(Errno::AGAIN | Errno::INTR) => Ok(0),
+        Err(_broken) => Err(Disconnected),
+    }
+}
