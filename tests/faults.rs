@@ -6,9 +6,9 @@ use std::ops::Range;
 
 use firmware_protocol::key::BoardId;
 use haptics::Touch;
-use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use hardware::sim::keybed::SimulatedKeybed;
 use host::config::Scene;
+use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use scheduler::motion::KEYS;
 use scheduler::port::KeyBus;
 use stage::broken_sensor::BrokenSensor;

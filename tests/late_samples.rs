@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use firmware_protocol::key::BoardId;
 use haptics::Touch;
-use links::faulty::{Chance, FaultPlan, LinkFault};
 use hardware::sim::keybed::SimulatedKeybed;
 use host::adapters::audit::AuditCell;
 use host::config::Scene;
+use links::faulty::{Chance, FaultPlan, LinkFault};
 use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;

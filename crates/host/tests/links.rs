@@ -7,11 +7,11 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
 use common::{Board, make, run_while};
-use links::address::Address;
 use host::config::{Override, Scene, link_overrides};
 use host::control::RunHandle;
 use host::observe::MessageSink;
 use host::session::{RunOptions, RunSession};
+use links::address::Address;
 use telemetry::event::Kind;
 use telemetry::{Links, Topic, Update};
 

@@ -8,12 +8,12 @@ use firmware_protocol::frame::hello::feature;
 use firmware_protocol::key::PerKey;
 use hardware::calibration::{KeyCalibration, file};
 use hardware::keybed::{Armed, FoundBoard, Keybed, NamedLink};
-use links::address::Address;
-use links::can::{BusSide, CanMode};
-use links::reconnecting::ReconnectingLink;
 use hardware::plan::Medium;
 use hardware::plan::uart::Wiring;
 use hardware::refusal::{BoardName, Refusal};
+use links::address::Address;
+use links::can::{BusSide, CanMode};
+use links::reconnecting::ReconnectingLink;
 use scheduler::time::Nanos;
 
 use crate::config::{BoardBus, Boards};

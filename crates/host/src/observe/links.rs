@@ -93,12 +93,12 @@ fn news(before: &str, now: &str) -> bool {
 mod tests {
     use super::*;
     use firmware_protocol::key::MOST_KEYS;
-    use links::{Health, WireState};
     use hardware::plan::{LinkMeter, Medium};
+    use hardware::rt::board_supervisor::ArmState;
     use hardware::rt::bus::LineStatistics;
     use hardware::rt::link_snapshot::BoardStatus;
     use hardware::rt::plausible::Implausible;
-    use hardware::rt::board_supervisor::ArmState;
+    use links::{Health, WireState};
     use rtrb::{Producer, RingBuffer};
     use telemetry::{Board, Line};
 

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use hardware::keybed::{BoardReport, LineReport};
-use links::WireState;
 use hardware::plan::{BusPlan, BusVerdict};
+use links::WireState;
 use serde::Serialize;
 
 /// One link of a run.

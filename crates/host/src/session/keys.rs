@@ -1,8 +1,8 @@
 //! The simulated keybed as the tick's bus, with the host's answer to a tripped watchdog.
 
 use firmware_protocol::key::{BoardId, KeyIndex};
-use hardware::rt::link_snapshot::{BoardSnapshot, BoardStatus, LinkSnapshot};
 use hardware::rt::board_supervisor::ArmState;
+use hardware::rt::link_snapshot::{BoardSnapshot, BoardStatus, LinkSnapshot};
 use hardware::sim::keybed::SimulatedKeybed;
 use rtrb::Consumer;
 use scheduler::motion::{KEYS, KeySample};

@@ -9,9 +9,9 @@ use firmware_protocol::acyclic::{Operation, Status};
 use firmware_protocol::frame::hello::feature;
 use hardware::calibration::file;
 use hardware::keybed::{FoundBoard, Identified, Keybed, Offline};
-use links::address::Address;
 use hardware::refusal::{Refusal, reason_words};
 use hardware::rt::board_supervisor::LIGHT_S;
+use links::address::Address;
 use serde::Serialize;
 
 use super::DevicesArgs;

@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use clap::Args;
-use links::discovery;
 use links::address::Address;
+use links::discovery;
 use serde::Serialize;
 
 use super::arguments::LINK;
