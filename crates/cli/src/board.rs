@@ -186,7 +186,7 @@ fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Fai
         Failure::Usage(format!("no board has the number {number}; they end at 14"))
     })?;
     let (first_key, n_keys) = keys(args, n, number)?;
-    let guise = FakeIdentity {
+    let fake_identity = FakeIdentity {
         major: args.say_major,
         schema: args.say_schema,
         keys: args.say_keys,
@@ -194,7 +194,7 @@ fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Fai
     };
     let rig = RigParameters::default();
     let (period, offset, strength) = (LAW_PERIOD, args.offset, args.strength);
-    let make = BoardMake { id, first_key, n_keys, period, rig, offset, strength, guise };
+    let make = BoardMake { id, first_key, n_keys, period, rig, offset, strength, fake_identity };
     let placed = place(id, at).map_err(|error| Failure::Usage(error.to_string()))?;
     BoardProcess::new(make, placed, args.drift, fates_of(&args.fates, number)).map_err(usage)
 }

@@ -102,7 +102,7 @@ fn row(bus: &BoardBus, plan: &Result<BusPlan, NoPlan>) -> PlanRow {
 fn planned(plan: &BusPlan) -> Planned {
     Planned {
         boards: plan.boards.len(),
-        keys: plan.boards.iter().map(|it| usize::from(it.n)).sum(),
+        keys: plan.boards.iter().map(|it| it.numbers().len()).sum(),
         samples: name(&SAMPLES, plan.samples),
         forces: name(&FORCES, plan.forces),
         hz: plan.sample_rate,

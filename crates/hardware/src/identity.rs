@@ -35,7 +35,7 @@ impl fmt::Display for ClaimedKeys {
         let Self { first, n } = *self;
         match (n.checked_sub(1), self.range()) {
             (None, _) => write!(f, "no keys"),
-            (Some(_), Some(range)) => write!(f, "{range}"),
+            (Some(_), Some(range)) => write!(f, "{}..{}", range.first(), range.last()),
             (Some(others), None) => {
                 let last = first.saturating_add(others);
                 write!(f, "keys {first} to {last} (A0 is 0, C8 is 87)")
@@ -50,7 +50,7 @@ mod tests {
 
     #[test]
     fn keys_that_no_board_can_have_are_shown_as_they_are_claimed() {
-        assert_eq!(ClaimedKeys { first: 33, n: 11 }.to_string(), "F#3 to E4");
+        assert_eq!(ClaimedKeys { first: 33, n: 11 }.to_string(), "F#3..E4");
         let beyond = ClaimedKeys { first: 80, n: 11 }.to_string();
         assert_eq!(beyond, "keys 80 to 90 (A0 is 0, C8 is 87)");
         assert_eq!(ClaimedKeys { first: 3, n: 0 }.to_string(), "no keys");

@@ -55,7 +55,10 @@ pub enum Refusal {
     SameBoard { one: BoardName, other: BoardName, uid: Uid },
     #[error("{board} says that it carries {keys}; a board carries 1 to 12 keys, all within A0..C8")]
     Keys { board: BoardName, keys: ClaimedKeys },
-    #[error("{board} says that it carries {says}, the scene says {scene}; correct one of the two")]
+    #[error(
+        "{board} says that it carries {says}, the scene says {}..{}; correct one of the two",
+        scene.first(), scene.last()
+    )]
     OtherKeys { board: BoardName, says: ClaimedKeys, scene: KeyRange },
     #[error("{one} and {other} both carry {key}; correct the range of one of them")]
     KeyTwice { one: BoardName, other: BoardName, key: KeyIndex },

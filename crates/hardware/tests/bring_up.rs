@@ -178,7 +178,7 @@ fn a_board_that_carries_other_keys_than_the_scene_says_is_refused() {
     let refusals = identified.calibrate(&WantedBoards { boards, ..wanted() }, nominal);
     let sentence = refusals.expect_err("other keys").to_string();
     assert!(
-        sentence.contains("says that it carries G#1 to F#2, the scene says A0 to G1"),
+        sentence.contains("says that it carries G#1..F#2, the scene says A0..G1"),
         "{sentence}"
     );
     assert!(sentence.contains("the scene wants board 7 on socket 1"), "{sentence}");

@@ -3,7 +3,6 @@
 use std::fmt;
 
 use firmware_protocol::key::KeyIndex;
-use hardware::refusal::KeyName;
 use midi::Note;
 
 /// Keys from `first` to `last`, both included.
@@ -68,11 +67,11 @@ impl fmt::Display for KeyRange {
 
 /// The key, 0 (A0) ..= 87 (C8), as musicians call it.
 pub(super) fn name(key: u8) -> String {
-    KeyIndex::new(key).map_or_else(String::new, |key| KeyName(key).to_string())
+    KeyIndex::new(key).map_or_else(String::new, |key| key.to_string())
 }
 
 fn write_note(f: &mut fmt::Formatter<'_>, key: u8) -> fmt::Result {
-    KeyIndex::new(key).map_or(Ok(()), |key| write!(f, "{}", KeyName(key)))
+    KeyIndex::new(key).map_or(Ok(()), |key| write!(f, "{key}"))
 }
 
 /// The key of a note's name or MIDI number.

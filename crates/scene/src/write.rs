@@ -1,6 +1,6 @@
 //! A scene as a file that says everything, with the values that its keys have now.
 
-use hardware::refusal::KeyRange as BoardKeys;
+use keyboard::KeyRange as BoardKeys;
 use links::address::Address;
 use links::can::CanMode;
 use models::catalogue::ModelEntry;
@@ -109,10 +109,9 @@ fn bus(it: &BoardBus) -> Value {
 }
 
 fn board(number: u8, keys: BoardKeys) -> Value {
-    let last = keys.first + keys.n.saturating_sub(1);
     let mut table = InlineTable::new();
     table.insert("number", i64::from(number).into());
-    table.insert("keys", format!("{}..{}", key(keys.first), key(last)).into());
+    table.insert("keys", format!("{}..{}", keys.first(), keys.last()).into());
     table.into()
 }
 

@@ -10,10 +10,10 @@ mod semihosting;
 mod vector;
 
 use firmware_protocol::MAX_FRAME;
-use firmware_protocol::acyclic::{Reply, Request};
+use firmware_protocol::acyclic::{AcyclicReply, AcyclicRequest};
 use firmware_protocol::can;
-use firmware_protocol::can::pieces::{self, Assembler};
-use firmware_protocol::frame::Kind;
+use firmware_protocol::can::pieces::{self, Reassembler};
+use firmware_protocol::frame::FrameKind;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::hello::Introduction;
 use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking, KeyForces};
@@ -73,44 +73,46 @@ fn holds(vector: &Vector<'_>) -> bool {
 fn frame_holds(vector: &Vector<'_>) -> Option<bool> {
     let frame = vector.frame();
     let mut again = [0xAA; MAX_FRAME];
-    let len = match Kind::of(frame)? {
-        Kind::KeySamples => {
+    let len = match FrameKind::of(frame)? {
+        FrameKind::KeySamples => {
             let packing = SamplePacking::new(vector.number("packing")?)?;
             let n_keys = vector.count("positions")?;
             KeySamples::decode(frame, SampleLayout { packing, n_keys })
                 .ok()?
                 .encode(packing, &mut again)
         }
-        Kind::KeyForces => {
+        FrameKind::KeyForces => {
             let packing = ForcePacking::new(vector.number("packing")?)?;
             let n_keys = vector.count("forces")?;
             KeyForces::decode(frame, ForceLayout { packing, n_keys }).ok()?.encode(&mut again)
         }
-        Kind::MulticastForces => {
+        FrameKind::MulticastForces => {
             again = MulticastForces::decode(frame).ok()?.encode();
             again.len()
         }
-        Kind::Broadcast => {
+        FrameKind::Broadcast => {
             let mut short = [0; broadcast::MAX_LEN];
             let len = Broadcast::decode(frame).ok()?.encode(&mut short);
             again[..short.len()].copy_from_slice(&short);
             len
         }
-        Kind::Hello => Introduction::decode(frame).ok()?.encode(&mut again),
-        Kind::Request => return Some(request_holds(vector, Request::decode(frame).ok()?)),
-        Kind::Reply => return Some(reply_holds(vector, Reply::decode(frame).ok()?)),
+        FrameKind::Hello => Introduction::decode(frame).ok()?.encode(&mut again),
+        FrameKind::Request => {
+            return Some(request_holds(vector, AcyclicRequest::decode(frame).ok()?));
+        }
+        FrameKind::Reply => return Some(reply_holds(vector, AcyclicReply::decode(frame).ok()?)),
     };
     Some(&again[..len] == frame)
 }
 
-fn request_holds(vector: &Vector<'_>, request: Request<'_>) -> bool {
+fn request_holds(vector: &Vector<'_>, request: AcyclicRequest<'_>) -> bool {
     let operation = request.operation.map_or_else(|number| number, |known| known as u8);
     vector.number("board") == Some(request.board.number())
         && vector.number("id") == Some(request.id)
         && vector.number("operation") == Some(operation)
 }
 
-fn reply_holds(vector: &Vector<'_>, reply: Reply<'_>) -> bool {
+fn reply_holds(vector: &Vector<'_>, reply: AcyclicReply<'_>) -> bool {
     let operation = reply.operation.map_or_else(|number| number, |known| known as u8);
     vector.number("board") == Some(reply.board.number())
         && vector.number("id") == Some(reply.id)
@@ -136,13 +138,13 @@ fn stream_holds(vector: &Vector<'_>) -> Option<bool> {
 
 /// Whether the frame travels on CAN as the vector has it, and arrives in pieces.
 fn can_holds(vector: &Vector<'_>) -> Option<bool> {
-    let mut assembler = Assembler::default();
+    let mut reassembler = Reassembler::default();
     let mut golden = vector.line("pieces")?.split(' ');
     let mut arrived = false;
     for (piece, len) in pieces::cut(vector.frame(), vector.number("roll")?) {
         let word = golden.next()?.as_bytes();
         let same = word.chunks(2).map(vector::byte).eq(piece[..len].iter().copied().map(Some));
-        let whole = assembler.push(&piece[..len]).ok()?;
+        let whole = reassembler.push(&piece[..len]).ok()?;
         arrived = same && whole.is_some_and(|frame| frame == vector.frame());
         if !same {
             return Some(false);

@@ -4,7 +4,7 @@ use firmware_protocol::key::KeyIndex;
 use hardware::calibrate::{Bench, CalibrationFault, Ending, Rested, calibrated};
 use hardware::calibration::KeyCalibration;
 use hardware::keybed::{Armed, Keybed};
-use hardware::refusal::{KeyName, Refusal};
+use hardware::refusal::Refusal;
 use indicatif::ProgressBar;
 
 use super::bring_up::MeasuredBoard;
@@ -84,13 +84,13 @@ fn board(
     let rests = bench.rests(&keys);
     let (mut measured, mut refusals) = (Vec::new(), Vec::new());
     for (key, rested) in keys.into_iter().zip(rests) {
-        bar.set_message(format!("{}: {}", board.name, KeyName(key)));
+        bar.set_message(format!("{}: {}", board.name, key));
         let rested = rested.map_err(KeyFailure::from);
         match rested.and_then(|rested| self::key(board, bench, key, &rested, grams, bar)) {
             Ok(calibration) => measured.push((key, calibration)),
             Err(KeyFailure::Stopped) => return MeasureOutcome::Stopped,
             Err(KeyFailure::Fault(fault)) => {
-                let (board, key) = (board.name.clone(), KeyName(key));
+                let board = board.name.clone();
                 refusals.push(Refusal::Key { board, key, fault });
             }
         }
@@ -116,14 +116,13 @@ fn key(
     let gain = match grams {
         None => 1.0,
         Some(grams) => {
-            let name = KeyName(key);
             let ask = |bench: &mut Bench, what: &str| {
                 let goes_on = bar.suspend(|| Operator::wait_for(bench, what));
                 if goes_on { Ok(()) } else { Err(KeyFailure::Stopped) }
             };
-            ask(bench, &format!("put {grams} g on the front of {name}"))?;
+            ask(bench, &format!("put {grams} g on the front of {key}"))?;
             let gain = again(|| bench.balance(key, rested, &travelled, grams * 1e-3));
-            ask(bench, &format!("take it off {name}"))?;
+            ask(bench, &format!("take it off {key}"))?;
             gain?
         }
     };

@@ -9,7 +9,7 @@ use firmware_protocol::key::{KeyIndex, PerKey};
 use hardware::calibrate::record;
 use hardware::calibration::{KeyCalibration, file};
 use hardware::keybed::{Armed, Keybed};
-use hardware::refusal::{KeyName, Refusal};
+use hardware::refusal::Refusal;
 use serde::Serialize;
 
 use super::bring_up::MeasuredBoard;
@@ -95,7 +95,7 @@ impl CalibrationRecord {
 impl From<&(KeyIndex, KeyCalibration)> for MeasuredKeyRow {
     fn from((key, it): &(KeyIndex, KeyCalibration)) -> Self {
         Self {
-            key: KeyName(*key).to_string(),
+            key: key.to_string(),
             rest: it.rest.get(),
             bottom: it.bottom.get(),
             travel_mm: 1e3 * it.travel(),

@@ -9,7 +9,7 @@ use std::thread::JoinHandle;
 
 use firmware_protocol::key::BoardId;
 use haptics::RigParameters;
-use hardware::refusal::Uid;
+use hardware::identity::Uid;
 use hardware::sim::board::BoardMake;
 use host::report::RunReport;
 use host::session::RunSession;

@@ -5,7 +5,7 @@ use std::fmt;
 use firmware_protocol::key::BOARDS;
 use hardware::keybed::{Calibrated, Keybed};
 use hardware::plan::{BusPlan, BusVerdict, Extras, standard};
-use hardware::refusal::KeyRange;
+use keyboard::KeyRange;
 
 use scene::{BoardBus, Boards};
 
@@ -142,14 +142,14 @@ mod tests {
         assert_eq!(n(&["can:can0"]), [8]);
         assert_eq!(n(&["can:can0", "can:can1", "can:can2"]), [3, 3, 2]);
         let mut some = boards(&["can:can0", "can:can1"]);
-        some.buses[0].boards = vec![(0, KeyRange { first: 0, n: 12 }); 3];
-        assert_eq!(shares(&some), [vec![KeyRange { first: 0, n: 12 }; 3], standard(3..8)]);
+        some.buses[0].boards = vec![(0, KeyRange::parse("A0..G#1").unwrap()); 3];
+        assert_eq!(shares(&some), [vec![KeyRange::parse("A0..G#1").unwrap(); 3], standard(3..8)]);
     }
 
     #[test]
     fn a_link_without_a_plan_says_why() {
         let mut some = boards(&["can:can0", "can:vcan0", "serial:/dev/pts/9", "can:can1"]);
-        some.buses[0].boards = vec![(0, KeyRange { first: 0, n: 11 }); 8];
+        some.buses[0].boards = vec![(0, KeyRange::parse("A0..G1").unwrap()); 8];
         let why: Vec<_> = assumed(&some, 1_000).into_iter().map(Result::err).collect();
         let (virtual_, rates, boards) = (NoPlan::Virtual, NoPlan::NoRates, NoPlan::NoBoards);
         assert_eq!(why, [None, Some(virtual_), Some(rates), Some(boards)]);
@@ -160,7 +160,7 @@ mod tests {
         let mut some = boards(&["can:can0", "can:vcan0", "serial:/dev/pts/9"]);
         assert_eq!(listed(&some, 1_000), []);
         for bus in &mut some.buses {
-            bus.boards = vec![(0, KeyRange { first: 0, n: 11 }); 8];
+            bus.boards = vec![(0, KeyRange::parse("A0..G1").unwrap()); 8];
         }
         let plans = listed(&some, 1_000);
         assert_eq!(plans.iter().map(|it| it.name.as_str()).collect::<Vec<_>>(), ["can0"]);

@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use firmware_protocol::key::KeyIndex;
-use hardware::refusal::KeyName;
 use telemetry::event::Kind;
 use telemetry::{Event, Links, Topic, Update};
 
@@ -159,7 +158,7 @@ impl Drop for LogSink {
 /// A key's name.
 fn key(number: u32) -> String {
     let key = u8::try_from(number).ok().and_then(KeyIndex::new);
-    key.map_or_else(|| format!("key {number}"), |key| KeyName(key).to_string())
+    key.map_or_else(|| format!("key {number}"), |key| key.to_string())
 }
 
 /// What a line is on; each has room of its own.

@@ -4,7 +4,6 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use firmware_protocol::key::KeyIndex;
-use hardware::refusal::KeyName;
 use serde::Serialize;
 use telemetry::event::Kind;
 use telemetry::{KeyBlock, Topic, Update};
@@ -192,7 +191,7 @@ impl Comparison {
 /// The first difference of two blocks.
 fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
     let key = u8::try_from(recorded.key).ok().and_then(KeyIndex::new);
-    let key = key.map_or_else(|| recorded.key.to_string(), |key| KeyName(key).to_string());
+    let key = key.map_or_else(|| recorded.key.to_string(), |key| key.to_string());
     let tick = |block: &KeyBlock, row: usize| {
         block.after.get(row).map(|after| block.tick + u64::from(*after))
     };

@@ -3,8 +3,9 @@
 use std::fmt;
 
 use firmware_protocol::key::{KeyIndex, MOST_KEYS};
+use hardware::identity::ClaimedKeys;
 use hardware::keybed::BoardReport;
-use hardware::refusal::{KeyName, KeyRange, clock_words, reason_words};
+use hardware::refusal::{clock_words, reason_words};
 use hardware::rt::board_supervisor::{ArmLockout, ArmState};
 use hardware::rt::plausible::Implausible;
 use serde::Serialize;
@@ -93,7 +94,7 @@ impl BoardLine {
     pub fn new(report: &BoardReport, seconds: f64) -> Self {
         let BoardReport { name, place, statistics, .. } = report;
         let (condition, (came, went)) = (&report.condition, report.exchanged);
-        let keys = KeyRange {
+        let keys = ClaimedKeys {
             first: place.first_key.number(),
             n: u8::try_from(place.n_keys).unwrap_or(u8::MAX),
         };
@@ -176,7 +177,7 @@ pub(crate) fn muted_keys(first_key: u8, muted: &[Option<Implausible>; MOST_KEYS]
             Implausible::Jumping => "its readings jump farther than a key can move",
             Implausible::Noisy => "its readings go to and fro faster than a key can",
         };
-        Some(MutedKey { key: KeyName(key).to_string(), reason })
+        Some(MutedKey { key: key.to_string(), reason })
     };
     keys.filter_map(key).collect()
 }

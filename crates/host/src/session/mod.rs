@@ -16,7 +16,6 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use firmware_protocol::key::KeyIndex;
-use hardware::refusal::KeyName;
 use hardware::sim::keybed::SimulatedKeybed;
 use performance::{Performance, Struck, assess};
 use scheduler::time::{Nanos, Timetable};
@@ -337,7 +336,7 @@ impl PreparedRun {
             faults: load(&counters.faults),
             muted: counters
                 .muted_keys()
-                .filter_map(|key| Some(KeyName(KeyIndex::new(key)?).to_string()))
+                .filter_map(|key| Some(KeyIndex::new(key)?.to_string()))
                 .collect(),
             dropped: load(&counters.dropped),
             work: Evaluations {

@@ -1,7 +1,8 @@
 //! One simulated board in real time, and what befalls it.
 
 use firmware_protocol::frame::hello::safe_reason;
-use hardware::refusal::{KeyRange, reason_words};
+use hardware::identity::ClaimedKeys;
+use hardware::refusal::reason_words;
 use hardware::sim::board::{BoardMake, SimulatedBoard};
 use links::{Link, RecvError, SendError};
 use scheduler::time::Nanos;
@@ -97,9 +98,9 @@ impl BoardProcess {
     }
 
     /// Its keys.
-    pub fn keys(&self) -> KeyRange {
+    pub fn keys(&self) -> ClaimedKeys {
         let n = u8::try_from(self.make.n_keys).unwrap_or(u8::MAX);
-        KeyRange { first: self.make.first_key, n }
+        ClaimedKeys { first: self.make.first_key, n }
     }
 
     /// Lives until `now`.

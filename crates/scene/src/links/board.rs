@@ -1,7 +1,7 @@
 //! `[[links.bus.board]]`: a board that must be there, and its keys.
 
 use firmware_protocol::key::MOST_KEYS;
-use hardware::refusal::KeyRange as BoardKeys;
+use keyboard::{KeyIndex, KeyRange as BoardKeys};
 
 use crate::document::Node;
 use crate::quantity::Quantity;
@@ -23,8 +23,7 @@ impl Listed {
     /// Its number and keys, if both are right.
     pub(super) fn checked(&self) -> Option<(u8, BoardKeys)> {
         let ((number, _), (keys, _)) = (self.number?, self.keys?);
-        let n = keys.last.saturating_sub(keys.first).saturating_add(1);
-        Some((number, BoardKeys { first: keys.first, n }))
+        Some((number, BoardKeys::new(KeyIndex::new(keys.first)?, KeyIndex::new(keys.last)?)?))
     }
 }
 

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use firmware_protocol::acyclic::arm::VALID_MS;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
-use hardware::refusal::KeyRange as BoardKeys;
+use keyboard::KeyRange as BoardKeys;
 use links::address::Address;
 use links::can::CanMode;
 

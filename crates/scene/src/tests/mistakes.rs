@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use links::address::Address;
+use ::links::address::Address;
 
 use super::*;
 
