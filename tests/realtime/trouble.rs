@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use realtime::pool::{LaneCounters, WaitLimit, Way};
+use realtime::pool::{LaneCounters, VoiceChange, WaitLimit};
 use scheduler::motion::KeySample;
 use scheduler::slot::lane_of;
 use scheduler::time::Nanos;
@@ -67,7 +67,7 @@ fn a_voice_that_is_replaced_is_freed_outside_the_tick() {
     for tick in 0..=WATCHED.end {
         if WATCHED.contains(&tick) {
             if let Some((key, voice)) = others.pop() {
-                stage.swaps.send(key, voice, Way::Replace).expect("room for it");
+                stage.swaps.send(key, VoiceChange::Replace(voice)).expect("room for it");
             }
             trap::within(|| stage.tick());
             replaced += stage.swaps.drain();

@@ -21,8 +21,8 @@ use super::signals::Signals;
 use super::{Failure, print_json, system};
 use host::simulated::fate::FaultScript;
 use host::simulated::{BoardProcess, ExitReport, WireEndpoint, fates_of, live, place};
+use keyboard::KeyRange;
 use realtime::clock;
-use scene::keys_named;
 
 /// How often a simulated board works out its motors' forces (s).
 const LAW_PERIOD: f64 = 100e-6;
@@ -203,8 +203,8 @@ fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Fai
 fn keys(args: &BoardArgs, n: u8, number: u8) -> Result<(u8, usize), Failure> {
     let (first, len) = match &args.keys {
         Some(keys) => {
-            let range = keys_named(keys).map_err(Failure::Usage)?;
-            (usize::from(*range.start()), range.count())
+            let range = KeyRange::parse(keys).map_err(|error| Failure::Usage(error.to_string()))?;
+            (range.first().index(), range.numbers().count())
         }
         None => (usize::from(number - n) * KEYS_PER_BOARD, KEYS_PER_BOARD),
     };

@@ -8,8 +8,7 @@ use tokio::task::JoinHandle;
 
 use super::{Failure, streaming, tell};
 use host::control::{
-    Answers, Clients, ControlServer, RequestHandler, RunHandle, StreamSink, VoiceSwitcher, serve,
-    socket_path,
+    Answers, Clients, ControlServer, RequestHandler, RunHandle, StreamSink, serve, socket_path,
 };
 use host::session::RunSession;
 use scene::{LinksConfig, Scene};
@@ -38,12 +37,14 @@ impl Reach {
     /// If the stream that was asked for cannot be had.
     pub(super) fn open(
         scene: &Scene,
-        patchbay: &Arc<RunHandle>,
+        handle: &Arc<RunHandle>,
         wanted: Option<streaming::WantedStream>,
     ) -> Result<Self, Failure> {
-        let switchboard = Arc::new(VoiceSwitcher::new(scene.clone(), Arc::clone(patchbay)));
-        let stream = wanted.map(|wanted| stream(wanted, &switchboard)).transpose()?.flatten();
-        Ok(Self { clients: listen(switchboard), stream })
+        let folders = wanted.as_ref().map(|it| it.folders.clone()).unwrap_or_default();
+        let requests = RequestHandler::new(scene.clone(), Arc::clone(handle), folders);
+        let requests = Arc::new(requests);
+        let stream = wanted.map(|wanted| stream(wanted, &requests)).transpose()?.flatten();
+        Ok(Self { clients: listen(requests), stream })
     }
 
     /// Lets those who follow the stream see what `session` does.
@@ -103,7 +104,7 @@ pub(super) fn listen<A: Answers>(answers: Arc<A>) -> Clients {
 /// Streams to dashboards and viewers, and hears what they ask.
 fn stream(
     wanted: streaming::WantedStream,
-    switchboard: &Arc<VoiceSwitcher>,
+    requests: &Arc<RequestHandler>,
 ) -> Result<Option<ServedStream>, Failure> {
     let Some(server) = wanted.listen()? else { return Ok(None) };
     let mut address = server.url();
@@ -115,9 +116,9 @@ fn stream(
         ));
         address = format!("{address}#{fingerprint}");
     }
-    switchboard.streams_at(address, wanted.owner());
+    requests.streams_at(address, wanted.owner());
     let (publisher, closer) = (server.publisher(), server.closer());
-    let studio = Arc::new(RequestHandler::new(Arc::clone(switchboard), wanted.folders));
-    let serving = tokio::spawn(telemetry::stream::serve(server, studio));
+    let requests = Arc::<RequestHandler>::clone(requests);
+    let serving = tokio::spawn(telemetry::stream::serve(server, requests));
     Ok(Some(ServedStream { publisher, closer, news, serving }))
 }

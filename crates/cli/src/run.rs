@@ -163,14 +163,11 @@ async fn host(
     let mut signals = Signals::new().map_err(system)?;
     let is_quiet = args.quiet || options.virtual_time;
     let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
-    let patchbay = Arc::new(RunHandle::default());
+    let handle = Arc::new(RunHandle::default());
     // In virtual time there is nobody to talk to.
-    let reach = if options.virtual_time {
-        Reach::default()
-    } else {
-        Reach::open(scene, &patchbay, wanted)?
-    };
-    let Some(session) = prepare(scene, options, &patchbay, &mut signals).await? else {
+    let reach =
+        if options.virtual_time { Reach::default() } else { Reach::open(scene, &handle, wanted)? };
+    let Some(session) = prepare(scene, options, &handle, &mut signals).await? else {
         reach.leave("the host was stopped before it began to play").await;
         return Ok(None);
     };
@@ -197,7 +194,7 @@ async fn host(
         tokio::select! {
             done = &mut running => {
                 line.finish();
-                let why = patchbay.emergency.answered().map_or("the run is over", |_| STOPPED);
+                let why = handle.emergency.answered().map_or("the run is over", |_| STOPPED);
                 reach.leave(why).await;
                 let done = done.map_err(|panic| Failure::Running(panic.to_string()))?;
                 let mut report = done.map_err(|error| failure(&error))?;
@@ -225,23 +222,23 @@ const STOPPED: &str = "the host was stopped: no board renders a force until it i
 async fn prepare(
     scene: &Scene,
     options: RunOptions,
-    patchbay: &Arc<RunHandle>,
+    handle: &Arc<RunHandle>,
     signals: &mut Signals,
 ) -> Result<Option<RunSession>, Failure> {
     let rehearsal = live::RehearsalProgress::new();
-    let (scene, its_patchbay, shown) = (scene.clone(), Arc::clone(patchbay), rehearsal.clone());
+    let (scene, its_handle, shown) = (scene.clone(), Arc::clone(handle), rehearsal.clone());
     let preparing = tokio::task::spawn_blocking(move || {
-        RunSession::prepare_behind(its_patchbay, &scene, options, &|progress| shown.show(progress))
+        RunSession::prepare_behind(its_handle, &scene, options, &|progress| shown.show(progress))
     });
     let prepared = tokio::select! {
         biased;
-        () = patchbay.emergency.asked() => None,
+        () = handle.emergency.asked() => None,
         () = signals.next() => None,
         prepared = preparing => Some(prepared),
     };
     rehearsal.finish();
-    let Some(prepared) = prepared.filter(|_| !patchbay.emergency.is_asked()) else {
-        patchbay.emergency.answer(BoardsTold::NONE_ARMED);
+    let Some(prepared) = prepared.filter(|_| !handle.emergency.is_asked()) else {
+        handle.emergency.answer(BoardsTold::NONE_ARMED);
         return Ok(None);
     };
     let prepared = prepared.map_err(|panic| Failure::Running(panic.to_string()))?;

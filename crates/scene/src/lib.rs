@@ -8,7 +8,7 @@
 //!
 //! | module | what stands there |
 //! |---|---|
-//! | `scene`, `render`, `keys`, `links`, `range` | the scene, a file per table |
+//! | `scene`, `render`, `keys`, `links` | the scene, a file per table |
 //! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
 //! | `kind` | which of the two a file is |
 //! | `embedded`, `source` | what is part of the program; what lies on the disk |
@@ -30,7 +30,6 @@ mod links;
 mod needs;
 mod overrides;
 mod quantity;
-mod range;
 mod read;
 mod render;
 mod report;
@@ -51,7 +50,6 @@ pub use links::{
 };
 pub use needs::{Needs, Unmet};
 pub use overrides::Override;
-pub use range::keys_named;
 pub use render::{EstimatorName, InputReconstruction, Render, StepperName};
 pub use scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
 pub use write::written;

@@ -1,5 +1,6 @@
 //! What a range of keys is: a model, a preset, and the parameters that differ from it.
 
+use keyboard::KeyIndex;
 use models::catalogue::{self, ModelEntry};
 use models::{Parameter, Preset};
 
@@ -10,7 +11,7 @@ use super::report::{Location, MistakeList};
 use diagnostics::quoted;
 
 /// Index of the compass's last key.
-const LAST: u8 = midi::KEYS - 1;
+const LAST: u8 = KeyIndex::HIGHEST.number();
 
 /// A value that goes from the bass to the treble in a straight line.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -3,12 +3,12 @@
 use hardware::link::address::Address;
 use hardware::link::can::CanMode;
 use hardware::refusal::KeyRange as BoardKeys;
+use keyboard::KeyIndex;
 use models::catalogue::ModelEntry;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value, value};
 
 use super::keys::KeyVoice;
 use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
-use super::range::name as key;
 use super::render::Render;
 use super::scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
 
@@ -116,7 +116,12 @@ fn board(number: u8, keys: BoardKeys) -> Value {
     table.into()
 }
 
-/// Neighbours that are alike share an entry.
+/// Returns the name of a key's note, 0 (A0) ..= 87 (C8).
+fn key(number: u8) -> String {
+    KeyIndex::new(number).map_or_else(String::new, |key| key.to_string())
+}
+
+/// Returns the key ranges; neighbours that are alike share one.
 fn keys(keys: &[Option<KeyVoice>]) -> ArrayOfTables {
     let mut tables = ArrayOfTables::new();
     let mut first = 0;

@@ -71,7 +71,7 @@ impl<'a> VoiceBuilder<'a> {
         self.scene.render.slew_limit
     }
 
-    /// The voice of one key; its energy audit is published in `cell`.
+    /// Returns the voice of one key; its energy audit is published in `cell`.
     ///
     /// # Errors
     /// If its model or limits are refused.

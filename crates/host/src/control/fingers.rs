@@ -7,7 +7,7 @@ use rtrb::Producer;
 
 /// The connection of a client of the stream; none for the control socket, where each request is a
 /// connection of its own and a key stays pressed until it is let go.
-pub type Connection = Option<u64>;
+pub type FingerOwner = Option<u64>;
 
 /// Simulated fingers, on their way into the tick.
 ///
@@ -17,7 +17,7 @@ pub type Connection = Option<u64>;
 pub struct FingerQueue {
     weights: Producer<(KeyIndex, f64)>,
     /// The keys that are pressed, and by whom last.
-    pressed: BTreeMap<u8, (KeyIndex, Connection)>,
+    pressed: BTreeMap<u8, (KeyIndex, FingerOwner)>,
 }
 
 impl FingerQueue {
@@ -30,7 +30,7 @@ impl FingerQueue {
     ///
     /// # Errors
     /// If too much is waiting, in a sentence.
-    pub fn press(&mut self, key: KeyIndex, newtons: f64, by: Connection) -> Result<(), String> {
+    pub fn press(&mut self, key: KeyIndex, newtons: f64, by: FingerOwner) -> Result<(), String> {
         if newtons == 0.0 {
             self.let_go(key);
             return Ok(());
@@ -45,7 +45,7 @@ impl FingerQueue {
 
     /// Lets go of all keys that `connection` pressed last.
     pub fn leave(&mut self, connection: u64) {
-        let its = |(_, by): &&(KeyIndex, Connection)| *by == Some(connection);
+        let its = |(_, by): &&(KeyIndex, FingerOwner)| *by == Some(connection);
         let keys: Vec<_> = self.pressed.values().filter(its).map(|(key, _)| *key).collect();
         for key in keys {
             self.let_go(key);

@@ -13,7 +13,7 @@ use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, Buf
 use tokio::net::{UnixListener, UnixStream};
 use tokio::sync::Semaphore;
 
-use super::{Answer, Request, VoiceSwitcher, place};
+use super::{Answer, Request, place};
 
 /// Longest request in bytes; a sentence would do.
 const MAX_REQUEST: u64 = 4096;
@@ -31,13 +31,6 @@ pub trait Answers: Send + Sync + 'static {
     /// # Errors
     /// If it is refused; a sentence.
     fn reply_to(&self, request: &Request) -> Answer;
-}
-
-impl Answers for VoiceSwitcher {
-    fn reply_to(&self, request: &Request) -> Answer {
-        let who = if matches!(request, Request::Stop {}) { "`letoff stop`" } else { "letoff" };
-        self.answer(request, who)
-    }
 }
 
 /// A socket that is removed when the host ends.

@@ -124,7 +124,7 @@ impl KeySource {
         match self {
             Self::Simulated(keybed) => {
                 let (weights, laid) = rtrb::RingBuffer::new(WEIGHTS);
-                stage.patchbay.lend_fingers(weights);
+                stage.handle.lend_fingers(weights);
                 let start = clock::monotonic().after(lead);
                 Ok((
                     MonitoredTransport::simulated(SimulatedTransport::new(*keybed, laid), stage),

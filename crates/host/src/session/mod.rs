@@ -148,7 +148,7 @@ struct PreparedRun {
     midi: MidiReport,
     bell: Arc<WakeFd>,
     counters: Arc<LiveCounters>,
-    patchbay: Arc<RunHandle>,
+    handle: Arc<RunHandle>,
 }
 
 impl std::fmt::Debug for RunSession {
@@ -170,13 +170,13 @@ impl RunSession {
         Self::prepare_behind(Arc::default(), scene, options, progress)
     }
 
-    /// The same, behind a `patchbay` by which it is stopped, and by which others reach it once it
+    /// The same, behind a `handle` by which it is stopped, and by which others reach it once it
     /// runs.
     ///
     /// # Errors
     /// As [`Self::prepare`].
     pub fn prepare_behind(
-        patchbay: Arc<RunHandle>,
+        handle: Arc<RunHandle>,
         scene: &Scene,
         options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
@@ -196,12 +196,12 @@ impl RunSession {
         if let Some(performance) = &performance {
             bed.seat(performance);
         }
-        let (tap, observed) = observed::connect(scene, period, &patchbay)?;
+        let (tap, observed) = observed::connect(scene, period, &handle)?;
         let mut voices = Vec::new();
         for (key, voice) in builder.keys() {
-            let revision = patchbay.new_revision();
-            patchbay.tell(observed::of_scene(key, voice, revision));
-            let voice = builder.numbered(voice, patchbay.new_cell(), revision)?;
+            let revision = handle.new_revision();
+            handle.tell(observed::of_scene(key, voice, revision));
+            let voice = builder.numbered(voice, handle.new_cell(), revision)?;
             voices.push((key, voice as BoxedVoice));
         }
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
@@ -212,7 +212,7 @@ impl RunSession {
         let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
         for pedal in &pedals {
             let event = telemetry::Update::Event(observe::pedal(*pedal));
-            patchbay.tell(TelemetryMessage::Update(Box::new(event)));
+            handle.tell(TelemetryMessage::Update(Box::new(event)));
         }
         let publisher = TickPublisher::new(
             producer,
@@ -235,7 +235,7 @@ impl RunSession {
             midi,
             bell,
             counters,
-            patchbay,
+            handle,
         };
         Ok(Self { stage: Box::new(stage), bed, desk, observed })
     }
@@ -267,8 +267,8 @@ impl RunSession {
     }
 
     /// The way into its lanes, once it runs in real time.
-    pub fn patchbay(&self) -> Arc<RunHandle> {
-        Arc::clone(&self.stage.patchbay)
+    pub fn handle(&self) -> Arc<RunHandle> {
+        Arc::clone(&self.stage.handle)
     }
 
     /// What is to be said of its keys before it runs, a sentence on each.
@@ -278,7 +278,7 @@ impl RunSession {
 
     /// Who hears of everything that the run does, from before its first tick on.
     pub fn observe(&self, sink: Box<dyn MessageSink>) {
-        self.stage.patchbay.tell(TelemetryMessage::Sink(sink));
+        self.stage.handle.tell(TelemetryMessage::Sink(sink));
     }
 
     /// Runs until the end or until `stop`, and reports.
@@ -327,7 +327,7 @@ impl PreparedRun {
             ticks,
             skipped: measured.skipped,
             duration_s: duration,
-            stopped: self.patchbay.emergency.answered().is_some(),
+            stopped: self.handle.emergency.answered().is_some(),
             lanes: self.n_lanes.get(),
             realtime: measured.realtime,
             deadline: measured.deadline,
@@ -347,7 +347,7 @@ impl PreparedRun {
             links: bus.links(),
             boards: bus.boards(duration),
             lines: bus.lines(duration),
-            energy_audit: self.patchbay.energy().into(),
+            energy_audit: self.handle.energy().into(),
             midi: MidiReport {
                 handover_us: played.handover.as_ref().map(crate::report::Quantiles::of),
                 failed: played.n_troubles,

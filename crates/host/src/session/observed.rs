@@ -44,14 +44,14 @@ pub(super) struct ObservedOutputs {
 pub(super) fn connect(
     scene: &Scene,
     period: f64,
-    patchbay: &RunHandle,
+    handle: &RunHandle,
 ) -> Result<(TickRecorder, ObservedOutputs), SessionError> {
     let (tap, tapped) = TickRecorder::new();
     let (pulses, times) = Pulses::new();
     let (tell, told) = mpsc::channel();
     let pump = TelemetryThread::new(tapped, times, told, clock::from_seconds(period).as_u64());
     let pump = pump.map_err(std::io::Error::other)?;
-    patchbay.connect(tell.clone());
+    handle.connect(tell.clone());
     let catalogue = Box::new(observe::catalogue(scene));
     Ok((tap, ObservedOutputs { pulses, pump, catalogue, told: tell }))
 }

@@ -30,8 +30,8 @@ pub(super) fn run(
     stop: &AtomicBool,
 ) -> Result<RunReport, SessionError> {
     let locked = memory::lock();
-    let patchbay = Arc::clone(&stage.patchbay);
-    let emergency = &patchbay.emergency;
+    let handle = Arc::clone(&stage.handle);
+    let emergency = &handle.emergency;
     let (mut bus, start) = emergency.while_arming(|| bed.arm(&stage, LEAD))?;
     if emergency.is_asked() {
         // Not a single tick; boards that were just armed are told below.
@@ -74,7 +74,7 @@ fn tick(
     let standing = ask_for_fifo(Some(DEFAULT_PRIORITY));
     memory::prefault_stack();
     let (mut lanes, swaps) = stage.start_lanes()?;
-    stage.patchbay.open(swaps);
+    stage.handle.open(swaps);
     let mut scheduler = scheduler(stage.timetable()?, stage.slew_limit);
     let mut timings = Timings::new().map_err(std::io::Error::other)?;
     let until = Until { stop, ticks: stage.ticks };
@@ -86,20 +86,20 @@ fn tick(
         lanes: &mut lanes,
         observer: &mut stage.watchers,
     };
-    let patchbay = Arc::clone(&stage.patchbay);
+    let handle = Arc::clone(&stage.handle);
     ticks::run(&mut assembly, start, until, &mut timings, |pulse| {
         count(&counters, pulse);
         pulses.take(pulse);
-        if patchbay.emergency.is_asked() {
+        if handle.emergency.is_asked() {
             stop.store(true, Ordering::Release);
         }
     });
-    if patchbay.emergency.is_asked() {
-        patchbay.emergency.answer(assembly.bus.stop());
+    if handle.emergency.is_asked() {
+        handle.emergency.answer(assembly.bus.stop());
     } else {
         ramp_down(&mut assembly);
     }
-    stage.patchbay.close();
+    stage.handle.close();
     Ok((timings, standing))
 }
 
