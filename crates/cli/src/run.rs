@@ -14,7 +14,7 @@ use super::signals::Signals;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
 use super::{Failure, live, print_json, system, tell};
-use host::control::{BoardsTold, RunHandle};
+use host::control::RunHandle;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession, SessionError};
@@ -227,22 +227,12 @@ async fn prepare(
 ) -> Result<Option<RunSession>, Failure> {
     let rehearsal = live::RehearsalProgress::new();
     let (scene, its_handle, shown) = (scene.clone(), Arc::clone(handle), rehearsal.clone());
-    let preparing = tokio::task::spawn_blocking(move || {
+    let prepare = move || {
         RunSession::prepare_behind(its_handle, &scene, options, &|progress| shown.show(progress))
-    });
-    let prepared = tokio::select! {
-        biased;
-        () = handle.emergency.asked() => None,
-        () = signals.next() => None,
-        prepared = preparing => Some(prepared),
     };
+    let prepared = signals.unless_stopped(&handle.emergency, prepare).await;
     rehearsal.finish();
-    let Some(prepared) = prepared.filter(|_| !handle.emergency.is_asked()) else {
-        handle.emergency.answer(BoardsTold::NONE_ARMED);
-        return Ok(None);
-    };
-    let prepared = prepared.map_err(|panic| Failure::Running(panic.to_string()))?;
-    prepared.map(Some).map_err(|error| failure(&error))
+    prepared?.transpose().map_err(|error| failure(&error))
 }
 
 /// Records all that the session will do into `file`.

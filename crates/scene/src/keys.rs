@@ -147,7 +147,7 @@ fn read_voicing(
         let voicing = Voicing::read(report, reader)?;
         let named = preset.map(|_entry| voicing.preset);
         if let (Some(entry), Some(known)) = (model, known_as(voicing.model, named)) {
-            refuse_unstable(report, entry.node.place, &known, in_loop);
+            refuse_unstable(report, entry.node.place, known, in_loop);
         }
         return Some(voicing);
     };

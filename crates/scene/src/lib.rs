@@ -12,7 +12,7 @@
 //! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
 //! | `kind` | which of the two a file is |
 //! | `embedded`, `source` | what is part of the program; what lies on the disk |
-//! | `document`, `read`, `quantity`, `overrides` | the language, whatever is said in it |
+//! | `document`, `read`, `quantity`, `setting`, `overrides` | the language, whatever is said in it |
 //! | `report` | what is wrong, where, and what to do |
 //!
 //! A value that comes out is within its range; a name that comes out exists. Not here: whether
@@ -34,6 +34,7 @@ mod read;
 mod render;
 mod report;
 mod scene;
+mod setting;
 mod source;
 mod voicing;
 mod write;
@@ -49,7 +50,7 @@ pub use links::{
     BoardBus, Boards, FORCES, LinksConfig, SAMPLES, overrides as link_overrides, period_us,
 };
 pub use needs::{Needs, Unmet};
-pub use overrides::Override;
-pub use render::{EstimatorName, InputReconstruction, Render, StepperName};
+pub use render::{EstimatorName, InputReconstruction, Render};
 pub use scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
+pub use source::Override;
 pub use write::written;

@@ -3,9 +3,11 @@
 use super::document::Node;
 use super::quantity::number;
 use super::read::{self, TableReader};
-use super::render::{EstimatorName, InputReconstruction, JERK_DENSITY, Render};
+use super::render::{
+    ESTIMATORS, EstimatorName, InputReconstruction, JERK_DENSITY, RECONSTRUCTIONS, Render, TICK_HZ,
+};
 use super::report::MistakeList;
-use super::scene::TICK_HZ;
+use super::setting::Setting as _;
 
 /// What a scene must have for an instrument to be quiet when its keys are left alone.
 ///
@@ -91,17 +93,10 @@ impl Needs {
 impl Stable {
     fn read(report: &mut MistakeList<'_>, node: &Node) -> Option<Self> {
         let mut reader = TableReader::new(report, "[stable]", node)?;
-        let estimators = EstimatorName::ALL.map(|all| (all.name(), all));
-        let reconstructions = InputReconstruction::ALL.map(|all| (all.name(), all));
         let stable = Self {
             min_tick_hz: reader.whole(report, "min_tick_hz", TICK_HZ),
-            estimator: reader.choice(report, "estimator", "there is no estimator", &estimators),
-            reconstruction: reader.choice(
-                report,
-                "reconstruction",
-                "there is no reconstruction",
-                &reconstructions,
-            ),
+            estimator: ESTIMATORS.read(report, &mut reader, "estimator"),
+            reconstruction: RECONSTRUCTIONS.read(report, &mut reader, "reconstruction"),
             min_jerk_density: reader.number(report, "min_jerk_density", JERK_DENSITY),
             max_jerk_density: reader.number(report, "max_jerk_density", JERK_DENSITY),
         };

@@ -4,6 +4,7 @@
 
 use super::document::{DocumentEntry, Node, TomlValue};
 use super::report::{Location, MistakeList};
+use super::source::Override;
 use diagnostics::quoted;
 
 /// Names in the longest path that means anything are four: `keys.0.parameters.restitution`.
@@ -11,22 +12,6 @@ const DEEPEST: usize = 8;
 
 /// What a key range's model comes from; a new one replaces what the file says of all three.
 const VOICE: [&str; 3] = ["instrument", "model", "preset"];
-
-/// A value of a scene that the command line replaces.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Override {
-    pub name: String,
-    pub value: String,
-    /// What was typed for it, as `--link can:can0`.
-    pub typed: String,
-}
-
-impl From<(String, String)> for Override {
-    fn from((name, value): (String, String)) -> Self {
-        let typed = format!("--set {name}={value}");
-        Self { name, value, typed }
-    }
-}
 
 /// Puts `overrides` into the scene `root`, the last of a name winning.
 ///

@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use super::overrides::Override;
-use super::source::SourceText;
+use super::source::{Override, SourceText};
 use diagnostics::{Diagnostic, Diagnostics};
 
 /// Mistakes reported of one file; whoever made so many does not read on.

@@ -9,19 +9,17 @@ use super::embedded::{PERFORMANCES, SCENES};
 use super::keys::{self, KeyVoice};
 use super::links::{self, LinksConfig, Rate};
 use super::needs::LoopSettings;
-use super::overrides::{self, Override};
+use super::overrides;
 use super::quantity::Quantity;
 use super::read::{self, TableReader};
-use super::render::{self, Render};
+use super::render::{self, Render, TICK_HZ};
 use super::report::{Location, MistakeList};
-use super::source::{SourceError, SourceText, no_file, refuse};
+use super::source::{Override, SourceError, SourceText, no_file, refuse};
 use diagnostics::Diagnostics;
 use diagnostics::{choice, quoted};
 
 /// The tick's rate on hardware (Hz).
 const DEFAULT_TICK_HZ: u32 = 1000;
-
-pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
 
 const LANES: Quantity = Quantity { unit: "1", range: (1.0, 16.0) };
 

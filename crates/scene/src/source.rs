@@ -22,6 +22,22 @@ pub(super) struct SourceText {
     pub(super) text: String,
 }
 
+/// A value of a scene that the command line replaces.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Override {
+    pub name: String,
+    pub value: String,
+    /// What was typed for it, as `--link can:can0`.
+    pub typed: String,
+}
+
+impl From<(String, String)> for Override {
+    fn from((name, value): (String, String)) -> Self {
+        let typed = format!("--set {name}={value}");
+        Self { name, value, typed }
+    }
+}
+
 impl SourceText {
     /// An embedded file of `shelf` called `name`.
     pub(super) fn embedded(shelf: &EmbeddedFiles, name: &str) -> Option<Self> {

@@ -9,7 +9,6 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Val
 
 use super::keys::KeyVoice;
 use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
-use super::render::Render;
 use super::scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
 
 /// The text of `scene`; read again it is the same scene to the last bit.
@@ -21,7 +20,7 @@ pub fn written(scene: &Scene) -> String {
         LaneCount::Auto => value("auto"),
         LaneCount::Count(count) => value(i64::try_from(count).unwrap_or(1)),
     };
-    document["render"] = Item::Table(render(&scene.render));
+    document["render"] = Item::Table(scene.render.written());
     document["links"] = Item::Table(links(&scene.links));
     document["midi"] = Item::Table(midi(&scene.midi));
     if let Some(source) = &scene.performance {
@@ -39,20 +38,6 @@ pub fn written(scene: &Scene) -> String {
 /// A path that means the same wherever the file will lie.
 fn absolute(path: &std::path::Path) -> String {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).display().to_string()
-}
-
-fn render(it: &Render) -> Table {
-    let mut table = Table::new();
-    table["stepper"] = value(it.stepper.name());
-    table["error_budget"] = value(it.error_budget);
-    table["longest_step"] = value(it.longest_step);
-    table["event_tolerance"] = value(it.event_tolerance);
-    table["estimator"] = value(it.estimator.name());
-    table["jerk_density"] = value(it.jerk_density);
-    table["reconstruction"] = value(it.reconstruction.name());
-    table["force_limit"] = value(it.force_limit);
-    table["slew_limit"] = value(it.slew_limit);
-    table
 }
 
 fn midi(it: &Midi) -> Table {

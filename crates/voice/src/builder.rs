@@ -6,15 +6,14 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use haptics::{BackwardDifference, ForceGate, Kalman, RigParameters};
 use models::Playable;
 use models::catalogue::{self, Visitor};
-use pode::{Limits, stepper};
+use pode::Limits;
+use pode::stepper::{self, Any};
 use scheduler::time::Period;
 
 use crate::audit::AuditCell;
 use crate::input::{AnyEstimator, InputPath};
 use crate::rendered_key::{RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};
-use scene::{
-    EstimatorName, InputReconstruction, KeyVoice, LinksConfig, Render, Scene, StepperName,
-};
+use scene::{EstimatorName, InputReconstruction, KeyVoice, LinksConfig, Render, Scene};
 
 /// A voice of any model.
 pub type AnyVoice = Box<dyn RehearsableVoice>;
@@ -131,17 +130,16 @@ impl Visitor for Builder<'_> {
 
     fn visit<M: Playable>(self) -> Self::Output {
         let model = M::with_values(self.values);
-        let name = self.render.stepper;
+        let stepper = self.render.stepper;
         let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
         let fittings = self.fittings(model.input_per_metre())?;
         // The usual ones are compiled into the voice; the others cost it a choice per step.
-        Ok(if name == StepperName::Rk4 {
-            Box::new(RenderedKey::new(model, stepper::Rk4, fittings))
-        } else if name == StepperName::ByNeed {
+        Ok(if let Any::Rk4(rk4) = stepper {
+            Box::new(RenderedKey::new(model, rk4, fittings))
+        } else if let Any::ByNeed(_) = stepper {
             Box::new(RenderedKey::new(model, by_need, fittings))
         } else {
-            let any = stepper::Any::named(name.name()).unwrap_or_default();
-            Box::new(RenderedKey::new(model, any, fittings))
+            Box::new(RenderedKey::new(model, stepper, fittings))
         })
     }
 }

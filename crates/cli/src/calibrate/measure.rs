@@ -9,22 +9,11 @@ use indicatif::ProgressBar;
 
 use super::bring_up::MeasuredBoard;
 use super::operator::Operator;
-use super::write::CalibrationRecord;
+use super::write::{CalibrationRecord, MeasureOutcome};
 use crate::live;
 
 /// Times that a key is measured again which was interrupted.
 const TRIES: usize = 3;
-
-/// What came of the keys of one board.
-#[derive(Debug)]
-pub(super) enum MeasureOutcome {
-    /// All of them, in the order of slots.
-    All(Vec<(KeyIndex, KeyCalibration)>),
-    /// Why some of them could not be measured, of so many.
-    Faults(Vec<Refusal>, usize),
-    /// The operator stopped, or somebody else did.
-    Stopped,
-}
 
 /// Why there is nothing of one key.
 enum KeyFailure {

@@ -25,7 +25,7 @@ use super::signals::Signals;
 use super::target::SceneTarget;
 use super::{Failure, print_json, reach, system};
 use host::boards::stop_all;
-use host::control::{BoardsTold, EmergencyStop};
+use host::control::EmergencyStop;
 
 /// What `letoff calibrate` takes.
 #[derive(Clone, Debug, Args)]
@@ -114,20 +114,12 @@ async fn attended(args: &CalibrateArgs) -> Result<Option<CalibrationRecord>, Fai
     let endings = Endings::default();
     let clients = reach::listen(Arc::clone(&endings.emergency));
     let (target, only, folder) = (args.target.clone(), args.board, args.folder.clone());
-    let finding =
-        tokio::task::spawn_blocking(move || bring_up::find(&target, only, folder, &operator));
-    let found = tokio::select! {
-        biased;
-        () = endings.emergency.asked() => None,
-        () = signals.next() => None,
-        found = finding => Some(found),
-    };
-    let Some(found) = found.filter(|_| !endings.emergency.is_asked()) else {
-        endings.emergency.answer(BoardsTold::NONE_ARMED);
+    let find = move || bring_up::find(&target, only, folder, &operator);
+    let Some(found) = signals.unless_stopped(&endings.emergency, find).await? else {
         clients.leave().await;
         return Ok(None);
     };
-    let Ready { boards, keybed } = found.map_err(panicked)??;
+    let Ready { boards, keybed } = found?;
     let (its_endings, weight) = (endings.clone(), args.weight);
     let mut measuring = tokio::task::spawn_blocking(move || {
         let mut record = CalibrationRecord::default();

@@ -13,7 +13,6 @@ use hardware::refusal::{KeyName, Refusal};
 use serde::Serialize;
 
 use super::bring_up::MeasuredBoard;
-use super::measure::MeasureOutcome;
 
 /// A board whose file was written.
 #[derive(Debug, Serialize)]
@@ -34,6 +33,17 @@ pub(super) struct MeasuredKeyRow {
     pub(super) travel_mm: f64,
     pub(super) friction_n: f64,
     pub(super) gain: f64,
+}
+
+/// What came of the keys of one board.
+#[derive(Debug)]
+pub(super) enum MeasureOutcome {
+    /// All of them, in the order of slots.
+    All(Vec<(KeyIndex, KeyCalibration)>),
+    /// Why some of them could not be measured, of so many.
+    Faults(Vec<Refusal>, usize),
+    /// The operator stopped, or somebody else did.
+    Stopped,
 }
 
 /// What was written, and what is wrong.

@@ -4,7 +4,6 @@ use models::catalogue::{ENTRIES, ModelEntry};
 use scheduler::motion::KEYS;
 use telemetry::{Catalogue, Instrument, Model, Parameter};
 
-use super::embedded;
 use super::eye::{modes, signals};
 use scene::{self, LinksConfig, Scene};
 
@@ -47,7 +46,7 @@ fn parameter(it: &models::Parameter) -> Parameter {
 /// Every embedded instrument, with its values on every key.
 fn instruments() -> Vec<Instrument> {
     let keys = || (0..=u8::MAX).take(KEYS);
-    embedded()
+    scene::Instrument::embedded()
         .iter()
         .map(|it| Instrument {
             values: keys().flat_map(|key| it.values(key)).collect(),

@@ -24,10 +24,6 @@ mod record;
 mod ticks;
 mod voice;
 
-use std::sync::OnceLock;
-
-use scene::{Instrument, instruments};
-
 pub(crate) use block::flag;
 pub use catalogue::catalogue;
 pub use events::{NO_KEY, pedal};
@@ -36,7 +32,7 @@ pub use links::LinksWatch;
 pub use log::{LogLine, LogSink};
 pub use pulses::{PulseRow, Pulses};
 pub use pump::{Attention, MessageSink, TelemetryMessage, TelemetryThread};
-pub use record::{BlackBoxSink, RecordingHandle, RecordingReport};
+pub use record::{BlackBoxSink, RecordingHandle};
 pub use voice::{Origin, instrument_of, voice};
 
 /// A name for what this process records: when, and by whom.
@@ -49,12 +45,4 @@ fn run_id() -> String {
 #[expect(clippy::cast_possible_truncation, reason = "seven digits are enough to look at")]
 const fn short(value: f64) -> f32 {
     value as f32
-}
-
-/// Every embedded instrument, read once.
-fn embedded() -> &'static [Instrument] {
-    static ALL: OnceLock<Vec<Instrument>> = OnceLock::new();
-    ALL.get_or_init(|| {
-        instruments().iter().filter_map(|info| Instrument::load(&info.name).ok()).collect()
-    })
 }

@@ -5,25 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use serde::Serialize;
 use telemetry::event::Kind;
 use telemetry::recording::{BlackBox, RecordError, Recorder, RecordingSettings, RecordingStatus};
 use telemetry::{Topic, Update};
 
 use super::pump::{Attention, MessageSink};
-
-/// What became of a recording.
-#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize)]
-pub struct RecordingReport {
-    pub file: String,
-    /// Files that it takes.
-    pub files: u64,
-    pub messages: u64,
-    /// Bytes of all files.
-    pub bytes: u64,
-    /// Why it ended early, in a sentence.
-    pub trouble: Option<String>,
-}
+use crate::report::RecordingReport;
 
 /// A recording that goes on elsewhere.
 #[derive(Clone, Debug)]

@@ -2,8 +2,8 @@
 
 use telemetry::Voice;
 
-use super::{TelemetryMessage, embedded, eye};
-use scene::KeyVoice;
+use super::{TelemetryMessage, eye};
+use scene::{Instrument, KeyVoice};
 
 /// Where a voice comes from.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +39,7 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage 
 pub fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
     let bits = |values: &[f64]| values.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
     let wanted = bits(&voice.values);
-    let of_its_model = embedded().iter().filter(|it| it.model().name == voice.model.name);
+    let of_its_model =
+        Instrument::embedded().iter().filter(|it| it.model().name == voice.model.name);
     of_its_model.filter(|it| bits(&it.values(key)) == wanted).map(|it| it.name.clone()).next()
 }

@@ -62,7 +62,20 @@ pub struct RunReport {
     /// What became of the MIDI output.
     pub midi: MidiReport,
     /// What was recorded, if anything was.
-    pub recording: Option<crate::observe::RecordingReport>,
+    pub recording: Option<RecordingReport>,
+}
+
+/// What became of a recording.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize)]
+pub struct RecordingReport {
+    pub file: String,
+    /// Files that it takes.
+    pub files: u64,
+    pub messages: u64,
+    /// Bytes of all files.
+    pub bytes: u64,
+    /// Why it ended early, in a sentence.
+    pub trouble: Option<String>,
 }
 
 impl RunReport {

@@ -13,7 +13,7 @@ use hardware::link::address::Address;
 use hardware::link::can::CanMode;
 use hardware::refusal::KeyRange as BoardKeys;
 
-use super::overrides::Override;
+use super::source::Override;
 
 pub(super) use table::{Rate, read};
 
