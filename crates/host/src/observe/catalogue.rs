@@ -4,7 +4,7 @@ use models::catalogue::{ENTRIES, ModelEntry};
 use scheduler::motion::KEYS;
 use telemetry::{Catalogue, Instrument, Model, Parameter};
 
-use super::eye::{modes, signals};
+use super::model_probe::{modes, signals};
 use scene::{self, LinksConfig, Scene};
 
 /// The catalogue of a host that runs `scene`; when it began is not known yet.

@@ -5,7 +5,7 @@ use hardware::rt::glance::{BoardGlance, LineGlance, LinkSnapshot};
 use rtrb::Consumer;
 use telemetry::Links;
 
-use crate::adapters::lookout::LinkSample;
+use crate::adapters::link_monitor::LinkSample;
 use crate::report::{muted_keys, stage_words, wire_words};
 
 /// What is known of lines and boards, and where more comes from.

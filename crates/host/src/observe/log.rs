@@ -7,7 +7,7 @@ use hardware::refusal::KeyName;
 use telemetry::event::Kind;
 use telemetry::{Event, Links, Topic, Update};
 
-use super::pump::{Attention, MessageSink};
+use super::telemetry_thread::{Attention, MessageSink};
 
 /// What takes a line of the log; it must not wait for a disk or a terminal.
 pub type LogLine = Box<dyn FnMut(String) + Send>;

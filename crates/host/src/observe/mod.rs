@@ -14,25 +14,25 @@ mod block;
 mod catalogue;
 mod deadlines;
 mod events;
-mod eye;
 mod links;
 mod log;
+mod model_probe;
 mod overview;
 mod pulses;
-mod pump;
 mod record;
+mod telemetry_thread;
 mod ticks;
 mod voice;
 
 pub(crate) use block::flag;
 pub use catalogue::catalogue;
 pub use events::{NO_KEY, pedal};
-pub use eye::{ModelProbe, eye, modes, signals};
 pub use links::LinksWatch;
 pub use log::{LogLine, LogSink};
+pub use model_probe::{ModelProbe, modes, probe, signals};
 pub use pulses::{PulseRow, Pulses};
-pub use pump::{Attention, MessageSink, TelemetryMessage, TelemetryThread};
 pub use record::{BlackBoxSink, RecordingHandle};
+pub use telemetry_thread::{Attention, MessageSink, TelemetryMessage, TelemetryThread};
 pub use voice::{Origin, instrument_of, voice};
 
 /// A name for what this process records: when, and by whom.
@@ -41,7 +41,7 @@ fn run_id() -> String {
     format!("{}-{}", now.map_or(0, |it| it.as_secs()), std::process::id())
 }
 
-/// For the eye, not for a replay.
+/// Rounds what is shown and not replayed.
 #[expect(clippy::cast_possible_truncation, reason = "seven digits are enough to look at")]
 const fn short(value: f64) -> f32 {
     value as f32

@@ -9,7 +9,7 @@ use telemetry::event::Kind;
 use telemetry::recording::{BlackBox, RecordError, Recorder, RecordingSettings, RecordingStatus};
 use telemetry::{Topic, Update};
 
-use super::pump::{Attention, MessageSink};
+use super::telemetry_thread::{Attention, MessageSink};
 use crate::report::RecordingReport;
 
 /// A recording that goes on elsewhere.

@@ -2,7 +2,7 @@
 
 use telemetry::Voice;
 
-use super::{TelemetryMessage, eye};
+use super::{TelemetryMessage, probe};
 use scene::{Instrument, KeyVoice};
 
 /// Where a voice comes from.
@@ -20,7 +20,7 @@ pub struct Origin<'a> {
 
 /// What is told of `voice` on `key` before it is put in.
 pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage {
-    let eye = eye(voice.model.name, &voice.values);
+    let probe = probe(voice.model.name, &voice.values);
     let instrument = origin.instrument.map(str::to_owned);
     let message = Voice {
         key: key.into(),
@@ -29,10 +29,10 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage 
         instrument: instrument.or_else(|| instrument_of(key, voice)).unwrap_or_default(),
         values: voice.values.clone(),
         writer: origin.writer.to_owned(),
-        drawing: eye.as_ref().map(|eye| eye.drawing()),
+        drawing: probe.as_ref().map(|probe| probe.drawing()),
         kept: origin.kept,
     };
-    TelemetryMessage::Voice(Box::new(message), eye)
+    TelemetryMessage::Voice(Box::new(message), probe)
 }
 
 /// The embedded instrument that sounds like `voice` on `key`.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use midi::{Message, MidiPort, MidiSendError, Output, Smf, Unavailable};
 
-use crate::desk::AnyOutput;
+use crate::midi_thread::AnyOutput;
 use crate::report::MidiReport;
 use crate::session::SessionError;
 use scene::{Midi, MidiOutput};

@@ -1,14 +1,14 @@
 //! One run of the host: prepared from a scene, run in real or virtual time, reported.
 
-mod bed;
-mod bus;
-mod keys;
+mod key_source;
+mod key_transport;
 mod measured;
 mod midi_out;
+mod monitored_output;
 mod observed;
-mod overheard;
 mod pianist;
 mod real;
+mod simulated_transport;
 mod virtual_run;
 
 use std::num::NonZeroUsize;
@@ -25,17 +25,17 @@ use crate::adapters::observer::{LiveCounters, TickPublisher};
 use voice::{BuildError, VoiceBuilder};
 
 use crate::control::RunHandle;
-use crate::desk::{MidiDispatcher, PlaybackSummary};
+use crate::midi_thread::{MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
 use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, Realtime, RunReport};
-use bed::KeySource;
-use bus::MonitoredTransport;
+use key_source::KeySource;
+use key_transport::MonitoredTransport;
 use measured::MeasuredRun;
 pub(crate) use midi_out::nowhere;
+pub(crate) use monitored_output::MonitoredOutput;
 use observed::ObservedOutputs;
 pub(crate) use observed::Watchers;
-pub(crate) use overheard::Overheard;
 use realtime::clock;
 use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use realtime::thread::DEFAULT_PRIORITY;
@@ -206,7 +206,7 @@ impl RunSession {
         }
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi)?;
-        let output = Box::new(Overheard { output, told: observed.teller() });
+        let output = Box::new(MonitoredOutput { output, told: observed.teller() });
         let desk = Box::new(MidiDispatcher::new(consumer, output, scene.midi.curve));
         let (bell, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
         let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
@@ -393,7 +393,7 @@ fn lay(
             Ok(KeySource::Simulated(Box::new(keybed)))
         }
         SceneLinks::Boards(_) if options.virtual_time => Err(SessionError::RealBoards),
-        SceneLinks::Boards(boards) => bed::find(boards, scene.tick_hz),
+        SceneLinks::Boards(boards) => key_source::find(boards, scene.tick_hz),
     }
 }
 

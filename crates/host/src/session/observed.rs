@@ -10,7 +10,7 @@ use telemetry::Catalogue;
 
 use super::SessionError;
 use crate::adapters::observer::TickPublisher;
-use crate::adapters::tap::TickRecorder;
+use crate::adapters::tick_recorder::TickRecorder;
 use crate::control::RunHandle;
 use crate::observe::{self, Origin, Pulses, TelemetryMessage, TelemetryThread};
 use realtime::clock;

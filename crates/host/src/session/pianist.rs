@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use performance::{Performance, Pianist, Score, Technique, read};
 
 use super::SessionError;
-use super::bed::KeySource;
+use super::key_source::KeySource;
 use crate::rehearsal::RehearsedKey;
 use scene::{PerformanceSource, Scene};
 use voice::VoiceBuilder;

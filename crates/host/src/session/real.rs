@@ -3,13 +3,13 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::bed::KeySource;
-use super::bus::MonitoredTransport;
+use super::key_source::KeySource;
+use super::key_transport::MonitoredTransport;
 use super::measured::MeasuredRun;
 use super::observed::{ObservedOutputs, Pumping};
 use super::{PreparedRun, SessionError};
 use crate::adapters::observer::LiveCounters;
-use crate::desk::{MidiDispatcher, MidiThread};
+use crate::midi_thread::{MidiDispatcher, MidiThread};
 use crate::observe::Pulses;
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;

@@ -2,11 +2,11 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::bed::KeySource;
+use super::key_source::KeySource;
 use super::measured::MeasuredRun;
 use super::observed::ObservedOutputs;
 use super::{PreparedRun, SessionError, no_clock};
-use crate::desk::MidiDispatcher;
+use crate::midi_thread::MidiDispatcher;
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;
 use realtime::run::{Assembly, Until, scheduler};

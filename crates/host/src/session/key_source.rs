@@ -6,8 +6,8 @@ use hardware::sim::keybed::SimulatedKeybed;
 use performance::Performance;
 use scheduler::time::Nanos;
 
-use super::bus::{MonitoredTransport, Plans};
-use super::keys::SimulatedTransport;
+use super::key_transport::{MonitoredTransport, Plans};
+use super::simulated_transport::SimulatedTransport;
 use super::{PreparedRun, SessionError, all_keys};
 use crate::boards::{PATIENCE_US, calibration, now_us, open_all, planning};
 use realtime::clock;

@@ -5,16 +5,16 @@ use std::sync::mpsc;
 use midi::{Message, MidiSendError, Output};
 use telemetry::{Midi, Update};
 
-use crate::desk::AnyOutput;
+use crate::midi_thread::AnyOutput;
 use crate::observe::TelemetryMessage;
 
 /// An output, overheard.
-pub(crate) struct Overheard {
+pub(crate) struct MonitoredOutput {
     pub(crate) output: AnyOutput,
     pub(crate) told: mpsc::Sender<TelemetryMessage>,
 }
 
-impl Output for Overheard {
+impl Output for MonitoredOutput {
     fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
         let sent = self.output.send(at, message);
         let text = match &sent {

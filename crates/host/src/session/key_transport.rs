@@ -11,8 +11,8 @@ use scheduler::time::Nanos;
 use telemetry::{Board, Line};
 
 use super::PreparedRun;
-use super::keys::SimulatedTransport;
-use crate::adapters::lookout::LinkMonitor;
+use super::simulated_transport::SimulatedTransport;
+use crate::adapters::link_monitor::LinkMonitor;
 use crate::boards::stop_all;
 use crate::control::{BoardsTold, IdentifyTarget, Lights};
 use crate::observe::{LinksWatch, TelemetryMessage};
