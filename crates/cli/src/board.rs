@@ -137,12 +137,12 @@ pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> 
     if args.json { print_json(&reports, out) } else { Ok(write!(out, "{}", BoardTable(&reports))?) }
 }
 
-/// Says which board shows its light, for whoever looks for it.
+/// Writes to stderr which board shows its light.
 fn report_light(board: &BoardProcess) {
     let _nobody_reads = writeln!(io::stderr(), "{} shows its light", board.address());
 }
 
-/// The boards that are asked for, where they are asked for.
+/// Returns the boards that are asked for, where they are asked for.
 fn boards(args: &BoardArgs) -> Result<Vec<BoardProcess>, Failure> {
     refuse_unknown_boards(args)?;
     let at = if let Some(address) = &args.on {
@@ -176,7 +176,7 @@ fn refuse_unknown_boards(args: &BoardArgs) -> Result<(), Failure> {
     Err(Failure::Usage(wrong.join("\nletoff: ") + &help))
 }
 
-/// The n-th board.
+/// Returns the n-th board.
 fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Failure> {
     let usage = |error: hardware::Error| Failure::Usage(error.to_string());
     let number = args.number.saturating_add(n);
@@ -197,7 +197,7 @@ fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Fai
     BoardProcess::new(make, placed, args.drift, faults_of(&args.fates, number)).map_err(usage)
 }
 
-/// Keys of the n-th board, which has this number: the first, and how many.
+/// Returns the keys of the n-th board, which has this number: the first, and how many.
 fn keys(args: &BoardArgs, n: u8, number: u8) -> Result<(u8, usize), Failure> {
     let (first, len) = match &args.keys {
         Some(keys) => {

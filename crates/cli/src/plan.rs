@@ -131,7 +131,7 @@ fn proposal(plan: &BusPlan, links: Option<usize>) -> Proposed {
     }
 }
 
-/// What the link can carry at best, in a sentence.
+/// Returns what the link can carry at best, in a sentence.
 fn proposed(plan: &BusPlan) -> String {
     let packing = |plan: &BusPlan| {
         let (samples, forces) = (name(&SAMPLES, plan.samples), name(&FORCES, plan.forces));
@@ -157,7 +157,7 @@ fn proposed(plan: &BusPlan) -> String {
     }
 }
 
-/// What a scene calls a packing.
+/// Returns what a scene calls a packing.
 fn name<T: PartialEq + Copy>(names: &[(&'static str, T)], wanted: T) -> &'static str {
     names.iter().find(|(_, it)| *it == wanted).map_or("", |(name, _)| name)
 }

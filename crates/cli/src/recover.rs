@@ -114,7 +114,7 @@ impl Saved {
         }
     }
 
-    /// What was lost; nothing if everything was saved.
+    /// Returns what was lost; nothing if everything was saved.
     fn losses(&self) -> Vec<String> {
         let pieces = match self.damaged {
             0 => None,

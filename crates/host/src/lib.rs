@@ -1,6 +1,6 @@
 //! The keyboard host service: a checked scene becomes a run that plays, is observed and replayed.
 //!
-//! | module | what stands there |
+//! | module | contents |
 //! |---|---|
 //! | [`session`] | one run from its scene to its report |
 //! | [`control`] | requests of commands and of the stream, on their way to a running voice |

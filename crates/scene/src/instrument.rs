@@ -19,11 +19,11 @@ use diagnostics::Diagnostics;
 /// A checked instrument.
 #[derive(Clone, Debug)]
 pub struct Instrument {
-    /// Its name in scenes and on the command line.
+    /// The name in scenes and on the command line.
     pub name: String,
     /// What it is, in a few words.
     pub title: String,
-    /// What it is, in a sentence or two; may be empty.
+    /// A description of a sentence or two; may be empty.
     pub doc: String,
     /// What a scene must have for it to be stable.
     pub needs: Needs,
@@ -117,7 +117,7 @@ pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<&'
     all().find(|it| of_model(it) && same(it)).or_else(|| all().find(|it| of_model(it)))
 }
 
-/// What is listed of an embedded instrument.
+/// An embedded instrument as it is listed.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct InstrumentInfo {
     /// Its name in scenes.

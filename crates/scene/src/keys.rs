@@ -1,4 +1,4 @@
-//! `[[keys]]`: which keys are what.
+//! `[[keys]]`: the voices of key ranges.
 
 use keyboard::{KEYS, KeyRange, RangeError};
 use models::catalogue::ModelEntry;
@@ -13,10 +13,9 @@ use super::source::{SourceError, SourceText};
 use super::voicing::Voicing;
 use diagnostics::quoted;
 
-/// What a key is.
+/// A model with its values for one key.
 #[derive(Clone, Debug)]
 pub struct KeyVoice {
-    /// Its model.
     pub model: &'static ModelEntry,
     /// One value per parameter of the model, in the unit of each.
     pub values: Vec<f64>,

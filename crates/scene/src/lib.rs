@@ -6,14 +6,14 @@
 //!                                      mistakes of every stage ─ report ─▶ Diagnostics
 //! ```
 //!
-//! | module | what stands there |
+//! | module | contents |
 //! |---|---|
 //! | `scene`, `render`, `keys`, `links` | the scene, a file per table |
 //! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
-//! | `kind` | which of the two a file is |
-//! | `embedded`, `source` | what is part of the program; what lies on the disk |
-//! | `document`, `read`, `quantity`, `setting`, `overrides` | the language, whatever is said in it |
-//! | `report` | what is wrong, where, and what to do |
+//! | `kind` | whether a file is a scene or an instrument |
+//! | `embedded`, `source` | files that are part of the program, and files on the disk |
+//! | `document`, `read`, `quantity`, `setting`, `overrides` | the language of both kinds of file |
+//! | `report` | mistakes with their places and remedies |
 //!
 //! A value that comes out is within its range; a name that comes out exists. Not here: whether
 //! the machine has the ports and boards that a scene asks for.

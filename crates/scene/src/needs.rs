@@ -7,9 +7,9 @@ use super::render::{
     ESTIMATORS, EstimatorName, InputReconstruction, JERK_DENSITY, RECONSTRUCTIONS, Render, TICK_HZ,
 };
 use super::report::MistakeList;
-use super::setting::Setting as _;
+use super::setting::TableSetting as _;
 
-/// What a scene must have for an instrument to be quiet when its keys are left alone.
+/// The settings with which an instrument is quiet when its keys are left alone.
 ///
 /// It is measured, not derived: `tests/quiet.rs` plays every instrument and leaves it alone. A
 /// key whose loop makes energy is muted while it runs, see [`haptics::PassivityObserver`]; a
@@ -25,20 +25,20 @@ pub struct Needs {
 /// Rates and estimators with which an instrument is stable.
 #[derive(Clone, PartialEq, Debug)]
 struct Stable {
-    /// Slowest tick \[Hz\].
+    /// Slowest rate of the tick (Hz).
     min_tick_hz: Option<u32>,
     estimator: Option<EstimatorName>,
     reconstruction: Option<InputReconstruction>,
-    /// Slowest Kalman filter \[m²/s⁵\].
+    /// Slowest Kalman filter (m²/s⁵).
     min_jerk_density: Option<f64>,
-    /// Quickest Kalman filter \[m²/s⁵\].
+    /// Quickest Kalman filter (m²/s⁵).
     max_jerk_density: Option<f64>,
 }
 
-/// What a scene lacks, and what would put it right.
+/// The settings that a scene lacks, and the remedy.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unmet {
-    /// What is needed, and what there is instead.
+    /// The need, and the value of the scene.
     pub lacks: String,
     pub help: String,
 }
@@ -55,8 +55,8 @@ impl Needs {
         Self { offline, stable }
     }
 
-    /// What ticks at `tick_hz` with `render` lack for the instrument `name`; nothing if it is
-    /// stable so.
+    /// Returns what ticks at `tick_hz` with `render` lack for the instrument `name`; nothing if it
+    /// is stable so.
     pub fn unmet(&self, name: &str, tick_hz: u32, render: &Render) -> Option<Unmet> {
         if let Some(why) = &self.offline {
             return Some(Unmet {
@@ -80,7 +80,7 @@ impl Needs {
         })
     }
 
-    /// The same in a few words for lists; nothing if nothing is needed.
+    /// Returns the same in a few words for lists; nothing if nothing is needed.
     pub fn summary(&self) -> Option<String> {
         if let Some(why) = &self.offline {
             return Some(format!("letoff simulate only: {why}"));

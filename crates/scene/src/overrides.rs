@@ -10,7 +10,7 @@ use diagnostics::quoted;
 /// Names in the longest path that means anything are four: `keys.0.parameters.restitution`.
 const DEEPEST: usize = 8;
 
-/// What a key range's model comes from; a new one replaces what the file says of all three.
+/// Names of a key range's voice; a new one replaces all three of the file.
 const VOICE: [&str; 3] = ["instrument", "model", "preset"];
 
 /// Puts `overrides` into the scene `root`, the last of a name winning.
@@ -74,7 +74,7 @@ fn ranges_of(root: &mut Node) -> &mut [Node] {
     }
 }
 
-/// Removes what the file says of the voice, if `steps` set another.
+/// Removes the voice that the file gives, if `steps` set another.
 fn replace_voice(range: &mut Node, steps: &[&str]) {
     if !matches!(steps, ["instrument" | "model"]) {
         return;
@@ -112,7 +112,7 @@ fn set(report: &mut MistakeList<'_>, node: &mut Node, steps: &[&str], depth: usi
     set(report, &mut entry.node, steps, depth + 1, value);
 }
 
-/// The entry called `name`; made if it is not there.
+/// Returns the entry called `name`; made if it is not there.
 fn entry<'a>(
     entries: &'a mut Vec<DocumentEntry>,
     name: &str,

@@ -9,7 +9,7 @@ use toml_edit::{Table, value};
 use super::quantity::Quantity;
 use super::read::TableReader;
 use super::report::{Location, MistakeList};
-use super::setting::{NamedValues, Setting as _};
+use super::setting::{NamedValues, TableSetting as _};
 
 /// Rates of the tick.
 pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
@@ -130,7 +130,7 @@ impl EstimatorName {
     /// Every estimator, the default first.
     pub const ALL: [Self; 2] = [Self::Kalman, Self::BackwardDifference];
 
-    /// Its name in scenes.
+    /// Returns its name in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Kalman => "kalman",
@@ -142,7 +142,7 @@ impl EstimatorName {
 /// How the key's motion goes on between two samples.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum InputReconstruction {
-    /// Ballistic, from what the estimator says.
+    /// The estimate goes on ballistically.
     Estimate,
     /// From the samples alone.
     Samples(Samples),
@@ -158,7 +158,7 @@ impl InputReconstruction {
         Self::Samples(Samples::LateHermite),
     ];
 
-    /// Its name in scenes.
+    /// Returns its name in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Estimate => "estimate",

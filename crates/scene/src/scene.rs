@@ -38,7 +38,7 @@ pub struct Scene {
     pub render: Render,
     /// What each of the 88 keys is; none where it is silent.
     pub keys: Vec<Option<KeyVoice>>,
-    /// Where the keys are.
+    /// The links to the keys.
     pub links: LinksConfig,
     pub midi: Midi,
     /// What the virtual pianist plays, if there is one.
@@ -54,7 +54,7 @@ pub enum LaneCount {
     Count(usize),
 }
 
-/// Where strikes go.
+/// The output of strikes, and their velocities.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Midi {
     /// The port or file.
@@ -116,7 +116,7 @@ impl Scene {
         Self::load_as_typed(name_or_path, &overrides)
     }
 
-    /// As [`Scene::load`]; of a wrong override is said what was typed.
+    /// Loads a scene as [`Scene::load`] does; messages quote overrides as they were typed.
     ///
     /// # Errors
     ///
@@ -132,8 +132,8 @@ impl Scene {
         Self::check(&source, overrides)
     }
 
-    /// The recorded scene that `text` says, called `name`; relative paths are to the working
-    /// directory.
+    /// Returns the recorded scene of `text`, called `name`; relative paths are to the
+    /// working directory.
     ///
     /// What was recorded is run again without a hand or a motor, whether it is stable or not.
     ///
@@ -255,7 +255,7 @@ fn read_pianist(
     find_performance(report, place, &wanted)
 }
 
-/// The embedded performance or the file that is `wanted`; "none" is no performance.
+/// Returns the embedded performance or the file that is `wanted`; "none" is no performance.
 fn find_performance(
     report: &mut MistakeList<'_>,
     place: Location,

@@ -7,7 +7,7 @@ use super::read::TableReader;
 use super::report::MistakeList;
 
 /// Reads and writes a value of a table.
-pub(super) trait Setting<T> {
+pub(super) trait TableSetting<T> {
     /// Reads the value called `name`, if it is there and right.
     fn read(
         &self,
@@ -20,7 +20,7 @@ pub(super) trait Setting<T> {
     fn written(&self, value: &T) -> Value;
 }
 
-impl Setting<f64> for Quantity {
+impl TableSetting<f64> for Quantity {
     fn read(
         &self,
         report: &mut MistakeList<'_>,
@@ -44,7 +44,7 @@ pub(super) struct NamedValues<T: 'static> {
     pub(super) all: fn() -> Vec<(&'static str, T)>,
 }
 
-impl<T: Copy + PartialEq> Setting<T> for NamedValues<T> {
+impl<T: Copy + PartialEq> TableSetting<T> for NamedValues<T> {
     fn read(
         &self,
         report: &mut MistakeList<'_>,

@@ -39,7 +39,7 @@ impl From<(String, String)> for Override {
 }
 
 impl SourceText {
-    /// An embedded file of `shelf` called `name`.
+    /// Returns an embedded file of `shelf` called `name`.
     pub(super) fn embedded(shelf: &EmbeddedFiles, name: &str) -> Option<Self> {
         let text = shelf.find(name)?;
         Some(Self {
@@ -50,7 +50,7 @@ impl SourceText {
         })
     }
 
-    /// The file at `path`.
+    /// Returns the file at `path`.
     ///
     /// # Errors
     ///
@@ -61,7 +61,7 @@ impl SourceText {
         Self::from_bytes(path, bytes)
     }
 
-    /// The file at `path`, whose contents are `bytes`.
+    /// Returns the file at `path`, whose contents are `bytes`.
     ///
     /// # Errors
     ///
@@ -73,7 +73,7 @@ impl SourceText {
         Ok(Self { file: path.display().to_string(), name, folder, text })
     }
 
-    /// The embedded file of that name, or the file at that path below `folder`.
+    /// Returns the embedded file of that name, or the file at that path below `folder`.
     ///
     /// # Errors
     ///
@@ -113,13 +113,13 @@ pub(super) enum SourceError {
     Unreadable(Diagnostics),
 }
 
-/// Whether `text` is meant as a path rather than as a name.
+/// Returns whether `text` is meant as a path rather than as a name.
 fn is_path(text: &str) -> bool {
     let has_ending = Path::new(text).extension().is_some();
     text.contains(['/', '\\']) || has_ending
 }
 
-/// What is said of a file that is not there.
+/// Returns the message and the help for a file that is not there.
 pub(super) fn no_file(path: &Path) -> (String, String) {
     let base = match std::env::current_dir() {
         Ok(folder) if path.is_relative() => format!(" in {}", folder.display()),
@@ -156,7 +156,7 @@ fn not_text(path: &Path, error: &std::string::FromUtf8Error) -> Diagnostics {
     refuse(path, Some((line, column)), message, "save the file as UTF-8 text".to_owned())
 }
 
-/// The diagnostics of a file of which nothing else is known.
+/// Returns the diagnostics of a file of which nothing else is known.
 pub(super) fn refuse(
     path: &Path,
     position: Option<(usize, usize)>,

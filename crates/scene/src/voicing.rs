@@ -1,4 +1,4 @@
-//! What a range of keys is: a model, a preset, and the parameters that differ from it.
+//! The voices of a range of keys: a model, a preset, and the parameters that differ from it.
 
 use keyboard::KeyIndex;
 use models::catalogue::{self, ModelEntry};
@@ -45,7 +45,7 @@ impl Voicing {
         Self { model, preset, changed: Vec::new() }
     }
 
-    /// One value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
+    /// Returns one value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
     pub(super) fn values(&self, key: u8) -> Vec<f64> {
         let value = |index: usize| match self.changed.get(index) {
             Some(Some(graded)) => graded.at(key),
@@ -112,7 +112,7 @@ impl Voicing {
     }
 }
 
-/// A number, or `{ bass = …, treble = … }`.
+/// Returns a number, or `{ bass = …, treble = … }`.
 fn read_graded(report: &mut MistakeList<'_>, parameter: &Parameter, node: &Node) -> Option<Graded> {
     let quantity = Quantity { unit: parameter.unit, range: parameter.range };
     if !matches!(node.value, TomlValue::Table(_)) {

@@ -1,4 +1,4 @@
-//! A scene as a file that says everything, with the values that its keys have now.
+//! Writes a scene as a complete file, with the present values of its keys.
 
 use hardware::link::address::Address;
 use hardware::link::can::CanMode;
@@ -11,7 +11,7 @@ use super::keys::KeyVoice;
 use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
 use super::scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
 
-/// The text of `scene`; read again it is the same scene to the last bit.
+/// Returns the text of `scene`; read again it is the same scene to the last bit.
 pub fn written(scene: &Scene) -> String {
     let mut document = DocumentMut::new();
     document["title"] = value(scene.title.as_str());
@@ -35,7 +35,7 @@ pub fn written(scene: &Scene) -> String {
     document.to_string()
 }
 
-/// A path that means the same wherever the file will lie.
+/// Returns a path that means the same wherever the file will lie.
 fn absolute(path: &std::path::Path) -> String {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).display().to_string()
 }
@@ -161,7 +161,7 @@ mod tests {
         Scene::check(&source, &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
     }
 
-    /// What two scenes must have in common.
+    /// Returns what two scenes must have in common.
     fn facts(it: &Scene) -> String {
         let keys = it.keys.iter().map(|voice| voice.as_ref().map(|it| (it.model.name, &it.values)));
         let keys: Vec<_> = keys.collect();

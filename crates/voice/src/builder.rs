@@ -169,3 +169,35 @@ impl Builder<'_> {
         Ok(VoiceSettings { input, gate, limits, cell, h, slopes, revision })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use scheduler::motion::KeySample;
+    use scheduler::values::ModelValues;
+
+    use super::*;
+
+    /// Forces of 300 ticks in which the key goes down and up again.
+    fn forces(voice: &mut AnyVoice) -> Vec<u64> {
+        let position = |tick: u64| 1e-4 * (100.0 - (tick as f64 - 100.0).abs()).max(0.0);
+        let force = |tick| voice.tick(tick, &KeySample::fresh(position(tick))).force.to_bits();
+        (0..300).map(force).collect()
+    }
+
+    #[test]
+    fn a_retuned_voice_is_the_voice_that_is_built_with_those_values() {
+        let scene = Scene::load("default", &[]).unwrap();
+        let builder = VoiceBuilder::new(&scene).unwrap();
+        let key = scene.keys[39].as_ref().unwrap();
+        let stiffness = key.model.parameters.iter().position(|it| it.name == "k2").unwrap();
+        let mut other = key.clone();
+        other.values[stiffness] *= 1.5;
+        let mut voices = [key, &other, key].map(|it| builder.voice(it, Arc::default()).unwrap());
+        let values = ModelValues::new(key.model.name, 7, &other.values).unwrap();
+        assert!(voices[2].retune(&values));
+        assert!(!voices[2].retune(&ModelValues::new("spring-wall", 8, &[]).unwrap()));
+        let [first, built, retuned] = voices.each_mut().map(forces);
+        assert_ne!(first, built);
+        assert_eq!(built, retuned);
+    }
+}

@@ -1,4 +1,4 @@
-//! What was measured into files, and to the boards.
+//! Writes measurements into files and to the boards.
 
 use std::path::PathBuf;
 use std::time::SystemTime;
@@ -24,7 +24,7 @@ pub(super) struct Written {
     pub(super) keys: Vec<MeasuredKeyRow>,
 }
 
-/// What was measured of one key.
+/// The measurements of one key.
 #[derive(Debug, Serialize)]
 pub(super) struct MeasuredKeyRow {
     pub(super) key: String,
@@ -35,28 +35,28 @@ pub(super) struct MeasuredKeyRow {
     pub(super) gain: f64,
 }
 
-/// What came of the keys of one board.
+/// The outcome for the keys of one board.
 #[derive(Debug)]
 pub(super) enum MeasureOutcome {
     /// All of them, in the order of slots.
     All(Vec<(KeyIndex, KeyCalibration)>),
     /// Why some of them could not be measured, of so many.
     Faults(Vec<Refusal>, usize),
-    /// The operator stopped, or somebody else did.
+    /// The measurements were stopped.
     Stopped,
 }
 
-/// What was written, and what is wrong.
+/// The files that were written, and the mistakes.
 #[derive(Debug, Default)]
 pub(super) struct CalibrationRecord {
     pub(super) written: Vec<Written>,
     pub(super) wrong: Vec<String>,
-    /// What boards have to be told.
+    /// The records that boards have to be sent.
     untold: Vec<(MeasuredBoard, Vec<KeyCalibration>)>,
 }
 
 impl CalibrationRecord {
-    /// Writes what was measured of a board into its file, or says why there is nothing to write.
+    /// Writes the measurements of a board into its file, or records why there are none.
     pub(super) fn keep(&mut self, board: &MeasuredBoard, outcome: MeasureOutcome) {
         let name = &board.name;
         match outcome {
@@ -115,7 +115,7 @@ impl From<&(KeyIndex, KeyCalibration)> for MeasuredKeyRow {
     }
 }
 
-/// The file of a board.
+/// Returns the file of a board.
 fn sheet(board: &MeasuredBoard, keys: &[KeyCalibration]) -> file::CalibrationSheet {
     file::CalibrationSheet {
         uid: board.found.uid(),

@@ -110,7 +110,7 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
     link
 }
 
-/// What a board said, and what is wrong with its calibration file.
+/// Returns the description of a board, and the mistakes of its calibration file.
 fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
     let hello = &found.hello;
     let file = folder(&Boards::default()).map(|folder| file::path(&folder, found.uid()));
@@ -139,7 +139,7 @@ fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
     (board, read.and_then(Result::err))
 }
 
-/// What a board can, in words.
+/// Returns the features of a board, in words.
 fn features(bits: u16) -> Vec<&'static str> {
     const WORDS: [(u16, &str); 5] = [
         (feature::SLOPES, "slopes"),
@@ -156,7 +156,7 @@ fn light(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Nothing,
     keybed.ask(&mut asker, Operation::Light, &Light { seconds: LIGHT_S })
 }
 
-/// The lines of a board's log.
+/// Returns the lines of a board's log.
 fn log(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Vec<String>, Refusal> {
     let mut asker = keybed.asker(found.line, found.board);
     let mut lines = Vec::new();

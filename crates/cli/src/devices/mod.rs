@@ -84,7 +84,7 @@ fn print(section: &Section, out: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A section from a listing, or from the reason why there is none.
+/// Returns a section from a listing, or from the reason why there is none.
 fn section<T, E: std::fmt::Display>(
     kind: &'static str,
     listing: Result<discovery::Listing<T>, E>,
@@ -162,7 +162,7 @@ fn wire(it: &discovery::CanInterface) -> String {
     parts.into_iter().flatten().chain(controller).collect::<Vec<_>>().join(", ")
 }
 
-/// What is known of the controller of a CAN interface.
+/// Returns what is known of the controller of a CAN interface.
 fn controller(link: &discovery::CanLink) -> Vec<String> {
     let rate = |it: discovery::BitTiming| {
         let percent = f64::from(it.sample_point) / 10.0;

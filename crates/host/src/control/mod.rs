@@ -41,5 +41,5 @@ pub use telemetry::{Reply, Request};
 /// The answer to one request: what was done, or in a sentence why nothing was.
 pub type Answer = Result<Reply, String>;
 
-/// What is said of a host that is being prepared, or has ended.
+/// The refusal of a host that is being prepared, or has ended.
 const NOT_RUNNING: &str = "the host is not running yet, or not any more";

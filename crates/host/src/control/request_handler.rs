@@ -131,7 +131,7 @@ impl RequestHandler {
         who: &str,
     ) -> Result<(), String> {
         let mut changes = Vec::new();
-        let mut told = Vec::new();
+        let mut messages = Vec::new();
         for (key, voice) in &voices {
             let index = usize::from(*key);
             let revision = self.run.new_revision();
@@ -144,9 +144,9 @@ impl RequestHandler {
             let source = instrument.or(playing.instruments[index].as_deref());
             let kept = instrument.is_none();
             let origin = Origin { revision, instrument: source, writer: who, kept };
-            told.push(observe::voice(*key, voice, origin));
+            messages.push(observe::voice(*key, voice, origin));
         }
-        self.run.send(changes, told)?;
+        self.run.send(changes, messages)?;
         playing.put_in(voices, instrument);
         Ok(())
     }
@@ -158,7 +158,7 @@ impl RequestHandler {
         Ok(VoiceChange::Replace(built.map_err(|error| error.to_string())?))
     }
 
-    /// Tells those who watch that `who` did something.
+    /// Sends to telemetry that `who` did something.
     fn tell(&self, text: &str, who: &str) {
         let event = Event {
             kind: event::Kind::Change.into(),

@@ -35,7 +35,7 @@ struct TelemetryPort {
     recording: Option<RecordingHandle>,
 }
 
-/// Its voices.
+/// Changes of its voices, and their energy audits.
 impl RunHandle {
     /// Lets changes of voices in.
     pub fn open(&self, swaps: VoiceSwaps) {
@@ -62,21 +62,21 @@ impl RunHandle {
         lock(&self.voices).energy()
     }
 
-    /// Sends `changes` to the voices of their keys, after `told` went to telemetry; all or none.
+    /// Sends `changes` to the voices of their keys, after `messages` to telemetry; all or none.
     ///
     /// # Errors
     /// Why none was taken, in a sentence.
     pub fn send(
         &self,
         changes: Vec<(usize, VoiceChange)>,
-        told: Vec<TelemetryMessage>,
+        messages: Vec<TelemetryMessage>,
     ) -> Result<(), String> {
-        let tell = || told.into_iter().for_each(|it| self.tell(it));
+        let tell = || messages.into_iter().for_each(|it| self.tell(it));
         lock(&self.voices).send(changes, tell)
     }
 }
 
-/// Its keys.
+/// Fingers and lights of its keys.
 impl RunHandle {
     /// Lets boards show their lights.
     pub fn lend_lights(&self, lights: Lights) {
@@ -110,9 +110,9 @@ impl RunHandle {
     }
 }
 
-/// Its telemetry.
+/// Messages to its telemetry thread.
 impl RunHandle {
-    /// Sends what is told from now on to `sender`.
+    /// Sends messages to telemetry by `sender` from now on.
     pub fn connect(&self, sender: mpsc::Sender<TelemetryMessage>) {
         lock(&self.telemetry).sender = Some(sender);
     }

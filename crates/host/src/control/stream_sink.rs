@@ -19,7 +19,7 @@ pub struct StreamSink {
 }
 
 impl StreamSink {
-    /// Sends by `publisher`.
+    /// Returns a sink that sends by `publisher`.
     pub const fn new(publisher: Publisher) -> Self {
         Self { publisher, published: BTreeMap::new(), followings: 0 }
     }

@@ -7,7 +7,7 @@ use telemetry::{Catalogue, Instrument, Model, Parameter};
 use super::model_probe::{modes, signals};
 use scene::{self, LinksConfig, Scene};
 
-/// The catalogue of a host that runs `scene`; when it began is not known yet.
+/// Returns the catalogue of a host that runs `scene`; when it began is not known yet.
 pub fn catalogue(scene: &Scene) -> Catalogue {
     Catalogue {
         version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -43,7 +43,7 @@ fn parameter(it: &models::Parameter) -> Parameter {
     }
 }
 
-/// Every embedded instrument, with its values on every key.
+/// Returns every embedded instrument, with its values on every key.
 fn instruments() -> Vec<Instrument> {
     let keys = || (0..=u8::MAX).take(KEYS);
     scene::Instrument::embedded()

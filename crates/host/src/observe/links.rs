@@ -26,7 +26,7 @@ impl LinksWatch {
         Self { seen, period, links, last }
     }
 
-    /// All of them as they were seen last.
+    /// Returns all of them as they were seen last.
     pub const fn links(&self) -> &Links {
         &self.links
     }
@@ -84,7 +84,7 @@ impl LinksWatch {
     }
 }
 
-/// Whether a state is another than before, and not the first.
+/// Returns whether a state is another than before, and not the first.
 fn news(before: &str, now: &str) -> bool {
     !before.is_empty() && before != now
 }
@@ -102,7 +102,7 @@ mod tests {
     use rtrb::{Producer, RingBuffer};
     use telemetry::{Board, Line};
 
-    /// One line with one board, in ticks of a millisecond.
+    /// Returns one line with one board, in ticks of a millisecond.
     fn watch() -> (Producer<LinkSample>, LinksWatch) {
         let (told, seen) = RingBuffer::new(16);
         let line = Line { name: "can0".into(), planned: 0.25, seen: f64::NAN, ..Line::default() };

@@ -39,7 +39,7 @@ impl LogSink {
         Self { line, limit, changed, since: 0, is_naming: false }
     }
 
-    /// The same, which names each board once; those that are simulated need it not.
+    /// Returns the same, which names each board once; those that are simulated need it not.
     #[must_use]
     pub fn naming_boards(mut self) -> Self {
         self.is_naming = true;
@@ -156,7 +156,7 @@ impl Drop for LogSink {
     }
 }
 
-/// A key's name.
+/// Returns a key's name.
 fn key(number: u32) -> String {
     let key = u8::try_from(number).ok().and_then(KeyIndex::new);
     key.map_or_else(|| format!("key {number}"), |key| KeyName(key).to_string())
@@ -201,7 +201,7 @@ struct LogWindow {
 }
 
 impl RateLimit {
-    /// Whether one more line may be written at `now` (ns).
+    /// Returns whether one more line may be written at `now` (ns).
     fn has_room(&mut self, now: u64, subject: Subject) -> bool {
         let fresh = LogWindow { began: now, written: 0, held: 0 };
         let span = self.0.entry(subject).or_insert(fresh);

@@ -1,14 +1,14 @@
-//! What is observed, from the tick's rings to whoever wants it.
+//! Telemetry: from the tick's rings to messages, and from messages to sinks.
 //!
 //! ```text
-//! tick ─ Tap ─rings─▶ Pump ─▶ blocks, overview, events, ticks ─▶ sinks: stream, recording, black box, log
-//! loop ─ Pulses ─ring─▶ ┘
-//! keys ─ Lookout ─ring─▶ ┤
-//! desk, control ─channel─▶ ┘
+//! tick ─ TickRecorder ─rings─▶ TelemetryThread ─▶ blocks, overview, events, ticks ─▶ sinks: stream,
+//! loop ─ Pulses ─ring─────────▶┤                                       recording, black box, log
+//! keys ─ LinkMonitor ─ring────▶┤
+//! MIDI, control ─channel──────▶┘
 //! ```
 //!
-//! The pump has a thread of its own, is waited for by nobody, and says nothing that the rings
-//! have not told: what found no room in them is counted.
+//! No other thread waits for the telemetry thread; rows that find no room in the rings are
+//! counted, and are not in the messages.
 
 mod block;
 mod catalogue;
@@ -35,7 +35,7 @@ pub use record::{BlackBoxSink, RecordingHandle};
 pub use telemetry_thread::{Attention, MessageSink, TelemetryMessage, TelemetryThread};
 pub use voice::{Origin, instrument_of, voice};
 
-/// A name for what this process records: when, and by whom.
+/// Returns a name for recordings of this process: its time and number.
 fn run_id() -> String {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     format!("{}-{}", now.map_or(0, |it| it.as_secs()), std::process::id())

@@ -1,4 +1,4 @@
-//! Sinks that keep what they are given: a recording, and the black box.
+//! Sinks that keep messages: a recording, and the black box.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,7 +12,7 @@ use telemetry::{Topic, Update};
 use super::telemetry_thread::{Attention, MessageSink};
 use crate::report::RecordingReport;
 
-/// A recording that goes on elsewhere.
+/// A recording that a sink writes.
 #[derive(Clone, Debug)]
 pub struct RecordingHandle {
     report: Arc<Mutex<RecordingReport>>,
@@ -38,7 +38,7 @@ impl RecordingHandle {
         self.stop.store(true, Ordering::Release);
     }
 
-    /// What became of it so far.
+    /// Returns what became of it so far.
     pub fn report(&self) -> RecordingReport {
         self.report.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
@@ -106,7 +106,7 @@ impl Drop for RecordSink {
     }
 }
 
-/// What the black box keeps.
+/// The time that the black box keeps.
 const KEPT: Duration = Duration::from_secs(30);
 
 /// Most memory of the black box (bytes).
@@ -115,7 +115,7 @@ const MOST_BYTES: usize = 64 << 20;
 /// How long after a fault it is written, so that what followed is in it (ns).
 const AFTER: u64 = 2_000_000_000;
 
-/// Boxes that one run writes at most: a fault that comes again tells nothing new.
+/// Boxes that one run writes at most: a fault that comes again is the same.
 const MOST_BOXES: u32 = 5;
 
 /// Keeps the last seconds, and writes them down when a voice fails.

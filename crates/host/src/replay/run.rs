@@ -183,7 +183,7 @@ impl Replay {
             Box::default(),
             period.as_secs_f64(),
         );
-        let output = Box::new(MonitoredOutput { output: nowhere(), told: told.clone() });
+        let output = Box::new(MonitoredOutput { output: nowhere(), sender: told.clone() });
         let desk = MidiDispatcher::new(events, output, scene.midi.curve);
         Ok(Box::new(Self {
             scheduler: scheduler(timetable, scene.render.slew_limit),
@@ -192,7 +192,7 @@ impl Replay {
             bus: ReplayBus { samples: [KeySample::default(); KEYS] },
             lanes: ReplayLanes::new(scene.clone()),
             scene,
-            watchers: Watchers { publisher, tap },
+            watchers: Watchers { publisher, recorder: tap },
             pump,
             desk,
             told,

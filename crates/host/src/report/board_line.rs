@@ -1,4 +1,4 @@
-//! What a report says of one board.
+//! The part of a report about one board.
 
 use std::fmt;
 
@@ -135,7 +135,7 @@ impl BoardLine {
     }
 }
 
-/// How far a board has been brought up, in words.
+/// Returns how far a board has been brought up, in words.
 pub(crate) fn stage_words(stage: ArmState) -> String {
     match stage {
         ArmState::Armed => "armed".into(),
@@ -148,7 +148,7 @@ pub(crate) fn stage_words(stage: ArmState) -> String {
     }
 }
 
-/// Why a board may not be armed, in words.
+/// Returns why a board may not be armed, in words.
 fn bar_words(bar: ArmLockout) -> String {
     match bar {
         ArmLockout::Latched(reason) => reason_words(reason).into(),
@@ -167,7 +167,7 @@ fn bar_words(bar: ArmLockout) -> String {
     }
 }
 
-/// The keys of a board from `first_key` on that were muted.
+/// Returns the keys of a board from `first_key` on that were muted.
 pub(crate) fn muted_keys(first_key: u8, muted: &[Option<Implausible>; MOST_KEYS]) -> Vec<MutedKey> {
     let keys = (first_key..).map_while(KeyIndex::new).zip(muted);
     let key = |(key, muted): (KeyIndex, &Option<Implausible>)| {
@@ -213,7 +213,7 @@ pub(super) fn fmt_table(boards: &[BoardLine], f: &mut fmt::Formatter<'_>) -> fmt
 }
 
 impl BoardLine {
-    /// What is wrong with it in the end, a sentence on each.
+    /// Returns what is wrong with it in the end, a sentence on each.
     pub fn troubles(&self) -> Vec<String> {
         let name = format!("board {} on {}", self.number, self.link);
         let state = (self.state != "armed").then(|| format!("{name}: {}", self.state));
@@ -222,7 +222,7 @@ impl BoardLine {
         state.into_iter().chain(never).chain(muted).collect()
     }
 
-    /// Whether no sample of it came in the run.
+    /// Returns whether no sample of it came in the run.
     pub fn was_never_heard(&self) -> bool {
         self.samples_hz <= 0.0
     }

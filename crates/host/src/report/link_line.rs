@@ -1,4 +1,4 @@
-//! What a report says of one link.
+//! The part of a report about one link.
 
 use std::fmt;
 
@@ -80,7 +80,7 @@ impl LinkLine {
     }
 }
 
-/// What a line's controller does, in a word.
+/// Returns what a line's controller does, in a word.
 pub(crate) const fn wire_words(state: WireState) -> &'static str {
     match state {
         WireState::Active => "active",

@@ -1,4 +1,4 @@
-//! What a run reports when it is over, for people and for programs.
+//! The report of a run, for people and for programs.
 
 use std::fmt;
 
@@ -79,14 +79,14 @@ pub struct RecordingReport {
 }
 
 impl RunReport {
-    /// What is wrong with boards when all is over, a sentence on each; nothing after
+    /// Returns what is wrong with boards when all is over, a sentence on each; nothing after
     /// `letoff stop`, which is why they render no force then.
     pub fn board_troubles(&self) -> Vec<String> {
         let boards = self.boards.iter().filter(|_| !self.stopped);
         boards.flat_map(BoardLine::troubles).collect()
     }
 
-    /// Whether a board that was armed for this run never took part in it.
+    /// Returns whether a board that was armed for this run never took part in it.
     pub fn misses_a_board(&self) -> bool {
         0 < self.ticks && self.boards.iter().any(BoardLine::was_never_heard)
     }
@@ -152,7 +152,7 @@ pub struct NoteReport {
     pub struck: usize,
     /// Notes asked for and not struck.
     pub missed: usize,
-    /// Strikes that nobody asked for.
+    /// Strikes that the piece does not have.
     pub extra: usize,
     /// |struck − wanted| (ms).
     pub onset_error_ms: ErrorQuantiles,

@@ -106,7 +106,7 @@ pub enum SessionError {
     Panicked(&'static str),
 }
 
-/// What the command line says beyond the scene.
+/// Options of the command line beyond the scene.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RunOptions {
     /// Length of the run (s); to the end of the performance without.
@@ -126,9 +126,9 @@ const MOST_LANES: usize = 16;
 
 /// Everything of one run, connected and at rest.
 pub struct RunSession {
-    stage: Box<PreparedRun>,
-    bed: KeySource,
-    desk: Box<MidiDispatcher>,
+    prepared: Box<PreparedRun>,
+    keys: KeySource,
+    dispatcher: Box<MidiDispatcher>,
     observed: ObservedOutputs,
 }
 
@@ -153,7 +153,7 @@ struct PreparedRun {
 
 impl std::fmt::Debug for RunSession {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Session").field("scene", &self.stage.name).finish_non_exhaustive()
+        f.debug_struct("Session").field("scene", &self.prepared.name).finish_non_exhaustive()
     }
 }
 
@@ -170,8 +170,8 @@ impl RunSession {
         Self::prepare_behind(Arc::default(), scene, options, progress)
     }
 
-    /// The same, behind a `handle` by which it is stopped, and by which others reach it once it
-    /// runs.
+    /// Returns the same, behind a `handle` by which it is stopped, and by which others reach it
+    /// once it runs.
     ///
     /// # Errors
     /// As [`Self::prepare`].
@@ -183,20 +183,20 @@ impl RunSession {
     ) -> Result<Self, SessionError> {
         let builder = VoiceBuilder::new(scene)?;
         let period = builder.period().as_secs_f64();
-        // What is missing is said before anybody rehearses.
-        let mut bed = lay(scene, &builder, options)?;
-        if scene.performance.is_some() && !bed.has_fingers() {
+        // Missing boards are reported before the rehearsal.
+        let mut keys = key_source(scene, &builder, options)?;
+        if scene.performance.is_some() && !keys.has_fingers() {
             return Err(SessionError::NoFingers);
         }
-        let performance = pianist::rehearse(scene, &builder, &bed, options.duration, progress)?;
+        let performance = pianist::rehearse(scene, &builder, &keys, options.duration, progress)?;
         let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
         if options.virtual_time && seconds.is_none() {
             return Err(SessionError::Endless);
         }
         if let Some(performance) = &performance {
-            bed.seat(performance);
+            keys.load_gestures(performance);
         }
-        let (tap, observed) = observed::connect(scene, period, &handle)?;
+        let (recorder, observed) = observed::connect(scene, period, &handle)?;
         let mut voices = Vec::new();
         for (key, voice) in builder.keys() {
             let revision = handle.new_revision();
@@ -206,8 +206,8 @@ impl RunSession {
         }
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi)?;
-        let output = Box::new(MonitoredOutput { output, told: observed.teller() });
-        let desk = Box::new(MidiDispatcher::new(consumer, output, scene.midi.curve));
+        let output = Box::new(MonitoredOutput { output, sender: observed.sender() });
+        let dispatcher = Box::new(MidiDispatcher::new(consumer, output, scene.midi.curve));
         let (bell, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
         let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
         for pedal in &pedals {
@@ -221,7 +221,7 @@ impl RunSession {
             pedals.into(),
             period,
         );
-        let stage = PreparedRun {
+        let prepared = PreparedRun {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
             slew_limit: scene.render.slew_limit,
@@ -231,54 +231,54 @@ impl RunSession {
             virtual_time: options.virtual_time,
             voices,
             performance,
-            watchers: Watchers { publisher, tap },
+            watchers: Watchers { publisher, recorder },
             midi,
             bell,
             counters,
             handle,
         };
-        Ok(Self { stage: Box::new(stage), bed, desk, observed })
+        Ok(Self { prepared: Box::new(prepared), keys, dispatcher, observed })
     }
 
     /// Ticks that the run will take; `None` until it is stopped.
     pub const fn ticks(&self) -> Option<u64> {
-        self.stage.ticks
+        self.prepared.ticks
     }
 
-    /// Keys with a voice.
+    /// Returns the keys with a voice.
     pub const fn n_voices(&self) -> usize {
-        self.stage.n_voices
+        self.prepared.n_voices
     }
 
-    /// Where notes go, or why they go nowhere, in words.
+    /// Returns the MIDI output in words, or why there is none.
     pub fn midi(&self) -> String {
-        let MidiReport { output, trouble, .. } = &self.stage.midi;
+        let MidiReport { output, trouble, .. } = &self.prepared.midi;
         trouble.as_ref().map_or_else(|| output.clone(), |why| format!("none, since {why}"))
     }
 
-    /// Ticks per second.
+    /// Returns the rate of the tick (Hz).
     pub const fn tick_hz(&self) -> u32 {
-        self.stage.tick_hz
+        self.prepared.tick_hz
     }
 
-    /// What may be looked at while it runs.
+    /// Returns the counters that are read while it runs.
     pub fn counters(&self) -> Arc<LiveCounters> {
-        Arc::clone(&self.stage.counters)
+        Arc::clone(&self.prepared.counters)
     }
 
-    /// The way into its lanes, once it runs in real time.
+    /// Returns the way into its lanes, once it runs in real time.
     pub fn handle(&self) -> Arc<RunHandle> {
-        Arc::clone(&self.stage.handle)
+        Arc::clone(&self.prepared.handle)
     }
 
-    /// What is to be said of its keys before it runs, a sentence on each.
+    /// Returns notices about its keys before it runs, a sentence on each.
     pub fn notices(&self) -> Vec<String> {
-        self.bed.notices()
+        self.keys.notices()
     }
 
-    /// Who hears of everything that the run does, from before its first tick on.
+    /// Sends all telemetry of the run to `sink`, from before its first tick on.
     pub fn observe(&self, sink: Box<dyn MessageSink>) {
-        self.stage.handle.tell(TelemetryMessage::Sink(sink));
+        self.prepared.handle.tell(TelemetryMessage::Sink(sink));
     }
 
     /// Runs until the end or until `stop`, and reports.
@@ -286,17 +286,17 @@ impl RunSession {
     /// # Errors
     /// If the system refuses threads, or one of ours panics.
     pub fn run(self, stop: &AtomicBool) -> Result<RunReport, SessionError> {
-        let Self { stage, bed, desk, observed } = self;
-        if stage.virtual_time {
-            virtual_run::run(*stage, bed, *desk, observed, stop)
+        let Self { prepared, keys, dispatcher, observed } = self;
+        if prepared.virtual_time {
+            virtual_run::run(*prepared, keys, *dispatcher, observed, stop)
         } else {
-            real::run(stage, bed, desk, observed, stop)
+            real::run(prepared, keys, dispatcher, observed, stop)
         }
     }
 }
 
 impl PreparedRun {
-    /// The timetable, with tick 0 due at time 0.
+    /// Returns the timetable, with tick 0 due at time 0.
     fn timetable(&self) -> Result<Timetable, SessionError> {
         let period =
             scheduler::time::Period::from_hz(self.tick_hz).ok_or(BuildError::Rate(self.tick_hz))?;
@@ -359,7 +359,7 @@ impl PreparedRun {
     }
 }
 
-/// How many threads share the tick.
+/// Returns how many threads share the tick.
 fn lanes(lanes: LaneCount) -> NonZeroUsize {
     match lanes {
         LaneCount::Count(count) => NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN),
@@ -370,7 +370,7 @@ fn lanes(lanes: LaneCount) -> NonZeroUsize {
     }
 }
 
-/// How the notes came out that the piece asks for before the run's end.
+/// Returns how the notes came out that the piece asks for before the run's end.
 fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteReport {
     // A note wanted within a matching window of the end may rightly be struck after it.
     let heard = duration - performance::WINDOW;
@@ -380,8 +380,8 @@ fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteRep
     NoteReport::from(&assess(&expected, &struck))
 }
 
-/// The keys of a scene: simulated, or on boards that were found.
-fn lay(
+/// Returns the keys of a scene: simulated, or on boards that were found.
+fn key_source(
     scene: &Scene,
     builder: &VoiceBuilder<'_>,
     options: RunOptions,
@@ -397,7 +397,7 @@ fn lay(
     }
 }
 
-/// Every key's index; there are as many as the protocol has.
+/// Returns every key's index; there are as many as the protocol has.
 fn all_keys() -> impl Iterator<Item = KeyIndex> {
     (0..=u8::MAX).map_while(KeyIndex::new)
 }

@@ -20,7 +20,7 @@ pub(super) struct Listed {
 }
 
 impl Listed {
-    /// Its number and keys, if both are right.
+    /// Returns its number and keys, if both are right.
     pub(super) fn checked(&self) -> Option<(u8, BoardKeys)> {
         let ((number, _), (keys, _)) = (self.number?, self.keys?);
         let n = u8::try_from(keys.numbers().len()).unwrap_or(u8::MAX);
@@ -51,7 +51,7 @@ fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Listed {
     Listed { place: reader.place, number, keys }
 }
 
-/// The keys of a board, if it can have so many.
+/// Returns the keys of a board, if it can have so many.
 fn read_keys(report: &mut MistakeList<'_>, text: &str, place: Location) -> Option<KeyRange> {
     match KeyRange::parse(text) {
         Ok(keys) if keys.numbers().len() <= MOST_KEYS => Some(keys),

@@ -1,4 +1,4 @@
-//! How others reach a running command: the control socket, and the stream.
+//! The endpoints of a running command: the control socket and the stream.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -13,9 +13,9 @@ use host::control::{
 use host::session::RunSession;
 use scene::{LinksConfig, Scene};
 
-/// How others reach a running command.
+/// The control socket and the stream of a running command.
 #[derive(Debug, Default)]
-pub(super) struct Reach {
+pub(super) struct Endpoints {
     clients: Clients,
     stream: Option<ServedStream>,
 }
@@ -25,12 +25,12 @@ pub(super) struct Reach {
 struct ServedStream {
     publisher: Publisher,
     closer: Closer,
-    /// Where, in a sentence.
+    /// Its address, in a sentence.
     news: String,
     serving: JoinHandle<std::io::Result<()>>,
 }
 
-impl Reach {
+impl Endpoints {
     /// Listens for requests to a host that will run `scene`, before anything is rehearsed.
     ///
     /// # Errors
@@ -47,14 +47,14 @@ impl Reach {
         Ok(Self { clients: listen(requests), stream })
     }
 
-    /// Lets those who follow the stream see what `session` does.
+    /// Streams the telemetry of `session`.
     pub(super) fn observe(&self, session: &RunSession) {
         if let Some(stream) = &self.stream {
             session.observe(Box::new(StreamSink::new(stream.publisher.clone())));
         }
     }
 
-    /// What is said when the run has begun.
+    /// Returns the messages at the beginning of the run.
     pub(super) fn news(&self, scene: &Scene, session: &RunSession) -> Vec<String> {
         let (name, hz, n_voices) = (&scene.name, session.tick_hz(), session.n_voices());
         let keys = match &scene.links {
@@ -67,8 +67,8 @@ impl Reach {
         [Some(plays), streams].into_iter().flatten().collect()
     }
 
-    /// Waits until everybody has their answer, tells those who follow the stream `why` it is over,
-    /// and ends it.
+    /// Waits until all clients have their answer, tells clients of the stream `why` it is over, and
+    /// closes it.
     pub(super) async fn leave(self, why: &str) {
         /// Longer than a stream takes to close.
         const GRACE: Duration = Duration::from_secs(4);
@@ -82,7 +82,7 @@ impl Reach {
     }
 }
 
-/// Lets `answers` answer at this user's control socket; says so where that cannot be.
+/// Serves this user's control socket by `answers`; says so where that cannot be.
 pub(super) fn listen<A: Answers>(answers: Arc<A>) -> Clients {
     let clients = Clients::default();
     let path = socket_path();
@@ -101,7 +101,7 @@ pub(super) fn listen<A: Answers>(answers: Arc<A>) -> Clients {
     clients
 }
 
-/// Streams to dashboards and viewers, and hears what they ask.
+/// Serves the stream, if its port is free.
 fn stream(
     wanted: streaming::WantedStream,
     requests: &Arc<RequestHandler>,
