@@ -1,6 +1,6 @@
-//! What several commands take, and how it is read.
+//! Arguments of several commands.
 
-/// What `--link` takes.
+/// The help of `--link`.
 pub(super) const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
                                can:INTERFACE or classic-can:INTERFACE; once for each";
 

@@ -26,7 +26,7 @@ use host::simulated::{
 use keyboard::KeyRange;
 use realtime::clock;
 
-/// How often a simulated board works out its motors' forces (s).
+/// Period of a simulated board's control of its motors (s).
 const LAW_PERIOD: f64 = 100e-6;
 
 /// What `letoff board` takes.
@@ -234,7 +234,7 @@ fn link_names(boards: &[BoardProcess], folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Where a board is, for a program.
+/// A board's address, as JSON.
 #[derive(Serialize)]
 struct Whereabouts<'a> {
     number: u8,
@@ -267,7 +267,7 @@ fn introduce(
     Ok(out.flush()?)
 }
 
-/// What became of the boards, as a table.
+/// The reports of the boards, as a table.
 struct BoardTable<'a>(&'a [ExitReport]);
 
 impl fmt::Display for BoardTable<'_> {

@@ -39,7 +39,7 @@ pub struct DashArgs {
 /// The name of the window's program.
 const PROGRAM: &str = "letoff-dashboard";
 
-/// How long a host may take until it runs: it may have a piece to rehearse.
+/// Longest time until a host runs: it may have a piece to rehearse.
 const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Time between two looks whether it does.
@@ -52,7 +52,7 @@ struct DashTarget {
     target: String,
     /// The token for the host.
     token: Option<String>,
-    /// What its certificate must be.
+    /// The fingerprint of its certificate.
     fingerprint: Option<String>,
 }
 
@@ -137,7 +137,7 @@ impl DashTarget {
     }
 }
 
-/// Why there is no stream.
+/// The reason why there is no stream.
 enum Absent {
     /// No host runs here.
     Nobody(String),

@@ -76,7 +76,7 @@ pub enum Command {
     Lab(studies::LabArgs),
 }
 
-/// How a command ended, other than well.
+/// The failure of a command.
 #[derive(Debug)]
 pub enum Failure {
     /// Something failed while running: exit code 1.

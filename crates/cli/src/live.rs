@@ -41,7 +41,7 @@ pub(super) struct StatusLine {
 }
 
 impl StatusLine {
-    /// For a run of `ticks` at `tick_hz`; without an end it shows no bar.
+    /// Returns the line of a run of `ticks` at `tick_hz`; without an end it shows no bar.
     pub(super) fn new(tick_hz: u32, ticks: Option<u64>) -> Self {
         let bar = ticks.map_or_else(ProgressBar::no_length, ProgressBar::new);
         let template = if ticks.is_some() { "{wide_bar} {msg}" } else { "{spinner} {msg}" };

@@ -44,14 +44,14 @@ pub struct StreamArgs {
     pub instruments: Option<PathBuf>,
 }
 
-/// What Foxglove's own viewers look for first.
+/// The address that Foxglove's own viewers try first.
 const DEFAULT: &str = "127.0.0.1:8765";
 
 /// The stream that the options ask for.
 #[derive(Debug)]
 pub(super) struct WantedStream {
     settings: ServerSettings,
-    /// Where clients may name files.
+    /// The folders in which clients may name files.
     pub(super) folders: Folders,
     /// It is the default, and not asked for by an option.
     is_usual: bool,

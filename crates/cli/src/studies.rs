@@ -72,7 +72,7 @@ Exit codes: 0 done; 1 a file could not be written; 2 wrong usage or file.",
     )
 }
 
-/// Does a study.
+/// Runs a study and writes its report.
 pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match &args.study {
         StudyCommand::Accuracy(args) => accuracy(args, out),

@@ -1,4 +1,4 @@
-//! Which scene is meant, with what the command line puts in its place.
+//! The scene of a command, with the overrides of the command line.
 
 use clap::Args;
 use hardware::link::address::Address;

@@ -13,7 +13,7 @@ use super::tell;
 /// Longest file (bytes).
 const LONGEST: u64 = 1 << 16;
 
-/// Of a file's mode: others may read, or write.
+/// The bits of a file's mode by which others may read or write.
 const OTHERS: u32 = 0o006;
 
 /// Most mistakes that one message names.

@@ -17,7 +17,8 @@ use realtime::wake_fd::WakeFd;
 /// Longest wait without a bell: ports that vanished are looked for this often.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Below the tick, above the rest: a late note is heard, a late force is felt.
+/// The priority of MIDI: below the tick, above the rest, since a late force is worse than a late
+/// note.
 const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
 
 /// An output of any kind.
@@ -43,7 +44,7 @@ pub struct PlaybackSummary {
     pub struck: Vec<Struck>,
     /// The first error of the output.
     pub trouble: Option<String>,
-    /// How many messages could not be sent.
+    /// The number of messages that could not be sent.
     pub n_troubles: u64,
     /// Strikes: handed over − happened (ns), in real time.
     pub handover: Option<Histogram<u64>>,

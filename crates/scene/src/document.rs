@@ -30,7 +30,7 @@ pub(super) enum TomlValue {
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct DocumentEntry {
     pub(super) name: String,
-    /// Where the name stands.
+    /// The place of the name.
     pub(super) place: Location,
     pub(super) node: Node,
 }

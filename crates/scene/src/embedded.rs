@@ -3,7 +3,7 @@
 /// Embedded TOML files of one kind.
 #[derive(Debug)]
 pub(super) struct EmbeddedFiles {
-    /// What they are, in the singular.
+    /// Their kind, in the singular.
     pub(super) what: &'static str,
     files: &'static [(&'static str, &'static str)],
 }
@@ -28,13 +28,13 @@ macro_rules! configs {
     };
 }
 
-/// The scenes.
+/// The embedded scenes.
 pub(super) const SCENES: EmbeddedFiles = EmbeddedFiles {
     what: "scene",
     files: configs!(include_str, "scenes", ".toml": "default", "bach", "paper", "mixed", "fast"),
 };
 
-/// The instruments.
+/// The embedded instruments.
 pub(super) const INSTRUMENTS: EmbeddedFiles = EmbeddedFiles {
     what: "instrument",
     files: configs!(

@@ -21,11 +21,11 @@ use diagnostics::Diagnostics;
 pub struct Instrument {
     /// The name in scenes and on the command line.
     pub name: String,
-    /// What it is, in a few words.
+    /// A description in a few words.
     pub title: String,
     /// A description of a sentence or two; may be empty.
     pub doc: String,
-    /// What a scene must have for it to be stable.
+    /// The settings with which it is stable.
     pub needs: Needs,
     pub(super) voicing: Voicing,
 }
@@ -122,13 +122,13 @@ pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<&'
 pub struct InstrumentInfo {
     /// Its name in scenes.
     pub name: String,
-    /// What it is, in a few words.
+    /// A description in a few words.
     pub title: String,
     /// Name of its model.
     pub model: &'static str,
     /// Name of its preset.
     pub preset: &'static str,
-    /// What a scene must have for it to be stable.
+    /// The settings with which it is stable.
     pub needs: Option<String>,
 }
 

@@ -44,7 +44,7 @@ pub fn check_file(path: &Path) -> Result<FileKind, Diagnostics> {
     check(&SourceText::read(path)?)
 }
 
-/// As [`check_file`], of a text that was read.
+/// Checks a text as [`check_file`] does.
 pub(super) fn check(source: &SourceText) -> Result<FileKind, Diagnostics> {
     let kind = kind_of(source)?;
     match kind {

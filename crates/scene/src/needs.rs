@@ -16,7 +16,7 @@ use super::setting::TableSetting as _;
 /// scene that is known to end so is refused beforehand.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Needs {
-    /// Why it is for `letoff simulate` only, if it is.
+    /// The reason why it is for `letoff simulate` only, if it is.
     offline: Option<String>,
     /// Rates and estimators with which it is stable, if not with all.
     stable: Vec<Stable>,

@@ -1,6 +1,6 @@
 //! Numbers with a unit: plain SI, or text such as `"0.5 ms"`.
 
-/// What a number must be.
+/// The unit and the range of a number.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Quantity {
     /// SI unit; `"1"` for a ratio.
@@ -30,7 +30,7 @@ impl Quantity {
     }
 }
 
-/// Why text is not the quantity that was asked for.
+/// The reason why text is not the quantity that is wanted.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum QuantityError {
     /// It does not begin with a number.

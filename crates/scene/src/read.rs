@@ -9,14 +9,14 @@ use diagnostics::{choice, quoted};
 #[derive(Debug)]
 pub(super) struct TableReader<'a> {
     entries: &'a [DocumentEntry],
-    /// Where the table stands.
+    /// The place of the table.
     pub(super) place: Location,
     /// Every name that was asked for.
     known: Vec<&'static str>,
 }
 
 impl<'a> TableReader<'a> {
-    /// Of `node`, called `name`; reports what is not a table.
+    /// Returns a reader of `node`, called `name`; reports what is not a table.
     pub(super) fn new(report: &mut MistakeList<'_>, name: &str, node: &'a Node) -> Option<Self> {
         let Some(entries) = node.entries() else {
             let help = match node.place {

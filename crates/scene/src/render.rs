@@ -1,4 +1,4 @@
-//! `[render]`: how a voice is computed, and what the finger may feel at most.
+//! `[render]`: the settings by which a voice is computed, and the limits of its force.
 
 use haptics::Kalman;
 use pode::input::Reconstruction as Samples;
@@ -22,7 +22,7 @@ const ERROR_BUDGET: Quantity = Quantity { unit: "1", range: (1e-9, 0.1) };
 /// A bracket of half a tick locates nothing; below 1e-15 the fraction has no digits left.
 const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
 
-/// From a key that hardly moves to one that is hammered.
+/// The range from a key that hardly moves to one that is hammered.
 pub(super) const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1e-3, 1e12) };
 
 /// A finger holds about 100 N for a moment, and no keyboard needs it to.
@@ -66,7 +66,7 @@ pub(super) const RECONSTRUCTIONS: NamedValues<InputReconstruction> = NamedValues
 /// its defaults, its reader and its writer.
 macro_rules! render {
     ($($(#[$doc:meta])* $name:ident: $type:ty = $default:expr, $how:expr;)+) => {
-        /// How a voice is computed, and what the finger may feel at most.
+        /// The settings by which a voice is computed, and the limits of its force.
         #[derive(Clone, Copy, PartialEq, Debug)]
         pub struct Render {
             $($(#[$doc])* pub $name: $type,)+
@@ -104,12 +104,12 @@ render! {
     longest_step: f64 = 1e-3, LONGEST_STEP;
     /// Width to which an event is located, as a fraction of the tick.
     event_tolerance: f64 = Limits::default().event_tolerance, EVENT_TOLERANCE;
-    /// What makes a motion of encoder counts.
+    /// The estimator of motion from encoder counts.
     estimator: EstimatorName = EstimatorName::Kalman, ESTIMATORS;
     /// Power density of the jerk that the Kalman filter reckons with (m²/s⁵): the smaller,
     /// the smoother and slower. Rigid models need it small, see key_hammer_rigid's README.
     jerk_density: f64 = Kalman::KEY_JERK_DENSITY, JERK_DENSITY;
-    /// How that motion goes on over the tick.
+    /// The continuation of that motion over the tick.
     reconstruction: InputReconstruction = InputReconstruction::Estimate, RECONSTRUCTIONS;
     /// Largest force (N).
     force_limit: f64 = 25.0, FORCE_LIMIT;
@@ -139,12 +139,12 @@ impl EstimatorName {
     }
 }
 
-/// How the key's motion goes on between two samples.
+/// The continuation of the key's motion between two samples.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum InputReconstruction {
     /// The estimate goes on ballistically.
     Estimate,
-    /// From the samples alone.
+    /// The samples alone are interpolated.
     Samples(Samples),
 }
 

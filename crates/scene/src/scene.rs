@@ -28,20 +28,20 @@ const LANES: Quantity = Quantity { unit: "1", range: (1.0, 16.0) };
 pub struct Scene {
     /// The embedded scene's name, or the file's without its ending.
     pub name: String,
-    /// What it is, in a few words.
+    /// A description in a few words.
     pub title: String,
     /// Ticks in a second, 100 ..= 10000 (Hz).
     pub tick_hz: u32,
     /// Threads of the tick.
     pub lanes: LaneCount,
-    /// How a voice is computed.
+    /// The settings by which voices are computed.
     pub render: Render,
-    /// What each of the 88 keys is; none where it is silent.
+    /// The voice of each of the 88 keys; none where it is silent.
     pub keys: Vec<Option<KeyVoice>>,
     /// The links to the keys.
     pub links: LinksConfig,
     pub midi: Midi,
-    /// What the virtual pianist plays, if there is one.
+    /// The piece of the virtual pianist, if there is one.
     pub performance: Option<PerformanceSource>,
 }
 
@@ -50,7 +50,7 @@ pub struct Scene {
 pub enum LaneCount {
     /// One for each processor, at most 16.
     Auto,
-    /// So many, 1 ..= 16.
+    /// A fixed number, 1 ..= 16.
     Count(usize),
 }
 
@@ -59,7 +59,7 @@ pub enum LaneCount {
 pub struct Midi {
     /// The port or file.
     pub output: MidiOutput,
-    /// How a hammer speed becomes a velocity.
+    /// The curve from hammer speeds to velocities.
     pub curve: VelocityCurve,
 }
 

@@ -1,4 +1,4 @@
-//! How a value of a table is read and written: a number of some unit, or one of several names.
+//! Reading and writing of a value of a table: a number of some unit, or one of several names.
 
 use toml_edit::Value;
 
@@ -38,7 +38,7 @@ impl TableSetting<f64> for Quantity {
 /// One of several values that have names.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NamedValues<T: 'static> {
-    /// What is said before a name that none of them has, as "there is no stepper".
+    /// The message before an unknown name, as "there is no stepper".
     pub(super) refusal: &'static str,
     /// Returns every value with its name.
     pub(super) all: fn() -> Vec<(&'static str, T)>,

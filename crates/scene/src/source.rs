@@ -17,7 +17,7 @@ pub(super) struct SourceText {
     pub(super) file: String,
     /// Its name in lists: the file's, without the ending.
     pub(super) name: String,
-    /// What relative paths in it are relative to.
+    /// The folder to which relative paths in it are relative.
     pub(super) folder: PathBuf,
     pub(super) text: String,
 }
@@ -27,7 +27,7 @@ pub(super) struct SourceText {
 pub struct Override {
     pub name: String,
     pub value: String,
-    /// What was typed for it, as `--link can:can0`.
+    /// Its form on the command line, as `--link can:can0`.
     pub typed: String,
 }
 
@@ -104,7 +104,7 @@ impl SourceText {
     }
 }
 
-/// Why there is no [`SourceText`].
+/// The reason why there is no [`SourceText`].
 #[derive(Debug)]
 pub(super) enum SourceError {
     /// There is no such thing: what is wrong, and what to do.

@@ -36,7 +36,7 @@ impl Graded {
 pub(super) struct Voicing {
     pub(super) model: &'static ModelEntry,
     pub(super) preset: &'static Preset,
-    /// What differs from the preset, by parameter.
+    /// The values that differ from the preset, by parameter.
     changed: Vec<Option<Graded>>,
 }
 

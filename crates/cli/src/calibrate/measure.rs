@@ -15,7 +15,7 @@ use crate::live;
 /// Times that a key is measured again which was interrupted.
 const TRIES: usize = 3;
 
-/// Why there is nothing of one key.
+/// The reason why a key has no measurement.
 enum KeyFailure {
     Fault(CalibrationFault),
     Stopped,

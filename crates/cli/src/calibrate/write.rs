@@ -40,7 +40,7 @@ pub(super) struct MeasuredKeyRow {
 pub(super) enum MeasureOutcome {
     /// All of them, in the order of slots.
     All(Vec<(KeyIndex, KeyCalibration)>),
-    /// Why some of them could not be measured, of so many.
+    /// The faults of keys that could not be measured, and the number of all keys.
     Faults(Vec<Refusal>, usize),
     /// The measurements were stopped.
     Stopped,

@@ -19,7 +19,7 @@ use crate::{Failure, print_json};
 use host::boards::{folder, now_us, open};
 use scene::{BoardBus, Boards};
 
-/// How long the boards of one link may take to answer (us).
+/// Longest time for the boards of one link to answer (us).
 const PATIENCE_US: u64 = 2_500_000;
 /// Lines of a log that are read at most.
 const MOST_LINES: u16 = 1_000;
@@ -29,7 +29,7 @@ const MOST_LINES: u16 = 1_000;
 struct OnLink {
     link: String,
     boards: Vec<BoardRow>,
-    /// Why it, or a board on it, cannot be used, a sentence each.
+    /// The reasons why it, or a board on it, cannot be used, a sentence each.
     refusals: Vec<String>,
 }
 
@@ -49,10 +49,10 @@ struct BoardRow {
     max_force_n: f64,
     features: Vec<&'static str>,
     reset_reason: u8,
-    /// Why it renders no force.
+    /// The reason why it renders no force.
     safe_reason: &'static str,
     config_crc: String,
-    /// Where its calibration file is or would be, and whether it is there.
+    /// The path of its calibration file, and whether it is there.
     calibration: Option<String>,
     is_calibrated: bool,
     log: Vec<String>,

@@ -41,7 +41,7 @@ pub struct DevicesArgs {
 struct Section {
     kind: &'static str,
     found: Vec<Device>,
-    /// Why nothing was found, and what to do.
+    /// The reason why nothing was found, and the remedy.
     why_empty: Option<String>,
 }
 
@@ -49,9 +49,9 @@ struct Section {
 struct Device {
     name: String,
     detail: String,
-    /// Why it cannot be used, and what to do.
+    /// The reason why it cannot be used, and the remedy.
     obstacle: Option<String>,
-    /// What is set up badly for forces, each with what to do.
+    /// Settings that are bad for forces, each with the remedy.
     advice: Vec<String>,
 }
 

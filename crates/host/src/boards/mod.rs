@@ -20,7 +20,7 @@ use crate::control::BoardsTold;
 use realtime::clock;
 use scene::{BoardBus, Boards};
 
-/// How long boards may take to answer, and to be armed (us).
+/// Longest time for boards to answer, and to be armed (us).
 pub const PATIENCE_US: u64 = 4_000_000;
 
 /// Begins of the names of serial ports whose bits take their time on a wire.
@@ -116,7 +116,7 @@ pub fn calibration(
 pub fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
     /// Times that the command is sent, since none answers it.
     const TIMES: u8 = 3;
-    /// How often a line is tried that has no room yet, and how long it is given meanwhile.
+    /// Tries of a line that has no room yet, and the pause between them.
     const TRIES: u8 = 20;
     const PAUSE: Nanos = Nanos::from_millis(1);
     let boards = keybed.terms().count();

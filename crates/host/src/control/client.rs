@@ -14,7 +14,7 @@ use super::{Answer, Request, place};
 /// Longest wait for a host, unless another is given.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// Why there was no reply.
+/// The reason why there was no reply.
 #[derive(Debug, thiserror::Error)]
 pub enum ControlError {
     /// No host listens there.

@@ -6,7 +6,7 @@ use rtrb::Producer;
 
 use super::{FingerOwner, FingerQueue, NOT_RUNNING};
 
-/// What the keys of a run let others do.
+/// The actions that the keys of a run allow.
 #[derive(Debug, Default)]
 pub(super) enum KeyPort {
     /// The keys are not there yet.

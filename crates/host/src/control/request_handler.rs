@@ -28,7 +28,7 @@ pub struct RequestHandler {
     folders: Folders,
     /// The voices as they were changed last; each change is made on top of those before.
     playing: Mutex<CurrentVoices>,
-    /// Where the host streams, and the token that it wants.
+    /// The stream's address and token.
     stream: OnceLock<(String, Option<String>)>,
 }
 

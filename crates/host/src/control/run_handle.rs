@@ -1,4 +1,4 @@
-//! What requests reach of a run: its voices, its keys, its telemetry and its stop.
+//! The parts of a run that requests reach: its voices, its keys, its telemetry and its stop.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};

@@ -98,7 +98,7 @@ impl Clients {
 /// Answers clients, so many at once, until it is dropped.
 #[expect(clippy::infinite_loop, reason = "its task is ended from outside")]
 pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: Clients) {
-    /// How long to wait when the system has no more descriptors.
+    /// Pause when the system has no more descriptors.
     const PAUSE: Duration = Duration::from_millis(50);
     loop {
         let Ok((client, _address)) = server.listener.accept().await else {

@@ -14,7 +14,7 @@ pub struct StreamSink {
     publisher: Publisher,
     /// The values of each key's voice as they were published last.
     published: BTreeMap<u32, Vec<ParameterSetting>>,
-    /// How many topics had been followed at the last look.
+    /// The number of followings at the last look.
     followings: u64,
 }
 

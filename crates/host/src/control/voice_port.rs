@@ -13,7 +13,7 @@ use super::NOT_RUNNING;
 pub(super) struct VoicePort {
     /// The way into the lanes, while there are any.
     pub(super) swaps: Option<VoiceSwaps>,
-    /// How many numbers were given.
+    /// The number that was given last.
     revisions: u32,
     audits: EnergySum,
 }

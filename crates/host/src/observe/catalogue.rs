@@ -1,4 +1,4 @@
-//! What there is to see and to change, as a message.
+//! The catalogue of signals and parameters, as a message.
 
 use models::catalogue::{ENTRIES, ModelEntry};
 use scheduler::motion::KEYS;

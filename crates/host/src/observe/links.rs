@@ -8,7 +8,7 @@ use telemetry::Links;
 use crate::adapters::link_monitor::LinkSample;
 use crate::report::{muted_keys, stage_words, wire_words};
 
-/// What is known of lines and boards, and where more comes from.
+/// The state of lines and boards, and the ring from which it is updated.
 #[derive(Debug)]
 pub struct LinksWatch {
     seen: Consumer<LinkSample>,
@@ -20,13 +20,13 @@ pub struct LinksWatch {
 }
 
 impl LinksWatch {
-    /// Of lines and boards of which nothing was seen yet; ticks are `period` (s) apart.
+    /// Returns a watch over `links`, in ticks of `period` (s).
     pub fn new(seen: Consumer<LinkSample>, links: Links, period: f64) -> Self {
         let last = vec![None; links.lines.len()];
         Self { seen, period, links, last }
     }
 
-    /// Returns all of them as they were seen last.
+    /// Returns the lines and boards as they were seen last.
     pub const fn links(&self) -> &Links {
         &self.links
     }

@@ -1,4 +1,4 @@
-//! What becomes of a run, in sentences for the host's log.
+//! The events of a run, in sentences for the host's log.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,7 +9,7 @@ use telemetry::{Event, Links, Topic, Update};
 
 use super::telemetry_thread::{Attention, MessageSink};
 
-/// What takes a line of the log; it must not wait for a disk or a terminal.
+/// Takes a line of the log; it must not wait for a disk or a terminal.
 pub type LogLine = Box<dyn FnMut(String) + Send>;
 
 /// Time for which changes of values are put together (ns).
@@ -162,7 +162,7 @@ fn key(number: u32) -> String {
     key.map_or_else(|| format!("key {number}"), |key| KeyName(key).to_string())
 }
 
-/// What a line is on; each has room of its own.
+/// The subject of a line; each has a limit of its own.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Subject {
     Clients,

@@ -112,7 +112,7 @@ const KEPT: Duration = Duration::from_secs(30);
 /// Most memory of the black box (bytes).
 const MOST_BYTES: usize = 64 << 20;
 
-/// How long after a fault it is written, so that what followed is in it (ns).
+/// Time from a fault until it is written, so that the consequences are in it (ns).
 const AFTER: u64 = 2_000_000_000;
 
 /// Boxes that one run writes at most: a fault that comes again is the same.

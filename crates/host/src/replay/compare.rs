@@ -11,7 +11,7 @@ use telemetry::{KeyBlock, Topic, Update};
 
 use crate::observe::MessageSink;
 
-/// Where a replay and its recording are not the same.
+/// A difference between a replay and its recording.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct ReplayDifference {
     pub tick: u64,
@@ -212,7 +212,7 @@ fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
     (recorded.tick, format!("key {key}: the replay has rows beyond the recorded ones"))
 }
 
-/// What a column has in a row, as text that two values share only if all their bits are the same.
+/// Returns the value of a column in a row, as text that is the same only for the same bits.
 type CellText = fn(&KeyBlock, usize) -> String;
 
 /// Every column.

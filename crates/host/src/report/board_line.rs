@@ -35,7 +35,7 @@ pub struct BoardLine {
     pub unsent: u64,
     /// Round trips, if there were any.
     pub round_trip_us: Option<RoundTrips>,
-    /// How much faster than the host's its clock runs (1e-6).
+    /// The drift of its clock against the host's (1e-6).
     pub drift_ppm: f64,
     /// Times that its clock jumped.
     pub clock_jumps: u64,
@@ -45,13 +45,13 @@ pub struct BoardLine {
     pub rearmed: u64,
     /// Whether it renders forces, or why not.
     pub state: String,
-    /// Whether its keys read as its calibration file says, and not as it describes them itself.
+    /// Whether its keys are calibrated by its file, and not by its own description.
     pub calibrated: bool,
     /// Readings of keys that were not used, since no key can be there.
     pub implausible: u64,
     /// Keys that are not played any more since their readings cannot be trusted.
     pub muted: Vec<MutedKey>,
-    /// What the board itself has counted, a second before the end.
+    /// The board's own counters, a second before the end.
     pub counted: Option<Counted>,
 }
 
@@ -60,7 +60,7 @@ pub struct BoardLine {
 pub struct MutedKey {
     /// Its name, as C4.
     pub key: String,
-    /// What is wrong with its readings.
+    /// The fault of its readings.
     pub reason: &'static str,
 }
 
@@ -73,12 +73,12 @@ pub struct RoundTrips {
     pub max: u32,
 }
 
-/// What a board has counted since it was switched on.
+/// A board's counters since it was switched on.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Counted {
     /// Forces that it rendered.
     pub forces: u32,
-    /// What came and was no frame.
+    /// Receptions that were no frame.
     pub corrupt: u32,
     /// Forces that were stale, and not rendered.
     pub stale: u32,
@@ -89,7 +89,7 @@ pub struct Counted {
 }
 
 impl BoardLine {
-    /// Of `report`, after `seconds`.
+    /// Returns the line of `report`, after `seconds`.
     pub fn new(report: &BoardReport, seconds: f64) -> Self {
         let BoardReport { name, place, statistics, .. } = report;
         let (condition, (came, went)) = (&report.condition, report.exchanged);

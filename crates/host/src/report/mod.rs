@@ -33,11 +33,11 @@ pub struct RunReport {
     pub stopped: bool,
     /// Threads that shared the tick.
     pub lanes: usize,
-    /// What the system granted.
+    /// The rights that the system granted.
     pub realtime: Realtime,
     /// Whether forces were out in time.
     pub deadline: Deadline,
-    /// What was played, and how well; `None` without a pianist.
+    /// The quality of the performance; `None` without a pianist.
     pub notes: Option<NoteReport>,
     /// Reset maps applied by all models.
     pub events: u64,
@@ -57,15 +57,15 @@ pub struct RunReport {
     pub boards: Vec<BoardLine>,
     /// Each link to them.
     pub lines: Vec<LinkLine>,
-    /// Where the energy of all voices came from and went (J).
+    /// The energy audit of all voices (J).
     pub energy_audit: AuditReport,
-    /// What became of the MIDI output.
+    /// The outcome of the MIDI output.
     pub midi: MidiReport,
-    /// What was recorded, if anything was.
+    /// The recording, if there was one.
     pub recording: Option<RecordingReport>,
 }
 
-/// What became of a recording.
+/// The outcome of a recording.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize)]
 pub struct RecordingReport {
     pub file: String,
@@ -74,7 +74,7 @@ pub struct RecordingReport {
     pub messages: u64,
     /// Bytes of all files.
     pub bytes: u64,
-    /// Why it ended early, in a sentence.
+    /// The reason why it ended early, in a sentence.
     pub trouble: Option<String>,
 }
 
@@ -92,14 +92,14 @@ impl RunReport {
     }
 }
 
-/// What the system granted.
+/// The rights that the system granted.
 #[derive(Clone, Debug, Serialize)]
 pub struct Realtime {
     /// Scheduling policy of the tick, or `virtual time`.
     pub policy: String,
     /// Whether memory cannot be paged out.
     pub memory_locked: bool,
-    /// What to do to get more, a sentence each.
+    /// The steps to get more rights, a sentence each.
     pub advice: Vec<String>,
 }
 
@@ -137,14 +137,14 @@ pub struct Quantiles {
 }
 
 impl Quantiles {
-    /// Of a histogram of nanoseconds.
+    /// Returns the quantiles of a histogram of nanoseconds.
     pub fn of(histogram: &Histogram<u64>) -> Self {
         let at = |q: f64| histogram.value_at_quantile(q) as f64 * 1e-3;
         Self { p50: at(0.5), p99: at(0.99), p99_9: at(0.999), max: histogram.max() as f64 * 1e-3 }
     }
 }
 
-/// How the performance came out.
+/// The quality of a performance.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct NoteReport {
     /// Notes that the piece asks for within the run.
@@ -191,7 +191,7 @@ pub struct Evaluations {
     pub guards: u64,
 }
 
-/// What happened on the links to the boards.
+/// The exchange on the links to the boards.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct LinkReport {
     pub frames: u64,
@@ -203,7 +203,7 @@ pub struct LinkReport {
     pub rearmed: u64,
 }
 
-/// What became of the MIDI output.
+/// The outcome of the MIDI output.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MidiReport {
     pub output: String,

@@ -44,7 +44,7 @@ use scene::{LaneCount, LinksConfig as SceneLinks, Scene};
 
 pub use pianist::PianistProgress;
 
-/// Why a run could not be prepared or finished.
+/// The reason why a run could not be prepared or finished.
 #[derive(Debug, thiserror::Error)]
 pub enum SessionError {
     /// The scene's values make no voice.
@@ -60,7 +60,7 @@ pub enum SessionError {
     #[error("the performance `{name}` cannot be played: {reason}")]
     Performance {
         name: String,
-        /// What is wrong, and what to do.
+        /// The mistake and the remedy.
         reason: String,
     },
     /// The MIDI file cannot be written there.
@@ -81,7 +81,7 @@ pub enum SessionError {
          give tick_hz = 1000, 500, 2000 or another that divides 10000"
     )]
     BoardRate {
-        /// What the scene asks for.
+        /// The scene's rate.
         tick_hz: u32,
     },
     /// A link cannot carry what the scene asks of it.
@@ -111,7 +111,7 @@ pub enum SessionError {
 pub struct RunOptions {
     /// Length of the run (s); to the end of the performance without.
     pub duration: Option<f64>,
-    /// As fast as it goes, and bit-identically every time.
+    /// Runs as fast as possible, with the same bits every time.
     pub virtual_time: bool,
 }
 

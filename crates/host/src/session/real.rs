@@ -18,7 +18,7 @@ use realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down, 
 use realtime::thread::{DEFAULT_PRIORITY, SchedulingPolicy, ask_for_fifo};
 use realtime::{memory, run as ticks};
 
-/// From set-up to the first tick: threads are up by then.
+/// Time from set-up to the first tick, in which the threads start.
 const LEAD: Nanos = Nanos::from_millis(50);
 
 /// Runs until its end or `stop`; ramps all forces down; then reports.

@@ -27,7 +27,7 @@ pub struct ExitReport {
     pub number: u8,
     pub keys: String,
     pub link: String,
-    /// Why it renders no force, or that it does.
+    /// Whether it renders forces, or the reason why not.
     pub state: &'static str,
     /// Largest force of its motors now (N).
     pub force_n: f64,

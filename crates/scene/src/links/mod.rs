@@ -31,11 +31,11 @@ pub enum LinksConfig {
 /// Boards, and the terms for them.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Boards {
-    /// How samples are packed.
+    /// The packing of samples.
     pub samples: SamplePacking,
-    /// How forces are packed.
+    /// The packing of forces.
     pub forces: ForcePacking,
-    /// How long forces are valid after the samples that they answer (ms).
+    /// Time for which forces are valid after the samples that they answer (ms).
     pub valid_ms: u8,
     /// Folder of the calibration files; the user's own if none is given.
     pub calibration: Option<PathBuf>,

@@ -1,4 +1,4 @@
-//! What a scene says, and what comes of it.
+//! Values of scenes as they are read.
 
 use std::path::Path;
 
