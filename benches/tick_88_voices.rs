@@ -20,7 +20,7 @@ use criterion::{BatchSize, Criterion};
 use haptics::RigParameters;
 use hardware::sim::key::SimulatedKey;
 use host::adapters::observer::{LiveCounters, TickPublisher};
-use host::adapters::tap::{TickRecorder, TickRecorderRings};
+use host::adapters::tick_recorder::{TickRecorder, TickRecorderRings};
 use realtime::wake_fd::WakeFd;
 use scheduler::motion::{KEYS, KeyEvent, KeySample};
 use scheduler::port::{FinishedTick, KeyBus, Lanes, TickObserver};

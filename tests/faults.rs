@@ -7,7 +7,6 @@ use haptics::Touch;
 use hardware::sim::keybed::SimulatedKeybed;
 use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use scene::Scene;
-use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use scheduler::motion::KEYS;
 use scheduler::port::KeyBus;
 

@@ -7,7 +7,6 @@ use haptics::Touch;
 use hardware::sim::keybed::SimulatedKeybed;
 use links::faulty::{Chance, FaultPlan, LinkFault};
 use scene::Scene;
-use links::faulty::{Chance, FaultPlan, LinkFault};
 use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;

@@ -9,7 +9,7 @@ use host::report::RunReport;
 use host::session::{RunOptions, RunSession};
 use scene::Scene;
 
-use crate::stage::scene;
+use crate::stage::{scene, try_scene};
 
 /// Promised of 99 % of the notes: how far from their time (ms), and from their velocity.
 const ONSET_MS: f64 = 1.0;
@@ -49,11 +49,7 @@ fn every_instrument_runs_on_all_keys_without_a_fault() {
     let mut refused = Vec::new();
     for instrument in scene::instruments() {
         let chosen = [("keys.instrument", instrument.name.as_str())];
-        let load = |more: &[(&str, &str)]| {
-            let all = chosen.iter().chain(more);
-            let all: Vec<_> = all.map(|(a, b)| (String::from(*a), String::from(*b))).collect();
-            Scene::load("default", &all)
-        };
+        let load = |more: &[(&str, &str)]| try_scene("default", &[&chosen, more].concat());
         match load(&[]).or_else(|_unstable| load(&stable)) {
             Ok(scene) => check_healthy(&run(&scene, 3.0)),
             Err(_offline) => refused.push(instrument.name),

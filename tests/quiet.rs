@@ -9,7 +9,7 @@ use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;
 
-use crate::stage::{Stage, keybed, play_all, scene};
+use crate::stage::{Stage, keybed, play_all, scene, try_scene};
 use voice::AuditCell;
 
 /// Energy that a key's model may have been given or have made when nobody was there \[J\].
@@ -67,9 +67,7 @@ fn ticks(scene: &Scene, seconds: u32) -> u64 {
 fn with_instrument(instrument: &str, hz: &str, render: &[(&str, &str)]) -> Result<Scene, String> {
     let mut overrides = vec![("keys.instrument", instrument), ("tick_hz", hz)];
     overrides.extend(render);
-    let owned: Vec<_> =
-        overrides.iter().map(|(name, value)| (String::from(*name), String::from(*value))).collect();
-    Scene::load("default", &owned).map_err(|wrong| wrong.to_string())
+    try_scene("default", &overrides)
 }
 
 /// Every instrument at three rates, with the usual filter and with a slow one.

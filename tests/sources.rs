@@ -7,18 +7,18 @@ use std::path::{Path, PathBuf};
 use syn::{Attribute, File, Item, Meta};
 
 /// One source file of a crate.
-pub struct Source {
+pub(crate) struct Source {
     /// The folder of its crate, as `pode`.
-    pub room: String,
-    pub path: PathBuf,
+    pub(crate) room: String,
+    pub(crate) path: PathBuf,
     /// The module that it is, as `["stepper", "rk4"]`; empty for the crate's root.
-    pub module: Vec<String>,
-    pub lines: usize,
-    pub syntax: File,
+    pub(crate) module: Vec<String>,
+    pub(crate) lines: usize,
+    pub(crate) syntax: File,
 }
 
 /// All product sources: what lies under `src` of each crate, without modules of tests.
-pub fn all() -> Vec<Source> {
+pub(crate) fn all() -> Vec<Source> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let crates = fs::read_dir(root.join("crates")).expect("crates/").filter_map(Result::ok);
     let mut rooms: Vec<PathBuf> = crates.map(|entry| entry.path()).collect();
@@ -78,7 +78,7 @@ fn is_for_tests(attributes: &[Attribute]) -> bool {
 }
 
 /// The attributes of an item that can have some.
-pub fn attributes(item: &Item) -> &[Attribute] {
+pub(crate) fn attributes(item: &Item) -> &[Attribute] {
     match item {
         Item::Const(it) => &it.attrs,
         Item::Enum(it) => &it.attrs,

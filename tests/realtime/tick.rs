@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use host::adapters::observer::{LiveCounters, TickPublisher};
-use host::adapters::tap::{TickRecorder, TickRecorderRings};
+use host::adapters::tick_recorder::{TickRecorder, TickRecorderRings};
 use midi::NoteEvent as MidiEvent;
 use models::catalogue;
 use realtime::run::{Assembly, Timings, Until};

@@ -3,10 +3,13 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use realtime::pool::{LaneCounters, WaitLimit, Way};
-use scheduler::motion::KeySample;
+use realtime::pool::{LaneCounters, VoiceChange, WaitLimit};
+use scene::KeyVoice;
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::slot::lane_of;
 use scheduler::time::Nanos;
+use scheduler::values::ModelValues;
 use scheduler::voice::{Voice, VoiceOutput};
 
 use crate::marking::mark_lanes;
@@ -67,7 +70,7 @@ fn a_voice_that_is_replaced_is_freed_outside_the_tick() {
     for tick in 0..=WATCHED.end {
         if WATCHED.contains(&tick) {
             if let Some((key, voice)) = others.pop() {
-                stage.swaps.send(key, voice, Way::Replace).expect("room for it");
+                stage.swaps.send(key, VoiceChange::Replace(voice)).expect("room for it");
             }
             trap::within(|| stage.tick());
             replaced += stage.swaps.drain();
@@ -77,6 +80,41 @@ fn a_voice_that_is_replaced_is_freed_outside_the_tick() {
     }
     assert_eq!(watch.caught(), (0, 0));
     assert_eq!(replaced, n_others);
+}
+
+/// Counts voices whose force does not follow from the one before.
+struct FreshTurns(usize);
+
+impl TickObserver for FreshTurns {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
+        self.0 += seen.turns.iter().filter(|turn| turn.fresh).count();
+    }
+}
+
+#[test]
+fn a_voice_that_is_retuned_leaves_the_heap_alone() {
+    for instrument in ["grand-springs", "grand-reduced", "spring-wall"] {
+        let watch = trap::watch();
+        let scene = scene("default", &[("keys.instrument", instrument)]);
+        let mut bus = keybed(&scene);
+        play_all(&mut bus, 4.0);
+        let stage = Stage::of(voices(&scene), scene.tick_hz, bus, 1);
+        let mut stage = stage.watched_by(FreshTurns(0));
+        for _ in 0..WARM_UP {
+            stage.tick();
+        }
+        stage.observer.0 = 0;
+        for (key, voice) in scene.keys.iter().enumerate() {
+            let KeyVoice { model, values } = voice.as_ref().expect("a voice on each key");
+            let values = ModelValues::new(model.name, 1, values).expect("not too many");
+            stage.swaps.send(key, VoiceChange::Retune(values)).expect("room for it");
+        }
+        for _ in 0..WARM_UP {
+            trap::within(|| stage.tick());
+        }
+        assert_eq!(watch.caught(), (0, 0), "{instrument}");
+        assert_eq!((stage.observer.0, stage.swaps.drain()), (KEYS, 0), "{instrument}");
+    }
 }
 
 /// A voice whose lane cannot go on from tick `from` before `reached` is `until`.

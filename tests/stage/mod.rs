@@ -19,11 +19,16 @@ use scheduler::time::{Nanos, Period, Timetable};
 use voice::AuditCell;
 use voice::VoiceBuilder;
 
-/// A scene of ours with overrides.
+/// Returns a scene of ours with overrides, which is accepted.
 pub fn scene(name: &str, overrides: &[(&str, &str)]) -> Scene {
+    try_scene(name, overrides).expect("a good scene")
+}
+
+/// Returns a scene of ours with overrides, or why it is refused.
+pub fn try_scene(name: &str, overrides: &[(&str, &str)]) -> Result<Scene, String> {
     let overrides: Vec<_> =
         overrides.iter().map(|(name, value)| (String::from(*name), String::from(*value))).collect();
-    Scene::load(name, &overrides).expect("a good scene")
+    Scene::load(name, &overrides).map_err(|wrong| wrong.to_string())
 }
 
 /// The voices of `scene`, each with its key.

@@ -1,10 +1,10 @@
-//! What several commands take, and how it is read.
+//! Arguments of several commands.
 
-/// What `--link` takes.
+/// The help of `--link`.
 pub(super) const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
                                can:INTERFACE or classic-can:INTERFACE; once for each";
 
-/// A length of time (s), above 0.
+/// Reads a length of time (s), above 0.
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
     match number(text)? {
         seconds if seconds > 0.0 => Ok(seconds),
@@ -12,7 +12,7 @@ pub(super) fn seconds(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A ratio, above 0.
+/// Reads a ratio, above 0.
 pub(super) fn ratio(text: &str) -> Result<f64, String> {
     match number(text)? {
         ratio if ratio > 0.0 => Ok(ratio),
@@ -20,7 +20,7 @@ pub(super) fn ratio(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A share, 0 to 1.
+/// Reads a share, 0 to 1.
 pub(super) fn share(text: &str) -> Result<f64, String> {
     match number(text)? {
         share if (0.0..=1.0).contains(&share) => Ok(share),
@@ -28,13 +28,13 @@ pub(super) fn share(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A finite number.
+/// Reads a finite number.
 pub(super) fn number(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|number: &f64| number.is_finite());
     number.ok_or_else(|| format!("`{text}` is not a number: write digits, as 1.5"))
 }
 
-/// A name and its value.
+/// Reads a name and its value.
 pub(super) fn assignment(text: &str) -> Result<(String, String), String> {
     let (name, value) =
         text.split_once('=').ok_or_else(|| format!("`{text}` has no `=`: write name=value"))?;

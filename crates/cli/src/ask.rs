@@ -1,4 +1,4 @@
-//! Asks the running host of this user, and says what it did.
+//! Sends a request to the running host of this user, and prints the reply.
 
 use std::io::Write;
 

@@ -19,12 +19,14 @@ use serde::Serialize;
 use super::arguments::{number, ratio, seconds, share};
 use super::signals::Signals;
 use super::{Failure, print_json, system};
-use host::simulated::fate::FaultScript;
-use host::simulated::{BoardProcess, ExitReport, WireEndpoint, fates_of, live, place};
+use host::simulated::fault_script::FaultScript;
+use host::simulated::{
+    BoardProcess, ExitReport, WireEndpoint, faults_of, place, run as run_boards,
+};
+use keyboard::KeyRange;
 use realtime::clock;
-use scene::keys_named;
 
-/// How often a simulated board works out its motors' forces (s).
+/// Period of a simulated board's control of its motors (s).
 const LAW_PERIOD: f64 = 100e-6;
 
 /// What `letoff board` takes.
@@ -91,7 +93,7 @@ pub struct BoardArgs {
     /// The id that they all say they have, as six numbers.
     #[arg(long, value_name = "NUMBER")]
     pub say_uid: Option<u8>,
-    /// How long they live (s); without it, until they are stopped.
+    /// How long they run (s); without it, until they are stopped.
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub duration: Option<f64>,
     /// Prints where they are, on one line, and in the end what became of them, both as JSON.
@@ -104,7 +106,7 @@ fn pair(text: &str) -> Result<(u8, u8), String> {
     pair.ok_or_else(|| format!("`{text}` is no range: write FIRST,COUNT, as 0,11"))
 }
 
-/// Lets boards live, and says what became of them.
+/// Runs simulated boards, and reports how they ended.
 pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let mut boards = boards(args)?;
     if let Some(folder) = &args.links {
@@ -118,35 +120,31 @@ pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> 
     let boards = runtime.block_on(async {
         let its_stop = Arc::clone(&stop);
         let mut signals = Signals::new().map_err(system)?;
-        let mut living = tokio::task::spawn_blocking(move || {
-            live(&mut boards, duration, &its_stop, &mut shine);
+        let mut running = tokio::task::spawn_blocking(move || {
+            run_boards(&mut boards, duration, &its_stop, &mut report_light);
             boards
         });
         loop {
             tokio::select! {
-                done = &mut living => {
+                done = &mut running => {
                     return done.map_err(|panic| Failure::Running(panic.to_string()));
                 }
                 () = signals.next() => stop.store(true, Ordering::Release),
             }
         }
     })?;
-    let epitaphs: Vec<_> = boards.iter().map(BoardProcess::epitaph).collect();
-    if args.json {
-        print_json(&epitaphs, out)
-    } else {
-        Ok(write!(out, "{}", BoardTable(&epitaphs))?)
-    }
+    let reports: Vec<_> = boards.iter().map(BoardProcess::exit_report).collect();
+    if args.json { print_json(&reports, out) } else { Ok(write!(out, "{}", BoardTable(&reports))?) }
 }
 
-/// Says which board shows its light, for whoever looks for it.
-fn shine(board: &BoardProcess) {
+/// Writes to stderr which board shows its light.
+fn report_light(board: &BoardProcess) {
     let _nobody_reads = writeln!(io::stderr(), "{} shows its light", board.address());
 }
 
-/// The boards that are asked for, where they are asked for.
+/// Returns the boards that are asked for, where they are asked for.
 fn boards(args: &BoardArgs) -> Result<Vec<BoardProcess>, Failure> {
-    refuse_nobodys_fates(args)?;
+    refuse_unknown_boards(args)?;
     let at = if let Some(address) = &args.on {
         WireEndpoint::Shared(address.clone())
     } else if args.loss.is_some() || args.flip.is_some() || args.baud.is_some() {
@@ -163,11 +161,11 @@ fn boards(args: &BoardArgs) -> Result<Vec<BoardProcess>, Failure> {
     (0..args.count).map(|n| board(args, n, &at)).collect()
 }
 
-/// Refuses what would happen to boards that are not there.
-fn refuse_nobodys_fates(args: &BoardArgs) -> Result<(), Failure> {
+/// Refuses faults of boards that are not simulated.
+fn refuse_unknown_boards(args: &BoardArgs) -> Result<(), Failure> {
     let last = args.number.saturating_add(args.count - 1);
-    let strangers = args.fates.iter().filter(|it| !(args.number..=last).contains(&it.number));
-    let wrong: Vec<_> = strangers
+    let unknown = args.fates.iter().filter(|it| !(args.number..=last).contains(&it.number));
+    let wrong: Vec<_> = unknown
         .map(|it| format!("--fate {}@{}: there is no board {0}", it.number, it.at))
         .collect();
     if wrong.is_empty() {
@@ -178,7 +176,7 @@ fn refuse_nobodys_fates(args: &BoardArgs) -> Result<(), Failure> {
     Err(Failure::Usage(wrong.join("\nletoff: ") + &help))
 }
 
-/// The n-th board.
+/// Returns the n-th board.
 fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Failure> {
     let usage = |error: hardware::Error| Failure::Usage(error.to_string());
     let number = args.number.saturating_add(n);
@@ -196,15 +194,15 @@ fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Fai
     let (period, offset, strength) = (LAW_PERIOD, args.offset, args.strength);
     let make = BoardMake { id, first_key, n_keys, period, rig, offset, strength, fake_identity };
     let placed = place(id, at).map_err(|error| Failure::Usage(error.to_string()))?;
-    BoardProcess::new(make, placed, args.drift, fates_of(&args.fates, number)).map_err(usage)
+    BoardProcess::new(make, placed, args.drift, faults_of(&args.fates, number)).map_err(usage)
 }
 
-/// Keys of the n-th board, which has this number: the first, and how many.
+/// Returns the keys of the n-th board, which has this number: the first, and how many.
 fn keys(args: &BoardArgs, n: u8, number: u8) -> Result<(u8, usize), Failure> {
     let (first, len) = match &args.keys {
         Some(keys) => {
-            let range = keys_named(keys).map_err(Failure::Usage)?;
-            (usize::from(*range.start()), range.count())
+            let range = KeyRange::parse(keys).map_err(|error| Failure::Usage(error.to_string()))?;
+            (range.first().index(), range.numbers().count())
         }
         None => (usize::from(number - n) * KEYS_PER_BOARD, KEYS_PER_BOARD),
     };
@@ -225,9 +223,9 @@ fn link_names(boards: &[BoardProcess], folder: &Path) -> Result<(), Failure> {
         ))
     };
     fs::create_dir_all(folder).map_err(|error| refuse(folder, error))?;
-    for living in boards {
-        let name = folder.join(format!("board{}", living.board().make().id.number()));
-        let port = living.address().trim_start_matches("serial:");
+    for running in boards {
+        let name = folder.join(format!("board{}", running.board().make().id.number()));
+        let port = running.address().trim_start_matches("serial:");
         let port = port.rsplit_once('@').map_or(port, |(port, _baud)| port);
         // One of an earlier run may lie there.
         let _none = fs::remove_file(&name);
@@ -236,7 +234,7 @@ fn link_names(boards: &[BoardProcess], folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Where a board is, for a program.
+/// A board's address, as JSON.
 #[derive(Serialize)]
 struct Whereabouts<'a> {
     number: u8,
@@ -250,10 +248,10 @@ fn introduce(
     args: &BoardArgs,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let boards = boards.iter().map(|living| Whereabouts {
-        number: living.board().make().id.number(),
-        keys: living.keys().to_string(),
-        link: living.address(),
+    let boards = boards.iter().map(|running| Whereabouts {
+        number: running.board().make().id.number(),
+        keys: running.keys().to_string(),
+        link: running.address(),
     });
     let boards: Vec<_> = boards.collect();
     if args.json {
@@ -269,7 +267,7 @@ fn introduce(
     Ok(out.flush()?)
 }
 
-/// What became of the boards, as a table.
+/// The reports of the boards, as a table.
 struct BoardTable<'a>(&'a [ExitReport]);
 
 impl fmt::Display for BoardTable<'_> {

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
-use super::owned::{Farewell, Owned};
+use super::child_program::{ChildProgram, EndMode};
 use super::signals::Signals;
 use super::{Failure, system, tell};
 use host::control::{ControlError, Reply, Request, send, socket_path};
@@ -28,7 +28,7 @@ pub struct DashArgs {
     #[arg(long, conflicts_with = "target")]
     pub start: bool,
     /// Prints where the host that runs here streams, with the secret that lets another viewer in,
-    /// and opens no window. Whoever has the secret is the host's owner.
+    /// and opens no window. The secret gives the rights of the host's owner.
     #[arg(long, conflicts_with_all = ["target", "start"])]
     pub print: bool,
     /// What the certificate of a host elsewhere must be, as it printed it.
@@ -36,23 +36,23 @@ pub struct DashArgs {
     pub fingerprint: Option<String>,
 }
 
-/// The window's program.
+/// The name of the window's program.
 const PROGRAM: &str = "letoff-dashboard";
 
-/// How long a host may take until it runs: it may have a piece to rehearse.
+/// Longest time until a host runs: it may have a piece to rehearse.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// Between two looks whether it does.
+/// Time between two looks whether it does.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// What a window looks at.
+/// The stream or recording that a window shows.
 #[derive(Clone, PartialEq, Eq, Debug)]
 struct DashTarget {
     /// An address or a recording.
     target: String,
-    /// What a host must be told.
+    /// The token for the host.
     token: Option<String>,
-    /// What its certificate must be.
+    /// The fingerprint of its certificate.
     fingerprint: Option<String>,
 }
 
@@ -95,7 +95,7 @@ fn print(out: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What the window shall look at; none if a host is to be started for it.
+/// Returns the stream or recording that the window shows; none if a host is to be started for it.
 fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<DashTarget>, Failure> {
     if let Some(target) = &args.target {
         let (target, fingerprint) = (target.clone(), args.fingerprint.clone());
@@ -112,7 +112,8 @@ fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<DashTarget>, Fa
 }
 
 impl DashTarget {
-    /// Where a host says that it streams: its fingerprint, if it has one, stands behind a `#`.
+    /// Returns the stream that a host names: its fingerprint, if it has one, stands behind a
+    /// `#`.
     fn said(address: &str, token: Option<String>) -> Self {
         let (target, fingerprint) = match address.split_once('#') {
             Some((target, fingerprint)) => (target, Some(fingerprint.to_owned())),
@@ -121,7 +122,7 @@ impl DashTarget {
         Self { target: target.to_owned(), token, fingerprint }
     }
 
-    /// What opens a window onto it.
+    /// Returns the command that opens a window onto it.
     fn window(self, program: PathBuf) -> Command {
         let mut window = Command::new(program);
         window.arg(self.target);
@@ -129,14 +130,14 @@ impl DashTarget {
             window.args(["--fingerprint", &fingerprint]);
         }
         if let Some(token) = self.token {
-            // Not as an argument, which everybody on the machine can read.
+            // Arguments are visible to all users of the machine.
             window.env("LETOFF_TOKEN", token);
         }
         window
     }
 }
 
-/// Why there is no stream.
+/// The reason why there is no stream.
 enum Absent {
     /// No host runs here.
     Nobody(String),
@@ -144,7 +145,7 @@ enum Absent {
     Refused(String),
 }
 
-/// Where the host that runs here streams, and what it must be told.
+/// Returns the stream of the host that runs here, with its token.
 fn whereabouts() -> Result<DashTarget, Absent> {
     match send(&socket_path(), &Request::Where {}) {
         Ok(Ok(Reply::Where { address, token })) => Ok(DashTarget::said(&address, token)),
@@ -157,7 +158,7 @@ fn whereabouts() -> Result<DashTarget, Absent> {
     }
 }
 
-/// Asks whoever sits there.
+/// Asks at the terminal.
 fn wants_one(why: &str, out: &mut dyn Write) -> Result<bool, Failure> {
     if !io::stdin().is_terminal() {
         return Ok(false);
@@ -169,15 +170,15 @@ fn wants_one(why: &str, out: &mut dyn Write) -> Result<bool, Failure> {
     Ok(matches!(line.trim(), "" | "y" | "Y" | "yes"))
 }
 
-/// Starts a host on the simulated keybed, which nobody plays but the window, and waits until it
+/// Starts a host on the simulated keybed, which only the window plays, and waits until it
 /// answers; nothing if a signal came before.
-async fn start(signals: &mut Signals) -> Result<Option<(Owned, DashTarget)>, Failure> {
+async fn start(signals: &mut Signals) -> Result<Option<(ChildProgram, DashTarget)>, Failure> {
     let failed = |error| Failure::Running(format!("the host cannot be started: {error}"));
     let own = std::env::current_exe().map_err(failed)?;
     let mut host = Command::new(own);
     host.args(["run", "--performance", "none"]).stdin(Stdio::null()).stdout(Stdio::null());
     tell("starting a host on the simulated keybed");
-    let mut host = Owned::start(&mut host, Farewell::Patient).map_err(failed)?;
+    let mut host = ChildProgram::start(&mut host, EndMode::Patient).map_err(failed)?;
     let deadline = Instant::now() + PATIENCE;
     let mut looks = tokio::time::interval(LOOK);
     loop {
@@ -194,7 +195,7 @@ async fn start(signals: &mut Signals) -> Result<Option<(Owned, DashTarget)>, Fai
     }
 }
 
-/// Where the host that was started streams, if it answers by now.
+/// Returns the stream of the host that was started, if it answers by now.
 fn look(deadline: Instant) -> Result<Option<DashTarget>, Failure> {
     match whereabouts() {
         Ok(place) => Ok(Some(place)),
@@ -203,7 +204,7 @@ fn look(deadline: Instant) -> Result<Option<DashTarget>, Failure> {
     }
 }
 
-/// The window's program: beside this one, or where programs are looked for.
+/// Returns the window's program: beside this one, or where programs are looked for.
 fn program() -> Result<PathBuf, Failure> {
     let beside = std::env::current_exe().ok().map(|own| own.with_file_name(PROGRAM));
     let path = std::env::var_os("PATH").unwrap_or_default();
@@ -220,7 +221,7 @@ fn program() -> Result<PathBuf, Failure> {
 /// Shows the window until it is closed, or a signal closes it.
 async fn show(mut window: Command, signals: &mut Signals) -> Result<(), Failure> {
     let failed = |error| Failure::Running(format!("the window cannot be opened: {error}"));
-    let mut window = Owned::start(&mut window, Farewell::Brief).map_err(failed)?;
+    let mut window = ChildProgram::start(&mut window, EndMode::Brief).map_err(failed)?;
     match window.end(signals).await.map_err(system)? {
         Some(status) if !status.success() => {
             // It has said why.

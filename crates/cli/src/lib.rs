@@ -1,4 +1,4 @@
-//! What people type: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
+//! The commands: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
 //! `instruments`, `stop`, `lab`.
 //!
 //! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
@@ -9,14 +9,14 @@ mod ask;
 mod board;
 mod calibrate;
 mod check;
+mod child_program;
 mod dash;
 mod devices;
+mod endpoints;
 mod instruments;
 mod live;
 mod log;
-mod owned;
 mod plan;
-mod reach;
 mod record;
 mod recover;
 mod replay;
@@ -76,19 +76,19 @@ pub enum Command {
     Lab(studies::LabArgs),
 }
 
-/// How a command ended, other than well.
+/// The failure of a command.
 #[derive(Debug)]
 pub enum Failure {
     /// Something failed while running: exit code 1.
     Running(String),
     /// Wrong usage or a wrong file: exit code 2.
     Usage(String),
-    /// Whoever read the output has seen enough, as `head` does: no failure at all.
+    /// The reader closed the output, as `head` does: no failure at all.
     Unread,
 }
 
-/// Of the output, which every command writes with `?`; what else the system refuses is named
-/// where it is asked for.
+/// Converts errors of the output, which every command writes with `?`; other errors of the system
+/// are named where they occur.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {
@@ -98,7 +98,7 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// What the system refuses to any program in such a state.
+/// Returns the failure of a request to the system that any program would see.
 #[expect(clippy::needless_pass_by_value, reason = "fits map_err")]
 fn system(error: io::Error) -> Failure {
     Failure::Running(format!(
@@ -106,7 +106,7 @@ fn system(error: io::Error) -> Failure {
     ))
 }
 
-/// Does what `letoff` asks for, and says how it went.
+/// Runs the command and returns its exit code.
 pub fn run(letoff: &Letoff) -> ExitCode {
     let mut out = io::stdout().lock();
     let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
@@ -119,9 +119,9 @@ pub fn run(letoff: &Letoff) -> ExitCode {
     ExitCode::from(code)
 }
 
-/// Says something beside the output.
+/// Writes a message to stderr.
 fn tell(text: &str) {
-    // A closed stderr leaves nobody to tell.
+    // A closed stderr has no reader.
     let _unheard = writeln!(io::stderr(), "letoff: {text}");
 }
 

@@ -1,5 +1,4 @@
-//! What is seen while it takes long: the rehearsal's progress, the live line, keys
-//! that are measured.
+//! Progress of what takes long: the rehearsal, a run, keys that are measured.
 //!
 //! Drawn on stderr, and only when a person sees it: a pipe gets the report alone.
 
@@ -11,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use host::adapters::observer::LiveCounters;
 use host::session::PianistProgress;
 
-/// Time between two looks at the counters.
+/// Time between two updates of the line.
 pub(super) const REFRESH: Duration = Duration::from_millis(200);
 
 /// The rehearsal of a performance.
@@ -42,7 +41,7 @@ pub(super) struct StatusLine {
 }
 
 impl StatusLine {
-    /// For a run of `ticks` at `tick_hz`; without an end it shows no bar.
+    /// Returns the line of a run of `ticks` at `tick_hz`; without an end it shows no bar.
     pub(super) fn new(tick_hz: u32, ticks: Option<u64>) -> Self {
         let bar = ticks.map_or_else(ProgressBar::no_length, ProgressBar::new);
         let template = if ticks.is_some() { "{wide_bar} {msg}" } else { "{spinner} {msg}" };
@@ -67,18 +66,18 @@ impl StatusLine {
         self.bar.finish_and_clear();
     }
 
-    /// What is drawn.
+    /// Returns the line as a progress bar.
     pub(super) fn bar(&self) -> ProgressBar {
         self.bar.clone()
     }
 }
 
-/// Keys that are measured one after the other.
+/// Returns a bar for `n` keys that are measured one after the other.
 pub(super) fn keys(n: usize) -> ProgressBar {
     ProgressBar::new(n as u64).with_style(style("{msg:34} {wide_bar} {pos}/{len} keys {eta}"))
 }
 
-/// A template of ours cannot be wrong; if it were, the plain bar will do.
+/// Returns the style of `template`; the plain bar, if the template were wrong.
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).unwrap_or_else(|_broken| ProgressStyle::default_bar())
 }

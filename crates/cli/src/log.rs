@@ -1,4 +1,4 @@
-//! The host's log: plain lines on stderr, written by a thread that nobody waits for.
+//! The host's log: plain lines on stderr, written by a thread of its own.
 
 use std::io::{self, Write as _};
 use std::sync::mpsc::{self, Receiver, SyncSender, TrySendError};
@@ -14,8 +14,8 @@ const WAITING: usize = 256;
 
 /// Writes lines until it is dropped.
 ///
-/// A pipe that nobody reads blocks who writes into it: that is this thread, and never the one that
-/// hears signals.
+/// A pipe without a reader blocks the thread that writes into it: that is this one, and never the
+/// one that waits for signals.
 #[derive(Debug)]
 pub(super) struct StderrLog {
     lines: Option<SyncSender<String>>,
@@ -33,13 +33,13 @@ pub(super) struct LogLines {
 
 #[derive(Debug, Default)]
 struct LogState {
-    /// What is drawn at the end of the terminal, if anything is.
+    /// The bar that is drawn at the end of the terminal.
     bar: Mutex<Option<ProgressBar>>,
     left_out: std::sync::atomic::AtomicU64,
 }
 
 impl StderrLog {
-    /// A log that writes nothing.
+    /// Returns a log that writes nothing.
     pub(super) fn quiet() -> Self {
         Self { lines: None, shared: Arc::default(), written: mpsc::channel().1 }
     }
@@ -60,7 +60,7 @@ impl StderrLog {
         Ok(Self { lines: Some(lines), shared, written })
     }
 
-    /// What hands lines to it, for any thread.
+    /// Returns a way to hand it lines from any thread.
     pub(super) fn lines(&self) -> LogLines {
         LogLines { lines: self.lines.clone(), shared: Arc::clone(&self.shared) }
     }
@@ -88,7 +88,7 @@ impl LogLines {
 }
 
 impl Drop for StderrLog {
-    /// Waits until what was said is written, unless nobody reads it.
+    /// Waits until all lines are written, for a limited time if stderr has no reader.
     fn drop(&mut self) {
         /// Longer than a terminal takes.
         const GRACE: Duration = Duration::from_millis(500);

@@ -29,11 +29,11 @@ pub struct PlanArgs {
     pub json: bool,
 }
 
-/// What one link would carry.
+/// The plan of one link.
 #[derive(Debug, Serialize)]
 struct PlanRow {
     link: String,
-    /// What it is made of; nothing if that is not known or takes no time.
+    /// Its medium; none if that is not known or takes no time.
     medium: Option<String>,
     planned: Option<Planned>,
     sentences: Vec<String>,
@@ -50,15 +50,15 @@ struct Planned {
     load: f64,
     /// The highest rate with these packings.
     most_hz: f64,
-    /// How long the last force frame takes, at worst.
+    /// The time until the last force frame, at worst.
     force_response_us: Option<f64>,
-    /// How long the most urgent frame waits for one that is on its way, at worst.
+    /// The time that the most urgent frame waits for one that is on its way, at worst.
     blocking_us: f64,
     verdict: &'static str,
     proposal: Proposed,
 }
 
-/// What the link can carry.
+/// The limits of a link.
 #[derive(Debug, Serialize)]
 struct Proposed {
     samples: &'static str,
@@ -131,7 +131,7 @@ fn proposal(plan: &BusPlan, links: Option<usize>) -> Proposed {
     }
 }
 
-/// What the link can carry at best, in a sentence.
+/// Returns what the link can carry at best, in a sentence.
 fn proposed(plan: &BusPlan) -> String {
     let packing = |plan: &BusPlan| {
         let (samples, forces) = (name(&SAMPLES, plan.samples), name(&FORCES, plan.forces));
@@ -157,7 +157,7 @@ fn proposed(plan: &BusPlan) -> String {
     }
 }
 
-/// What a scene calls a packing.
+/// Returns what a scene calls a packing.
 fn name<T: PartialEq + Copy>(names: &[(&'static str, T)], wanted: T) -> &'static str {
     names.iter().find(|(_, it)| *it == wanted).map_or("", |(name, _)| name)
 }

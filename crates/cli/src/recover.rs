@@ -31,18 +31,18 @@ pub struct RecoverArgs {
     pub json: bool,
 }
 
-/// What was saved, for a program.
+/// The messages that were saved, as JSON.
 #[derive(Debug, Serialize)]
 struct Saved {
     file: String,
     messages: u64,
-    /// From the first to the last of them (s).
+    /// The time from the first to the last of them (s).
     seconds: f64,
     /// At the old file's end, and of no use (B).
     cut_bytes: u64,
     /// Pieces that are damaged, up to a second each.
     damaged: u64,
-    /// What was wrong, a sentence each.
+    /// The damages, a sentence each.
     wrong: Vec<String>,
 }
 
@@ -114,7 +114,7 @@ impl Saved {
         }
     }
 
-    /// What was lost; nothing if everything was saved.
+    /// Returns what was lost; nothing if everything was saved.
     fn losses(&self) -> Vec<String> {
         let pieces = match self.damaged {
             0 => None,

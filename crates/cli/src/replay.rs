@@ -94,7 +94,7 @@ fn print(it: &Replayed, out: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What is missing, in a sentence.
+/// Returns what is missing, in a sentence.
 fn words(missing: &MissingTicks) -> String {
     let MissingTicks { from, from_s, why, .. } = missing;
     match (missing.to, missing.to_s) {

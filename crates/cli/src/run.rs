@@ -8,13 +8,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 
 use super::arguments::seconds;
+use super::endpoints::Endpoints;
 use super::log::StderrLog;
-use super::reach::Reach;
 use super::signals::Signals;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
 use super::{Failure, live, print_json, system, tell};
-use host::control::{BoardsTold, RunHandle};
+use host::control::RunHandle;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession, SessionError};
@@ -116,7 +116,7 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     }
 }
 
-/// Whether the models did what they should.
+/// Returns whether the models did what they should.
 ///
 /// A run that `letoff stop` ended has done what it was asked, whatever came before: an exit code
 /// of failure would have a supervisor start it again, forces and all.
@@ -163,15 +163,15 @@ async fn host(
     let mut signals = Signals::new().map_err(system)?;
     let is_quiet = args.quiet || options.virtual_time;
     let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
-    let patchbay = Arc::new(RunHandle::default());
-    // In virtual time there is nobody to talk to.
-    let reach = if options.virtual_time {
-        Reach::default()
+    let handle = Arc::new(RunHandle::default());
+    // A run in virtual time takes no requests.
+    let endpoints = if options.virtual_time {
+        Endpoints::default()
     } else {
-        Reach::open(scene, &patchbay, wanted)?
+        Endpoints::open(scene, &handle, wanted)?
     };
-    let Some(session) = prepare(scene, options, &patchbay, &mut signals).await? else {
-        reach.leave("the host was stopped before it began to play").await;
+    let Some(session) = prepare(scene, options, &handle, &mut signals).await? else {
+        endpoints.leave("the host was stopped before it began to play").await;
         return Ok(None);
     };
     session.notices().iter().for_each(|notice| tell(notice));
@@ -183,11 +183,11 @@ async fn host(
         let has_boards = matches!(scene.links, LinksConfig::Boards(_));
         session.observe(Box::new(if has_boards { sink.naming_boards() } else { sink }));
     }
-    reach.observe(&session);
+    endpoints.observe(&session);
     let counters = session.counters();
     let line = live::StatusLine::new(session.tick_hz(), session.ticks());
     log.draw_above(line.bar());
-    let mut news = Some(reach.news(scene, &session));
+    let mut news = Some(endpoints.news(scene, &session));
     let stop = Arc::new(AtomicBool::new(false));
     let its_stop = Arc::clone(&stop);
     let _stops = StopOnDrop(Arc::clone(&stop));
@@ -197,8 +197,8 @@ async fn host(
         tokio::select! {
             done = &mut running => {
                 line.finish();
-                let why = patchbay.emergency.answered().map_or("the run is over", |_| STOPPED);
-                reach.leave(why).await;
+                let why = handle.emergency.answered().map_or("the run is over", |_| STOPPED);
+                endpoints.leave(why).await;
                 let done = done.map_err(|panic| Failure::Running(panic.to_string()))?;
                 let mut report = done.map_err(|error| failure(&error))?;
                 report.recording = recording.map(|it| it.report());
@@ -218,34 +218,24 @@ async fn host(
     }
 }
 
-/// What clients are told of a host that was stopped.
+/// The reason that clients get when the host was stopped.
 const STOPPED: &str = "the host was stopped: no board renders a force until it is started anew";
 
 /// Prepares the run; nothing if a stop or a signal comes before it is ready.
 async fn prepare(
     scene: &Scene,
     options: RunOptions,
-    patchbay: &Arc<RunHandle>,
+    handle: &Arc<RunHandle>,
     signals: &mut Signals,
 ) -> Result<Option<RunSession>, Failure> {
     let rehearsal = live::RehearsalProgress::new();
-    let (scene, its_patchbay, shown) = (scene.clone(), Arc::clone(patchbay), rehearsal.clone());
-    let preparing = tokio::task::spawn_blocking(move || {
-        RunSession::prepare_behind(its_patchbay, &scene, options, &|progress| shown.show(progress))
-    });
-    let prepared = tokio::select! {
-        biased;
-        () = patchbay.emergency.asked() => None,
-        () = signals.next() => None,
-        prepared = preparing => Some(prepared),
+    let (scene, its_handle, shown) = (scene.clone(), Arc::clone(handle), rehearsal.clone());
+    let prepare = move || {
+        RunSession::prepare_behind(its_handle, &scene, options, &|progress| shown.show(progress))
     };
+    let prepared = signals.unless_stopped(&handle.emergency, prepare).await;
     rehearsal.finish();
-    let Some(prepared) = prepared.filter(|_| !patchbay.emergency.is_asked()) else {
-        patchbay.emergency.answer(BoardsTold::NONE_ARMED);
-        return Ok(None);
-    };
-    let prepared = prepared.map_err(|panic| Failure::Running(panic.to_string()))?;
-    prepared.map(Some).map_err(|error| failure(&error))
+    prepared?.transpose().map_err(|error| failure(&error))
 }
 
 /// Records all that the session will do into `file`.
@@ -266,7 +256,7 @@ fn keep_black_box(session: &RunSession, folder: Option<&Path>) {
     session.observe(Box::new(BlackBoxSink::new(folder, tell)));
 }
 
-/// The user's own folder for what programs leave behind, or one among temporary files.
+/// Returns the user's own folder for what programs leave behind, or one among temporary files.
 fn state_folder() -> PathBuf {
     streaming::own_state_folder().unwrap_or_else(|| std::env::temp_dir().join("letoff"))
 }

@@ -1,5 +1,9 @@
 //! Signals, for commands that run until they are stopped.
 
+use host::control::{BoardsTold, EmergencyStop};
+
+use super::Failure;
+
 /// The signals that end a run well: all notes off, forces down, then the report.
 pub(super) struct Signals {
     interrupt: tokio::signal::unix::Signal,
@@ -27,7 +31,31 @@ impl Signals {
         }
     }
 
-    /// Waits for the next.
+    /// Does `work`, which arms no board, on a thread of its own; nothing comes of it if an
+    /// emergency stop, which is answered here, or a signal comes before it is done.
+    ///
+    /// # Errors
+    /// If `work` panicked.
+    pub(super) async fn unless_stopped<T: Send + 'static>(
+        &mut self,
+        emergency: &EmergencyStop,
+        work: impl FnOnce() -> T + Send + 'static,
+    ) -> Result<Option<T>, Failure> {
+        let working = tokio::task::spawn_blocking(work);
+        let done = tokio::select! {
+            biased;
+            () = emergency.asked() => None,
+            () = self.next() => None,
+            done = working => Some(done),
+        };
+        let Some(done) = done.filter(|_| !emergency.is_asked()) else {
+            emergency.answer(BoardsTold::NONE_ARMED);
+            return Ok(None);
+        };
+        done.map(Some).map_err(|panic| Failure::Running(panic.to_string()))
+    }
+
+    /// Waits for the next signal.
     pub(super) async fn next(&mut self) {
         tokio::select! {
             _ = self.interrupt.recv() => {}

@@ -44,21 +44,22 @@ pub struct StreamArgs {
     pub instruments: Option<PathBuf>,
 }
 
-/// What Foxglove's own viewers look for first.
+/// The address that Foxglove's own viewers try first.
 const DEFAULT: &str = "127.0.0.1:8765";
 
 /// The stream that the options ask for.
 #[derive(Debug)]
 pub(super) struct WantedStream {
     settings: ServerSettings,
-    /// Where clients may name files.
+    /// The folders in which clients may name files.
     pub(super) folders: Folders,
-    /// Nobody asked for it: it is what is done without options.
+    /// It is the default, and not asked for by an option.
     is_usual: bool,
 }
 
 impl StreamArgs {
-    /// The stream that the options ask for, if any; `folder` keeps a certificate of our own.
+    /// Returns the stream that the options ask for, if any; `folder` keeps a certificate of our
+    /// own.
     ///
     /// # Errors
     /// What is wrong with them, in a sentence.
@@ -87,7 +88,7 @@ impl StreamArgs {
         Ok(Some(WantedStream { settings, folders: self.folders(), is_usual }))
     }
 
-    /// Where clients may name files: folders that were given, or the user's own.
+    /// Returns the folders in which clients may name files: those given, or the user's own.
     fn folders(&self) -> Folders {
         let recordings = || Some(own_state_folder()?.join("recordings"));
         let instruments = || Some(usual_folder()?.with_file_name("instruments"));
@@ -98,7 +99,7 @@ impl StreamArgs {
     }
 }
 
-/// The user's own folder for what programs leave behind, if the user has a home.
+/// Returns the user's own folder for what programs leave behind, if the user has a home.
 pub(super) fn own_state_folder() -> Option<PathBuf> {
     let home = || std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".local/state"));
     let state = std::env::var_os("XDG_STATE_HOME").map(PathBuf::from).or_else(home)?;
@@ -106,7 +107,7 @@ pub(super) fn own_state_folder() -> Option<PathBuf> {
 }
 
 impl WantedStream {
-    /// Listens; nothing if it cannot and nobody asked for it.
+    /// Listens; nothing if it cannot and no option asks for it.
     ///
     /// # Errors
     /// Why it cannot, in a sentence; an address that is taken or not there yet may be free later.
@@ -139,7 +140,7 @@ impl WantedStream {
         }
     }
 
-    /// Where it streams, in a sentence.
+    /// Returns where it streams, in a sentence.
     pub(super) fn news(&self, url: &str) -> String {
         let wanted = self.settings.address;
         if self.is_usual && !url.ends_with(&wanted.to_string()) {
@@ -148,7 +149,7 @@ impl WantedStream {
         format!("streams at {url}")
     }
 
-    /// The secret of an owner, if there are secrets.
+    /// Returns the secret of an owner, if there are secrets.
     pub(super) fn owner(&self) -> Option<String> {
         let owner = self.settings.tokens.iter().find(|token| token.role == Role::Owner)?;
         Some(owner.secret.clone())

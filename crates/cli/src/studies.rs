@@ -72,7 +72,7 @@ Exit codes: 0 done; 1 a file could not be written; 2 wrong usage or file.",
     )
 }
 
-/// Does a study.
+/// Runs a study and writes its report.
 pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match &args.study {
         StudyCommand::Accuracy(args) => accuracy(args, out),
@@ -97,7 +97,7 @@ fn accuracy(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), Failure> {
     tell(args, &report, out)
 }
 
-/// What is asked for, or every mistake in a sentence of its own.
+/// Returns what is asked for, or every mistake in a sentence of its own.
 fn check(args: &AccuracyArgs) -> Result<(StudyChoice, StudyReport), Vec<String>> {
     let mut mistakes = Vec::new();
     let effort = if args.quick { Effort::QUICK } else { Effort::FULL };
@@ -118,7 +118,7 @@ fn check(args: &AccuracyArgs) -> Result<(StudyChoice, StudyReport), Vec<String>>
     }
 }
 
-/// What is wrong with a name, and which would be right.
+/// Returns what is wrong with a name, and which would be right.
 fn sentence(unknown: &Unknown) -> String {
     let Unknown { what, name, known } = unknown;
     format!("there is no {what} {}: {}", quoted(name), choice(name, known))
@@ -138,7 +138,7 @@ fn tell(args: &AccuracyArgs, report: &StudyReport, out: &mut dyn Write) -> Resul
     )?)
 }
 
-/// A bar for so many runs, on stderr where a person sees it.
+/// Returns a bar for so many runs, on stderr where a person sees it.
 fn bar(runs: usize) -> ProgressBar {
     const TEMPLATE: &str = "{msg:14} {wide_bar} {pos}/{len} runs {eta}";
     // A template of ours cannot be wrong; if it were, the plain bar will do.

@@ -1,4 +1,4 @@
-//! Which scene is meant, with what the command line puts in its place.
+//! The scene of a command, with the overrides of the command line.
 
 use clap::Args;
 use links::address::Address;
@@ -28,7 +28,7 @@ impl SceneTarget {
         link_overrides(&self.links).into_iter().chain(set).collect()
     }
 
-    /// The scene's rate (Hz), and its boards.
+    /// Returns the scene's rate (Hz), and its boards.
     pub(super) fn boards(&self) -> Result<(u32, Boards), Failure> {
         let scene = Scene::load_as_typed(&self.scene, &self.overrides())
             .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;

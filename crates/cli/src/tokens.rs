@@ -1,4 +1,4 @@
-//! The file that says who may do what on the stream.
+//! The file with the rights of the stream's clients.
 
 use std::fs::File;
 use std::io::{self, Read as _};
@@ -13,10 +13,10 @@ use super::tell;
 /// Longest file (bytes).
 const LONGEST: u64 = 1 << 16;
 
-/// Of a file's mode: others may read, or write.
+/// The bits of a file's mode by which others may read or write.
 const OTHERS: u32 = 0o006;
 
-/// Mistakes that are told at once.
+/// Most mistakes that one message names.
 const MOST_TOLD: usize = 10;
 
 /// Reads who may do what; says so if others on this machine may read it too, or even write.
@@ -39,7 +39,7 @@ pub(super) fn read(file: &Path) -> Result<Vec<Token>, String> {
     Ok(tokens)
 }
 
-/// What is in the file, and who may read it.
+/// Returns what is in the file, and who may read it.
 fn text(file: &Path) -> io::Result<(String, u32)> {
     let opened = File::open(file)?;
     let mode = opened.metadata()?.permissions().mode();
@@ -67,13 +67,13 @@ fn parse(text: &str) -> Result<Vec<Token>, String> {
         return Err(wrong.join("; "));
     }
     if tokens.is_empty() {
-        // Without tokens everybody would be an owner, which nobody means who names a file.
+        // Without tokens every client would be an owner, which a named file is meant to prevent.
         return Err("nobody is named in it: write lines as `owner SECRET`".to_owned());
     }
     Ok(tokens)
 }
 
-/// The token that `line` is, if its secret is not one of those `before`.
+/// Returns the token that `line` is, if its secret is not one of those `before`.
 fn token(line: &str, before: &[Token]) -> Result<Token, &'static str> {
     let (role, secret) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
     let role = [Role::Viewer, Role::Tuner, Role::Owner].into_iter().find(|it| it.name() == role);

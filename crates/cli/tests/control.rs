@@ -14,7 +14,8 @@ use std::time::Duration;
 
 use common::run_while;
 use host::control::{
-    Clients, ControlError, ControlServer, Reply, Request, VoiceSwitcher, send, send_within, serve,
+    Clients, ControlError, ControlServer, Folders, Reply, Request, RequestHandler, send,
+    send_within, serve,
 };
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession};
@@ -26,7 +27,7 @@ fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> RunReport {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene = Scene::load("default", &silent).expect("the default scene");
     let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
-    let switchboard = Arc::new(VoiceSwitcher::new(scene, session.patchbay()));
+    let requests = Arc::new(RequestHandler::new(scene, session.handle(), Folders::default()));
     let path = socket(name);
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(1)
@@ -37,7 +38,7 @@ fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> RunReport {
         let _inside = runtime.enter();
         ControlServer::listen(&path).expect("a socket")
     };
-    runtime.spawn(serve(server, switchboard, Clients::default()));
+    runtime.spawn(serve(server, requests, Clients::default()));
     run_while(session, || clients(&path))
 }
 

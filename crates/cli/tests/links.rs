@@ -38,10 +38,10 @@ fn beside_a_host(links: &[String], look: impl FnOnce(&RunHandle, &Receiver<Updat
     let overrides: Vec<_> = link_overrides(&parsed).into_iter().chain([silent]).collect();
     let scene = Scene::load_as_typed("default", &overrides).expect("a scene");
     let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
-    let patchbay = session.patchbay();
+    let handle = session.handle();
     let (tell, told) = channel();
     session.observe(Box::new(Ear(tell)));
-    run_while(session, || look(&patchbay, &told));
+    run_while(session, || look(&handle, &told));
 }
 
 /// The next message about links of which `is_it` holds.
@@ -66,7 +66,7 @@ fn boards_are_seen_show_their_light_and_are_missed_when_they_die() {
     let boards = [3, 4].map(|number| Board::start(make(number, 11)));
     let addresses = boards.each_ref().map(Board::link);
     let [three, four] = boards;
-    beside_a_host(&addresses, |patchbay, told| {
+    beside_a_host(&addresses, |handle, told| {
         let is_well = |it: &telemetry::Board| it.state == "armed" && 0.0 < it.round_trip;
         let seen = links(told, |it| it.boards.iter().all(is_well));
         let both = seen.lines.iter().zip(&seen.boards).zip(&addresses);
@@ -78,14 +78,14 @@ fn boards_are_seen_show_their_light_and_are_missed_when_they_die() {
             assert_eq!(place, (n, 3 + n, 33 + 11 * n, 11));
             assert!(0 < board.samples && 0 < board.armings, "{board:?}");
         }
-        let refused = patchbay.identify(0, 4).expect_err("it is on the other link");
+        let refused = handle.identify(0, 4).expect_err("it is on the other link");
         assert!(refused.contains("but board 3"), "{refused}");
-        patchbay.identify(1, 4).expect("it is there");
+        handle.identify(1, 4).expect("it is there");
         let before = seen.boards[1].samples;
         links(told, |it| before + 1_500 < it.boards[1].samples && is_well(&it.boards[1]));
 
         // What becomes of a board is told; a busy machine may tell of the other one too.
-        assert_eq!((three.stop().lights(), patchbay.emergency.is_asked()), (0, false));
+        assert_eq!((three.stop().lights(), handle.emergency.is_asked()), (0, false));
         let port = &seen.lines[0].name;
         told_until(told, &format!("{port} is down now"));
         told_until(told, &format!("board 3 on {port}: silent"));
@@ -96,11 +96,11 @@ fn boards_are_seen_show_their_light_and_are_missed_when_they_die() {
 
 #[test]
 fn simulated_boards_are_seen_and_have_no_lights() {
-    beside_a_host(&[], |patchbay, told| {
+    beside_a_host(&[], |handle, told| {
         let seen = links(told, |it| it.boards.iter().all(|board| 500 < board.samples));
         assert_eq!((seen.lines.len(), seen.boards.len()), (8, 8));
         assert_eq!(seen.boards.iter().map(|it| it.keys).sum::<u32>(), 88);
-        let refused = patchbay.identify(0, 0).expect_err("nothing to be lit");
+        let refused = handle.identify(0, 0).expect_err("nothing to be lit");
         assert!(refused.contains("simulated"), "{refused}");
     });
 }

@@ -136,13 +136,13 @@ fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
 
 /// A run in real time in which keys are pressed, retuned and replaced.
 fn tuned(scene: &Scene, options: RunOptions, file: &Path) {
-    use host::control::{Request, VoiceSwitcher};
+    use host::control::{Folders, Request, RequestHandler};
     let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
     let (_recording, sink) = Recorded::begin(file).expect("a new file");
     session.observe(sink);
-    let switchboard = VoiceSwitcher::new(scene.clone(), session.patchbay());
+    let requests = RequestHandler::new(scene.clone(), session.handle(), Folders::default());
     let ask = |request: Request| loop {
-        match switchboard.answer(&request, "test") {
+        match requests.answer(&request, "test") {
             Err(why) if why.contains("not running yet") => std::thread::yield_now(),
             answer => return answer.expect("done"),
         }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use common::run_while;
-use host::control::{Folders, RequestHandler, StreamSink, VoiceSwitcher};
+use host::control::{Folders, RequestHandler, StreamSink};
 use host::session::{RunOptions, RunSession};
 use scene::Scene;
 use stranger::Stranger;
@@ -24,11 +24,11 @@ const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Runs a host on simulated keys that nobody plays, and `clients` of its stream, who get its
 /// address, and what the control socket asks.
-fn beside_a_host(clients: impl FnOnce(&str, &VoiceSwitcher)) {
+fn beside_a_host(clients: impl FnOnce(&str, &RequestHandler)) {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene = Scene::load("default", &silent).expect("the default scene");
     let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
-    let switchboard = Arc::new(VoiceSwitcher::new(scene, session.patchbay()));
+    let requests = Arc::new(RequestHandler::new(scene, session.handle(), Folders::default()));
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(1)
         .enable_all()
@@ -42,11 +42,8 @@ fn beside_a_host(clients: impl FnOnce(&str, &VoiceSwitcher)) {
     };
     let address = server.url();
     session.observe(Box::new(StreamSink::new(server.publisher())));
-    runtime.spawn(serve(
-        server,
-        Arc::new(RequestHandler::new(Arc::clone(&switchboard), Folders::default())),
-    ));
-    run_while(session, || clients(&address, &switchboard));
+    runtime.spawn(serve(server, Arc::<RequestHandler>::clone(&requests)));
+    run_while(session, || clients(&address, &requests));
 }
 
 /// Waits for what `wanted` finds.
@@ -71,7 +68,7 @@ fn update(arrival: Arrival) -> Option<Update> {
 
 #[test]
 fn a_client_sees_presses_and_tunes_a_key() {
-    beside_a_host(|address, _switchboard| {
+    beside_a_host(|address, _requests| {
         let client =
             &mut Client::connect(Dial { address: address.into(), ..Dial::default() }, None);
         let topics = [Topic::Catalogue, Topic::Voices, Topic::Events, Topic::Overview];
@@ -160,9 +157,9 @@ fn told_until(client: &mut Stranger, last: (&str, f64)) -> Vec<(String, f64)> {
 }
 
 /// Asks as the control socket does, and again while the host does not run yet.
-fn ask(switchboard: &VoiceSwitcher, request: &Request) {
+fn ask(requests: &RequestHandler, request: &Request) {
     let end = Instant::now() + PATIENCE;
-    while let Err(why) = switchboard.answer(request, "letoff") {
+    while let Err(why) = requests.answer(request, "letoff") {
         assert!(why.contains("not running yet") && Instant::now() < end, "{why}");
         std::thread::yield_now();
     }
@@ -174,10 +171,10 @@ fn tune(key: u8, parameter: &str, value: f64) -> Request {
 
 #[test]
 fn each_change_is_told_once_whoever_made_it() {
-    beside_a_host(|address, switchboard| {
+    beside_a_host(|address, requests| {
         let (mut one, mut other) = (follower(address), follower(address));
         // What plays at the beginning is told before this.
-        ask(switchboard, &tune(38, "g", 9.5));
+        ask(requests, &tune(38, "g", 9.5));
         told_until(&mut one, ("/key/38/g", 9.5));
         told_until(&mut other, ("/key/38/g", 9.5));
 
@@ -189,15 +186,15 @@ fn each_change_is_told_once_whoever_made_it() {
             assert_eq!(told, [("/key/39/k2".to_owned(), 20_000.5)]);
         }
         // By the control socket: only what is another value now, and nothing more of key 39.
-        ask(switchboard, &tune(40, "g", 8.5));
+        ask(requests, &tune(40, "g", 8.5));
         for client in [&mut one, &mut other] {
             let told = told_until(client, ("/key/40/g", 8.5));
             assert_eq!(told, [("/key/40/g".to_owned(), 8.5)]);
         }
         // And by another instrument.
         let (instrument, keys) = ("grand-reduced".to_owned(), Some("41".to_owned()));
-        ask(switchboard, &Request::UseInstrument { instrument, keys });
-        ask(switchboard, &tune(42, "g", 8.5));
+        ask(requests, &Request::UseInstrument { instrument, keys });
+        ask(requests, &tune(42, "g", 8.5));
         let told = told_until(&mut other, ("/key/42/g", 8.5));
         let of_key = |key: &str| told.iter().filter(|(name, _)| name.starts_with(key)).count();
         assert!(0 < of_key("/key/") && of_key("/key/42/") == 1, "{told:?}");
@@ -208,7 +205,7 @@ fn each_change_is_told_once_whoever_made_it() {
 
 #[test]
 fn a_key_comes_up_when_the_client_that_pressed_it_goes() {
-    beside_a_host(|address, _switchboard| {
+    beside_a_host(|address, _requests| {
         let dial = || Dial { address: address.into(), ..Dial::default() };
         let (mut presses, mut watches) =
             (Client::connect(dial(), None), Client::connect(dial(), None));

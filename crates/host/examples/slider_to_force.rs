@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use hdrhistogram::Histogram;
-use host::control::{Folders, RequestHandler, StreamSink, VoiceSwitcher};
+use host::control::{Folders, RequestHandler, StreamSink};
 use host::session::{RunOptions, RunSession};
 use scene::Scene;
 use telemetry::request::Change;
@@ -32,7 +32,7 @@ fn main() {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene = Scene::load("default", &silent).expect("the default scene");
     let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
-    let switchboard = Arc::new(VoiceSwitcher::new(scene, session.patchbay()));
+    let requests = Arc::new(RequestHandler::new(scene, session.handle(), Folders::default()));
     let mut runtime = tokio::runtime::Builder::new_multi_thread();
     let runtime = runtime.worker_threads(1).enable_all().build().expect("a runtime");
     let address = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
@@ -43,7 +43,7 @@ fn main() {
     };
     let dial = Dial { address: server.url(), ..Dial::default() };
     session.observe(Box::new(StreamSink::new(server.publisher())));
-    runtime.spawn(serve(server, Arc::new(RequestHandler::new(switchboard, Folders::default()))));
+    runtime.spawn(serve(server, requests));
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {
         let host = scope.spawn(|| session.run(&stop));

@@ -1,12 +1,12 @@
 //! The keyboard host service: a checked scene becomes a run that plays, is observed and replayed.
 //!
-//! | module | what stands there |
+//! | module | contents |
 //! |---|---|
 //! | [`session`] | one run from its scene to its report |
 //! | [`control`] | requests of commands and of the stream, on their way to a running voice |
 //! | [`adapters`] | what plugs into the scheduler's ports: strikes, rows of telemetry, links |
 //! | [`observe`] | from rings to telemetry messages, to recordings and to the stream |
-//! | [`desk`] | the thread that sends MIDI |
+//! | [`midi_thread`] | the thread that sends MIDI |
 //! | [`replay`] | a recording run again and compared |
 //! | [`rehearsal`] | one key with its voice in virtual time, for the virtual pianist |
 //! | [`report`] | what a run did, for people and as JSON |
@@ -17,7 +17,7 @@
 pub mod adapters;
 pub mod boards;
 pub mod control;
-pub mod desk;
+pub mod midi_thread;
 pub mod observe;
 pub mod rehearsal;
 pub mod replay;

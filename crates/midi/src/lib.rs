@@ -24,7 +24,7 @@ pub mod schedule;
 pub mod velocity;
 
 pub use message::{Controller, Message, MidiDecodeError};
-pub use note::{KEYS, Note, Velocity};
+pub use note::{Note, Velocity};
 pub use output::{MessageRecorder, MidiPort, MidiSendError, Output, Smf, Unavailable, ports};
 pub use player::{EventKind, NoteEvent, Player};
 pub use schedule::Schedule;

@@ -1,10 +1,6 @@
-//! Notes and velocities: key 0 is A0, which is MIDI note 21.
+//! Notes by their MIDI number, and velocities.
 
-/// Number of keys, A0 to C8.
-pub const KEYS: u8 = 88;
-
-/// MIDI number of key 0.
-const LOWEST: u8 = 21;
+use keyboard::KeyIndex;
 
 /// One of the 88 notes of the compass.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -14,25 +10,25 @@ pub struct Note(u8);
 impl Note {
     /// Returns the note of `key` (0 ..= 87), if there is such a key.
     pub const fn from_key(key: u8) -> Option<Self> {
-        if key < KEYS { Some(Self(key + LOWEST)) } else { None }
-    }
-
-    /// Returns the note with MIDI `number` (21 ..= 108), if it is on the keyboard.
-    pub const fn from_number(number: u8) -> Option<Self> {
-        match number.checked_sub(LOWEST) {
-            Some(key) => Self::from_key(key),
+        match KeyIndex::new(key) {
+            Some(key) => Some(Self(key.midi())),
             None => None,
         }
     }
 
-    /// MIDI number, 21 ..= 108.
+    /// Returns the note with MIDI `number` (21 ..= 108), if it is on the keyboard.
+    pub const fn from_number(number: u8) -> Option<Self> {
+        if KeyIndex::from_midi(number).is_some() { Some(Self(number)) } else { None }
+    }
+
+    /// Returns the MIDI number, 21 ..= 108.
     pub const fn number(self) -> u8 {
         self.0
     }
 
-    /// Key, 0 ..= 87.
+    /// Returns the number of the key, 0 ..= 87.
     pub const fn key(self) -> u8 {
-        self.0 - LOWEST
+        self.0 - KeyIndex::LOWEST.midi()
     }
 }
 

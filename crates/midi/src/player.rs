@@ -1,9 +1,10 @@
 //! Key events to messages, with the notes that are held.
 
+use keyboard::{KEYS, KeyIndex};
 use rtrb::Consumer;
 
 use crate::message::{Controller, Message};
-use crate::note::{KEYS, Note, Velocity};
+use crate::note::{Note, Velocity};
 use crate::output::{MidiSendError, Output};
 use crate::velocity::{VelocityCurve, release_velocity};
 
@@ -70,7 +71,7 @@ const SILENT: NoteState =
 pub struct Player<O: Output> {
     output: O,
     curve: VelocityCurve,
-    held: [NoteState; KEYS as usize],
+    held: [NoteState; KEYS],
     /// Value of CC64 that was sent last.
     pedal: u8,
     /// Latest time that was seen (s).
@@ -82,7 +83,7 @@ pub struct Player<O: Output> {
 impl<O: Output> Player<O> {
     /// A player that sends to `output`, with velocities by `curve`.
     pub fn new(output: O, curve: VelocityCurve) -> Self {
-        let held = [SILENT; KEYS as usize];
+        let held = [SILENT; KEYS];
         Self { output, curve, held, pedal: 0, now: 0.0, stirred: false }
     }
 
@@ -146,7 +147,7 @@ impl<O: Output> Player<O> {
     /// The first loss of a message, after all have been tried.
     pub fn silence(&mut self) -> Result<(), MidiSendError> {
         let mut outcome = Ok(());
-        for key in 0..KEYS {
+        for key in KeyIndex::all().map(KeyIndex::number) {
             let released = self.release(key, self.now, Velocity::UNKNOWN);
             outcome = outcome.and(released);
         }
@@ -240,7 +241,7 @@ impl<O: Output> Player<O> {
     /// Moves to time `now` (s), ending the notes that fall silent by themselves until then.
     fn advance(&mut self, now: f64) -> Result<(), MidiSendError> {
         let mut outcome = Ok(());
-        for key in 0..KEYS {
+        for key in KeyIndex::all().map(KeyIndex::number) {
             let due = self.held[usize::from(key)].until;
             if let Some(at) = due.filter(|at| *at <= now) {
                 let released = self.release(key, at, Velocity::UNKNOWN);

@@ -6,7 +6,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use haptics::plant::Gesture;
-use midi::{KEYS, VelocityCurve};
+use keyboard::KEYS;
+use midi::VelocityCurve;
 
 use crate::assess::{ExpectedNote, Struck};
 use crate::rehearse::{Practice, Rehearsal, RehearsedStroke, StrokeTables};
@@ -133,7 +134,7 @@ impl Pianist {
             .iter()
             .map(|strokes| strokes.iter().map(|stroke| stroke.gesture).collect())
             .collect();
-        gestures.resize(usize::from(KEYS), Vec::new());
+        gestures.resize(KEYS, Vec::new());
         let lead_in = self.technique.lead_in;
         Performance {
             gestures,

@@ -1,7 +1,8 @@
 //! What is wanted of each key: strokes without gestures yet.
 
 use haptics::plant::{Gesture, Touch};
-use midi::{KEYS, Velocity, VelocityCurve};
+use keyboard::KEYS;
+use midi::{Velocity, VelocityCurve};
 
 use crate::score::{Score, ScoreNote};
 
@@ -65,7 +66,7 @@ pub struct PlannedStroke {
 /// Onsets are later than the score's by the technique's lead-in; an end that leaves the key too
 /// little time to come up for its next stroke is moved earlier.
 pub fn plan(score: &Score, curve: VelocityCurve, technique: &Technique) -> Vec<Vec<PlannedStroke>> {
-    let mut keys = vec![Vec::new(); usize::from(KEYS)];
+    let mut keys = vec![Vec::new(); KEYS];
     for note in &score.notes {
         if let Some(strokes) = keys.get_mut(usize::from(note.key)) {
             strokes.push(wanted(note, curve, technique));

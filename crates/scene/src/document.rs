@@ -14,7 +14,7 @@ pub(super) struct Node {
     pub(super) value: TomlValue,
 }
 
-/// What TOML can say.
+/// A value of TOML.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum TomlValue {
     Text(String),
@@ -30,13 +30,13 @@ pub(super) enum TomlValue {
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct DocumentEntry {
     pub(super) name: String,
-    /// Where the name stands.
+    /// The place of the name.
     pub(super) place: Location,
     pub(super) node: Node,
 }
 
 impl Node {
-    /// What it is, for people.
+    /// Returns the kind of its value in words.
     pub(super) const fn kind(&self) -> &'static str {
         match self.value {
             TomlValue::Text(_) => "text",
@@ -48,7 +48,7 @@ impl Node {
         }
     }
 
-    /// The entries, if it is a table.
+    /// Returns the entries, if it is a table.
     pub(super) fn entries(&self) -> Option<&[DocumentEntry]> {
         match &self.value {
             TomlValue::Table(entries) => Some(entries),
@@ -61,7 +61,7 @@ impl Node {
         }
     }
 
-    /// The items, if it is a list.
+    /// Returns the items, if it is a list.
     pub(super) fn items(&self) -> Option<&[Self]> {
         match &self.value {
             TomlValue::List(nodes) => Some(nodes),
@@ -74,12 +74,12 @@ impl Node {
         }
     }
 
-    /// The item with this index, if it is a list with so many.
+    /// Returns the item with this index, if it is a list with so many.
     pub(super) fn item_mut(&mut self, index: usize) -> Option<&mut Self> {
         if let TomlValue::List(nodes) = &mut self.value { nodes.get_mut(index) } else { None }
     }
 
-    /// The value of an override: TOML, or text without its quotes.
+    /// Returns the value of an override: TOML, or text without its quotes.
     pub(super) fn overriding(text: &str, place: Location) -> Self {
         match text.parse::<toml_edit::Value>() {
             Ok(value) => from_value(&value, &|_| place),
@@ -88,7 +88,7 @@ impl Node {
     }
 }
 
-/// Reads the report's file; says every line that is no TOML and reads on without it.
+/// Reads the report's file; reports every line that is no TOML and reads on without it.
 ///
 /// Nothing comes back where what is left could not be understood.
 pub(super) fn parse(report: &mut MistakeList<'_>) -> Option<Node> {
@@ -125,7 +125,7 @@ pub(super) fn parse(report: &mut MistakeList<'_>) -> Option<Node> {
     None
 }
 
-/// The place of something that was parsed.
+/// Returns the place of something that was parsed.
 fn at(span: Option<std::ops::Range<usize>>) -> Location {
     Location::At(span.map_or(0, |span| span.start))
 }

@@ -3,18 +3,18 @@
 /// Embedded TOML files of one kind.
 #[derive(Debug)]
 pub(super) struct EmbeddedFiles {
-    /// What they are, in the singular.
+    /// Their kind, in the singular.
     pub(super) what: &'static str,
     files: &'static [(&'static str, &'static str)],
 }
 
 impl EmbeddedFiles {
-    /// The text of the file called `name`.
+    /// Returns the text of the file called `name`.
     pub(super) fn find(&self, name: &str) -> Option<&'static str> {
         self.files.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
     }
 
-    /// The names of all files.
+    /// Returns the names of all files.
     pub(super) fn names(&self) -> impl Iterator<Item = &'static str> {
         self.files.iter().map(|(name, _)| *name)
     }
@@ -28,13 +28,13 @@ macro_rules! configs {
     };
 }
 
-/// The scenes.
+/// The embedded scenes.
 pub(super) const SCENES: EmbeddedFiles = EmbeddedFiles {
     what: "scene",
     files: configs!(include_str, "scenes", ".toml": "default", "bach", "paper", "mixed", "fast"),
 };
 
-/// The instruments.
+/// The embedded instruments.
 pub(super) const INSTRUMENTS: EmbeddedFiles = EmbeddedFiles {
     what: "instrument",
     files: configs!(
@@ -55,12 +55,12 @@ pub(super) const PERFORMANCES: &[(&str, &[u8])] = configs!(
     include_bytes, "performances", ".mid": "bach-bwv-846", "beethoven-ode-to-joy"
 );
 
-/// Names of the embedded scenes.
+/// Returns the names of the embedded scenes.
 pub fn scenes() -> impl Iterator<Item = &'static str> {
     SCENES.names()
 }
 
-/// Names of the embedded performances.
+/// Returns the names of the embedded performances.
 pub fn performances() -> impl Iterator<Item = &'static str> {
     PERFORMANCES.iter().map(|(name, _)| *name)
 }

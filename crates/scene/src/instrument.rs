@@ -1,6 +1,7 @@
 //! An instrument: a model and a preset over the compass, with a title.
 
 use std::path::Path;
+use std::sync::OnceLock;
 
 use models::Preset;
 use models::catalogue::ModelEntry;
@@ -18,13 +19,13 @@ use diagnostics::Diagnostics;
 /// A checked instrument.
 #[derive(Clone, Debug)]
 pub struct Instrument {
-    /// Its name in scenes and on the command line.
+    /// The name in scenes and on the command line.
     pub name: String,
-    /// What it is, in a few words.
+    /// A description in a few words.
     pub title: String,
-    /// What it is, in a sentence or two; may be empty.
+    /// A description of a sentence or two; may be empty.
     pub doc: String,
-    /// What a scene must have for it to be stable.
+    /// The settings with which it is stable.
     pub needs: Needs,
     pub(super) voicing: Voicing,
 }
@@ -45,14 +46,33 @@ impl Instrument {
         })?)
     }
 
-    /// The model that every key has.
+    /// Returns every embedded instrument, in the order in which they are listed to people.
+    ///
+    /// They are read once in a process.
+    pub fn embedded() -> &'static [Self] {
+        static ALL: OnceLock<Vec<Instrument>> = OnceLock::new();
+        // A test of this crate loads each of them.
+        ALL.get_or_init(|| INSTRUMENTS.names().filter_map(|name| Self::load(name).ok()).collect())
+    }
+
+    /// Returns the model that every key has.
     pub const fn model(&self) -> &'static ModelEntry {
         self.voicing.model
     }
 
-    /// One value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
+    /// Returns one value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
     pub fn values(&self, key: u8) -> Vec<f64> {
         self.voicing.values(key)
+    }
+
+    fn info(&self) -> InstrumentInfo {
+        InstrumentInfo {
+            name: self.name.clone(),
+            title: self.title.clone(),
+            model: self.voicing.model.name,
+            preset: self.voicing.preset.name,
+            needs: self.needs.summary(),
+        }
     }
 
     /// Reads an instrument from `source`.
@@ -86,42 +106,33 @@ impl Instrument {
     }
 }
 
-/// The embedded instrument that has `model` with `preset`; the first with that model, if none
-/// has both or no preset is named, since the parameters may be anybody's then.
+/// Returns the embedded instrument that has `model` with `preset`; the first with that model, if
+/// none has both or no preset is named, since the parameters may be any then.
 ///
 /// What is known of an instrument's stability is known of its model, too.
-pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<Instrument> {
-    let all = || INSTRUMENTS.names().filter_map(|name| Instrument::load(name).ok());
+pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<&'static Instrument> {
+    let all = || Instrument::embedded().iter();
     let of_model = |it: &Instrument| it.voicing.model.name == model.name;
     let same = |it: &Instrument| preset.is_some_and(|preset| it.voicing.preset.name == preset.name);
-    all().find(|it| of_model(it) && same(it)).or_else(|| all().find(of_model))
+    all().find(|it| of_model(it) && same(it)).or_else(|| all().find(|it| of_model(it)))
 }
 
-/// What is listed of an embedded instrument.
+/// An embedded instrument as it is listed.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct InstrumentInfo {
     /// Its name in scenes.
     pub name: String,
-    /// What it is, in a few words.
+    /// A description in a few words.
     pub title: String,
     /// Name of its model.
     pub model: &'static str,
     /// Name of its preset.
     pub preset: &'static str,
-    /// What a scene must have for it to be stable.
+    /// The settings with which it is stable.
     pub needs: Option<String>,
 }
 
-/// Every embedded instrument, in the order in which they are listed to people.
+/// Returns what is listed of every embedded instrument.
 pub fn instruments() -> Vec<InstrumentInfo> {
-    let loaded = INSTRUMENTS.names().filter_map(|name| Instrument::load(name).ok());
-    loaded
-        .map(|Instrument { name, title, needs, voicing, .. }| InstrumentInfo {
-            name,
-            title,
-            model: voicing.model.name,
-            preset: voicing.preset.name,
-            needs: needs.summary(),
-        })
-        .collect()
+    Instrument::embedded().iter().map(Instrument::info).collect()
 }

@@ -1,29 +1,25 @@
-//! `[[keys]]`: which keys are what.
+//! `[[keys]]`: the voices of key ranges.
 
+use keyboard::{KEYS, KeyRange, RangeError};
 use models::catalogue::ModelEntry;
 
 use super::document::{Node, TomlValue};
 use super::embedded::INSTRUMENTS;
 use super::instrument::{Instrument, known_as};
 use super::needs::LoopSettings;
-use super::range::{KeyRange, RangeError};
 use super::read::{self, TableReader};
 use super::report::{Location, MistakeList};
 use super::source::{SourceError, SourceText};
 use super::voicing::Voicing;
 use diagnostics::quoted;
 
-/// What a key is.
+/// A model with its values for one key.
 #[derive(Clone, Debug)]
 pub struct KeyVoice {
-    /// Its model.
     pub model: &'static ModelEntry,
     /// One value per parameter of the model, in the unit of each.
     pub values: Vec<f64>,
 }
-
-/// Number of keys, A0 to C8.
-const KEYS: usize = midi::KEYS as usize;
 
 /// Reads the key ranges; one entry per key, none where it is silent.
 ///
@@ -51,7 +47,7 @@ pub(super) fn read(
     for node in ranges {
         let read = read_range(report, node, &mut taken, in_loop);
         let Some((range, voicing)) = read else { continue };
-        for key in range.first..=range.last {
+        for key in range.numbers() {
             let voice = KeyVoice { model: voicing.model, values: voicing.values(key) };
             voices[usize::from(key)] = Some(voice);
         }
@@ -101,15 +97,15 @@ fn read_bounds(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Op
     match KeyRange::parse(&text) {
         Ok(range) => Some((range, place)),
         Err(refusal) => {
-            refuse_range(report, place, &text, &refusal);
+            refuse_range(report, place, refusal);
             None
         }
     }
 }
 
-fn refuse_range(report: &mut MistakeList<'_>, place: Location, text: &str, refusal: &RangeError) {
+fn refuse_range(report: &mut MistakeList<'_>, place: Location, refusal: RangeError<'_>) {
     let (message, help) = match refusal {
-        RangeError::NoNote(note) => (
+        RangeError::NotANote(note) => (
             format!("{} in the range is no note", quoted(note)),
             "write notes from A0 to C8 or MIDI numbers from 21 to 108, as \"A0..C8\"",
         ),
@@ -117,7 +113,7 @@ fn refuse_range(report: &mut MistakeList<'_>, place: Location, text: &str, refus
             format!("{} is not on the keyboard", quoted(note)),
             "stay within A0..C8, which is 21..108",
         ),
-        RangeError::Backwards => {
+        RangeError::Backwards(text) => {
             (format!("the range {} runs backwards", quoted(text)), "put the lower note first")
         }
     };
@@ -126,7 +122,7 @@ fn refuse_range(report: &mut MistakeList<'_>, place: Location, text: &str, refus
 
 fn refuse_overlap(report: &mut MistakeList<'_>, (range, place): ReadRange, taken: &[ReadRange]) {
     for (other, other_place) in taken {
-        if let Some(shared) = range.shared(*other) {
+        if let Some(shared) = range.intersection(*other) {
             let first = report.describe(*other_place);
             let message = format!("{shared} already belongs to the range of {first}");
             report.say(place, message, "let every key be in one range only");
@@ -150,7 +146,7 @@ fn read_voicing(
         let voicing = Voicing::read(report, reader)?;
         let named = preset.map(|_entry| voicing.preset);
         if let (Some(entry), Some(known)) = (model, known_as(voicing.model, named)) {
-            refuse_unstable(report, entry.node.place, &known, in_loop);
+            refuse_unstable(report, entry.node.place, known, in_loop);
         }
         return Some(voicing);
     };

@@ -1,4 +1,4 @@
-//! Scene or instrument: told by what stands in the file.
+//! Tells scenes from instruments by the names in the file.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ const SCENE: [&str; 7] = ["tick_hz", "lanes", "render", "keys", "links", "midi",
 /// Names that only an instrument has.
 const INSTRUMENT: [&str; 6] = ["doc", "model", "preset", "offline", "stable", "parameters"];
 
-/// What a file is.
+/// The kind of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FileKind {
@@ -26,7 +26,7 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    /// Its word for people.
+    /// Returns its name in messages.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Scene => "scene",
@@ -44,7 +44,7 @@ pub fn check_file(path: &Path) -> Result<FileKind, Diagnostics> {
     check(&SourceText::read(path)?)
 }
 
-/// As [`check_file`], of a text that was read.
+/// Checks a text as [`check_file`] does.
 pub(super) fn check(source: &SourceText) -> Result<FileKind, Diagnostics> {
     let kind = kind_of(source)?;
     match kind {
@@ -53,7 +53,7 @@ pub(super) fn check(source: &SourceText) -> Result<FileKind, Diagnostics> {
     }
 }
 
-/// What `source` has more of: a scene's names, or an instrument's.
+/// Returns the kind of which `source` has more names.
 fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
     let mut report = MistakeList::new(source, &[]);
     let root = document::parse(&mut report);
@@ -70,7 +70,7 @@ fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
         (scene, instrument) if instrument <= scene => Some(FileKind::Scene),
         _ => Some(FileKind::Instrument),
     };
-    // Whoever checks the file says again what is no TOML.
+    // The check of the file reports again what is no TOML.
     match kind {
         Some(kind) => Ok(kind),
         None => report.verdict(None),

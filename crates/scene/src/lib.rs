@@ -6,14 +6,14 @@
 //!                                      mistakes of every stage ─ report ─▶ Diagnostics
 //! ```
 //!
-//! | module | what stands there |
+//! | module | contents |
 //! |---|---|
-//! | `scene`, `render`, `keys`, `links`, `range` | the scene, a file per table |
+//! | `scene`, `render`, `keys`, `links` | the scene, a file per table |
 //! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
-//! | `kind` | which of the two a file is |
-//! | `embedded`, `source` | what is part of the program; what lies on the disk |
-//! | `document`, `read`, `quantity`, `overrides` | the language, whatever is said in it |
-//! | `report` | what is wrong, where, and what to do |
+//! | `kind` | whether a file is a scene or an instrument |
+//! | `embedded`, `source` | files that are part of the program, and files on the disk |
+//! | `document`, `read`, `quantity`, `setting`, `overrides` | the language of both kinds of file |
+//! | `report` | mistakes with their places and remedies |
 //!
 //! A value that comes out is within its range; a name that comes out exists. Not here: whether
 //! the machine has the ports and boards that a scene asks for.
@@ -30,11 +30,11 @@ mod links;
 mod needs;
 mod overrides;
 mod quantity;
-mod range;
 mod read;
 mod render;
 mod report;
 mod scene;
+mod setting;
 mod source;
 mod voicing;
 mod write;
@@ -50,8 +50,7 @@ pub use links::{
     BoardBus, Boards, FORCES, LinksConfig, SAMPLES, overrides as link_overrides, period_us,
 };
 pub use needs::{Needs, Unmet};
-pub use overrides::Override;
-pub use range::keys_named;
-pub use render::{EstimatorName, InputReconstruction, Render, StepperName};
+pub use render::{EstimatorName, InputReconstruction, Render};
 pub use scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
+pub use source::Override;
 pub use write::written;

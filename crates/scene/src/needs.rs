@@ -3,18 +3,20 @@
 use super::document::Node;
 use super::quantity::number;
 use super::read::{self, TableReader};
-use super::render::{EstimatorName, InputReconstruction, JERK_DENSITY, Render};
+use super::render::{
+    ESTIMATORS, EstimatorName, InputReconstruction, JERK_DENSITY, RECONSTRUCTIONS, Render, TICK_HZ,
+};
 use super::report::MistakeList;
-use super::scene::TICK_HZ;
+use super::setting::TableSetting as _;
 
-/// What a scene must have for an instrument to be quiet when its keys are left alone.
+/// The settings with which an instrument is quiet when its keys are left alone.
 ///
 /// It is measured, not derived: `tests/quiet.rs` plays every instrument and leaves it alone. A
 /// key whose loop makes energy is muted while it runs, see [`haptics::PassivityObserver`]; a
 /// scene that is known to end so is refused beforehand.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Needs {
-    /// Why it is for `letoff simulate` only, if it is.
+    /// The reason why it is for `letoff simulate` only, if it is.
     offline: Option<String>,
     /// Rates and estimators with which it is stable, if not with all.
     stable: Vec<Stable>,
@@ -23,20 +25,20 @@ pub struct Needs {
 /// Rates and estimators with which an instrument is stable.
 #[derive(Clone, PartialEq, Debug)]
 struct Stable {
-    /// Slowest tick \[Hz\].
+    /// Slowest rate of the tick (Hz).
     min_tick_hz: Option<u32>,
     estimator: Option<EstimatorName>,
     reconstruction: Option<InputReconstruction>,
-    /// Slowest Kalman filter \[m²/s⁵\].
+    /// Slowest Kalman filter (m²/s⁵).
     min_jerk_density: Option<f64>,
-    /// Quickest Kalman filter \[m²/s⁵\].
+    /// Quickest Kalman filter (m²/s⁵).
     max_jerk_density: Option<f64>,
 }
 
-/// What a scene lacks, and what would put it right.
+/// The settings that a scene lacks, and the remedy.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unmet {
-    /// What is needed, and what there is instead.
+    /// The need, and the value of the scene.
     pub lacks: String,
     pub help: String,
 }
@@ -53,8 +55,8 @@ impl Needs {
         Self { offline, stable }
     }
 
-    /// What ticks at `tick_hz` with `render` lack for the instrument `name`; nothing if it is
-    /// stable so.
+    /// Returns what ticks at `tick_hz` with `render` lack for the instrument `name`; nothing if it
+    /// is stable so.
     pub fn unmet(&self, name: &str, tick_hz: u32, render: &Render) -> Option<Unmet> {
         if let Some(why) = &self.offline {
             return Some(Unmet {
@@ -78,7 +80,7 @@ impl Needs {
         })
     }
 
-    /// The same in a few words for lists; nothing if nothing is needed.
+    /// Returns the same in a few words for lists; nothing if nothing is needed.
     pub fn summary(&self) -> Option<String> {
         if let Some(why) = &self.offline {
             return Some(format!("letoff simulate only: {why}"));
@@ -91,17 +93,10 @@ impl Needs {
 impl Stable {
     fn read(report: &mut MistakeList<'_>, node: &Node) -> Option<Self> {
         let mut reader = TableReader::new(report, "[stable]", node)?;
-        let estimators = EstimatorName::ALL.map(|all| (all.name(), all));
-        let reconstructions = InputReconstruction::ALL.map(|all| (all.name(), all));
         let stable = Self {
             min_tick_hz: reader.whole(report, "min_tick_hz", TICK_HZ),
-            estimator: reader.choice(report, "estimator", "there is no estimator", &estimators),
-            reconstruction: reader.choice(
-                report,
-                "reconstruction",
-                "there is no reconstruction",
-                &reconstructions,
-            ),
+            estimator: ESTIMATORS.read(report, &mut reader, "estimator"),
+            reconstruction: RECONSTRUCTIONS.read(report, &mut reader, "reconstruction"),
             min_jerk_density: reader.number(report, "min_jerk_density", JERK_DENSITY),
             max_jerk_density: reader.number(report, "max_jerk_density", JERK_DENSITY),
         };

@@ -4,29 +4,14 @@
 
 use super::document::{DocumentEntry, Node, TomlValue};
 use super::report::{Location, MistakeList};
+use super::source::Override;
 use diagnostics::quoted;
 
 /// Names in the longest path that means anything are four: `keys.0.parameters.restitution`.
 const DEEPEST: usize = 8;
 
-/// What a key range's model comes from; a new one replaces what the file says of all three.
+/// Names of a key range's voice; a new one replaces all three of the file.
 const VOICE: [&str; 3] = ["instrument", "model", "preset"];
-
-/// A value of a scene that the command line replaces.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Override {
-    pub name: String,
-    pub value: String,
-    /// What was typed for it, as `--link can:can0`.
-    pub typed: String,
-}
-
-impl From<(String, String)> for Override {
-    fn from((name, value): (String, String)) -> Self {
-        let typed = format!("--set {name}={value}");
-        Self { name, value, typed }
-    }
-}
 
 /// Puts `overrides` into the scene `root`, the last of a name winning.
 ///
@@ -89,7 +74,7 @@ fn ranges_of(root: &mut Node) -> &mut [Node] {
     }
 }
 
-/// Removes what the file says of the voice, if `steps` set another.
+/// Removes the voice that the file gives, if `steps` set another.
 fn replace_voice(range: &mut Node, steps: &[&str]) {
     if !matches!(steps, ["instrument" | "model"]) {
         return;
@@ -127,7 +112,7 @@ fn set(report: &mut MistakeList<'_>, node: &mut Node, steps: &[&str], depth: usi
     set(report, &mut entry.node, steps, depth + 1, value);
 }
 
-/// The entry called `name`; made if it is not there.
+/// Returns the entry called `name`; made if it is not there.
 fn entry<'a>(
     entries: &'a mut Vec<DocumentEntry>,
     name: &str,

@@ -1,6 +1,6 @@
 //! Numbers with a unit: plain SI, or text such as `"0.5 ms"`.
 
-/// What a number must be.
+/// The unit and the range of a number.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Quantity {
     /// SI unit; `"1"` for a ratio.
@@ -10,7 +10,7 @@ pub(super) struct Quantity {
 }
 
 impl Quantity {
-    /// Whether `value` is allowed; NaN never is.
+    /// Returns whether `value` is allowed; NaN never is.
     pub(super) fn allows(&self, value: f64) -> bool {
         value.is_finite() && self.range.0 <= value && value <= self.range.1
     }
@@ -20,7 +20,7 @@ impl Quantity {
         format!("{}{}", number(value), self.suffix())
     }
 
-    /// The range with the unit.
+    /// Returns the range with the unit.
     pub(super) fn show_range(&self) -> String {
         format!("{} to {}{}", number(self.range.0), number(self.range.1), self.suffix())
     }
@@ -30,7 +30,7 @@ impl Quantity {
     }
 }
 
-/// Why text is not the quantity that was asked for.
+/// The reason why text is not the quantity that is wanted.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum QuantityError {
     /// It does not begin with a number.
@@ -41,7 +41,7 @@ pub(super) enum QuantityError {
     WrongUnit(f64, String),
 }
 
-/// A number as people write it.
+/// Returns a number as people write it.
 pub(super) fn number(value: f64) -> String {
     let size = value.abs();
     if value.is_nan() {
@@ -67,7 +67,7 @@ pub(super) fn parse(text: &str, unit: &str) -> Result<f64, QuantityError> {
     }
 }
 
-/// The number at the beginning, and what follows it.
+/// Returns the number at the beginning, and what follows it.
 fn split(text: &str) -> Option<(f64, &str)> {
     /// Longest number that is read (bytes).
     const LONGEST: usize = 40;
@@ -109,7 +109,7 @@ fn prefix(given: &str, wanted: &str) -> Option<i32> {
     Some(exponent)
 }
 
-/// A unit without the ways in which it can be written.
+/// Returns a unit without the ways in which it can be written.
 fn plain(unit: &str) -> String {
     let kept = unit.chars().filter(|c| !matches!(c, ' ' | '·' | '*' | '^'));
     kept.map(|c| match c {

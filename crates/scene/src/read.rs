@@ -1,4 +1,4 @@
-//! Typed access to a table: what is wrong is reported, what nobody asked for too.
+//! Typed access to a table: wrong entries are reported, and so are unknown ones.
 
 use super::document::{DocumentEntry, Node, TomlValue};
 use super::quantity::{self, Quantity, QuantityError};
@@ -9,14 +9,14 @@ use diagnostics::{choice, quoted};
 #[derive(Debug)]
 pub(super) struct TableReader<'a> {
     entries: &'a [DocumentEntry],
-    /// Where the table stands.
+    /// The place of the table.
     pub(super) place: Location,
     /// Every name that was asked for.
     known: Vec<&'static str>,
 }
 
 impl<'a> TableReader<'a> {
-    /// Of `node`, called `name`; reports what is not a table.
+    /// Returns a reader of `node`, called `name`; reports what is not a table.
     pub(super) fn new(report: &mut MistakeList<'_>, name: &str, node: &'a Node) -> Option<Self> {
         let Some(entries) = node.entries() else {
             let help = match node.place {
@@ -29,7 +29,7 @@ impl<'a> TableReader<'a> {
         Some(Self { entries, place: node.place, known: Vec::new() })
     }
 
-    /// The entry called `name`, if it is there.
+    /// Returns the entry called `name`, if it is there.
     pub(super) fn take(&mut self, name: &'static str) -> Option<&'a DocumentEntry> {
         if !self.known.contains(&name) {
             self.known.push(name);
@@ -37,7 +37,7 @@ impl<'a> TableReader<'a> {
         self.entries.iter().find(|entry| entry.name == name)
     }
 
-    /// The table called `name`, if it is there.
+    /// Returns the table called `name`, if it is there.
     pub(super) fn table(
         &mut self,
         report: &mut MistakeList<'_>,
@@ -47,7 +47,7 @@ impl<'a> TableReader<'a> {
         Self::new(report, name, &entry.node)
     }
 
-    /// The number called `name`, if it is there and right.
+    /// Returns the number called `name`, if it is there and right.
     pub(super) fn number(
         &mut self,
         report: &mut MistakeList<'_>,
@@ -58,7 +58,7 @@ impl<'a> TableReader<'a> {
         number(report, name, &entry.node, quantity)
     }
 
-    /// The whole number called `name`, if it is there and right.
+    /// Returns the whole number called `name`, if it is there and right.
     pub(super) fn whole(
         &mut self,
         report: &mut MistakeList<'_>,
@@ -69,7 +69,7 @@ impl<'a> TableReader<'a> {
         whole(report, name, &entry.node, quantity)
     }
 
-    /// The text called `name`, if it is there and not empty, with its place.
+    /// Returns the text called `name`, if it is there and not empty, with its place.
     pub(super) fn text(
         &mut self,
         report: &mut MistakeList<'_>,
@@ -79,7 +79,7 @@ impl<'a> TableReader<'a> {
         text(report, name, &entry.node).map(|text| (text, entry.node.place))
     }
 
-    /// The one of `all` whose name is the text called `name`, if it is there and right.
+    /// Returns the one of `all` whose name is the text called `name`, if it is there and right.
     ///
     /// `refusal` is said before a wrong name, as "there is no stepper".
     pub(super) fn choice<T: Copy>(
@@ -138,7 +138,7 @@ pub(super) fn wrong_type(
     report.say(node.place, message, help);
 }
 
-/// The text of `node`, if it is any.
+/// Returns the text of `node`, if it is any.
 fn plain_text(report: &MistakeList<'_>, node: &Node) -> Option<String> {
     match &node.value {
         TomlValue::Text(text) => Some(text.clone()),
@@ -150,7 +150,7 @@ fn plain_text(report: &MistakeList<'_>, node: &Node) -> Option<String> {
     }
 }
 
-/// The text of `node`, called `name`; not empty.
+/// Returns the text of `node`, called `name`; not empty.
 pub(super) fn text(report: &mut MistakeList<'_>, name: &str, node: &Node) -> Option<String> {
     let Some(text) = plain_text(report, node) else {
         wrong_type(report, name, node, "text", "write it in quotes");
@@ -164,7 +164,7 @@ pub(super) fn text(report: &mut MistakeList<'_>, name: &str, node: &Node) -> Opt
     Some(text)
 }
 
-/// The number of `node`, called `name`, in SI; within its range.
+/// Returns the number of `node`, called `name`, in SI; within its range.
 pub(super) fn number(
     report: &mut MistakeList<'_>,
     name: &str,
@@ -195,7 +195,7 @@ pub(super) fn number(
     Some(value)
 }
 
-/// The whole number of `node`, called `name`; within its range of small positive numbers.
+/// Returns the whole number of `node`, called `name`; within its range of small positive numbers.
 pub(super) fn whole(
     report: &mut MistakeList<'_>,
     name: &str,
@@ -217,7 +217,7 @@ pub(super) fn whole(
     Some(whole)
 }
 
-/// The nodes of a list of tables.
+/// Returns the nodes of a list of tables.
 pub(super) fn tables<'a>(report: &mut MistakeList<'_>, name: &str, node: &'a Node) -> &'a [Node] {
     node.items().unwrap_or_else(|| {
         wrong_type(report, name, node, "a list", &format!("write it as [[{name}]]"));

@@ -1,12 +1,18 @@
-//! `[render]`: how a voice is computed, and what the finger may feel at most.
+//! `[render]`: the settings by which a voice is computed, and the limits of its force.
 
 use haptics::Kalman;
 use pode::input::Reconstruction as Samples;
-use pode::{Limits, Stepper as _, stepper};
+use pode::stepper::{self, Any};
+use pode::{Limits, Stepper as _};
+use toml_edit::{Table, value};
 
 use super::quantity::Quantity;
 use super::read::TableReader;
 use super::report::{Location, MistakeList};
+use super::setting::{NamedValues, TableSetting as _};
+
+/// Rates of the tick.
+pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
 
 const LONGEST_STEP: Quantity = Quantity { unit: "s", range: (1e-6, 0.1) };
 
@@ -16,7 +22,7 @@ const ERROR_BUDGET: Quantity = Quantity { unit: "1", range: (1e-9, 0.1) };
 /// A bracket of half a tick locates nothing; below 1e-15 the fraction has no digits left.
 const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
 
-/// From a key that hardly moves to one that is hammered.
+/// The range from a key that hardly moves to one that is hammered.
 pub(super) const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1e-3, 1e12) };
 
 /// A finger holds about 100 N for a moment, and no keyboard needs it to.
@@ -24,94 +30,91 @@ const FORCE_LIMIT: Quantity = Quantity { unit: "N", range: (0.1, 100.0) };
 
 const SLEW_LIMIT: Quantity = Quantity { unit: "N/s", range: (1.0, 1e7) };
 
-/// How a voice is computed, and what the finger may feel at most.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Render {
-    pub stepper: StepperName,
-    /// Relative error per radian of a mode's fastest motion that `by-need` may make.
-    pub error_budget: f64,
-    /// Longest step (s); the model's own limit holds too.
-    pub longest_step: f64,
-    /// Width to which an event is located, as a fraction of the tick.
-    pub event_tolerance: f64,
-    /// What makes a motion of encoder counts.
-    pub estimator: EstimatorName,
-    /// Power density of the jerk that the Kalman filter reckons with [m²/s⁵]: the smaller,
-    /// the smoother and slower. Rigid models need it small, see key_hammer_rigid's README.
-    pub jerk_density: f64,
-    /// How that motion goes on over the tick.
-    pub reconstruction: InputReconstruction,
-    /// Largest force (N).
-    pub force_limit: f64,
-    /// Fastest change of force (N/s).
-    pub slew_limit: f64,
-}
+/// Methods that make sense in a tick, the explicit ones first, by order.
+const STEPPERS: NamedValues<Any> = NamedValues {
+    refusal: "there is no stepper",
+    all: || STEPPER_NAMES.iter().filter_map(|name| Some((*name, Any::named(name)?))).collect(),
+};
 
-impl Default for Render {
-    fn default() -> Self {
-        Self {
-            stepper: StepperName::Rk4,
-            error_budget: stepper::ByNeed::BUDGET,
-            longest_step: 1e-3,
-            event_tolerance: Limits::default().event_tolerance,
-            estimator: EstimatorName::Kalman,
-            jerk_density: Kalman::KEY_JERK_DENSITY,
-            reconstruction: InputReconstruction::Estimate,
-            force_limit: 25.0,
-            slew_limit: 2e4,
-        }
-    }
-}
+const STEPPER_NAMES: [&str; 13] = [
+    stepper::SemiImplicitEuler::NAME,
+    stepper::Heun::NAME,
+    stepper::VelocityVerlet::NAME,
+    stepper::AdamsBashforth2::NAME,
+    stepper::AdamsBashforth3::NAME,
+    stepper::BogackiShampine::NAME,
+    stepper::Rk4::NAME,
+    stepper::Tsitouras5::NAME,
+    stepper::LinearImplicitMidpoint::NAME,
+    stepper::Ros2::NAME,
+    stepper::Rodas3::NAME,
+    <stepper::Exact>::NAME,
+    stepper::ByNeed::NAME,
+];
 
-macro_rules! steppers {
-    ($($(#[$doc:meta])+ $name:ident,)+) => {
-        /// A method of `pode::stepper` that makes sense in a tick.
-        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-        pub enum StepperName {
-            $($(#[$doc])+ $name,)+
+pub(super) const ESTIMATORS: NamedValues<EstimatorName> = NamedValues {
+    refusal: "there is no estimator",
+    all: || EstimatorName::ALL.map(|all| (all.name(), all)).into(),
+};
+
+pub(super) const RECONSTRUCTIONS: NamedValues<InputReconstruction> = NamedValues {
+    refusal: "there is no reconstruction",
+    all: || InputReconstruction::ALL.map(|all| (all.name(), all)).into(),
+};
+
+/// Declares the settings of `[render]` once, each as `name: type = default, how;`, for the struct,
+/// its defaults, its reader and its writer.
+macro_rules! render {
+    ($($(#[$doc:meta])* $name:ident: $type:ty = $default:expr, $how:expr;)+) => {
+        /// The settings by which a voice is computed, and the limits of its force.
+        #[derive(Clone, Copy, PartialEq, Debug)]
+        pub struct Render {
+            $($(#[$doc])* pub $name: $type,)+
         }
 
-        impl StepperName {
-            /// Every method, the explicit ones first, by order.
-            pub const ALL: &[Self] = &[$(Self::$name),+];
+        impl Default for Render {
+            fn default() -> Self {
+                Self { $($name: $default,)+ }
+            }
+        }
 
-            /// Its name in scenes and on the command line.
-            pub const fn name(self) -> &'static str {
-                match self {
-                    $(Self::$name => <stepper::$name>::NAME,)+
-                }
+        impl Render {
+            /// Takes over what `reader` has.
+            fn read_all(&mut self, report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) {
+                $(if let Some(read) = $how.read(report, reader, stringify!($name)) {
+                    self.$name = read;
+                })+
+            }
+
+            /// Returns the table `render`.
+            pub(super) fn written(&self) -> Table {
+                let mut table = Table::new();
+                $(table[stringify!($name)] = value($how.written(&self.$name));)+
+                table
             }
         }
     };
 }
 
-steppers! {
-    /// First order, two evaluations; keeps energy bounded.
-    SemiImplicitEuler,
-    /// Second order, two evaluations.
-    Heun,
-    /// Second order, two evaluations; keeps energy bounded.
-    VelocityVerlet,
-    /// Second order, one evaluation; starts anew after events.
-    AdamsBashforth2,
-    /// Third order, one evaluation; starts anew after events.
-    AdamsBashforth3,
-    /// Third order, three evaluations.
-    BogackiShampine,
-    /// Fourth order, four evaluations.
-    Rk4,
-    /// Fifth order, six evaluations.
-    Tsitouras5,
-    /// Second order, linearly implicit; makes no energy at any stiffness.
-    LinearImplicitMidpoint,
-    /// Second order, linearly implicit; stiff motion dies out.
-    Ros2,
-    /// Third order, linearly implicit; stiff motion dies out.
-    Rodas3,
-    /// The exact flow of linear modes, `Rk4` in the others.
-    Exact,
-    /// For each mode the cheapest that meets the error budget.
-    ByNeed,
+render! {
+    stepper: Any = Any::default(), STEPPERS;
+    /// Relative error per radian of a mode's fastest motion that `by-need` may make.
+    error_budget: f64 = stepper::ByNeed::BUDGET, ERROR_BUDGET;
+    /// Longest step (s); the model's own limit holds too.
+    longest_step: f64 = 1e-3, LONGEST_STEP;
+    /// Width to which an event is located, as a fraction of the tick.
+    event_tolerance: f64 = Limits::default().event_tolerance, EVENT_TOLERANCE;
+    /// The estimator of motion from encoder counts.
+    estimator: EstimatorName = EstimatorName::Kalman, ESTIMATORS;
+    /// Power density of the jerk that the Kalman filter reckons with (m²/s⁵): the smaller,
+    /// the smoother and slower. Rigid models need it small, see key_hammer_rigid's README.
+    jerk_density: f64 = Kalman::KEY_JERK_DENSITY, JERK_DENSITY;
+    /// The continuation of that motion over the tick.
+    reconstruction: InputReconstruction = InputReconstruction::Estimate, RECONSTRUCTIONS;
+    /// Largest force (N).
+    force_limit: f64 = 25.0, FORCE_LIMIT;
+    /// Fastest change of force (N/s).
+    slew_limit: f64 = 2e4, SLEW_LIMIT;
 }
 
 /// An estimator of `haptics`.
@@ -127,7 +130,7 @@ impl EstimatorName {
     /// Every estimator, the default first.
     pub const ALL: [Self; 2] = [Self::Kalman, Self::BackwardDifference];
 
-    /// Its name in scenes.
+    /// Returns its name in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Kalman => "kalman",
@@ -136,12 +139,12 @@ impl EstimatorName {
     }
 }
 
-/// How the key's motion goes on between two samples.
+/// The continuation of the key's motion between two samples.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum InputReconstruction {
-    /// Ballistic, from what the estimator says.
+    /// The estimate goes on ballistically.
     Estimate,
-    /// From the samples alone.
+    /// The samples alone are interpolated.
     Samples(Samples),
 }
 
@@ -155,7 +158,7 @@ impl InputReconstruction {
         Self::Samples(Samples::LateHermite),
     ];
 
-    /// Its name in scenes.
+    /// Returns its name in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Estimate => "estimate",
@@ -175,37 +178,13 @@ pub(super) fn read(
 ) -> Render {
     let mut render = Render::default();
     let Some(mut reader) = scene.table(report, "render") else { return render };
-    let steppers: Vec<_> = StepperName::ALL.iter().map(|all| (all.name(), *all)).collect();
-    let estimators = EstimatorName::ALL.map(|all| (all.name(), all));
-    let reconstructions = InputReconstruction::ALL.map(|all| (all.name(), all));
-
-    keep(&mut render.stepper, reader.choice(report, "stepper", "there is no stepper", &steppers));
-    keep(&mut render.error_budget, reader.number(report, "error_budget", ERROR_BUDGET));
+    render.read_all(report, &mut reader);
     let longest_step = reader.take("longest_step").map(|entry| entry.node.place);
-    keep(&mut render.longest_step, reader.number(report, "longest_step", LONGEST_STEP));
-    keep(&mut render.event_tolerance, reader.number(report, "event_tolerance", EVENT_TOLERANCE));
-    keep(
-        &mut render.estimator,
-        reader.choice(report, "estimator", "there is no estimator", &estimators),
-    );
-    keep(&mut render.jerk_density, reader.number(report, "jerk_density", JERK_DENSITY));
-    let reconstruction =
-        reader.choice(report, "reconstruction", "there is no reconstruction", &reconstructions);
-    keep(&mut render.reconstruction, reconstruction);
-    keep(&mut render.force_limit, reader.number(report, "force_limit", FORCE_LIMIT));
-    keep(&mut render.slew_limit, reader.number(report, "slew_limit", SLEW_LIMIT));
     if let Some(place) = longest_step {
         refuse_too_short(report, place, render.longest_step, tick_hz);
     }
     reader.finish(report);
     render
-}
-
-/// Keeps what was read, if anything was.
-fn keep<T>(kept: &mut T, read: Option<T>) {
-    if let Some(read) = read {
-        *kept = read;
-    }
 }
 
 /// Reports a step of which more are needed than a tick may take.

@@ -1,15 +1,14 @@
-//! Where mistakes are gathered while a file is read.
+//! The mistakes that are found while a file is read.
 
 use std::path::Path;
 
-use super::overrides::Override;
-use super::source::SourceText;
+use super::source::{Override, SourceText};
 use diagnostics::{Diagnostic, Diagnostics};
 
-/// Mistakes reported of one file; whoever made so many does not read on.
+/// Most mistakes that are reported of one file.
 const MOST: usize = 100;
 
-/// Where something stands.
+/// The place of a value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Location {
     /// At a byte of the file.
@@ -31,19 +30,19 @@ pub(super) struct MistakeList<'a> {
 }
 
 impl<'a> MistakeList<'a> {
-    /// Nothing is wrong yet.
+    /// Returns an empty list for `source` and its overrides.
     pub(super) fn new(source: &'a SourceText, overrides: &'a [Override]) -> Self {
         let ends = source.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
         let lines = std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect();
         Self { source, overrides, lines, broken: false, found: Vec::new() }
     }
 
-    /// The file that is read.
+    /// Returns the file that is read.
     pub(super) const fn source(&self) -> &'a SourceText {
         self.source
     }
 
-    /// What a relative path written at `place` is relative to.
+    /// Returns what a relative path written at `place` is relative to.
     pub(super) fn folder(&self, place: Location) -> &'a Path {
         match place {
             Location::At(_) => &self.source.folder,
@@ -51,7 +50,7 @@ impl<'a> MistakeList<'a> {
         }
     }
 
-    /// The value of the override at `place`, as it was written, if there is one.
+    /// Returns the value of the override at `place`, as it was written, if there is one.
     pub(super) fn overriding(&self, place: Location) -> Option<&'a str> {
         match place {
             Location::At(_) => None,
@@ -59,7 +58,7 @@ impl<'a> MistakeList<'a> {
         }
     }
 
-    /// Records that `message` is wrong at `place`, and that `help` would put it right.
+    /// Records the mistake `message` at `place` with the remedy `help`.
     pub(super) fn say(
         &mut self,
         place: Location,
@@ -79,7 +78,7 @@ impl<'a> MistakeList<'a> {
         });
     }
 
-    /// As [`MistakeList::say`], for something that is not there.
+    /// Records a missing value as [`MistakeList::say`] does, unless part of the file is unreadable.
     pub(super) fn miss(
         &mut self,
         place: Location,
@@ -96,7 +95,7 @@ impl<'a> MistakeList<'a> {
         self.found.extend(others.into_vec());
     }
 
-    /// `checked` if nothing is wrong.
+    /// Returns `checked`, or all mistakes.
     pub(super) fn verdict<T>(self, checked: Option<T>) -> Result<T, Diagnostics> {
         match checked {
             Some(checked) if self.found.is_empty() => Ok(checked),
@@ -104,7 +103,7 @@ impl<'a> MistakeList<'a> {
         }
     }
 
-    /// "line 3", or the override, for a message that points at a second place.
+    /// Returns "line 3", or the override, for a message that points at a second place.
     pub(super) fn describe(&self, place: Location) -> String {
         match self.locate(place) {
             (_, Some((line, _))) => format!("line {line}"),
@@ -122,7 +121,7 @@ impl<'a> MistakeList<'a> {
         }
     }
 
-    /// Line and column, from 1.
+    /// Returns line and column, from 1.
     fn position(&self, offset: usize) -> (usize, usize) {
         let line = self.lines.partition_point(|start| *start <= offset).max(1);
         let start = self.lines.get(line - 1).copied().unwrap_or(0);

@@ -9,19 +9,17 @@ use super::embedded::{PERFORMANCES, SCENES};
 use super::keys::{self, KeyVoice};
 use super::links::{self, LinksConfig, Rate};
 use super::needs::LoopSettings;
-use super::overrides::{self, Override};
+use super::overrides;
 use super::quantity::Quantity;
 use super::read::{self, TableReader};
-use super::render::{self, Render};
+use super::render::{self, Render, TICK_HZ};
 use super::report::{Location, MistakeList};
-use super::source::{SourceError, SourceText, no_file, refuse};
+use super::source::{Override, SourceError, SourceText, no_file, refuse};
 use diagnostics::Diagnostics;
 use diagnostics::{choice, quoted};
 
 /// The tick's rate on hardware (Hz).
 const DEFAULT_TICK_HZ: u32 = 1000;
-
-pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
 
 const LANES: Quantity = Quantity { unit: "1", range: (1.0, 16.0) };
 
@@ -30,20 +28,20 @@ const LANES: Quantity = Quantity { unit: "1", range: (1.0, 16.0) };
 pub struct Scene {
     /// The embedded scene's name, or the file's without its ending.
     pub name: String,
-    /// What it is, in a few words.
+    /// A description in a few words.
     pub title: String,
     /// Ticks in a second, 100 ..= 10000 (Hz).
     pub tick_hz: u32,
     /// Threads of the tick.
     pub lanes: LaneCount,
-    /// How a voice is computed.
+    /// The settings by which voices are computed.
     pub render: Render,
-    /// What each of the 88 keys is; none where it is silent.
+    /// The voice of each of the 88 keys; none where it is silent.
     pub keys: Vec<Option<KeyVoice>>,
-    /// Where the keys are.
+    /// The links to the keys.
     pub links: LinksConfig,
     pub midi: Midi,
-    /// What the virtual pianist plays, if there is one.
+    /// The piece of the virtual pianist, if there is one.
     pub performance: Option<PerformanceSource>,
 }
 
@@ -52,16 +50,16 @@ pub struct Scene {
 pub enum LaneCount {
     /// One for each processor, at most 16.
     Auto,
-    /// So many, 1 ..= 16.
+    /// A fixed number, 1 ..= 16.
     Count(usize),
 }
 
-/// Where strikes go.
+/// The output of strikes, and their velocities.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Midi {
     /// The port or file.
     pub output: MidiOutput,
-    /// How a hammer speed becomes a velocity.
+    /// The curve from hammer speeds to velocities.
     pub curve: VelocityCurve,
 }
 
@@ -118,7 +116,7 @@ impl Scene {
         Self::load_as_typed(name_or_path, &overrides)
     }
 
-    /// As [`Scene::load`]; of a wrong override is said what was typed.
+    /// Loads a scene as [`Scene::load`] does; messages quote overrides as they were typed.
     ///
     /// # Errors
     ///
@@ -134,8 +132,8 @@ impl Scene {
         Self::check(&source, overrides)
     }
 
-    /// The recorded scene that `text` says, called `name`; relative paths are to the working
-    /// directory.
+    /// Returns the recorded scene of `text`, called `name`; relative paths are to the
+    /// working directory.
     ///
     /// What was recorded is run again without a hand or a motor, whether it is stable or not.
     ///
@@ -257,7 +255,7 @@ fn read_pianist(
     find_performance(report, place, &wanted)
 }
 
-/// The embedded performance or the file that is `wanted`; "none" is no performance.
+/// Returns the embedded performance or the file that is `wanted`; "none" is no performance.
 fn find_performance(
     report: &mut MistakeList<'_>,
     place: Location,

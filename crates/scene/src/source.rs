@@ -17,13 +17,29 @@ pub(super) struct SourceText {
     pub(super) file: String,
     /// Its name in lists: the file's, without the ending.
     pub(super) name: String,
-    /// What relative paths in it are relative to.
+    /// The folder to which relative paths in it are relative.
     pub(super) folder: PathBuf,
     pub(super) text: String,
 }
 
+/// A value of a scene that the command line replaces.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Override {
+    pub name: String,
+    pub value: String,
+    /// Its form on the command line, as `--link can:can0`.
+    pub typed: String,
+}
+
+impl From<(String, String)> for Override {
+    fn from((name, value): (String, String)) -> Self {
+        let typed = format!("--set {name}={value}");
+        Self { name, value, typed }
+    }
+}
+
 impl SourceText {
-    /// An embedded file of `shelf` called `name`.
+    /// Returns an embedded file of `shelf` called `name`.
     pub(super) fn embedded(shelf: &EmbeddedFiles, name: &str) -> Option<Self> {
         let text = shelf.find(name)?;
         Some(Self {
@@ -34,7 +50,7 @@ impl SourceText {
         })
     }
 
-    /// The file at `path`.
+    /// Returns the file at `path`.
     ///
     /// # Errors
     ///
@@ -45,7 +61,7 @@ impl SourceText {
         Self::from_bytes(path, bytes)
     }
 
-    /// The file at `path`, whose contents are `bytes`.
+    /// Returns the file at `path`, whose contents are `bytes`.
     ///
     /// # Errors
     ///
@@ -57,7 +73,7 @@ impl SourceText {
         Ok(Self { file: path.display().to_string(), name, folder, text })
     }
 
-    /// The embedded file of that name, or the file at that path below `folder`.
+    /// Returns the embedded file of that name, or the file at that path below `folder`.
     ///
     /// # Errors
     ///
@@ -88,7 +104,7 @@ impl SourceText {
     }
 }
 
-/// Why there is no [`SourceText`].
+/// The reason why there is no [`SourceText`].
 #[derive(Debug)]
 pub(super) enum SourceError {
     /// There is no such thing: what is wrong, and what to do.
@@ -97,13 +113,13 @@ pub(super) enum SourceError {
     Unreadable(Diagnostics),
 }
 
-/// Whether `text` is meant as a path rather than as a name.
+/// Returns whether `text` is meant as a path rather than as a name.
 fn is_path(text: &str) -> bool {
     let has_ending = Path::new(text).extension().is_some();
     text.contains(['/', '\\']) || has_ending
 }
 
-/// What is said of a file that is not there.
+/// Returns the message and the help for a file that is not there.
 pub(super) fn no_file(path: &Path) -> (String, String) {
     let base = match std::env::current_dir() {
         Ok(folder) if path.is_relative() => format!(" in {}", folder.display()),
@@ -140,7 +156,7 @@ fn not_text(path: &Path, error: &std::string::FromUtf8Error) -> Diagnostics {
     refuse(path, Some((line, column)), message, "save the file as UTF-8 text".to_owned())
 }
 
-/// The diagnostics of a file of which nothing else is known.
+/// Returns the diagnostics of a file of which nothing else is known.
 pub(super) fn refuse(
     path: &Path,
     position: Option<(usize, usize)>,

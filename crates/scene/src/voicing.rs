@@ -1,5 +1,6 @@
-//! What a range of keys is: a model, a preset, and the parameters that differ from it.
+//! The voices of a range of keys: a model, a preset, and the parameters that differ from it.
 
+use keyboard::KeyIndex;
 use models::catalogue::{self, ModelEntry};
 use models::{Parameter, Preset};
 
@@ -10,7 +11,7 @@ use super::report::{Location, MistakeList};
 use diagnostics::quoted;
 
 /// Index of the compass's last key.
-const LAST: u8 = midi::KEYS - 1;
+const LAST: u8 = KeyIndex::HIGHEST.number();
 
 /// A value that goes from the bass to the treble in a straight line.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -35,7 +36,7 @@ impl Graded {
 pub(super) struct Voicing {
     pub(super) model: &'static ModelEntry,
     pub(super) preset: &'static Preset,
-    /// What differs from the preset, by parameter.
+    /// The values that differ from the preset, by parameter.
     changed: Vec<Option<Graded>>,
 }
 
@@ -44,7 +45,7 @@ impl Voicing {
         Self { model, preset, changed: Vec::new() }
     }
 
-    /// One value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
+    /// Returns one value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
     pub(super) fn values(&self, key: u8) -> Vec<f64> {
         let value = |index: usize| match self.changed.get(index) {
             Some(Some(graded)) => graded.at(key),
@@ -111,7 +112,7 @@ impl Voicing {
     }
 }
 
-/// A number, or `{ bass = …, treble = … }`.
+/// Returns a number, or `{ bass = …, treble = … }`.
 fn read_graded(report: &mut MistakeList<'_>, parameter: &Parameter, node: &Node) -> Option<Graded> {
     let quantity = Quantity { unit: parameter.unit, range: parameter.range };
     if !matches!(node.value, TomlValue::Table(_)) {

@@ -1,6 +1,7 @@
-//! A scene as a file that says everything, with the values that its keys have now.
+//! Writes a scene as a complete file, with the present values of its keys.
 
-use keyboard::KeyRange as BoardKeys;
+use keyboard::KeyIndex;
+use keyboard::KeyRange;
 use links::address::Address;
 use links::can::CanMode;
 use models::catalogue::ModelEntry;
@@ -8,11 +9,9 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Val
 
 use super::keys::KeyVoice;
 use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
-use super::range::name as key;
-use super::render::Render;
 use super::scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
 
-/// The text of `scene`; read again it is the same scene to the last bit.
+/// Returns the text of `scene`; read again it is the same scene to the last bit.
 pub fn written(scene: &Scene) -> String {
     let mut document = DocumentMut::new();
     document["title"] = value(scene.title.as_str());
@@ -21,7 +20,7 @@ pub fn written(scene: &Scene) -> String {
         LaneCount::Auto => value("auto"),
         LaneCount::Count(count) => value(i64::try_from(count).unwrap_or(1)),
     };
-    document["render"] = Item::Table(render(&scene.render));
+    document["render"] = Item::Table(scene.render.written());
     document["links"] = Item::Table(links(&scene.links));
     document["midi"] = Item::Table(midi(&scene.midi));
     if let Some(source) = &scene.performance {
@@ -36,23 +35,9 @@ pub fn written(scene: &Scene) -> String {
     document.to_string()
 }
 
-/// A path that means the same wherever the file will lie.
+/// Returns a path that means the same wherever the file will lie.
 fn absolute(path: &std::path::Path) -> String {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).display().to_string()
-}
-
-fn render(it: &Render) -> Table {
-    let mut table = Table::new();
-    table["stepper"] = value(it.stepper.name());
-    table["error_budget"] = value(it.error_budget);
-    table["longest_step"] = value(it.longest_step);
-    table["event_tolerance"] = value(it.event_tolerance);
-    table["estimator"] = value(it.estimator.name());
-    table["jerk_density"] = value(it.jerk_density);
-    table["reconstruction"] = value(it.reconstruction.name());
-    table["force_limit"] = value(it.force_limit);
-    table["slew_limit"] = value(it.slew_limit);
-    table
 }
 
 fn midi(it: &Midi) -> Table {
@@ -108,14 +93,19 @@ fn bus(it: &BoardBus) -> Value {
     table.into()
 }
 
-fn board(number: u8, keys: BoardKeys) -> Value {
+fn board(number: u8, keys: KeyRange) -> Value {
     let mut table = InlineTable::new();
     table.insert("number", i64::from(number).into());
     table.insert("keys", format!("{}..{}", keys.first(), keys.last()).into());
     table.into()
 }
 
-/// Neighbours that are alike share an entry.
+/// Returns the name of a key's note, 0 (A0) ..= 87 (C8).
+fn key(number: u8) -> String {
+    KeyIndex::new(number).map_or_else(String::new, |key| key.to_string())
+}
+
+/// Returns the key ranges; neighbours that are alike share one.
 fn keys(keys: &[Option<KeyVoice>]) -> ArrayOfTables {
     let mut tables = ArrayOfTables::new();
     let mut first = 0;
@@ -170,7 +160,7 @@ mod tests {
         Scene::check(&source, &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
     }
 
-    /// What two scenes must have in common.
+    /// Returns what two scenes must have in common.
     fn facts(it: &Scene) -> String {
         let keys = it.keys.iter().map(|voice| voice.as_ref().map(|it| (it.model.name, &it.values)));
         let keys: Vec<_> = keys.collect();

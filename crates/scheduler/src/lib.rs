@@ -9,6 +9,7 @@
 //! |---|---|
 //! | [`time`] | host time, the period, when each tick is due |
 //! | [`motion`], [`voice`] | what goes into a voice and what comes out |
+//! | [`values`] | other values for the model of a voice that plays |
 //! | [`port`] | what the outside must supply |
 //! | [`slot`], [`lane`] | which lane runs which voice; one lane's share of the tick |
 //! | [`safety`] | what is sent when a voice cannot be trusted |
@@ -29,4 +30,5 @@ pub mod safety;
 pub mod slot;
 pub mod tick;
 pub mod time;
+pub mod values;
 pub mod voice;

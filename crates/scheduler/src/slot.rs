@@ -2,6 +2,7 @@
 //! it is still called.
 
 use crate::motion::{KEYS, KeySample};
+use crate::values::ModelValues;
 use crate::voice::{Voice, VoiceFault, VoiceOutput};
 
 /// Keys of an octave.
@@ -95,20 +96,22 @@ impl<V> Slot<V> {
 }
 
 impl<V: Voice> Slot<V> {
-    /// Gives the voice the values of `donor`, a voice of the same kind, or else puts `donor` in;
-    /// hands out what is left over.
+    /// Gives the voice other `values`; says whether it took them, which a voice of another model
+    /// and one that panicked do not.
     ///
     /// A voice that was retuned goes on in its state, and says that its force is fresh; one that
     /// was muted begins anew at rest.
-    pub fn retune(&mut self, mut donor: V) -> V {
-        if donor.as_donor().is_some_and(|donor| self.voice.retune(donor)) {
+    ///
+    /// # Real-time
+    /// As [`Voice::retune`].
+    pub fn retune(&mut self, values: &ModelValues) -> bool {
+        let is_retuned = self.voice.retune(values);
+        if is_retuned {
             self.retuned = true;
             self.fresh |= self.lockout.muted;
             self.lockout = Lockout::default();
-            donor
-        } else {
-            self.replace(donor)
         }
+        is_retuned
     }
 
     /// Runs the voice for `tick`; a force that is not finite becomes a fault here.
@@ -284,7 +287,7 @@ mod tests {
         let mut turn = VoiceOutput::default();
         slot.tick(0, &at(0.0), &mut turn);
         assert_eq!((turn.fault, slot.voice.ticks), (Some(VoiceFault::Muted), 0));
-        slot.retune(Tunable { value: 2.0, ticks: 70 });
+        assert!(slot.retune(&values("tunable", 2.0)));
         slot.tick(1, &at(0.0), &mut turn);
         assert_eq!((turn.fault, turn.fresh, slot.voice.ticks), (None, true, 1));
         slot.lockout.muted = true;
@@ -318,15 +321,17 @@ mod tests {
             self.ticks = 0;
         }
 
-        fn retune(&mut self, donor: &mut dyn core::any::Any) -> bool {
-            let Some(donor) = donor.downcast_mut::<Self>() else { return false };
-            core::mem::swap(&mut self.value, &mut donor.value);
-            true
+        fn retune(&mut self, values: &ModelValues) -> bool {
+            let is_mine = values.model() == "tunable";
+            if is_mine {
+                self.value = values.as_slice()[0];
+            }
+            is_mine
         }
+    }
 
-        fn as_donor(&mut self) -> Option<&mut dyn core::any::Any> {
-            (self.value < 9.0).then_some(self)
-        }
+    fn values(model: &'static str, value: f64) -> ModelValues {
+        ModelValues::new(model, 1, &[value]).unwrap()
     }
 
     #[test]
@@ -337,8 +342,7 @@ mod tests {
             slot.tick(tick, &at(0.0), &mut turn);
         }
         assert!(!turn.fresh);
-        let left = slot.retune(Tunable { value: 2.0, ticks: 70 });
-        assert!((left.value - 1.0).abs() < f64::EPSILON, "it got the old value");
+        assert!(slot.retune(&values("tunable", 2.0)));
         slot.tick(3, &at(0.0), &mut turn);
         assert!((turn.force - 2.0).abs() < f64::EPSILON && turn.fresh);
         assert_eq!(slot.voice.ticks, 4, "it was not put at rest");
@@ -347,15 +351,14 @@ mod tests {
     }
 
     #[test]
-    fn a_voice_of_another_kind_is_put_in_instead() {
+    fn a_voice_of_another_model_goes_on_as_it_is() {
         let mut slot = Slot::new(3, Tunable { value: 1.0, ticks: 0 });
         let mut turn = VoiceOutput::default();
         slot.tick(0, &at(0.0), &mut turn);
-        let left = slot.retune(Tunable { value: 10.0, ticks: 70 });
-        assert_eq!(left.ticks, 1);
+        assert!(!slot.retune(&values("another", 2.0)));
         slot.tick(1, &at(0.0), &mut turn);
-        assert_eq!(slot.voice.ticks, 1, "it was put at rest");
-        assert!(turn.fresh);
+        assert_eq!((slot.voice.ticks, turn.fresh), (2, false));
+        assert!((turn.force - 1.0).abs() < f64::EPSILON);
     }
 
     #[test]

@@ -1,9 +1,8 @@
 //! One key's running simulation, as the scheduler sees it.
 
-use core::any::Any;
-
 use crate::look::{ModelSnapshot, Switches};
 use crate::motion::{KeyEvent, KeySample, KeySlope, Moment};
+use crate::values::ModelValues;
 
 /// Key events that one voice can report in one tick; more are counted, not kept.
 pub const MAX_EVENTS_PER_TURN: usize = 8;
@@ -30,18 +29,13 @@ pub trait Voice {
     /// Puts the voice at rest at `sample`: before its first tick, and after a fault.
     fn reset(&mut self, sample: &KeySample);
 
-    /// Takes on the values of `donor`, a voice of the same kind, which gets its own, and keeps
-    /// the state that it is in; says whether it could.
+    /// Builds its model anew from `values` and keeps the state that it is in; says whether it
+    /// could, which a voice of another model cannot.
     ///
     /// # Real-time
-    /// Moves values; no heap, lock or clock.
-    fn retune(&mut self, _donor: &mut dyn Any) -> bool {
+    /// Arithmetic on the values; no heap, lock or clock.
+    fn retune(&mut self, _values: &ModelValues) -> bool {
         false
-    }
-
-    /// Itself, for [`Voice::retune`] of another; none if it has nothing to give.
-    fn as_donor(&mut self) -> Option<&mut dyn Any> {
-        None
     }
 }
 

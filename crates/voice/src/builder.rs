@@ -6,15 +6,14 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use haptics::{BackwardDifference, ForceGate, Kalman, RigParameters};
 use models::Playable;
 use models::catalogue::{self, Visitor};
-use pode::{Limits, stepper};
+use pode::Limits;
+use pode::stepper::{self, Any};
 use scheduler::time::Period;
 
 use crate::audit::AuditCell;
 use crate::input::{AnyEstimator, InputPath};
 use crate::rendered_key::{RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};
-use scene::{
-    EstimatorName, InputReconstruction, KeyVoice, LinksConfig, Render, Scene, StepperName,
-};
+use scene::{EstimatorName, InputReconstruction, KeyVoice, LinksConfig, Render, Scene};
 
 /// A voice of any model.
 pub type AnyVoice = Box<dyn RehearsableVoice>;
@@ -71,7 +70,7 @@ impl<'a> VoiceBuilder<'a> {
         self.scene.render.slew_limit
     }
 
-    /// The voice of one key; its energy audit is published in `cell`.
+    /// Returns the voice of one key; its energy audit is published in `cell`.
     ///
     /// # Errors
     /// If its model or limits are refused.
@@ -131,17 +130,16 @@ impl Visitor for Builder<'_> {
 
     fn visit<M: Playable>(self) -> Self::Output {
         let model = M::with_values(self.values);
-        let name = self.render.stepper;
+        let stepper = self.render.stepper;
         let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
         let fittings = self.fittings(model.input_per_metre())?;
         // The usual ones are compiled into the voice; the others cost it a choice per step.
-        Ok(if name == StepperName::Rk4 {
-            Box::new(RenderedKey::new(model, stepper::Rk4, fittings))
-        } else if name == StepperName::ByNeed {
+        Ok(if let Any::Rk4(rk4) = stepper {
+            Box::new(RenderedKey::new(model, rk4, fittings))
+        } else if let Any::ByNeed(_) = stepper {
             Box::new(RenderedKey::new(model, by_need, fittings))
         } else {
-            let any = stepper::Any::named(name.name()).unwrap_or_default();
-            Box::new(RenderedKey::new(model, any, fittings))
+            Box::new(RenderedKey::new(model, stepper, fittings))
         })
     }
 }
@@ -169,5 +167,37 @@ impl Builder<'_> {
         let input = InputPath::new(estimator, reconstruction, scale, h);
         let gate = ForceGate::new(render.force_limit, render.slew_limit)?;
         Ok(VoiceSettings { input, gate, limits, cell, h, slopes, revision })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use scheduler::motion::KeySample;
+    use scheduler::values::ModelValues;
+
+    use super::*;
+
+    /// Forces of 300 ticks in which the key goes down and up again.
+    fn forces(voice: &mut AnyVoice) -> Vec<u64> {
+        let position = |tick: u64| 1e-4 * (100.0 - (tick as f64 - 100.0).abs()).max(0.0);
+        let force = |tick| voice.tick(tick, &KeySample::fresh(position(tick))).force.to_bits();
+        (0..300).map(force).collect()
+    }
+
+    #[test]
+    fn a_retuned_voice_is_the_voice_that_is_built_with_those_values() {
+        let scene = Scene::load("default", &[]).unwrap();
+        let builder = VoiceBuilder::new(&scene).unwrap();
+        let key = scene.keys[39].as_ref().unwrap();
+        let stiffness = key.model.parameters.iter().position(|it| it.name == "k2").unwrap();
+        let mut other = key.clone();
+        other.values[stiffness] *= 1.5;
+        let mut voices = [key, &other, key].map(|it| builder.voice(it, Arc::default()).unwrap());
+        let values = ModelValues::new(key.model.name, 7, &other.values).unwrap();
+        assert!(voices[2].retune(&values));
+        assert!(!voices[2].retune(&ModelValues::new("spring-wall", 8, &[]).unwrap()));
+        let [first, built, retuned] = voices.each_mut().map(forces);
+        assert_ne!(first, built);
+        assert_eq!(built, retuned);
     }
 }

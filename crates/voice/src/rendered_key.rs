@@ -1,6 +1,5 @@
 //! A pode model as the scheduler's voice: sample in, force out.
 
-use std::any::Any;
 use std::sync::Arc;
 
 use haptics::{EnergyBound, ForceGate, PassivityObserver};
@@ -8,6 +7,7 @@ use models::Playable;
 use pode::{Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch};
 use scheduler::look::{MAX_STATES, ModelSnapshot, Switch, Switches};
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
+use scheduler::values::{MAX_VALUES, ModelValues};
 use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
 
 use crate::audit::AuditCell;
@@ -205,20 +205,17 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.rest = RestDetector::new(self.h);
     }
 
-    fn retune(&mut self, donor: &mut dyn Any) -> bool {
-        let Some(donor) = donor.downcast_mut::<Self>() else { return false };
-        let (mine, its) = (*self.simulator.model(), *donor.simulator.model());
-        self.simulator.set_model(its);
-        donor.simulator.set_model(mine);
-        std::mem::swap(&mut self.revision, &mut donor.revision);
+    fn retune(&mut self, values: &ModelValues) -> bool {
+        const { assert!(M::PARAMETERS.len() <= MAX_VALUES, "raise MAX_VALUES of scheduler::values") }
+        if values.model() != M::NAME {
+            return false;
+        }
+        self.simulator.set_model(M::with_values(values.as_slice()));
+        self.revision = values.revision();
         // What was at rest may not be any more, and what was stored is another amount.
         self.rest = RestDetector::new(self.h);
         self.passivity.reset();
         true
-    }
-
-    fn as_donor(&mut self) -> Option<&mut dyn Any> {
-        Some(self)
     }
 }
 

@@ -1,4 +1,4 @@
-//! From links to boards that are armed as if they were nominal.
+//! Finds boards on links, and arms them with nominal calibrations.
 
 use std::path::PathBuf;
 

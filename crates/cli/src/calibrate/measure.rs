@@ -1,4 +1,4 @@
-//! All keys of all boards, one after the other.
+//! Measures all keys of all boards, one after the other.
 
 use firmware_protocol::key::KeyIndex;
 use hardware::calibrate::{Bench, CalibrationFault, Ending, Rested, calibrated};
@@ -9,24 +9,13 @@ use indicatif::ProgressBar;
 
 use super::bring_up::MeasuredBoard;
 use super::operator::Operator;
-use super::write::CalibrationRecord;
+use super::write::{CalibrationRecord, MeasureOutcome};
 use crate::live;
 
 /// Times that a key is measured again which was interrupted.
 const TRIES: usize = 3;
 
-/// What came of the keys of one board.
-#[derive(Debug)]
-pub(super) enum MeasureOutcome {
-    /// All of them, in the order of slots.
-    All(Vec<(KeyIndex, KeyCalibration)>),
-    /// Why some of them could not be measured, of so many.
-    Faults(Vec<Refusal>, usize),
-    /// The operator stopped, or somebody else did.
-    Stopped,
-}
-
-/// Why there is nothing of one key.
+/// The reason why a key has no measurement.
 enum KeyFailure {
     Fault(CalibrationFault),
     Stopped,
@@ -38,8 +27,8 @@ impl From<CalibrationFault> for KeyFailure {
     }
 }
 
-/// Measures all keys, and records those of each board at once, until somebody stops it; returns
-/// the boards without forces, and how they were ended if they were.
+/// Measures all keys, and records those of each board at once, until it is stopped; returns the
+/// boards without forces, and how they were stopped if they were.
 pub(super) fn all(
     boards: &[MeasuredBoard],
     mut bench: Box<Bench>,
@@ -65,7 +54,7 @@ pub(super) fn all(
     (bench.release(), ending)
 }
 
-/// The keys of a board.
+/// Returns the keys of a board.
 fn keys(board: &MeasuredBoard) -> Vec<KeyIndex> {
     let keys = board.found.keys();
     (keys.first..keys.first.saturating_add(keys.n)).map_while(KeyIndex::new).collect()

@@ -23,9 +23,9 @@ use self::operator::Operator;
 use self::write::CalibrationRecord;
 use super::signals::Signals;
 use super::target::SceneTarget;
-use super::{Failure, print_json, reach, system};
+use super::{Failure, endpoints, print_json, system};
 use host::boards::stop_all;
-use host::control::{BoardsTold, EmergencyStop};
+use host::control::EmergencyStop;
 
 /// What `letoff calibrate` takes.
 #[derive(Clone, Debug, Args)]
@@ -66,17 +66,17 @@ fn grams(text: &str) -> Result<f64, String> {
     }
 }
 
-/// What ends the measurements from outside.
+/// The ways in which measurements are stopped from outside.
 #[derive(Clone, Default)]
 struct Endings {
-    /// `letoff stop`: the boards are told at once, and stay stopped.
+    /// `letoff stop`: the boards render no force from then on, and stay stopped.
     emergency: Arc<EmergencyStop>,
     /// A signal: the push is taken back, and the boards are disarmed.
     is_over: Arc<AtomicBool>,
 }
 
 impl Endings {
-    /// Whether measurements end; an emergency stop is done here.
+    /// Returns whether measurements end; an emergency stop is done here.
     fn look(&self, keybed: &mut Keybed<Armed>) -> Option<Ending> {
         if self.emergency.is_asked() {
             self.emergency.answer(stop_all(keybed));
@@ -91,7 +91,7 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     let runtime = runtime.map_err(system)?;
     let Some(record) = runtime.block_on(attended(args))? else {
-        // Whoever is still asked for files, or looked for, is not waited for: no board is armed.
+        // The blocked thread is not waited for: no board is armed.
         runtime.shutdown_background();
         return Err(Failure::Running("stopped before any board was armed".into()));
     };
@@ -104,7 +104,7 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
 }
 
-/// Measures and writes, until somebody stops it; nothing if that was before any board was armed.
+/// Measures and writes, until it is stopped; nothing if that was before any board was armed.
 async fn attended(args: &CalibrateArgs) -> Result<Option<CalibrationRecord>, Failure> {
     let operator = Operator::new(args);
     if args.weight.is_some() {
@@ -112,22 +112,14 @@ async fn attended(args: &CalibrateArgs) -> Result<Option<CalibrationRecord>, Fai
     }
     let mut signals = Signals::new().map_err(system)?;
     let endings = Endings::default();
-    let clients = reach::listen(Arc::clone(&endings.emergency));
+    let clients = endpoints::listen(Arc::clone(&endings.emergency));
     let (target, only, folder) = (args.target.clone(), args.board, args.folder.clone());
-    let finding =
-        tokio::task::spawn_blocking(move || bring_up::find(&target, only, folder, &operator));
-    let found = tokio::select! {
-        biased;
-        () = endings.emergency.asked() => None,
-        () = signals.next() => None,
-        found = finding => Some(found),
-    };
-    let Some(found) = found.filter(|_| !endings.emergency.is_asked()) else {
-        endings.emergency.answer(BoardsTold::NONE_ARMED);
+    let find = move || bring_up::find(&target, only, folder, &operator);
+    let Some(found) = signals.unless_stopped(&endings.emergency, find).await? else {
         clients.leave().await;
         return Ok(None);
     };
-    let Ready { boards, keybed } = found.map_err(panicked)??;
+    let Ready { boards, keybed } = found?;
     let (its_endings, weight) = (endings.clone(), args.weight);
     let mut measuring = tokio::task::spawn_blocking(move || {
         let mut record = CalibrationRecord::default();

@@ -1,4 +1,4 @@
-//! Whoever sits before the terminal.
+//! Questions to the operator at the terminal.
 
 use std::io::{self, BufRead, IsTerminal as _, Write as _};
 use std::path::PathBuf;
@@ -8,7 +8,7 @@ use hardware::calibrate::Bench;
 use super::CalibrateArgs;
 use crate::Failure;
 
-/// Whoever sits before the terminal, if anybody does.
+/// The operator, if the program runs at a terminal.
 #[derive(Debug)]
 pub(super) struct Operator {
     is_there: bool,
@@ -16,12 +16,12 @@ pub(super) struct Operator {
 }
 
 impl Operator {
-    /// Whoever has typed `args`.
+    /// Returns the operator who gave `args`.
     pub(super) fn new(args: &CalibrateArgs) -> Self {
         Self { is_there: io::stdin().is_terminal(), agrees: args.yes }
     }
 
-    /// Refuses to go on without somebody, because of `what`.
+    /// Refuses `what` without a terminal.
     pub(super) fn must_be_there(&self, what: &str) -> Result<(), Failure> {
         if self.is_there {
             return Ok(());
@@ -52,7 +52,7 @@ impl Operator {
     }
 
     /// Asks for something to be done, and keeps the boards armed until it is; says whether to go
-    /// on, which nobody does who was stopped meanwhile.
+    /// on, which it does not if it was stopped meanwhile.
     pub(super) fn wait_for(bench: &mut Bench, what: &str) -> bool {
         tell(&format!("{what}, then press Enter (Ctrl-D stops) "));
         // It ends with the line, or with the program.
@@ -67,10 +67,10 @@ fn is_line(input: &mut impl BufRead) -> bool {
     input.read_line(&mut String::new()).is_ok_and(|len| 0 < len)
 }
 
-/// Says something to the operator.
+/// Writes a message to the operator.
 fn tell(text: &str) {
     let mut stderr = io::stderr();
-    // A closed stderr leaves nobody to tell.
+    // A closed stderr has no reader.
     let _unheard = write!(stderr, "{text}").and_then(|()| stderr.flush());
 }
 

@@ -1,4 +1,4 @@
-//! What was measured, for people.
+//! The table of measurements.
 
 use std::io::Write;
 

@@ -1,4 +1,4 @@
-//! What was measured into files, and to the boards.
+//! Writes measurements into files and to the boards.
 
 use std::path::PathBuf;
 use std::time::SystemTime;
@@ -13,7 +13,6 @@ use hardware::refusal::Refusal;
 use serde::Serialize;
 
 use super::bring_up::MeasuredBoard;
-use super::measure::MeasureOutcome;
 
 /// A board whose file was written.
 #[derive(Debug, Serialize)]
@@ -25,7 +24,7 @@ pub(super) struct Written {
     pub(super) keys: Vec<MeasuredKeyRow>,
 }
 
-/// What was measured of one key.
+/// The measurements of one key.
 #[derive(Debug, Serialize)]
 pub(super) struct MeasuredKeyRow {
     pub(super) key: String,
@@ -36,17 +35,28 @@ pub(super) struct MeasuredKeyRow {
     pub(super) gain: f64,
 }
 
-/// What was written, and what is wrong.
+/// The outcome for the keys of one board.
+#[derive(Debug)]
+pub(super) enum MeasureOutcome {
+    /// All of them, in the order of slots.
+    All(Vec<(KeyIndex, KeyCalibration)>),
+    /// The faults of keys that could not be measured, and the number of all keys.
+    Faults(Vec<Refusal>, usize),
+    /// The measurements were stopped.
+    Stopped,
+}
+
+/// The files that were written, and the mistakes.
 #[derive(Debug, Default)]
 pub(super) struct CalibrationRecord {
     pub(super) written: Vec<Written>,
     pub(super) wrong: Vec<String>,
-    /// What boards have to be told.
+    /// The records that boards have to be sent.
     untold: Vec<(MeasuredBoard, Vec<KeyCalibration>)>,
 }
 
 impl CalibrationRecord {
-    /// Writes what was measured of a board into its file, or says why there is nothing to write.
+    /// Writes the measurements of a board into its file, or records why there are none.
     pub(super) fn keep(&mut self, board: &MeasuredBoard, outcome: MeasureOutcome) {
         let name = &board.name;
         match outcome {
@@ -105,7 +115,7 @@ impl From<&(KeyIndex, KeyCalibration)> for MeasuredKeyRow {
     }
 }
 
-/// The file of a board.
+/// Returns the file of a board.
 fn sheet(board: &MeasuredBoard, keys: &[KeyCalibration]) -> file::CalibrationSheet {
     file::CalibrationSheet {
         uid: board.found.uid(),

@@ -19,7 +19,7 @@ use crate::{Failure, print_json};
 use host::boards::{folder, now_us, open};
 use scene::{BoardBus, Boards};
 
-/// How long the boards of one link may take to answer (us).
+/// Longest time for the boards of one link to answer (us).
 const PATIENCE_US: u64 = 2_500_000;
 /// Lines of a log that are read at most.
 const MOST_LINES: u16 = 1_000;
@@ -29,7 +29,7 @@ const MOST_LINES: u16 = 1_000;
 struct OnLink {
     link: String,
     boards: Vec<BoardRow>,
-    /// Why it, or a board on it, cannot be used, a sentence each.
+    /// The reasons why it, or a board on it, cannot be used, a sentence each.
     refusals: Vec<String>,
 }
 
@@ -49,10 +49,10 @@ struct BoardRow {
     max_force_n: f64,
     features: Vec<&'static str>,
     reset_reason: u8,
-    /// Why it renders no force.
+    /// The reason why it renders no force.
     safe_reason: &'static str,
     config_crc: String,
-    /// Where its calibration file is or would be, and whether it is there.
+    /// The path of its calibration file, and whether it is there.
     calibration: Option<String>,
     is_calibrated: bool,
     log: Vec<String>,
@@ -110,7 +110,7 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
     link
 }
 
-/// What a board said, and what is wrong with its calibration file.
+/// Returns the description of a board, and the mistakes of its calibration file.
 fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
     let hello = &found.hello;
     let file = folder(&Boards::default()).map(|folder| file::path(&folder, found.uid()));
@@ -139,7 +139,7 @@ fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
     (board, read.and_then(Result::err))
 }
 
-/// What a board can, in words.
+/// Returns the features of a board, in words.
 fn features(bits: u16) -> Vec<&'static str> {
     const WORDS: [(u16, &str); 5] = [
         (feature::SLOPES, "slopes"),
@@ -156,7 +156,7 @@ fn light(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Nothing,
     keybed.ask(&mut asker, Operation::Light, &Light { seconds: LIGHT_S })
 }
 
-/// The lines of a board's log.
+/// Returns the lines of a board's log.
 fn log(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Vec<String>, Refusal> {
     let mut asker = keybed.asker(found.line, found.board);
     let mut lines = Vec::new();

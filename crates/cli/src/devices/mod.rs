@@ -41,7 +41,7 @@ pub struct DevicesArgs {
 struct Section {
     kind: &'static str,
     found: Vec<Device>,
-    /// Why nothing was found, and what to do.
+    /// The reason why nothing was found, and the remedy.
     why_empty: Option<String>,
 }
 
@@ -49,9 +49,9 @@ struct Section {
 struct Device {
     name: String,
     detail: String,
-    /// Why it cannot be used, and what to do.
+    /// The reason why it cannot be used, and the remedy.
     obstacle: Option<String>,
-    /// What is set up badly for forces, each with what to do.
+    /// Settings that are bad for forces, each with the remedy.
     advice: Vec<String>,
 }
 
@@ -84,7 +84,7 @@ fn print(section: &Section, out: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A section from a listing, or from the reason why there is none.
+/// Returns a section from a listing, or from the reason why there is none.
 fn section<T, E: std::fmt::Display>(
     kind: &'static str,
     listing: Result<discovery::Listing<T>, E>,
@@ -162,7 +162,7 @@ fn wire(it: &discovery::CanInterface) -> String {
     parts.into_iter().flatten().chain(controller).collect::<Vec<_>>().join(", ")
 }
 
-/// What is known of the controller of a CAN interface.
+/// Returns what is known of the controller of a CAN interface.
 fn controller(link: &discovery::CanLink) -> Vec<String> {
     let rate = |it: discovery::BitTiming| {
         let percent = f64::from(it.sample_point) / 10.0;

@@ -13,7 +13,7 @@ use hardware::identity::Uid;
 use hardware::sim::board::BoardMake;
 use host::report::RunReport;
 use host::session::RunSession;
-use host::simulated::{BoardProcess, WireEndpoint, live, place};
+use host::simulated::{BoardProcess, WireEndpoint, place, run as run_boards};
 use scheduler::time::Nanos;
 
 /// Time between two looks whether a board is armed.
@@ -39,7 +39,7 @@ impl Board {
         let is_armed = Arc::new(AtomicBool::new(false));
         let (its_stop, its_armed) = (Arc::clone(&stop), Arc::clone(&is_armed));
         let look = move |living: &mut BoardProcess| {
-            live(std::slice::from_mut(living), Some(LOOK), &its_stop, &mut |_lit| {});
+            run_boards(std::slice::from_mut(living), Some(LOOK), &its_stop, &mut |_lit| {});
             its_armed.store(!living.board().is_safe(), Ordering::Release);
             !its_stop.load(Ordering::Acquire)
         };

@@ -1,5 +1,5 @@
 //! What plugs into the scheduler's ports.
 
-pub mod lookout;
+pub mod link_monitor;
 pub mod observer;
-pub mod tap;
+pub mod tick_recorder;

@@ -1,4 +1,4 @@
-//! Boards on links, as every command has them: opened, planned, and how their keys read.
+//! Boards on links, for every command: opening, planning, calibration files.
 
 pub mod planning;
 
@@ -20,13 +20,13 @@ use crate::control::BoardsTold;
 use realtime::clock;
 use scene::{BoardBus, Boards};
 
-/// How long boards may take to answer, and to be armed (us).
+/// Longest time for boards to answer, and to be armed (us).
 pub const PATIENCE_US: u64 = 4_000_000;
 
 /// Begins of the names of serial ports whose bits take their time on a wire.
 const UARTS: [&str; 7] = ["ttyS", "ttyUSB", "ttyAMA", "ttyO", "ttyTHS", "ttymxc", "cu.usbserial"];
 
-/// The host's clock, as boards' clocks are compared with it (us).
+/// Returns the host's clock, as boards' clocks are compared with it (us).
 pub fn now_us() -> u64 {
     clock::monotonic().as_u64() / 1_000
 }
@@ -43,7 +43,7 @@ pub fn open(bus: &BoardBus) -> Result<NamedLink, links::Error> {
 /// Opens all links.
 ///
 /// # Errors
-/// All that cannot be opened, a sentence on each, ready to be said after "letoff: ".
+/// All that cannot be opened, a sentence on each, to be printed after "letoff: ".
 pub fn open_all(buses: &[BoardBus]) -> Result<Vec<NamedLink>, String> {
     let (mut lines, mut wrong) = (Vec::new(), Vec::new());
     for bus in buses {
@@ -55,7 +55,7 @@ pub fn open_all(buses: &[BoardBus]) -> Result<Vec<NamedLink>, String> {
     if wrong.is_empty() { Ok(lines) } else { Err(wrong.join("\nletoff: ")) }
 }
 
-/// What a link is made of, as far as its name and its rates tell.
+/// Returns what a link is made of, as far as its name and its rates tell.
 ///
 /// USB devices and pseudo-terminals take any baud rate and keep none.
 pub fn medium(bus: &BoardBus) -> Option<Medium> {
@@ -74,7 +74,7 @@ pub fn medium(bus: &BoardBus) -> Option<Medium> {
     }
 }
 
-/// Whether a link exists in memory only, and takes no time.
+/// Returns whether a link exists in memory only, and takes no time.
 pub fn is_virtual(address: &Address) -> bool {
     match address {
         Address::Can { interface, .. } => {
@@ -84,13 +84,13 @@ pub fn is_virtual(address: &Address) -> bool {
     }
 }
 
-/// Where calibration files are.
+/// Returns the folder of calibration files.
 pub fn folder(boards: &Boards) -> Option<PathBuf> {
     boards.calibration.clone().or_else(file::usual_folder)
 }
 
-/// How the keys of a board behind one of the `boards`' buses read: from its file; a simulated
-/// board reads as it says.
+/// Returns how the keys of a board behind one of the `boards`' buses read: from its file; a
+/// simulated board reads as it says.
 pub fn calibration(
     found: &FoundBoard,
     name: &BoardName,
@@ -114,9 +114,9 @@ pub fn calibration(
 
 /// Tells all boards to render no force until they are seen to, several times since none answers.
 pub fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
-    /// How often a board is told that may not have heard it.
+    /// Times that the command is sent, since none answers it.
     const TIMES: u8 = 3;
-    /// How often a line is tried that has no room yet, and how long it is given meanwhile.
+    /// Tries of a line that has no room yet, and the pause between them.
     const TRIES: u8 = 20;
     const PAUSE: Nanos = Nanos::from_millis(1);
     let boards = keybed.terms().count();
@@ -131,18 +131,18 @@ pub fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
     BoardsTold { told, boards }
 }
 
-/// Keys that read as their board says.
+/// Returns the calibrations that a board states itself.
 fn nominal(found: &FoundBoard) -> PerKey<KeyCalibration> {
     alike(found, found.nominal())
 }
 
-/// Keys that are to be measured: how they read is as their board says, where they are may be
-/// anywhere.
+/// Returns the keys that are to be measured: how they read is as their board says, where they are
+/// may be anywhere.
 pub fn unmeasured(found: &FoundBoard) -> PerKey<KeyCalibration> {
     alike(found, found.nominal().unmeasured())
 }
 
-/// Keys that all read in the same way.
+/// Returns the keys that all read in the same way.
 fn alike(found: &FoundBoard, calibration: KeyCalibration) -> PerKey<KeyCalibration> {
     PerKey::collect(std::iter::repeat_n(calibration, usize::from(found.hello.n_keys)))
 }

@@ -1,4 +1,4 @@
-//! What the links of a scene have to carry, and whether they can.
+//! The load of a scene's links, and whether they can carry it.
 
 use std::fmt;
 
@@ -9,12 +9,12 @@ use keyboard::KeyRange;
 
 use scene::{BoardBus, Boards};
 
-/// Why nothing is planned for a link.
+/// The reason why nothing is planned for a link.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NoPlan {
     /// It exists in memory only.
     Virtual,
-    /// Its name does not tell how fast it is.
+    /// Its rate does not follow from its name.
     NoRates,
     /// No board is left for it.
     NoBoards,
@@ -36,21 +36,22 @@ impl fmt::Display for NoPlan {
     }
 }
 
-/// Plans of the links of `boards` at `tick_hz` with the boards that the scene lists; a link
-/// without a list, or whose times are not known, has none.
+/// Returns the plans of the links of `boards` at `tick_hz` with the boards that the scene lists; a
+/// link without a list, or whose times are not known, has none.
 pub fn listed(boards: &Boards, tick_hz: u32) -> Vec<BusPlan> {
     let buses = boards.buses.iter();
     buses.filter_map(|bus| plan(boards, bus, listed_on(bus), tick_hz).ok()).collect()
 }
 
-/// The same with an entry for each link; those of which nothing is said share the standard
+/// Returns the same with an entry for each link; those of which nothing is said share the standard
 /// boards that no other has.
 pub fn assumed(boards: &Boards, tick_hz: u32) -> Vec<Result<BusPlan, NoPlan>> {
     let keys = shares(boards).into_iter().zip(&boards.buses);
     keys.map(|(keys, bus)| plan(boards, bus, keys, tick_hz)).collect()
 }
 
-/// Plans of all links of a keybed whose boards are known; none where times are not known.
+/// Returns the plans of all links of a keybed whose boards are known; none where times are not
+/// known.
 pub fn found(boards: &Boards, keybed: &Keybed<Calibrated>, tick_hz: u32) -> Vec<Option<BusPlan>> {
     let lines = keybed.line_names().zip(keybed.media()).enumerate();
     let plans = lines.map(|(line, (name, medium))| {
@@ -60,7 +61,7 @@ pub fn found(boards: &Boards, keybed: &Keybed<Calibrated>, tick_hz: u32) -> Vec<
     plans.collect()
 }
 
-/// What plans with this verdict say.
+/// Returns what plans with this verdict say.
 pub fn sentences<'a, P: IntoIterator<Item = &'a BusPlan>>(
     plans: P,
     verdict: BusVerdict,
@@ -108,7 +109,7 @@ fn listed_on(bus: &BoardBus) -> Vec<KeyRange> {
     bus.boards.iter().map(|(_, keys)| *keys).collect()
 }
 
-/// The keys of each board on each link; those that are not listed follow one another.
+/// Returns the keys of each board on each link; those that are not listed follow one another.
 fn shares(boards: &Boards) -> Vec<Vec<KeyRange>> {
     let listed: usize = boards.buses.iter().map(|bus| bus.boards.len()).sum();
     let mut rest = BOARDS.saturating_sub(listed);

@@ -1,4 +1,4 @@
-//! The command's end: one request, one reply.
+//! The command's end of the control socket: one request, one reply.
 
 use std::fmt;
 use std::io::{self, BufRead as _, BufReader, Write as _};
@@ -11,10 +11,10 @@ use rustix::net::{AddressFamily, SocketAddrUnix, SocketFlags, SocketType};
 
 use super::{Answer, Request, place};
 
-/// Longest time that a host is waited for, if nobody says another.
+/// Longest wait for a host, unless another is given.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// Why there was no reply.
+/// The reason why there was no reply.
 #[derive(Debug, thiserror::Error)]
 pub enum ControlError {
     /// No host listens there.
@@ -23,9 +23,9 @@ pub enum ControlError {
         path = .path.display()
     )]
     NoHost {
-        /// Where it was looked for.
+        /// The socket at which it was expected.
         path: PathBuf,
-        /// Hosts that listen elsewhere, and how to ask them.
+        /// Hosts that listen at other sockets.
         elsewhere: Elsewhere,
     },
     /// The host there is another user's.
@@ -36,18 +36,18 @@ pub enum ControlError {
     )]
     NotYours {
         path: PathBuf,
-        /// Whose it is, in words.
+        /// Its owner, in words.
         owner: String,
         command: &'static str,
     },
-    /// What listens there was started by somebody who could not be trusted with it.
+    /// The socket is held by a program of a user who cannot be trusted.
     #[error(
         "what listens at {path} is user {uid}'s and no host of yours: nothing was asked; see what \
          it is, and give LETOFF_SOCKET the path of your own",
         path = .path.display()
     )]
     Impostor { path: PathBuf, uid: u32 },
-    /// The host took the request, or not even that, and says nothing.
+    /// The host connects and does not answer in time.
     #[error(
         "the host{} gave no answer within {} s: it hangs. Boards that hear nothing from it take \
          their forces away by themselves (their watchdogs, within some milliseconds); end it with \
@@ -57,9 +57,9 @@ pub enum ControlError {
         .pid.map_or_else(|| "`pkill -KILL letoff`".to_owned(), |pid| format!("`kill -KILL {pid}`"))
     )]
     Hung {
-        /// Its process, if it came so far.
+        /// The number of its process, if it is known.
         pid: Option<i32>,
-        /// How long it was waited for.
+        /// The time of the wait.
         patience: Duration,
     },
     /// The host went away or the connection failed.
@@ -69,10 +69,10 @@ pub enum ControlError {
     Foreign(#[from] serde_json::Error),
 }
 
-/// Hosts that listen elsewhere than where one was looked for.
+/// Hosts that listen at other sockets.
 #[derive(Debug)]
 pub struct Elsewhere {
-    /// Where, and whose they are as far as that can be seen.
+    /// Their sockets, with the owners as far as they can be seen.
     hosts: Vec<(PathBuf, Option<u32>)>,
     command: &'static str,
 }
@@ -95,7 +95,7 @@ impl fmt::Display for Elsewhere {
     }
 }
 
-/// Whose the host at `path` is.
+/// Returns the owner of the host at `path`.
 fn whose(path: &Path, uid: Option<u32>) -> String {
     match uid {
         _ if place::is_service(path) => "a service's host".to_owned(),
@@ -105,7 +105,7 @@ fn whose(path: &Path, uid: Option<u32>) -> String {
     }
 }
 
-/// What is typed to ask for `request`.
+/// Returns the command that asks for `request`.
 const fn command(request: &Request) -> &'static str {
     match request {
         Request::Stop {} => "letoff stop",
@@ -127,7 +127,7 @@ pub fn send(path: &Path, request: &Request) -> Result<Answer, ControlError> {
     send_within(PATIENCE, path, request)
 }
 
-/// The same, with another `patience` than five seconds.
+/// Returns the same, with another `patience` than five seconds.
 ///
 /// # Errors
 /// As [`send`].
@@ -164,7 +164,7 @@ pub fn send_within(
     Ok(serde_json::from_str(&line)?)
 }
 
-/// Connects, and waits no longer than for an answer: a host that hangs takes nobody in.
+/// Connects with the same time limit as for an answer: a host that hangs accepts no connection.
 fn connect(path: &Path, patience: Duration) -> io::Result<UnixStream> {
     let (family, flags) = (AddressFamily::UNIX, SocketFlags::CLOEXEC);
     let socket = rustix::net::socket_with(family, SocketType::STREAM, flags, None)?;
@@ -173,7 +173,7 @@ fn connect(path: &Path, patience: Duration) -> io::Result<UnixStream> {
     Ok(UnixStream::from(socket))
 }
 
-/// Why nobody answers at `path`.
+/// Returns why no host answers at `path`.
 fn absent(path: &Path, command: &'static str, error: io::Error) -> ControlError {
     if error.kind() == io::ErrorKind::PermissionDenied {
         let owner = place::owner(path);
@@ -190,7 +190,7 @@ fn absent(path: &Path, command: &'static str, error: io::Error) -> ControlError 
     ControlError::Silent(error)
 }
 
-/// Whether the other side took too long.
+/// Returns whether a wait timed out.
 fn is_late(error: &io::Error) -> bool {
     matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut)
 }

@@ -1,4 +1,4 @@
-//! The emergency stop: anybody may ask, whoever drives the boards does it and answers.
+//! The emergency stop: requests ask for it; the thread that drives the boards does it and answers.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Condvar, Mutex, PoisonError};
@@ -9,20 +9,20 @@ use tokio::sync::Notify;
 
 use super::{Answer, Answers};
 
-/// How many of the armed boards were told to render no force.
+/// The number of armed boards that were sent the command to render no force.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BoardsTold {
-    /// Boards that were told.
+    /// Boards that took the command.
     pub told: usize,
     /// Boards that were armed.
     pub boards: usize,
 }
 
 impl BoardsTold {
-    /// No board was armed yet.
+    /// The answer before any board is armed.
     pub const NONE_ARMED: Self = Self { told: 0, boards: 0 };
 
-    /// What is answered to those who asked for the stop.
+    /// Returns the reply to a request for the stop.
     pub fn reply(self) -> Reply {
         let Self { told, boards } = self;
         let text = if boards == 0 {
@@ -43,12 +43,12 @@ impl BoardsTold {
     }
 }
 
-/// One stop, from the first who asks to the answer.
+/// One stop, from the first request to the answer.
 #[derive(Debug, Default)]
 pub struct EmergencyStop {
     is_asked: AtomicBool,
     asks: Notify,
-    /// Boards are being armed: whoever does it looks when that is over.
+    /// Boards are being armed, and the thread that arms them looks at `is_asked` afterwards.
     is_arming: AtomicBool,
     told: Mutex<Option<BoardsTold>>,
     is_told: Condvar,
@@ -61,7 +61,7 @@ impl EmergencyStop {
         self.asks.notify_one();
     }
 
-    /// Whether somebody has asked for it.
+    /// Returns whether it was asked for.
     ///
     /// # Real-time
     /// One load.
@@ -69,14 +69,14 @@ impl EmergencyStop {
         self.is_asked.load(Ordering::Acquire)
     }
 
-    /// Waits until somebody asks for it.
+    /// Waits until it is asked for.
     pub async fn asked(&self) {
         while !self.is_asked() {
             self.asks.notified().await;
         }
     }
 
-    /// Arms boards by `arm`, which may take seconds; whoever asks meanwhile is answered after it.
+    /// Arms boards by `arm`, which may take seconds; requests meanwhile are answered after it.
     pub fn while_arming<T>(&self, arm: impl FnOnce() -> T) -> T {
         self.is_arming.store(true, Ordering::Release);
         let armed = arm();
@@ -84,18 +84,18 @@ impl EmergencyStop {
         armed
     }
 
-    /// Answers those who asked.
+    /// Answers the requests with what the boards were told.
     pub fn answer(&self, told: BoardsTold) {
         *self.told.lock().unwrap_or_else(PoisonError::into_inner) = Some(told);
         self.is_told.notify_all();
     }
 
-    /// What was answered, if it was.
+    /// Returns the answer, if it was given.
     pub fn answered(&self) -> Option<BoardsTold> {
         *self.told.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Asks, and waits for the answer: a second at most, or until boards are armed.
+    /// Asks for it, and waits for the answer: a second at most, or until boards are armed.
     ///
     /// # Errors
     /// If it does not come in time; a sentence.
@@ -122,7 +122,7 @@ impl EmergencyStop {
     }
 }
 
-/// While keys are calibrated, a stop is all that is answered.
+/// While keys are calibrated, a stop is the only request that is answered.
 impl Answers for EmergencyStop {
     fn reply_to(&self, request: &Request) -> Answer {
         if matches!(request, Request::Stop {}) {

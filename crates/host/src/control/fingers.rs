@@ -1,4 +1,4 @@
-//! Simulated fingers on keys, and whose they are: they go with the connection that put them there.
+//! Simulated fingers on keys; a finger is released when the connection that pressed with it ends.
 
 use std::collections::BTreeMap;
 
@@ -6,56 +6,55 @@ use firmware_protocol::key::KeyIndex;
 use rtrb::Producer;
 
 /// The connection of a client of the stream; none for the control socket, where each request is a
-/// connection of its own and a key stays pressed until it is let go.
-pub type Connection = Option<u64>;
+/// connection of its own and a key stays pressed until it is released.
+pub type FingerOwner = Option<u64>;
 
-/// Simulated fingers, on their way into the tick.
+/// Sends the forces of simulated fingers into the tick.
 ///
-/// Of the ring's places one is always kept free for each key that is pressed, so that letting go
-/// never fails.
+/// One place of the ring is kept free for each key that is pressed, so that a release never fails.
 #[derive(Debug)]
 pub struct FingerQueue {
     weights: Producer<(KeyIndex, f64)>,
-    /// The keys that are pressed, and by whom last.
-    pressed: BTreeMap<u8, (KeyIndex, Connection)>,
+    /// The keys that are pressed, with the owner of the last press.
+    pressed: BTreeMap<u8, (KeyIndex, FingerOwner)>,
 }
 
 impl FingerQueue {
-    /// Nothing is pressed.
+    /// Returns a queue into `weights`, with no key pressed.
     pub const fn new(weights: Producer<(KeyIndex, f64)>) -> Self {
         Self { weights, pressed: BTreeMap::new() }
     }
 
-    /// Presses `key` with `newtons` for `by`; 0 lets go.
+    /// Presses `key` with `newtons` for `by`; 0 releases it.
     ///
     /// # Errors
     /// If too much is waiting, in a sentence.
-    pub fn press(&mut self, key: KeyIndex, newtons: f64, by: Connection) -> Result<(), String> {
+    pub fn press(&mut self, key: KeyIndex, newtons: f64, by: FingerOwner) -> Result<(), String> {
         if newtons == 0.0 {
-            self.let_go(key);
+            self.release(key);
             return Ok(());
         }
-        let others = self.pressed.len() - usize::from(self.pressed.contains_key(&key.number()));
-        if self.weights.slots() < others + 2 || self.weights.push((key, newtons)).is_err() {
+        let n_others = self.pressed.len() - usize::from(self.pressed.contains_key(&key.number()));
+        if self.weights.slots() < n_others + 2 || self.weights.push((key, newtons)).is_err() {
             return Err("too many keys are pressed at once; try again".to_owned());
         }
         self.pressed.insert(key.number(), (key, by));
         Ok(())
     }
 
-    /// Lets go of all keys that `connection` pressed last.
+    /// Releases all keys that `connection` pressed last.
     pub fn leave(&mut self, connection: u64) {
-        let its = |(_, by): &&(KeyIndex, Connection)| *by == Some(connection);
+        let its = |(_, by): &&(KeyIndex, FingerOwner)| *by == Some(connection);
         let keys: Vec<_> = self.pressed.values().filter(its).map(|(key, _)| *key).collect();
         for key in keys {
-            self.let_go(key);
+            self.release(key);
         }
     }
 
-    /// Lets go of `key`; nothing if nobody presses it.
-    fn let_go(&mut self, key: KeyIndex) {
+    /// Releases `key`, if it is pressed.
+    fn release(&mut self, key: KeyIndex) {
         if self.pressed.remove(&key.number()).is_some() {
-            // Its place was kept free; and without a run nobody feels it.
+            // Its place was kept free; a ring without a run has no reader.
             let _kept = self.weights.push((key, 0.0));
         }
     }

@@ -10,14 +10,14 @@ use scene::instruments;
 /// Folders in which clients of the stream may name files; without one they may name none.
 #[derive(Clone, Debug, Default)]
 pub struct Folders {
-    /// Where recordings go that a client begins.
+    /// The folder of recordings that clients begin.
     pub recordings: Option<PathBuf>,
-    /// Where instruments are that clients may use beside the embedded ones.
+    /// The folder of instruments that clients may use beside the embedded ones.
     pub instruments: Option<PathBuf>,
 }
 
 impl Folders {
-    /// Where a recording goes that a client calls `name`; its folder is made if need be.
+    /// Returns the path of a recording that a client calls `name`; makes its folder if need be.
     ///
     /// # Errors
     /// If it may not be there, in a sentence.
@@ -37,7 +37,7 @@ impl Folders {
         Ok(file.display().to_string())
     }
 
-    /// What a client means by the instrument `name`: an embedded one, or a file's path.
+    /// Returns the instrument that a client calls `name`: an embedded one, or a file's path.
     ///
     /// # Errors
     /// If there is none that a client may use, in a sentence with nothing of any file.
@@ -65,7 +65,7 @@ impl Folders {
     }
 }
 
-/// The file called `name` in `folder`; none if it would be elsewhere, or hidden.
+/// Returns the file called `name` in `folder`; none if it would be elsewhere, or hidden.
 fn file_in(folder: &Path, name: &str) -> Option<PathBuf> {
     let name = Path::new(name);
     let name = name.strip_prefix(folder).unwrap_or(name);

@@ -1,38 +1,45 @@
-//! What a running host is asked for: one JSON object a line over a Unix socket, or by its stream.
+//! Requests to a running host: one JSON object a line over a Unix socket, or by its stream.
 //!
 //! ```text
-//! letoff instruments use NAME ──socket──▶ server ── Switchboard ──ring──▶ lanes, between ticks
-//! dashboard ──WebSocket──▶ telemetry::stream ─────────┘
+//! letoff instruments use NAME ──socket──▶ server ─┐
+//! dashboard ──WebSocket──▶ telemetry::stream ─────┴▶ RequestHandler ─▶ RunHandle ──ring──▶ lanes
 //! ```
 //!
-//! `letoff stop` comes the same way: the run ends with the next tick, and boards are stopped.
-//! The socket is there before anything is rehearsed, so that a host is stopped that only begins.
+//! [`RequestHandler`] checks a request and builds what it needs, off the tick: a voice for another
+//! instrument, an array of values for other parameters. [`RunHandle`] sends it to the run. The
+//! tick puts it in between two ticks, and safety blends the new force in.
 //!
-//! A request is checked and its voices are built here, off the tick; the tick only swaps
-//! finished voices, and safety blends their forces in.
+//! `letoff stop` comes the same way: the run ends with the next tick, and boards are stopped.
+//! The socket listens before the rehearsal, so that a host that only prepares is stopped too.
 
 mod client;
+mod current_voices;
 mod emergency;
 mod fingers;
 mod folders;
-mod patchbay;
+mod key_port;
 mod place;
+mod request_handler;
+mod run_handle;
 mod server;
-mod stream;
-mod switchboard;
-mod tuning;
+mod stream_sink;
+mod voice_port;
 
 pub use client::{ControlError, send, send_within};
 pub use emergency::{BoardsTold, EmergencyStop};
-pub use fingers::{Connection, FingerQueue};
+pub use fingers::{FingerOwner, FingerQueue};
 pub use folders::Folders;
-pub use patchbay::{IdentifyTarget, Lights, RunHandle};
+pub use key_port::{IdentifyTarget, Lights};
 pub use place::socket_path;
+pub use request_handler::RequestHandler;
+pub use run_handle::RunHandle;
 pub use server::{Answers, Clients, ControlServer, serve};
-pub use stream::{RequestHandler, StreamSink};
-pub use switchboard::VoiceSwitcher;
+pub use stream_sink::StreamSink;
 
 pub use telemetry::{Reply, Request};
 
-/// What the host answers to one line: what was done, or in a sentence why nothing was.
+/// The answer to one request: what was done, or in a sentence why nothing was.
 pub type Answer = Result<Reply, String>;
+
+/// The refusal of a host that is being prepared, or has ended.
+const NOT_RUNNING: &str = "the host is not running yet, or not any more";

@@ -1,7 +1,8 @@
-//! Where the control socket lies, and whose it is.
+//! The path of the control socket, and its owner.
 //!
-//! Whoever may connect to it is the host's owner, and whoever listens there is believed: so it
-//! lies in a folder that nobody else can write, and each side looks who the other one is.
+//! A process that may connect to it acts as the host's owner, and a process that listens there is
+//! trusted: so it lies in a folder that only its user can write, and each side checks the user of
+//! the other one.
 
 use std::fs;
 use std::io;
@@ -10,16 +11,16 @@ use std::path::{Path, PathBuf};
 
 use rustix::process::getuid;
 
-/// Where the socket of a host is that the shipped unit starts.
+/// The socket of a host that the shipped unit starts.
 const SERVICE: &str = "/run/letoff/letoff.sock";
 
-/// Of a folder's mode: others may write.
+/// The bits of a folder's mode by which others may write.
 const OTHERS_WRITE: u32 = 0o022;
-/// Of a folder's mode: only owners remove their files.
+/// The bit of a folder's mode by which only owners remove their files.
 const STICKY: u32 = 0o1000;
 
-/// Where a host of this user listens: where `LETOFF_SOCKET` says, in the runtime directory if that
-/// is this user's, or else beside other temporary files, in a folder of the user's own.
+/// Returns the socket of this user's host: the value of `LETOFF_SOCKET`, or in the runtime
+/// directory if that is this user's, or else in a folder of the user's own among temporary files.
 pub fn socket_path() -> PathBuf {
     if let Some(path) = chosen() {
         return path;
@@ -32,17 +33,17 @@ pub fn socket_path() -> PathBuf {
     folder.join("letoff.sock")
 }
 
-/// What `LETOFF_SOCKET` says.
+/// Returns the value of `LETOFF_SOCKET`.
 pub(super) fn chosen() -> Option<PathBuf> {
     std::env::var_os("LETOFF_SOCKET").map(PathBuf::from)
 }
 
-/// This user's number.
+/// Returns this user's number.
 pub(super) fn user() -> u32 {
     getuid().as_raw()
 }
 
-/// Whose a file is; none if it cannot be seen.
+/// Returns the owner of a file; none if it cannot be seen.
 pub(super) fn owner(path: &Path) -> Option<u32> {
     Some(fs::metadata(path).ok()?.uid())
 }
@@ -73,7 +74,7 @@ pub(super) fn prepare_folder(path: &Path) -> io::Result<()> {
 pub(super) fn check_folder(path: &Path) -> io::Result<()> {
     let folder = folder(path);
     let is_trusted = |uid: u32| uid == user() || uid == 0;
-    // Whoever owns a symbolic link says where it leads.
+    // The owner of a symbolic link decides where it leads.
     let (link, target) = (fs::symlink_metadata(folder)?, fs::metadata(folder)?);
     let stranger =
         [&link, &target].into_iter().map(fs::Metadata::uid).find(|uid| !is_trusted(*uid));
@@ -93,12 +94,12 @@ pub(super) fn check_folder(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether root has named this path, as it does to ask the host of another user.
+/// Returns whether root has named this path, to ask the host of another user.
 pub(super) fn is_allowed_to_root(path: &Path) -> bool {
     user() == 0 && chosen().is_some_and(|chosen| chosen == path)
 }
 
-/// Takes away the socket that a host of this user left at `path`; anything else stays.
+/// Removes the socket that a host of this user left at `path`; anything else stays.
 ///
 /// # Errors
 /// If there is something else, or a host listens; a sentence.
@@ -120,7 +121,7 @@ pub(super) fn clear(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Sockets at which hosts listen elsewhere on this machine, with their owners as far as those can
+/// Returns sockets at which hosts listen elsewhere on this machine, with their owners as far as those can
 /// be seen; `path` is left out.
 pub(super) fn others(path: &Path) -> Vec<(PathBuf, Option<u32>)> {
     let listed = fs::read_to_string("/proc/net/unix").unwrap_or_default();
@@ -130,7 +131,7 @@ pub(super) fn others(path: &Path) -> Vec<(PathBuf, Option<u32>)> {
     others.into_iter().map(|other| (owner(&other), other)).map(|(uid, it)| (it, uid)).collect()
 }
 
-/// The sockets called as a host's that listen, of the system's list.
+/// Returns the listening sockets of the system's list that have a host's name.
 fn listening(listed: &str) -> impl Iterator<Item = PathBuf> {
     /// The flag of a socket that listens.
     const LISTENS: &str = "00010000";
@@ -143,7 +144,7 @@ fn listening(listed: &str) -> impl Iterator<Item = PathBuf> {
     })
 }
 
-/// Whether `path` is where the shipped unit's host listens.
+/// Returns whether `path` is the socket of the shipped unit's host.
 pub(super) fn is_service(path: &Path) -> bool {
     path == Path::new(SERVICE)
 }

@@ -1,4 +1,4 @@
-//! The host's end: listens, one request per line, bounded in size and time.
+//! The host's end of the control socket: one request per line, bounded in size and time.
 
 use std::fs;
 use std::io;
@@ -13,31 +13,24 @@ use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, Buf
 use tokio::net::{UnixListener, UnixStream};
 use tokio::sync::Semaphore;
 
-use super::{Answer, Request, VoiceSwitcher, place};
+use super::{Answer, Request, place};
 
-/// Longest request in bytes; a sentence would do.
+/// Longest request (bytes).
 const MAX_REQUEST: u64 = 4096;
 
-/// Clients that are listened to at once; all are this user's.
+/// Most clients at once; all are this user's.
 const MOST_CLIENTS: u32 = 64;
 
-/// Longest time that one client is listened to.
+/// Longest time that one client is served.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// What answers the control socket.
+/// Answers requests of the control socket.
 pub trait Answers: Send + Sync + 'static {
-    /// Does what is asked, and returns when it is done; it may block.
+    /// Does what `request` asks, and returns when it is done; it may block.
     ///
     /// # Errors
     /// If it is refused; a sentence.
     fn reply_to(&self, request: &Request) -> Answer;
-}
-
-impl Answers for VoiceSwitcher {
-    fn reply_to(&self, request: &Request) -> Answer {
-        let who = if matches!(request, Request::Stop {}) { "`letoff stop`" } else { "letoff" };
-        self.answer(request, who)
-    }
 }
 
 /// A socket that is removed when the host ends.
@@ -59,7 +52,7 @@ impl ControlServer {
     pub fn listen(path: &Path) -> io::Result<Self> {
         place::prepare_folder(path)?;
         place::clear(path)?;
-        // The socket is nobody else's from the first moment on.
+        // Only this user has access to the socket from the beginning.
         let before = umask(Mode::RWXG | Mode::RWXO | Mode::XUSR);
         let bound = UnixListener::bind(path);
         umask(before);
@@ -67,7 +60,7 @@ impl ControlServer {
     }
 }
 
-/// Which file is there: its device and number.
+/// Returns the device and the number of the file at `path`.
 fn file(path: &Path) -> io::Result<(u64, u64)> {
     let found = fs::symlink_metadata(path)?;
     Ok((found.dev(), found.ino()))
@@ -75,26 +68,26 @@ fn file(path: &Path) -> io::Result<(u64, u64)> {
 
 impl Drop for ControlServer {
     fn drop(&mut self) {
-        // Somebody may have removed it already, and put something else there.
+        // Another process may have replaced it.
         if file(&self.path).is_ok_and(|there| there == self.made) {
             let _gone = fs::remove_file(&self.path);
         }
     }
 }
 
-/// Those who are being answered.
+/// Counts the clients that are being answered.
 #[derive(Clone, Debug)]
 pub struct Clients(Arc<Semaphore>);
 
 impl Default for Clients {
-    /// Nobody.
+    /// Returns a count of no clients.
     fn default() -> Self {
         Self(Arc::new(Semaphore::new(MOST_CLIENTS as usize)))
     }
 }
 
 impl Clients {
-    /// Waits until everybody has their answer, or a moment has passed.
+    /// Waits until all clients have their answer, for half a second at most.
     pub async fn leave(&self) {
         /// Longer than it takes to write a line.
         const GRACE: Duration = Duration::from_millis(500);
@@ -103,16 +96,16 @@ impl Clients {
 }
 
 /// Answers clients, so many at once, until it is dropped.
-#[expect(clippy::infinite_loop, reason = "whoever spawned it ends it")]
+#[expect(clippy::infinite_loop, reason = "its task is ended from outside")]
 pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: Clients) {
-    /// How long to wait when the system has no more descriptors.
+    /// Pause when the system has no more descriptors.
     const PAUSE: Duration = Duration::from_millis(50);
     loop {
         let Ok((client, _address)) = server.listener.accept().await else {
             tokio::time::sleep(PAUSE).await;
             continue;
         };
-        // One that finds no place goes away unheard, so that whoever has one may come in time.
+        // A client beyond the limit is dropped, so that the others are served in time.
         if let Ok(place) = Arc::clone(&clients.0).try_acquire_owned() {
             let answers = Arc::clone(&answers);
             tokio::spawn(async move {

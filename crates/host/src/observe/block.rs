@@ -4,7 +4,7 @@ use scheduler::voice::VoiceFault;
 use telemetry::{KeyBlock, KeyState};
 
 use super::ModelProbe;
-use crate::adapters::tap::{KeyRow, RowFlags};
+use crate::adapters::tick_recorder::{KeyRow, RowFlags};
 
 /// Bits of `KeyBlock.flags`.
 pub(crate) mod flag {
@@ -42,8 +42,8 @@ pub(super) struct BlockBuilder {
 }
 
 impl BlockBuilder {
-    /// Adds a row that `eye` looks at, if its model is known.
-    pub(super) fn push(&mut self, row: &KeyRow, flags: u8, eye: Option<&dyn ModelProbe>) {
+    /// Adds a row that `probe` looks at, if its model is known.
+    pub(super) fn push(&mut self, row: &KeyRow, flags: u8, probe: Option<&dyn ModelProbe>) {
         let block = &mut self.block;
         if block.after.is_empty() {
             (block.key, block.tick) = (row.key.into(), row.tick);
@@ -54,14 +54,14 @@ impl BlockBuilder {
         block.taken.push(row.sample.taken);
         block.force.push(row.force);
         block.sent.push(row.sent);
-        block.mode.push(if eye.is_some() { row.look.mode } else { u8::MAX });
+        block.mode.push(if probe.is_some() { row.look.mode } else { u8::MAX });
         block.flags.push(flags);
         block.fault.push(fault_number(row.fault));
         block.revision.push(row.look.revision);
         block.unrun.push(!row.ran);
         block.events.push(row.events.into());
-        if let Some(eye) = eye {
-            eye.see(&row.look, &mut block.signals);
+        if let Some(probe) = probe {
+            probe.see(&row.look, &mut block.signals);
         }
     }
 

@@ -1,14 +1,13 @@
-//! What there is to see and to change, as a message.
+//! The catalogue of signals and parameters, as a message.
 
 use models::catalogue::{ENTRIES, ModelEntry};
 use scheduler::motion::KEYS;
 use telemetry::{Catalogue, Instrument, Model, Parameter};
 
-use super::embedded;
-use super::eye::{modes, signals};
+use super::model_probe::{modes, signals};
 use scene::{self, LinksConfig, Scene};
 
-/// The catalogue of a host that runs `scene`; when it began is not known yet.
+/// Returns the catalogue of a host that runs `scene`; when it began is not known yet.
 pub fn catalogue(scene: &Scene) -> Catalogue {
     Catalogue {
         version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -44,10 +43,10 @@ fn parameter(it: &models::Parameter) -> Parameter {
     }
 }
 
-/// Every embedded instrument, with its values on every key.
+/// Returns every embedded instrument, with its values on every key.
 fn instruments() -> Vec<Instrument> {
     let keys = || (0..=u8::MAX).take(KEYS);
-    embedded()
+    scene::Instrument::embedded()
         .iter()
         .map(|it| Instrument {
             values: keys().flat_map(|key| it.values(key)).collect(),

@@ -8,7 +8,7 @@ use super::pulses::PulseRow;
 use crate::report::Quantiles;
 use realtime::run::{CreationError, histogram};
 
-/// Sums up ticks.
+/// Sums up the times of all ticks.
 #[derive(Debug)]
 pub(super) struct DeadlinesBuilder {
     counts: Deadlines,
@@ -18,7 +18,7 @@ pub(super) struct DeadlinesBuilder {
 }
 
 impl DeadlinesBuilder {
-    /// Nothing was seen.
+    /// Returns sums over no ticks.
     pub(super) fn new() -> Result<Self, CreationError> {
         Ok(Self {
             counts: Deadlines::default(),
@@ -33,7 +33,7 @@ impl DeadlinesBuilder {
         self.counts.skipped += ticks;
     }
 
-    /// Takes a tick.
+    /// Adds the times of one tick.
     pub(super) fn push(&mut self, pulse: &PulseRow) {
         self.lateness.saturating_record(pulse.lateness);
         self.turnaround.saturating_record(pulse.turnaround);
@@ -49,7 +49,7 @@ impl DeadlinesBuilder {
         } += 1;
     }
 
-    /// All so far.
+    /// Returns the sums so far.
     pub(super) fn read(&self) -> Deadlines {
         Deadlines {
             lateness: Some(spread(&self.lateness)),
@@ -60,7 +60,7 @@ impl DeadlinesBuilder {
     }
 }
 
-/// A histogram with edges that double, of the times up to its largest (us).
+/// Returns a histogram with edges that double, of the times up to its largest (us).
 fn spread(histogram: &Histogram<u64>) -> Spread {
     let Quantiles { p50, p99, p99_9, max } = Quantiles::of(histogram);
     let bins = histogram.iter_log(1_000, 2.0);

@@ -7,7 +7,7 @@ use telemetry::{Event, event::Kind};
 
 use super::ModelProbe;
 use super::pulses::{PulseRow, words};
-use crate::adapters::tap::{KeyRow, TickRow};
+use crate::adapters::tick_recorder::{KeyRow, TickRow};
 
 /// The key of what is of no key.
 pub const NO_KEY: u32 = 255;
@@ -18,8 +18,8 @@ fn at(kind: Kind, key: u8, Moment { tick, theta }: Moment) -> Event {
 }
 
 /// A change of mode in `tick`.
-pub(super) fn switch(tick: u64, key: u8, it: &Switch, eye: Option<&dyn ModelProbe>) -> Event {
-    let guard = eye.and_then(|eye| eye.guard(it.from, it.guard)).unwrap_or_default();
+pub(super) fn switch(tick: u64, key: u8, it: &Switch, probe: Option<&dyn ModelProbe>) -> Event {
+    let guard = probe.and_then(|probe| probe.guard(it.from, it.guard)).unwrap_or_default();
     Event {
         from: it.from.into(),
         to: it.to.into(),

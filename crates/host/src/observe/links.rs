@@ -5,10 +5,10 @@ use hardware::rt::link_snapshot::{BoardSnapshot, LineSnapshot, LinkSnapshot};
 use rtrb::Consumer;
 use telemetry::Links;
 
-use crate::adapters::lookout::LinkSample;
+use crate::adapters::link_monitor::LinkSample;
 use crate::report::{muted_keys, stage_words, wire_words};
 
-/// What is known of lines and boards, and where more comes from.
+/// The state of lines and boards, and the ring from which it is updated.
 #[derive(Debug)]
 pub struct LinksWatch {
     seen: Consumer<LinkSample>,
@@ -20,13 +20,13 @@ pub struct LinksWatch {
 }
 
 impl LinksWatch {
-    /// Of lines and boards of which nothing was seen yet; ticks are `period` (s) apart.
+    /// Returns a watch over `links`, in ticks of `period` (s).
     pub fn new(seen: Consumer<LinkSample>, links: Links, period: f64) -> Self {
         let last = vec![None; links.lines.len()];
         Self { seen, period, links, last }
     }
 
-    /// All of them as they were seen last.
+    /// Returns the lines and boards as they were seen last.
     pub const fn links(&self) -> &Links {
         &self.links
     }
@@ -84,7 +84,7 @@ impl LinksWatch {
     }
 }
 
-/// Whether a state is another than before, and not the first.
+/// Returns whether a state is another than before, and not the first.
 fn news(before: &str, now: &str) -> bool {
     !before.is_empty() && before != now
 }
@@ -102,7 +102,7 @@ mod tests {
     use rtrb::{Producer, RingBuffer};
     use telemetry::{Board, Line};
 
-    /// One line with one board, in ticks of a millisecond.
+    /// Returns one line with one board, in ticks of a millisecond.
     fn watch() -> (Producer<LinkSample>, LinksWatch) {
         let (told, seen) = RingBuffer::new(16);
         let line = Line { name: "can0".into(), planned: 0.25, seen: f64::NAN, ..Line::default() };

@@ -1,4 +1,4 @@
-//! What becomes of a run, in sentences for the host's log.
+//! The events of a run, in sentences for the host's log.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,9 +6,9 @@ use firmware_protocol::key::KeyIndex;
 use telemetry::event::Kind;
 use telemetry::{Event, Links, Topic, Update};
 
-use super::pump::{Attention, MessageSink};
+use super::telemetry_thread::{Attention, MessageSink};
 
-/// What takes a line of the log; it must not wait for a disk or a terminal.
+/// Takes a line of the log; it must not wait for a disk or a terminal.
 pub type LogLine = Box<dyn FnMut(String) + Send>;
 
 /// Time for which changes of values are put together (ns).
@@ -38,7 +38,7 @@ impl LogSink {
         Self { line, limit, changed, since: 0, is_naming: false }
     }
 
-    /// The same, which names each board once; those that are simulated need it not.
+    /// Returns the same, which names each board once; those that are simulated need it not.
     #[must_use]
     pub fn naming_boards(mut self) -> Self {
         self.is_naming = true;
@@ -155,13 +155,13 @@ impl Drop for LogSink {
     }
 }
 
-/// A key's name.
+/// Returns a key's name.
 fn key(number: u32) -> String {
     let key = u8::try_from(number).ok().and_then(KeyIndex::new);
     key.map_or_else(|| format!("key {number}"), |key| key.to_string())
 }
 
-/// What a line is on; each has room of its own.
+/// The subject of a line; each has a limit of its own.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Subject {
     Clients,
@@ -200,7 +200,7 @@ struct LogWindow {
 }
 
 impl RateLimit {
-    /// Whether one more line may be written at `now` (ns).
+    /// Returns whether one more line may be written at `now` (ns).
     fn has_room(&mut self, now: u64, subject: Subject) -> bool {
         let fresh = LogWindow { began: now, written: 0, held: 0 };
         let span = self.0.entry(subject).or_insert(fresh);

@@ -1,60 +1,48 @@
-//! What is observed, from the tick's rings to whoever wants it.
+//! Telemetry: from the tick's rings to messages, and from messages to sinks.
 //!
 //! ```text
-//! tick ─ Tap ─rings─▶ Pump ─▶ blocks, overview, events, ticks ─▶ sinks: stream, recording, black box, log
-//! loop ─ Pulses ─ring─▶ ┘
-//! keys ─ Lookout ─ring─▶ ┤
-//! desk, control ─channel─▶ ┘
+//! tick ─ TickRecorder ─rings─▶ TelemetryThread ─▶ blocks, overview, events, ticks ─▶ sinks: stream,
+//! loop ─ Pulses ─ring─────────▶┤                                       recording, black box, log
+//! keys ─ LinkMonitor ─ring────▶┤
+//! MIDI, control ─channel──────▶┘
 //! ```
 //!
-//! The pump has a thread of its own, is waited for by nobody, and says nothing that the rings
-//! have not told: what found no room in them is counted.
+//! No other thread waits for the telemetry thread; rows that find no room in the rings are
+//! counted, and are not in the messages.
 
 mod block;
 mod catalogue;
 mod deadlines;
 mod events;
-mod eye;
 mod links;
 mod log;
+mod model_probe;
 mod overview;
 mod pulses;
-mod pump;
 mod record;
+mod telemetry_thread;
 mod ticks;
 mod voice;
-
-use std::sync::OnceLock;
-
-use scene::{Instrument, instruments};
 
 pub(crate) use block::flag;
 pub use catalogue::catalogue;
 pub use events::{NO_KEY, pedal};
-pub use eye::{ModelProbe, eye, modes, signals};
 pub use links::LinksWatch;
 pub use log::{LogLine, LogSink};
+pub use model_probe::{ModelProbe, modes, probe, signals};
 pub use pulses::{PulseRow, Pulses};
-pub use pump::{Attention, MessageSink, TelemetryMessage, TelemetryThread};
-pub use record::{BlackBoxSink, RecordingHandle, RecordingReport};
+pub use record::{BlackBoxSink, RecordingHandle};
+pub use telemetry_thread::{Attention, MessageSink, TelemetryMessage, TelemetryThread};
 pub use voice::{Origin, instrument_of, voice};
 
-/// A name for what this process records: when, and by whom.
+/// Returns a name for recordings of this process: its time and number.
 fn run_id() -> String {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     format!("{}-{}", now.map_or(0, |it| it.as_secs()), std::process::id())
 }
 
-/// For the eye, not for a replay.
+/// Rounds what is shown and not replayed.
 #[expect(clippy::cast_possible_truncation, reason = "seven digits are enough to look at")]
 const fn short(value: f64) -> f32 {
     value as f32
-}
-
-/// Every embedded instrument, read once.
-fn embedded() -> &'static [Instrument] {
-    static ALL: OnceLock<Vec<Instrument>> = OnceLock::new();
-    ALL.get_or_init(|| {
-        instruments().iter().filter_map(|info| Instrument::load(&info.name).ok()).collect()
-    })
 }

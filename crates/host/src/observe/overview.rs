@@ -5,7 +5,7 @@ use telemetry::Overview;
 
 use super::block::{fault_number, flag};
 use super::short;
-use crate::adapters::tap::KeyRow;
+use crate::adapters::tick_recorder::KeyRow;
 
 /// One key since the last look.
 #[derive(Clone, Copy, Debug)]

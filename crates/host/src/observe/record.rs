@@ -1,31 +1,18 @@
-//! Sinks that keep what they are given: a recording, and the black box.
+//! Sinks that keep messages: a recording, and the black box.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use serde::Serialize;
 use telemetry::event::Kind;
 use telemetry::recording::{BlackBox, RecordError, Recorder, RecordingSettings, RecordingStatus};
 use telemetry::{Topic, Update};
 
-use super::pump::{Attention, MessageSink};
+use super::telemetry_thread::{Attention, MessageSink};
+use crate::report::RecordingReport;
 
-/// What became of a recording.
-#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize)]
-pub struct RecordingReport {
-    pub file: String,
-    /// Files that it takes.
-    pub files: u64,
-    pub messages: u64,
-    /// Bytes of all files.
-    pub bytes: u64,
-    /// Why it ended early, in a sentence.
-    pub trouble: Option<String>,
-}
-
-/// A recording that goes on elsewhere.
+/// A recording that a sink writes.
 #[derive(Clone, Debug)]
 pub struct RecordingHandle {
     report: Arc<Mutex<RecordingReport>>,
@@ -51,7 +38,7 @@ impl RecordingHandle {
         self.stop.store(true, Ordering::Release);
     }
 
-    /// What became of it so far.
+    /// Returns what became of it so far.
     pub fn report(&self) -> RecordingReport {
         self.report.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
@@ -119,16 +106,16 @@ impl Drop for RecordSink {
     }
 }
 
-/// What the black box keeps.
+/// The time that the black box keeps.
 const KEPT: Duration = Duration::from_secs(30);
 
 /// Most memory of the black box (bytes).
 const MOST_BYTES: usize = 64 << 20;
 
-/// How long after a fault it is written, so that what followed is in it (ns).
+/// Time from a fault until it is written, so that the consequences are in it (ns).
 const AFTER: u64 = 2_000_000_000;
 
-/// Boxes that one run writes at most: a fault that comes again tells nothing new.
+/// Boxes that one run writes at most: a fault that comes again is the same.
 const MOST_BOXES: u32 = 5;
 
 /// Keeps the last seconds, and writes them down when a voice fails.

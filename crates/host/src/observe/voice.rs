@@ -1,26 +1,26 @@
-//! A voice as a message, with what it is seen by.
+//! A voice as a message, with the probe of its model.
 
 use telemetry::Voice;
 
-use super::{TelemetryMessage, embedded, eye};
-use scene::KeyVoice;
+use super::{TelemetryMessage, probe};
+use scene::{Instrument, KeyVoice};
 
-/// Where a voice comes from.
+/// The origin of a voice.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin<'a> {
     /// Its number among the voices of the run.
     pub revision: u32,
-    /// The instrument that its values are from; found by its values if it is not known.
+    /// The instrument of its values; found by its values if it is not known.
     pub instrument: Option<&'a str>,
-    /// Who asked for it.
+    /// The client that asked for it.
     pub writer: &'a str,
     /// Whether the state of the one before is kept.
     pub kept: bool,
 }
 
-/// What is told of `voice` on `key` before it is put in.
+/// Returns the message about `voice` on `key`, which is sent before it is put in.
 pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage {
-    let eye = eye(voice.model.name, &voice.values);
+    let probe = probe(voice.model.name, &voice.values);
     let instrument = origin.instrument.map(str::to_owned);
     let message = Voice {
         key: key.into(),
@@ -29,16 +29,17 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage 
         instrument: instrument.or_else(|| instrument_of(key, voice)).unwrap_or_default(),
         values: voice.values.clone(),
         writer: origin.writer.to_owned(),
-        drawing: eye.as_ref().map(|eye| eye.drawing()),
+        drawing: probe.as_ref().map(|probe| probe.drawing()),
         kept: origin.kept,
     };
-    TelemetryMessage::Voice(Box::new(message), eye)
+    TelemetryMessage::Voice(Box::new(message), probe)
 }
 
-/// The embedded instrument that sounds like `voice` on `key`.
+/// Returns the embedded instrument that sounds like `voice` on `key`.
 pub fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
     let bits = |values: &[f64]| values.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
     let wanted = bits(&voice.values);
-    let of_its_model = embedded().iter().filter(|it| it.model().name == voice.model.name);
+    let of_its_model =
+        Instrument::embedded().iter().filter(|it| it.model().name == voice.model.name);
     of_its_model.filter(|it| bits(&it.values(key)) == wanted).map(|it| it.name.clone()).next()
 }

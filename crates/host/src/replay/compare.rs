@@ -10,7 +10,7 @@ use telemetry::{KeyBlock, Topic, Update};
 
 use crate::observe::MessageSink;
 
-/// Where a replay and its recording are not the same.
+/// A difference between a replay and its recording.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct ReplayDifference {
     pub tick: u64,
@@ -23,7 +23,7 @@ impl std::fmt::Display for ReplayDifference {
     }
 }
 
-/// What the replay said and nobody has compared yet.
+/// Messages of the replay that are not compared yet.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Said(Arc<Mutex<VecDeque<Update>>>);
 
@@ -33,7 +33,7 @@ impl Said {
     }
 }
 
-/// What is compared: what follows from what decided, and no times of clocks.
+/// Returns what is compared: what follows from what decided, and no times of clocks.
 pub(super) fn is_compared(update: &Update) -> bool {
     match update {
         Update::Block(_) | Update::Midi(_) => true,
@@ -105,7 +105,7 @@ impl Comparison {
         }
     }
 
-    /// Forgets what was recorded after the last ticks, which nobody can run again; says whether
+    /// Forgets what was recorded after the last ticks, which cannot be run again; says whether
     /// there was anything, as only in a recording that breaks off.
     pub(super) fn forget_unrun(&mut self) -> bool {
         let is_torn = !self.recorded.is_empty();
@@ -113,8 +113,8 @@ impl Comparison {
         is_torn
     }
 
-    /// Whether the replay ended notes that the recording does not end, after it had sent `timed`
-    /// messages: then that breaks off before.
+    /// Returns whether the replay ended notes that the recording does not end, after it had sent
+    /// `timed` messages: then that breaks off before.
     pub(super) fn lacks_end(&self, timed: usize) -> bool {
         self.midi.len() <= timed && timed < self.said_midi.len()
     }
@@ -134,14 +134,14 @@ impl Comparison {
         }
     }
 
-    /// Forgets what only one of both has sent: of a recording that breaks off nobody knows more.
+    /// Forgets what only one of both has sent: a recording that breaks off says no more.
     pub(super) fn tear(&mut self, timed: usize) {
         let both = self.midi.len().min(timed);
         self.midi.truncate(both);
         self.said_midi.truncate(both);
     }
 
-    /// What was sent so far.
+    /// Returns what was sent so far.
     pub(super) fn n_sent(&self) -> usize {
         self.said_midi.len()
     }
@@ -188,7 +188,7 @@ impl Comparison {
     }
 }
 
-/// The first difference of two blocks.
+/// Returns the first difference of two blocks.
 fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
     let key = u8::try_from(recorded.key).ok().and_then(KeyIndex::new);
     let key = key.map_or_else(|| recorded.key.to_string(), |key| key.to_string());
@@ -211,7 +211,7 @@ fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
     (recorded.tick, format!("key {key}: the replay has rows beyond the recorded ones"))
 }
 
-/// What a column has in a row, as text that two values share only if all their bits are the same.
+/// Returns the value of a column in a row, as text that is the same only for the same bits.
 type CellText = fn(&KeyBlock, usize) -> String;
 
 /// Every column.
@@ -242,7 +242,7 @@ fn bits(column: &[f64], row: usize) -> String {
     column.get(row).map_or_else(|| "nothing".to_owned(), show)
 }
 
-/// A message in a line.
+/// Returns a message in a line.
 fn short(update: &Update) -> String {
     match update {
         Update::Block(block) => format!("rows of key {} from tick {}", block.key, block.tick),

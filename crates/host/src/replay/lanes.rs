@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::{KeyBus, Lanes};
 use scheduler::slot::Slot;
+use scheduler::values::ModelValues;
 use scheduler::voice::VoiceOutput;
 
 use super::ReplayError;
@@ -31,10 +32,14 @@ struct ReplaySlot {
     late: LateResult,
 }
 
+/// The voices of a recording, by key and revision.
+type RecordedVoices = BTreeMap<(usize, u32), RecordedVoice>;
+
 /// The voices of a recording.
 pub(super) struct ReplayLanes {
-    desks: Vec<Option<ReplaySlot>>,
-    parts: BTreeMap<u32, RecordedVoice>,
+    slots: Vec<Option<ReplaySlot>>,
+    /// The voices of each key, by key and revision.
+    voices: RecordedVoices,
     scene: Scene,
     /// What decided in the tick that is run.
     fed: Vec<KeyTick>,
@@ -44,8 +49,8 @@ pub(super) struct ReplayLanes {
 
 impl ReplayLanes {
     pub(super) fn new(scene: Scene) -> Self {
-        let desks = (0..KEYS).map(|_| None).collect();
-        Self { desks, parts: BTreeMap::new(), scene, fed: Vec::new(), failed: None }
+        let slots = (0..KEYS).map(|_| None).collect();
+        Self { slots, voices: BTreeMap::new(), scene, fed: Vec::new(), failed: None }
     }
 
     /// A voice that may be put in from now on; the first one of a key begins.
@@ -53,22 +58,20 @@ impl ReplayLanes {
         &mut self,
         key: u32,
         revision: u32,
-        part: RecordedVoice,
+        recorded: RecordedVoice,
     ) -> Result<(), ReplayError> {
-        let Some(desk) = usize::try_from(key).ok().and_then(|key| self.desks.get_mut(key)) else {
-            return Ok(());
-        };
-        if desk.is_none() {
-            let voice = build(&self.scene, &part, revision)?;
-            let key = usize::try_from(key).unwrap_or(usize::MAX);
-            *desk = Some(ReplaySlot {
+        let key = usize::try_from(key).unwrap_or(usize::MAX);
+        let Some(slot) = self.slots.get_mut(key) else { return Ok(()) };
+        if slot.is_none() {
+            let voice = build(&self.scene, &recorded, revision)?;
+            *slot = Some(ReplaySlot {
                 slot: Slot::new(key, PanicGuard::new(voice)),
                 revision,
                 pending: Vec::new(),
                 late: LateResult::default(),
             });
         }
-        self.parts.insert(revision, part);
+        self.voices.insert((key, revision), recorded);
         Ok(())
     }
 
@@ -78,29 +81,46 @@ impl ReplayLanes {
     }
 }
 
-fn build(scene: &Scene, part: &RecordedVoice, revision: u32) -> Result<AnyVoice, ReplayError> {
+fn build(scene: &Scene, recorded: &RecordedVoice, revision: u32) -> Result<AnyVoice, ReplayError> {
     let failed = |error: voice::BuildError| ReplayError::Voice(error.to_string());
     let builder = VoiceBuilder::new(scene).map_err(failed)?;
-    builder.numbered(&part.voice, std::sync::Arc::default(), revision).map_err(failed)
+    builder.numbered(&recorded.voice, std::sync::Arc::default(), revision).map_err(failed)
 }
 
 impl ReplaySlot {
-    /// Puts the voice of `revision` in, if it is another.
+    /// Makes the changes of this key up to `revision`, as its lane made them between two ticks.
     fn change(
         &mut self,
         revision: u32,
-        parts: &BTreeMap<u32, RecordedVoice>,
+        voices: &RecordedVoices,
         scene: &Scene,
     ) -> Result<(), ReplayError> {
-        if revision == 0 || revision == self.revision {
+        if revision <= self.revision {
             return Ok(());
         }
-        let Some(part) = parts.get(&revision) else {
+        let key = self.slot.key();
+        if !voices.contains_key(&(key, revision)) {
             return Err(ReplayError::Voice(format!("nothing is told of voice {revision}")));
-        };
-        let voice = PanicGuard::new(build(scene, part, revision)?);
-        let _old = if part.kept { self.slot.retune(voice) } else { self.slot.replace(voice) };
+        }
+        for ((_, revision), recorded) in voices.range((key, self.revision + 1)..=(key, revision)) {
+            self.make(recorded, *revision, scene)?;
+        }
         self.revision = revision;
+        Ok(())
+    }
+
+    fn make(
+        &mut self,
+        recorded: &RecordedVoice,
+        revision: u32,
+        scene: &Scene,
+    ) -> Result<(), ReplayError> {
+        let KeyVoice { model, values } = &recorded.voice;
+        let values = ModelValues::new(model.name, revision, values).filter(|_| recorded.kept);
+        if !values.is_some_and(|values| self.slot.retune(&values)) {
+            let voice = PanicGuard::new(build(scene, recorded, revision)?);
+            let _old = self.slot.replace(voice);
+        }
         Ok(())
     }
 
@@ -141,14 +161,14 @@ fn was_run(unrun: u32, before: u64) -> bool {
 
 impl Lanes for ReplayLanes {
     fn run(&mut self, tick: u64, _samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
-        for ((desk, fed), turn) in self.desks.iter_mut().zip(&self.fed).zip(turns) {
-            let Some(desk) = desk else { continue };
+        for ((slot, fed), turn) in self.slots.iter_mut().zip(&self.fed).zip(turns) {
+            let Some(slot) = slot else { continue };
             if fed.lane != LaneStatus::Late
-                && let Err(error) = desk.change(fed.revision, &self.parts, &self.scene)
+                && let Err(error) = slot.change(fed.revision, &self.voices, &self.scene)
             {
                 self.failed.get_or_insert(error);
             }
-            desk.run(tick, fed, turn);
+            slot.run(tick, fed, turn);
         }
     }
 }

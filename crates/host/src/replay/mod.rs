@@ -17,10 +17,10 @@ mod run;
 pub use compare::ReplayDifference;
 pub use run::{MissingTicks, Replayed, replay};
 
-/// Why a recording cannot be run again.
+/// The reason why a recording cannot be run again.
 #[derive(Debug, thiserror::Error)]
 pub enum ReplayError {
-    /// Nothing says what was run.
+    /// There is no catalogue.
     #[error(
         "the recording has no catalogue, so nobody knows what was run: it can only be looked at"
     )]

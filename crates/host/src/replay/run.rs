@@ -14,10 +14,10 @@ use super::compare::{Comparison, ReplayDifference, Said};
 use super::feed::{Arm, Feed, ticks};
 use super::lanes::{RecordedVoice, ReplayBus, ReplayLanes};
 use crate::adapters::observer::{LiveCounters, TickPublisher};
-use crate::adapters::tap::TickRecorder;
-use crate::desk::MidiDispatcher;
+use crate::adapters::tick_recorder::TickRecorder;
+use crate::midi_thread::MidiDispatcher;
 use crate::observe::{Origin, Pulses, TelemetryMessage, TelemetryThread, voice};
-use crate::session::{Overheard, Watchers, nowhere};
+use crate::session::{MonitoredOutput, Watchers, nowhere};
 use realtime::clock;
 use realtime::run::scheduler;
 use realtime::wake_fd::WakeFd;
@@ -183,7 +183,7 @@ impl Replay {
             Box::default(),
             period.as_secs_f64(),
         );
-        let output = Box::new(Overheard { output: nowhere(), told: told.clone() });
+        let output = Box::new(MonitoredOutput { output: nowhere(), sender: told.clone() });
         let desk = MidiDispatcher::new(events, output, scene.midi.curve);
         Ok(Box::new(Self {
             scheduler: scheduler(timetable, scene.render.slew_limit),
@@ -192,7 +192,7 @@ impl Replay {
             bus: ReplayBus { samples: [KeySample::default(); KEYS] },
             lanes: ReplayLanes::new(scene.clone()),
             scene,
-            watchers: Watchers { publisher, tap },
+            watchers: Watchers { publisher, recorder: tap },
             pump,
             desk,
             told,
@@ -274,7 +274,7 @@ impl Replay {
         Ok(())
     }
 
-    /// Learns of a voice, and tells the pump, so that it sees with the same eyes.
+    /// Learns of a voice, and tells the pump, so that it sees with the same probes.
     fn voice(&mut self, message: &Voice) -> Result<(), ReplayError> {
         let model = catalogue::find(&message.model).ok_or_else(|| {
             ReplayError::Voice(format!("there is no model {:?} in this version", message.model))

@@ -1,4 +1,4 @@
-//! What a report says of one board.
+//! The part of a report about one board.
 
 use std::fmt;
 
@@ -36,7 +36,7 @@ pub struct BoardLine {
     pub unsent: u64,
     /// Round trips, if there were any.
     pub round_trip_us: Option<RoundTrips>,
-    /// How much faster than the host's its clock runs (1e-6).
+    /// The drift of its clock against the host's (1e-6).
     pub drift_ppm: f64,
     /// Times that its clock jumped.
     pub clock_jumps: u64,
@@ -46,13 +46,13 @@ pub struct BoardLine {
     pub rearmed: u64,
     /// Whether it renders forces, or why not.
     pub state: String,
-    /// Whether its keys read as its calibration file says, and not as it describes them itself.
+    /// Whether its keys are calibrated by its file, and not by its own description.
     pub calibrated: bool,
     /// Readings of keys that were not used, since no key can be there.
     pub implausible: u64,
     /// Keys that are not played any more since their readings cannot be trusted.
     pub muted: Vec<MutedKey>,
-    /// What the board itself has counted, a second before the end.
+    /// The board's own counters, a second before the end.
     pub counted: Option<Counted>,
 }
 
@@ -61,7 +61,7 @@ pub struct BoardLine {
 pub struct MutedKey {
     /// Its name, as C4.
     pub key: String,
-    /// What is wrong with its readings.
+    /// The fault of its readings.
     pub reason: &'static str,
 }
 
@@ -74,12 +74,12 @@ pub struct RoundTrips {
     pub max: u32,
 }
 
-/// What a board has counted since it was switched on.
+/// A board's counters since it was switched on.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Counted {
     /// Forces that it rendered.
     pub forces: u32,
-    /// What came and was no frame.
+    /// Receptions that were no frame.
     pub corrupt: u32,
     /// Forces that were stale, and not rendered.
     pub stale: u32,
@@ -90,7 +90,7 @@ pub struct Counted {
 }
 
 impl BoardLine {
-    /// Of `report`, after `seconds`.
+    /// Returns the line of `report`, after `seconds`.
     pub fn new(report: &BoardReport, seconds: f64) -> Self {
         let BoardReport { name, place, statistics, .. } = report;
         let (condition, (came, went)) = (&report.condition, report.exchanged);
@@ -136,7 +136,7 @@ impl BoardLine {
     }
 }
 
-/// How far a board has been brought up, in words.
+/// Returns how far a board has been brought up, in words.
 pub(crate) fn stage_words(stage: ArmState) -> String {
     match stage {
         ArmState::Armed => "armed".into(),
@@ -149,7 +149,7 @@ pub(crate) fn stage_words(stage: ArmState) -> String {
     }
 }
 
-/// Why a board may not be armed, in words.
+/// Returns why a board may not be armed, in words.
 fn bar_words(bar: ArmLockout) -> String {
     match bar {
         ArmLockout::Latched(reason) => reason_words(reason).into(),
@@ -168,7 +168,7 @@ fn bar_words(bar: ArmLockout) -> String {
     }
 }
 
-/// The keys of a board from `first_key` on that were muted.
+/// Returns the keys of a board from `first_key` on that were muted.
 pub(crate) fn muted_keys(first_key: u8, muted: &[Option<Implausible>; MOST_KEYS]) -> Vec<MutedKey> {
     let keys = (first_key..).map_while(KeyIndex::new).zip(muted);
     let key = |(key, muted): (KeyIndex, &Option<Implausible>)| {
@@ -214,7 +214,7 @@ pub(super) fn fmt_table(boards: &[BoardLine], f: &mut fmt::Formatter<'_>) -> fmt
 }
 
 impl BoardLine {
-    /// What is wrong with it in the end, a sentence on each.
+    /// Returns what is wrong with it in the end, a sentence on each.
     pub fn troubles(&self) -> Vec<String> {
         let name = format!("board {} on {}", self.number, self.link);
         let state = (self.state != "armed").then(|| format!("{name}: {}", self.state));
@@ -223,7 +223,7 @@ impl BoardLine {
         state.into_iter().chain(never).chain(muted).collect()
     }
 
-    /// Whether no sample of it came in the run.
+    /// Returns whether no sample of it came in the run.
     pub fn was_never_heard(&self) -> bool {
         self.samples_hz <= 0.0
     }

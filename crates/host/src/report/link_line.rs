@@ -1,4 +1,4 @@
-//! What a report says of one link.
+//! The part of a report about one link.
 
 use std::fmt;
 
@@ -10,9 +10,8 @@ use serde::Serialize;
 /// One link of a run.
 #[derive(Clone, Debug, Serialize)]
 pub struct LinkLine {
-    /// What it is called.
     pub name: String,
-    /// What it is made of, if that is known.
+    /// Its medium, if that is known.
     pub medium: Option<String>,
     /// Share of its time that was planned, at worst.
     pub planned_load: Option<f64>,
@@ -24,13 +23,13 @@ pub struct LinkLine {
     pub planned_hz: Option<f64>,
     /// Samples of each board that came, a second, on average (1/s).
     pub seen_hz: f64,
-    /// What came and was no frame.
+    /// Receptions that were no frame.
     pub corrupt: u64,
     /// Frames of no board that is known.
     pub foreign: u64,
     /// Receptions that failed because it was down.
     pub down: u64,
-    /// What its controller does.
+    /// The state of its controller.
     pub state: &'static str,
     /// Transmission errors, as its controller counts them up and down.
     pub transmit_errors: u8,
@@ -41,12 +40,12 @@ pub struct LinkLine {
     pub restarts: u64,
     /// Frames that were dropped here, because those before were still on their way.
     pub dropped: u64,
-    /// What is tight about its plan, a sentence.
+    /// The tight part of its plan, in a sentence.
     pub warning: Option<String>,
 }
 
 impl LinkLine {
-    /// Of `line` with its `plan`, after `seconds`; `boards` are those of all lines.
+    /// Returns the row of `line` with its `plan`, after `seconds`; `boards` are those of all lines.
     pub fn new(
         line: &LineReport,
         plan: Option<&BusPlan>,
@@ -80,7 +79,7 @@ impl LinkLine {
     }
 }
 
-/// What a line's controller does, in a word.
+/// Returns what a line's controller does, in a word.
 pub(crate) const fn wire_words(state: WireState) -> &'static str {
     match state {
         WireState::Active => "active",

@@ -1,4 +1,4 @@
-//! What a run reports when it is over, for people and for programs.
+//! The report of a run, for people and for programs.
 
 use std::fmt;
 
@@ -33,11 +33,11 @@ pub struct RunReport {
     pub stopped: bool,
     /// Threads that shared the tick.
     pub lanes: usize,
-    /// What the system granted.
+    /// The rights that the system granted.
     pub realtime: Realtime,
     /// Whether forces were out in time.
     pub deadline: Deadline,
-    /// What was played, and how well; `None` without a pianist.
+    /// The quality of the performance; `None` without a pianist.
     pub notes: Option<NoteReport>,
     /// Reset maps applied by all models.
     pub events: u64,
@@ -57,36 +57,49 @@ pub struct RunReport {
     pub boards: Vec<BoardLine>,
     /// Each link to them.
     pub lines: Vec<LinkLine>,
-    /// Where the energy of all voices came from and went (J).
+    /// The energy audit of all voices (J).
     pub energy_audit: AuditReport,
-    /// What became of the MIDI output.
+    /// The outcome of the MIDI output.
     pub midi: MidiReport,
-    /// What was recorded, if anything was.
-    pub recording: Option<crate::observe::RecordingReport>,
+    /// The recording, if there was one.
+    pub recording: Option<RecordingReport>,
+}
+
+/// The outcome of a recording.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize)]
+pub struct RecordingReport {
+    pub file: String,
+    /// Files that it takes.
+    pub files: u64,
+    pub messages: u64,
+    /// Bytes of all files.
+    pub bytes: u64,
+    /// The reason why it ended early, in a sentence.
+    pub trouble: Option<String>,
 }
 
 impl RunReport {
-    /// What is wrong with boards when all is over, a sentence on each; nothing after
+    /// Returns what is wrong with boards when all is over, a sentence on each; nothing after
     /// `letoff stop`, which is why they render no force then.
     pub fn board_troubles(&self) -> Vec<String> {
         let boards = self.boards.iter().filter(|_| !self.stopped);
         boards.flat_map(BoardLine::troubles).collect()
     }
 
-    /// Whether a board that was armed for this run never took part in it.
+    /// Returns whether a board that was armed for this run never took part in it.
     pub fn misses_a_board(&self) -> bool {
         0 < self.ticks && self.boards.iter().any(BoardLine::was_never_heard)
     }
 }
 
-/// What the system granted.
+/// The rights that the system granted.
 #[derive(Clone, Debug, Serialize)]
 pub struct Realtime {
     /// Scheduling policy of the tick, or `virtual time`.
     pub policy: String,
     /// Whether memory cannot be paged out.
     pub memory_locked: bool,
-    /// What to do to get more, a sentence each.
+    /// The steps to get more rights, a sentence each.
     pub advice: Vec<String>,
 }
 
@@ -124,14 +137,14 @@ pub struct Quantiles {
 }
 
 impl Quantiles {
-    /// Of a histogram of nanoseconds.
+    /// Returns the quantiles of a histogram of nanoseconds.
     pub fn of(histogram: &Histogram<u64>) -> Self {
         let at = |q: f64| histogram.value_at_quantile(q) as f64 * 1e-3;
         Self { p50: at(0.5), p99: at(0.99), p99_9: at(0.999), max: histogram.max() as f64 * 1e-3 }
     }
 }
 
-/// How the performance came out.
+/// The quality of a performance.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct NoteReport {
     /// Notes that the piece asks for within the run.
@@ -139,7 +152,7 @@ pub struct NoteReport {
     pub struck: usize,
     /// Notes asked for and not struck.
     pub missed: usize,
-    /// Strikes that nobody asked for.
+    /// Strikes that the piece does not have.
     pub extra: usize,
     /// |struck − wanted| (ms).
     pub onset_error_ms: ErrorQuantiles,
@@ -178,7 +191,7 @@ pub struct Evaluations {
     pub guards: u64,
 }
 
-/// What happened on the links to the boards.
+/// The exchange on the links to the boards.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct LinkReport {
     pub frames: u64,
@@ -190,7 +203,7 @@ pub struct LinkReport {
     pub rearmed: u64,
 }
 
-/// What became of the MIDI output.
+/// The outcome of the MIDI output.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MidiReport {
     pub output: String,

@@ -1,4 +1,4 @@
-//! What a run measured besides the notes.
+//! A run's measurements of time.
 
 use crate::report::{Deadline, Quantiles, Realtime};
 use realtime::baseline;
@@ -15,7 +15,7 @@ pub(super) struct MeasuredRun {
 }
 
 impl MeasuredRun {
-    /// From what a run in real time saw.
+    /// Returns the measurements of a run in real time.
     pub(super) fn new(
         timings: &Timings,
         standing: SchedulingPolicy,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use midi::{Message, MidiPort, MidiSendError, Output, Smf, Unavailable};
 
-use crate::desk::AnyOutput;
+use crate::midi_thread::AnyOutput;
 use crate::report::MidiReport;
 use crate::session::SessionError;
 use scene::{Midi, MidiOutput};
@@ -23,12 +23,12 @@ impl Output for Nowhere {
     }
 }
 
-/// An output that sends nothing anywhere.
+/// Returns an output that sends nothing anywhere.
 pub(crate) fn nowhere() -> AnyOutput {
     Box::new(Nowhere)
 }
 
-/// The output, and what a report says of it.
+/// Opens the output, and returns it with its part of the report.
 ///
 /// A machine without MIDI is no error: the run goes on, and the report says what to do.
 pub(super) fn open(midi: &Midi) -> Result<(AnyOutput, MidiReport), SessionError> {
@@ -56,7 +56,7 @@ pub(super) fn open(midi: &Midi) -> Result<(AnyOutput, MidiReport), SessionError>
     }
 }
 
-/// The file is written when all is over: what can be known before is said before.
+/// Refuses a file in a folder that is not there, before the run: the file is written at its end.
 fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {

@@ -1,14 +1,14 @@
 //! One run of the host: prepared from a scene, run in real or virtual time, reported.
 
-mod bed;
-mod bus;
-mod keys;
+mod key_source;
+mod key_transport;
 mod measured;
 mod midi_out;
+mod monitored_output;
 mod observed;
-mod overheard;
 mod pianist;
 mod real;
+mod simulated_transport;
 mod virtual_run;
 
 use std::num::NonZeroUsize;
@@ -24,17 +24,17 @@ use crate::adapters::observer::{LiveCounters, TickPublisher};
 use voice::{BuildError, VoiceBuilder};
 
 use crate::control::RunHandle;
-use crate::desk::{MidiDispatcher, PlaybackSummary};
+use crate::midi_thread::{MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
 use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, Realtime, RunReport};
-use bed::KeySource;
-use bus::MonitoredTransport;
+use key_source::KeySource;
+use key_transport::MonitoredTransport;
 use measured::MeasuredRun;
 pub(crate) use midi_out::nowhere;
+pub(crate) use monitored_output::MonitoredOutput;
 use observed::ObservedOutputs;
 pub(crate) use observed::Watchers;
-pub(crate) use overheard::Overheard;
 use realtime::clock;
 use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use realtime::thread::DEFAULT_PRIORITY;
@@ -43,7 +43,7 @@ use scene::{LaneCount, LinksConfig as SceneLinks, Scene};
 
 pub use pianist::PianistProgress;
 
-/// Why a run could not be prepared or finished.
+/// The reason why a run could not be prepared or finished.
 #[derive(Debug, thiserror::Error)]
 pub enum SessionError {
     /// The scene's values make no voice.
@@ -59,7 +59,7 @@ pub enum SessionError {
     #[error("the performance `{name}` cannot be played: {reason}")]
     Performance {
         name: String,
-        /// What is wrong, and what to do.
+        /// The mistake and the remedy.
         reason: String,
     },
     /// The MIDI file cannot be written there.
@@ -80,7 +80,7 @@ pub enum SessionError {
          give tick_hz = 1000, 500, 2000 or another that divides 10000"
     )]
     BoardRate {
-        /// What the scene asks for.
+        /// The scene's rate.
         tick_hz: u32,
     },
     /// A link cannot carry what the scene asks of it.
@@ -105,12 +105,12 @@ pub enum SessionError {
     Panicked(&'static str),
 }
 
-/// What the command line says beyond the scene.
+/// Options of the command line beyond the scene.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RunOptions {
     /// Length of the run (s); to the end of the performance without.
     pub duration: Option<f64>,
-    /// As fast as it goes, and bit-identically every time.
+    /// Runs as fast as possible, with the same bits every time.
     pub virtual_time: bool,
 }
 
@@ -125,9 +125,9 @@ const MOST_LANES: usize = 16;
 
 /// Everything of one run, connected and at rest.
 pub struct RunSession {
-    stage: Box<PreparedRun>,
-    bed: KeySource,
-    desk: Box<MidiDispatcher>,
+    prepared: Box<PreparedRun>,
+    keys: KeySource,
+    dispatcher: Box<MidiDispatcher>,
     observed: ObservedOutputs,
 }
 
@@ -147,12 +147,12 @@ struct PreparedRun {
     midi: MidiReport,
     bell: Arc<WakeFd>,
     counters: Arc<LiveCounters>,
-    patchbay: Arc<RunHandle>,
+    handle: Arc<RunHandle>,
 }
 
 impl std::fmt::Debug for RunSession {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Session").field("scene", &self.stage.name).finish_non_exhaustive()
+        f.debug_struct("Session").field("scene", &self.prepared.name).finish_non_exhaustive()
     }
 }
 
@@ -169,49 +169,49 @@ impl RunSession {
         Self::prepare_behind(Arc::default(), scene, options, progress)
     }
 
-    /// The same, behind a `patchbay` by which it is stopped, and by which others reach it once it
-    /// runs.
+    /// Returns the same, behind a `handle` by which it is stopped, and by which others reach it
+    /// once it runs.
     ///
     /// # Errors
     /// As [`Self::prepare`].
     pub fn prepare_behind(
-        patchbay: Arc<RunHandle>,
+        handle: Arc<RunHandle>,
         scene: &Scene,
         options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
         let builder = VoiceBuilder::new(scene)?;
         let period = builder.period().as_secs_f64();
-        // What is missing is said before anybody rehearses.
-        let mut bed = lay(scene, &builder, options)?;
-        if scene.performance.is_some() && !bed.has_fingers() {
+        // Missing boards are reported before the rehearsal.
+        let mut keys = key_source(scene, &builder, options)?;
+        if scene.performance.is_some() && !keys.has_fingers() {
             return Err(SessionError::NoFingers);
         }
-        let performance = pianist::rehearse(scene, &builder, &bed, options.duration, progress)?;
+        let performance = pianist::rehearse(scene, &builder, &keys, options.duration, progress)?;
         let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
         if options.virtual_time && seconds.is_none() {
             return Err(SessionError::Endless);
         }
         if let Some(performance) = &performance {
-            bed.seat(performance);
+            keys.load_gestures(performance);
         }
-        let (tap, observed) = observed::connect(scene, period, &patchbay)?;
+        let (recorder, observed) = observed::connect(scene, period, &handle)?;
         let mut voices = Vec::new();
         for (key, voice) in builder.keys() {
-            let revision = patchbay.new_revision();
-            patchbay.tell(observed::of_scene(key, voice, revision));
-            let voice = builder.numbered(voice, patchbay.new_cell(), revision)?;
+            let revision = handle.new_revision();
+            handle.tell(observed::of_scene(key, voice, revision));
+            let voice = builder.numbered(voice, handle.new_cell(), revision)?;
             voices.push((key, voice as BoxedVoice));
         }
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi)?;
-        let output = Box::new(Overheard { output, told: observed.teller() });
-        let desk = Box::new(MidiDispatcher::new(consumer, output, scene.midi.curve));
+        let output = Box::new(MonitoredOutput { output, sender: observed.sender() });
+        let dispatcher = Box::new(MidiDispatcher::new(consumer, output, scene.midi.curve));
         let (bell, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
         let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
         for pedal in &pedals {
             let event = telemetry::Update::Event(observe::pedal(*pedal));
-            patchbay.tell(TelemetryMessage::Update(Box::new(event)));
+            handle.tell(TelemetryMessage::Update(Box::new(event)));
         }
         let publisher = TickPublisher::new(
             producer,
@@ -220,7 +220,7 @@ impl RunSession {
             pedals.into(),
             period,
         );
-        let stage = PreparedRun {
+        let prepared = PreparedRun {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
             slew_limit: scene.render.slew_limit,
@@ -230,54 +230,54 @@ impl RunSession {
             virtual_time: options.virtual_time,
             voices,
             performance,
-            watchers: Watchers { publisher, tap },
+            watchers: Watchers { publisher, recorder },
             midi,
             bell,
             counters,
-            patchbay,
+            handle,
         };
-        Ok(Self { stage: Box::new(stage), bed, desk, observed })
+        Ok(Self { prepared: Box::new(prepared), keys, dispatcher, observed })
     }
 
     /// Ticks that the run will take; `None` until it is stopped.
     pub const fn ticks(&self) -> Option<u64> {
-        self.stage.ticks
+        self.prepared.ticks
     }
 
-    /// Keys with a voice.
+    /// Returns the keys with a voice.
     pub const fn n_voices(&self) -> usize {
-        self.stage.n_voices
+        self.prepared.n_voices
     }
 
-    /// Where notes go, or why they go nowhere, in words.
+    /// Returns the MIDI output in words, or why there is none.
     pub fn midi(&self) -> String {
-        let MidiReport { output, trouble, .. } = &self.stage.midi;
+        let MidiReport { output, trouble, .. } = &self.prepared.midi;
         trouble.as_ref().map_or_else(|| output.clone(), |why| format!("none, since {why}"))
     }
 
-    /// Ticks per second.
+    /// Returns the rate of the tick (Hz).
     pub const fn tick_hz(&self) -> u32 {
-        self.stage.tick_hz
+        self.prepared.tick_hz
     }
 
-    /// What may be looked at while it runs.
+    /// Returns the counters that are read while it runs.
     pub fn counters(&self) -> Arc<LiveCounters> {
-        Arc::clone(&self.stage.counters)
+        Arc::clone(&self.prepared.counters)
     }
 
-    /// The way into its lanes, once it runs in real time.
-    pub fn patchbay(&self) -> Arc<RunHandle> {
-        Arc::clone(&self.stage.patchbay)
+    /// Returns the way into its lanes, once it runs in real time.
+    pub fn handle(&self) -> Arc<RunHandle> {
+        Arc::clone(&self.prepared.handle)
     }
 
-    /// What is to be said of its keys before it runs, a sentence on each.
+    /// Returns notices about its keys before it runs, a sentence on each.
     pub fn notices(&self) -> Vec<String> {
-        self.bed.notices()
+        self.keys.notices()
     }
 
-    /// Who hears of everything that the run does, from before its first tick on.
+    /// Sends all telemetry of the run to `sink`, from before its first tick on.
     pub fn observe(&self, sink: Box<dyn MessageSink>) {
-        self.stage.patchbay.tell(TelemetryMessage::Sink(sink));
+        self.prepared.handle.tell(TelemetryMessage::Sink(sink));
     }
 
     /// Runs until the end or until `stop`, and reports.
@@ -285,17 +285,17 @@ impl RunSession {
     /// # Errors
     /// If the system refuses threads, or one of ours panics.
     pub fn run(self, stop: &AtomicBool) -> Result<RunReport, SessionError> {
-        let Self { stage, bed, desk, observed } = self;
-        if stage.virtual_time {
-            virtual_run::run(*stage, bed, *desk, observed, stop)
+        let Self { prepared, keys, dispatcher, observed } = self;
+        if prepared.virtual_time {
+            virtual_run::run(*prepared, keys, *dispatcher, observed, stop)
         } else {
-            real::run(stage, bed, desk, observed, stop)
+            real::run(prepared, keys, dispatcher, observed, stop)
         }
     }
 }
 
 impl PreparedRun {
-    /// The timetable, with tick 0 due at time 0.
+    /// Returns the timetable, with tick 0 due at time 0.
     fn timetable(&self) -> Result<Timetable, SessionError> {
         let period =
             scheduler::time::Period::from_hz(self.tick_hz).ok_or(BuildError::Rate(self.tick_hz))?;
@@ -326,7 +326,7 @@ impl PreparedRun {
             ticks,
             skipped: measured.skipped,
             duration_s: duration,
-            stopped: self.patchbay.emergency.answered().is_some(),
+            stopped: self.handle.emergency.answered().is_some(),
             lanes: self.n_lanes.get(),
             realtime: measured.realtime,
             deadline: measured.deadline,
@@ -346,7 +346,7 @@ impl PreparedRun {
             links: bus.links(),
             boards: bus.boards(duration),
             lines: bus.lines(duration),
-            energy_audit: self.patchbay.energy().into(),
+            energy_audit: self.handle.energy().into(),
             midi: MidiReport {
                 handover_us: played.handover.as_ref().map(crate::report::Quantiles::of),
                 failed: played.n_troubles,
@@ -358,7 +358,7 @@ impl PreparedRun {
     }
 }
 
-/// How many threads share the tick.
+/// Returns how many threads share the tick.
 fn lanes(lanes: LaneCount) -> NonZeroUsize {
     match lanes {
         LaneCount::Count(count) => NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN),
@@ -369,7 +369,7 @@ fn lanes(lanes: LaneCount) -> NonZeroUsize {
     }
 }
 
-/// How the notes came out that the piece asks for before the run's end.
+/// Returns how the notes came out that the piece asks for before the run's end.
 fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteReport {
     // A note wanted within a matching window of the end may rightly be struck after it.
     let heard = duration - performance::WINDOW;
@@ -379,8 +379,8 @@ fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteRep
     NoteReport::from(&assess(&expected, &struck))
 }
 
-/// The keys of a scene: simulated, or on boards that were found.
-fn lay(
+/// Returns the keys of a scene: simulated, or on boards that were found.
+fn key_source(
     scene: &Scene,
     builder: &VoiceBuilder<'_>,
     options: RunOptions,
@@ -392,11 +392,11 @@ fn lay(
             Ok(KeySource::Simulated(Box::new(keybed)))
         }
         SceneLinks::Boards(_) if options.virtual_time => Err(SessionError::RealBoards),
-        SceneLinks::Boards(boards) => bed::find(boards, scene.tick_hz),
+        SceneLinks::Boards(boards) => key_source::find(boards, scene.tick_hz),
     }
 }
 
-/// Every key's index; there are as many as the protocol has.
+/// Returns every key's index; there are as many as the protocol has.
 fn all_keys() -> impl Iterator<Item = KeyIndex> {
     (0..=u8::MAX).map_while(KeyIndex::new)
 }

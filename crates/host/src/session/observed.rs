@@ -1,4 +1,4 @@
-//! A run's telemetry: from the tick's taps to the pump, and the pump's thread.
+//! A run's telemetry: from the tick's recorder to the telemetry thread.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,81 +10,83 @@ use telemetry::Catalogue;
 
 use super::SessionError;
 use crate::adapters::observer::TickPublisher;
-use crate::adapters::tap::TickRecorder;
+use crate::adapters::tick_recorder::TickRecorder;
 use crate::control::RunHandle;
 use crate::observe::{self, Origin, Pulses, TelemetryMessage, TelemetryThread};
 use realtime::clock;
 use scene::{KeyVoice, Scene};
 
-/// Time between two looks at the rings: a frame of a screen.
+/// Time between two looks at the rings: one frame of a screen.
 const LOOK: Duration = Duration::from_millis(16);
 
-/// Both who watch the tick.
+/// Both observers of the tick.
 pub(crate) struct Watchers {
     pub(crate) publisher: TickPublisher,
-    pub(crate) tap: TickRecorder,
+    pub(crate) recorder: TickRecorder,
 }
 
 impl TickObserver for Watchers {
     fn observe(&mut self, seen: &FinishedTick<'_>) {
         self.publisher.observe(seen);
-        self.tap.observe(seen);
+        self.recorder.observe(seen);
     }
 }
 
-/// What becomes of what was tapped.
+/// The outputs of what was recorded in the tick.
 pub(super) struct ObservedOutputs {
     pulses: Pulses,
     pump: Box<TelemetryThread>,
     catalogue: Box<Catalogue>,
-    told: mpsc::Sender<TelemetryMessage>,
+    sender: mpsc::Sender<TelemetryMessage>,
 }
 
-/// A tap for a run of `scene` with ticks of `period` (s), and where it leads.
+/// Returns the tick's recorder for a run of `scene` with ticks of `period` (s), and the outputs
+/// behind it.
 pub(super) fn connect(
     scene: &Scene,
     period: f64,
-    patchbay: &RunHandle,
+    handle: &RunHandle,
 ) -> Result<(TickRecorder, ObservedOutputs), SessionError> {
-    let (tap, tapped) = TickRecorder::new();
+    let (recorder, rings) = TickRecorder::new();
     let (pulses, times) = Pulses::new();
-    let (tell, told) = mpsc::channel();
-    let pump = TelemetryThread::new(tapped, times, told, clock::from_seconds(period).as_u64());
+    let (sender, messages) = mpsc::channel();
+    let pump = TelemetryThread::new(rings, times, messages, clock::from_seconds(period).as_u64());
     let pump = pump.map_err(std::io::Error::other)?;
-    patchbay.connect(tell.clone());
+    handle.connect(sender.clone());
     let catalogue = Box::new(observe::catalogue(scene));
-    Ok((tap, ObservedOutputs { pulses, pump, catalogue, told: tell }))
+    Ok((recorder, ObservedOutputs { pulses, pump, catalogue, sender }))
 }
 
-/// What is told of a voice that the scene asks for.
+/// Returns the message about a voice that the scene asks for.
 pub(super) fn of_scene(key: usize, voice: &KeyVoice, revision: u32) -> TelemetryMessage {
     let origin = Origin { revision, instrument: None, writer: "scene", kept: false };
     observe::voice(u8::try_from(key).unwrap_or(u8::MAX), voice, origin)
 }
 
 impl ObservedOutputs {
-    /// For others who tell.
-    pub(super) fn teller(&self) -> mpsc::Sender<TelemetryMessage> {
-        self.told.clone()
+    /// Returns a way to send messages.
+    pub(super) fn sender(&self) -> mpsc::Sender<TelemetryMessage> {
+        self.sender.clone()
     }
 
-    /// The loop's end and the pump, once tick 0 is due at `began` (ns since 1970).
+    /// Returns the loop's end and the telemetry of a run whose tick 0 is due at `began` (ns since
+    /// 1970).
     pub(super) fn begin(self, began: u64) -> (Pulses, Box<TelemetryThread>) {
-        let Self { pulses, mut pump, catalogue, told: _ } = self;
+        let Self { pulses, mut pump, catalogue, sender: _ } = self;
         pump.begin(began, *catalogue);
         (pulses, pump)
     }
 }
 
-/// A pump on its own thread.
+/// The telemetry on its own thread.
 #[derive(Debug)]
-pub(super) struct Pumping {
+pub(super) struct RunningTelemetry {
     stop: Arc<AtomicBool>,
     thread: std::thread::JoinHandle<()>,
 }
 
-impl Pumping {
-    /// Starts pumping.
+impl RunningTelemetry {
+    /// Starts the thread.
     ///
     /// # Errors
     /// If the system gives no thread.
@@ -102,7 +104,7 @@ impl Pumping {
         Ok(Self { stop, thread })
     }
 
-    /// Pumps what is left, and waits until all sinks are closed.
+    /// Handles what is left, and waits until all sinks are closed.
     ///
     /// # Errors
     /// If the thread panicked, which is a bug.

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use performance::{Performance, Pianist, Score, Technique, read};
 
 use super::SessionError;
-use super::bed::KeySource;
+use super::key_source::KeySource;
 use crate::rehearsal::RehearsedKey;
 use scene::{PerformanceSource, Scene};
 use voice::VoiceBuilder;
@@ -16,14 +16,14 @@ pub use performance::Progress as PianistProgress;
 pub(super) fn rehearse(
     scene: &Scene,
     builder: &VoiceBuilder<'_>,
-    bed: &KeySource,
+    source: &KeySource,
     duration: Option<f64>,
     progress: &(dyn Fn(PianistProgress) + Sync),
 ) -> Result<Option<Performance>, SessionError> {
-    let Some(source) = &scene.performance else { return Ok(None) };
+    let Some(piece) = &scene.performance else { return Ok(None) };
     let technique = Technique::default();
-    let score = load(source)?;
-    let keys = keys_of(builder, bed)?;
+    let score = load(piece)?;
+    let keys = keys_of(builder, source)?;
     let score = within(score, duration, technique.lead_in, &keys);
     let keys = Mutex::new(keys);
     let instrument = |key: u8| {
@@ -49,19 +49,19 @@ fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
     score.map_err(|error| failed(&name, error.to_string()))
 }
 
-/// One key of every voice that has a motor, at rest.
+/// Returns one key of every voice that has a motor, at rest.
 fn keys_of(
     builder: &VoiceBuilder<'_>,
-    bed: &KeySource,
+    source: &KeySource,
 ) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
     let mut keys = vec![None; scheduler::motion::KEYS];
-    for (key, voice) in builder.keys().filter(|(key, _)| bed.carries(*key)) {
+    for (key, voice) in builder.keys().filter(|(key, _)| source.carries(*key)) {
         keys[key] = Some(RehearsedKey::of_scene(builder, key, voice)?);
     }
     Ok(keys)
 }
 
-/// The part of `score` that is struck before `duration` (s) on keys that have a voice.
+/// Returns the part of `score` that is struck before `duration` (s) on keys that have a voice.
 fn within(
     mut score: Score,
     duration: Option<f64>,

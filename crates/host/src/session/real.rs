@@ -3,13 +3,13 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::bed::KeySource;
-use super::bus::MonitoredTransport;
+use super::key_source::KeySource;
+use super::key_transport::MonitoredTransport;
 use super::measured::MeasuredRun;
-use super::observed::{ObservedOutputs, Pumping};
+use super::observed::{ObservedOutputs, RunningTelemetry};
 use super::{PreparedRun, SessionError};
 use crate::adapters::observer::LiveCounters;
-use crate::desk::{MidiDispatcher, MidiThread};
+use crate::midi_thread::{MidiDispatcher, MidiThread};
 use crate::observe::Pulses;
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;
@@ -18,54 +18,54 @@ use realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down, 
 use realtime::thread::{DEFAULT_PRIORITY, SchedulingPolicy, ask_for_fifo};
 use realtime::{memory, run as ticks};
 
-/// From set-up to the first tick: threads are up by then.
+/// Time from set-up to the first tick, in which the threads start.
 const LEAD: Nanos = Nanos::from_millis(50);
 
 /// Runs until its end or `stop`; ramps all forces down; then reports.
 pub(super) fn run(
-    mut stage: Box<PreparedRun>,
-    bed: KeySource,
-    desk: Box<MidiDispatcher>,
+    mut prepared: Box<PreparedRun>,
+    keys: KeySource,
+    dispatcher: Box<MidiDispatcher>,
     observed: ObservedOutputs,
     stop: &AtomicBool,
 ) -> Result<RunReport, SessionError> {
     let locked = memory::lock();
-    let patchbay = Arc::clone(&stage.patchbay);
-    let emergency = &patchbay.emergency;
-    let (mut bus, start) = emergency.while_arming(|| bed.arm(&stage, LEAD))?;
+    let handle = Arc::clone(&prepared.handle);
+    let emergency = &handle.emergency;
+    let (mut bus, start) = emergency.while_arming(|| keys.arm(&prepared, LEAD))?;
     if emergency.is_asked() {
-        // Not a single tick; boards that were just armed are told below.
+        // No tick is run; boards that were just armed are told below.
         stop.store(true, Ordering::Release);
     }
     let handover = histogram().map_err(std::io::Error::other)?;
-    let (pulses, pump) = observed.begin(since_1970(start));
-    let pumping = Pumping::start(pump)?;
-    let attended = MidiThread::start(desk, Arc::clone(&stage.bell), start, handover)?;
-    let timetable = stage.timetable()?.moved(0, start);
+    let (pulses, thread) = observed.begin(since_1970(start));
+    let telemetry = RunningTelemetry::start(thread)?;
+    let midi = MidiThread::start(dispatcher, Arc::clone(&prepared.bell), start, handover)?;
+    let timetable = prepared.timetable()?.moved(0, start);
     let baseline = Baseline::start(timetable, Some(DEFAULT_PRIORITY))?;
     // The scope joins the tick's thread whatever happens, so a panic there ends here.
     let ticked = std::thread::scope(|scope| {
         let named = std::thread::Builder::new().name("letoff-tick".into());
-        let tick = named.spawn_scoped(scope, || tick(&mut stage, &mut bus, pulses, start, stop));
+        let tick = named.spawn_scoped(scope, || tick(&mut prepared, &mut bus, pulses, start, stop));
         tick.map(std::thread::ScopedJoinHandle::join)
     });
     let baseline = baseline.stop();
-    let played = attended.finish().map_err(|_panic| SessionError::Panicked("MIDI"))?;
+    let played = midi.finish().map_err(|_panic| SessionError::Panicked("MIDI"))?;
     // Also after a panic, and for an alarm that came when the last tick was over.
     if !emergency.is_asked() {
         bus.disarm();
     } else if emergency.answered().is_none() {
         emergency.answer(bus.stop());
     }
-    pumping.finish().map_err(|_panic| SessionError::Panicked("telemetry"))?;
+    telemetry.finish().map_err(|_panic| SessionError::Panicked("telemetry"))?;
     let (timings, standing) = ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
     let measured = MeasuredRun::new(&timings, standing, locked, baseline.as_ref());
-    Ok(stage.report(timings.counters().ticks, played, measured, &bus))
+    Ok(prepared.report(timings.counters().ticks, played, measured, &bus))
 }
 
-/// The tick's thread, from its priority to the ramp at the end.
+/// Runs the tick's thread, from its priority to the ramp at the end.
 fn tick(
-    stage: &mut PreparedRun,
+    prepared: &mut PreparedRun,
     bus: &mut MonitoredTransport,
     mut pulses: Pulses,
     start: Nanos,
@@ -73,37 +73,37 @@ fn tick(
 ) -> Result<(Timings, SchedulingPolicy), SessionError> {
     let standing = ask_for_fifo(Some(DEFAULT_PRIORITY));
     memory::prefault_stack();
-    let (mut lanes, swaps) = stage.start_lanes()?;
-    stage.patchbay.open(swaps);
-    let mut scheduler = scheduler(stage.timetable()?, stage.slew_limit);
+    let (mut lanes, swaps) = prepared.start_lanes()?;
+    prepared.handle.open(swaps);
+    let mut scheduler = scheduler(prepared.timetable()?, prepared.slew_limit);
     let mut timings = Timings::new().map_err(std::io::Error::other)?;
-    let until = Until { stop, ticks: stage.ticks };
-    let counters = Arc::clone(&stage.counters);
+    let until = Until { stop, ticks: prepared.ticks };
+    let counters = Arc::clone(&prepared.counters);
     bus.attend_until(start);
     let mut assembly = Assembly {
         scheduler: &mut scheduler,
         bus,
         lanes: &mut lanes,
-        observer: &mut stage.watchers,
+        observer: &mut prepared.watchers,
     };
-    let patchbay = Arc::clone(&stage.patchbay);
+    let handle = Arc::clone(&prepared.handle);
     ticks::run(&mut assembly, start, until, &mut timings, |pulse| {
         count(&counters, pulse);
         pulses.take(pulse);
-        if patchbay.emergency.is_asked() {
+        if handle.emergency.is_asked() {
             stop.store(true, Ordering::Release);
         }
     });
-    if patchbay.emergency.is_asked() {
-        patchbay.emergency.answer(assembly.bus.stop());
+    if handle.emergency.is_asked() {
+        handle.emergency.answer(assembly.bus.stop());
     } else {
         ramp_down(&mut assembly);
     }
-    stage.patchbay.close();
+    prepared.handle.close();
     Ok((timings, standing))
 }
 
-/// When it will be `start` by the clock on the wall (ns since 1970).
+/// Returns when it will be `start` by the clock on the wall (ns since 1970).
 fn since_1970(start: Nanos) -> u64 {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     let now = now.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX));

@@ -2,11 +2,11 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::bed::KeySource;
+use super::key_source::KeySource;
 use super::measured::MeasuredRun;
 use super::observed::ObservedOutputs;
 use super::{PreparedRun, SessionError, no_clock};
-use crate::desk::MidiDispatcher;
+use crate::midi_thread::MidiDispatcher;
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;
 use realtime::run::{Assembly, Until, scheduler};
@@ -17,27 +17,27 @@ const TICKS_PER_LOOK: u64 = 16;
 
 /// Runs all ticks; the MIDI side follows after each tick, on this thread.
 pub(super) fn run(
-    mut stage: PreparedRun,
-    bed: KeySource,
-    mut desk: MidiDispatcher,
+    mut prepared: PreparedRun,
+    keys: KeySource,
+    mut dispatcher: MidiDispatcher,
     observed: ObservedOutputs,
     stop: &AtomicBool,
 ) -> Result<RunReport, SessionError> {
-    let (mut lanes, _swaps) = stage.start_lanes()?;
-    let mut scheduler = scheduler(stage.timetable()?, stage.slew_limit);
-    let until = Until { stop, ticks: stage.ticks };
+    let (mut lanes, _swaps) = prepared.start_lanes()?;
+    let mut scheduler = scheduler(prepared.timetable()?, prepared.slew_limit);
+    let until = Until { stop, ticks: prepared.ticks };
     let (mut ticks, mut skipped) = (0, 0);
-    let (mut bus, _start) = bed.arm(&stage, Nanos::ZERO)?;
-    // No clock decides anything: time begins when nobody knows.
+    let (mut bus, _start) = keys.arm(&prepared, Nanos::ZERO)?;
+    // No clock decides anything: time begins at 0.
     let (_no_clock, mut pump) = observed.begin(0);
     let mut assembly = Assembly {
         scheduler: &mut scheduler,
         bus: &mut bus,
         lanes: &mut lanes,
-        observer: &mut stage.watchers,
+        observer: &mut prepared.watchers,
     };
     virtual_time::run(&mut assembly, until, |report| {
-        desk.drain();
+        dispatcher.drain();
         ticks += 1;
         skipped += report.skipped;
         if ticks % TICKS_PER_LOOK == 0 {
@@ -46,8 +46,8 @@ pub(super) fn run(
     });
     drop(lanes);
     let (realtime, deadline) = no_clock();
-    let played = desk.close(None);
+    let played = dispatcher.close(None);
     pump.pump();
     drop(pump);
-    Ok(stage.report(ticks, played, MeasuredRun { realtime, deadline, skipped }, &bus))
+    Ok(prepared.report(ticks, played, MeasuredRun { realtime, deadline, skipped }, &bus))
 }

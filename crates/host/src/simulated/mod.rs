@@ -1,11 +1,10 @@
-//! Simulated boards in real time, for `letoff board`: what a builder has before the first
-//! board is soldered, and what tests break.
+//! Simulated boards in real time, for `letoff board` and for tests that inject faults.
 //!
-//! One thread lets all of them live; each has a link of its own, and a fate that may be
-//! written beforehand ([`fate`]).
+//! One thread runs all of them; each has a link of its own and a list of faults
+//! ([`fault_script`]).
 
-pub mod fate;
-mod living;
+mod board_process;
+pub mod fault_script;
 mod wire;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -14,22 +13,21 @@ use hardware::sim::board::BoardCounts;
 use scheduler::time::Nanos;
 use serde::Serialize;
 
-use fate::FaultScript;
-pub use living::BoardProcess;
+pub use board_process::BoardProcess;
+use fault_script::FaultScript;
 use realtime::clock;
 pub use wire::{Placed, WireEndpoint, place};
 
-/// Time between two looks at the links.
-const LOOK: Nanos = Nanos::from_micros(500);
+/// Time between two polls of the links.
+const POLL_PERIOD: Nanos = Nanos::from_micros(500);
 
-/// What a board was like in the end.
+/// The state of a board at the end.
 #[derive(Clone, Debug, Serialize)]
 pub struct ExitReport {
     pub number: u8,
     pub keys: String,
-    /// Where it was to be found.
     pub link: String,
-    /// Why it renders no force, or that it does.
+    /// Whether it renders forces, or the reason why not.
     pub state: &'static str,
     /// Largest force of its motors now (N).
     pub force_n: f64,
@@ -39,16 +37,15 @@ pub struct ExitReport {
     /// Largest force of its motors while it had no right to render, once they had had time to
     /// fade (N).
     pub force_while_safe_n: f64,
-    /// Longest time that it was not looked after while it rendered forces [ms]: by nobody's
-    /// fault but this machine's.
+    /// Longest time that this machine did not run it while it rendered forces (ms).
     pub longest_gap_ms: f64,
     /// Times that its light went on.
     pub lights: u64,
     pub counts: BoardCounts,
 }
 
-/// Lets `boards` live until `stop`, or for `duration`; `lit` hears of each whose light goes on.
-pub fn live(
+/// Runs `boards` until `stop`, or for `duration`; calls `lit` for each whose light goes on.
+pub fn run(
     boards: &mut [BoardProcess],
     duration: Option<Nanos>,
     stop: &AtomicBool,
@@ -60,21 +57,21 @@ pub fn live(
     while !is_over(now) && !stop.load(Ordering::Acquire) {
         for board in boards.iter_mut() {
             let lights = board.lights();
-            board.live(now);
+            board.run(now);
             if lights < board.lights() {
                 lit(board);
             }
         }
-        // What was missed is not made up for: boards go by their clock.
-        due = due.after(LOOK).max(now);
+        // Missed periods are not made up for: boards go by their clock.
+        due = due.after(POLL_PERIOD).max(now);
         clock::sleep_until(due);
         now = clock::monotonic();
     }
 }
 
-/// The fates of the board `number` among all that were written.
-pub fn fates_of(fates: &[FaultScript], number: u8) -> Vec<FaultScript> {
-    let mut its: Vec<_> = fates.iter().copied().filter(|it| it.number == number).collect();
+/// Returns the faults of the board `number` in order of time.
+pub fn faults_of(faults: &[FaultScript], number: u8) -> Vec<FaultScript> {
+    let mut its: Vec<_> = faults.iter().copied().filter(|it| it.number == number).collect();
     its.sort_by(|one, other| one.at.total_cmp(&other.at));
     its
 }

@@ -1,4 +1,4 @@
-//! Where simulated boards can be found: on pseudo-terminals or on a CAN interface.
+//! The links of simulated boards: pseudo-terminals or a CAN interface.
 
 use std::path::PathBuf;
 
@@ -10,23 +10,23 @@ use links::reconnecting::ReconnectingLink;
 use links::serial::{Pty, Serial};
 use links::wire::{Wire, WirePlan};
 
-/// Where boards shall be found.
+/// The kind of link that simulated boards get.
 #[derive(Clone, PartialEq, Debug)]
 pub enum WireEndpoint {
-    /// Each on a pseudo-terminal of its own, at once and whole.
+    /// A pseudo-terminal for each, without delay or loss.
     Pty,
-    /// Each on a pseudo-terminal of its own, behind a wire with faults.
+    /// A pseudo-terminal for each, behind a wire with faults.
     Wire(WirePlan),
-    /// All on this link, which is opened again when it goes down.
+    /// This link for all of them, which is opened again when it goes down.
     Shared(Address),
 }
 
-/// A board's end of its link, and what a host has to open.
+/// A board's end of its link, and the host's address.
 pub struct Placed {
     pub link: Box<dyn Link + Send>,
-    /// What a host has to open.
+    /// The address that a host has to open.
     pub address: Address,
-    /// What must live as long as the link.
+    /// The wire lives as long as the link.
     _wire: Option<Wire>,
 }
 
@@ -36,10 +36,10 @@ impl std::fmt::Debug for Placed {
     }
 }
 
-/// Puts the board with this number where it shall be found.
+/// Opens the link of the board with this number.
 ///
 /// # Errors
-/// Says what the system refused.
+/// If the system refuses a port or an interface.
 pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, links::Error> {
     match at {
         WireEndpoint::Pty => {
@@ -47,7 +47,7 @@ pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, links::Error> 
             Ok(Placed { link: Box::new(board), address: serial(path), _wire: None })
         }
         WireEndpoint::Wire(plan) => {
-            // Each board has its own chance.
+            // Each board has random faults of its own.
             let seed = plan.seed.wrapping_add(u64::from(board.number()));
             let wire = Wire::open(WirePlan { seed, ..*plan })?;
             let link = Box::new(Serial::open(wire.board(), 2_000_000)?);

@@ -1,8 +1,10 @@
 //! A connection that comes back by itself, note-offs first.
 
+use keyboard::{KEYS, KeyIndex};
+
 use super::{MidiSendError, Unavailable};
 use crate::message::{Controller, Message};
-use crate::note::{KEYS, Note, Velocity};
+use crate::note::{Note, Velocity};
 
 /// Least time between two attempts to connect, and between two looks at the port (s).
 const INTERVAL: f64 = 1.0;
@@ -43,7 +45,7 @@ pub(super) struct Reconnecting<B> {
     link: PortState,
     /// When the connection was last attempted or looked at (s); `None` before.
     looked: Option<f64>,
-    sounds: [Sound; KEYS as usize],
+    sounds: [Sound; KEYS],
     /// Where the sustain pedal should be, 0 ..= 127.
     pedal: u8,
 }
@@ -52,7 +54,7 @@ impl<B: MidiSystem> Reconnecting<B> {
     /// Connects `backend` for the first time.
     pub(super) fn connect(mut backend: B, name: String) -> Result<Self, Unavailable> {
         backend.connect()?;
-        let sounds = [Sound::Silent; KEYS as usize];
+        let sounds = [Sound::Silent; KEYS];
         Ok(Self { backend, name, link: PortState::Up, looked: None, sounds, pedal: 0 })
     }
 
@@ -108,8 +110,7 @@ impl<B: MidiSystem> Reconnecting<B> {
 
     /// Silences what the destination may still sound, and puts its pedal where it should be.
     fn restore(&mut self) -> bool {
-        let notes = (0..KEYS).filter_map(Note::from_key);
-        for note in notes {
+        for note in KeyIndex::all().filter_map(|key| Note::from_key(key.number())) {
             let off = Message::NoteOff { note, velocity: Velocity::UNKNOWN };
             let sound = self.sounds[usize::from(note.key())];
             if sound != Sound::Silent && !self.deliver(off) {

@@ -1,10 +1,10 @@
 //! A voice behind a fence: if it panics, only its own key is lost.
 
-use std::any::Any;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use scheduler::motion::KeySample;
+use scheduler::values::ModelValues;
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
 
 /// A voice of any kind, on whichever lane.
@@ -23,10 +23,6 @@ impl PanicGuard {
     /// Around `voice`.
     pub fn new(voice: BoxedVoice) -> Self {
         Self { voice, panicked: false }
-    }
-
-    pub(super) fn into_voice(self) -> BoxedVoice {
-        self.voice
     }
 }
 
@@ -56,13 +52,14 @@ impl Voice for PanicGuard {
         }
     }
 
-    fn retune(&mut self, donor: &mut dyn Any) -> bool {
-        // Values are moved, nothing is called that could panic; a broken voice keeps its own.
-        !self.panicked && self.voice.retune(donor)
-    }
-
-    fn as_donor(&mut self) -> Option<&mut dyn Any> {
-        self.voice.as_donor()
+    fn retune(&mut self, values: &ModelValues) -> bool {
+        if self.panicked {
+            return false;
+        }
+        // As in `tick`.
+        let outcome = catch_unwind(AssertUnwindSafe(|| self.voice.retune(values)));
+        self.panicked = outcome.is_err();
+        outcome.unwrap_or(false)
     }
 }
 

@@ -37,7 +37,7 @@ use scheduler::voice::{VoiceFault, VoiceOutput};
 
 pub use fence::{BoxedVoice, PanicGuard};
 pub use latecomers::{LaneCounters, LateResult};
-pub use swap::{Refused, VoiceSwaps, Way};
+pub use swap::{Refused, VoiceChange, VoiceSwaps};
 
 use super::clock;
 use super::thread::SchedulingPolicy;

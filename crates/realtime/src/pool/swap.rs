@@ -1,22 +1,23 @@
-//! Voices in and out between ticks, without the tick waiting or freeing memory.
+//! Voices and values in between ticks, without the tick waiting or freeing memory.
 
 use std::fmt;
 
 use rtrb::{Consumer, Producer, PushError, RingBuffer};
 use scheduler::motion::KEYS;
 use scheduler::slot::{Slot, lane_of};
+use scheduler::values::ModelValues;
 
 use super::fence::{BoxedVoice, PanicGuard};
 
-/// Swaps that one lane does in one tick; a whole instrument takes several.
-const MAX_SWAPS_PER_TICK: usize = 8;
+/// Changes that one lane makes in one tick; a whole instrument takes several ticks.
+const MAX_CHANGES_PER_TICK: usize = 8;
 
-/// Why a voice was not taken; it is given back.
+/// Why a change was not taken; it is given back.
 pub enum Refused {
     /// No voice was set up for that key.
-    NoSuchVoice(BoxedVoice),
-    /// More swaps are waiting than the lane has keys; try again after some ticks.
-    Full(BoxedVoice),
+    NoSuchVoice(VoiceChange),
+    /// As many changes are waiting as there are keys; try again after some ticks.
+    Full(VoiceChange),
 }
 
 impl fmt::Debug for Refused {
@@ -32,63 +33,73 @@ impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::NoSuchVoice(_) => "that key has no voice in this scene",
-            Self::Full(_) => "too many voices are waiting to be put in; try again",
+            Self::Full(_) => TOO_MANY,
         })
     }
 }
 
 impl std::error::Error for Refused {}
 
-/// The end that puts voices in; it also frees what comes out.
+/// What is said when a lane's ring is full.
+const TOO_MANY: &str = "too many voices are waiting to be put in; try again";
+
+/// The end that sends changes to the lanes; it also frees voices that come out.
 #[derive(Debug)]
 pub struct VoiceSwaps {
     lanes: Vec<OuterEnd>,
     has_voice: [bool; KEYS],
 }
 
-/// A voice on its way to a key.
+/// A change on its way to a key.
 #[derive(Debug)]
-struct Swap {
+struct QueuedChange {
     key: usize,
-    voice: PanicGuard,
-    way: Way,
+    change: VoiceChange,
 }
 
-/// What becomes of the state that the key's voice is in.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Way {
-    /// The new voice is put at rest where its key is.
-    Replace,
-    /// It is kept, if both are of one kind: only the values change.
-    Retune,
+/// What becomes of a key's voice.
+#[expect(clippy::large_enum_variant, reason = "the tick must free nothing, a box of values either")]
+pub enum VoiceChange {
+    /// Another voice takes its place, at rest where the key is.
+    Replace(BoxedVoice),
+    /// It keeps its state and gets other values for its model.
+    Retune(ModelValues),
+}
+
+impl fmt::Debug for VoiceChange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Replace(_) => f.write_str("Replace(..)"),
+            Self::Retune(values) => f.debug_tuple("Retune").field(values).finish(),
+        }
+    }
 }
 
 #[derive(Debug)]
 struct OuterEnd {
-    into: Producer<Swap>,
+    into: Producer<QueuedChange>,
     out: Consumer<PanicGuard>,
 }
 
 impl VoiceSwaps {
-    /// Sends `voice` to take over `key` at one of the next ticks.
+    /// Sends `change` to the voice of `key`, which it reaches at one of the next ticks, after
+    /// those sent before.
     ///
-    /// Whatever its `way`, safety blends its force in. Not for the tick.
+    /// Whatever it is, safety blends the new force in. Not for the tick.
     ///
     /// # Errors
-    /// If the key has no voice to replace, or too many are waiting.
-    pub fn send(&mut self, key: usize, voice: BoxedVoice, way: Way) -> Result<(), Refused> {
+    /// If the key has no voice to change, or too many changes are waiting.
+    pub fn send(&mut self, key: usize, change: VoiceChange) -> Result<(), Refused> {
         self.drain();
         if !self.has_voice.get(key).is_some_and(|has_voice| *has_voice) {
-            return Err(Refused::NoSuchVoice(voice));
+            return Err(Refused::NoSuchVoice(change));
         }
         let lane = lane_of(key, self.lanes.len());
-        self.lanes[lane]
-            .into
-            .push(Swap { key, voice: PanicGuard::new(voice), way })
-            .map_err(|PushError::Full(swap)| Refused::Full(swap.voice.into_voice()))
+        let pushed = self.lanes[lane].into.push(QueuedChange { key, change });
+        pushed.map_err(|PushError::Full(it)| Refused::Full(it.change))
     }
 
-    /// Says in a sentence why voices for `keys` would not all be taken now.
+    /// Says in a sentence why changes for `keys` would not all be taken now.
     ///
     /// # Errors
     /// That sentence.
@@ -102,7 +113,7 @@ impl VoiceSwaps {
         for (number, lane) in self.lanes.iter().enumerate() {
             let wanted = keys.iter().filter(|key| lane_of(**key, n_lanes) == number).count();
             if lane.into.slots() < wanted {
-                return Err("too many voices are waiting to be put in; try again".into());
+                return Err(TOO_MANY.into());
             }
         }
         Ok(())
@@ -118,11 +129,11 @@ impl VoiceSwaps {
 /// The lane's end.
 #[derive(Debug)]
 pub(super) struct InnerEnd {
-    into: Consumer<Swap>,
+    into: Consumer<QueuedChange>,
     out: Producer<PanicGuard>,
 }
 
-/// Rings for `n_lanes`, each with room for a voice for every key.
+/// Rings for `n_lanes`, each with room for a change of every key.
 pub(super) fn rings(n_lanes: usize, has_voice: [bool; KEYS]) -> (VoiceSwaps, Vec<InnerEnd>) {
     let (outer, inner) = (0..n_lanes)
         .map(|_lane| {
@@ -135,23 +146,29 @@ pub(super) fn rings(n_lanes: usize, has_voice: [bool; KEYS]) -> (VoiceSwaps, Vec
 }
 
 impl InnerEnd {
-    /// Puts in voices that are waiting, while there is room for what comes out.
+    /// Makes the changes that are waiting, while there is room for what comes out.
     ///
     /// # Real-time
-    /// At most [`MAX_SWAPS_PER_TICK`] moves of a pointer; frees nothing.
+    /// At most [`MAX_CHANGES_PER_TICK`] moves of a pointer or models built; frees nothing.
     pub(super) fn apply(&mut self, slots: &mut [Slot<PanicGuard>]) {
-        for _ in 0..MAX_SWAPS_PER_TICK {
+        for _ in 0..MAX_CHANGES_PER_TICK {
             if self.out.is_full() {
                 return;
             }
-            let Ok(Swap { key, voice, way }) = self.into.pop() else { return };
-            let old = match slots.iter_mut().find(|slot| slot.key() == key) {
-                Some(slot) if way == Way::Retune => slot.retune(voice),
-                Some(slot) => slot.replace(voice),
-                None => voice,
-            };
-            let sent = self.out.push(old);
-            debug_assert!(sent.is_ok(), "there was room a moment ago");
+            let Ok(QueuedChange { key, change }) = self.into.pop() else { return };
+            let slot = slots.iter_mut().find(|slot| slot.key() == key);
+            match change {
+                VoiceChange::Replace(voice) => {
+                    let voice = PanicGuard::new(voice);
+                    let old = if let Some(slot) = slot { slot.replace(voice) } else { voice };
+                    let sent = self.out.push(old);
+                    debug_assert!(sent.is_ok(), "there was room a moment ago");
+                }
+                VoiceChange::Retune(values) => {
+                    // A voice that does not take them has panicked, and stays at the safe force.
+                    let _taken = slot.is_some_and(|slot| slot.retune(&values));
+                }
+            }
         }
     }
 }

@@ -212,7 +212,9 @@ fn a_voice_is_replaced_between_ticks_and_freed_outside() {
         run.tick(0);
         assert!((run.tick(1)[ELSEWHERE].force - 7.0).abs() == 0.0);
 
-        swaps.send(ELSEWHERE, Box::new(Echo { key: ELSEWHERE, sum: 0.0 }), Way::Replace).unwrap();
+        swaps
+            .send(ELSEWHERE, VoiceChange::Replace(Box::new(Echo { key: ELSEWHERE, sum: 0.0 })))
+            .unwrap();
         let turn = run.tick(2)[ELSEWHERE];
         assert!(turn.fresh && (turn.force - 7.0).abs() != 0.0, "{turn:?}");
         assert!(was_dropped.try_recv().is_err(), "freed by the tick");
@@ -227,7 +229,7 @@ fn a_whole_instrument_is_replaced_in_some_ticks() {
     let mut run = Run::new(lanes);
     run.tick(0);
     for key in 0..KEYS {
-        swaps.send(key, Box::new(Panicking), Way::Replace).unwrap();
+        swaps.send(key, VoiceChange::Replace(Box::new(Panicking))).unwrap();
     }
     // Ticks after 3, at which this voice would panic; 44 keys a lane, four at a time.
     for tick in 4..15 {
@@ -240,13 +242,16 @@ fn a_whole_instrument_is_replaced_in_some_ticks() {
 #[test]
 fn a_voice_for_a_key_without_one_is_given_back() {
     let (_lanes, mut swaps) = start(vec![(3, Box::new(Panicking))], 1);
-    let refused = swaps.send(4, Box::new(Panicking), Way::Replace);
+    let refused = swaps.send(4, VoiceChange::Replace(Box::new(Panicking)));
     assert!(matches!(refused, Err(Refused::NoSuchVoice(_))));
-    assert!(swaps.send(88, Box::new(Panicking), Way::Replace).is_err());
+    assert!(swaps.send(88, VoiceChange::Replace(Box::new(Panicking))).is_err());
     for _ in 0..KEYS {
-        swaps.send(3, Box::new(Panicking), Way::Replace).unwrap();
+        swaps.send(3, VoiceChange::Replace(Box::new(Panicking))).unwrap();
     }
-    assert!(matches!(swaps.send(3, Box::new(Panicking), Way::Replace), Err(Refused::Full(_))));
+    assert!(matches!(
+        swaps.send(3, VoiceChange::Replace(Box::new(Panicking))),
+        Err(Refused::Full(_))
+    ));
 }
 
 #[test]

@@ -1,11 +1,10 @@
 //! `[[links.bus.board]]`: a board that must be there, and its keys.
 
 use firmware_protocol::key::MOST_KEYS;
-use keyboard::{KeyIndex, KeyRange as BoardKeys};
+use keyboard::KeyRange;
 
 use crate::document::Node;
 use crate::quantity::Quantity;
-use crate::range::{KeyRange, keys_named};
 use crate::read::{self, TableReader};
 use crate::report::{Location, MistakeList};
 
@@ -20,10 +19,10 @@ pub(super) struct Listed {
 }
 
 impl Listed {
-    /// Its number and keys, if both are right.
-    pub(super) fn checked(&self) -> Option<(u8, BoardKeys)> {
+    /// Returns its number and keys, if both are right.
+    pub(super) fn checked(&self) -> Option<(u8, KeyRange)> {
         let ((number, _), (keys, _)) = (self.number?, self.keys?);
-        Some((number, BoardKeys::new(KeyIndex::new(keys.first)?, KeyIndex::new(keys.last)?)?))
+        Some((number, keys))
     }
 }
 
@@ -50,19 +49,19 @@ fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Listed {
     Listed { place: reader.place, number, keys }
 }
 
-/// The keys of a board, if it can have so many.
+/// Returns the keys of a board, if it can have so many.
 fn read_keys(report: &mut MistakeList<'_>, text: &str, place: Location) -> Option<KeyRange> {
-    match keys_named(text) {
-        Ok(keys) if keys.len() <= MOST_KEYS => {
-            Some(KeyRange { first: *keys.start(), last: *keys.end() })
-        }
+    match KeyRange::parse(text) {
+        Ok(keys) if keys.numbers().len() <= MOST_KEYS => Some(keys),
         Ok(keys) => {
-            let message = format!("these are {} keys, and a board has {MOST_KEYS}", keys.len());
+            let n = keys.numbers().len();
+            let message = format!("these are {n} keys, and a board has {MOST_KEYS}");
             report.say(place, message, "give each board its own, as F#3..E4");
             None
         }
-        Err(sentence) => {
-            report.say(place, sentence, "write the first and the last key, as F#3..E4");
+        Err(error) => {
+            let help = "write the first and the last key, as F#3..E4";
+            report.say(place, error.to_string(), help);
             None
         }
     }
@@ -86,7 +85,7 @@ pub(super) fn refuse_shared_keys(report: &mut MistakeList<'_>, boards: &[Listed]
     for (n, board) in boards.iter().enumerate() {
         let Some((keys, place)) = board.keys else { continue };
         let shared = boards.iter().take(n).find_map(|other| {
-            other.keys.and_then(|(its, _)| its.shared(keys)).map(|shared| (other, shared))
+            other.keys.and_then(|(its, _)| its.intersection(keys)).map(|shared| (other, shared))
         });
         if let Some((first, shared)) = shared {
             let message = format!(

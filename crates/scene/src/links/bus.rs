@@ -14,7 +14,7 @@ use diagnostics::quoted;
 const BAUD_RATE: Quantity = Quantity { unit: "1", range: (9_600.0, 20e6) };
 const BIT_RATE: Quantity = Quantity { unit: "1", range: (10e3, 20e6) };
 
-/// What only a CAN bus has.
+/// Names that only a CAN bus has.
 const OF_CAN: [&str; 3] = ["mode", "bit_rate", "data_bit_rate"];
 
 /// Reads all buses.

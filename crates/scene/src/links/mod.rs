@@ -1,4 +1,4 @@
-//! `[links]`: where the keys are, and what is agreed with their boards.
+//! `[links]`: the links to the keys, and the terms for their boards.
 
 mod board;
 mod bus;
@@ -9,18 +9,18 @@ use std::path::PathBuf;
 use firmware_protocol::acyclic::arm::VALID_MS;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
-use keyboard::KeyRange as BoardKeys;
+use keyboard::KeyRange;
 use links::address::Address;
 use links::can::CanMode;
 
-use super::overrides::Override;
+use super::source::Override;
 
 pub(super) use table::{Rate, read};
 
-/// Bit rates of a CAN bus of which nothing is said.
+/// Bit rates of a CAN bus without rates in the scene.
 const BIT_RATES: (u32, u32) = (1_000_000, 5_000_000);
 
-/// Where the keys are.
+/// The place of the keys.
 #[derive(Clone, PartialEq, Debug)]
 pub enum LinksConfig {
     /// In a simulated keybed.
@@ -28,18 +28,18 @@ pub enum LinksConfig {
     Boards(Boards),
 }
 
-/// Boards, and what is agreed with them.
+/// Boards, and the terms for them.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Boards {
-    /// How samples are packed.
+    /// The packing of samples.
     pub samples: SamplePacking,
-    /// How forces are packed.
+    /// The packing of forces.
     pub forces: ForcePacking,
-    /// How long forces are valid after the samples that they answer (ms).
+    /// Time for which forces are valid after the samples that they answer (ms).
     pub valid_ms: u8,
     /// Folder of the calibration files; the user's own if none is given.
     pub calibration: Option<PathBuf>,
-    /// What leads to them.
+    /// The links to them.
     pub buses: Vec<BoardBus>,
 }
 
@@ -50,7 +50,7 @@ pub struct BoardBus {
     /// Bits per second: of the arbitration and of the data phase.
     pub bit_rates: (u32, u32),
     /// Boards that must be there, by number, and the keys that they must carry.
-    pub boards: Vec<(u8, BoardKeys)>,
+    pub boards: Vec<(u8, KeyRange)>,
 }
 
 impl Default for Boards {
@@ -66,20 +66,20 @@ impl Default for Boards {
 }
 
 impl BoardBus {
-    /// A link of which nothing more is said.
+    /// Returns a link with default rates and no listed boards.
     pub const fn new(address: Address) -> Self {
         Self { address, bit_rates: BIT_RATES, boards: Vec::new() }
     }
 }
 
-/// The period of boards that exchange so often [us]: a whole number of the 100 us in which they
-/// work, if there is one.
+/// Returns the period of boards that exchange so often (us): a whole number of the 100 us in which
+/// they work, if there is one.
 pub fn period_us(tick_hz: u32) -> Option<u16> {
     let divides = 10_000_u32.checked_rem(tick_hz) == Some(0);
     divides.then(|| 1_000_000 / tick_hz).and_then(|period| u16::try_from(period).ok())
 }
 
-/// What leads to `addresses`, as overrides of a scene; nothing if there are none.
+/// Returns overrides of a scene that replace its links by `addresses`; none without addresses.
 pub fn overrides(addresses: &[Address]) -> Vec<Override> {
     if addresses.is_empty() {
         return Vec::new();
@@ -91,7 +91,7 @@ pub fn overrides(addresses: &[Address]) -> Vec<Override> {
     vec![over("links.kind", "boards".into()), over("links.bus", format!("[{}]", buses.join(", ")))]
 }
 
-/// A bus in a scene that leads to `address`.
+/// Returns a bus in a scene that leads to `address`.
 pub(super) fn bus_at(address: &Address) -> String {
     match address {
         Address::Serial { port, baud } => {

@@ -15,7 +15,7 @@ const VALID: Quantity = Quantity {
     range: (SHORTEST_VALID_MS as f64 * 1e-3, LONGEST_VALID_MS as f64 * 1e-3),
 };
 
-/// What only boards have.
+/// Names that only boards have.
 const OF_BOARDS: [&str; 5] = ["samples", "forces", "valid", "calibration", "bus"];
 
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -35,7 +35,7 @@ fn check_places(all: &Diagnostics, n_lines: usize) {
     }
 }
 
-/// A scene or instrument of ours.
+/// Returns a scene or instrument of ours.
 fn shipped() -> impl Strategy<Value = &'static str> {
     let texts = |shelf: &EmbeddedFiles| shelf.names().filter_map(|name| shelf.find(name)).collect();
     let all: [Vec<&str>; 2] = [texts(&SCENES), texts(&INSTRUMENTS)];

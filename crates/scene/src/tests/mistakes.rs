@@ -1,4 +1,4 @@
-//! What is said of mistakes, word for word.
+//! Messages about mistakes, word for word.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What lies in configs/.
+//! The files of configs/.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,8 @@
-//! What a scene says, and what comes of it.
+//! Values of scenes as they are read.
 
 use std::path::Path;
+
+use pode::stepper::{self, Any};
 
 use super::*;
 
@@ -119,7 +121,8 @@ fn an_override_reaches_every_table() {
     ];
     let scene = load(MINIMAL, &overrides);
     assert_eq!((scene.title.as_str(), scene.lanes), ("1984", LaneCount::Count(3)));
-    let expected = Render { stepper: StepperName::Heun, force_limit: 20.0, ..Render::default() };
+    let heun = Any::Heun(stepper::Heun);
+    let expected = Render { stepper: heun, force_limit: 20.0, ..Render::default() };
     assert_eq!(scene.render, expected);
     assert_eq!(scene.midi.curve.name(), "linear");
     assert_eq!(format!("{:?}", scene.performance), "Some(Embedded(\"beethoven-ode-to-joy\"))");

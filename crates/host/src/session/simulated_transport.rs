@@ -30,7 +30,7 @@ impl SimulatedTransport {
         Self { keybed, rearmed: 0, weights }
     }
 
-    /// The line or board at `place`, lines first, as it is now; nothing behind the last.
+    /// Returns the line or board at `place`, lines first, as it is now; nothing behind the last.
     pub(super) fn glance(&self, place: usize) -> Option<LinkSnapshot> {
         let glance = self.keybed.snapshot(place)?;
         Some(match glance {

@@ -1,4 +1,4 @@
-//! Programs that this one starts, and that end with it.
+//! Programs that this one starts and ends.
 
 use std::io;
 use std::process::{Child, Command, ExitStatus};
@@ -8,35 +8,35 @@ use rustix::process::{Pid, Signal, kill_process};
 
 use super::signals::Signals;
 
-/// Between two looks whether a program has ended.
+/// Time between two looks whether a program has ended.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// Looks until a program that has nothing to lose is not waited for any longer: five seconds.
+/// Looks at a program that loses nothing before it is killed: five seconds.
 const LOOKS: u32 = 100;
 
-/// How a program is made to end.
+/// The way in which a program is ended.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Farewell {
-    /// It has nothing to lose: it is asked, and killed if it does not go.
+pub(super) enum EndMode {
+    /// It is asked, and killed if it does not end in time, since it loses nothing.
     Brief,
-    /// As Ctrl-C would: forces fade and notes end, which takes as long as it takes.
+    /// It is asked as by Ctrl-C, and waited for: forces fade and notes end.
     Patient,
 }
 
 /// A program that ends when this is dropped, if it has not before.
 #[derive(Debug)]
-pub(super) struct Owned {
+pub(super) struct ChildProgram {
     child: Child,
-    farewell: Farewell,
+    end_mode: EndMode,
 }
 
-impl Owned {
+impl ChildProgram {
     /// Starts `command`.
-    pub(super) fn start(command: &mut Command, farewell: Farewell) -> io::Result<Self> {
-        Ok(Self { child: command.spawn()?, farewell })
+    pub(super) fn start(command: &mut Command, end_mode: EndMode) -> io::Result<Self> {
+        Ok(Self { child: command.spawn()?, end_mode })
     }
 
-    /// How it ended, if it has.
+    /// Returns its exit status, if it has ended.
     pub(super) fn ended(&mut self) -> io::Result<Option<ExitStatus>> {
         self.child.try_wait()
     }
@@ -55,7 +55,7 @@ impl Owned {
         }
     }
 
-    /// Whether it is there; until it was seen to end, its number is nobody else's.
+    /// Returns whether it runs; until it was seen to end, its number is not used again.
     fn is_there(&mut self) -> bool {
         matches!(self.child.try_wait(), Ok(None))
     }
@@ -66,7 +66,7 @@ impl Owned {
         let _gone = id.map(|id| kill_process(id, signal));
     }
 
-    /// Whether it goes within its time.
+    /// Returns whether it ends in time.
     fn goes(&mut self) -> bool {
         for _ in 0..LOOKS {
             if !self.is_there() {
@@ -78,14 +78,14 @@ impl Owned {
     }
 }
 
-impl Drop for Owned {
+impl Drop for ChildProgram {
     fn drop(&mut self) {
         if !self.is_there() {
             return;
         }
-        match self.farewell {
-            Farewell::Patient => self.tell(Signal::INT),
-            Farewell::Brief => {
+        match self.end_mode {
+            EndMode::Patient => self.tell(Signal::INT),
+            EndMode::Brief => {
                 self.tell(Signal::TERM);
                 if !self.goes() {
                     self.tell(Signal::KILL);

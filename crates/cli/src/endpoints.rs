@@ -1,4 +1,4 @@
-//! How others reach a running command: the control socket, and the stream.
+//! The endpoints of a running command: the control socket and the stream.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -8,15 +8,14 @@ use tokio::task::JoinHandle;
 
 use super::{Failure, streaming, tell};
 use host::control::{
-    Answers, Clients, ControlServer, RequestHandler, RunHandle, StreamSink, VoiceSwitcher, serve,
-    socket_path,
+    Answers, Clients, ControlServer, RequestHandler, RunHandle, StreamSink, serve, socket_path,
 };
 use host::session::RunSession;
 use scene::{LinksConfig, Scene};
 
-/// How others reach a running command.
+/// The control socket and the stream of a running command.
 #[derive(Debug, Default)]
-pub(super) struct Reach {
+pub(super) struct Endpoints {
     clients: Clients,
     stream: Option<ServedStream>,
 }
@@ -26,34 +25,36 @@ pub(super) struct Reach {
 struct ServedStream {
     publisher: Publisher,
     closer: Closer,
-    /// Where, in a sentence.
+    /// Its address, in a sentence.
     news: String,
     serving: JoinHandle<std::io::Result<()>>,
 }
 
-impl Reach {
+impl Endpoints {
     /// Listens for requests to a host that will run `scene`, before anything is rehearsed.
     ///
     /// # Errors
     /// If the stream that was asked for cannot be had.
     pub(super) fn open(
         scene: &Scene,
-        patchbay: &Arc<RunHandle>,
+        handle: &Arc<RunHandle>,
         wanted: Option<streaming::WantedStream>,
     ) -> Result<Self, Failure> {
-        let switchboard = Arc::new(VoiceSwitcher::new(scene.clone(), Arc::clone(patchbay)));
-        let stream = wanted.map(|wanted| stream(wanted, &switchboard)).transpose()?.flatten();
-        Ok(Self { clients: listen(switchboard), stream })
+        let folders = wanted.as_ref().map(|it| it.folders.clone()).unwrap_or_default();
+        let requests = RequestHandler::new(scene.clone(), Arc::clone(handle), folders);
+        let requests = Arc::new(requests);
+        let stream = wanted.map(|wanted| stream(wanted, &requests)).transpose()?.flatten();
+        Ok(Self { clients: listen(requests), stream })
     }
 
-    /// Lets those who follow the stream see what `session` does.
+    /// Streams the telemetry of `session`.
     pub(super) fn observe(&self, session: &RunSession) {
         if let Some(stream) = &self.stream {
             session.observe(Box::new(StreamSink::new(stream.publisher.clone())));
         }
     }
 
-    /// What is said when the run has begun.
+    /// Returns the messages at the beginning of the run.
     pub(super) fn news(&self, scene: &Scene, session: &RunSession) -> Vec<String> {
         let (name, hz, n_voices) = (&scene.name, session.tick_hz(), session.n_voices());
         let keys = match &scene.links {
@@ -66,8 +67,8 @@ impl Reach {
         [Some(plays), streams].into_iter().flatten().collect()
     }
 
-    /// Waits until everybody has their answer, tells those who follow the stream `why` it is over,
-    /// and ends it.
+    /// Waits until all clients have their answer, tells clients of the stream `why` it is over, and
+    /// closes it.
     pub(super) async fn leave(self, why: &str) {
         /// Longer than a stream takes to close.
         const GRACE: Duration = Duration::from_secs(4);
@@ -81,7 +82,7 @@ impl Reach {
     }
 }
 
-/// Lets `answers` answer at this user's control socket; says so where that cannot be.
+/// Serves this user's control socket by `answers`; says so where that cannot be.
 pub(super) fn listen<A: Answers>(answers: Arc<A>) -> Clients {
     let clients = Clients::default();
     let path = socket_path();
@@ -100,10 +101,10 @@ pub(super) fn listen<A: Answers>(answers: Arc<A>) -> Clients {
     clients
 }
 
-/// Streams to dashboards and viewers, and hears what they ask.
+/// Serves the stream, if its port is free.
 fn stream(
     wanted: streaming::WantedStream,
-    switchboard: &Arc<VoiceSwitcher>,
+    requests: &Arc<RequestHandler>,
 ) -> Result<Option<ServedStream>, Failure> {
     let Some(server) = wanted.listen()? else { return Ok(None) };
     let mut address = server.url();
@@ -115,9 +116,9 @@ fn stream(
         ));
         address = format!("{address}#{fingerprint}");
     }
-    switchboard.streams_at(address, wanted.owner());
+    requests.streams_at(address, wanted.owner());
     let (publisher, closer) = (server.publisher(), server.closer());
-    let studio = Arc::new(RequestHandler::new(Arc::clone(switchboard), wanted.folders));
-    let serving = tokio::spawn(telemetry::stream::serve(server, studio));
+    let requests = Arc::<RequestHandler>::clone(requests);
+    let serving = tokio::spawn(telemetry::stream::serve(server, requests));
     Ok(Some(ServedStream { publisher, closer, news, serving }))
 }

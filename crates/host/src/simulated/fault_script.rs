@@ -1,37 +1,36 @@
-//! What is to happen to a simulated board, and when: `3@1.5:mute=0.2`.
+//! Faults that are injected into simulated boards: `3@1.5:mute=0.2`.
 
-/// What happens to a board.
+/// A fault of a simulated board.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum FaultEvent {
-    /// It is gone, and its link with it.
+    /// The board is gone, and its link with it.
     Die,
-    /// It loses its power for so long (s), and then starts anew.
+    /// The board loses its power for so long (s), and then starts anew.
     Restart(f64),
-    /// What it sends does not leave it for so long (s).
+    /// Frames that the board sends are lost for so long (s).
     Mute(f64),
-    /// What is sent to it does not reach it for so long (s).
+    /// Frames that are sent to the board are lost for so long (s).
     Deaf(f64),
-    /// It does nothing for so long (s).
+    /// The board does nothing for so long (s).
     Freeze(f64),
-    /// It sends frames of chance beside its own for so long (s).
+    /// The board sends random frames beside its own for so long (s).
     Babble(f64),
-    /// Its clock goes back by so much (s).
+    /// The board's clock goes back by so much (s).
     Backwards(f64),
-    /// One of its keys fails.
+    /// One of the board's keys fails.
     KeyFault,
 }
 
-/// A blow, to whom and when.
+/// A fault with its board and time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FaultScript {
-    /// Number of the board.
     pub number: u8,
-    /// Time after it was armed for the first time (s).
+    /// Time after the board was armed for the first time (s).
     pub at: f64,
-    pub blow: FaultEvent,
+    pub event: FaultEvent,
 }
 
-/// What may be written.
+/// The syntax, for messages.
 const HELP: &str = "write NUMBER@SECONDS:WHAT, where WHAT is die, key-fault, restart=SECONDS, \
                     mute=SECONDS, deaf=SECONDS, freeze=SECONDS, babble=SECONDS or \
                     backwards=SECONDS";
@@ -51,7 +50,7 @@ fn parse(text: &str) -> Option<FaultScript> {
     let (number, rest) = text.split_once('@')?;
     let (at, what) = rest.split_once(':')?;
     let (what, value) = what.split_once('=').map_or((what, None), |(what, it)| (what, Some(it)));
-    let blow = match (what, value) {
+    let event = match (what, value) {
         ("die", None) => FaultEvent::Die,
         ("key-fault", None) => FaultEvent::KeyFault,
         ("restart", Some(it)) => FaultEvent::Restart(seconds(it)?),
@@ -62,10 +61,10 @@ fn parse(text: &str) -> Option<FaultScript> {
         ("backwards", Some(it)) => FaultEvent::Backwards(seconds(it)?),
         _ => return None,
     };
-    Some(FaultScript { number: number.parse().ok()?, at: seconds(at)?, blow })
+    Some(FaultScript { number: number.parse().ok()?, at: seconds(at)?, event })
 }
 
-/// A time that is not negative (s).
+/// Reads a time that is not negative (s).
 fn seconds(text: &str) -> Option<f64> {
     text.parse().ok().filter(|it: &f64| it.is_finite() && 0.0 <= *it)
 }
@@ -75,14 +74,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_fate_names_board_time_and_blow() {
-        let fate = FaultScript::parse("3@1.5:mute=0.2").unwrap();
-        assert_eq!(fate, FaultScript { number: 3, at: 1.5, blow: FaultEvent::Mute(0.2) });
-        assert_eq!(FaultScript::parse("0@0:die").unwrap().blow, FaultEvent::Die);
+    fn a_fault_names_board_time_and_event() {
+        let fault = FaultScript::parse("3@1.5:mute=0.2").unwrap();
+        assert_eq!(fault, FaultScript { number: 3, at: 1.5, event: FaultEvent::Mute(0.2) });
+        assert_eq!(FaultScript::parse("0@0:die").unwrap().event, FaultEvent::Die);
     }
 
     #[test]
-    fn what_is_no_fate_says_what_to_write() {
+    fn what_is_no_fault_says_what_to_write() {
         for text in ["", "3:die", "3@x:die", "3@1:die=2", "3@1:mute", "3@-1:die", "3@1:fly=2"] {
             assert!(
                 FaultScript::parse(text).unwrap_err().contains("write NUMBER@SECONDS"),

@@ -24,12 +24,12 @@ pub trait ModelProbe: Send {
     fn drawing(&self) -> Drawing;
 }
 
-/// An eye for the model called `name` with one value per parameter.
-pub fn eye(name: &str, values: &[f64]) -> Option<Box<dyn ModelProbe>> {
+/// An probe for the model called `name` with one value per parameter.
+pub fn probe(name: &str, values: &[f64]) -> Option<Box<dyn ModelProbe>> {
     catalogue::visit(name, Opened(values))
 }
 
-/// Names of what an eye for the model called `name` sees, in its order.
+/// Names of what an probe for the model called `name` sees, in its order.
 pub fn signals(name: &str) -> Vec<Signal> {
     catalogue::visit(name, Named).unwrap_or_default()
 }
@@ -52,7 +52,7 @@ impl Visitor for Opened<'_> {
         let model = M::with_values(self.0);
         // Only its shape counts; to find a rest may cost more than all signals of a row.
         let (_mode, shape) = model.at_rest(&Motion::default());
-        Box::new(ModelEye { model, shape, guards: guards::<M>() })
+        Box::new(ProbedModel { model, shape, guards: guards::<M>() })
     }
 }
 
@@ -115,14 +115,14 @@ fn guards<M: Playable>() -> Vec<WatchedGuard> {
     all
 }
 
-struct ModelEye<M: Playable> {
+struct ProbedModel<M: Playable> {
     model: M,
     /// A state to write others into.
     shape: M::State,
     guards: Vec<WatchedGuard>,
 }
 
-impl<M: Playable> ModelEye<M> {
+impl<M: Playable> ProbedModel<M> {
     fn mode(look: &ModelSnapshot) -> Option<M::Mode> {
         M::MODES.get(usize::from(look.mode)).map(|(mode, _name)| *mode)
     }
@@ -131,7 +131,7 @@ impl<M: Playable> ModelEye<M> {
 /// Most outputs that a model has.
 const MOST_OUTPUTS: usize = 16;
 
-impl<M: Playable> ModelProbe for ModelEye<M> {
+impl<M: Playable> ModelProbe for ProbedModel<M> {
     fn see(&self, look: &ModelSnapshot, signals: &mut Vec<f32>) {
         let wanted = signals.len() + M::STATES.len() + self.guards.len() + M::OUTPUTS.len();
         signals.extend(look.state.iter().take(M::STATES.len()).map(|value| short(*value)));
@@ -240,12 +240,12 @@ mod tests {
     #[test]
     fn every_model_gives_as_many_signals_as_it_names() {
         for entry in catalogue::ENTRIES {
-            let eye = eye(entry.name, &[]).expect("an eye");
+            let probe = probe(entry.name, &[]).expect("an probe");
             let mut signals = Vec::new();
             for mode in 0..modes(entry.name).len() {
                 let mode = u8::try_from(mode).expect("few modes");
-                eye.see(&ModelSnapshot { mode, ..ModelSnapshot::default() }, &mut signals);
-                eye.see(&ModelSnapshot { mode: 255, ..ModelSnapshot::default() }, &mut signals);
+                probe.see(&ModelSnapshot { mode, ..ModelSnapshot::default() }, &mut signals);
+                probe.see(&ModelSnapshot { mode: 255, ..ModelSnapshot::default() }, &mut signals);
             }
             let names = super::signals(entry.name).len();
             assert_eq!(signals.len(), 2 * names * modes(entry.name).len(), "{}", entry.name);
@@ -255,11 +255,11 @@ mod tests {
     #[test]
     fn a_guard_is_seen_where_it_is_watched() {
         let name = "key-hammer-springs";
-        let eye = eye(name, &[]).expect("an eye");
+        let probe = probe(name, &[]).expect("an probe");
         let signals = signals(name);
         for mode in 0..2_u8 {
             let mut seen = Vec::new();
-            eye.see(&ModelSnapshot { mode, ..ModelSnapshot::default() }, &mut seen);
+            probe.see(&ModelSnapshot { mode, ..ModelSnapshot::default() }, &mut seen);
             for (signal, value) in signals.iter().zip(seen) {
                 let is_watched = signal.modes.is_empty() || signal.modes.contains(&mode.into());
                 assert_eq!(value.is_finite(), is_watched, "{} in mode {mode}", signal.name);

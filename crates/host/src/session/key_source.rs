@@ -6,15 +6,15 @@ use hardware::sim::keybed::SimulatedKeybed;
 use performance::Performance;
 use scheduler::time::Nanos;
 
-use super::bus::{MonitoredTransport, Plans};
-use super::keys::SimulatedTransport;
+use super::key_transport::{MonitoredTransport, Plans};
+use super::simulated_transport::SimulatedTransport;
 use super::{PreparedRun, SessionError, all_keys};
 use crate::boards::{PATIENCE_US, calibration, now_us, open_all, planning};
 use realtime::clock;
 use scene::{Boards, period_us};
 
-/// Weights that may wait to be laid on simulated keys.
-const WEIGHTS: usize = 256;
+/// Forces on simulated keys that may wait.
+const FINGERS: usize = 256;
 
 /// The keys before a run.
 pub(super) enum KeySource {
@@ -26,8 +26,8 @@ pub(super) enum KeySource {
 
 /// Finds the boards that a scene at `tick_hz` asks for; they are not armed yet.
 ///
-/// What their links cannot carry is refused: before they are opened if the scene says who is
-/// there, else when that is known.
+/// More than their links can carry is refused: before they are opened if the scene lists the
+/// boards, else when those are known.
 pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<KeySource, SessionError> {
     let terms = terms(boards, tick_hz)?;
     refuse_overload(&planning::listed(boards, tick_hz))?;
@@ -58,7 +58,7 @@ fn refuse_overload<'a, P: IntoIterator<Item = &'a BusPlan>>(plans: P) -> Result<
     }
 }
 
-/// What is agreed with all boards.
+/// Returns the terms for all boards.
 fn terms(boards: &Boards, tick_hz: u32) -> Result<Terms, SessionError> {
     Ok(Terms {
         period_us: period_us(tick_hz).ok_or(SessionError::BoardRate { tick_hz })?,
@@ -69,7 +69,7 @@ fn terms(boards: &Boards, tick_hz: u32) -> Result<Terms, SessionError> {
 }
 
 impl KeySource {
-    /// Whether there is a motor for the key with this index.
+    /// Returns whether there is a motor for the key with this index.
     pub(super) fn carries(&self, key: usize) -> bool {
         match self {
             Self::Simulated(_) => true,
@@ -77,7 +77,7 @@ impl KeySource {
         }
     }
 
-    /// What is to be said of the keys before a run, a sentence on each.
+    /// Returns notices about the keys before a run, a sentence on each.
     pub(super) fn notices(&self) -> Vec<String> {
         let Self::Boards(keybed, ..) = self else { return Vec::new() };
         let (boards, links): (Vec<_>, Vec<_>) = keybed
@@ -97,7 +97,7 @@ impl KeySource {
         )]
     }
 
-    /// Whether there are fingers that can play.
+    /// Returns whether there are fingers that can play.
     pub(super) fn has_fingers(&self) -> bool {
         match self {
             Self::Simulated(_) => true,
@@ -106,7 +106,7 @@ impl KeySource {
     }
 
     /// Gives the performance's gestures to the simulated fingers.
-    pub(super) fn seat(&mut self, performance: &Performance) {
+    pub(super) fn load_gestures(&mut self, performance: &Performance) {
         if let Self::Simulated(keybed) = self {
             for (key, gestures) in all_keys().zip(&performance.gestures) {
                 keybed.play(key, gestures.clone());
@@ -118,29 +118,29 @@ impl KeySource {
     /// before `lead` has passed.
     pub(super) fn arm(
         self,
-        stage: &PreparedRun,
+        prepared: &PreparedRun,
         lead: Nanos,
     ) -> Result<(MonitoredTransport, Nanos), SessionError> {
         match self {
             Self::Simulated(keybed) => {
-                let (weights, laid) = rtrb::RingBuffer::new(WEIGHTS);
-                stage.patchbay.lend_fingers(weights);
+                let (weights, laid) = rtrb::RingBuffer::new(FINGERS);
+                prepared.handle.lend_fingers(weights);
                 let start = clock::monotonic().after(lead);
                 Ok((
-                    MonitoredTransport::simulated(SimulatedTransport::new(*keybed, laid), stage),
+                    MonitoredTransport::simulated(SimulatedTransport::new(*keybed, laid), prepared),
                     start,
                 ))
             }
             Self::Boards(keybed, terms, plans) => {
                 let mut keybed = Box::new(keybed.arm(terms, PATIENCE_US)?);
                 for (key, gestures) in
-                    stage.performance.iter().flat_map(|it| all_keys().zip(&it.gestures))
+                    prepared.performance.iter().flat_map(|it| all_keys().zip(&it.gestures))
                 {
                     keybed.play(key, gestures);
                 }
                 let start = clock::monotonic().after(lead);
                 keybed.begin_at(start.as_u64() / 1_000);
-                Ok((MonitoredTransport::on_boards(keybed, plans, stage), start))
+                Ok((MonitoredTransport::on_boards(keybed, plans, prepared), start))
             }
         }
     }

@@ -16,7 +16,9 @@ use super::overview::OverviewBuilder;
 use super::pulses::PulseRow;
 use super::ticks::TicksBuilder;
 use super::{LinksWatch, ModelProbe, events};
-use crate::adapters::tap::{EventKind, KeyRow, RecorderRow, TickEvent, TickRecorderRings, TickRow};
+use crate::adapters::tick_recorder::{
+    EventKind, KeyRow, RecorderRow, TickEvent, TickRecorderRings, TickRow,
+};
 use realtime::run::CreationError;
 
 /// Somebody who takes messages.
@@ -81,7 +83,7 @@ pub struct TelemetryThread {
     latched: BTreeMap<Option<u32>, Update>,
     /// Moves of the pedal, which are told beforehand.
     pedals: Vec<Update>,
-    eyes: BTreeMap<u32, SeenVoice>,
+    probes: BTreeMap<u32, SeenVoice>,
     /// Time at tick 0 (ns since 1970), and that of a tick (ns).
     time: (u64, u64),
     keys: Vec<KeyTelemetry>,
@@ -140,7 +142,7 @@ impl TelemetryThread {
             sinks: Vec::new(),
             latched: BTreeMap::new(),
             pedals: Vec::new(),
-            eyes: BTreeMap::new(),
+            probes: BTreeMap::new(),
             time: (0, period),
             keys: (0..KEYS).map(|_| KeyTelemetry::default()).collect(),
             overview: OverviewBuilder::new(),
@@ -220,7 +222,7 @@ impl TelemetryThread {
     fn forget_eyes(&mut self) {
         let keys = &self.keys;
         let playing = |key: u32| usize::try_from(key).ok().and_then(|key| keys.get(key));
-        self.eyes.retain(|revision, (key, _eye)| {
+        self.probes.retain(|revision, (key, _eye)| {
             playing(*key).is_none_or(|key| key.revision <= *revision)
         });
     }
@@ -239,8 +241,8 @@ impl TelemetryThread {
     fn hear(&mut self) {
         while let Ok(told) = self.told.try_recv() {
             match told {
-                TelemetryMessage::Voice(voice, eye) => {
-                    self.eyes.extend(eye.map(|eye| (voice.revision, (voice.key, eye))));
+                TelemetryMessage::Voice(voice, probe) => {
+                    self.probes.extend(probe.map(|probe| (voice.revision, (voice.key, probe))));
                     let key = voice.key;
                     let voice = Update::Voice(*voice);
                     self.give(&voice);
@@ -270,7 +272,7 @@ impl TelemetryThread {
     /// Puts every key as it was last into the overview, which nobody made until now.
     fn look_over_keys(&mut self) {
         for row in self.keys.iter().filter_map(|key| key.last.as_ref()) {
-            let is_known = self.eyes.contains_key(&row.look.revision);
+            let is_known = self.probes.contains_key(&row.look.revision);
             let mode = if is_known { row.look.mode } else { u8::MAX };
             self.overview.push(row, flags(row.stands), mode);
         }
@@ -293,9 +295,9 @@ impl TelemetryThread {
                 continue;
             }
             let row = KeyRow { tick: self.now, ran: u32::MAX, events: 0, ..*last };
-            let eye = self.eyes.get(&row.look.revision).map(|(_key, eye)| eye.as_ref());
+            let probe = self.probes.get(&row.look.revision).map(|(_key, probe)| probe.as_ref());
             let mut builder = BlockBuilder::default();
-            builder.push(&row, flags(row.stands), eye);
+            builder.push(&row, flags(row.stands), probe);
             let Some(block) = builder.take() else { continue };
             let at = self.at(self.now);
             for state in states(&block).filter(|_| wants[1]) {
@@ -322,12 +324,12 @@ impl TelemetryThread {
             let done = key.builder.take();
             self.give_block(done);
         }
-        let eye = self.eyes.get(&row.look.revision).map(|(_key, eye)| eye.as_ref());
+        let probe = self.probes.get(&row.look.revision).map(|(_key, probe)| probe.as_ref());
         let Some(key) = self.keys.get_mut(usize::from(row.key)) else { return };
         (key.revision, key.last) = (row.look.revision, Some(*row));
         let flags = flags(row.stands) | std::mem::take(&mut key.mark);
-        key.builder.push(row, flags, eye);
-        self.overview.push(row, flags, if eye.is_some() { row.look.mode } else { u8::MAX });
+        key.builder.push(row, flags, probe);
+        self.overview.push(row, flags, if probe.is_some() { row.look.mode } else { u8::MAX });
         let event = events::trust(row, key.fault);
         key.fault = row.fault;
         if let Some(event) = event {
@@ -373,8 +375,8 @@ impl TelemetryThread {
     fn happening(&mut self, it: &TickEvent) {
         let event = match &it.what {
             EventKind::Switch(revision, switch) => {
-                let eye = self.eyes.get(revision).map(|(_key, eye)| eye.as_ref());
-                events::switch(it.tick, it.key, switch, eye)
+                let probe = self.probes.get(revision).map(|(_key, probe)| probe.as_ref());
+                events::switch(it.tick, it.key, switch, probe)
             }
             EventKind::Note(moment, event) => events::note(it.key, *moment, *event),
         };
@@ -469,7 +471,7 @@ mod tests {
     use scheduler::voice::VoiceOutput;
 
     use super::*;
-    use crate::adapters::tap::TickRecorder;
+    use crate::adapters::tick_recorder::TickRecorder;
     use crate::observe::Pulses;
 
     /// What a window that follows key 5 is told, from when it is there.

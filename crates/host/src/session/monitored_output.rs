@@ -1,29 +1,29 @@
-//! An output that also tells whoever observes what went through it.
+//! A MIDI output whose messages are telemetry, too.
 
 use std::sync::mpsc;
 
 use midi::{Message, MidiSendError, Output};
 use telemetry::{Midi, Update};
 
-use crate::desk::AnyOutput;
+use crate::midi_thread::AnyOutput;
 use crate::observe::TelemetryMessage;
 
-/// An output, overheard.
-pub(crate) struct Overheard {
+/// An output whose messages are also sent to telemetry.
+pub(crate) struct MonitoredOutput {
     pub(crate) output: AnyOutput,
-    pub(crate) told: mpsc::Sender<TelemetryMessage>,
+    pub(crate) sender: mpsc::Sender<TelemetryMessage>,
 }
 
-impl Output for Overheard {
+impl Output for MonitoredOutput {
     fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
         let sent = self.output.send(at, message);
         let text = match &sent {
-            Ok(()) => words(message),
-            Err(error) => format!("{}, lost: {error}", words(message)),
+            Ok(()) => text_of(message),
+            Err(error) => format!("{}, lost: {error}", text_of(message)),
         };
         let midi = Midi { at, bytes: message.encode().into(), text };
-        // Who does not listen any more need not know.
-        let _gone = self.told.send(TelemetryMessage::Update(Box::new(Update::Midi(midi))));
+        // A telemetry thread that has ended needs no more messages.
+        let _gone = self.sender.send(TelemetryMessage::Update(Box::new(Update::Midi(midi))));
         sent
     }
 
@@ -36,8 +36,8 @@ impl Output for Overheard {
     }
 }
 
-/// A message as musicians read it.
-fn words(message: Message) -> String {
+/// Returns a message in words.
+fn text_of(message: Message) -> String {
     match message {
         Message::NoteOn { note, velocity } => {
             format!("note-on {} velocity {}", note.number(), velocity.get())

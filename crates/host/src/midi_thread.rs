@@ -1,4 +1,4 @@
-//! The MIDI side of the rings: what was struck becomes messages, and is remembered.
+//! From key events to MIDI messages, on a thread of their own.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -17,7 +17,8 @@ use realtime::wake_fd::WakeFd;
 /// Longest wait without a bell: ports that vanished are looked for this often.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Below the tick, above the rest: a late note is heard, a late force is felt.
+/// The priority of MIDI: below the tick, above the rest, since a late force is worse than a late
+/// note.
 const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
 
 /// An output of any kind.
@@ -26,24 +27,24 @@ pub type AnyOutput = Box<dyn Output + Send>;
 /// Takes key events out of the ring and plays them.
 pub struct MidiDispatcher {
     events: Consumer<NoteEvent>,
-    /// What came out of the ring and has not been played.
+    /// The events that came out of the ring and are not played yet.
     schedule: Schedule,
     player: Player<AnyOutput>,
     curve: VelocityCurve,
     struck: Vec<Struck>,
-    /// The first error of the output; later ones of the same kind are counted.
+    /// The first error of the output; later ones are counted.
     trouble: Option<String>,
     n_troubles: u64,
 }
 
-/// What a desk has seen when it is closed.
+/// The outcome of a dispatcher that is closed.
 #[derive(Debug)]
 pub struct PlaybackSummary {
     /// Every strike with its velocity.
     pub struck: Vec<Struck>,
     /// The first error of the output.
     pub trouble: Option<String>,
-    /// How many messages could not be sent.
+    /// The number of messages that could not be sent.
     pub n_troubles: u64,
     /// Strikes: handed over − happened (ns), in real time.
     pub handover: Option<Histogram<u64>>,
@@ -51,12 +52,12 @@ pub struct PlaybackSummary {
 
 impl std::fmt::Debug for MidiDispatcher {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Desk").field("struck", &self.struck.len()).finish_non_exhaustive()
+        f.debug_struct("MidiDispatcher").field("struck", &self.struck.len()).finish_non_exhaustive()
     }
 }
 
 impl MidiDispatcher {
-    /// A desk between `events` and `output`.
+    /// Returns a dispatcher between `events` and `output`.
     pub fn new(events: Consumer<NoteEvent>, output: AnyOutput, curve: VelocityCurve) -> Self {
         let player = Player::new(output, curve);
         let schedule = Schedule::default();
@@ -153,7 +154,7 @@ impl MidiDispatcher {
     }
 }
 
-/// A desk on its own thread.
+/// A dispatcher on its own thread.
 #[derive(Debug)]
 pub struct MidiThread {
     stop: Arc<AtomicBool>,
@@ -167,7 +168,7 @@ impl MidiThread {
     /// # Errors
     /// If the system gives no thread.
     pub fn start(
-        mut desk: Box<MidiDispatcher>,
+        mut dispatcher: Box<MidiDispatcher>,
         bell: Arc<WakeFd>,
         start: Nanos,
         mut handover: Histogram<u64>,
@@ -176,8 +177,8 @@ impl MidiThread {
         let (its_stop, its_bell) = (Arc::clone(&stop), Arc::clone(&bell));
         let thread = std::thread::Builder::new().name("letoff-midi".into()).spawn(move || {
             let _as_the_tick_reports = ask_for_fifo(Some(PRIORITY));
-            desk.attend(&its_bell, start, &its_stop, &mut handover);
-            desk.close(Some(handover))
+            dispatcher.attend(&its_bell, start, &its_stop, &mut handover);
+            dispatcher.close(Some(handover))
         })?;
         Ok(Self { stop, bell, thread })
     }
@@ -252,7 +253,7 @@ mod tests {
         let counters = Arc::<LiveCounters>::default();
         let mut publisher = TickPublisher::new(ring, Arc::clone(&bell), counters, pedals, PERIOD);
         let heard = Heard::default();
-        let mut desk =
+        let mut dispatcher =
             MidiDispatcher::new(events, Box::new(heard.clone()), VelocityCurve::default());
         let start = clock::monotonic();
         publish(0, &[(50, 0.5, strike)], &mut publisher);
@@ -260,7 +261,7 @@ mod tests {
         let chord = [(10, 0.9, strike), (30, 0.6, strike), (50, 0.6, fall), (87, 0.1, strike)];
         publish(1, &chord, &mut publisher);
         let stop = AtomicBool::new(true);
-        desk.attend(&bell, start, &stop, &mut histogram().expect("a histogram"));
+        dispatcher.attend(&bell, start, &stop, &mut histogram().expect("a histogram"));
         let sent = heard.0.lock().expect("nobody panics with it").clone();
         let times: Vec<f64> = sent.iter().map(|it| (it.0 * 1e6).round() / 1e6).collect();
         assert_eq!(times, [0.005, 0.011, 0.014, 0.016, 0.016, 0.019], "{sent:?}");

@@ -11,8 +11,8 @@ use scheduler::time::Nanos;
 use telemetry::{Board, Line};
 
 use super::PreparedRun;
-use super::keys::SimulatedTransport;
-use crate::adapters::lookout::LinkMonitor;
+use super::simulated_transport::SimulatedTransport;
+use crate::adapters::link_monitor::LinkMonitor;
 use crate::boards::stop_all;
 use crate::control::{BoardsTold, IdentifyTarget, Lights};
 use crate::observe::{LinksWatch, TelemetryMessage};
@@ -68,13 +68,13 @@ impl MonitoredTransport {
             ..Line::default()
         });
         let lookout = look_out(lines.collect(), &places, stage);
-        let (sought, shown) = RingBuffer::new(LIGHTS);
+        let (requests, shown) = RingBuffer::new(LIGHTS);
         let lit = |it: &BoardPlace| IdentifyTarget {
             line: number(it.line),
             name: names.get(it.line).cloned().unwrap_or_default(),
             board: it.board.number().into(),
         };
-        stage.patchbay.lend_lights(Lights { boards: places.iter().map(lit).collect(), sought });
+        stage.handle.lend_lights(Lights { boards: places.iter().map(lit).collect(), requests });
         Self { bed: KeyTransport::Boards(keybed, plans, shown), lookout }
     }
 }
@@ -92,7 +92,7 @@ fn look_out(lines: Vec<Line>, places: &[BoardPlace], stage: &PreparedRun) -> Lin
     };
     let links = telemetry::Links { lines, boards: places.iter().map(board).collect() };
     let watch = LinksWatch::new(seen, links, 1.0 / f64::from(stage.tick_hz));
-    stage.patchbay.tell(TelemetryMessage::Links(Box::new(watch)));
+    stage.handle.tell(TelemetryMessage::Links(Box::new(watch)));
     lookout
 }
 

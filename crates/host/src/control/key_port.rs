@@ -1,0 +1,122 @@
+//! The way to the keys of a run: fingers on simulated ones, lights on real ones.
+
+use firmware_protocol::key::KeyIndex;
+use hardware::rt::board_supervisor::LIGHT_S;
+use rtrb::Producer;
+
+use super::{FingerOwner, FingerQueue, NOT_RUNNING};
+
+/// The actions that the keys of a run allow.
+#[derive(Debug, Default)]
+pub(super) enum KeyPort {
+    /// The keys are not there yet.
+    #[default]
+    Closed,
+    /// Simulated keys, which are pressed.
+    Simulated(FingerQueue),
+    /// Boards, which show their lights.
+    Boards(Lights),
+}
+
+/// The boards of a run, and the way to their lights.
+#[derive(Debug)]
+pub struct Lights {
+    /// The boards, in the order in which the bus has them.
+    pub boards: Vec<IdentifyTarget>,
+    /// The ring that takes an index into `boards`.
+    pub requests: Producer<usize>,
+}
+
+/// A board that has a light.
+#[derive(Debug)]
+pub struct IdentifyTarget {
+    /// The number of its link.
+    pub line: u32,
+    /// The name of its link.
+    pub name: String,
+    pub board: u32,
+}
+
+impl std::fmt::Display for IdentifyTarget {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "board {} on {} (link {})", self.board, self.name, self.line)
+    }
+}
+
+/// Largest force of a finger: its weight and a blow with it (N).
+const HARDEST: f64 = 50.0;
+
+impl KeyPort {
+    /// Presses a simulated key with `newtons` for `by`; 0 releases it.
+    ///
+    /// # Errors
+    /// If there is no such key, or it is a real one, or too much is waiting, in a sentence.
+    pub(super) fn press(&mut self, key: u8, newtons: f64, by: FingerOwner) -> Result<(), String> {
+        let key =
+            KeyIndex::new(key).ok_or_else(|| format!("there is no key {key}, give 0 to 87"))?;
+        if !(0.0..=HARDEST).contains(&newtons) {
+            return Err(format!("a key is pressed with 0 to {HARDEST} N, not {newtons}"));
+        }
+        match self {
+            Self::Closed => Err(NOT_RUNNING.into()),
+            Self::Boards(_) => Err("these keys are real: press them yourself".into()),
+            Self::Simulated(fingers) => fingers.press(key, newtons, by),
+        }
+    }
+
+    /// Releases all keys that the client with this connection has pressed.
+    pub(super) fn leave(&mut self, connection: u64) {
+        if let Self::Simulated(fingers) = self {
+            fingers.leave(connection);
+        }
+    }
+
+    /// Has a board show its light.
+    ///
+    /// # Errors
+    /// Why it cannot, in a sentence.
+    pub(super) fn identify(&mut self, line: u32, board: u32) -> Result<String, String> {
+        match self {
+            Self::Closed => Err(NOT_RUNNING.into()),
+            Self::Simulated(_) => Err("these keys are simulated here, and have no lights".into()),
+            Self::Boards(lights) => lights.request(line, board),
+        }
+    }
+}
+
+impl Lights {
+    fn request(&mut self, line: u32, board: u32) -> Result<String, String> {
+        let Self { boards, requests } = self;
+        let index = boards.iter().position(|it| (it.line, it.board) == (line, board));
+        let index = index.ok_or_else(|| {
+            let all: Vec<_> = boards.iter().map(IdentifyTarget::to_string).collect();
+            format!("there is no board {board} on link {line}, but {}", all.join(", "))
+        })?;
+        requests.push(index).map_err(|_full| "too many lights are wanted at once; try again")?;
+        Ok(format!("{} is asked to show its light for {LIGHT_S} s", boards[index]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_board_that_is_not_there_is_refused_with_those_that_are() {
+        let mut port = KeyPort::default();
+        let refused = port.identify(0, 3).unwrap_err();
+        assert!(refused.contains("not running yet"), "{refused}");
+        let (requests, mut shown) = rtrb::RingBuffer::new(1);
+        let target = |line, board| IdentifyTarget { line, name: format!("can{line}"), board };
+        port = KeyPort::Boards(Lights { boards: vec![target(0, 3), target(1, 3)], requests });
+        let refused = port.identify(0, 4).unwrap_err();
+        assert!(refused.contains("board 3 on can1 (link 1)"), "{refused}");
+        assert_eq!(
+            port.identify(1, 3).unwrap(),
+            "board 3 on can1 (link 1) is asked to show its light for 10 s"
+        );
+        assert_eq!(shown.pop(), Ok(1));
+        let refused = port.press(3, 1.0, None).unwrap_err();
+        assert!(refused.contains("real"), "{refused}");
+    }
+}

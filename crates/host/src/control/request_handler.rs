@@ -1,0 +1,234 @@
+//! From a request to its answer: it is checked and built here, and sent by the [`RunHandle`].
+
+use std::collections::BTreeMap;
+use std::net::SocketAddr;
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+
+use realtime::pool::VoiceChange;
+use scene::{Instrument, KeyVoice, Scene, written};
+use scheduler::values::ModelValues;
+use telemetry::request::Change;
+use telemetry::stream::{Backend, ParameterSetting, Who};
+use telemetry::{Event, Reply, Request, Update, event};
+use voice::VoiceBuilder;
+
+use super::current_voices::CurrentVoices;
+use super::{Answer, Answers, FingerOwner, Folders, RunHandle};
+use crate::observe::{self, Origin, TelemetryMessage};
+use keyboard::KeyRange;
+
+/// Answers requests to the host that runs a scene.
+///
+/// Requests come from this user's control socket ([`Answers`]), and from clients of the stream
+/// ([`Backend`]), which name files in certain folders only.
+#[derive(Debug)]
+pub struct RequestHandler {
+    scene: Scene,
+    run: Arc<RunHandle>,
+    folders: Folders,
+    /// The voices as they were changed last; each change is made on top of those before.
+    playing: Mutex<CurrentVoices>,
+    /// The stream's address and token.
+    stream: OnceLock<(String, Option<String>)>,
+}
+
+impl RequestHandler {
+    /// Answers for the host that runs `scene` behind `run`; clients of the stream name files in
+    /// `folders`.
+    pub fn new(scene: Scene, run: Arc<RunHandle>, folders: Folders) -> Self {
+        let playing = Mutex::new(CurrentVoices::new(scene.keys.clone()));
+        Self { scene, run, folders, playing, stream: OnceLock::new() }
+    }
+
+    /// Answers from now on that the host streams at `address`, to clients that give `token`.
+    pub fn streams_at(&self, address: String, token: Option<String>) {
+        // A host streams at one place only.
+        let _first = self.stream.set((address, token));
+    }
+
+    /// Does what `who` asks for; a request is checked and built as a whole before any of it is
+    /// sent to the run.
+    ///
+    /// # Errors
+    /// Why nothing was changed, in a sentence.
+    pub fn answer(&self, request: &Request, who: &str) -> Answer {
+        self.answer_to(request, who, None)
+    }
+
+    fn answer_to(&self, request: &Request, who: &str, by: FingerOwner) -> Answer {
+        let done = match request {
+            Request::Set { changes } => self.set(changes, who)?,
+            Request::UseInstrument { instrument, keys } => {
+                self.switch(instrument, keys.as_deref(), who)?
+            }
+            Request::Stop {} => return self.stop(who),
+            Request::Press { key, newtons } => {
+                self.run.press(*key, *newtons, by)?;
+                format!("key {key} is pressed with {newtons} N")
+            }
+            Request::Identify { line, board } => self.run.identify(*line, *board)?,
+            Request::Scene {} => return Ok(Reply::Scene { toml: self.written() }),
+            Request::Where {} => return self.whereabouts(),
+            Request::Record { file } => self.run.record(file.as_deref())?,
+        };
+        Ok(Reply::Done { text: done })
+    }
+
+    /// Returns the scene as it sounds now.
+    fn written(&self) -> String {
+        written(&Scene { keys: self.playing().keys.clone(), ..self.scene.clone() })
+    }
+
+    fn whereabouts(&self) -> Answer {
+        let (address, token) = self
+            .stream
+            .get()
+            .cloned()
+            .ok_or("this host streams nothing: start it with --listen 127.0.0.1:8765")?;
+        Ok(Reply::Where { address, token })
+    }
+
+    /// Ends the run, and waits until every board was told.
+    fn stop(&self, who: &str) -> Answer {
+        self.run.emergency.ask();
+        self.run.log(format!("stop asked for by {who}"));
+        self.run.emergency.ask_and_wait()
+    }
+
+    fn set(&self, changes: &[Change], who: &str) -> Result<String, String> {
+        let mut playing = self.playing();
+        let voices = playing.changed(changes)?;
+        let n = voices.len();
+        self.put_in(&mut playing, voices, None, who)?;
+        Ok(format!("{} values on {n} keys", changes.len()))
+    }
+
+    fn switch(&self, name: &str, keys: Option<&str>, who: &str) -> Result<String, String> {
+        let instrument = Instrument::load(name).map_err(|it| it.to_string())?;
+        let Scene { tick_hz, render, .. } = &self.scene;
+        if let Some(unmet) = instrument.needs.unmet(&instrument.name, *tick_hz, render) {
+            return Err(format!("{}; {}", unmet.lacks, unmet.help));
+        }
+        let range = keys.map_or(Ok(KeyRange::ALL), KeyRange::parse).map_err(|it| it.to_string())?;
+        let mut playing = self.playing();
+        let sounding = range.numbers().filter(|key| playing.keys[usize::from(*key)].is_some());
+        let voice = |key| KeyVoice { model: instrument.model(), values: instrument.values(key) };
+        let voices: BTreeMap<_, _> = sounding.map(|key| (key, voice(key))).collect();
+        let n = voices.len();
+        self.put_in(&mut playing, voices, Some(&instrument.name), who)?;
+        let text = format!("{n} keys are now {}", instrument.name);
+        self.tell(&text, who);
+        Ok(text)
+    }
+
+    /// Sends `voices` to their keys: as voices of `instrument`, or else as other values of the
+    /// models that play there.
+    fn put_in(
+        &self,
+        playing: &mut CurrentVoices,
+        voices: BTreeMap<u8, KeyVoice>,
+        instrument: Option<&str>,
+        who: &str,
+    ) -> Result<(), String> {
+        let mut changes = Vec::new();
+        let mut messages = Vec::new();
+        for (key, voice) in &voices {
+            let index = usize::from(*key);
+            let revision = self.run.new_revision();
+            let change = match instrument {
+                Some(_) => self.replacement(voice, revision)?,
+                None => retuning(voice, revision)?,
+            };
+            changes.push((index, change));
+            // Values that are changed are still that instrument's.
+            let source = instrument.or(playing.instruments[index].as_deref());
+            let kept = instrument.is_none();
+            let origin = Origin { revision, instrument: source, writer: who, kept };
+            messages.push(observe::voice(*key, voice, origin));
+        }
+        self.run.send(changes, messages)?;
+        playing.put_in(voices, instrument);
+        Ok(())
+    }
+
+    /// Builds `voice` as a whole.
+    fn replacement(&self, voice: &KeyVoice, revision: u32) -> Result<VoiceChange, String> {
+        let builder = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
+        let built = builder.numbered(voice, self.run.new_cell(), revision);
+        Ok(VoiceChange::Replace(built.map_err(|error| error.to_string())?))
+    }
+
+    /// Sends to telemetry that `who` did something.
+    fn tell(&self, text: &str, who: &str) {
+        let event = Event {
+            kind: event::Kind::Change.into(),
+            key: observe::NO_KEY,
+            text: format!("{who}: {text}"),
+            ..Event::default()
+        };
+        self.run.tell(TelemetryMessage::Update(Box::new(Update::Event(event))));
+    }
+
+    fn playing(&self) -> MutexGuard<'_, CurrentVoices> {
+        self.playing.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Returns `request` with the paths of the files that a client of the stream may name.
+    fn confined(&self, request: Request) -> Result<Request, String> {
+        Ok(match request {
+            Request::UseInstrument { instrument, keys } => {
+                Request::UseInstrument { instrument: self.folders.instrument(&instrument)?, keys }
+            }
+            Request::Record { file: Some(file) } => {
+                Request::Record { file: Some(self.folders.recording(&file)?) }
+            }
+            Request::Record { file: None }
+            | Request::Set { .. }
+            | Request::Stop {}
+            | Request::Press { .. }
+            | Request::Identify { .. }
+            | Request::Scene {}
+            | Request::Where {} => request,
+        })
+    }
+}
+
+/// Returns the values of `voice` for the voice of the same model that plays.
+fn retuning(voice: &KeyVoice, revision: u32) -> Result<VoiceChange, String> {
+    let values = ModelValues::new(voice.model.name, revision, &voice.values);
+    let many = || format!("{} has too many parameters to be changed", voice.model.name);
+    values.map(VoiceChange::Retune).ok_or_else(many)
+}
+
+impl Answers for RequestHandler {
+    fn reply_to(&self, request: &Request) -> Answer {
+        let who = if matches!(request, Request::Stop {}) { "`letoff stop`" } else { "letoff" };
+        self.answer(request, who)
+    }
+}
+
+impl Backend for RequestHandler {
+    fn parameters(&self, names: Option<&[String]>) -> Vec<ParameterSetting> {
+        let playing = self.playing();
+        let Some(names) = names else { return playing.settings() };
+        names.iter().filter_map(|name| playing.setting(name)).collect()
+    }
+
+    fn ask(&self, request: Request, who: &Who) -> Answer {
+        let request = self.confined(request)?;
+        self.answer_to(&request, &who.to_string(), Some(who.number))
+    }
+
+    fn connected(&self, who: &Who) {
+        self.run.log(format!("{who} has come"));
+    }
+
+    fn disconnected(&self, who: &Who) {
+        self.run.leave(who.number);
+        self.run.log(format!("{who} has gone"));
+    }
+
+    fn refused(&self, address: SocketAddr, why: &str) {
+        self.run.log(format!("a client at {} was turned away: {why}", address.ip()));
+    }
+}

@@ -1,0 +1,110 @@
+//! The way to the voices of a run, and what they did with energy.
+
+use std::sync::Arc;
+
+use pode::EnergyAudit;
+use realtime::pool::{VoiceChange, VoiceSwaps};
+use voice::AuditCell;
+
+use super::NOT_RUNNING;
+
+/// Numbers voices, sends changes to them and sums up their energy audits.
+#[derive(Debug, Default)]
+pub(super) struct VoicePort {
+    /// The way into the lanes, while there are any.
+    pub(super) swaps: Option<VoiceSwaps>,
+    /// The number that was given last.
+    revisions: u32,
+    audits: EnergySum,
+}
+
+/// The energy audits of all voices that ever played.
+#[derive(Debug, Default)]
+struct EnergySum {
+    /// The sum over voices that are gone.
+    settled: EnergyAudit,
+    /// Cells of voices that may still play.
+    open: Vec<Arc<AuditCell>>,
+}
+
+impl VoicePort {
+    /// Returns the next number of a voice, from 1.
+    pub(super) const fn new_revision(&mut self) -> u32 {
+        self.revisions += 1;
+        self.revisions
+    }
+
+    /// Returns the cell in which one more voice publishes its energy audit.
+    pub(super) fn new_cell(&mut self) -> Arc<AuditCell> {
+        let cell = Arc::new(AuditCell::default());
+        self.audits.settle();
+        self.audits.open.push(Arc::clone(&cell));
+        cell
+    }
+
+    /// Returns the audits of all voices together.
+    pub(super) fn energy(&self) -> EnergyAudit {
+        let mut sum = self.audits.settled;
+        self.audits.open.iter().for_each(|cell| sum.add(&cell.read()));
+        sum
+    }
+
+    /// Sends `changes` to the voices of their keys, after `tell` was called; all or none.
+    ///
+    /// # Errors
+    /// Why none was taken, in a sentence.
+    pub(super) fn send(
+        &mut self,
+        changes: Vec<(usize, VoiceChange)>,
+        tell: impl FnOnce(),
+    ) -> Result<(), String> {
+        let swaps = self.swaps.as_mut().ok_or(NOT_RUNNING)?;
+        let keys: Vec<_> = changes.iter().map(|(key, _change)| *key).collect();
+        swaps.refuse_without_room(&keys)?;
+        tell();
+        for (key, change) in changes {
+            swaps.send(key, change).map_err(|refused| format!("key {key}: {refused}"))?;
+        }
+        Ok(())
+    }
+}
+
+impl EnergySum {
+    /// Adds up the voices that are gone, so that their cells take no room.
+    fn settle(&mut self) {
+        let settled = &mut self.settled;
+        self.open.retain(|cell| {
+            let plays = 1 < Arc::strong_count(cell);
+            if !plays {
+                settled.add(&cell.read());
+            }
+            plays
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn voices_that_are_gone_stay_in_the_sum_and_take_no_room() {
+        let mut port = VoicePort::default();
+        let audit = EnergyAudit { supplied: 1.0, ..EnergyAudit::default() };
+        for _ in 0..100 {
+            port.new_cell().publish(&audit);
+        }
+        let plays = port.new_cell();
+        plays.publish(&audit);
+        assert_eq!(port.energy().supplied.to_bits(), 101.0_f64.to_bits());
+        assert_eq!(port.audits.open.len(), 1);
+    }
+
+    #[test]
+    fn voices_are_numbered_from_one_and_reached_only_while_they_run() {
+        let mut port = VoicePort::default();
+        assert_eq!([port.new_revision(), port.new_revision()], [1, 2]);
+        let refused = port.send(Vec::new(), || panic!("nothing is told of what is refused"));
+        assert_eq!(refused, Err(NOT_RUNNING.to_owned()));
+    }
+}

@@ -1,0 +1,55 @@
+//! The values of a model's parameters, on their way to a voice that plays.
+
+/// Most parameters of a voice's model; a voice of a model with more does not compile.
+pub const MAX_VALUES: usize = 48;
+
+/// One value per parameter of a model, in the unit of each.
+///
+/// It owns no memory, so that the tick takes it from a ring and drops it.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ModelValues {
+    model: &'static str,
+    revision: u32,
+    n: usize,
+    values: [f64; MAX_VALUES],
+}
+
+impl ModelValues {
+    /// Returns `values` for voices of `model`, which are of `revision` from then on; none if
+    /// there are more than [`MAX_VALUES`].
+    pub fn new(model: &'static str, revision: u32, values: &[f64]) -> Option<Self> {
+        let mut all = [0.0; MAX_VALUES];
+        all.get_mut(..values.len())?.copy_from_slice(values);
+        Some(Self { model, revision, n: values.len(), values: all })
+    }
+
+    /// Returns the name of the model that has these parameters.
+    pub const fn model(&self) -> &'static str {
+        self.model
+    }
+
+    /// Returns the number that the voice has among all voices of a run once it has the values.
+    pub const fn revision(&self) -> u32 {
+        self.revision
+    }
+
+    /// Returns the values, in the model's order.
+    pub fn as_slice(&self) -> &[f64] {
+        self.values.get(..self.n).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn as_many_values_as_a_model_may_have_are_kept_in_order() {
+        let all: [f64; MAX_VALUES] = core::array::from_fn(|index| index as f64);
+        let values = ModelValues::new("model", 7, &all).unwrap();
+        assert_eq!((values.model(), values.revision(), values.as_slice()), ("model", 7, &all[..]));
+        let values = ModelValues::new("model", 8, &all[..3]).unwrap();
+        assert_eq!(values.as_slice(), [0.0, 1.0, 2.0]);
+        assert_eq!(ModelValues::new("model", 9, &[0.0; MAX_VALUES + 1]), None);
+    }
+}
