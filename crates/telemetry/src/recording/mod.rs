@@ -2,12 +2,12 @@
 //!
 //! A recording is [MCAP](https://mcap.dev): the same topics and messages as on the stream, with
 //! their schemas, in compressed chunks.
-//! [`Recorder`] writes one and goes on in another file when one is full, [`RecordingHandle`] reads what
+//! [`Recorder`] writes one and goes on in another file when one is full, [`Recording`] reads what
 //! is there of one, [`Playback`] lets a window see it as if it were live, [`BlackBox`] keeps the
 //! last seconds to be written when something fails, [`recover`] makes a complete file of one that
 //! breaks off, and [`export_csv`] makes tables of it.
 //!
-//! Nothing here reads a clock: time comes with the messages, or from whoever calls.
+//! Nothing here reads a clock: time comes with the messages, or from the caller.
 //!
 //! A file holds, in this order:
 //!
@@ -28,6 +28,7 @@ mod blackbox;
 mod chunk;
 mod csv;
 mod error;
+mod file_bytes;
 mod format;
 mod index;
 mod latest;
@@ -35,7 +36,7 @@ mod marks;
 mod part;
 mod part_file;
 mod playback;
-mod raw;
+mod raw_message;
 mod reader;
 mod recover;
 mod rows;
