@@ -11,7 +11,7 @@ mod mouse;
 
 use eframe::egui::{CentralPanel, Context, Ui, ViewportBuilder, ViewportId};
 
-use super::nothing_ui;
+use super::{Pane, nothing_ui};
 use crate::app_state::AppState;
 use crate::scope::trigger::On;
 
