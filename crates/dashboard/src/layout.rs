@@ -1,91 +1,37 @@
-//! Which panels there are, and how they stand at first.
+//! Where panels stand: at first, and when one is opened or closed.
 
 use eframe::egui;
 use egui_tiles::{Linear, LinearDir, TileId, Tiles, Tree};
-use serde::{Deserialize, Serialize};
 
-/// A panel.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
-pub enum Pane {
-    /// All keys at a glance.
-    Overview,
-    /// A key's mechanism, to scale.
-    Mechanism,
-    /// A scope, by its number.
-    Scope(u8),
-    Phase,
-    Tuning,
-    /// Which instrument plays which keys.
-    Instruments,
-    /// When ticks were done.
-    Deadlines,
-    Links,
-    /// What was sent to a synthesizer.
-    Midi,
-    /// What went wrong, and what to do.
-    Faults,
-    /// Where a recording is.
-    Timeline,
-    Keyboard,
-    /// What people should read.
-    Log,
-}
+use crate::panels::Pane;
 
-impl Pane {
-    /// Every panel; scopes beyond the first are opened from the menu.
-    pub const ALL: [Self; 13] = [
-        Self::Overview,
-        Self::Mechanism,
-        Self::Scope(0),
-        Self::Phase,
-        Self::Tuning,
-        Self::Instruments,
-        Self::Deadlines,
-        Self::Links,
-        Self::Midi,
-        Self::Faults,
-        Self::Timeline,
-        Self::Keyboard,
-        Self::Log,
-    ];
-
-    /// Its title.
-    pub fn title(self) -> String {
-        let title = match self {
-            Self::Overview => "Keys",
-            Self::Mechanism => "Mechanism",
-            Self::Scope(0) => "Scope",
-            Self::Scope(number) => return format!("Scope {}", number + 1),
-            Self::Phase => "Force and travel",
-            Self::Tuning => "Tuning",
-            Self::Instruments => "Instruments",
-            Self::Deadlines => "Deadlines",
-            Self::Links => "Links",
-            Self::Midi => "MIDI",
-            Self::Faults => "Faults",
-            Self::Timeline => "Timeline",
-            Self::Keyboard => "Keyboard",
-            Self::Log => "Log",
-        };
-        title.to_owned()
-    }
-}
-
-/// How panels stand.
+/// The tree of tiles in which panels stand.
 pub(crate) type Layout = Tree<Pane>;
 
-/// How they stand at first: keys above, scope and tuning below, the rest in tabs.
+/// Panels above the others.
+const ABOVE: &[Pane] = &[Pane::Overview];
+/// Panels in the largest tile.
+const MIDDLE: &[Pane] = &[Pane::Scope(0), Pane::Deadlines, Pane::Links, Pane::Timeline];
+const LEFT: &[Pane] = &[Pane::Mechanism, Pane::Phase, Pane::Keyboard];
+const RIGHT: &[Pane] = &[Pane::Tuning, Pane::Instruments];
+/// Panels below those at the left; one that is named nowhere stands behind them.
+const BELOW_LEFT: &[Pane] = &[Pane::Faults, Pane::Midi, Pane::Log];
+
+/// Returns the layout of a window that opens for the first time.
 pub(crate) fn first() -> Layout {
+    let named = [ABOVE, MIDDLE, LEFT, RIGHT, BELOW_LEFT].concat();
+    let others = Pane::ALL.iter().copied().filter(|pane| !named.contains(pane));
+    let below_left: Vec<Pane> = BELOW_LEFT.iter().copied().chain(others).collect();
     let mut tiles = Tiles::default();
-    let keys = tabs(&mut tiles, &[Pane::Overview]);
-    let scope = tabs(&mut tiles, &[Pane::Scope(0), Pane::Deadlines, Pane::Links, Pane::Timeline]);
-    let mechanism = tabs(&mut tiles, &[Pane::Mechanism, Pane::Phase, Pane::Keyboard]);
-    let tuning = tabs(&mut tiles, &[Pane::Tuning, Pane::Instruments]);
-    let messages = tabs(&mut tiles, &[Pane::Faults, Pane::Midi, Pane::Log]);
-    let left = pair(&mut tiles, LinearDir::Vertical, [mechanism, messages], 0.62);
-    let right = pair(&mut tiles, LinearDir::Horizontal, [scope, tuning], 0.6);
+    let above = tabs(&mut tiles, ABOVE);
+    let middle = tabs(&mut tiles, MIDDLE);
+    let left = tabs(&mut tiles, LEFT);
+    let right = tabs(&mut tiles, RIGHT);
+    let below_left = tabs(&mut tiles, &below_left);
+    let left = pair(&mut tiles, LinearDir::Vertical, [left, below_left], 0.62);
+    let right = pair(&mut tiles, LinearDir::Horizontal, [middle, right], 0.6);
     let below = pair(&mut tiles, LinearDir::Horizontal, [left, right], 0.29);
-    let root = pair(&mut tiles, LinearDir::Vertical, [keys, below], 0.25);
+    let root = pair(&mut tiles, LinearDir::Vertical, [above, below], 0.25);
     Tree::new(egui::Id::unique("panels"), root, tiles)
 }
 
@@ -98,7 +44,7 @@ fn pair(tiles: &mut Tiles<Pane>, dir: LinearDir, pair: [TileId; 2], share: f32) 
     tiles.insert_container(Linear::new_binary(dir, pair, share))
 }
 
-/// Shows a panel: brings it to the front, or opens it beside the others.
+/// Brings a panel to the front, and opens it beside the others if it is closed.
 pub(crate) fn open(layout: &mut Layout, pane: Pane) {
     let found = layout.tiles.find_pane(&pane);
     let tile = found.unwrap_or_else(|| layout.tiles.insert_pane(pane));
@@ -113,20 +59,20 @@ pub(crate) fn open(layout: &mut Layout, pane: Pane) {
     layout.make_active(|id, _| id == tile);
 }
 
-/// The tabs in which a new panel stands: the largest, where the scope usually is.
+/// Returns the tabs in which an opened panel stands: the largest, those of the scope.
 fn beside(layout: &Layout, root: TileId) -> TileId {
     let scope = layout.tiles.find_pane(&Pane::Scope(0));
     scope.and_then(|scope| layout.tiles.parent_of(scope)).unwrap_or(root)
 }
 
-/// Closes a panel.
+/// Closes a panel, if it is open.
 pub(crate) fn close(layout: &mut Layout, pane: Pane) {
     if let Some(tile) = layout.tiles.find_pane(&pane) {
         layout.remove_recursively(tile);
     }
 }
 
-/// Whether a panel is open.
+/// Returns whether a panel is open.
 pub(crate) fn is_open(layout: &Layout, pane: Pane) -> bool {
     layout.tiles.find_pane(&pane).is_some()
 }
@@ -139,7 +85,7 @@ mod tests {
     fn every_panel_stands_somewhere_at_first() {
         let layout = first();
         for pane in Pane::ALL {
-            assert!(is_open(&layout, pane), "{pane:?}");
+            assert!(is_open(&layout, *pane), "{pane:?}");
         }
     }
 

@@ -6,11 +6,11 @@
 //! | folder | what stands there |
 //! |---|---|
 //! | [`store`] | what has arrived, as much of it as is kept |
-//! | [`tune`] | parameters under somebody's hands |
+//! | [`tune`] | parameters that are tuned: shown, asked for, taken back |
 //! | [`scope`] | what a scope shows, and when it holds still |
-//! | `panels` | one file for each panel: it draws, and nothing more |
+//! | `panels` | one file for each panel: what it remembers, and how it is drawn |
 //! | [`app`] | the window around them |
-//! | [`pump`] | a live source on its own thread, so that a still keyboard costs no frames |
+//! | [`source_thread`] | a live source on its own thread, so that a still keyboard costs no frames |
 //! | [`demo`] | a source without a host |
 //!
 //! Nothing here knows a key's physics, waits, or reads a clock that it was not given.
@@ -18,19 +18,19 @@
 #![forbid(unsafe_code)]
 
 pub mod app;
+mod app_state;
 pub mod demo;
-mod desk;
-mod explain;
-mod fill;
+mod fault_text;
 mod layout;
-mod look;
 pub mod names;
 mod number;
 pub mod open;
 mod panels;
-pub mod pump;
 pub mod scope;
+pub mod source_thread;
 pub mod store;
+mod theme;
+mod triangulate;
 pub mod tune;
 mod unit;
 
@@ -38,15 +38,15 @@ use std::sync::Arc;
 use std::time::Duration;
 
 pub use app::{App, SavedWindow};
-pub use layout::Pane;
+pub use panels::Pane;
 
-/// Nanoseconds since 1970.
+/// A clock of the system's time (ns since 1970).
 pub type WallClock = Arc<dyn Fn() -> u64 + Send + Sync>;
 
 /// Called from any thread when something has arrived: how soon it is worth a frame.
 pub type RepaintWaker = Arc<dyn Fn(Duration) + Send + Sync>;
 
-/// The time of the day.
+/// Returns a clock of the system's time (ns since 1970).
 pub fn wall_clock() -> WallClock {
     Arc::new(|| {
         let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);

@@ -10,7 +10,7 @@ use dashboard::open::{Sentence, WindowTarget, open};
 use dashboard::{App, RepaintWaker, SavedWindow, wall_clock};
 use eframe::egui;
 
-/// Where a host listens if nobody says otherwise.
+/// The address at which hosts listen by default.
 const USUAL: &str = "127.0.0.1:8765";
 
 /// Shows what a host of force-feedback keys does, and changes it.
@@ -79,7 +79,7 @@ fn run(arguments: Arguments) -> Result<(), Sentence> {
     eframe::run_native("letoff-dashboard", options, Box::new(create)).map_err(|it| sentence(&it))
 }
 
-/// What to do about it.
+/// Returns what to do about an error of the window system.
 fn sentence(error: &eframe::Error) -> Sentence {
     // The last part says it; those before are places in other people's sources.
     let cause = error.to_string();

@@ -2,57 +2,33 @@
 
 use std::ops::RangeInclusive;
 
-use telemetry::KEYS;
+use telemetry::KeyIndex;
 
-/// Semitones of A0 above C0.
-const LOWEST: u8 = 9;
+/// The number of the last key, C8.
+pub const LAST: u8 = KeyIndex::HIGHEST.number();
 
-/// The last key.
-pub const LAST: u8 = 87;
-
-/// The name of `key`, as `C#4`.
+/// Returns the name of `key`, as `C#4`.
 pub fn name(key: u8) -> String {
     telemetry::key_name(key.into())
 }
 
-/// Whether `key` is a black one.
+/// Returns whether `key` is a black one.
 pub fn is_black(key: u8) -> bool {
-    matches!(key.saturating_add(LOWEST) % 12, 1 | 3 | 6 | 8 | 10)
+    let semitone = key.saturating_add(KeyIndex::LOWEST.midi()) % 12;
+    matches!(semitone, 1 | 3 | 6 | 8 | 10)
 }
 
-/// White keys below `key`.
+/// Returns the number of white keys below `key`.
 pub fn whites_below(key: u8) -> usize {
     (0..key).filter(|key| !is_black(*key)).count()
 }
 
-/// The key called `name`, with sharps or flats.
+/// Returns the key of a note's name, with sharps or flats, or of a MIDI number.
 pub fn key(name: &str) -> Option<u8> {
-    let name = name.trim();
-    let at = name.find(|c: char| c.is_ascii_digit())?;
-    let (letter, octave) = name.split_at(at);
-    let octave: i32 = octave.parse().ok()?;
-    let mut marks = letter.chars();
-    let step = match marks.next()?.to_ascii_uppercase() {
-        'C' => 0,
-        'D' => 2,
-        'E' => 4,
-        'F' => 5,
-        'G' => 7,
-        'A' => 9,
-        'B' => 11,
-        _ => return None,
-    };
-    let shift = match marks.as_str() {
-        "" => 0,
-        "#" => 1,
-        "b" => -1,
-        _ => return None,
-    };
-    let key = octave.checked_mul(12)? + step + shift - i32::from(LOWEST);
-    u8::try_from(key).ok().filter(|key| usize::from(*key) < KEYS)
+    name.parse().ok().map(KeyIndex::number)
 }
 
-/// A range's name, as `C4..B5`; a key's own where it is one.
+/// Returns the range's name, as `C4..B5`; a key's own where it is one.
 pub fn range_name(range: &RangeInclusive<u8>) -> String {
     if range.start() == range.end() {
         name(*range.start())
@@ -61,7 +37,7 @@ pub fn range_name(range: &RangeInclusive<u8>) -> String {
     }
 }
 
-/// The range called `name`: `C4..B5`, `C4` or `all`.
+/// Returns the range that `text` names: `C4..B5`, `C4` or `all`.
 pub fn range(text: &str) -> Option<RangeInclusive<u8>> {
     let text = text.trim();
     if text.is_empty() || text.eq_ignore_ascii_case("all") {

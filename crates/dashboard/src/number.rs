@@ -1,17 +1,17 @@
 //! From one kind of number to another, where a screen does not need the difference.
 
-/// `x` with a screen's accuracy.
+/// Returns `x` with a screen's accuracy.
 #[expect(clippy::cast_possible_truncation, reason = "a pixel has no more")]
 pub(crate) const fn f32(x: f64) -> f32 {
     x as f32
 }
 
-/// `n` as a number to draw with.
+/// Returns `n` as a number to draw with.
 pub(crate) const fn f64(n: usize) -> f64 {
     n as f64
 }
 
-/// The whole number below `x`; 0 if there is none.
+/// Returns the whole number below `x`; 0 if there is none.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -21,7 +21,7 @@ pub(crate) const fn floor(x: f64) -> u64 {
     x as u64
 }
 
-/// [`floor`] for an index.
+/// Returns [`floor`] as an index.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -31,7 +31,7 @@ pub(crate) const fn index(x: f64) -> usize {
     x as usize
 }
 
-/// A part of 255, for colours.
+/// Returns a part of 255, for colours.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -41,12 +41,12 @@ pub(crate) const fn byte(x: f32) -> u8 {
     x as u8
 }
 
-/// The key `n` is, if it is one: 0 (A0) to 87 (C8).
+/// Returns `n` as a key, if it is one: 0 (A0) to 87 (C8).
 pub(crate) fn key(n: u32) -> Option<u8> {
-    u8::try_from(n).ok().filter(|key| usize::from(*key) < telemetry::KEYS)
+    u8::try_from(n).ok().and_then(telemetry::KeyIndex::new).map(telemetry::KeyIndex::number)
 }
 
-/// The largest of 1, 2 and 5 times a power of ten up to `x`; 1 where there is none.
+/// Returns the largest of 1, 2 and 5 times a power of ten up to `x`; 1 where there is none.
 pub(crate) fn round(x: f64) -> f64 {
     if !(x.is_finite() && 0.0 < x) {
         return 1.0;

@@ -1,4 +1,4 @@
-//! From what somebody typed to a source.
+//! Opens what was typed: a host, a recording, or the demonstration.
 
 use std::fmt;
 use std::sync::Arc;
@@ -9,33 +9,33 @@ use telemetry::recording::{Playback, Recording};
 use telemetry::stream::{Client, Dial, Fingerprint};
 
 use crate::demo::Demo;
-use crate::pump::{Notifier, SourceThread};
+use crate::source_thread::{Notifier, SourceThread};
 use crate::{RepaintWaker, wall_clock};
 
 /// How often the demonstration has something new.
 const DEMO_PERIOD: Duration = Duration::from_millis(33);
 
-/// Where a window looks.
+/// What a window shows.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum WindowTarget {
     /// A host that runs.
     Host {
-        /// Where it listens: `host:port` or `ws://…`.
+        /// The address: `host:port` or `ws://…`.
         address: String,
-        /// What allows to change something.
+        /// The token that allows changes.
         token: Option<String>,
-        /// What its certificate must be.
+        /// The fingerprint of its certificate.
         fingerprint: Option<String>,
     },
     Recording {
         file: String,
     },
-    /// Neither: something to look at.
+    /// A simulated host, to look at.
     Demonstration,
 }
 
 impl WindowTarget {
-    /// What `text` means: a file if it ends in `.mcap` or there is one, else an address.
+    /// Returns a recording if `text` ends in `.mcap` or is a file, else the host at this address.
     pub fn of(text: &str, token: Option<String>, fingerprint: Option<String>) -> Self {
         let path = std::path::Path::new(text);
         let is_recording = path.extension().is_some_and(|it| it.eq_ignore_ascii_case("mcap"));
@@ -46,7 +46,7 @@ impl WindowTarget {
     }
 }
 
-/// Why something cannot be opened, and what to do, in a sentence.
+/// An error as a sentence: what cannot be opened, and what to do.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Sentence(pub String);
 
@@ -67,11 +67,11 @@ pub fn open(target: &WindowTarget, wake: &RepaintWaker) -> Result<Box<dyn Source
         WindowTarget::Host { address, token, fingerprint } => {
             let pin = fingerprint.as_deref().map(pin).transpose()?;
             let dial = Dial { address: address.clone(), token: token.clone(), pin };
-            let make = |bell: Notifier| -> Result<Box<dyn Source + Send>, Sentence> {
-                let ring = move || {
-                    let _gone = bell.ring();
+            let make = |notifier: Notifier| -> Result<Box<dyn Source + Send>, Sentence> {
+                let notify = move || {
+                    let _gone = notifier.notify();
                 };
-                Ok(Box::new(Client::connect(dial, Some(Box::new(ring)))))
+                Ok(Box::new(Client::connect(dial, Some(Box::new(notify)))))
             };
             Ok(Box::new(SourceThread::start(make, Arc::clone(wake))?))
         }
@@ -82,8 +82,8 @@ pub fn open(target: &WindowTarget, wake: &RepaintWaker) -> Result<Box<dyn Source
             Ok(Box::new(Playback::new(recording, clock)))
         }
         WindowTarget::Demonstration => {
-            let make = |bell| -> Result<Box<dyn Source + Send>, Sentence> {
-                ring_often(bell);
+            let make = |notifier| -> Result<Box<dyn Source + Send>, Sentence> {
+                notify_often(notifier);
                 Ok(Box::new(Demo::live(wall_clock())))
             };
             Ok(Box::new(SourceThread::start(make, Arc::clone(wake))?))
@@ -91,17 +91,17 @@ pub fn open(target: &WindowTarget, wake: &RepaintWaker) -> Result<Box<dyn Source
     }
 }
 
-/// What a host's certificate must be.
+/// Parses the fingerprint of a host's certificate.
 fn pin(text: &str) -> Result<Fingerprint, Sentence> {
     text.parse().map_err(|_no_fingerprint| {
         Sentence(format!("{text} is no fingerprint: copy the one that the host printed, AB:CD:…"))
     })
 }
 
-/// The demonstration is made while it is looked at: nobody else knows that it has something.
-fn ring_often(bell: Notifier) {
+/// Wakes the window again and again: the demonstration is computed when it is looked at.
+fn notify_often(notifier: Notifier) {
     std::thread::spawn(move || {
-        while bell.ring() {
+        while notifier.notify() {
             std::thread::sleep(DEMO_PERIOD);
         }
     });
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn a_host_that_is_not_there_is_tried_again() {
         let wake: RepaintWaker = Arc::new(|_| {});
-        // Nobody listens on a port that was just given back.
+        // No host listens at a port that was just given back.
         let port = std::net::TcpListener::bind("127.0.0.1:0").and_then(|it| it.local_addr());
         let host = WindowTarget::of(&port.expect("a port").to_string(), None, None);
         let source = open(&host, &wake).expect("a source");

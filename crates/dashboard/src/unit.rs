@@ -9,7 +9,7 @@ pub(crate) struct Shown {
     pub(crate) factor: f64,
 }
 
-/// How `unit` is shown on scopes.
+/// Returns how `unit` is shown on scopes.
 pub(crate) fn shown(unit: &str) -> Option<Shown> {
     let (unit, factor) = match unit {
         "m" => ("mm", 1e3),
@@ -19,14 +19,14 @@ pub(crate) fn shown(unit: &str) -> Option<Shown> {
     Some(Shown { unit, factor })
 }
 
-/// `value` of `unit` in as many digits as are worth reading.
+/// Formats `value` with its unit in as many digits as are worth reading.
 pub(crate) fn text(value: f64, unit: &str) -> String {
     let (value, unit) =
         shown(unit).map_or((value, unit), |shown| (value * shown.factor, shown.unit));
     join(&digits(value), unit)
 }
 
-/// A number in four digits.
+/// Formats a number in four digits.
 pub(crate) fn digits(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {
@@ -49,7 +49,7 @@ pub(crate) fn digits(value: f64) -> String {
     }
 }
 
-/// A number in five digits, for where it can be typed: what is read there is what is meant.
+/// Formats a number in five digits, for fields in which it can be typed.
 pub(crate) fn exact(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {
@@ -62,7 +62,7 @@ pub(crate) fn exact(value: f64) -> String {
     trimmed(&format!("{value:.places$}"))
 }
 
-/// A time or a length of time in words.
+/// Formats a time or a length of time.
 pub(crate) fn seconds(seconds: f64) -> String {
     let size = seconds.abs();
     if size < 1e-3 {
@@ -74,17 +74,17 @@ pub(crate) fn seconds(seconds: f64) -> String {
     }
 }
 
-/// `unit` in brackets; nothing at all where there is none.
+/// Formats `unit` in brackets; nothing at all where there is none.
 pub(crate) fn bracketed(unit: &str) -> String {
     if is_none(unit) { String::new() } else { format!("[{unit}]") }
 }
 
-/// `name` with its unit in brackets behind it.
+/// Formats `name` with its unit in brackets behind it.
 pub(crate) fn named(name: &str, unit: &str) -> String {
     join(name, &bracketed(unit))
 }
 
-/// `unit` behind a number.
+/// Formats `unit` as it stands behind a number.
 pub(crate) fn suffix(unit: &str) -> String {
     join("", unit)
 }
@@ -97,7 +97,7 @@ fn trimmed(digits: &str) -> String {
     }
 }
 
-/// Whether a quantity has no unit: models write 1 for it.
+/// Returns whether a quantity has no unit: models write 1 for it.
 fn is_none(unit: &str) -> bool {
     unit.is_empty() || unit == "1"
 }

@@ -10,7 +10,7 @@ use telemetry::{
 };
 
 use crate::common::snapshot::Canvas;
-use crate::common::{Behind, Hand, source};
+use crate::common::{Behind, TestClock, source};
 
 const KEY: u32 = 39;
 
@@ -101,12 +101,12 @@ fn machine(odd: f64) -> Vec<Update> {
 #[test]
 fn messages_that_make_no_sense_do_not_stop_the_window() {
     for odd in ODD {
-        let hand = Hand::default();
-        let (source, _) = source(&hand, Behind::Live);
+        let time = TestClock::default();
+        let (source, _) = source(&time, Behind::Live);
         let mut canvas = Canvas::new([900, 600], Theme::Dark, |ctx: &egui::Context| {
-            App::new(source, hand.clock(), None, ctx)
+            App::new(source, time.clock(), None, ctx)
         });
-        canvas.play(&hand, 1.0);
+        canvas.play(&time, 1.0);
         for update in [block(odd, 2_000), overview(odd), voice(odd)] {
             canvas.app().take(u64::MAX, update);
         }
@@ -115,7 +115,7 @@ fn messages_that_make_no_sense_do_not_stop_the_window() {
         }
         canvas.app().take(0, block(odd, u64::MAX - 1));
         for pane in Pane::ALL {
-            canvas.app().show_only(pane);
+            canvas.app().show_only(*pane);
             assert!(!canvas.step(Vec::new()).is_empty() && !canvas.step(Vec::new()).is_empty());
         }
     }

@@ -4,7 +4,7 @@ use dashboard::{App, Pane, SavedWindow};
 use eframe::egui::{Event, Key, Modifiers, Theme};
 
 use crate::common::snapshot::Canvas;
-use crate::common::{Behind, Hand, source};
+use crate::common::{Behind, TestClock, source};
 
 /// A canvas after `seconds` of the demonstration.
 fn canvas(
@@ -14,14 +14,14 @@ fn canvas(
     seconds: f64,
     set: impl FnOnce(&mut App),
 ) -> Canvas {
-    let hand = Hand::default();
-    let (source, _) = source(&hand, behind);
+    let time = TestClock::default();
+    let (source, _) = source(&time, behind);
     let mut canvas = Canvas::new(size, theme, |ctx| {
-        let mut app = App::new(source, hand.clock(), None, ctx);
+        let mut app = App::new(source, time.clock(), None, ctx);
         set(&mut app);
         app
     });
-    canvas.play(&hand, seconds);
+    canvas.play(&time, seconds);
     canvas
 }
 
@@ -67,6 +67,30 @@ fn a_stop_that_may_not_have_been_done() {
     stopped(Behind::Vanishing, [620, 420], Theme::Light).check("stop_unconfirmed");
 }
 
+/// Panels with a picture of their own below, or in which a demonstration shows nothing.
+const NAMED: [Pane; 13] = [
+    Pane::Overview,
+    Pane::Mechanism,
+    Pane::Phase,
+    Pane::Tuning,
+    Pane::Instruments,
+    Pane::Deadlines,
+    Pane::Links,
+    Pane::Midi,
+    Pane::Faults,
+    Pane::Timeline,
+    Pane::Keyboard,
+    Pane::Log,
+    Pane::Scope(0),
+];
+
+#[test]
+fn every_other_panel() {
+    for pane in Pane::ALL.iter().filter(|pane| !NAMED.contains(pane)) {
+        check_panel(*pane, &format!("{pane:?}").to_lowercase());
+    }
+}
+
 #[test]
 fn overview() {
     check_panel(Pane::Overview, "overview");
@@ -99,17 +123,17 @@ fn scope_with_cursors() {
 
 #[test]
 fn scope_of_two_keys() {
-    let hand = Hand::default();
+    let time = TestClock::default();
     let mut canvas = Canvas::new([760, 420], Theme::Dark, |ctx| {
         let window = |memory| {
-            let (source, _) = source(&hand, Behind::Live);
-            App::new(source, hand.clock(), memory, ctx)
+            let (source, _) = source(&time, Behind::Live);
+            App::new(source, time.clock(), memory, ctx)
         };
         let mut app = window(None);
         app.show_only(Pane::Scope(0));
         window(Some(compared(app.memory(ctx).text())))
     });
-    canvas.play(&hand, 3.0);
+    canvas.play(&time, 3.0);
     canvas.check("scope_compared");
 }
 

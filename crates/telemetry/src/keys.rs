@@ -1,25 +1,13 @@
-//! Keys of a full compass, and what they are called.
+//! What the numbers of keys in messages are called.
 
-/// Keys of a full compass: A0 to C8.
-pub const KEYS: usize = 88;
+use keyboard::KeyIndex;
 
-/// Semitones from C on.
-const NAMES: [&str; 12] = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
-
-/// Semitones of A0, the lowest key, above C0.
-const LOWEST: usize = 9;
-
-/// The name of `key`, 0 (A0) to 87 (C8), in scientific pitch notation with sharps: `C#4`.
+/// Returns the name of `key`, 0 (A0) to 87 (C8), in scientific pitch notation with sharps: `C#4`.
 ///
 /// A number beyond the compass is no key and says so, as `key 255`.
 pub fn key_name(key: u32) -> String {
-    match usize::try_from(key) {
-        Ok(key) if key < KEYS => {
-            let semitone = key + LOWEST;
-            format!("{}{}", NAMES[semitone % NAMES.len()], semitone / NAMES.len())
-        }
-        Ok(_) | Err(_) => format!("key {key}"),
-    }
+    let index = u8::try_from(key).ok().and_then(KeyIndex::new);
+    index.map_or_else(|| format!("key {key}"), |index| index.to_string())
 }
 
 #[cfg(test)]

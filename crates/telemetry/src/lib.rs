@@ -31,7 +31,8 @@ pub mod source;
 pub mod stream;
 pub mod topic;
 
-pub use keys::{KEYS, key_name};
+pub use keyboard::{KEYS, KeyIndex};
+pub use keys::key_name;
 pub use messages::*;
 pub use request::{Reply, Request};
 pub use source::{Arrival, ConnectionState, Source, Timeline};

@@ -6,61 +6,58 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(tag = "service", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Request {
-    /// Other values for parameters of voices: all of them or none.
-    Set {
-        /// What shall be changed.
-        changes: Vec<Change>,
-    },
-    /// Another instrument for a range of keys, as `C4..B5`; all without.
+    /// Sets parameters of voices: all of them or none.
+    Set { changes: Vec<Change> },
+    /// Lets another instrument play a range of keys, as `C4..B5`; all without.
     UseInstrument {
-        /// An instrument's name or file.
+        /// Name or file of the instrument.
         instrument: String,
         keys: Option<String>,
     },
-    /// No force on any key from the next tick on, and an end.
+    /// Takes the force off all keys from the next tick on, and ends the run.
     Stop {},
-    /// The simulated finger on a key presses so hard; nothing lets go.
+    /// Presses a key with its simulated finger; a force of zero releases it.
     Press {
-        /// Which key, 0 (A0) to 87 (C8).
+        /// Number of the key, 0 (A0) to 87 (C8).
         key: u8,
-        /// How hard (N).
+        /// Force of the finger (N).
         newtons: f64,
     },
-    /// A board shows its light.
+    /// Lets a board show its light.
     Identify {
-        /// Which line, in the order of the scene.
+        /// Number of the line, in the order of the scene.
         line: u32,
         board: u32,
     },
-    /// The scene as it sounds now, as a file.
+    /// Asks for the scene as it sounds now, as the text of a file.
     Scene {},
-    /// Where the host streams what it tells.
+    /// Asks for the address of the host's stream.
     Where {},
-    /// Begins to record, or ends.
+    /// Begins a recording, or ends it.
     Record {
-        /// Where to; `None` ends the recording.
+        /// File of the recording; `None` ends it.
         file: Option<String>,
     },
 }
 
-/// Another value for a parameter.
+/// A new value of a parameter.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Change {
-    /// Which key, 0 (A0) to 87 (C8).
+    /// Number of the key, 0 (A0) to 87 (C8).
     pub key: u8,
     pub parameter: String,
-    /// Its value, in the parameter's unit.
+    /// Value in the parameter's unit.
     pub value: f64,
 }
 
 impl Change {
-    /// Its name as a parameter of the stream: `/key/<n>/<parameter>`.
+    /// Returns the parameter's name on the stream: `/key/<n>/<parameter>`.
     pub fn name(&self) -> String {
         format!("/key/{}/{}", self.key, self.parameter)
     }
 
-    /// What the parameter `name` of the stream means, if it is one.
+    /// Returns the change of the stream's parameter `name`, if there can be one.
     pub fn named(name: &str, value: f64) -> Option<Self> {
         let (key, parameter) = name.strip_prefix("/key/")?.split_once('/')?;
         let key = key.parse().ok().filter(|key| usize::from(*key) < crate::KEYS)?;
@@ -68,31 +65,31 @@ impl Change {
     }
 }
 
-/// What became of a request.
+/// The host's answer to a request.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(tag = "reply", rename_all = "snake_case")]
 pub enum Reply {
     Done {
-        /// What was done, in a sentence.
+        /// A sentence on what was done.
         text: String,
     },
     /// All forces were taken away, and the run ends.
     Stopped {
-        /// What was done, in a sentence.
+        /// A sentence on what was done.
         text: String,
         /// Boards that were told to render no force.
         told: u32,
         /// Boards that were armed; where fewer were told, cut the power of the others.
         boards: u32,
     },
-    /// The scene as it sounds now.
+    /// The scene as it sounds now, as the text of a file.
     Scene { toml: String },
-    /// Where the host streams what it tells.
+    /// Asks for the address of the host's stream.
     Where {
-        /// Of its stream, as `ws://127.0.0.1:8765`; behind a `#` the fingerprint of its certificate,
-        /// if it has one.
+        /// Address as `ws://127.0.0.1:8765`; behind a `#` the fingerprint of its
+        /// certificate, if it has one.
         address: String,
-        /// What it must be told to be heard.
+        /// Token that the stream asks for.
         token: Option<String>,
     },
 }

@@ -5,67 +5,66 @@ use std::fmt;
 
 use crate::{Reply, Request, Topic, Update};
 
-/// Which request a reply is to.
+/// The number of a request, which its reply carries.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Ticket(pub u64);
 
-/// What a source gives.
+/// What a source delivers.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Arrival {
     /// A message, and when it was made (ns since 1970).
     Update { at: u64, update: Box<Update> },
-    /// What became of a request.
+    /// The answer to a request.
     Reply {
         ticket: Ticket,
-        /// A refusal is a sentence.
+        /// The reply, or a refusal as a sentence.
         result: Result<Reply, String>,
     },
-    /// A new run, or another place in a recording: what came before is of no use any more.
+    /// A new run, or another place in a recording, begins: messages before it are obsolete.
     Anew,
 }
 
-/// How a source stands.
+/// The state of a source's connection.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ConnectionState {
-    /// Nobody has answered yet.
+    /// The host has not answered yet.
     Connecting,
     Live,
-    /// Nobody answers; it is tried again. Why, in a sentence.
+    /// The host does not answer, for this reason, and is tried again.
     Lost(String),
-    /// It will not give again. Why, in a sentence.
+    /// The host refuses the connection, for this reason, and is not tried again.
     Refused(String),
     Recording,
 }
 
 /// A live host or a recording. Nothing here waits.
 pub trait Source: fmt::Debug {
-    /// What came next, if anything has come.
+    /// Returns what came next, if anything has come.
     fn next(&mut self) -> Option<Arrival>;
 
-    /// From now on these topics, and no others.
+    /// Follows these topics from now on, and no others.
     fn follow(&mut self, topics: &BTreeSet<Topic>);
 
-    /// Asks; the answer is an [`Arrival::Reply`]. A recording refuses.
+    /// Sends a request; its answer is an [`Arrival::Reply`], and that of a recording a refusal.
     fn ask(&mut self, request: Request) -> Ticket;
 
-    /// How it stands.
+    /// Returns the state of the connection.
     fn standing(&self) -> ConnectionState;
 
-    /// Where it comes from, for people: an address or a file.
+    /// Returns the address or the file that it comes from, to be shown.
     fn name(&self) -> String;
 
-    /// Where in time it is, if that can be chosen.
+    /// Returns its timeline, if its time can be chosen.
     fn timeline(&mut self) -> Option<&mut dyn Timeline> {
         None
     }
 }
 
-/// A moment worth finding again.
+/// A moment of a recording that is worth finding again.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Mark {
-    /// When (ns since 1970).
+    /// Time of the moment (ns since 1970).
     pub at: u64,
-    /// What, in a few words.
     pub text: String,
     /// Whether something went wrong.
     pub is_fault: bool,
@@ -73,22 +72,22 @@ pub struct Mark {
 
 /// A source whose time can be chosen.
 pub trait Timeline {
-    /// From when to when it goes (ns since 1970).
+    /// Returns the times of its beginning and its end (ns since 1970).
     fn span(&self) -> (u64, u64);
 
-    /// Where it is (ns since 1970).
+    /// Returns the time at which it is (ns since 1970).
     fn at(&self) -> u64;
 
-    /// Goes there [ns since 1970]: what follows begins with [`Arrival::Anew`] and the seconds
+    /// Goes there (ns since 1970): what follows begins with [`Arrival::Anew`] and the seconds
     /// before it.
     fn seek(&mut self, at: u64);
 
-    /// How many seconds go by in one; 0 stands still.
+    /// Returns the speed: recorded seconds that go by in one; 0 stands still.
     fn speed(&self) -> f64;
 
-    /// Sets [`Timeline::speed`].
+    /// Sets the speed: recorded seconds that go by in one; 0 stands still.
     fn set_speed(&mut self, speed: f64);
 
-    /// Moments worth finding again, as far as they are known yet.
+    /// Returns moments worth finding again, as far as they are known yet.
     fn marks(&self) -> &[Mark];
 }

@@ -5,36 +5,29 @@ use std::fmt;
 use prost::Message as _;
 
 use crate::{
-    Catalogue, Deadlines, Event, KEYS, KeyBlock, KeyState, Links, Log, Midi, Overview, Ticks, Voice,
+    Catalogue, Deadlines, Event, KEYS, KeyBlock, KeyIndex, KeyState, Links, Log, Midi, Overview,
+    Ticks, Voice,
 };
 
-/// Under which name a message travels.
+/// The name under which a message travels.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Topic {
-    /// What there is to see and to change.
     Catalogue,
-    /// What keys are played by.
     Voices,
-    /// All keys at a glance.
     Overview,
-    /// One key, every tick.
     Block(u8),
-    /// One key for viewers of single values.
+    /// One key, for viewers of single values.
     State(u8),
     Events,
-    /// When ticks were done.
     Ticks,
-    /// All ticks so far.
     Deadlines,
     Links,
-    /// What was sent to a synthesizer.
     Midi,
-    /// What people should read.
     Log,
 }
 
 impl Topic {
-    /// Every topic that is not of one key.
+    /// Topics that are not of one key.
     pub const COMMON: [Self; 9] = [
         Self::Catalogue,
         Self::Voices,
@@ -47,18 +40,42 @@ impl Topic {
         Self::Log,
     ];
 
-    /// Every topic.
+    /// Returns every topic, those of keys after the common ones.
     pub fn all() -> impl Iterator<Item = Self> {
         let keys = (0..=u8::MAX).take(KEYS);
         Self::COMMON.into_iter().chain(keys.flat_map(|key| [Self::Block(key), Self::State(key)]))
     }
 
-    /// The topic called `name`, if there is one.
+    /// Returns the topic called `name`, if there is one.
     pub fn named(name: &str) -> Option<Self> {
-        Self::all().find(|topic| topic.to_string() == name)
+        if let Some((key, kind)) = name.strip_prefix("/key/").and_then(|it| it.split_once('/')) {
+            let key = key_number(key)?;
+            return match kind {
+                "block" => Some(Self::Block(key)),
+                "state" => Some(Self::State(key)),
+                _ => None,
+            };
+        }
+        Self::COMMON.into_iter().find(|topic| topic.common_name() == Some(name))
     }
 
-    /// Full name of its messages' type, which [`crate::DESCRIPTORS`] describe.
+    /// Returns the name of a topic that is not of one key.
+    const fn common_name(self) -> Option<&'static str> {
+        match self {
+            Self::Catalogue => Some("/catalogue"),
+            Self::Voices => Some("/voices"),
+            Self::Overview => Some("/keys/overview"),
+            Self::Events => Some("/events"),
+            Self::Ticks => Some("/ticks"),
+            Self::Deadlines => Some("/deadlines"),
+            Self::Links => Some("/links"),
+            Self::Midi => Some("/midi"),
+            Self::Log => Some("/log"),
+            Self::Block(_) | Self::State(_) => None,
+        }
+    }
+
+    /// Returns the full name of its messages' type, which [`crate::DESCRIPTORS`] describe.
     pub const fn schema(self) -> &'static str {
         match self {
             Self::Catalogue => "letoff.telemetry.Catalogue",
@@ -79,19 +96,27 @@ impl Topic {
 impl fmt::Display for Topic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Catalogue => f.write_str("/catalogue"),
-            Self::Voices => f.write_str("/voices"),
-            Self::Overview => f.write_str("/keys/overview"),
             Self::Block(key) => write!(f, "/key/{key}/block"),
             Self::State(key) => write!(f, "/key/{key}/state"),
-            Self::Events => f.write_str("/events"),
-            Self::Ticks => f.write_str("/ticks"),
-            Self::Deadlines => f.write_str("/deadlines"),
-            Self::Links => f.write_str("/links"),
-            Self::Midi => f.write_str("/midi"),
-            Self::Log => f.write_str("/log"),
+            Self::Catalogue
+            | Self::Voices
+            | Self::Overview
+            | Self::Events
+            | Self::Ticks
+            | Self::Deadlines
+            | Self::Links
+            | Self::Midi
+            | Self::Log => f.write_str(self.common_name().unwrap_or_default()),
         }
     }
+}
+
+/// Returns the key of a number that is written as a topic writes it: without a sign or zeros.
+fn key_number(text: &str) -> Option<u8> {
+    let is_plain = text.bytes().all(|byte| byte.is_ascii_digit());
+    let has_zeros = text.len() > 1 && text.starts_with('0');
+    let number = text.parse().ok().filter(|_| is_plain && !has_zeros)?;
+    KeyIndex::new(number).map(KeyIndex::number)
 }
 
 /// Why bytes are no message of a topic.
@@ -99,39 +124,28 @@ impl fmt::Display for Topic {
 #[error("what came under {topic} is no {schema}: {cause}", schema = .topic.schema())]
 pub struct TopicDecodeError {
     pub topic: Topic,
-    /// What is wrong with it.
     pub cause: prost::DecodeError,
 }
 
 /// A message of any topic.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Update {
-    /// Of [`Topic::Catalogue`].
     Catalogue(Catalogue),
-    /// Of [`Topic::Voices`].
     Voice(Voice),
-    /// Of [`Topic::Overview`].
     Overview(Overview),
-    /// Of [`Topic::Block`], whose key is the message's.
     Block(KeyBlock),
-    /// Of [`Topic::State`] of this key.
+    /// A state, which does not say itself of which key it is.
     State(u8, KeyState),
-    /// Of [`Topic::Events`].
     Event(Event),
-    /// Of [`Topic::Ticks`].
     Ticks(Ticks),
-    /// Of [`Topic::Deadlines`].
     Deadlines(Deadlines),
-    /// Of [`Topic::Links`].
     Links(Links),
-    /// Of [`Topic::Midi`].
     Midi(Midi),
-    /// Of [`Topic::Log`].
     Log(Log),
 }
 
 impl Update {
-    /// Where it travels; nowhere if it is of a key that is none.
+    /// Returns the topic under which it travels; none if its key is not one of the 88.
     pub fn topic(&self) -> Option<Topic> {
         let is_key = |key: u8| usize::from(key) < KEYS;
         match self {
@@ -151,7 +165,7 @@ impl Update {
         }
     }
 
-    /// Its bytes.
+    /// Encodes the message as its topic's schema says.
     pub fn encode(&self) -> Vec<u8> {
         match self {
             Self::Catalogue(it) => it.encode_to_vec(),
@@ -168,10 +182,10 @@ impl Update {
         }
     }
 
-    /// The message of `topic` that `bytes` are.
+    /// Decodes a message of `topic`.
     ///
     /// # Errors
-    /// If they are none.
+    /// If the bytes are no such message.
     pub fn decode(topic: Topic, bytes: &[u8]) -> Result<Self, TopicDecodeError> {
         let decoded = match topic {
             Topic::Catalogue => Catalogue::decode(bytes).map(Self::Catalogue),
@@ -205,7 +219,9 @@ mod tests {
         for topic in Topic::all() {
             assert_eq!(Topic::named(&topic.to_string()), Some(topic));
         }
-        for foreign in ["", "/key/88/block", "/key/-1/block", "/key/07/block", "/voices "] {
+        for foreign in
+            ["", "/key/88/block", "/key/-1/block", "/key/07/block", "/voices ", "/key/+7/block"]
+        {
             assert_eq!(Topic::named(foreign), None, "{foreign}");
         }
     }

@@ -15,30 +15,30 @@ use telemetry::stream::{Dial, ServerSettings};
 use telemetry::{Reply, Request, Topic};
 use tokio_tungstenite::tungstenite::{Error, Message};
 
-use crate::stage::synthetic::{self, KEY};
-use crate::stage::{Stage, Stranger, Watcher, eventually, set};
+use crate::test_server::synthetic::{self, KEY};
+use crate::test_server::{RawClient, TestServer, Watcher, eventually, set};
 
 /// A good client, and the host that it is a client of.
 struct Scene {
-    stage: Stage,
+    test_server: TestServer,
     good: Watcher,
     count: u32,
 }
 
 impl Scene {
-    fn on(stage: Stage) -> Self {
+    fn on(test_server: TestServer) -> Self {
         let mut good = Watcher::new(Dial {
-            address: stage.url.clone(),
-            pin: stage.fingerprint,
+            address: test_server.url.clone(),
+            pin: test_server.fingerprint,
             ..Dial::default()
         });
         good.connected();
-        stage.meet(&mut good);
-        Self { stage, good, count: 0 }
+        test_server.meet(&mut good);
+        Self { test_server, good, count: 0 }
     }
 
     fn within(limits: ServerLimits) -> Self {
-        Self::on(Stage::within(limits))
+        Self::on(TestServer::within(limits))
     }
 
     /// The good client sets a value and gets a message.
@@ -49,7 +49,7 @@ impl Scene {
         let done = self.good.ask(Request::Set { changes: vec![change] });
         assert_eq!(done, Ok(Reply::Done { text: "1 set".to_owned() }));
         let overview = synthetic::overview(self.count.into(), 1);
-        self.stage.publisher.publish(1, &overview);
+        self.test_server.publisher.publish(1, &overview);
         self.good.update(|update| (update == overview).then_some(()));
     }
 }
@@ -74,8 +74,8 @@ impl Dice {
     }
 }
 
-fn throw_bytes(stage: &Stage, dice: &mut Dice) {
-    let mut stream = TcpStream::connect(stage.address).expect("a connection");
+fn send_bytes(test_server: &TestServer, dice: &mut Dice) {
+    let mut stream = TcpStream::connect(test_server.address).expect("a connection");
     // The server may well have closed it before the end.
     let _either = stream.write_all(&dice.bytes(4096));
 }
@@ -86,7 +86,7 @@ fn random_bytes() {
     let mut dice = Dice(1);
     for _ in 0..100 {
         for _ in 0..3 {
-            throw_bytes(&scene.stage, &mut dice);
+            send_bytes(&scene.test_server, &mut dice);
         }
         scene.is_served();
     }
@@ -96,10 +96,11 @@ fn random_bytes() {
 fn random_bytes_where_tls_is_spoken() {
     let names = vec!["localhost".to_owned()];
     let tls = Some(Tls::SelfMade { names, folder: None });
-    let mut scene = Scene::on(Stage::with(ServerSettings { tls, ..ServerSettings::default() }));
+    let mut scene =
+        Scene::on(TestServer::with(ServerSettings { tls, ..ServerSettings::default() }));
     let mut dice = Dice(2);
     for _ in 0..50 {
-        throw_bytes(&scene.stage, &mut dice);
+        send_bytes(&scene.test_server, &mut dice);
         scene.is_served();
     }
 }
@@ -153,7 +154,7 @@ fn random_messages() {
     let mut scene = Scene::within(ServerLimits::default());
     let (mut dice, texts) = (Dice(3), texts());
     for _ in 0..20 {
-        let mut stranger = scene.stage.stranger();
+        let mut raw_client = scene.test_server.raw_client();
         for _ in 0..50 {
             let message = match dice.below(4) {
                 0 => Message::text(String::from_utf8_lossy(&dice.bytes(200)).into_owned()),
@@ -161,15 +162,15 @@ fn random_messages() {
                 2 => spoiled_text(&mut dice, &texts),
                 _ => spoiled_bytes(&mut dice),
             };
-            stranger.socket.send(message).expect("nobody is cut for talking nonsense");
+            raw_client.socket.send(message).expect("no client is cut for talking nonsense");
         }
         scene.is_served();
-        // And whoever talked nonsense is still listened to.
-        stranger.say(&FromClient::GetParameters {
+        // A client that sent nonsense is still listened to.
+        raw_client.say(&FromClient::GetParameters {
             parameter_names: vec![],
             id: Some("sense".to_owned()),
         });
-        stranger.hear_text(|message| match message {
+        raw_client.hear_text(|message| match message {
             FromServer::ParameterValues { id: Some(id), .. } if id == "sense" => Some(()),
             _ => None,
         });
@@ -186,15 +187,15 @@ fn a_flood_of_sets_each_of_which_is_answered() {
     // So few that no machine is slow enough to take them all in.
     let mut scene =
         Scene::within(ServerLimits { requests_per_second: 10, ..ServerLimits::default() });
-    let mut stranger = scene.stage.stranger();
+    let mut raw_client = scene.test_server.raw_client();
     let (mut done, mut refused) = (0, 0);
     for round in 0..10 {
         for number in 0..500 {
-            stranger.say(&a_set(round * 500 + number));
+            raw_client.say(&a_set(round * 500 + number));
         }
         scene.is_served();
         for _ in 0..500 {
-            let is_done = stranger.hear_text(|message| match message {
+            let is_done = raw_client.hear_text(|message| match message {
                 FromServer::ParameterValues { id: Some(_), .. } => Some(true),
                 FromServer::Status { level: Level::Error, id: Some(_), message } => {
                     assert!(message.starts_with("too many requests "), "{message}");
@@ -214,17 +215,18 @@ fn a_flood_of_sets_each_of_which_is_answered() {
 fn a_flood_of_which_nothing_is_read() {
     let mut scene = Scene::within(ServerLimits::default());
     for _ in 0..3 {
-        let mut stranger = scene.stage.stranger();
+        let mut raw_client = scene.test_server.raw_client();
         for number in 0..2000 {
             // It is cut when its answers find no room any more.
-            if stranger.socket.send(Message::text(a_set(number).encode().expect("text"))).is_err() {
+            if raw_client.socket.send(Message::text(a_set(number).encode().expect("text"))).is_err()
+            {
                 break;
             }
         }
         scene.is_served();
     }
-    // Whoever is cut takes its fingers from the keys.
-    eventually("the host hears of all three", || scene.stage.host.gone().len() == 3);
+    // A client that is cut takes its fingers from the keys.
+    eventually("the host hears of all three", || scene.test_server.host.gone().len() == 3);
 }
 
 #[test]
@@ -233,8 +235,8 @@ fn a_thousand_clients() {
     let mut scene = Scene::within(limits);
     let (mut inside, mut turned_away) = (Vec::new(), 0);
     for number in 0..1000 {
-        match Stranger::knock(scene.stage.address, "/", &[]) {
-            Ok(stranger) => inside.push(stranger),
+        match RawClient::connect(scene.test_server.address, "/", &[]) {
+            Ok(raw_client) => inside.push(raw_client),
             Err(error) => {
                 assert!(matches!(&*error, Error::Http(it) if it.status().as_u16() == 503));
                 turned_away += 1;
@@ -246,9 +248,9 @@ fn a_thousand_clients() {
     }
     // One place is the good client's.
     assert_eq!((inside.len(), turned_away), (19, 981));
-    // Whoever goes makes room.
+    // A client that goes makes room.
     drop(inside);
-    eventually("there is room", || Stranger::knock(scene.stage.address, "/", &[]).is_ok());
+    eventually("there is room", || RawClient::connect(scene.test_server.address, "/", &[]).is_ok());
     scene.is_served();
 }
 
@@ -257,14 +259,15 @@ fn connections_that_never_say_who_they_are() {
     let handshake = Duration::from_secs(2);
     let mut scene =
         Scene::within(ServerLimits { handshakes: 16, handshake, ..ServerLimits::default() });
-    let mut silent: Vec<_> =
-        (0..60).map(|_| TcpStream::connect(scene.stage.address).expect("a connection")).collect();
+    let mut silent: Vec<_> = (0..60)
+        .map(|_| TcpStream::connect(scene.test_server.address).expect("a connection"))
+        .collect();
     for stream in silent.iter_mut().step_by(2) {
         let _either = stream.write_all(b"GET / HTTP/1.1\r\nHost: x\r\nUpgr");
     }
     scene.is_served();
-    // Somebody new comes in as they time out, though they hold on.
-    let mut new = scene.stage.watcher();
+    // A new client comes in as they time out, though they hold on.
+    let mut new = scene.test_server.watcher();
     assert!(new.ask(Request::Scene {}).is_ok());
     scene.is_served();
     drop(silent);
@@ -273,31 +276,31 @@ fn connections_that_never_say_who_they_are() {
 #[test]
 fn a_client_that_is_gone_without_a_word_is_forgotten() {
     let idle = Duration::from_secs(5);
-    let stage = Stage::within(ServerLimits { idle, ..ServerLimits::default() });
-    let mut stranger = stage.stranger();
+    let test_server = TestServer::within(ServerLimits { idle, ..ServerLimits::default() });
+    let mut raw_client = test_server.raw_client();
     let subscription = Subscription { id: 1, channel_id: channel_id(Topic::Block(KEY)) };
-    stranger.say(&FromClient::Subscribe { subscriptions: vec![subscription] });
-    eventually("it follows", || stage.publisher.is_followed(Topic::Block(KEY)));
+    raw_client.say(&FromClient::Subscribe { subscriptions: vec![subscription] });
+    eventually("it follows", || test_server.publisher.is_followed(Topic::Block(KEY)));
     // Its connection stays open, but it answers no ping.
-    eventually("it is forgotten", || !stage.publisher.is_followed(Topic::Block(KEY)));
-    eventually("the host hears of it", || !stage.host.gone().is_empty());
-    while stranger.hear().is_ok() {}
+    eventually("it is forgotten", || !test_server.publisher.is_followed(Topic::Block(KEY)));
+    eventually("the host hears of it", || !test_server.host.gone().is_empty());
+    while raw_client.hear().is_ok() {}
 }
 
 #[test]
 fn messages_that_are_too_large() {
     let mut scene = Scene::within(ServerLimits::default());
-    let mut stranger = scene.stage.stranger();
+    let mut raw_client = scene.test_server.raw_client();
     let large = "x".repeat(2 << 20);
     // The server may have cut it in the middle.
-    let _either = stranger.socket.send(Message::text(large));
-    while stranger.hear().is_ok() {}
+    let _either = raw_client.socket.send(Message::text(large));
+    while raw_client.hear().is_ok() {}
     scene.is_served();
 
-    let mut stranger = scene.stage.stranger();
+    let mut raw_client = scene.test_server.raw_client();
     // A frame that says it will be eight exabytes long.
     let header = [0x82, 0xff, 0x7f, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0];
-    stranger.socket.get_mut().write_all(&header).expect("it is sent");
-    while stranger.hear().is_ok() {}
+    raw_client.socket.get_mut().write_all(&header).expect("it is sent");
+    while raw_client.hear().is_ok() {}
     scene.is_served();
 }

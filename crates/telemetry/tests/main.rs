@@ -7,5 +7,5 @@ mod hostile;
 mod python_client;
 mod python_reader;
 mod recording;
-mod stage;
 mod stream;
+mod test_server;

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use telemetry::stream::Publisher;
 
-use crate::stage::{Stage, synthetic};
+use crate::test_server::{TestServer, synthetic};
 
 /// What the client needs, of the Python Package Index.
 const PACKAGES: [&str; 2] = ["protobuf>=5", "websockets>=14"];
@@ -66,15 +66,15 @@ fn an_independent_client_watches_sets_and_calls() {
             return std::io::stderr().write_all(text.as_bytes()).expect("stderr");
         }
     };
-    let stage = Stage::new();
-    stage.publisher.publish(1, &synthetic::catalogue());
+    let test_server = TestServer::new();
+    test_server.publisher.publish(1, &synthetic::catalogue());
     let is_over = Arc::new(AtomicBool::new(false));
     let publishing = {
-        let (publisher, is_over) = (stage.publisher.clone(), Arc::clone(&is_over));
+        let (publisher, is_over) = (test_server.publisher.clone(), Arc::clone(&is_over));
         std::thread::spawn(move || publish(&publisher, &is_over))
     };
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/client.py");
-    let printed = run(Command::new(python).arg(script).arg(&stage.url));
+    let printed = run(Command::new(python).arg(script).arg(&test_server.url));
     is_over.store(true, Ordering::Relaxed);
     publishing.join().expect("it published");
     let expected = "\

@@ -16,19 +16,19 @@ use telemetry::stream::{
 use telemetry::{Arrival, ConnectionState, Reply, Request, Source as _, Topic, Update};
 use tokio_tungstenite::tungstenite::{Error, Message};
 
-use crate::stage::synthetic::{self, KEY};
-use crate::stage::{Stage, Stranger, Watcher, eventually, set};
+use crate::test_server::synthetic::{self, KEY};
+use crate::test_server::{RawClient, TestServer, Watcher, eventually, set};
 
 fn done(text: &str) -> Reply {
     Reply::Done { text: text.to_owned() }
 }
 
-fn dial(stage: &Stage) -> Dial {
-    Dial { address: stage.url.clone(), ..Dial::default() }
+fn dial(test_server: &TestServer) -> Dial {
+    Dial { address: test_server.url.clone(), ..Dial::default() }
 }
 
-fn with_token(stage: &Stage, token: &str) -> Dial {
-    Dial { token: Some(token.to_owned()), ..dial(stage) }
+fn with_token(test_server: &TestServer, token: &str) -> Dial {
+    Dial { token: Some(token.to_owned()), ..dial(test_server) }
 }
 
 fn guarded() -> ServerSettings {
@@ -42,33 +42,34 @@ fn guarded() -> ServerSettings {
 
 #[test]
 fn whoever_comes_late_gets_the_catalogue_and_the_last_voice_of_every_key() {
-    let stage = Stage::new();
-    stage.publisher.publish(1, &synthetic::catalogue());
+    let test_server = TestServer::new();
+    test_server.publisher.publish(1, &synthetic::catalogue());
     for (key, revision) in [(39, 1), (39, 2), (40, 3)] {
-        stage.publisher.publish(2, &synthetic::voice(key, revision));
+        test_server.publisher.publish(2, &synthetic::voice(key, revision));
     }
-    let mut watcher = stage.watcher();
+    let mut watcher = test_server.watcher();
     watcher.follow(&[Topic::Catalogue, Topic::Voices]);
     watcher.update(|update| (update == synthetic::catalogue()).then_some(()));
     watcher.update(|update| (update == synthetic::voice(39, 2)).then_some(()));
     watcher.update(|update| (update == synthetic::voice(40, 3)).then_some(()));
     // What comes later comes too.
-    stage.publisher.publish(3, &synthetic::voice(39, 4));
+    test_server.publisher.publish(3, &synthetic::voice(39, 4));
     let update = watcher.update(Some);
     assert_eq!(update, synthetic::voice(39, 4));
 }
 
 #[test]
 fn a_voice_comes_before_the_rows_that_name_it() {
-    let stage = Stage::new();
-    let mut watcher = stage.watcher();
+    let test_server = TestServer::new();
+    let mut watcher = test_server.watcher();
     watcher.follow(&[Topic::Voices, Topic::Block(KEY)]);
     eventually("both are followed", || {
-        stage.publisher.is_followed(Topic::Voices) && stage.publisher.is_followed(Topic::Block(KEY))
+        test_server.publisher.is_followed(Topic::Voices)
+            && test_server.publisher.is_followed(Topic::Block(KEY))
     });
     for revision in 1..=100 {
-        stage.publisher.publish(1, &synthetic::voice(39, revision));
-        stage.publisher.publish(1, &synthetic::block(revision.into(), 1));
+        test_server.publisher.publish(1, &synthetic::voice(39, revision));
+        test_server.publisher.publish(1, &synthetic::block(revision.into(), 1));
     }
     for revision in 1..=100 {
         assert_eq!(watcher.update(Some), synthetic::voice(39, revision));
@@ -78,25 +79,27 @@ fn a_voice_comes_before_the_rows_that_name_it() {
 
 #[test]
 fn only_what_is_followed_is_asked_for() {
-    let stage = Stage::new();
-    assert!(!stage.publisher.is_followed(Topic::Block(KEY)));
-    let mut watcher = stage.watcher();
+    let test_server = TestServer::new();
+    assert!(!test_server.publisher.is_followed(Topic::Block(KEY)));
+    let mut watcher = test_server.watcher();
     watcher.follow(&[Topic::Block(KEY), Topic::State(40), Topic::Events]);
-    eventually("two keys are followed", || stage.publisher.followed_blocks() == 1 << 39 | 1 << 40);
-    stage.publisher.publish(5, &synthetic::overview(1, 1));
-    stage.publisher.publish(6, &synthetic::block(100, 33));
+    eventually("two keys are followed", || {
+        test_server.publisher.followed_blocks() == 1 << 39 | 1 << 40
+    });
+    test_server.publisher.publish(5, &synthetic::overview(1, 1));
+    test_server.publisher.publish(6, &synthetic::block(100, 33));
     let arrival = watcher.next();
     assert_eq!(arrival, Arrival::Update { at: 6, update: Box::new(synthetic::block(100, 33)) });
     watcher.follow(&[Topic::Block(KEY)]);
-    eventually("one key is followed", || stage.publisher.followed_blocks() == 1 << 39);
+    eventually("one key is followed", || test_server.publisher.followed_blocks() == 1 << 39);
     drop(watcher);
-    eventually("nobody follows", || stage.publisher.followed_blocks() == 0);
+    eventually("nobody follows", || test_server.publisher.followed_blocks() == 0);
 }
 
 #[test]
 fn a_set_is_acknowledged_and_seen_by_others() {
-    let stage = Stage::new();
-    let mut other = stage.stranger();
+    let test_server = TestServer::new();
+    let mut other = test_server.raw_client();
     other.say(&FromClient::SubscribeParameterUpdates { parameter_names: vec![] });
     other.say(&FromClient::GetParameters { parameter_names: vec![], id: Some("now".to_owned()) });
     let before = other.hear_text(|message| match message {
@@ -110,10 +113,13 @@ fn a_set_is_acknowledged_and_seen_by_others() {
         [ParameterValue::new("/key/39/k2", 500.0), ParameterValue::new("/key/39/m", 0.1)]
     );
 
-    let mut watcher = stage.watcher();
+    let mut watcher = test_server.watcher();
     let changes = vec![set("k2", 700.5), set("m", 0.3)];
     assert_eq!(watcher.ask(Request::Set { changes }), Ok(done("2 set")));
-    assert_eq!((stage.host.value("k2"), stage.host.value("m")), (Some(700.5), Some(0.3)));
+    assert_eq!(
+        (test_server.host.value("k2"), test_server.host.value("m")),
+        (Some(700.5), Some(0.3))
+    );
     let after = other.hear_text(|message| match message {
         FromServer::ParameterValues { parameters, id: None, .. } => Some(parameters),
         _ => None,
@@ -126,12 +132,12 @@ fn a_set_is_acknowledged_and_seen_by_others() {
 
 #[test]
 fn a_set_with_one_mistake_is_refused_as_a_whole() {
-    let stage = Stage::new();
-    let mut watcher = stage.watcher();
+    let test_server = TestServer::new();
+    let mut watcher = test_server.watcher();
     let mut refused = |change, sentence: &str| {
         let changes = vec![set("k2", 9.0), change];
         assert_eq!(watcher.ask(Request::Set { changes }), Err(sentence.to_owned()));
-        assert_eq!(stage.host.value("k2"), Some(500.0));
+        assert_eq!(test_server.host.value("k2"), Some(500.0));
     };
     refused(set("m", 2.0), "m is between 0.01 and 1 kg, and not 2");
     refused(set("mass", 2.0), "key 39 has no parameter mass");
@@ -148,8 +154,8 @@ fn a_set_with_one_mistake_is_refused_as_a_whole() {
 
 #[test]
 fn whoever_is_refused_learns_what_is_the_case() {
-    let stage = Stage::new();
-    let mut other = stage.stranger();
+    let test_server = TestServer::new();
+    let mut other = test_server.raw_client();
     let text =
         r#"{"op":"setParameters","id":"x","parameters":[{"name":"/key/39/k2","value":"a"}]}"#;
     other.text(text.to_owned());
@@ -167,23 +173,23 @@ fn whoever_is_refused_learns_what_is_the_case() {
 
 #[test]
 fn services_are_answered_or_refused() {
-    let stage = Stage::new();
-    let mut watcher = stage.watcher();
+    let test_server = TestServer::new();
+    let mut watcher = test_server.watcher();
     let press = Request::Press { key: 39, newtons: 2.5 };
     assert_eq!(watcher.ask(press), Ok(done("key 39 feels 2.5 N")));
     let scene = Ok(Reply::Scene { toml: "tick_hz = 1000\n".to_owned() });
     assert_eq!(watcher.ask(Request::Scene {}), scene);
     let refused = watcher.ask(Request::Identify { line: 0, board: 0 });
     assert_eq!(refused, Err("a synthetic host has neither boards nor files".to_owned()));
-    let (_, who) = stage.host.asked().pop().expect("it was asked");
+    let (_, who) = test_server.host.asked().pop().expect("it was asked");
     assert_eq!(who.role, Role::Owner);
 }
 
 #[test]
 fn a_stop_overtakes_what_takes_long() {
-    let stage = Stage::new();
-    let mut watcher = stage.watcher();
-    let workshop = stage.host.workshop.lock().expect("nobody is in it");
+    let test_server = TestServer::new();
+    let mut watcher = test_server.watcher();
+    let workshop = test_server.host.workshop.lock().expect("nobody is in it");
     let slow = Request::UseInstrument { instrument: "grand".to_owned(), keys: None };
     let slow = watcher.client.ask(slow);
     assert_eq!(watcher.ask(Request::Stop {}), Ok(done("no force on any key")));
@@ -210,8 +216,8 @@ impl Backend for Fragile {
 #[test]
 fn a_host_that_fails_over_a_request_goes_on() {
     let settings = ServerSettings::default();
-    let stage = Stage::of(settings, Arc::default(), Arc::new(Fragile));
-    let mut watcher = stage.watcher();
+    let test_server = TestServer::of(settings, Arc::default(), Arc::new(Fragile));
+    let mut watcher = test_server.watcher();
     let unknown = "the host failed over this request: whether it was done is not known";
     let press = Request::Press { key: 39, newtons: 1.0 };
     assert_eq!(watcher.ask(press), Err(unknown.to_owned()));
@@ -224,14 +230,14 @@ fn a_host_that_fails_over_a_request_goes_on() {
 
 #[test]
 fn a_token_is_asked_for_and_makes_the_role() {
-    let stage = Stage::with(guarded());
-    for dial in [dial(&stage), with_token(&stage, "sea")] {
+    let test_server = TestServer::with(guarded());
+    for dial in [dial(&test_server), with_token(&test_server, "sea")] {
         let mut watcher = Watcher::new(dial);
         let standing = watcher.stands(|standing| *standing != ConnectionState::Connecting);
         let ConnectionState::Refused(text) = standing else { panic!("{standing:?}") };
         assert!(text.starts_with("this host asks for a token: give it as ?token=..."), "{text}");
     }
-    let mut tuner = Watcher::new(with_token(&stage, "tune"));
+    let mut tuner = Watcher::new(with_token(&test_server, "tune"));
     tuner.connected();
     assert_eq!(tuner.ask(Request::Set { changes: vec![set("k2", 9.0)] }), Ok(done("1 set")));
     assert_eq!(
@@ -242,9 +248,9 @@ fn a_token_is_asked_for_and_makes_the_role() {
 
 #[test]
 fn whoever_may_come_in_may_stop() {
-    let stage = Stage::with(guarded());
+    let test_server = TestServer::with(guarded());
     for token in ["see", "tune"] {
-        let mut client = Watcher::new(with_token(&stage, token));
+        let mut client = Watcher::new(with_token(&test_server, token));
         client.connected();
         assert_eq!(client.ask(Request::Stop {}), Ok(done("no force on any key")), "{token}");
     }
@@ -252,13 +258,13 @@ fn whoever_may_come_in_may_stop() {
 
 #[test]
 fn what_was_asked_is_answered_before_a_stream_closes_and_everybody_is_told_why() {
-    let stage = Stage::new();
-    let (mut one, mut other) = (stage.watcher(), stage.watcher());
-    let workshop = stage.host.workshop.lock().expect("nobody is in it");
+    let test_server = TestServer::new();
+    let (mut one, mut other) = (test_server.watcher(), test_server.watcher());
+    let workshop = test_server.host.workshop.lock().expect("nobody is in it");
     let slow = Request::UseInstrument { instrument: "grand".to_owned(), keys: None };
     let slow = one.client.ask(slow);
-    eventually("it is asked", || !stage.host.asked().is_empty());
-    stage.closer.close("the host was stopped".to_owned());
+    eventually("it is asked", || !test_server.host.asked().is_empty());
+    test_server.closer.close("the host was stopped".to_owned());
     let why =
         ConnectionState::Lost("the host ended the connection: the host was stopped".to_owned());
     other.stands(|standing| *standing == why);
@@ -269,45 +275,46 @@ fn what_was_asked_is_answered_before_a_stream_closes_and_everybody_is_told_why()
 
 #[test]
 fn the_host_hears_of_every_client_that_goes_however_it_goes() {
-    let stage = Stage::new();
+    let test_server = TestServer::new();
     let gone = |number: u64| {
-        eventually("the host hears of it", || stage.host.gone().contains(&number));
+        eventually("the host hears of it", || test_server.host.gone().contains(&number));
     };
     // A window that is closed, and a program that is killed.
-    drop(stage.watcher());
+    drop(test_server.watcher());
     gone(1);
-    drop(stage.stranger());
+    drop(test_server.raw_client());
     gone(2);
 }
 
 #[test]
 fn a_viewer_watches_and_may_not_set() {
-    let stage = Stage::with(guarded());
-    let mut viewer = Watcher::new(with_token(&stage, "see"));
+    let test_server = TestServer::with(guarded());
+    let mut viewer = Watcher::new(with_token(&test_server, "see"));
     viewer.connected();
     assert_eq!(
         viewer.ask(Request::Set { changes: vec![set("k2", 9.0)] }),
         Err("a viewer may not do this: connect with a token of the role tuner".to_owned())
     );
     assert!(viewer.ask(Request::Press { key: 39, newtons: 1.0 }).is_err());
-    assert_eq!(stage.host.value("k2"), Some(500.0));
-    assert!(stage.host.asked().is_empty(), "only a stop is a viewer's");
-    stage.meet(&mut viewer);
+    assert_eq!(test_server.host.value("k2"), Some(500.0));
+    assert!(test_server.host.asked().is_empty(), "only a stop is a viewer's");
+    test_server.meet(&mut viewer);
 }
 
 #[test]
 fn a_foreign_page_is_answered_with_403() {
-    let stage = Stage::with(guarded());
-    let knock = |origin| {
-        let error = Stranger::knock(stage.address, "/?token=tune", &[("Origin", origin)]).err()?;
+    let test_server = TestServer::with(guarded());
+    let connect = |origin| {
+        let error =
+            RawClient::connect(test_server.address, "/?token=tune", &[("Origin", origin)]).err()?;
         match *error {
             Error::Http(response) => Some(response.status().as_u16()),
             other => panic!("{other}"),
         }
     };
-    assert_eq!(knock("https://app.example"), None);
-    assert_eq!(knock("https://evil.example"), Some(403));
-    assert_eq!(knock("null"), Some(403));
+    assert_eq!(connect("https://app.example"), None);
+    assert_eq!(connect("https://evil.example"), Some(403));
+    assert_eq!(connect("null"), Some(403));
 }
 
 #[test]
@@ -328,11 +335,11 @@ const MESSAGES: u64 = 4000;
 const ROWS: u32 = 500;
 
 /// Reads messages of the only subscription until tick `last`; how many, and how many were dropped.
-fn read_until(stranger: &mut Stranger, last: u64) -> (u64, u64) {
+fn read_until(raw_client: &mut RawClient, last: u64) -> (u64, u64) {
     let (mut came, mut dropped) = (0, 0);
     let mut is_last = false;
     while !is_last || came + dropped < MESSAGES {
-        match stranger.hear().expect("a message") {
+        match raw_client.hear().expect("a message") {
             Message::Binary(bytes) => {
                 let Ok(ServerFrame::Message { at, .. }) = ServerFrame::decode(&bytes) else {
                     panic!("nothing else was subscribed to");
@@ -360,28 +367,32 @@ fn dropped_in(text: &str) -> u64 {
 
 #[test]
 fn a_slow_client_loses_data_and_a_fast_one_nothing() {
-    // However slow this machine is, nobody is cut.
-    let (stall, idle) = (crate::stage::PATIENCE, crate::stage::PATIENCE);
-    let stage =
-        Stage::within(ServerLimits { data_bytes: 1 << 18, stall, idle, ..ServerLimits::default() });
-    let mut slow = stage.stranger();
+    // However slow this machine is, no client is cut.
+    let (stall, idle) = (crate::test_server::PATIENCE, crate::test_server::PATIENCE);
+    let test_server = TestServer::within(ServerLimits {
+        data_bytes: 1 << 18,
+        stall,
+        idle,
+        ..ServerLimits::default()
+    });
+    let mut slow = test_server.raw_client();
     let subscription = Subscription { id: 5, channel_id: channel_id(Topic::Block(KEY)) };
     slow.say(&FromClient::Subscribe { subscriptions: vec![subscription] });
-    eventually("it follows", || stage.publisher.is_followed(Topic::Block(KEY)));
-    let mut fast = stage.watcher();
+    eventually("it follows", || test_server.publisher.is_followed(Topic::Block(KEY)));
+    let mut fast = test_server.watcher();
     fast.follow(&[Topic::Block(KEY), Topic::Overview]);
-    eventually("both follow", || stage.publisher.is_followed(Topic::Overview));
+    eventually("both follow", || test_server.publisher.is_followed(Topic::Overview));
 
     for tick in 1..=MESSAGES {
-        stage.publisher.publish(tick, &synthetic::block(tick, ROWS));
-        // Nothing is lost on the way to whoever takes each before the next is made.
+        test_server.publisher.publish(tick, &synthetic::block(tick, ROWS));
+        // Nothing is lost on the way to a client that takes each before the next is made.
         let got = fast.update(|update| match update {
             Update::Block(block) => Some(block.tick),
             other => panic!("nothing else was published: {other:?}"),
         });
         assert_eq!(got, tick);
     }
-    assert_eq!(stage.publisher.lost(), 0);
+    assert_eq!(test_server.publisher.lost(), 0);
     let (came, dropped) = read_until(&mut slow, MESSAGES);
     assert!(dropped > 0, "the system's buffers held everything");
     assert_eq!(came + dropped, MESSAGES);
@@ -389,29 +400,29 @@ fn a_slow_client_loses_data_and_a_fast_one_nothing() {
 
 #[test]
 fn publishing_waits_for_nobody() {
-    let stage = Stage::new();
-    let mut watcher = stage.watcher();
-    stage.meet(&mut watcher);
+    let test_server = TestServer::new();
+    let mut watcher = test_server.watcher();
+    test_server.meet(&mut watcher);
     // The server's only thread stands still.
     let (go_on, held) = std::sync::mpsc::channel::<()>();
     let (stand, stands) = std::sync::mpsc::channel();
-    stage.runtime.spawn(async move {
+    test_server.runtime.spawn(async move {
         stand.send(()).expect("somebody waits");
         let _gone = held.recv();
     });
     stands.recv().expect("it stands still");
     for tick in 0..20_000 {
-        stage.publisher.publish(tick, &synthetic::overview(tick, 1));
-        stage.publisher.publish(tick, &synthetic::voice(39, 1));
+        test_server.publisher.publish(tick, &synthetic::overview(tick, 1));
+        test_server.publisher.publish(tick, &synthetic::voice(39, 1));
     }
-    assert!(stage.publisher.lost() > 0);
+    assert!(test_server.publisher.lost() > 0);
     drop(go_on);
     assert!(watcher.ask(Request::Scene {}).is_ok());
 }
 
 #[test]
 fn a_client_connects_again_when_its_host_is_back() {
-    let first = Stage::new();
+    let first = TestServer::new();
     let mut watcher = first.watcher();
     first.meet(&mut watcher);
     let address = first.address;
@@ -421,7 +432,7 @@ fn a_client_connects_again_when_its_host_is_back() {
         watcher.ask(Request::Stop {}),
         Err("no host is connected: wait until one is, and ask again".to_owned())
     );
-    let second = Stage::with(ServerSettings { address, ..ServerSettings::default() });
+    let second = TestServer::with(ServerSettings { address, ..ServerSettings::default() });
     watcher.connected();
     eventually("it follows what it did", || second.publisher.is_followed(Topic::Overview));
     second.publisher.publish(9, &synthetic::overview(9, 1));
@@ -431,15 +442,15 @@ fn a_client_connects_again_when_its_host_is_back() {
 
 #[test]
 fn what_was_asked_of_a_host_that_goes_is_answered() {
-    let stage = Stage::new();
-    let mut watcher = stage.watcher();
-    let host = Arc::clone(&stage.host);
+    let test_server = TestServer::new();
+    let mut watcher = test_server.watcher();
+    let host = Arc::clone(&test_server.host);
     let workshop = host.workshop.lock().expect("nobody is in it");
     let slow = Request::UseInstrument { instrument: "grand".to_owned(), keys: None };
     let slow = watcher.client.ask(slow);
-    eventually("it is asked", || !stage.host.asked().is_empty());
+    eventually("it is asked", || !test_server.host.asked().is_empty());
     // The runtime waits for what it has begun; the connections are gone before.
-    let gone = std::thread::spawn(move || drop(stage));
+    let gone = std::thread::spawn(move || drop(test_server));
     let refused = watcher.reply(slow).expect_err("the host is gone");
     assert!(refused.starts_with("the connection was lost before the host answered"), "{refused}");
     drop(workshop);
@@ -453,32 +464,32 @@ fn self_made() -> ServerSettings {
 
 #[test]
 fn a_self_made_certificate_is_recognised_by_its_fingerprint() {
-    let stage = Stage::with(self_made());
-    let pin = stage.fingerprint;
-    assert!(pin.is_some() && stage.url.starts_with("wss://"));
-    let mut watcher = Watcher::new(Dial { pin, ..with_token(&stage, "tune") });
+    let test_server = TestServer::with(self_made());
+    let pin = test_server.fingerprint;
+    assert!(pin.is_some() && test_server.url.starts_with("wss://"));
+    let mut watcher = Watcher::new(Dial { pin, ..with_token(&test_server, "tune") });
     watcher.connected();
     assert_eq!(watcher.ask(Request::Set { changes: vec![set("k2", 9.0)] }), Ok(done("1 set")));
-    stage.meet(&mut watcher);
+    test_server.meet(&mut watcher);
 }
 
 #[test]
 fn a_host_with_another_certificate_is_refused() {
-    let stage = Stage::with(self_made());
-    let shown = stage.fingerprint.expect("a certificate").to_string();
+    let test_server = TestServer::with(self_made());
+    let shown = test_server.fingerprint.expect("a certificate").to_string();
     let refusal = |dial: Dial| match Watcher::new(dial)
         .stands(|standing| *standing != ConnectionState::Connecting)
     {
         ConnectionState::Refused(text) | ConnectionState::Lost(text) => text,
         standing => panic!("{standing:?}"),
     };
-    let wrong = Dial { pin: Some(Fingerprint([7; 32])), ..with_token(&stage, "tune") };
+    let wrong = Dial { pin: Some(Fingerprint([7; 32])), ..with_token(&test_server, "tune") };
     let text = refusal(wrong);
     assert!(text.contains("another certificate") && text.contains(&shown), "{text}");
-    let text = refusal(with_token(&stage, "tune"));
+    let text = refusal(with_token(&test_server, "tune"));
     assert!(text.starts_with("wss:// needs the fingerprint"), "{text}");
-    let plain = stage.url.replace("wss://", "ws://");
-    let text = refusal(Dial { address: plain, ..with_token(&stage, "tune") });
+    let plain = test_server.url.replace("wss://", "ws://");
+    let text = refusal(Dial { address: plain, ..with_token(&test_server, "tune") });
     assert!(text.contains("speaks no WebSocket"), "{text}");
 }
 

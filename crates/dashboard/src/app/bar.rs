@@ -6,14 +6,15 @@ use eframe::egui::{self, Align, Button, Color32, Layout, Panel, RichText, Ui};
 use telemetry::{ConnectionState, Request};
 
 use super::{App, shortcuts};
-use crate::desk::{AppState, StopState};
-use crate::layout::{self, Pane};
-use crate::{look, unit};
+use crate::app_state::{AppState, StopState};
+use crate::layout;
+use crate::panels::Pane;
+use crate::{theme, unit};
 
-/// How old messages may be before it is shown as a fault (s).
+/// Age of messages above which it is shown as a fault (s).
 const OLD: f64 = 0.5;
 
-/// Draws the bar.
+/// Draws the bar above the panels.
 pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
     Panel::top("bar").show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -23,65 +24,65 @@ pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
             ui.separator();
             // What stands at the right takes its room first; the rest is cut where that begins.
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                stop_ui(ui, &mut app.desk);
-                freeze_ui(ui, &mut app.desk);
-                record_ui(ui, &mut app.desk);
-                figures_ui(ui, &app.desk);
-                ui.with_layout(Layout::left_to_right(Align::Center), |ui| news_ui(ui, app));
+                stop_ui(ui, &mut app.state);
+                freeze_ui(ui, &mut app.state);
+                record_ui(ui, &mut app.state);
+                figures_ui(ui, &app.state);
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| status_ui(ui, app));
             });
         });
-        messages_ui(ui, &mut app.desk);
+        messages_ui(ui, &mut app.state);
     });
-    stop_state_ui(ui, &mut app.desk);
+    stop_state_ui(ui, &mut app.state);
 }
 
-/// What is connected, what runs, and the last answer.
-fn news_ui(ui: &mut Ui, app: &mut App) {
+/// Draws what is connected, what runs, and the last answer.
+fn status_ui(ui: &mut Ui, app: &mut App) {
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
-    standing_ui(ui, &app.desk);
-    run_ui(ui, &app.desk);
-    answer_ui(ui, &mut app.desk);
+    connection_ui(ui, &app.state);
+    run_ui(ui, &app.state);
+    answer_ui(ui, &mut app.state);
 }
 
-/// A line of its own for what went wrong: why nothing comes, and what was refused.
-fn messages_ui(ui: &mut Ui, desk: &mut AppState) {
-    if let ConnectionState::Lost(why) | ConnectionState::Refused(why) = desk.source.standing() {
-        ui.colored_label(look::fault(ui), why);
+/// Draws a line of its own for what went wrong: why nothing comes, and what was refused.
+fn messages_ui(ui: &mut Ui, state: &mut AppState) {
+    if let ConnectionState::Lost(why) | ConnectionState::Refused(why) = state.source.standing() {
+        ui.colored_label(theme::fault(ui), why);
     }
-    if let Some(Err(text)) = desk.views.notice.clone() {
-        let text = RichText::new(text).color(look::fault(ui));
+    if let Some(Err(text)) = &state.view.notice {
+        let text = RichText::new(text).color(theme::fault(ui));
         if ui.add(egui::Label::new(text).sense(egui::Sense::click())).clicked() {
-            desk.views.notice = None;
+            state.view.notice = None;
         }
     }
 }
 
-/// The last answer, as far as there is room: panels do not move for it.
-fn answer_ui(ui: &mut Ui, desk: &mut AppState) {
-    let Some(Ok(text)) = desk.views.notice.clone() else { return };
+/// Draws the last answer, as far as there is room: panels do not move for it.
+fn answer_ui(ui: &mut Ui, state: &mut AppState) {
+    let Some(Ok(text)) = &state.view.notice else { return };
     ui.separator();
-    if ui.add(egui::Label::new(text).sense(egui::Sense::click())).clicked() {
-        desk.views.notice = None;
+    if ui.add(egui::Label::new(text.as_str()).sense(egui::Sense::click())).clicked() {
+        state.view.notice = None;
     }
 }
 
-/// How long the host may take to answer a stop before its silence is said (ns).
+/// Time for the host's answer to a stop, after which its silence is shown (ns).
 const SILENCE: u64 = 1_500_000_000;
 
-/// What became of a stop, in letters that can be read from the keyboard.
-fn stop_state_ui(ui: &mut Ui, desk: &mut AppState) {
-    let Some(state) = desk.stop.clone() else { return };
-    let now = (desk.clock)();
+/// Draws what became of a stop, in letters that can be read from the keyboard.
+fn stop_state_ui(ui: &mut Ui, state: &mut AppState) {
+    let Some(stop) = state.stop.clone() else { return };
+    let now = (state.clock)();
     let cut = || "STOP NOT CONFIRMED: CUT THE POWER".to_owned();
-    let (color, title, text) = match state {
+    let (color, title, text) = match stop {
         StopState::Asked { at } if now.saturating_sub(at) < SILENCE => {
             ui.ctx().request_repaint_after(Duration::from_nanos(SILENCE));
-            (look::VERMILLION, "STOPPING".to_owned(), "The host has been asked.".to_owned())
+            (theme::VERMILLION, "STOPPING".to_owned(), "The host has been asked.".to_owned())
         }
         StopState::Asked { .. } => (STOP, cut(), "The host does not answer.".to_owned()),
         StopState::Confirmed { told, text } => {
             let told = told.map(|(told, boards)| format!(", boards told: {told} of {boards}"));
-            (look::GREEN, format!("STOPPED{}", told.unwrap_or_default()), text)
+            (theme::GREEN, format!("STOPPED{}", told.unwrap_or_default()), text)
         }
         StopState::Unconfirmed(why) => (STOP, cut(), format!("Keys may have forces: {why}")),
     };
@@ -91,13 +92,13 @@ fn stop_state_ui(ui: &mut Ui, desk: &mut AppState) {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let is_dismissed = ui.button("Dismiss").clicked();
                 ui.with_layout(Layout::top_down(Align::Min), |ui| large_ui(ui, &title, &text));
-                desk.stop = desk.stop.take().filter(|_| !is_dismissed);
+                state.stop = state.stop.take().filter(|_| !is_dismissed);
             });
         });
     });
 }
 
-/// A title in large white letters, with a sentence below.
+/// Draws a title in large white letters, with a sentence below.
 fn large_ui(ui: &mut Ui, title: &str, text: &str) {
     let white = |text: RichText| text.color(Color32::WHITE);
     ui.label(white(RichText::new(title).size(30.0).strong()));
@@ -107,59 +108,59 @@ fn large_ui(ui: &mut Ui, title: &str, text: &str) {
 /// The colour of Stop, and of one that may not have done what it should.
 const STOP: Color32 = Color32::from_rgb(0xB4, 0x2A, 0x00);
 
-/// No force on any key: always here, always one click.
-fn stop_ui(ui: &mut Ui, desk: &mut AppState) {
+/// Draws the button that takes all forces away: always here, always one click.
+fn stop_ui(ui: &mut Ui, state: &mut AppState) {
     let text = RichText::new("  STOP  ").strong().color(Color32::WHITE);
     let button = Button::new(text).fill(STOP);
     let hint =
         format!("No force on any key from the next tick on. ({})", shortcuts::stop(ui.ctx()));
     if ui.add(button).on_hover_text(hint).clicked() {
-        desk.stop();
+        state.stop();
     }
 }
 
-fn freeze_ui(ui: &mut Ui, desk: &mut AppState) {
-    let mut is_frozen = desk.views.frozen.is_some();
+fn freeze_ui(ui: &mut Ui, state: &mut AppState) {
+    let mut is_frozen = state.view.frozen.is_some();
     let frozen = ui.toggle_value(&mut is_frozen, "Freeze");
     if frozen.on_hover_text("Lets the picture stand still; the host goes on. (space)").clicked() {
-        desk.toggle_freeze();
+        state.toggle_freeze();
     }
 }
 
-fn record_ui(ui: &mut Ui, desk: &mut AppState) {
-    if desk.source.standing() != ConnectionState::Live {
+fn record_ui(ui: &mut Ui, state: &mut AppState) {
+    if state.source.standing() != ConnectionState::Live {
         return;
     }
-    let mut records = desk.views.recording.is_some();
+    let mut records = state.view.recording.is_some();
     if ui.toggle_value(&mut records, "Record").clicked() {
         let file = records.then(|| {
-            let run = desk.store.catalogue.as_ref().map_or("run", |it| it.run.as_str());
+            let run = state.store.catalogue.as_ref().map_or("run", |it| it.run.as_str());
             let name: String =
                 run.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
-            format!("{name}-{:.0}s.mcap", desk.store.newest())
+            format!("{name}-{:.0}s.mcap", state.store.newest())
         });
-        desk.views.recording.clone_from(&file);
-        desk.ask(Request::Record { file });
+        state.view.recording.clone_from(&file);
+        state.ask(Request::Record { file });
     }
 }
 
-/// Whether there is a connection, and to whom.
-fn standing_ui(ui: &mut Ui, desk: &AppState) {
-    let (color, text) = match desk.source.standing() {
-        ConnectionState::Connecting => (look::YELLOW, "connecting"),
-        ConnectionState::Live => (look::GREEN, "live"),
-        ConnectionState::Lost(_) => (look::VERMILLION, "lost"),
-        ConnectionState::Refused(_) => (look::VERMILLION, "refused"),
-        ConnectionState::Recording => (look::SKY, "recording"),
+/// Draws the state of the connection, and the host's name.
+fn connection_ui(ui: &mut Ui, state: &AppState) {
+    let (color, text) = match state.source.standing() {
+        ConnectionState::Connecting => (theme::YELLOW, "connecting"),
+        ConnectionState::Live => (theme::GREEN, "live"),
+        ConnectionState::Lost(_) => (theme::VERMILLION, "lost"),
+        ConnectionState::Refused(_) => (theme::VERMILLION, "refused"),
+        ConnectionState::Recording => (theme::SKY, "recording"),
     };
     let (rect, _) = ui.allocate_exact_size(egui::vec2(10.0, 10.0), egui::Sense::hover());
     ui.painter().circle_filled(rect.center(), 4.5, color);
     ui.label(text);
-    ui.weak(desk.source.name());
+    ui.weak(state.source.name());
 }
 
-fn run_ui(ui: &mut Ui, desk: &AppState) {
-    if let Some(catalogue) = &desk.store.catalogue {
+fn run_ui(ui: &mut Ui, state: &AppState) {
+    if let Some(catalogue) = &state.store.catalogue {
         ui.separator();
         ui.label(&catalogue.scene).on_hover_text(format!(
             "run of {}, version {}, {} ticks a second, at most {} N",
@@ -168,26 +169,26 @@ fn run_ui(ui: &mut Ui, desk: &AppState) {
     }
 }
 
-/// Latency, and what was dropped.
-fn figures_ui(ui: &mut Ui, desk: &AppState) {
-    let dropped = desk.store.glances.dropped;
+/// Draws latency, and what was dropped.
+fn figures_ui(ui: &mut Ui, state: &AppState) {
+    let dropped = state.store.summaries.dropped;
     if 0 < dropped {
-        ui.colored_label(look::fault(ui), format!("{dropped} dropped"));
+        ui.colored_label(theme::fault(ui), format!("{dropped} dropped"));
     }
-    if let Some(latency) = desk.latency() {
+    if let Some(latency) = state.latency() {
         let text = format!("{:.0} ms", latency * 1e3);
-        let color = if OLD < latency { look::fault(ui) } else { ui.visuals().weak_text_color() };
+        let color = if OLD < latency { theme::fault(ui) } else { ui.visuals().weak_text_color() };
         ui.colored_label(color, text).on_hover_text("How old the newest message is.");
     }
-    let kept = desk.store.bytes() as f64 / f64::from(1 << 20);
+    let kept = state.store.bytes() as f64 / f64::from(1 << 20);
     ui.weak(format!("{kept:.1} MiB")).on_hover_text("Rows that are kept here.");
-    ui.weak(unit::seconds(desk.now())).on_hover_text("Time of the run that is shown.");
+    ui.weak(unit::seconds(state.now())).on_hover_text("Time of the run that is shown.");
 }
 
 fn panels_menu_ui(ui: &mut Ui, app: &mut App) {
     ui.menu_button("Panels", |ui| {
         for pane in Pane::ALL {
-            pane_item_ui(ui, app, pane);
+            pane_item_ui(ui, app, *pane);
         }
         ui.separator();
         let number =
@@ -236,11 +237,11 @@ fn view_menu_ui(ui: &mut Ui, app: &mut App) {
         }
         ui.separator();
         if ui.button("Clear rows and messages").clicked() {
-            app.desk.store.clear();
+            app.state.store.clear();
             ui.close();
         }
         if ui.button("Shortcuts").clicked() {
-            app.desk.views.shows_help = true;
+            app.state.view.shows_help = true;
             ui.close();
         }
     });

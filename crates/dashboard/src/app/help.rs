@@ -3,11 +3,11 @@
 use eframe::egui::{Context, Grid, Window};
 
 use super::shortcuts;
-use crate::desk::AppState;
+use crate::app_state::AppState;
 
-/// Shows the shortcuts if somebody wants to see them.
-pub(super) fn help_ui(ctx: &Context, desk: &mut AppState) {
-    let mut is_open = desk.views.shows_help;
+/// Draws the window of the shortcuts, if it is open.
+pub(super) fn help_ui(ctx: &Context, state: &mut AppState) {
+    let mut is_open = state.view.shows_help;
     Window::new("Shortcuts").open(&mut is_open).resizable(false).collapsible(false).show(
         ctx,
         |ui| {
@@ -26,5 +26,5 @@ pub(super) fn help_ui(ctx: &Context, desk: &mut AppState) {
             ui.label("Shift and a click on a key selects all keys up to it.");
         },
     );
-    desk.views.shows_help = is_open;
+    state.view.shows_help = is_open;
 }

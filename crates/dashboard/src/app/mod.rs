@@ -6,7 +6,7 @@
 
 mod bar;
 mod help;
-mod memory;
+mod saved_window;
 mod shortcuts;
 
 use std::time::Duration;
@@ -15,21 +15,23 @@ use eframe::egui;
 use egui_tiles::{Behavior, SimplificationOptions, TileId, Tiles, UiResponse};
 use telemetry::{Source, Update};
 
-pub use memory::SavedWindow;
+pub use saved_window::SavedWindow;
 
-use crate::desk::AppState;
-use crate::layout::{self, Layout, Pane};
-use crate::{WallClock, look, panels};
+use crate::app_state::AppState;
+use crate::layout::{self, Layout};
+use crate::panels::{Pane, Panels};
+use crate::{WallClock, panels, theme};
 
-/// At most sixty pictures a second.
+/// Shortest time between two frames.
 const FRAME: Duration = Duration::from_millis(16);
 
-/// How large things can be made.
+/// Range of the scale of texts and widgets.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=2.5;
 
-/// The window.
+/// The window: panels, their layout, and the source behind them.
 pub struct App {
-    desk: AppState,
+    state: AppState,
+    panels: Panels,
     layout: Layout,
     zoom: f32,
     theme: egui::ThemePreference,
@@ -37,23 +39,24 @@ pub struct App {
 
 impl std::fmt::Debug for App {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("App").field("source", &self.desk.source).finish_non_exhaustive()
+        f.debug_struct("App").field("source", &self.state.source).finish_non_exhaustive()
     }
 }
 
 impl App {
-    /// A window onto `source`, with what it remembers of the last time.
+    /// Creates a window onto `source`, as `memory` has it.
     ///
-    /// `clock` says what time it is; nothing here reads another.
+    /// `clock` is the only clock that is read.
     pub fn new(
         source: Box<dyn Source>,
         clock: WallClock,
         memory: Option<SavedWindow>,
         ctx: &egui::Context,
     ) -> Self {
-        look::dress(ctx);
+        theme::apply(ctx);
         let mut app = Self {
-            desk: AppState::new(source, clock),
+            state: AppState::new(source, clock),
+            panels: Panels::default(),
             layout: layout::first(),
             zoom: 1.0,
             theme: ctx.options(|options| options.theme_preference),
@@ -64,33 +67,34 @@ impl App {
         app
     }
 
-    /// Draws everything.
+    /// Takes what has arrived, draws a frame, and sends what was changed.
     pub fn draw(&mut self, ui: &mut egui::Ui) {
-        self.desk.take();
-        shortcuts::heed(ui.ctx(), self);
+        self.state.take();
+        shortcuts::handle(ui.ctx(), self);
         self.ui_of_panels(ui);
-        panels::keyboard::leave_if_hidden(&mut self.desk);
-        self.desk.flush();
+        self.panels.release_if_hidden(&mut self.state);
+        self.state.flush();
         self.ask_for_frames(ui.ctx());
     }
 
     fn ui_of_panels(&mut self, ui: &mut egui::Ui) {
         bar::bar_ui(ui, self);
         egui::CentralPanel::no_frame().show(ui, |ui| {
-            let mut panes = Panes { desk: &mut self.desk, closed: None };
+            let mut panes =
+                Panes { panels: &mut self.panels, state: &mut self.state, closed: None };
             self.layout.ui(&mut panes, ui);
             if let Some(pane) = panes.closed {
                 layout::close(&mut self.layout, pane);
             }
         });
-        panels::scope::popped_ui(ui.ctx(), &mut self.desk);
-        help::help_ui(ui.ctx(), &mut self.desk);
-        panels::tuning::scene_ui(ui.ctx(), &mut self.desk);
+        panels::scope::popped_ui(ui.ctx(), &mut self.state);
+        help::help_ui(ui.ctx(), &mut self.state);
+        self.panels.file_ui(ui.ctx(), &mut self.state);
     }
 
-    /// Another frame soon, where something moves that nobody wakes us for.
+    /// Asks for another frame soon while a recording plays.
     fn ask_for_frames(&mut self, ctx: &egui::Context) {
-        let plays = self.desk.source.timeline().is_some_and(|timeline| {
+        let plays = self.state.source.timeline().is_some_and(|timeline| {
             0.0 < timeline.speed().abs() && timeline.at() < timeline.span().1
         });
         if plays {
@@ -118,33 +122,33 @@ impl App {
         self.layout = Layout::new_horizontal(egui::Id::unique("panels"), panes);
     }
 
-    /// Selects a key.
+    /// Selects a key alone.
     pub fn select(&mut self, key: u8) {
-        self.desk.select(key);
+        self.state.select(key);
     }
 
-    /// What it would remember.
+    /// Returns what the window remembers when it closes.
     pub fn memory(&self, ctx: &egui::Context) -> SavedWindow {
         SavedWindow::of(self, ctx)
     }
 
     /// Takes a message as if the source had given it: for measurements.
     pub fn take(&mut self, at: u64, update: Update) {
-        self.desk.take_update(at, update);
+        self.state.take_update(at, update);
     }
 }
 
 impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         // Also while the window is hidden: what arrives does not pile up, and no key stays down.
-        self.desk.take();
+        self.state.take();
         let is_away = ctx.input(|input| {
             let viewport = input.viewport();
             let is_hidden = viewport.minimized == Some(true) || viewport.occluded == Some(true);
             is_hidden || viewport.close_requested()
         });
         if is_away {
-            panels::keyboard::release(&mut self.desk);
+            self.panels.release(&mut self.state);
         }
     }
 
@@ -153,7 +157,7 @@ impl eframe::App for App {
     }
 
     fn on_exit(&mut self, _graphics: Option<&eframe::glow::Context>) {
-        panels::keyboard::release(&mut self.desk);
+        self.panels.release(&mut self.state);
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
@@ -164,7 +168,8 @@ impl eframe::App for App {
 
 /// Draws panels for the layout.
 struct Panes<'a> {
-    desk: &'a mut AppState,
+    panels: &'a mut Panels,
+    state: &'a mut AppState,
     closed: Option<Pane>,
 }
 
@@ -173,13 +178,13 @@ impl Behavior<Pane> for Panes<'_> {
         let frame = egui::Frame::new().inner_margin(6.0).fill(ui.visuals().panel_fill);
         frame.show(ui, |ui| {
             ui.take_available_space();
-            ui.push_id(*pane, |ui| panels::panel_ui(ui, *pane, self.desk));
+            ui.push_id(*pane, |ui| self.panels.ui(*pane, ui, self.state));
         });
         UiResponse::None
     }
 
     fn tab_title_for_pane(&mut self, pane: &Pane) -> egui::WidgetText {
-        let faults = if *pane == Pane::Faults { self.desk.store.faulty().len() } else { 0 };
+        let faults = if *pane == Pane::Faults { self.state.store.faulty().len() } else { 0 };
         match faults {
             0 => pane.title().into(),
             faults => format!("{} ({faults})", pane.title()).into(),

@@ -22,7 +22,7 @@ const FELT: f64 = 3.0e4;
 /// Values of the parameters, in the order of [`parameters`].
 pub(super) type DemoValues = [f64; 6];
 
-/// What can be changed.
+/// Returns the parameters of the demonstration.
 pub(super) fn parameters() -> Vec<Parameter> {
     let list = [
         ("k2", "N/m", 500.0, 20_000.0, "stiffness of the knuckle between key and hammer"),
@@ -42,16 +42,16 @@ pub(super) fn parameters() -> Vec<Parameter> {
     list.into_iter().map(parameter).collect()
 }
 
-/// What happened in a tick.
+/// An event in a tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Happened {
+pub(super) enum DemoEvent {
     /// The hammer left the key, or came back.
     Switch { from: u8, to: u8, theta: f64 },
     /// The hammer met the string.
     Strike { speed: f64, theta: f64 },
 }
 
-/// A key in motion.
+/// The state of a key and its hammer.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct DemoAction {
     /// The key's front, down positive (m), and its speed.
@@ -65,24 +65,29 @@ pub(super) struct DemoAction {
 }
 
 impl DemoAction {
-    /// Lives for a tick of `period` (s) under a finger's `push` (N).
-    pub(super) fn advance(&mut self, values: &DemoValues, push: f64, period: f64) -> Vec<Happened> {
+    /// Advances by a tick of `period` (s) under a finger's `push` (N).
+    pub(super) fn advance(
+        &mut self,
+        values: &DemoValues,
+        push: f64,
+        period: f64,
+    ) -> Vec<DemoEvent> {
         let h = period / f64::from(STEPS);
-        let mut happened = Vec::new();
+        let mut events = Vec::new();
         for i in 0..STEPS {
             let theta = f64::from(i + 1) / f64::from(STEPS);
             self.step(values, push, h);
             let mode = u8::from(self.squeeze() <= 0.0);
             if mode != self.mode {
-                happened.push(Happened::Switch { from: self.mode, to: mode, theta });
+                events.push(DemoEvent::Switch { from: self.mode, to: mode, theta });
                 self.mode = mode;
             }
             if STRING <= self.hammer[0] && 0.0 < self.hammer[1] {
-                happened.push(Happened::Strike { speed: self.hammer[1], theta });
+                events.push(DemoEvent::Strike { speed: self.hammer[1], theta });
                 self.hammer = [STRING, -values[5] * self.hammer[1]];
             }
         }
-        happened
+        events
     }
 
     fn step(&mut self, values: &DemoValues, push: f64, h: f64) {
@@ -100,12 +105,12 @@ impl DemoAction {
         self.force = balance + RATIO * contact;
     }
 
-    /// How far the knuckle is squeezed (m).
+    /// Returns the compression of the knuckle (m).
     fn squeeze(&self) -> f64 {
         RATIO * self.key[0] - self.hammer[0]
     }
 
-    /// Force in the knuckle (N).
+    /// Returns the force in the knuckle (N).
     fn contact(&self, values: &DemoValues) -> f64 {
         let squeeze = self.squeeze();
         if squeeze <= 0.0 {
@@ -114,7 +119,7 @@ impl DemoAction {
         (values[0] * squeeze + values[1] * (RATIO * self.key[1] - self.hammer[1])).max(0.0)
     }
 
-    /// Whether nothing moves that could be seen.
+    /// Returns whether nothing moves that could be seen.
     pub(super) fn is_still(&self) -> bool {
         self.key[0] < 2e-4
             && self.hammer[0] < 1e-3
@@ -122,7 +127,7 @@ impl DemoAction {
             && self.hammer[1].abs() < 1e-3
     }
 
-    /// Signals, in the order of the catalogue.
+    /// Returns the signals, in the order of the catalogue.
     pub(super) fn signals(&self, values: &DemoValues) -> [f64; 8] {
         let contact = self.contact(values);
         [
@@ -146,15 +151,15 @@ mod tests {
     fn a_stroke_throws_the_hammer_which_strikes_and_is_caught() {
         let values = [6000.0, 3.0, 0.0095, 0.08, 0.25, 0.4];
         let mut action = DemoAction::default();
-        let mut happened = Vec::new();
+        let mut events = Vec::new();
         for tick in 0..1500 {
             let push = if (200..500).contains(&tick) { 6.0 } else { 0.0 };
-            happened.extend(action.advance(&values, push, 1e-3));
+            events.extend(action.advance(&values, push, 1e-3));
         }
-        let strikes = happened.iter().filter(|it| matches!(it, Happened::Strike { .. })).count();
-        let switches = happened.iter().filter(|it| matches!(it, Happened::Switch { .. })).count();
-        assert!(1 <= strikes, "{happened:?}");
-        assert!(2 <= switches, "{happened:?}");
+        let strikes = events.iter().filter(|it| matches!(it, DemoEvent::Strike { .. })).count();
+        let switches = events.iter().filter(|it| matches!(it, DemoEvent::Switch { .. })).count();
+        assert!(1 <= strikes, "{events:?}");
+        assert!(2 <= switches, "{events:?}");
         assert!(action.key[0].abs() < 1e-3, "{action:?}");
     }
 }

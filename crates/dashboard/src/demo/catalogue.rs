@@ -17,7 +17,7 @@ fn signal(name: &str, unit: &str, kind: signal::Kind, modes: &[u32]) -> Signal {
     Signal { name: name.into(), unit: unit.into(), kind: kind.into(), modes: modes.to_vec() }
 }
 
-/// What there is to see and to change.
+/// Returns the catalogue of a run that began at `began` (ns since 1970).
 pub(super) fn catalogue(began: u64) -> Catalogue {
     use signal::Kind::{Guard, Output, State};
     let signals = vec![
@@ -77,7 +77,7 @@ fn instruments() -> Vec<Instrument> {
     ]
 }
 
-/// Values of an instrument on a key.
+/// Returns the values of an instrument on a key.
 pub(super) fn values(instrument: &str, key: u8) -> DemoValues {
     let along = f64::from(key) / 87.0;
     match instrument {
@@ -87,7 +87,7 @@ pub(super) fn values(instrument: &str, key: u8) -> DemoValues {
     }
 }
 
-/// What a key is played by.
+/// Returns the voice of a key.
 pub(super) fn voice(key: u8, revision: u32, instrument: &str, values: &DemoValues) -> Voice {
     let model = if instrument == "spring-wall" { WALL } else { MODEL };
     Voice {
@@ -134,7 +134,7 @@ fn body(name: &str, place: [f64; 2], angle: Option<Follower>, outlines: Vec<Outl
     }
 }
 
-/// A clamp, open to the right, that holds the string's end at `place`.
+/// Returns a clamp, open to the right, that holds the string's end at `place`.
 fn agraffe([x, y]: [f64; 2]) -> Outline {
     const CLAMP: [[f64; 2]; 8] = [
         [-0.018, -0.014],
@@ -149,7 +149,7 @@ fn agraffe([x, y]: [f64; 2]) -> Outline {
     outline(outline::Kind::Metal, &CLAMP.map(|[across, up]| [x + across, y + up]))
 }
 
-/// The mechanism seen from the side: the key's front is at the left.
+/// Returns the mechanism seen from the side: the key's front is at the left.
 fn drawing() -> Drawing {
     use outline::Kind::{Felt, Finger, Ground, String, Wood};
     let axis = [0.115 + HAMMER, 0.055];
@@ -209,7 +209,7 @@ fn drawing() -> Drawing {
     }
 }
 
-/// The parameter `name` of a value's place.
+/// Returns the parameter `name` and its place among the values.
 pub(super) fn parameter(name: &str) -> Option<(usize, Parameter)> {
     action::parameters().into_iter().enumerate().find(|(_, parameter)| parameter.name == name)
 }

@@ -3,7 +3,7 @@
 
 use telemetry::{Board, Deadlines, Line, Links, Spread, Ticks};
 
-/// A number in 0..1 that looks like chance and is always the same for `n`.
+/// Returns a number in 0..1 that looks like chance and is always the same for `n`.
 fn chance(n: u64) -> f64 {
     let mut x = n.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5DEE_CE66;
     x = (x ^ (x >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -20,7 +20,7 @@ fn outcome(tick: u64) -> u8 {
     }
 }
 
-/// When the ticks `from..to` were done.
+/// Returns when the ticks `from..to` were done.
 pub(super) fn ticks(from: u64, to: u64) -> Ticks {
     let late = |tick: u64| 8.0 + 14.0 * chance(tick) + if outcome(tick) == 1 { 900.0 } else { 0.0 };
     let work =
@@ -51,7 +51,7 @@ fn spread(middle: f64, width: f64, ticks: u64) -> Spread {
     Spread { p50: middle, p99, p999, max: middle + 16.0 * width, edge, count }
 }
 
-/// All ticks so far.
+/// Returns the distributions of the ticks so far.
 pub(super) fn deadlines(ticks: u64) -> Deadlines {
     let passed = |at: u64| ticks / 4001 + u64::from(at < ticks % 4001);
     let (woken_late, preempted, own_work) = (passed(1900), passed(2600), passed(3300));
@@ -91,7 +91,7 @@ pub(super) fn links(ticks: u64) -> Links {
         state: if i == 5 { "armed; its cable loses frames".into() } else { "armed".into() },
         ..Board::default()
     };
-    // A USB device takes any rate, so nobody knows how full it is.
+    // A USB device takes any rate, so its load is unknown.
     Links {
         lines: vec![line("can0", 0.62, "active"), line("/dev/ttyACM0", f64::NAN, "active")],
         boards: (0..8).map(board).collect(),

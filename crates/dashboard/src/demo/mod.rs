@@ -20,28 +20,28 @@ use telemetry::{
 };
 
 use crate::{WallClock, names, number};
-use action::{DemoAction, DemoValues, Happened};
+use action::{DemoAction, DemoEvent, DemoValues};
 use catalogue::TICK_HZ;
 
-/// Ticks between messages.
+/// Number of ticks between messages.
 const CHUNK: u64 = 32;
 
-/// Ticks that are made at most before somebody looks: after a long pause the rest is skipped.
+/// Most ticks that are caught up: after a long pause the rest is skipped.
 const MOST: u64 = 4000;
 
-/// Nanoseconds of a tick.
+/// Period of a tick (ns).
 const TICK: u64 = 1_000_000_000 / TICK_HZ as u64;
 
-/// How long the recording is (ns).
+/// Length of the recording (ns).
 const LENGTH: u64 = 24_000_000_000;
 
-/// What a [`Demo`] was asked, for those who gave it away.
+/// The requests to a [`Demo`], which tests read.
 pub type RequestLog = Arc<Mutex<Vec<Request>>>;
 
-/// Where the time comes from.
+/// The time of the demonstration.
 enum Time {
     Live,
-    /// It is chosen: seconds that go by in one, and where it was at which time of the clock.
+    /// The time is chosen: its speed, and its place at a time of the clock.
     Recorded {
         speed: f64,
         at: u64,
@@ -50,7 +50,7 @@ enum Time {
     },
 }
 
-/// One key.
+/// A key of the demonstration.
 #[derive(Clone, Debug)]
 struct DemoKey {
     action: DemoAction,
@@ -83,12 +83,12 @@ impl fmt::Debug for Demo {
 }
 
 impl Demo {
-    /// A host that is playing, since now.
+    /// Creates a host that plays from now on.
     pub fn live(clock: WallClock) -> Self {
         Self::new(clock, Time::Live)
     }
 
-    /// A recording of what it would have played.
+    /// Creates a recording of what it would have played.
     pub fn recording(clock: WallClock) -> Self {
         let now = clock();
         let mark = |seconds: u64, text: &str, is_fault| Mark {
@@ -123,7 +123,7 @@ impl Demo {
         demo
     }
 
-    /// What it was asked so far; the list goes on being written.
+    /// Returns the list of its requests, which goes on being written.
     pub fn asked(&self) -> RequestLog {
         Arc::clone(&self.asked)
     }
@@ -139,22 +139,22 @@ impl Demo {
             rows: KeyBlock { key: key.into(), ..KeyBlock::default() },
         };
         self.keys = (0..=names::LAST).map(played).collect();
-        self.tell(Update::Catalogue(catalogue::catalogue(self.began)));
+        self.send(Update::Catalogue(catalogue::catalogue(self.began)));
         for key in 0..=names::LAST {
-            self.tell_voice(key);
+            self.send_voice(key);
         }
         let text = "The demonstration: nothing here is a real key.".into();
-        self.tell(Update::Log(Log { level: log::Level::Info.into(), text }));
+        self.send(Update::Log(Log { level: log::Level::Info.into(), text }));
     }
 
     /// Says what a key is played by.
-    fn tell_voice(&mut self, key: u8) {
+    fn send_voice(&mut self, key: u8) {
         let played = &self.keys[usize::from(key)];
         let voice = catalogue::voice(key, played.revision, &played.instrument, &played.values);
-        self.tell(Update::Voice(voice));
+        self.send(Update::Voice(voice));
     }
 
-    fn tell(&mut self, update: Update) {
+    fn send(&mut self, update: Update) {
         let is_wanted = match update.topic() {
             Some(topic @ (Topic::Block(_) | Topic::State(_))) => self.followed.contains(&topic),
             Some(_) => true,
@@ -166,7 +166,7 @@ impl Demo {
         }
     }
 
-    /// The tick that is due.
+    /// Returns the tick that is due.
     fn due(&self) -> u64 {
         let now = (self.clock)();
         let at = match &self.time {
@@ -189,16 +189,16 @@ impl Demo {
             self.advance();
             self.tick += 1;
             if self.tick.is_multiple_of(CHUNK) {
-                self.tell_chunk();
+                self.send_chunk();
             }
             if self.tick.is_multiple_of(TICK_HZ.into()) {
-                self.tell(Update::Deadlines(machine::deadlines(self.tick)));
-                self.tell(Update::Links(machine::links(self.tick)));
+                self.send(Update::Deadlines(machine::deadlines(self.tick)));
+                self.send(Update::Links(machine::links(self.tick)));
             }
         }
     }
 
-    /// One tick of all keys.
+    /// Advances all keys by a tick.
     fn advance(&mut self) {
         let pushes = score::pushes(self.tick);
         for key in 0..=names::LAST {
@@ -211,16 +211,16 @@ impl Demo {
             if push < 1e-9 && played.action.is_still() {
                 continue;
             }
-            let happened = played.action.advance(&played.values, push, 1.0 / f64::from(TICK_HZ));
+            let events = played.action.advance(&played.values, push, 1.0 / f64::from(TICK_HZ));
             self.enter_row(key);
-            for it in happened {
-                self.tell_happened(key, it);
+            for it in events {
+                self.send_event(key, it);
             }
         }
         if !self.is_stopped {
-            self.tell_notes();
+            self.send_notes();
         }
-        self.tell_fault();
+        self.send_fault();
     }
 
     fn enter_row(&mut self, key: u8) {
@@ -252,10 +252,10 @@ impl Demo {
         self.overview.flags[i] = 0;
     }
 
-    fn tell_happened(&mut self, key: u8, happened: Happened) {
+    fn send_event(&mut self, key: u8, what: DemoEvent) {
         let event = Event { tick: self.tick, key: key.into(), ..Event::default() };
-        let event = match happened {
-            Happened::Switch { from, to, theta } => Event {
+        let event = match what {
+            DemoEvent::Switch { from, to, theta } => Event {
                 kind: event::Kind::Switch.into(),
                 theta,
                 from: from.into(),
@@ -263,32 +263,32 @@ impl Demo {
                 guard: if to == 1 { "lift" } else { "land" }.into(),
                 ..event
             },
-            Happened::Strike { speed, theta } => {
-                self.tell_note(key, speed);
+            DemoEvent::Strike { speed, theta } => {
+                self.send_note(key, speed);
                 Event { kind: event::Kind::Strike.into(), theta, speed, ..event }
             }
         };
-        self.tell(Update::Event(event));
+        self.send(Update::Event(event));
     }
 
-    fn tell_note(&mut self, key: u8, speed: f64) {
+    fn send_note(&mut self, key: u8, speed: f64) {
         let velocity = number::byte(number::f32((30.0 * speed).clamp(1.0, 127.0)));
         let note = key + 21;
         let text = format!("note on {} velocity {velocity}", names::name(key));
         let at = self.tick as f64 / f64::from(TICK_HZ);
-        self.tell(Update::Midi(Midi { at, bytes: vec![0x90, note, velocity], text }));
+        self.send(Update::Midi(Midi { at, bytes: vec![0x90, note, velocity], text }));
     }
 
-    fn tell_notes(&mut self) {
+    fn send_notes(&mut self) {
         for key in score::released(self.tick) {
             let text = format!("note off {} velocity 40", names::name(key));
             let at = self.tick as f64 / f64::from(TICK_HZ);
-            self.tell(Update::Midi(Midi { at, bytes: vec![0x80, key + 21, 40], text }));
+            self.send(Update::Midi(Midi { at, bytes: vec![0x80, key + 21, 40], text }));
         }
     }
 
-    /// F#4 cannot be trusted for a while.
-    fn tell_fault(&mut self) {
+    /// Sends the fault of F#4, and its recovery.
+    fn send_fault(&mut self) {
         const KEY: u8 = 45;
         let kind = match self.tick {
             1500 => event::Kind::Fault,
@@ -299,23 +299,23 @@ impl Demo {
         self.overview.fault[usize::from(KEY)] = if is_fault { 3 } else { 0 };
         let text = if is_fault { "64 guards fired in one tick" } else { "in time for 5 s" }.into();
         let (tick, key) = (self.tick, KEY.into());
-        self.tell(Update::Event(Event { kind: kind.into(), tick, key, text, ..Event::default() }));
+        self.send(Update::Event(Event { kind: kind.into(), tick, key, text, ..Event::default() }));
     }
 
-    fn tell_chunk(&mut self) {
+    fn send_chunk(&mut self) {
         let from = self.tick - CHUNK;
-        self.tell(Update::Ticks(machine::ticks(from, self.tick)));
+        self.send(Update::Ticks(machine::ticks(from, self.tick)));
         for key in 0..KEYS {
             let rows = &mut self.keys[key].rows;
             let empty = KeyBlock { key: rows.key, ..KeyBlock::default() };
             let block = std::mem::replace(rows, empty);
             if !block.after.is_empty() {
-                self.tell(Update::Block(block));
+                self.send(Update::Block(block));
             }
         }
         self.overview.tick = self.tick;
         self.overview.ticks = u32::try_from(CHUNK).unwrap_or(0);
-        self.tell(Update::Overview(self.overview.clone()));
+        self.send(Update::Overview(self.overview.clone()));
         self.overview.position_min = self.positions();
         self.overview.position_max = self.positions();
         self.overview.force_min = self.forces();
@@ -331,7 +331,7 @@ impl Demo {
     }
 }
 
-/// All keys at rest.
+/// Returns an overview of all keys at rest.
 fn overview() -> Overview {
     Overview {
         position_min: vec![0.0; KEYS],
@@ -444,5 +444,5 @@ impl Timeline for Demo {
     }
 }
 
-/// Pushes by key (N).
+/// Forces of fingers by key (N).
 type Pushes = BTreeMap<u8, f64>;

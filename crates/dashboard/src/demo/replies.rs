@@ -20,7 +20,7 @@ impl Demo {
             }
             Request::Press { key, newtons } => self.press(key, newtons),
             Request::Identify { line, board } => {
-                self.tell_board(&format!("board {board} of line {line} shows its light"));
+                self.send_board(&format!("board {board} of line {line} shows its light"));
                 Ok(done("It shows its light."))
             }
             Request::Where {} => Err("The demonstration is nowhere.".into()),
@@ -30,13 +30,13 @@ impl Demo {
         }
     }
 
-    fn tell_board(&mut self, text: &str) {
+    fn send_board(&mut self, text: &str) {
         let kind = event::Kind::Board.into();
         let (tick, text) = (self.tick, text.to_owned());
-        self.tell(Update::Event(Event { kind, tick, key: 255, text, ..Event::default() }));
+        self.send(Update::Event(Event { kind, tick, key: 255, text, ..Event::default() }));
     }
 
-    /// All of them or none.
+    /// Sets all values or none.
     fn set(&mut self, changes: &[Change]) -> Result<Reply, String> {
         let check = |change: &Change| {
             let Some((_, parameter)) = catalogue::parameter(&change.parameter) else {
@@ -56,7 +56,7 @@ impl Demo {
                 let played = &mut self.keys[usize::from(change.key)];
                 played.values[i] = change.value;
                 played.revision += 88;
-                self.tell_voice(change.key);
+                self.send_voice(change.key);
             }
         }
         Ok(done(&format!("{} values changed.", changes.len())))
@@ -70,7 +70,7 @@ impl Demo {
             instrument.clone_into(&mut played.instrument);
             played.values = catalogue::values(instrument, key);
             played.revision += 88;
-            self.tell_voice(key);
+            self.send_voice(key);
         }
         Ok(done("Another instrument."))
     }

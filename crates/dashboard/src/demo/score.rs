@@ -2,10 +2,10 @@
 
 use super::Pushes;
 
-/// Ticks of the piece.
+/// Length of the piece (ticks).
 const LENGTH: u64 = 4000;
 
-/// From which tick to which, which key, how hard (N).
+/// First tick, last tick, key and force (N) of each stroke.
 const STROKES: [(u64, u64, u8, f64); 12] = [
     (250, 550, 39, 2.2),
     (700, 1200, 39, 5.5),
@@ -21,19 +21,19 @@ const STROKES: [(u64, u64, u8, f64); 12] = [
     (3500, 3750, 58, 5.0),
 ];
 
-/// How hard fingers press in a tick.
+/// Returns the forces of the fingers in a tick (N).
 pub(super) fn pushes(tick: u64) -> Pushes {
     let at = tick % LENGTH;
     let strokes = STROKES.iter().filter(|(from, to, _, _)| (*from..*to).contains(&at));
     strokes.map(|(from, _, key, newtons)| (*key, newtons * ramp(at - from))).collect()
 }
 
-/// A finger does not push at once.
+/// Returns the share of a finger's force so many ticks after it began.
 fn ramp(ticks: u64) -> f64 {
     (ticks as f64 / 30.0).min(1.0)
 }
 
-/// Keys whose note ends in a tick.
+/// Returns the keys whose note ends in a tick.
 pub(super) fn released(tick: u64) -> Vec<u8> {
     let at = tick % LENGTH;
     STROKES.iter().filter(|(_, to, _, _)| *to == at).map(|(_, _, key, _)| *key).collect()

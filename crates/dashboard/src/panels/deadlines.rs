@@ -6,14 +6,14 @@ use serde::{Deserialize, Serialize};
 use telemetry::{Deadlines, Spread};
 
 use super::{nothing_ui, piece_ui};
-use crate::desk::AppState;
+use crate::app_state::AppState;
 use crate::store::timing::{TickOutcome, Timed};
-use crate::{look, unit};
+use crate::{theme, unit};
 
-/// Ticks on the timeline.
+/// Most ticks on the timeline.
 const SHOWN: usize = 4000;
 
-/// Which distribution is seen.
+/// The distribution that is seen.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 enum Which {
     #[default]
@@ -45,33 +45,33 @@ impl Which {
     }
 }
 
-/// What the panel remembers.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
-pub(crate) struct View {
+pub(super) struct View {
     which: Which,
 }
 
-/// Draws the panel.
-pub(super) fn deadlines_ui(ui: &mut Ui, desk: &mut AppState) {
-    let Some(deadlines) = desk.store.deadlines.clone() else {
-        nothing_ui(ui, "Deadlines are told once a second.");
-        return;
-    };
-    counts_ui(ui, &deadlines);
-    ui.horizontal_wrapped(|ui| {
-        for which in Which::ALL {
-            ui.selectable_value(&mut desk.views.deadlines.which, which, which.text());
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        let Some(deadlines) = &state.store.deadlines else {
+            nothing_ui(ui, "Deadlines are told once a second.");
+            return;
+        };
+        counts_ui(ui, deadlines);
+        ui.horizontal_wrapped(|ui| {
+            for which in Which::ALL {
+                ui.selectable_value(&mut self.which, which, which.text());
+            }
+            if let Some(spread) = self.which.of(deadlines) {
+                quantiles_ui(ui, spread);
+            }
+        });
+        let height = (ui.available_height() / 2.0 - 6.0).max(60.0);
+        if let Some(spread) = self.which.of(deadlines) {
+            histogram_ui(ui, spread, height);
         }
-        if let Some(spread) = desk.views.deadlines.which.of(&deadlines) {
-            quantiles_ui(ui, spread);
-        }
-    });
-    let height = (ui.available_height() / 2.0 - 6.0).max(60.0);
-    if let Some(spread) = desk.views.deadlines.which.of(&deadlines) {
-        histogram_ui(ui, spread, height);
+        timeline_ui(ui, state, height);
     }
-    timeline_ui(ui, desk, height);
 }
 
 fn counts_ui(ui: &mut Ui, deadlines: &Deadlines) {
@@ -85,7 +85,7 @@ fn counts_ui(ui: &mut Ui, deadlines: &Deadlines) {
             ("skipped", deadlines.skipped),
         ];
         for (name, count) in counts {
-            let color = if count == 0 { ui.visuals().weak_text_color() } else { look::fault(ui) };
+            let color = if count == 0 { ui.visuals().weak_text_color() } else { theme::fault(ui) };
             piece_ui(ui, RichText::new(format!("{count} {name}")).color(color));
         }
     });
@@ -99,7 +99,7 @@ fn quantiles_ui(ui: &mut Ui, spread: &Spread) {
     }
 }
 
-/// How many took how long, on a logarithm, so that a single one is seen.
+/// Draws how many ticks took how long, on a logarithm, so that a single one is seen.
 fn histogram_ui(ui: &mut Ui, spread: &Spread, height: f32) {
     let mut before = 0.0;
     let mut bars = Vec::with_capacity(spread.edge.len());
@@ -110,12 +110,12 @@ fn histogram_ui(ui: &mut Ui, spread: &Spread, height: f32) {
         bars.push(Bar::new(middle, height).width((edge - before) * 0.92).name(format!("{count}")));
         before = *edge;
     }
-    let marks = [("p99", spread.p99, look::ORANGE), ("p99.9", spread.p999, look::VERMILLION)];
-    let color = look::line(0, ui);
+    let marks = [("p99", spread.p99, theme::ORANGE), ("p99.9", spread.p999, theme::VERMILLION)];
+    let color = theme::line(0, ui);
     Plot::new("histogram")
         .grid_spacing(22.0..=220.0)
-        .grid_color(look::grid(ui))
-        .x_grid_spacer(look::spacer_across(ui.available_width()))
+        .grid_color(theme::grid(ui))
+        .x_grid_spacer(theme::spacer_across(ui.available_width()))
         .height(height)
         .allow_scroll(false)
         .legend(legend())
@@ -132,29 +132,29 @@ fn histogram_ui(ui: &mut Ui, spread: &Spread, height: f32) {
         });
 }
 
-/// What is behind it shines through: in a narrow tile it covers much.
+/// Returns a legend that is half transparent: in a narrow tile it covers much.
 fn legend() -> Legend {
     Legend::default().text_style(TextStyle::Small).position(Corner::RightTop).background_alpha(0.5)
 }
 
 const fn color(cause: TickOutcome) -> Color32 {
     match cause {
-        TickOutcome::InTime => look::GREEN,
-        TickOutcome::WokenLate => look::ORANGE,
-        TickOutcome::Preempted => look::PURPLE,
-        TickOutcome::OwnWork => look::VERMILLION,
+        TickOutcome::InTime => theme::GREEN,
+        TickOutcome::WokenLate => theme::ORANGE,
+        TickOutcome::Preempted => theme::PURPLE,
+        TickOutcome::OwnWork => theme::VERMILLION,
     }
 }
 
-/// The last ticks, each late one in the colour of its cause.
-fn timeline_ui(ui: &mut Ui, desk: &AppState, height: f32) {
-    let ticks = desk.store.timing.ticks();
+/// Draws the last ticks, each late one in the colour of its cause.
+fn timeline_ui(ui: &mut Ui, state: &AppState, height: f32) {
+    let ticks = state.store.timing.ticks();
     let skipped = ticks.len().saturating_sub(SHOWN);
     let shown: Vec<Timed> = ticks.iter().skip(skipped).copied().collect();
-    let period = desk.store.period();
-    let point = |it: &Timed| [desk.store.seconds(it.tick), f64::from(it.lateness + it.turnaround)];
+    let period = state.store.period();
+    let point = |it: &Timed| [state.store.seconds(it.tick), f64::from(it.lateness + it.turnaround)];
     let all: Vec<[f64; 2]> = shown.iter().map(point).collect();
-    let line = look::line(0, ui);
+    let line = theme::line(0, ui);
     let late: Vec<(TickOutcome, Vec<[f64; 2]>)> = TickOutcome::ALL
         .into_iter()
         .filter(|cause| *cause != TickOutcome::InTime)
@@ -163,9 +163,9 @@ fn timeline_ui(ui: &mut Ui, desk: &AppState, height: f32) {
     let limit = period * 1e6;
     Plot::new("ticks")
         .grid_spacing(22.0..=220.0)
-        .grid_color(look::grid(ui))
-        .x_grid_spacer(look::spacer_across(ui.available_width()))
-        .y_grid_spacer(look::spacer_up(height))
+        .grid_color(theme::grid(ui))
+        .x_grid_spacer(theme::spacer_across(ui.available_width()))
+        .y_grid_spacer(theme::spacer_up(height))
         .height(height)
         .allow_scroll(false)
         .legend(legend().follow_insertion_order(true))
@@ -175,7 +175,7 @@ fn timeline_ui(ui: &mut Ui, desk: &AppState, height: f32) {
         .include_y(0.0)
         .show(ui, move |plot| {
             plot.line(Line::new("tick", PlotPoints::new(all)).color(line).width(1.0));
-            plot.hline(HLine::new("deadline", limit).color(look::YELLOW).width(1.2));
+            plot.hline(HLine::new("deadline", limit).color(theme::YELLOW).width(1.2));
             for (cause, points) in late {
                 let points = Points::new(cause.text(), points).radius(4.0).color(color(cause));
                 plot.points(points);

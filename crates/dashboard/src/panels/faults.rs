@@ -2,70 +2,102 @@
 
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{Label, RichText, ScrollArea, Sense, Ui};
+use serde::{Deserialize, Serialize};
 use telemetry::Event;
 
 use super::nothing_ui;
-use crate::desk::AppState;
-use crate::explain::{self, Explained};
-use crate::{look, names, number};
+use crate::app_state::AppState;
+use crate::fault_text::{self, Explanation};
+use crate::{names, number, theme};
 
-/// Events that are shown.
+/// Most events that are listed.
 const SHOWN: usize = 100;
 
-/// Draws the panel.
-pub(super) fn faults_ui(ui: &mut Ui, desk: &mut AppState) {
-    let faulty = desk.store.faulty();
-    let events = events(desk);
+/// The panel remembers nothing of itself.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(super) struct View;
+
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        let shown = faults_ui(ui, state);
+        if let Some(key) = shown.key {
+            state.select(key);
+        }
+        if let Some(at) = shown.at {
+            let scopes = state.view.scopes.values_mut();
+            scopes.for_each(|scope| scope.pinned = Some(at + scope.window / 2.0));
+        }
+    }
+}
+
+/// What was clicked, to be shown in the other panels.
+#[derive(Default)]
+struct Clicked {
+    key: Option<u8>,
+    /// The time in the scopes (s).
+    at: Option<f64>,
+}
+
+fn faults_ui(ui: &mut Ui, state: &AppState) -> Clicked {
+    let faulty = state.store.faulty();
+    let events = events(state);
+    let mut clicked = Clicked::default();
     if faulty.is_empty() && events.is_empty() {
         nothing_ui(ui, "Nothing has gone wrong.");
-        return;
+        return clicked;
     }
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         for key in faulty {
-            standing_ui(ui, desk, key);
+            faulty_key_ui(ui, state, key, &mut clicked);
         }
-        for (number, event, explained) in events {
-            event_ui(ui, desk, number, &event, explained);
+        for (number, event, explanation) in events {
+            event_ui(ui, state, (number, event, explanation), &mut clicked);
         }
     });
+    clicked
 }
 
-/// What went wrong, newest first, each with the number that it keeps while others arrive.
-fn events(desk: &AppState) -> Vec<(u64, Event, Explained)> {
-    let numbers = (0..desk.store.events.count()).rev();
-    let newest_first = numbers.zip(desk.store.events.iter().rev());
+/// Returns what went wrong, newest first, each with the number that it keeps while others arrive.
+fn events(state: &AppState) -> Vec<(u64, &Event, Explanation)> {
+    let numbers = (0..state.store.events.count()).rev();
+    let newest_first = numbers.zip(state.store.events.iter().rev());
     newest_first
-        .filter_map(|(number, event)| Some((number, event.clone(), explain::event(event.kind())?)))
+        .filter_map(|(number, event)| Some((number, event, fault_text::event(event.kind())?)))
         .take(SHOWN)
         .collect()
 }
 
-/// A key that has a fault now.
-fn standing_ui(ui: &mut Ui, desk: &mut AppState, key: u8) {
-    let Some(explained) = explain::fault(desk.store.glances.key(key).fault) else { return };
-    let text = format!("{} is faulty now: {}", names::name(key), explained.name);
+/// Draws a key that has a fault now.
+fn faulty_key_ui(ui: &mut Ui, state: &AppState, key: u8, clicked: &mut Clicked) {
+    let Some(explanation) = fault_text::fault(state.store.summaries.key(key).fault) else { return };
+    let text = format!("{} is faulty now: {}", names::name(key), explanation.name);
     ui.horizontal_wrapped(|ui| {
-        ui.label(RichText::new(text).strong().color(look::fault(ui)));
+        ui.label(RichText::new(text).strong().color(theme::fault(ui)));
         if ui.small_button(format!("Show {}", names::name(key))).clicked() {
-            desk.select(key);
+            clicked.key = Some(key);
         }
     });
-    ui.label(explained.what);
-    ui.weak(explained.advice);
+    ui.label(explanation.what);
+    ui.weak(explanation.advice);
     ui.separator();
 }
 
-/// Something that happened; unfolded, what it means.
-fn event_ui(ui: &mut Ui, desk: &mut AppState, number: u64, event: &Event, explained: Explained) {
+/// Draws an event; unfolded, what it means.
+fn event_ui(
+    ui: &mut Ui,
+    state: &AppState,
+    (number, event, explanation): (u64, &Event, Explanation),
+    clicked: &mut Clicked,
+) {
     let key = number::key(event.key);
-    let at = desk.store.when(event);
+    let at = state.store.when(event);
     let of = key.map(|key| format!(" of {}", names::name(key))).unwrap_or_default();
-    let title = format!("{at:.3} s  {}{of}: {}", explained.name, event.text);
+    let title = format!("{at:.3} s  {}{of}: {}", explanation.name, event.text);
     let id = ui.make_persistent_id(("event", number));
-    let state = CollapsingState::load_with_default_open(ui.ctx(), id, false);
+    let header = CollapsingState::load_with_default_open(ui.ctx(), id, false);
     // A header of egui's own does not wrap.
     let mut is_clicked = false;
-    let mut header = state.show_header(ui, |ui| {
+    let mut header = header.show_header(ui, |ui| {
         let title = Label::new(title).wrap().selectable(false);
         is_clicked = ui.add(title.sense(Sense::click())).clicked();
     });
@@ -73,13 +105,10 @@ fn event_ui(ui: &mut Ui, desk: &mut AppState, number: u64, event: &Event, explai
         header.toggle();
     }
     header.body(|ui| {
-        ui.label(explained.what);
-        ui.weak(explained.advice);
+        ui.label(explanation.what);
+        ui.weak(explanation.advice);
         if ui.small_button("Show in the scopes").clicked() {
-            if let Some(key) = key {
-                desk.select(key);
-            }
-            desk.views.scopes.values_mut().for_each(|it| it.pinned = Some(at + it.window / 2.0));
+            *clicked = Clicked { key, at: Some(at) };
         }
     });
 }

@@ -2,131 +2,143 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{Grid, RichText, ScrollArea, TextEdit, Ui};
-use telemetry::{Instrument, Request};
+use eframe::egui::{Button, Grid, RichText, ScrollArea, TextEdit, Ui, vec2};
+use serde::{Deserialize, Serialize};
+use telemetry::{Instrument, Model, Request};
 
 use super::nothing_ui;
-use crate::desk::AppState;
-use crate::{look, names};
+use crate::app_state::AppState;
+use crate::store::Store;
+use crate::{names, theme};
 
-/// What the panel remembers.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct View {
-    /// The range, while somebody writes it; else the selected one.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub(super) struct View {
+    /// The range as typed; the selected one without.
+    #[serde(skip)]
     range: Option<String>,
 }
 
-/// Draws the panel.
-pub(super) fn instruments_ui(ui: &mut Ui, desk: &mut AppState) {
-    let Some(catalogue) = desk.store.catalogue.clone() else {
-        nothing_ui(ui, "The host has not told yet what it has.");
-        return;
-    };
-    let range = range_ui(ui, desk);
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        for instrument in &catalogue.instruments {
-            instrument_ui(ui, desk, instrument, range.as_ref());
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        let Some(catalogue) = &state.store.catalogue else {
+            nothing_ui(ui, "The host has not told yet what it has.");
+            return;
+        };
+        let range = self.range_ui(ui, state);
+        let area = ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            let mut chosen = None;
+            for instrument in &catalogue.instruments {
+                if instrument_ui(ui, instrument, range.is_some()) {
+                    chosen = Some(instrument.name.clone());
+                }
+            }
+            ui.separator();
+            ui.strong("What plays now");
+            let run = ScrollArea::horizontal().show(ui, |ui| runs_ui(ui, &state.store)).inner;
+            ui.separator();
+            ui.strong("Models");
+            catalogue.models.iter().for_each(|model| model_ui(ui, model));
+            (chosen, run)
+        });
+        let (chosen, run) = area.inner;
+        if let Some((instrument, range)) = chosen.zip(range) {
+            let keys = (range != (0..=names::LAST)).then(|| names::range_name(&range));
+            state.ask(Request::UseInstrument { instrument, keys });
         }
-        ui.separator();
-        ui.strong("What plays now");
-        ScrollArea::horizontal().show(ui, |ui| runs_ui(ui, desk));
-        ui.separator();
-        ui.strong("Models");
-        for model in &catalogue.models {
-            ui.label(&model.name).on_hover_text(format!(
-                "modes: {}\nparameters: {}",
-                model.modes.join(", "),
-                model.parameters.len()
-            ));
-            ui.weak(&model.summary);
+        if let Some(run) = run {
+            state.select(*run.start());
+            state.select_up_to(*run.end());
         }
-    });
+    }
 }
 
-/// For which keys: typed, or selected on the keyboard.
-fn range_ui(ui: &mut Ui, desk: &mut AppState) -> Option<RangeInclusive<u8>> {
-    let selected = names::range_name(&desk.range());
-    let mut text = desk.views.instruments.range.clone().unwrap_or_else(|| selected.clone());
-    ui.horizontal_wrapped(|ui| {
-        let label = ui.label("for keys");
-        let edit = ui.add(TextEdit::singleline(&mut text).desired_width(90.0));
-        if edit.labelled_by(label.id).changed() {
-            desk.views.instruments.range = Some(text.clone());
-        }
-        if ui.button("Selected").clicked() {
-            desk.views.instruments.range = None;
-        }
-        if ui.button("All").clicked() {
-            desk.views.instruments.range = Some("all".to_owned());
-        }
-        let range = names::range(&text);
-        if range.is_none() {
-            ui.colored_label(look::fault(ui), "write C4..B5, C4 or all");
-        }
-        range
-    })
-    .inner
+impl View {
+    /// Draws for which keys an instrument is: typed, or selected on the keyboard.
+    fn range_ui(&mut self, ui: &mut Ui, state: &AppState) -> Option<RangeInclusive<u8>> {
+        let mut text = self.range.clone().unwrap_or_else(|| names::range_name(&state.range()));
+        ui.horizontal_wrapped(|ui| {
+            let label = ui.label("for keys");
+            let edit = ui.add(TextEdit::singleline(&mut text).desired_width(90.0));
+            if edit.labelled_by(label.id).changed() {
+                self.range = Some(text.clone());
+            }
+            if ui.button("Selected").clicked() {
+                self.range = None;
+            }
+            if ui.button("All").clicked() {
+                self.range = Some("all".to_owned());
+            }
+            let range = names::range(&text);
+            if range.is_none() {
+                ui.colored_label(theme::fault(ui), "write C4..B5, C4 or all");
+            }
+            range
+        })
+        .inner
+    }
 }
 
-fn instrument_ui(
-    ui: &mut Ui,
-    desk: &mut AppState,
-    instrument: &Instrument,
-    range: Option<&RangeInclusive<u8>>,
-) {
-    ui.horizontal_wrapped(|ui| {
+/// Draws an instrument; returns whether it was chosen.
+fn instrument_ui(ui: &mut Ui, instrument: &Instrument, has_range: bool) -> bool {
+    let row = ui.horizontal_wrapped(|ui| {
         let name = RichText::new(&instrument.name).strong();
-        let button = eframe::egui::Button::new(name).min_size(eframe::egui::vec2(120.0, 0.0));
-        let clicked = ui.add_enabled(range.is_some(), button).clicked();
-        if clicked && let Some(range) = range {
-            let keys = (*range != (0..=names::LAST)).then(|| names::range_name(range));
-            desk.ask(Request::UseInstrument { instrument: instrument.name.clone(), keys });
-        }
+        let button = Button::new(name).min_size(vec2(120.0, 0.0));
+        let is_chosen = ui.add_enabled(has_range, button).clicked();
         ui.weak(&instrument.model);
+        is_chosen
     });
     if !instrument.doc.is_empty() {
         ui.label(RichText::new(&instrument.doc).small());
     }
     ui.add_space(2.0);
+    row.inner
 }
 
-fn runs_ui(ui: &mut Ui, desk: &mut AppState) {
+fn model_ui(ui: &mut Ui, model: &Model) {
+    ui.label(&model.name).on_hover_text(format!(
+        "modes: {}\nparameters: {}",
+        model.modes.join(", "),
+        model.parameters.len()
+    ));
+    ui.weak(&model.summary);
+}
+
+/// Draws what plays which keys; returns the keys that were clicked.
+fn runs_ui(ui: &mut Ui, store: &Store) -> Option<RangeInclusive<u8>> {
+    let mut clicked = None;
     Grid::new("now").num_columns(3).striped(true).spacing([14.0, 3.0]).show(ui, |ui| {
-        for (range, instrument, model) in runs(desk) {
-            run_ui(ui, desk, &range, instrument, &model);
+        for run in runs(store) {
+            if ui.link(names::range_name(&run.keys)).clicked() {
+                clicked = Some(run.keys);
+            }
+            ui.label(run.instrument);
+            ui.weak(run.model);
             ui.end_row();
         }
     });
+    clicked
 }
 
-/// A stretch of keys; a click selects it.
-fn run_ui(
-    ui: &mut Ui,
-    desk: &mut AppState,
-    range: &RangeInclusive<u8>,
-    instrument: String,
-    model: &str,
-) {
-    if ui.link(names::range_name(range)).clicked() {
-        desk.select(*range.start());
-        desk.select_up_to(*range.end());
-    }
-    ui.label(instrument);
-    ui.weak(model);
+/// Adjacent keys that the same instrument plays.
+struct InstrumentRun<'a> {
+    keys: RangeInclusive<u8>,
+    instrument: &'a str,
+    model: &'a str,
 }
 
-/// Stretches of keys that the same instrument plays.
-fn runs(desk: &AppState) -> Vec<(RangeInclusive<u8>, String, String)> {
-    let mut runs: Vec<(RangeInclusive<u8>, String, String)> = Vec::new();
-    for (key, voice) in desk.store.voices() {
-        if let Some((range, instrument, model)) = runs.last_mut()
-            && *instrument == voice.instrument
-            && *model == voice.model
-            && range.end() + 1 == key
+fn runs(store: &Store) -> Vec<InstrumentRun<'_>> {
+    let mut runs: Vec<InstrumentRun<'_>> = Vec::new();
+    for (key, voice) in store.voices() {
+        if let Some(run) = runs.last_mut()
+            && run.instrument == voice.instrument
+            && run.model == voice.model
+            && run.keys.end() + 1 == key
         {
-            *range = *range.start()..=key;
+            run.keys = *run.keys.start()..=key;
         } else {
-            runs.push((key..=key, voice.instrument.clone(), voice.model.clone()));
+            let (instrument, model) = (&voice.instrument, &voice.model);
+            runs.push(InstrumentRun { keys: key..=key, instrument, model });
         }
     }
     runs

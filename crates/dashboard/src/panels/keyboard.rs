@@ -1,16 +1,18 @@
 //! Keys to press with the mouse, and with the computer keyboard.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 use eframe::egui::{
     Align2, Color32, DragValue, FontId, Key, Rect, Response, Sense, Stroke, StrokeKind, Ui,
     WidgetInfo, accesskit::Role, pos2, vec2,
 };
+use serde::{Deserialize, Serialize};
 use telemetry::Request;
 
 use super::nothing_ui;
-use crate::desk::AppState;
-use crate::{look, names, number};
+use crate::app_state::AppState;
+use crate::{names, number, theme};
 
 /// Keys of the computer from a C on: white ones in the middle row, black ones above.
 const ROW: [Key; 17] = [
@@ -33,21 +35,26 @@ const ROW: [Key; 17] = [
     Key::Semicolon,
 ];
 
-/// Semitones that are drawn.
+/// Number of semitones that are drawn.
 const SPAN: u8 = 29;
 
-/// What the panel remembers.
-#[derive(Clone, Debug)]
-pub(crate) struct View {
-    /// The computer keyboard plays.
-    pub(crate) plays: bool,
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(default)]
+pub(super) struct View {
+    /// Whether keys of the computer play notes.
+    #[serde(skip)]
+    plays: bool,
     /// The lowest key that is drawn: a C.
+    #[serde(skip)]
     lowest: u8,
-    /// How hard the computer keyboard presses, and the mouse at a key's front (N).
+    /// Force of the computer keyboard, and of the mouse at a key's front (N).
+    #[serde(skip)]
     newtons: f64,
-    /// What is pressed now (N).
+    /// Forces on the pressed keys (N).
+    #[serde(skip)]
     pressed: BTreeMap<u8, f64>,
-    /// Whether the panel was drawn since this was asked last.
+    /// Whether the panel was drawn since [`View::release_if_hidden`].
+    #[serde(skip)]
     is_shown: bool,
 }
 
@@ -57,74 +64,138 @@ impl Default for View {
     }
 }
 
-/// Draws the panel.
-pub(super) fn keyboard_ui(ui: &mut Ui, desk: &mut AppState) {
-    if !desk.store.catalogue.as_ref().is_some_and(|catalogue| catalogue.fingers) {
-        nothing_ui(ui, "There are no simulated fingers here: press the real keys.");
-        return;
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        if !state.store.catalogue.as_ref().is_some_and(|catalogue| catalogue.fingers) {
+            nothing_ui(ui, "There are no simulated fingers here: press the real keys.");
+            return;
+        }
+        self.is_shown = true;
+        self.controls_ui(ui);
+        let mut pressed = self.keys_ui(ui);
+        if self.plays && !ui.ctx().text_edit_focused() {
+            pressed.extend(self.played(ui));
+        }
+        self.send(state, pressed);
     }
-    desk.views.keyboard.is_shown = true;
-    controls_ui(ui, desk);
-    let size = vec2(ui.available_width(), (ui.available_height()).clamp(60.0, 200.0));
-    let (area, _) = ui.allocate_exact_size(size, Sense::hover());
-    let view = &desk.views.keyboard;
-    let (lowest, newtons) = (view.lowest, view.newtons);
-    let mut now: BTreeMap<u8, f64> = BTreeMap::new();
-    let keys = lowest..=(lowest + SPAN - 1).min(names::LAST);
-    let (black, white) = keys.partition::<Vec<u8>, _>(|key| names::is_black(*key));
-    for key in white.into_iter().chain(black) {
-        let rect = rect(area, lowest, key);
-        let response = key_ui(ui, desk, key, rect);
-        if let Some(at) =
-            response.interact_pointer_pos().filter(|_| response.is_pointer_button_down_on())
-        {
-            let depth = f64::from(((at.y - rect.top()) / rect.height()).clamp(0.1, 1.0));
-            now.insert(key, (newtons * depth * 10.0).round() / 10.0);
+}
+
+impl View {
+    /// Returns whether keys of the computer play notes.
+    pub(super) const fn plays(&self) -> bool {
+        self.plays
+    }
+
+    /// Releases all keys, and plays no more, unless the panel was drawn since the last call.
+    pub(super) fn release_if_hidden(&mut self, state: &mut AppState) {
+        if !std::mem::take(&mut self.is_shown) {
+            self.plays = false;
+            self.release(state);
         }
     }
-    if desk.views.keyboard.plays && !ui.ctx().text_edit_focused() {
+
+    /// Releases all keys that are pressed.
+    pub(super) fn release(&mut self, state: &mut AppState) {
+        self.send(state, BTreeMap::new());
+    }
+
+    fn controls_ui(&mut self, ui: &mut Ui) {
+        ui.horizontal_wrapped(|ui| {
+            ui.toggle_value(&mut self.plays, "Computer keyboard plays")
+                .on_hover_text("A S D F … are white keys, W E T Y U … black ones.");
+            let newtons =
+                DragValue::new(&mut self.newtons).speed(0.05).range(0.5..=20.0).suffix(" N");
+            ui.add(newtons).on_hover_text("How hard, at a key's front.").accessible_name("newtons");
+            if ui.button("Octave down").clicked() {
+                self.lowest = self.lowest.saturating_sub(12).max(3);
+            }
+            if ui.button("Octave up").clicked() {
+                self.lowest = (self.lowest + 12).min(63);
+            }
+            ui.weak(names::range_name(&self.keys()));
+        });
+    }
+
+    /// Returns the keys that are drawn.
+    fn keys(&self) -> RangeInclusive<u8> {
+        self.lowest..=(self.lowest + SPAN - 1).min(names::LAST)
+    }
+
+    /// Draws the keys; returns the forces with which the mouse presses them (N).
+    fn keys_ui(&self, ui: &mut Ui) -> BTreeMap<u8, f64> {
+        let size = vec2(ui.available_width(), (ui.available_height()).clamp(60.0, 200.0));
+        let (area, _) = ui.allocate_exact_size(size, Sense::hover());
+        let mut pressed = BTreeMap::new();
+        let (black, white) = self.keys().partition::<Vec<u8>, _>(|key| names::is_black(*key));
+        for key in white.into_iter().chain(black) {
+            let rect = rect(area, self.lowest, key);
+            let response = self.key_ui(ui, key, rect);
+            if let Some(at) =
+                response.interact_pointer_pos().filter(|_| response.is_pointer_button_down_on())
+            {
+                let depth = f64::from(((at.y - rect.top()) / rect.height()).clamp(0.1, 1.0));
+                pressed.insert(key, (self.newtons * depth * 10.0).round() / 10.0);
+            }
+        }
+        pressed
+    }
+
+    /// Returns the keys that the computer keyboard presses, and their forces (N).
+    fn played(&self, ui: &Ui) -> impl Iterator<Item = (u8, f64)> {
         // A key with Ctrl is a shortcut and no note.
         let held = ui.input(|input| {
             let is_shortcut = input.modifiers.command || input.modifiers.ctrl;
             ROW.map(|key| !is_shortcut && input.key_down(key))
         });
+        let (lowest, newtons) = (self.lowest, self.newtons);
         let played = (0..).zip(held).filter(|(_, is_held)| *is_held);
-        now.extend(played.map(|(i, _)| ((lowest + i).min(names::LAST), newtons)));
+        played.map(move |(i, _)| ((lowest + i).min(names::LAST), newtons))
     }
-    tell(desk, now);
-}
 
-/// Lets go of all keys, and plays no more, once the panel is not to be seen.
-pub(crate) fn leave_if_hidden(desk: &mut AppState) {
-    if !std::mem::take(&mut desk.views.keyboard.is_shown) {
-        desk.views.keyboard.plays = false;
-        release(desk);
+    fn key_ui(&self, ui: &Ui, key: u8, rect: Rect) -> Response {
+        let response =
+            ui.interact(rect, ui.scope_id().with(("press", key)), Sense::click_and_drag());
+        let name = format!("press {}", names::name(key));
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+        let pressed = self.pressed.get(&key).copied();
+        let plain = if names::is_black(key) {
+            Color32::from_rgb(0x2A, 0x2E, 0x35)
+        } else {
+            Color32::from_rgb(0xEC, 0xEA, 0xE2)
+        };
+        let fill = if pressed.is_some() { theme::blend(plain, theme::ORANGE, 0.7) } else { plain };
+        let painter = ui.painter_at(rect.expand(1.0));
+        painter.rect_filled(rect, 2.0, fill);
+        let edge = Stroke::new(1.0, theme::faint(Color32::BLACK, 0.6));
+        painter.rect_stroke(rect, 2.0, edge, StrokeKind::Inside);
+        let letter = ROW.get(usize::from(key - self.lowest)).filter(|_| self.plays);
+        let text = match (pressed, letter) {
+            (Some(newtons), _) => format!("{newtons:.1} N"),
+            (None, Some(letter)) => letter.symbol_or_name().to_owned(),
+            (None, None) if key % 12 == 3 => names::name(key),
+            (None, None) => return response,
+        };
+        let ink = if names::is_black(key) { Color32::WHITE } else { Color32::BLACK };
+        let at = rect.center_bottom() + vec2(0.0, -5.0);
+        painter.text(at, Align2::CENTER_BOTTOM, text, FontId::proportional(11.0), ink);
+        response
+    }
+
+    /// Asks the host for the keys that were pressed, pressed otherwise, or released.
+    fn send(&mut self, state: &mut AppState, pressed: BTreeMap<u8, f64>) {
+        let before = std::mem::replace(&mut self.pressed, pressed);
+        for key in before.keys().filter(|key| !self.pressed.contains_key(key)) {
+            state.ask(Request::Press { key: *key, newtons: 0.0 });
+        }
+        for (key, newtons) in &self.pressed {
+            if before.get(key).is_none_or(|old| 0.05 < (old - newtons).abs()) {
+                state.ask(Request::Press { key: *key, newtons: *newtons });
+            }
+        }
     }
 }
 
-/// Lets go of all keys.
-pub(crate) fn release(desk: &mut AppState) {
-    tell(desk, BTreeMap::new());
-}
-
-fn controls_ui(ui: &mut Ui, desk: &mut AppState) {
-    ui.horizontal_wrapped(|ui| {
-        let view = &mut desk.views.keyboard;
-        ui.toggle_value(&mut view.plays, "Computer keyboard plays")
-            .on_hover_text("A S D F … are white keys, W E T Y U … black ones.");
-        let newtons = DragValue::new(&mut view.newtons).speed(0.05).range(0.5..=20.0).suffix(" N");
-        ui.add(newtons).on_hover_text("How hard, at a key's front.").accessible_name("newtons");
-        if ui.button("Octave down").clicked() {
-            view.lowest = view.lowest.saturating_sub(12).max(3);
-        }
-        if ui.button("Octave up").clicked() {
-            view.lowest = (view.lowest + 12).min(63);
-        }
-        ui.weak(names::range_name(&(view.lowest..=(view.lowest + SPAN - 1).min(names::LAST))));
-    });
-}
-
-/// Where a key is drawn.
+/// Returns where a key is drawn.
 fn rect(area: Rect, lowest: u8, key: u8) -> Rect {
     let last = (lowest + SPAN - 1).min(names::LAST);
     let from = names::whites_below(lowest);
@@ -136,47 +207,5 @@ fn rect(area: Rect, lowest: u8, key: u8) -> Rect {
         Rect::from_min_size(top, vec2(width * 0.62, area.height() * 0.6))
     } else {
         Rect::from_min_size(pos2(left, area.top()), vec2(width - 1.0, area.height()))
-    }
-}
-
-fn key_ui(ui: &Ui, desk: &AppState, key: u8, rect: Rect) -> Response {
-    let response = ui.interact(rect, ui.scope_id().with(("press", key)), Sense::click_and_drag());
-    let name = format!("press {}", names::name(key));
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
-    let view = &desk.views.keyboard;
-    let pressed = view.pressed.get(&key).copied();
-    let plain = if names::is_black(key) {
-        Color32::from_rgb(0x2A, 0x2E, 0x35)
-    } else {
-        Color32::from_rgb(0xEC, 0xEA, 0xE2)
-    };
-    let fill = if pressed.is_some() { look::blend(plain, look::ORANGE, 0.7) } else { plain };
-    let painter = ui.painter_at(rect.expand(1.0));
-    painter.rect_filled(rect, 2.0, fill);
-    let edge = Stroke::new(1.0, look::faint(Color32::BLACK, 0.6));
-    painter.rect_stroke(rect, 2.0, edge, StrokeKind::Inside);
-    let letter = ROW.get(usize::from(key - view.lowest)).filter(|_| view.plays);
-    let text = match (pressed, letter) {
-        (Some(newtons), _) => format!("{newtons:.1} N"),
-        (None, Some(letter)) => letter.symbol_or_name().to_owned(),
-        (None, None) if key % 12 == 3 => names::name(key),
-        (None, None) => return response,
-    };
-    let ink = if names::is_black(key) { Color32::WHITE } else { Color32::BLACK };
-    let at = rect.center_bottom() + vec2(0.0, -5.0);
-    painter.text(at, Align2::CENTER_BOTTOM, text, FontId::proportional(11.0), ink);
-    response
-}
-
-/// Asks for what has changed: pressed keys, and those let go.
-fn tell(desk: &mut AppState, now: BTreeMap<u8, f64>) {
-    let before = std::mem::replace(&mut desk.views.keyboard.pressed, now.clone());
-    for key in before.keys().filter(|key| !now.contains_key(key)) {
-        desk.ask(Request::Press { key: *key, newtons: 0.0 });
-    }
-    for (key, newtons) in now {
-        if before.get(&key).is_none_or(|old| 0.05 < (old - newtons).abs()) {
-            desk.ask(Request::Press { key, newtons });
-        }
     }
 }

@@ -1,21 +1,22 @@
 //! Boards and links: what was planned beside what is seen, and which board is which.
 
-use std::collections::BTreeMap;
+use std::borrow::Cow;
 
 use eframe::egui::{Color32, Grid, RichText, ScrollArea, Ui};
+use serde::{Deserialize, Serialize};
 use telemetry::{Board, Line, Links};
 
 use super::{nothing_ui, share_ui};
-use crate::desk::AppState;
-use crate::{look, names, number, unit};
+use crate::app_state::{AppState, LightState};
+use crate::{names, number, theme, unit};
 
-/// Above this a line has no room for what goes wrong.
+/// Share of a line above which it has no room left for retries.
 const FULL: f64 = 0.85;
 
-/// So many times what was planned is worth a look.
+/// Ratio of the seen load to the planned one above which it is marked.
 const MORE: f64 = 1.1;
 
-/// A column: its name, its unit, and what somebody is told who points at it.
+/// A column: its name, its unit, and what is shown when the pointer rests on it.
 type ColumnHeader = (&'static str, &'static str, &'static str);
 
 const LINES: [ColumnHeader; 7] = [
@@ -41,54 +42,54 @@ const BOARDS: [ColumnHeader; 10] = [
     ("state", "", "What the board says of itself."),
 ];
 
-/// What became of a board's light.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) enum Light {
-    /// It was asked for, and nobody has answered yet.
-    Asked,
-    /// What the host answered, in a sentence.
-    Answered(Result<String, String>),
+/// The panel remembers nothing of itself.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(super) struct View;
+
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        let Some(links) = &state.store.links else {
+            nothing_ui(ui, "Lines and boards are told once a second, where there are any.");
+            return;
+        };
+        let area = ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+            ui.strong("Lines");
+            table("lines", &LINES).show(ui, |ui| {
+                header_ui(ui, &LINES);
+                for line in &links.lines {
+                    line_ui(ui, line);
+                    ui.end_row();
+                }
+            });
+            ui.add_space(8.0);
+            ui.strong("Boards");
+            table("boards", &BOARDS).show(ui, |ui| boards_ui(ui, state, links)).inner
+        });
+        if let Some(board) = area.inner {
+            let (line, board) = (board.line, board.id);
+            state.identify(line, board);
+        }
+    }
 }
 
-/// What the panel remembers.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct View {
-    /// Lights that somebody asked for, by line and board.
-    pub(crate) lights: BTreeMap<(u32, u32), Light>,
-}
-
-/// Draws the panel.
-pub(super) fn links_ui(ui: &mut Ui, desk: &mut AppState) {
-    let Some(links) = desk.store.links.clone() else {
-        nothing_ui(ui, "Lines and boards are told once a second, where there are any.");
-        return;
-    };
-    ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-        ui.strong("Lines");
-        table("lines", &LINES).show(ui, |ui| {
-            heads_ui(ui, &LINES);
-            for line in &links.lines {
-                line_ui(ui, line);
-                ui.end_row();
-            }
-        });
-        ui.add_space(8.0);
-        ui.strong("Boards");
-        table("boards", &BOARDS).show(ui, |ui| {
-            heads_ui(ui, &BOARDS);
-            for board in &links.boards {
-                board_ui(ui, desk, &links, board);
-                ui.end_row();
-            }
-        });
-    });
+/// Draws all boards; returns the one that shall show its light.
+fn boards_ui<'a>(ui: &mut Ui, state: &AppState, links: &'a Links) -> Option<&'a Board> {
+    header_ui(ui, &BOARDS);
+    let mut asked = None;
+    for board in &links.boards {
+        if board_ui(ui, state, links, board) {
+            asked = Some(board);
+        }
+        ui.end_row();
+    }
+    asked
 }
 
 fn table(name: &str, columns: &[ColumnHeader]) -> Grid {
     Grid::new(name).num_columns(columns.len()).striped(true).spacing([10.0, 4.0])
 }
 
-fn heads_ui(ui: &mut Ui, columns: &[ColumnHeader]) {
+fn header_ui(ui: &mut Ui, columns: &[ColumnHeader]) {
     for (name, unit, what) in columns {
         // The unit below the name keeps the columns narrow.
         ui.weak(format!("{name}\n{}", unit::bracketed(unit))).on_hover_text(*what);
@@ -98,7 +99,7 @@ fn heads_ui(ui: &mut Ui, columns: &[ColumnHeader]) {
 
 fn line_ui(ui: &mut Ui, line: &Line) {
     ui.label(&line.name);
-    share_ui(ui, line.planned, look::BLUE);
+    share_ui(ui, line.planned, theme::BLUE);
     share_ui(ui, line.seen, load_color(line));
     for count in [line.corrupt, line.foreign, line.dropped] {
         count_ui(ui, count, 0);
@@ -108,20 +109,21 @@ fn line_ui(ui: &mut Ui, line: &Line) {
 
 fn load_color(line: &Line) -> Color32 {
     if FULL < line.seen {
-        look::VERMILLION
+        theme::VERMILLION
     } else if MORE * line.planned < line.seen {
-        look::ORANGE
+        theme::ORANGE
     } else {
-        look::GREEN
+        theme::GREEN
     }
 }
 
-fn board_ui(ui: &mut Ui, desk: &mut AppState, links: &Links, board: &Board) {
+/// Draws a board; returns whether it shall show its light.
+fn board_ui(ui: &mut Ui, state: &AppState, links: &Links, board: &Board) -> bool {
     let line = line_name(links, board.line);
     ui.label(board.id.to_string());
-    light_ui(ui, desk, board, &line);
+    let is_asked = light_ui(ui, state, board, &line);
     ui.label(keys(board));
-    ui.label(&line);
+    ui.label(&*line);
     let is_known = board.round_trip.is_finite() && 0.0 < board.round_trip;
     ui.label(if is_known { format!("{:.0}", board.round_trip) } else { "–".to_owned() });
     ui.label(board.samples.to_string());
@@ -129,35 +131,35 @@ fn board_ui(ui: &mut Ui, desk: &mut AppState, links: &Links, board: &Board) {
     count_ui(ui, board.refused, 0);
     count_ui(ui, board.armings, 1);
     ui.label(&board.state);
+    is_asked
 }
 
-/// The line's name; its number where it has none.
-fn line_name(links: &Links, line: u32) -> String {
+/// Returns the line's name, or its number where it has none.
+fn line_name(links: &Links, line: u32) -> Cow<'_, str> {
     let named = usize::try_from(line).ok().and_then(|line| links.lines.get(line));
-    named.map_or_else(|| line.to_string(), |line| line.name.clone())
+    named.map_or_else(|| line.to_string().into(), |line| line.name.as_str().into())
 }
 
-/// Which board is it? Its light says so, and the host's answer stands beside.
-fn light_ui(ui: &mut Ui, desk: &mut AppState, board: &Board, line: &str) {
+/// Draws the button for a board's light, and beside it what the host answered.
+fn light_ui(ui: &mut Ui, state: &AppState, board: &Board, line: &str) -> bool {
     ui.horizontal(|ui| {
         let button = ui.small_button("Identify");
         let button = button.accessible_name(format!("Identify board {} of {line}", board.id));
-        if button.clicked() {
-            desk.identify(board.line, board.id);
-        }
-        match desk.views.links.lights.get(&(board.line, board.id)) {
+        match state.light(board.line, board.id) {
             None => {}
-            Some(Light::Asked) => {
+            Some(LightState::Asked) => {
                 ui.weak("…");
             }
-            Some(Light::Answered(Ok(text))) => {
+            Some(LightState::Answered(Ok(text))) => {
                 ui.label(RichText::new(text).small());
             }
-            Some(Light::Answered(Err(text))) => {
-                ui.label(RichText::new(text).small().color(look::fault(ui)));
+            Some(LightState::Answered(Err(text))) => {
+                ui.label(RichText::new(text).small().color(theme::fault(ui)));
             }
         }
-    });
+        button.clicked()
+    })
+    .inner
 }
 
 fn keys(board: &Board) -> String {
@@ -167,10 +169,10 @@ fn keys(board: &Board) -> String {
     range.map_or_else(|| "–".to_owned(), |(low, high)| names::range_name(&(low..=high)))
 }
 
-/// A number that should be no more than `most`.
+/// Draws a count, marked if it is more than `most`.
 fn count_ui(ui: &mut Ui, count: u64, most: u64) {
     let text = RichText::new(count.to_string());
-    ui.label(if most < count { text.color(look::fault(ui)) } else { text.weak() });
+    ui.label(if most < count { text.color(theme::fault(ui)) } else { text.weak() });
 }
 
 #[cfg(test)]

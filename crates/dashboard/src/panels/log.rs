@@ -1,25 +1,31 @@
-//! What people should read.
+//! Messages of the host and of this window, in sentences.
 
 use eframe::egui::{ScrollArea, Ui};
+use serde::{Deserialize, Serialize};
 use telemetry::log::Level;
 
 use super::nothing_ui;
-use crate::desk::AppState;
-use crate::look;
+use crate::app_state::AppState;
+use crate::theme;
 
-/// Draws the panel.
-pub(super) fn log_ui(ui: &mut Ui, desk: &AppState) {
-    if desk.store.log.is_empty() {
-        nothing_ui(ui, "Nothing to read.");
-        return;
-    }
-    ScrollArea::vertical().auto_shrink(false).stick_to_bottom(true).show(ui, |ui| {
-        for entry in &desk.store.log {
-            match entry.level() {
-                Level::Info => ui.label(&entry.text),
-                Level::Warning => ui.colored_label(look::ORANGE, &entry.text),
-                Level::Error => ui.colored_label(look::fault(ui), &entry.text),
-            };
+/// The panel remembers nothing of itself.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(super) struct View;
+
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        if state.store.log.is_empty() {
+            nothing_ui(ui, "Nothing to read.");
+            return;
         }
-    });
+        ScrollArea::vertical().auto_shrink(false).stick_to_bottom(true).show(ui, |ui| {
+            for entry in &state.store.log {
+                match entry.level() {
+                    Level::Info => ui.label(&entry.text),
+                    Level::Warning => ui.colored_label(theme::ORANGE, &entry.text),
+                    Level::Error => ui.colored_label(theme::fault(ui), &entry.text),
+                };
+            }
+        });
+    }
 }

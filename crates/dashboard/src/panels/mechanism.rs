@@ -6,14 +6,15 @@ use eframe::egui::{
     Align2, Color32, FontId, Label, Mesh, Painter, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui,
     WidgetInfo, accesskit::Role, pos2, vec2,
 };
+use serde::{Deserialize, Serialize};
 use telemetry::{Body, Coil, Drawing, Follower, Outline, outline};
 
 use super::nothing_ui;
-use crate::desk::AppState;
-use crate::fill::{self, ScreenPoint};
-use crate::{look, names, number, unit};
+use crate::app_state::AppState;
+use crate::triangulate::{self, ScreenPoint};
+use crate::{names, number, theme, unit};
 
-/// From the drawing (m) to the screen.
+/// The map from the drawing (m) to the screen.
 struct Scale {
     origin: Pos2,
     left: f64,
@@ -22,7 +23,7 @@ struct Scale {
 }
 
 impl Scale {
-    /// All of `drawing` in `rect`, as large as both directions allow.
+    /// Fits all of `drawing` in `rect`, as large as both directions allow.
     fn new(drawing: &Drawing, rect: Rect) -> Option<Self> {
         let width = drawing.right - drawing.left;
         let height = drawing.top - drawing.bottom;
@@ -71,7 +72,7 @@ impl BodyPose {
     }
 }
 
-/// Where a follower is.
+/// Returns where a follower is.
 fn follow(follower: &Follower, value: &impl Fn(&str) -> f64) -> f64 {
     if follower.signal.is_empty() {
         return follower.offset;
@@ -79,24 +80,33 @@ fn follow(follower: &Follower, value: &impl Fn(&str) -> f64) -> f64 {
     follower.offset + follower.scale * value(&follower.signal)
 }
 
-/// Draws the panel.
-pub(super) fn mechanism_ui(ui: &mut Ui, desk: &mut AppState) {
-    let key = desk.views.selected;
-    desk.want(key);
-    let now = desk.now();
-    let mode = mode(desk, key, now);
+/// The panel remembers nothing of itself.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(super) struct View;
+
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        mechanism_ui(ui, state);
+    }
+}
+
+fn mechanism_ui(ui: &mut Ui, state: &mut AppState) {
+    let key = state.view.selected;
+    state.want(key);
+    let now = state.now();
+    let mode = mode(state, key, now);
     ui.horizontal_wrapped(|ui| {
-        ui.strong(desk.title(key));
+        ui.strong(state.title(key));
         if let Some(mode) = mode {
-            ui.colored_label(look::mode(mode), desk.store.mode_name(key, mode));
+            ui.colored_label(theme::mode(mode), state.store.mode_name(key, mode));
         }
         for (channel, of) in [("position", "m"), ("sent", "N")] {
-            if let Some(value) = value(desk, key, channel, now) {
+            if let Some(value) = value(state, key, channel, now) {
                 ui.label(unit::text(value, of));
             }
         }
     });
-    let Some(drawing) = desk.store.voice(key).and_then(|voice| voice.drawing.as_ref()) else {
+    let Some(drawing) = state.store.voice(key).and_then(|voice| voice.drawing.as_ref()) else {
         nothing_ui(ui, "This model says nothing of how it looks.");
         return;
     };
@@ -107,7 +117,7 @@ pub(super) fn mechanism_ui(ui: &mut Ui, desk: &mut AppState) {
     painter.rect_filled(rect, 3.0, ui.visuals().extreme_bg_color);
     if let Some(scale) = Scale::new(drawing, rect) {
         // What is not known is drawn nowhere: a posture of zeros would be a false one.
-        let value = |name: &str| value(desk, key, name, now).unwrap_or(f64::NAN);
+        let value = |name: &str| value(state, key, name, now).unwrap_or(f64::NAN);
         if is_posed(drawing, mode, &value) {
             paint(&painter, drawing, &scale, mode, &value);
             paint_ruler(ui, &painter, &scale, rect);
@@ -120,32 +130,32 @@ pub(super) fn mechanism_ui(ui: &mut Ui, desk: &mut AppState) {
 /// What stands in the place of a mechanism whose posture is not known.
 const WAITS: &str = "Waiting for this key's first row: how it stands is not known yet.";
 
-/// Whether it is known how everything stands that is seen in this mode.
+/// Returns whether the pose of every body is known that is seen in this mode.
 fn is_posed(drawing: &Drawing, mode: Option<u8>, value: &impl Fn(&str) -> f64) -> bool {
     let seen = drawing.bodies.iter().filter(|body| is_shown(&body.modes, mode));
     seen.map(|body| BodyPose::of(body, value)).all(|pose| pose.is_known())
 }
 
-/// Whether what is drawn in `modes` is seen in this one.
+/// Returns whether what is drawn in `modes` is seen in this one.
 fn is_shown(modes: &[u32], mode: Option<u8>) -> bool {
     modes.is_empty() || mode.is_none_or(|it| modes.contains(&it.into()))
 }
 
-/// The mode in the time that is shown; as the overview says where no rows are known.
-fn mode(desk: &AppState, key: u8, now: f64) -> Option<u8> {
-    let trace = desk.store.trace(key);
-    let row = trace.and_then(|trace| trace.row_at(desk.store.tick(now)));
+/// Returns the mode in the time that is shown; as the overview says where no rows are known.
+fn mode(state: &AppState, key: u8, now: f64) -> Option<u8> {
+    let trace = state.store.trace(key);
+    let row = trace.and_then(|trace| trace.row_at(state.store.tick(now)));
     let known = trace.zip(row).and_then(|(trace, row)| trace.modes().get(row).copied());
-    known.or_else(|| desk.store.glances.key(key).mode)
+    known.or_else(|| state.store.summaries.key(key).mode)
 }
 
-/// A signal in the time that is shown; the position also where no rows are known.
-fn value(desk: &AppState, key: u8, name: &str, now: f64) -> Option<f64> {
-    let known = desk.store.value(key, name, now).filter(|value| value.is_finite());
-    let glance = desk.store.glances.is_known.then(|| desk.store.glances.key(key));
+/// Returns a signal in the time that is shown; the position also where no rows are known.
+fn value(state: &AppState, key: u8, name: &str, now: f64) -> Option<f64> {
+    let known = state.store.value(key, name, now).filter(|value| value.is_finite());
+    let summary = state.store.summaries.is_known.then(|| state.store.summaries.key(key));
     known.or_else(|| match name {
-        "position" => Some(f64::from(glance?.position)),
-        "sent" => Some(f64::from(glance?.force)),
+        "position" => Some(f64::from(summary?.position)),
+        "sent" => Some(f64::from(summary?.force)),
         _ => None,
     })
 }
@@ -178,10 +188,10 @@ fn paint_outline(painter: &Painter, outline: &Outline, pose: &BodyPose, scale: &
         return;
     }
     let color = color(outline.kind());
-    let stroke = Stroke::new(1.2, look::blend(color, Color32::BLACK, 0.35));
+    let stroke = Stroke::new(1.2, theme::blend(color, Color32::BLACK, 0.35));
     if !outline.closed {
         painter.add(Shape::line(points, Stroke::new(1.8, color)));
-    } else if fill::is_convex(&corners) {
+    } else if triangulate::is_convex(&corners) {
         painter.add(Shape::convex_polygon(points, color, stroke));
     } else {
         painter.add(filled(&corners, &points, color));
@@ -189,15 +199,15 @@ fn paint_outline(painter: &Painter, outline: &Outline, pose: &BodyPose, scale: &
     }
 }
 
-/// The inside of an outline that is not convex. It is cut in the body's own axes: however the
+/// Returns the inside of an outline that is not convex, cut in the body's own axes: however the
 /// body moves, the triangles stay the same and nothing flickers.
 fn filled(corners: &[ScreenPoint], points: &[Pos2], color: Color32) -> Shape {
     let mut mesh = Mesh::default();
     for point in points {
         mesh.colored_vertex(*point, color);
     }
-    for triangle in fill::triangles(corners) {
-        // There are few: `fill` takes no outline of more.
+    for triangle in triangulate::triangles(corners) {
+        // There are few: `triangulate` takes no outline of more.
         let [a, b, c] = triangle.map(|corner| u32::try_from(corner).unwrap_or(0));
         mesh.add_triangle(a, b, c);
     }
@@ -215,7 +225,7 @@ const fn color(kind: outline::Kind) -> Color32 {
     }
 }
 
-/// A spring: a wave between two bodies' points, as tight as it is short.
+/// Draws a spring: a wave between two bodies' points, as tight as it is short.
 fn paint_coil(painter: &Painter, coil: &Coil, poses: &[BodyPose], scale: &Scale) {
     let end = |body: u32, x: f64, y: f64| {
         let pose = usize::try_from(body).ok().and_then(|body| poses.get(body));
@@ -231,10 +241,10 @@ fn paint_coil(painter: &Painter, coil: &Coil, poses: &[BodyPose], scale: &Scale)
         let share = f32::from(i) / 48.0;
         from + along * share + across * (share * 6.0 * TAU).sin()
     };
-    painter.add(Shape::line((0..=48).map(wave).collect(), Stroke::new(1.4, look::GREEN)));
+    painter.add(Shape::line((0..=48).map(wave).collect(), Stroke::new(1.4, theme::GREEN)));
 }
 
-/// How long a centimetre, or another round length, is here.
+/// Draws a ruler of a centimetre, or of another round length.
 fn paint_ruler(ui: &Ui, painter: &Painter, scale: &Scale, rect: Rect) {
     let length = number::round(f64::from(rect.width()) * 0.25 / scale.points_per_metre);
     let width = number::f32(length * scale.points_per_metre);

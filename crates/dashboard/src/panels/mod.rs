@@ -1,56 +1,130 @@
-//! One file for each panel. To make another: copy a small one, add it to [`Pane`] and to
-//! [`panel_ui`], and a snapshot of it to `tests/snapshots.rs`.
+//! One file for each panel: what it remembers, and how it is drawn.
+//!
+//! The list below makes [`Pane`], the menu, and [`Panels`]; a new panel is a line in it.
 
-pub(crate) mod deadlines;
+mod deadlines;
 mod faults;
-pub(crate) mod instruments;
-pub(crate) mod keyboard;
-pub(crate) mod links;
+mod instruments;
+mod keyboard;
+mod links;
 mod log;
 mod mechanism;
-pub(crate) mod midi;
+mod midi;
 mod overview;
-pub(crate) mod phase;
+mod phase;
 pub(crate) mod scope;
 mod timeline;
-pub(crate) mod tuning;
+mod tuning;
 
 use eframe::egui::{Color32, Label, ProgressBar, Response, RichText, Ui};
+use serde::{Deserialize, Serialize};
 
-use crate::desk::AppState;
-use crate::layout::Pane;
+use crate::app_state::AppState;
 
-/// Draws a panel.
-pub(crate) fn panel_ui(ui: &mut Ui, pane: Pane, desk: &mut AppState) {
-    match pane {
-        Pane::Overview => overview::overview_ui(ui, desk),
-        Pane::Mechanism => mechanism::mechanism_ui(ui, desk),
-        Pane::Scope(number) => scope::scope_ui(ui, number, desk),
-        Pane::Phase => phase::phase_ui(ui, desk),
-        Pane::Tuning => tuning::tuning_ui(ui, desk),
-        Pane::Instruments => instruments::instruments_ui(ui, desk),
-        Pane::Deadlines => deadlines::deadlines_ui(ui, desk),
-        Pane::Links => links::links_ui(ui, desk),
-        Pane::Midi => midi::midi_ui(ui, desk),
-        Pane::Faults => faults::faults_ui(ui, desk),
-        Pane::Timeline => timeline::timeline_ui(ui, desk),
-        Pane::Keyboard => keyboard::keyboard_ui(ui, desk),
-        Pane::Log => log::log_ui(ui, desk),
+/// The view of a panel: what it remembers, and how it is drawn.
+///
+/// A view whose fields are not `#[serde(skip)]` is as it was when the window opens again.
+trait View {
+    /// Draws the panel from `state`, and asks the host through it.
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState);
+}
+
+/// Makes [`Pane`] and [`Panels`] of a list: the pane, its module, whose `View` draws it, its title.
+macro_rules! panels {
+    ($($pane:ident: $module:ident, $title:literal;)*) => {
+        /// A panel of the window.
+        #[derive(
+            Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize,
+        )]
+        pub enum Pane {
+            $($pane,)*
+            /// A scope, by its number.
+            Scope(u8),
+        }
+
+        impl Pane {
+            /// Every panel; of the scopes, the first.
+            pub const ALL: &[Self] = &[$(Self::$pane,)* Self::Scope(0)];
+
+            /// Returns the title above the panel.
+            pub fn title(self) -> String {
+                match self {
+                    $(Self::$pane => $title.to_owned(),)*
+                    Self::Scope(0) => "Scope".to_owned(),
+                    Self::Scope(number) => format!("Scope {}", number + 1),
+                }
+            }
+        }
+
+        /// The views of all panels.
+        #[derive(Clone, Debug, Default, Serialize, Deserialize)]
+        #[serde(default)]
+        pub(crate) struct Panels {
+            $($module: $module::View,)*
+        }
+
+        impl Panels {
+            /// Draws the panel `pane`.
+            pub(crate) fn ui(&mut self, pane: Pane, ui: &mut Ui, state: &mut AppState) {
+                match pane {
+                    $(Pane::$pane => self.$module.ui(ui, state),)*
+                    Pane::Scope(number) => scope::scope_ui(ui, number, state),
+                }
+            }
+        }
+    };
+}
+
+panels! {
+    Overview: overview, "Keys";
+    Mechanism: mechanism, "Mechanism";
+    Phase: phase, "Force and travel";
+    Tuning: tuning, "Tuning";
+    Instruments: instruments, "Instruments";
+    Deadlines: deadlines, "Deadlines";
+    Links: links, "Links";
+    Midi: midi, "MIDI";
+    Faults: faults, "Faults";
+    Timeline: timeline, "Timeline";
+    Keyboard: keyboard, "Keyboard";
+    Log: log, "Log";
+}
+
+impl Panels {
+    /// Returns whether keys of the computer play notes, and are no shortcuts.
+    pub(crate) const fn takes_letters(&self) -> bool {
+        self.keyboard.plays()
+    }
+
+    /// Releases all keys unless the keyboard was drawn since the last call.
+    pub(crate) fn release_if_hidden(&mut self, state: &mut AppState) {
+        self.keyboard.release_if_hidden(state);
+    }
+
+    /// Releases all keys that the keyboard presses.
+    pub(crate) fn release(&mut self, state: &mut AppState) {
+        self.keyboard.release(state);
+    }
+
+    /// Draws the window in which a scene or a preset is written to a file.
+    pub(crate) fn file_ui(&mut self, ctx: &eframe::egui::Context, state: &mut AppState) {
+        self.tuning.file_ui(ctx, state);
     }
 }
 
-/// What stands where there is nothing to show yet, and what to do about it.
+/// Draws what stands where there is nothing to show yet: why, and what to do.
 fn nothing_ui(ui: &mut Ui, text: &str) {
     ui.centered_and_justified(|ui| ui.weak(text));
 }
 
-/// A few words that stay together: where a row has no room for them, they begin the next one.
+/// Draws a few words that are not broken: without room in a row they begin the next one.
 fn piece_ui(ui: &mut Ui, text: RichText) -> Response {
     ui.add(Label::new(text).extend())
 }
 
-/// A share of a whole as a bar, with its number beside: on the bar it would not be read on light
-/// ground. One that is no number is not known.
+/// Draws a share of a whole as a bar with its number beside; NaN is unknown.
+///
+/// On the bar the number could not be read on light ground.
 fn share_ui(ui: &mut Ui, share: f64, color: Color32) {
     if !share.is_finite() {
         ui.weak("–").on_hover_text("not known: nothing tells how much it can carry");

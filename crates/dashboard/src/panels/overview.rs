@@ -4,65 +4,75 @@ use eframe::egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui,
     WidgetInfo, accesskit::Role, pos2, vec2,
 };
+use serde::{Deserialize, Serialize};
 
-use crate::desk::AppState;
+use crate::app_state::AppState;
 use crate::names::{self, LAST};
-use crate::store::glance::KeySummary;
-use crate::{explain, look, number};
+use crate::store::key_summary::KeySummary;
+use crate::{fault_text, number, theme};
 
-/// Travel that is drawn as all of it (m).
+/// Travel that is drawn as a full stroke (m).
 const TRAVEL: f32 = 10e-3;
 
-/// The voice is not run: there is no model.
+/// The bit of `KeyBlock.flags` that says that no model is run.
 const NOT_RUN: u8 = 8;
 
-/// Draws the panel.
-pub(super) fn overview_ui(ui: &mut Ui, desk: &mut AppState) {
-    legend_ui(ui, desk);
+/// The panel remembers nothing of itself.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(super) struct View;
+
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        overview_ui(ui, state);
+    }
+}
+
+fn overview_ui(ui: &mut Ui, state: &mut AppState) {
+    legend_ui(ui, state);
     let size = vec2(ui.available_width(), ui.available_height().max(60.0));
     let (area, _) = ui.allocate_exact_size(size, Sense::hover());
     let (white, black) = (0..=LAST).partition::<Vec<u8>, _>(|key| !names::is_black(*key));
     // Black keys lie over white ones, for the eye and for the mouse.
     for key in white.into_iter().chain(black) {
-        key_ui(ui, desk, key, rect(area, key));
+        key_ui(ui, state, key, rect(area, key));
     }
-    range_ui(ui, desk, area);
+    range_ui(ui, state, area);
 }
 
-/// What the colours mean, and the selected key in words.
-fn legend_ui(ui: &mut Ui, desk: &AppState) {
+/// Draws what the colours mean, and the selected key in words.
+fn legend_ui(ui: &mut Ui, state: &AppState) {
     ui.horizontal(|ui| {
-        let key = desk.views.selected;
-        ui.strong(desk.title(key));
-        ui.label(words(desk, key));
+        let key = state.view.selected;
+        ui.strong(state.title(key));
+        ui.label(words(state, key));
         ui.separator();
-        let modes = desk.store.model_of(key).map_or(0, |model| model.modes.len());
+        let modes = state.store.model_of(key).map_or(0, |model| model.modes.len());
         for mode in (0..=u8::MAX).take(modes) {
             let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
-            ui.painter().rect_filled(rect, 2.0, look::mode(mode));
-            ui.label(desk.store.mode_name(key, mode));
+            ui.painter().rect_filled(rect, 2.0, theme::mode(mode));
+            ui.label(state.store.mode_name(key, mode));
         }
-        let faulty = desk.store.faulty();
+        let faulty = state.store.faulty();
         if !faulty.is_empty() {
             let list: Vec<String> = faulty.into_iter().map(names::name).collect();
-            ui.colored_label(look::fault(ui), format!("fault: {}", list.join(", ")));
+            ui.colored_label(theme::fault(ui), format!("fault: {}", list.join(", ")));
         }
     });
 }
 
-/// Position, force, mode and fault of a key in words.
-fn words(desk: &AppState, key: u8) -> String {
-    let glance = desk.store.glances.key(key);
+/// Returns position, force, mode and fault of a key in words.
+fn words(state: &AppState, key: u8) -> String {
+    let summary = state.store.summaries.key(key);
     let mode =
-        glance.mode.map_or_else(|| "no model".to_owned(), |it| desk.store.mode_name(key, it));
-    let fault = explain::fault(glance.fault).map_or("", |it| it.name);
+        summary.mode.map_or_else(|| "no model".to_owned(), |it| state.store.mode_name(key, it));
+    let fault = fault_text::fault(summary.fault).map_or("", |it| it.name);
     let sep = if fault.is_empty() { "" } else { ", " };
     // Not less than nothing by a rounding.
-    let position = (f64::from(glance.position) * 1e4).round() / 10.0 + 0.0;
-    format!("{:.1} mm, {:.2} N, {mode}{sep}{fault}", position, glance.force)
+    let position = (f64::from(summary.position) * 1e4).round() / 10.0 + 0.0;
+    format!("{:.1} mm, {:.2} N, {mode}{sep}{fault}", position, summary.force)
 }
 
-/// Where a key is drawn.
+/// Returns where a key is drawn.
 fn rect(area: Rect, key: u8) -> Rect {
     let white = area.width() / 52.0;
     let place = number::f32(number::f64(names::whites_below(key)));
@@ -77,78 +87,78 @@ fn rect(area: Rect, key: u8) -> Rect {
     }
 }
 
-fn key_ui(ui: &mut Ui, desk: &mut AppState, key: u8, rect: Rect) {
+fn key_ui(ui: &mut Ui, state: &mut AppState, key: u8, rect: Rect) {
     let response = ui.interact(rect, ui.scope_id().with(("key", key)), Sense::click());
-    let selected = desk.views.selected == key;
+    let selected = state.view.selected == key;
     let name = format!("key {}", names::name(key));
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, selected, &name));
     if ui.is_rect_visible(rect) {
-        paint_key(ui, desk, key, rect, &response);
+        paint_key(ui, state, key, rect, &response);
     }
     if response.clicked() {
         if ui.input(|input| input.modifiers.shift) {
-            desk.select_up_to(key);
+            state.select_up_to(key);
         } else {
-            desk.select(key);
+            state.select(key);
         }
     }
     response.on_hover_ui(|ui| {
-        ui.strong(desk.title(key));
-        ui.label(words(desk, key));
+        ui.strong(state.title(key));
+        ui.label(words(state, key));
     });
 }
 
-fn paint_key(ui: &Ui, desk: &AppState, key: u8, rect: Rect, response: &Response) {
-    let glance = desk.store.glances.key(key);
+fn paint_key(ui: &Ui, state: &AppState, key: u8, rect: Rect, response: &Response) {
+    let summary = state.store.summaries.key(key);
     let painter = ui.painter_at(rect.expand(1.0));
-    let depth = (glance.position / TRAVEL).clamp(0.0, 1.0);
+    let depth = (summary.position / TRAVEL).clamp(0.0, 1.0);
     let sunk = rect.with_min_y(rect.top() + depth * rect.height() * 0.12);
-    let fill = fill(ui, glance, key, response);
+    let fill = fill(ui, summary, key, response);
     // What stays behind lies in the shadow of its neighbours.
-    painter.rect_filled(rect, 2.0, look::blend(fill, Color32::BLACK, 0.45));
+    painter.rect_filled(rect, 2.0, theme::blend(fill, Color32::BLACK, 0.45));
     painter.rect_filled(sunk, 2.0, fill);
-    paint_mode(&painter, glance, sunk);
-    paint_force(&painter, desk, glance, sunk);
-    let is_selected = desk.views.selected == key;
+    paint_mode(&painter, summary, sunk);
+    paint_force(&painter, state, summary, sunk);
+    let is_selected = state.view.selected == key;
     let stroke = if is_selected {
-        Stroke::new(2.5, look::selected(ui.visuals()))
+        Stroke::new(2.5, theme::selected(ui.visuals()))
     } else {
-        Stroke::new(1.0, look::faint(ui.visuals().text_color(), 0.35))
+        Stroke::new(1.0, theme::faint(ui.visuals().text_color(), 0.35))
     };
     painter.rect_stroke(rect, 2.0, stroke, StrokeKind::Inside);
-    if glance.fault != 0 {
+    if summary.fault != 0 {
         badge(&painter, pos2(rect.center().x, rect.bottom() - 16.0));
     }
 }
 
-/// Ivory or ebony, darker where the voice is not run.
-fn fill(ui: &Ui, glance: KeySummary, key: u8, response: &Response) -> Color32 {
+/// Returns the colour of ivory or ebony, darker where the voice is not run.
+fn fill(ui: &Ui, summary: KeySummary, key: u8, response: &Response) -> Color32 {
     let plain = match (names::is_black(key), ui.visuals().dark_mode) {
         (true, _) => Color32::from_rgb(0x2A, 0x2E, 0x35),
         (false, true) => Color32::from_rgb(0xC9, 0xCC, 0xCF),
         (false, false) => Color32::from_rgb(0xFB, 0xFA, 0xF6),
     };
-    let plain = if glance.flags & NOT_RUN != 0 || glance.mode.is_none() {
-        look::blend(plain, Color32::GRAY, 0.5)
+    let plain = if summary.flags & NOT_RUN != 0 || summary.mode.is_none() {
+        theme::blend(plain, Color32::GRAY, 0.5)
     } else {
         plain
     };
-    if response.hovered() { look::blend(plain, look::SKY, 0.35) } else { plain }
+    if response.hovered() { theme::blend(plain, theme::SKY, 0.35) } else { plain }
 }
 
-/// The mode's colour at the key's front.
-fn paint_mode(painter: &Painter, glance: KeySummary, rect: Rect) {
-    if let Some(mode) = glance.mode {
+/// Draws the mode's colour at the key's front.
+fn paint_mode(painter: &Painter, summary: KeySummary, rect: Rect) {
+    if let Some(mode) = summary.mode {
         let front = rect.shrink2(vec2(1.5, 0.0)).with_min_y(rect.bottom() - 7.0);
         let front = front.with_max_y(rect.bottom() - 2.0);
-        painter.rect_filled(front, 1.0, look::mode(mode));
+        painter.rect_filled(front, 1.0, theme::mode(mode));
     }
 }
 
-/// A bar as high as the force is a share of the scene's limit, on a root: small ones count.
-fn paint_force(painter: &Painter, desk: &AppState, glance: KeySummary, rect: Rect) {
-    let limit = desk.store.catalogue.as_ref().map_or(20.0, |it| number::f32(it.force_limit));
-    let share = (glance.force.abs() / limit.max(1.0)).clamp(0.0, 1.0).sqrt();
+/// Draws a bar of the force as a share of the scene's limit, on a root: small ones count.
+fn paint_force(painter: &Painter, state: &AppState, summary: KeySummary, rect: Rect) {
+    let limit = state.store.catalogue.as_ref().map_or(20.0, |it| number::f32(it.force_limit));
+    let share = (summary.force.abs() / limit.max(1.0)).clamp(0.0, 1.0).sqrt();
     let room = rect.height() - 22.0;
     if room < 4.0 || share < 0.02 {
         return;
@@ -158,21 +168,21 @@ fn paint_force(painter: &Painter, desk: &AppState, glance: KeySummary, rect: Rec
     let half = (rect.width() * 0.18).max(1.5);
     let bar =
         Rect::from_min_max(pos2(middle - half, bottom - share * room), pos2(middle + half, bottom));
-    let color = if glance.force < 0.0 { look::PURPLE } else { look::BLUE };
-    painter.rect_filled(bar, 1.0, look::blend(color, look::VERMILLION, share * share));
+    let color = if summary.force < 0.0 { theme::PURPLE } else { theme::BLUE };
+    painter.rect_filled(bar, 1.0, theme::blend(color, theme::VERMILLION, share * share));
 }
 
-/// Something is wrong with this key.
+/// Draws the mark of a key that has a fault.
 fn badge(painter: &Painter, center: Pos2) {
     let points = vec![center + vec2(0.0, -7.0), center + vec2(6.5, 5.0), center + vec2(-6.5, 5.0)];
     let edge = Stroke::new(1.0, Color32::WHITE);
-    painter.add(Shape::convex_polygon(points, look::VERMILLION, edge));
+    painter.add(Shape::convex_polygon(points, theme::VERMILLION, edge));
     let font = FontId::proportional(9.0);
     painter.text(center + vec2(0.0, 0.5), Align2::CENTER_CENTER, "!", font, Color32::WHITE);
 }
 
-/// Names of the octaves, and a line under the selected range.
-fn range_ui(ui: &Ui, desk: &AppState, area: Rect) {
+/// Draws names of the octaves, and a line under the selected range.
+fn range_ui(ui: &Ui, state: &AppState, area: Rect) {
     let painter = ui.painter();
     let y = area.bottom() - 7.0;
     for key in (3..=LAST).step_by(12) {
@@ -180,20 +190,20 @@ fn range_ui(ui: &Ui, desk: &AppState, area: Rect) {
         let font = FontId::proportional(10.0);
         painter.text(pos2(x, y), Align2::LEFT_CENTER, names::name(key), font, weak(ui));
     }
-    let (low, high) = desk.views.range;
+    let (low, high) = state.view.range;
     if low < high {
         let (left, right) = (rect(area, low).left(), rect(area, high).right());
         let y = area.bottom() - 13.5;
-        painter.hline(left..=right, y, Stroke::new(2.5, look::selected(ui.visuals())));
+        painter.hline(left..=right, y, Stroke::new(2.5, theme::selected(ui.visuals())));
         let x = rect(area, low).left() + 26.0;
-        let text = names::range_name(&desk.range());
+        let text = names::range_name(&state.range());
         let font = FontId::proportional(10.0);
         painter.text(
             pos2(x, area.bottom() - 6.0),
             Align2::LEFT_CENTER,
             text,
             font,
-            look::selected(ui.visuals()),
+            theme::selected(ui.visuals()),
         );
     }
 }

@@ -5,21 +5,20 @@ use egui_plot::{Corner, Legend, Line, Plot, PlotPoints, Points};
 use serde::{Deserialize, Serialize};
 
 use super::nothing_ui;
-use crate::desk::AppState;
+use crate::app_state::AppState;
 use crate::store::Store;
-use crate::{look, number, unit};
+use crate::{number, theme, unit};
 
 /// Travel over which weights are means (m).
 const MIDDLE: std::ops::Range<f64> = 2e-3..7e-3;
 
-/// Slower than this is neither down nor up (m/s).
+/// Speed below which a key goes neither down nor up (m/s).
 const STILL: f64 = 2e-3;
 
-/// What the panel remembers.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(default)]
-pub(crate) struct View {
-    /// How much time is seen (s).
+pub(super) struct View {
+    /// Length of the time that is seen (s).
     window: f64,
 }
 
@@ -44,7 +43,7 @@ impl HysteresisLoop {
         self.ways.last().is_none_or(|(way, _)| *way == 0)
     }
 
-    /// A point on the way down or up; a line ends where the other begins.
+    /// Adds a point on the way down (0) or up (1); a line ends where the other begins.
     fn enter(&mut self, way: usize, point: [f64; 2]) {
         if let Some((last, points)) = self.ways.last_mut() {
             points.push(point);
@@ -56,30 +55,34 @@ impl HysteresisLoop {
     }
 }
 
-/// Draws the panel.
-pub(super) fn phase_ui(ui: &mut Ui, desk: &mut AppState) {
-    let key = desk.views.selected;
-    desk.want(key);
-    let now = desk.now();
-    let window = desk.views.phase.window;
-    let shown = gather(&desk.store, key, (now - window, now));
-    ui.horizontal_wrapped(|ui| {
-        ui.strong(desk.title(key));
-        let drag = DragValue::new(&mut desk.views.phase.window).speed(0.05).range(0.1..=120.0);
-        ui.add(drag.suffix(" s"))
-            .on_hover_text("How much time is seen.")
-            .accessible_name("seconds of travel");
-        weights_ui(ui, &shown);
-    });
-    if shown.last.is_none() {
-        nothing_ui(ui, "Press the key: its force is drawn over its travel.");
-        return;
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        let key = state.view.selected;
+        state.want(key);
+        let now = state.now();
+        let shown = gather(&state.store, key, (now - self.window, now));
+        ui.horizontal_wrapped(|ui| {
+            ui.strong(state.title(key));
+            let drag = DragValue::new(&mut self.window).speed(0.05).range(0.1..=120.0);
+            ui.add(drag.suffix(" s"))
+                .on_hover_text("How much time is seen.")
+                .accessible_name("seconds of travel");
+            weights_ui(ui, &shown);
+        });
+        if shown.last.is_none() {
+            nothing_ui(ui, "Press the key: its force is drawn over its travel.");
+            return;
+        }
+        plot_ui(ui, shown);
     }
+}
+
+fn plot_ui(ui: &mut Ui, shown: HysteresisLoop) {
     let plot = Plot::new("phase")
         .grid_spacing(22.0..=220.0)
-        .grid_color(look::grid(ui))
-        .x_grid_spacer(look::spacer_across(ui.available_width()))
-        .y_grid_spacer(look::spacer_up(ui.available_height()))
+        .grid_color(theme::grid(ui))
+        .x_grid_spacer(theme::spacer_across(ui.available_width()))
+        .y_grid_spacer(theme::spacer_up(ui.available_height()))
         .legend(
             Legend::default()
                 .text_style(TextStyle::Small)
@@ -93,19 +96,19 @@ pub(super) fn phase_ui(ui: &mut Ui, desk: &mut AppState) {
         .include_x(0.0)
         .include_x(10.0)
         .include_y(0.0);
-    let colors = [look::line(0, ui), look::line(1, ui)];
+    let colors = [theme::line(0, ui), theme::line(1, ui)];
     plot.show(ui, move |plot| {
         for (way, points) in shown.ways {
             let line = Line::new(["down", "up"][way], PlotPoints::new(points));
             plot.line(line.color(colors[way]).width(1.4).allow_band(false));
         }
         if let Some(last) = shown.last {
-            plot.points(Points::new("now", vec![last]).radius(4.0).color(look::VERMILLION));
+            plot.points(Points::new("now", vec![last]).radius(4.0).color(theme::VERMILLION));
         }
     });
 }
 
-/// Down weight, up weight, and what a technician makes of them.
+/// Draws down weight, up weight, balance and friction.
 fn weights_ui(ui: &mut Ui, shown: &HysteresisLoop) {
     let [down, up] = shown.weights.map(|(sum, n)| (0 < n).then(|| sum / number::f64(n)));
     let text = |value: Option<f64>| value.map_or("–".to_owned(), |it| unit::text(it, "N"));

@@ -4,19 +4,29 @@ use eframe::egui::{
     Color32, Rect, RichText, ScrollArea, Sense, Slider, Stroke, Ui, WidgetInfo, accesskit::Role,
     vec2,
 };
+use serde::{Deserialize, Serialize};
 use telemetry::Timeline;
 use telemetry::source::Mark;
 
 use super::{nothing_ui, piece_ui};
-use crate::desk::AppState;
-use crate::{look, number};
+use crate::app_state::AppState;
+use crate::{number, theme};
 
 /// Speeds to choose from.
 const SPEEDS: [f64; 6] = [0.01, 0.1, 0.5, 1.0, 2.0, 8.0];
 
-/// Draws the panel.
-pub(super) fn timeline_ui(ui: &mut Ui, desk: &mut AppState) {
-    let Some(timeline) = desk.source.timeline() else {
+/// The panel remembers nothing of itself.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(super) struct View;
+
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        timeline_ui(ui, state);
+    }
+}
+
+fn timeline_ui(ui: &mut Ui, state: &mut AppState) {
+    let Some(timeline) = state.source.timeline() else {
         nothing_ui(ui, "This is live: only a recording can be wound back.");
         return;
     };
@@ -67,7 +77,7 @@ fn step_by(timeline: &mut dyn Timeline, seconds: f64) {
     timeline.seek(to.clamp(first, last));
 }
 
-/// All of the recording as a line; a click or a drag goes there.
+/// Draws the whole recording as a line; a click or a drag goes there.
 fn line_ui(ui: &mut Ui, timeline: &mut dyn Timeline) {
     let size = vec2(ui.available_width(), 26.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
@@ -80,7 +90,7 @@ fn line_ui(ui: &mut Ui, timeline: &mut dyn Timeline) {
     painter.rect_filled(rect, 3.0, ui.visuals().extreme_bg_color);
     let here = x(timeline.at());
     let gone = Rect::from_min_max(rect.min, eframe::egui::pos2(here, rect.bottom()));
-    painter.rect_filled(gone, 3.0, look::faint(look::SKY, 0.25));
+    painter.rect_filled(gone, 3.0, theme::faint(theme::SKY, 0.25));
     for mark in timeline.marks() {
         painter.vline(x(mark.at), rect.y_range(), Stroke::new(2.0, color(mark)));
     }
@@ -94,19 +104,22 @@ fn line_ui(ui: &mut Ui, timeline: &mut dyn Timeline) {
 }
 
 const fn color(mark: &Mark) -> Color32 {
-    if mark.is_fault { look::VERMILLION } else { look::GREEN }
+    if mark.is_fault { theme::VERMILLION } else { theme::GREEN }
 }
 
 fn marks_ui(ui: &mut Ui, timeline: &mut dyn Timeline, from: u64) {
-    let marks = timeline.marks().to_vec();
+    let mut clicked = None;
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        for mark in marks {
+        for mark in timeline.marks() {
             let at = mark.at.saturating_sub(from) as f64 * 1e-9;
-            let color = if mark.is_fault { look::fault(ui) } else { ui.visuals().text_color() };
+            let color = if mark.is_fault { theme::fault(ui) } else { ui.visuals().text_color() };
             let text = RichText::new(format!("{at:8.3} s  {}", mark.text));
             if ui.link(text.monospace().color(color)).clicked() {
-                timeline.seek(mark.at);
+                clicked = Some(mark.at);
             }
         }
     });
+    if let Some(at) = clicked {
+        timeline.seek(at);
+    }
 }

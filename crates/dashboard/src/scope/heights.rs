@@ -1,4 +1,4 @@
-//! How much of its values a plot shows, where somebody chose it.
+//! The range of values that a plot shows, where one was chosen.
 
 use std::collections::BTreeMap;
 
@@ -10,18 +10,18 @@ const SPAN: (f64, f64) = (1e-9, 1e12);
 pub struct Heights(BTreeMap<usize, (f64, f64)>);
 
 impl Heights {
-    /// What was chosen for the plot `lane`, counted from the top; it shows all values if nothing
-    /// was.
+    /// Returns what was chosen for the plot `lane`, counted from the top; it shows all values if
+    /// nothing was.
     pub fn of(&self, lane: usize) -> Option<(f64, f64)> {
         self.0.get(&lane).copied()
     }
 
-    /// Whether any plot shows something else than all values.
+    /// Returns whether any plot shows something else than all values.
     pub fn is_chosen(&self) -> bool {
         !self.0.is_empty()
     }
 
-    /// A plot that shows `seen` shows `factor` times as much, and `about` stays where it is.
+    /// Lets a plot that shows `seen` show `factor` times as much; `about` stays where it is.
     pub fn zoom(&mut self, lane: usize, seen: (f64, f64), factor: f64, about: f64) {
         let (low, high) = (about + (seen.0 - about) * factor, about + (seen.1 - about) * factor);
         if (SPAN.0..=SPAN.1).contains(&(high - low)) {
@@ -37,12 +37,12 @@ impl Heights {
         }
     }
 
-    /// A plot shows all values again.
+    /// Lets a plot show all values again.
     pub fn fit(&mut self, lane: usize) {
         self.0.remove(&lane);
     }
 
-    /// All plots show all values again.
+    /// Lets all plots show all values again.
     pub fn fit_all(&mut self) {
         self.0.clear();
     }

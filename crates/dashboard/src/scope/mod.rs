@@ -18,40 +18,36 @@ const WINDOW: (f64, f64) = (2e-3, 600.0);
 /// Keys beside the scope's own that it shows at most: more could not be told apart.
 const COMPARED: usize = 4;
 
-/// How one scope is set.
+/// The settings of a scope.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Scope {
-    /// Which key; the selected one if none is named.
+    /// The key; the selected one without.
     pub key: Option<u8>,
     /// Further keys whose channels are drawn beside its own.
     pub compared: BTreeSet<u8>,
     /// Channels of each plot, from the top; the usual ones if there are none.
     pub lanes: Vec<Vec<String>>,
-    /// How much time is seen (s).
+    /// Length of the time that is seen (s).
     pub window: f64,
-    /// When it holds still.
     pub trigger: Trigger,
-    /// Whether there are cursors.
     pub has_cursors: bool,
     /// Whether it is a window of its own.
     pub is_popped: bool,
-    /// Where the cursors are (s).
+    /// Times of the cursors (s).
     #[serde(skip)]
     pub cursors: [f64; 2],
-    /// Where the view ends (s); it follows if that is nowhere.
+    /// End of the view (s); without, it follows what comes.
     #[serde(skip)]
     pub pinned: Option<f64>,
-    /// How much of its values each plot shows.
     #[serde(skip)]
     pub heights: Heights,
-    /// Keys to compare with, while somebody writes them.
+    /// Keys to compare with, as typed so far.
     #[serde(skip)]
     pub typed: String,
-    /// Where a stretch begins that is being selected (s).
+    /// Beginning of a stretch that is being selected (s).
     #[serde(skip)]
     pub selects: Option<f64>,
-    /// What the trigger has seen.
     #[serde(skip)]
     pub armed: TriggerState,
 }
@@ -77,22 +73,22 @@ impl Default for Scope {
 }
 
 impl Scope {
-    /// The stretch that is seen (s) when `now` is the newest time.
+    /// Returns the stretch that is seen (s) when `now` is the newest time.
     pub fn view(&self, now: f64) -> (f64, f64) {
         let held = self.armed.end(&self.trigger, self.window, now);
         let end = self.pinned.or(held).unwrap_or(now);
         (end - self.window, end)
     }
 
-    /// Whether it follows what comes.
+    /// Returns whether it follows what comes.
     pub fn follows(&self) -> bool {
         self.pinned.is_none()
     }
 
-    /// Looks for triggers in what has come.
-    pub fn look(&mut self, store: &Store, key: u8) {
+    /// Looks for triggers in what has arrived.
+    pub fn update(&mut self, store: &Store, key: u8) {
         if self.trigger.on != On::Nothing && self.pinned.is_none() {
-            self.armed.look(&self.trigger, store, key, self.window);
+            self.armed.update(&self.trigger, store, key, self.window);
         }
     }
 
@@ -122,7 +118,7 @@ impl Scope {
         self.cursors = [start + (end - start) / 3.0, start + (end - start) * 2.0 / 3.0];
     }
 
-    /// The keys that are seen: `key` first, then those that are compared with it.
+    /// Returns the keys that are seen: `key` first, then those that are compared with it.
     pub fn keys(&self, key: u8) -> Vec<u8> {
         let is_other = |other: &u8| *other != key && usize::from(*other) < telemetry::KEYS;
         let others = self.compared.iter().copied().filter(is_other);
@@ -138,12 +134,12 @@ impl Scope {
         }
     }
 
-    /// The channels of each plot: as chosen, or as in the paper's figure 6.
+    /// Returns the channels of each plot: as chosen, or as in the paper's figure 6.
     pub fn channels(&self, store: &Store, key: u8) -> Vec<Vec<String>> {
         if self.lanes.is_empty() { usual(store, key) } else { self.lanes.clone() }
     }
 
-    /// Shows a channel in a plot, or no more.
+    /// Shows a channel in a plot, or hides it.
     pub fn toggle(&mut self, store: &Store, key: u8, lane: usize, channel: &str) {
         let mut lanes = self.channels(store, key);
         lanes.resize(lanes.len().max(lane + 1), Vec::new());
@@ -159,7 +155,7 @@ impl Scope {
     }
 }
 
-/// Force and guards above, displacements below.
+/// Returns the usual channels: force and guards above, displacements below.
 fn usual(store: &Store, key: u8) -> Vec<Vec<String>> {
     let signals = store.signals(key);
     let guards = signals.iter().filter(|signal| signal.kind() == Kind::Guard);

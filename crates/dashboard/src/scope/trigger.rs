@@ -5,7 +5,7 @@ use telemetry::event::Kind;
 
 use crate::store::Store;
 
-/// Which way a level is crossed.
+/// The direction in which a level is crossed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub enum Edge {
     #[default]
@@ -13,7 +13,7 @@ pub enum Edge {
     Falling,
 }
 
-/// What a trigger waits for.
+/// The event for which a trigger waits.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub enum On {
     /// Nothing: the scope follows.
@@ -28,10 +28,10 @@ pub enum On {
 }
 
 impl On {
-    /// All of them.
+    /// Every choice, in the order of the menu.
     pub const ALL: [Self; 4] = [Self::Nothing, Self::Level, Self::Switch, Self::Strike];
 
-    /// In words.
+    /// Returns the text of the menu.
     pub const fn text(self) -> &'static str {
         match self {
             Self::Nothing => "no trigger",
@@ -45,19 +45,19 @@ impl On {
 /// What is shown between two triggers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub enum Sweep {
-    /// What comes, if no trigger does.
+    /// The scope follows what comes while there is no trigger.
     #[default]
     Auto,
     Normal,
-    /// The first one, for ever.
+    /// The first trigger stays for ever.
     Single,
 }
 
 impl Sweep {
-    /// All of them.
+    /// Every choice, in the order of the menu.
     pub const ALL: [Self; 3] = [Self::Auto, Self::Normal, Self::Single];
 
-    /// In words.
+    /// Returns the text of the menu.
     pub const fn text(self) -> &'static str {
         match self {
             Self::Auto => "auto",
@@ -67,23 +67,21 @@ impl Sweep {
     }
 }
 
-/// How a scope is triggered.
+/// The settings of a trigger.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Trigger {
-    /// What it waits for.
     pub on: On,
-    /// Of a level: the channel.
+    /// Channel of a level.
     pub channel: String,
-    /// Of a level: the level, in the channel's own unit.
+    /// Level in the channel's own unit.
     pub level: f64,
-    /// Of a level: which way it is crossed.
+    /// Direction in which the level is crossed.
     pub edge: Edge,
-    /// What is shown between two.
     pub sweep: Sweep,
-    /// How long none is looked for after one (s).
+    /// Time after a trigger in which no other is looked for (s).
     pub hold_off: f64,
-    /// Share of the window before the trigger.
+    /// Share of the window that lies before the trigger.
     pub before: f64,
 }
 
@@ -101,7 +99,7 @@ impl Default for Trigger {
     }
 }
 
-/// What a trigger has seen.
+/// The state of a trigger: what it has looked at, and when it fired.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct TriggerState {
     seen: f64,
@@ -110,7 +108,7 @@ pub struct TriggerState {
 
 impl TriggerState {
     /// Looks at what has come since the last look; `window` (s) is shown, `now` (s) is newest.
-    pub fn look(&mut self, trigger: &Trigger, store: &Store, key: u8, window: f64) {
+    pub fn update(&mut self, trigger: &Trigger, store: &Store, key: u8, window: f64) {
         let now = store.newest();
         if now < self.seen {
             *self = Self::default();
@@ -132,12 +130,12 @@ impl TriggerState {
         self.fired = None;
     }
 
-    /// When it fired last (s).
+    /// Returns when it fired last (s).
     pub const fn fired(&self) -> Option<f64> {
         self.fired
     }
 
-    /// Where the window ends (s), unless it follows what comes.
+    /// Returns where the window ends (s), unless it follows what comes.
     pub fn end(&self, trigger: &Trigger, window: f64, now: f64) -> Option<f64> {
         let end = self.fired? + window * (1.0 - trigger.before);
         let is_old = trigger.sweep == Sweep::Auto && end + window.max(0.5) < now;
@@ -145,7 +143,7 @@ impl TriggerState {
     }
 }
 
-/// Times after `from` up to `to` at which the trigger fires.
+/// Returns the times after `from` up to `to` at which the trigger fires (s).
 fn hits(trigger: &Trigger, store: &Store, key: u8, from: f64, to: f64) -> Vec<f64> {
     match trigger.on {
         On::Nothing => Vec::new(),
@@ -185,7 +183,7 @@ mod tests {
 
     const KEY: u8 = 39;
 
-    /// A key whose force goes up and down every 100 ticks.
+    /// Adds rows of a key whose force goes up and down every 100 ticks.
     fn feed(store: &mut Store, from: u32, to: u32) {
         let rows = (to - from) as usize;
         let force = (from..to).map(|tick| if tick % 100 < 50 { 0.0 } else { 2.0 }).collect();
@@ -221,11 +219,11 @@ mod tests {
         feed(&mut store, 0, 120);
         let mut trigger = Trigger { on: On::Level, ..Trigger::default() };
         let mut armed = TriggerState::default();
-        armed.look(&trigger, &store, KEY, 1.0);
+        armed.update(&trigger, &store, KEY, 1.0);
         fired(&armed, Some(0.05));
         trigger.edge = Edge::Falling;
         let mut armed = TriggerState::default();
-        armed.look(&trigger, &store, KEY, 1.0);
+        armed.update(&trigger, &store, KEY, 1.0);
         fired(&armed, Some(0.1));
     }
 
@@ -235,10 +233,10 @@ mod tests {
         feed(&mut store, 0, 50);
         let trigger = Trigger { on: On::Level, ..Trigger::default() };
         let mut armed = TriggerState::default();
-        armed.look(&trigger, &store, KEY, 0.1);
+        armed.update(&trigger, &store, KEY, 0.1);
         fired(&armed, None);
         feed(&mut store, 50, 52);
-        armed.look(&trigger, &store, KEY, 0.1);
+        armed.update(&trigger, &store, KEY, 0.1);
         fired(&armed, Some(0.05));
     }
 
@@ -248,7 +246,7 @@ mod tests {
         feed(&mut store, 0, 1000);
         let trigger = Trigger { on: On::Level, hold_off: 0.25, ..Trigger::default() };
         let mut armed = TriggerState::default();
-        armed.look(&trigger, &store, KEY, 0.01);
+        armed.update(&trigger, &store, KEY, 0.01);
         // 0.05, then 0.35, 0.65, 0.95.
         fired(&armed, Some(0.95));
     }
@@ -261,12 +259,12 @@ mod tests {
         feed(&mut store, 0, 1000);
         let trigger = Trigger { on: On::Strike, sweep: Sweep::Single, ..Trigger::default() };
         let mut armed = TriggerState::default();
-        armed.look(&trigger, &store, KEY, 0.01);
+        armed.update(&trigger, &store, KEY, 0.01);
         fired(&armed, Some(0.1));
         armed.rearm();
         strike(&mut store, 1500);
         feed(&mut store, 1000, 2000);
-        armed.look(&trigger, &store, KEY, 0.01);
+        armed.update(&trigger, &store, KEY, 0.01);
         fired(&armed, Some(1.5));
     }
 
@@ -287,7 +285,7 @@ mod tests {
         feed(&mut store, 0, 200);
         let trigger = Trigger { on: On::Strike, ..Trigger::default() };
         let mut armed = TriggerState { seen: 60.0, fired: Some(59.0) };
-        armed.look(&trigger, &store, KEY, 0.01);
+        armed.update(&trigger, &store, KEY, 0.01);
         fired(&armed, Some(0.1));
     }
 }

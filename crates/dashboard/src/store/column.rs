@@ -1,10 +1,10 @@
 //! A column of numbers that knows the smallest and largest of each block, so that a long stretch
 //! is drawn without looking at every row, and no spike is lost.
 
-/// Rows in a block.
+/// Number of rows in a block.
 pub(crate) const BLOCK: usize = 64;
 
-/// One value for each row.
+/// A column of numbers, one for each row.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Column {
     values: Vec<f32>,
@@ -13,7 +13,7 @@ pub(crate) struct Column {
 }
 
 impl Column {
-    /// Appends a row.
+    /// Appends the value of a row.
     pub(crate) fn push(&mut self, value: f32) {
         if self.values.len().is_multiple_of(BLOCK) {
             self.lows.push(f32::INFINITY);
@@ -34,12 +34,12 @@ impl Column {
         self.highs.drain(..blocks);
     }
 
-    /// All rows, oldest first.
+    /// Returns all rows, oldest first.
     pub(crate) fn values(&self) -> &[f32] {
         &self.values
     }
 
-    /// Smallest and largest of the rows `from..to`.
+    /// Returns the smallest and the largest of the rows `from..to`.
     pub(crate) fn range(&self, from: usize, to: usize) -> Option<(f32, f32)> {
         let to = to.min(self.values.len());
         if to <= from {
@@ -58,7 +58,7 @@ impl Column {
     }
 }
 
-/// What is not a number is as if it were not there.
+/// Widens `range`; what is not a number is passed over.
 fn widen(range: &mut (f32, f32), lows: &[f32], highs: &[f32]) {
     range.0 = lows.iter().copied().fold(range.0, f32::min);
     range.1 = highs.iter().copied().fold(range.1, f32::max);

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::collections::vec_deque::Iter;
 
-/// A list that forgets its oldest entries.
+/// A bounded list that forgets its oldest entries.
 #[derive(Clone, Debug)]
 pub struct Journal<T> {
     entries: VecDeque<T>,
@@ -12,7 +12,7 @@ pub struct Journal<T> {
 }
 
 impl<T> Journal<T> {
-    /// An empty list of at most `most`.
+    /// Creates an empty list of at most `most`.
     pub const fn new(most: usize) -> Self {
         Self { entries: VecDeque::new(), most, forgotten: 0 }
     }
@@ -26,33 +26,33 @@ impl<T> Journal<T> {
         self.entries.push_back(entry);
     }
 
-    /// Oldest first.
+    /// Returns the entries, oldest first.
     pub fn iter(&self) -> Iter<'_, T> {
         self.entries.iter()
     }
 
-    /// How many are kept.
+    /// Returns how many entries are kept.
     pub fn len(&self) -> usize {
         self.entries.len()
     }
 
-    /// Whether there are none.
+    /// Returns whether no entries are kept.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
 
-    /// How many there ever were: a place in the list that stays the same.
+    /// Returns how many entries there ever were.
     pub fn count(&self) -> u64 {
         self.forgotten + self.entries.len() as u64
     }
 
-    /// The entries after the first `seen` that there ever were.
+    /// Returns the entries after the first `seen` that there ever were.
     pub fn since(&self, seen: u64) -> impl Iterator<Item = &T> {
         let skipped = usize::try_from(seen.saturating_sub(self.forgotten)).unwrap_or(usize::MAX);
         self.entries.iter().skip(skipped)
     }
 
-    /// Forgets all.
+    /// Forgets all entries; they stay counted.
     pub fn clear(&mut self) {
         self.forgotten += self.entries.len() as u64;
         self.entries.clear();

@@ -4,8 +4,8 @@
 //! Nothing here draws, asks or reads a clock.
 
 mod column;
-pub mod glance;
 pub mod journal;
+pub mod key_summary;
 pub mod timing;
 pub mod trace;
 
@@ -16,35 +16,29 @@ use telemetry::{
 };
 
 use crate::number;
-use glance::Glances;
 use journal::Journal;
+use key_summary::KeySummaries;
 use timing::Timing;
 use trace::{OWN, Trace};
 
-/// Bytes for each key's rows: two minutes of a model of eight signals.
+/// Size of each key's rows (B): two minutes of a model of eight signals.
 const TRACE_BYTES: usize = 8 << 20;
 
-/// Ticks beyond are none: thousands of years.
+/// The last tick that is taken for one: thousands of years.
 pub(crate) const LAST_TICK: u64 = 1 << 48;
 
-/// Ticks a second where the catalogue has not come yet.
+/// Rate of ticks while there is no catalogue (Hz).
 const USUAL_HZ: u32 = 1000;
 
 /// Everything that a window shows of a host.
 #[derive(Clone, Debug)]
 pub struct Store {
-    /// What there is to see and to change.
     pub catalogue: Option<Catalogue>,
-    /// All keys at a glance.
-    pub glances: Glances,
+    pub summaries: KeySummaries,
     pub events: Journal<Event>,
-    /// What people should read.
     pub log: Journal<Log>,
-    /// What was sent to a synthesizer.
     pub midi: Journal<Midi>,
-    /// When ticks were done.
     pub timing: Timing,
-    /// All ticks so far.
     pub deadlines: Option<Deadlines>,
     pub links: Option<Links>,
     voices: BTreeMap<u8, Voice>,
@@ -58,7 +52,7 @@ impl Default for Store {
     fn default() -> Self {
         Self {
             catalogue: None,
-            glances: Glances::default(),
+            summaries: KeySummaries::default(),
             events: Journal::new(20_000),
             log: Journal::new(2_000),
             midi: Journal::new(5_000),
@@ -86,7 +80,7 @@ impl Store {
                 }
             }
             Update::Overview(it) if LAST_TICK < it.tick => {}
-            Update::Overview(it) => self.glances.take(&it),
+            Update::Overview(it) => self.summaries.take(&it),
             Update::Block(it) => {
                 if let Some(key) = number::key(it.key) {
                     let period = self.period();
@@ -107,7 +101,7 @@ impl Store {
         }
     }
 
-    /// What came before is of no use any more.
+    /// Forgets what came before another run, or before another place in a recording.
     ///
     /// The catalogue and the voices stay until others come: a recording that is wound back is
     /// still of the same run.
@@ -129,92 +123,92 @@ impl Store {
         self.version += 1;
     }
 
-    /// Seconds of a tick.
+    /// Returns the period of a tick (s).
     pub fn period(&self) -> f64 {
         let hz = self.catalogue.as_ref().map_or(USUAL_HZ, |it| it.tick_hz.max(1));
         1.0 / f64::from(hz)
     }
 
-    /// When a tick began (s).
+    /// Returns when a tick began (s).
     pub fn seconds(&self, tick: u64) -> f64 {
         tick as f64 * self.period()
     }
 
-    /// The tick at `seconds`.
+    /// Returns the tick at `seconds`.
     pub fn tick(&self, seconds: f64) -> u64 {
         number::floor(seconds / self.period() + 1e-6)
     }
 
-    /// When an event happened (s).
+    /// Returns when an event happened (s).
     pub fn when(&self, event: &Event) -> f64 {
         let theta = if event.theta.is_finite() { event.theta } else { 0.0 };
         (event.tick as f64 + theta) * self.period()
     }
 
-    /// The newest time of which anything is known (s).
+    /// Returns the newest time of which anything is known (s).
     pub fn newest(&self) -> f64 {
         let rows = self.traces.values().filter_map(|trace| trace.ticks().last());
-        let tick = rows.copied().fold(self.glances.tick, u64::max);
+        let tick = rows.copied().fold(self.summaries.tick, u64::max);
         self.seconds(tick)
     }
 
-    /// When the newest message was made (ns since 1970).
+    /// Returns when the newest message was made (ns since 1970).
     pub const fn newest_at(&self) -> u64 {
         self.newest_at
     }
 
-    /// Counts what arrived: nothing has changed while it stays the same.
+    /// Returns a count of what arrived: nothing has changed while it stays the same.
     pub const fn version(&self) -> u64 {
         self.version
     }
 
-    /// Rows of a key that is followed.
+    /// Returns the rows of a key that is followed.
     pub fn trace(&self, key: u8) -> Option<&Trace> {
         self.traces.get(&key)
     }
 
-    /// Bytes of all rows.
+    /// Returns the size of all rows (B).
     pub fn bytes(&self) -> usize {
         self.traces.values().map(Trace::bytes).sum()
     }
 
-    /// What a key is played by.
+    /// Returns the voice of a key.
     pub fn voice(&self, key: u8) -> Option<&Voice> {
         self.voices.get(&key)
     }
 
-    /// What every key is played by.
+    /// Returns the keys that have a voice, with it.
     pub fn voices(&self) -> impl Iterator<Item = (u8, &Voice)> {
         self.voices.iter().map(|(key, voice)| (*key, voice))
     }
 
-    /// The model called `name`.
+    /// Returns the model called `name`.
     pub fn model(&self, name: &str) -> Option<&Model> {
         self.catalogue.as_ref()?.models.iter().find(|model| model.name == name)
     }
 
-    /// The model that plays a key.
+    /// Returns the model that plays a key.
     pub fn model_of(&self, key: u8) -> Option<&Model> {
         self.model(&self.voice(key)?.model)
     }
 
-    /// The parameters of a key's model.
+    /// Returns the parameters of a key's model.
     pub fn parameters(&self, key: u8) -> &[Parameter] {
         self.model_of(key).map_or(&[], |model| &model.parameters)
     }
 
-    /// The signals of a key's model.
+    /// Returns the signals of a key's model.
     pub fn signals(&self, key: u8) -> &[Signal] {
         self.model_of(key).map_or(&[], |model| &model.signals)
     }
 
-    /// The name of a key's mode.
+    /// Returns the name of a key's mode.
     pub fn mode_name(&self, key: u8, mode: u8) -> String {
         let named = self.model_of(key).and_then(|model| model.modes.get(usize::from(mode)));
         named.cloned().unwrap_or_else(|| format!("mode {mode}"))
     }
 
-    /// Which column of a key's rows is called `name`, and its unit.
+    /// Returns the column of a key's channel `name`, and its unit.
     pub fn channel(&self, key: u8, name: &str) -> Option<(usize, &str)> {
         if let Some(i) = OWN.iter().position(|(own, _)| *own == name) {
             return Some((i, OWN[i].1));
@@ -224,20 +218,20 @@ impl Store {
         Some((OWN.len() + i, &signals[i].unit))
     }
 
-    /// Every channel of a key: its name and unit.
+    /// Returns every channel of a key: its name and unit.
     pub fn channels(&self, key: u8) -> Vec<(String, String)> {
         let own = OWN.iter().map(|(name, unit)| ((*name).to_owned(), (*unit).to_owned()));
         let signals = self.signals(key).iter();
         own.chain(signals.map(|signal| (signal.name.clone(), signal.unit.clone()))).collect()
     }
 
-    /// The value of a channel at `seconds`, if it is known.
+    /// Returns the value of a channel at `seconds`, if it is known.
     pub fn value(&self, key: u8, channel: &str, seconds: f64) -> Option<f64> {
         let (column, _) = self.channel(key, channel)?;
         self.trace(key)?.value_at(column, self.tick(seconds)).map(f64::from)
     }
 
-    /// Values of an instrument for one key: one for each parameter of its model.
+    /// Returns the values of an instrument for one key: one for each parameter of its model.
     pub fn instrument_values(&self, instrument: &str, key: u8) -> Option<&[f64]> {
         let catalogue = self.catalogue.as_ref()?;
         let instrument = catalogue.instruments.iter().find(|it| it.name == instrument)?;
@@ -246,8 +240,8 @@ impl Store {
         instrument.values.get(from..from + width)
     }
 
-    /// Keys whose newest overview says a fault.
+    /// Returns the keys that have a fault in the newest overview.
     pub fn faulty(&self) -> Vec<u8> {
-        (0..=crate::names::LAST).filter(|key| self.glances.key(*key).fault != 0).collect()
+        (0..=crate::names::LAST).filter(|key| self.summaries.key(*key).fault != 0).collect()
     }
 }

@@ -4,23 +4,20 @@ use telemetry::Ticks;
 
 use super::journal::Journal;
 
-/// Ticks that are kept.
+/// Number of ticks that are kept.
 const KEPT: usize = 60_000;
 
-/// How a tick went.
+/// The outcome of a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TickOutcome {
     InTime,
-    /// It was woken late.
     WokenLate,
-    /// Something else ran instead.
     Preempted,
-    /// It had too much to do.
     OwnWork,
 }
 
 impl TickOutcome {
-    /// All of them.
+    /// Every outcome, in the order of the legend.
     pub const ALL: [Self; 4] = [Self::InTime, Self::WokenLate, Self::Preempted, Self::OwnWork];
 
     const fn of(outcome: u8) -> Self {
@@ -32,7 +29,7 @@ impl TickOutcome {
         }
     }
 
-    /// In words.
+    /// Returns the outcome in words.
     pub const fn text(self) -> &'static str {
         match self {
             Self::InTime => "in time",
@@ -47,16 +44,16 @@ impl TickOutcome {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Timed {
     pub tick: u64,
-    /// Woken after it was due (µs).
+    /// Time from due to woken (µs).
     pub lateness: f32,
-    /// Samples in to forces out (µs).
+    /// Time from samples in to forces out (µs).
     pub turnaround: f32,
     /// CPU time (µs).
     pub work: f32,
     pub cause: TickOutcome,
 }
 
-/// The newest ticks.
+/// The newest ticks, and when they were done.
 #[derive(Clone, Debug)]
 pub struct Timing {
     ticks: Journal<Timed>,
@@ -87,7 +84,7 @@ impl Timing {
         }
     }
 
-    /// Oldest first.
+    /// Returns the newest ticks, oldest first.
     pub fn ticks(&self) -> &Journal<Timed> {
         &self.ticks
     }

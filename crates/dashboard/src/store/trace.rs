@@ -16,11 +16,10 @@ pub const OWN: [(&str, &str); 4] =
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Epoch {
     pub tick: u64,
-    /// The mode.
     pub mode: u8,
 }
 
-/// Rows of one key.
+/// The rows of one key.
 #[derive(Clone, Debug, Default)]
 pub struct Trace {
     ticks: Vec<u64>,
@@ -85,7 +84,7 @@ impl Trace {
         }
     }
 
-    /// The mean speed over the last rows (m/s).
+    /// Returns the mean speed over the last rows (m/s).
     fn speed(&self, position: f32, tick: u64, period: f64) -> f32 {
         // The tick of this row is in already, its position is not.
         let Some(row) = self.columns[0].values().len().checked_sub(SPEED_ROWS) else { return 0.0 };
@@ -118,53 +117,53 @@ impl Trace {
         8 + 1 + 4 * self.columns.len().max(1)
     }
 
-    /// Bytes in use, about.
+    /// Returns the size of the rows (B), about.
     pub fn bytes(&self) -> usize {
         self.ticks.len() * self.row_bytes()
     }
 
-    /// Ticks of the rows, oldest first.
+    /// Returns the ticks of the rows, oldest first.
     pub fn ticks(&self) -> &[u64] {
         &self.ticks
     }
 
-    /// Values of a column: those of [`OWN`], then the model's signals.
+    /// Returns the values of a column: those of [`OWN`], then the model's signals.
     pub fn values(&self, column: usize) -> &[f32] {
         self.columns.get(column).map_or(&[], Column::values)
     }
 
-    /// How many columns there are.
+    /// Returns how many columns there are.
     pub fn width(&self) -> usize {
         self.columns.len()
     }
 
-    /// Modes of the rows.
+    /// Returns the modes of the rows.
     pub fn modes(&self) -> &[u8] {
         &self.modes
     }
 
-    /// Epochs, oldest first; each lasts until the next.
+    /// Returns the epochs, oldest first; each lasts until the next.
     pub fn epochs(&self) -> &[Epoch] {
         &self.epochs
     }
 
-    /// The voice that the newest row is of.
+    /// Returns the voice that the newest row is of.
     pub fn revision(&self) -> u32 {
         self.revision
     }
 
-    /// The row that holds at `tick`: the last one up to it.
+    /// Returns the row that holds at `tick`: the last one up to it.
     pub fn row_at(&self, tick: u64) -> Option<usize> {
         self.ticks.partition_point(|row| *row <= tick).checked_sub(1)
     }
 
-    /// The value of `column` at `tick`, as of the last row up to it.
+    /// Returns the value of `column` at `tick`, as of the last row up to it.
     pub fn value_at(&self, column: usize, tick: u64) -> Option<f32> {
         let row = self.row_at(tick)?;
         self.values(column).get(row).copied()
     }
 
-    /// Points of `column` to draw between two ticks: [tick, value].
+    /// Returns points of `column` to draw between two ticks: `[tick, value]`.
     ///
     /// At most about four for each of `buckets`; the smallest and the largest value of each are
     /// kept.
@@ -182,7 +181,7 @@ impl Trace {
         self.banded(values, first, last, buckets)
     }
 
-    /// For each bucket of ticks the first value, the smallest, the largest and the last.
+    /// Returns for each bucket of ticks the first value, the smallest, the largest and the last.
     fn banded(&self, values: &Column, first: usize, last: usize, buckets: usize) -> Vec<[f64; 2]> {
         let ticks = &self.ticks[..last];
         let most = u64::try_from(buckets.max(1)).unwrap_or(u64::MAX);
@@ -213,12 +212,12 @@ impl Trace {
     }
 }
 
-/// Whether `x` lies between two ends.
+/// Returns whether `x` lies between two ends.
 fn within(x: f32, [a, b]: [f32; 2]) -> bool {
     (a.min(b)..=a.max(b)).contains(&x)
 }
 
-/// Rows that every column has.
+/// Returns how many rows every column has.
 fn rows(block: &KeyBlock) -> usize {
     let lengths = [block.position.len(), block.force.len(), block.sent.len(), block.mode.len()];
     lengths.into_iter().fold(block.after.len(), usize::min)

@@ -49,7 +49,7 @@ impl UndoHistory {
         }
     }
 
-    /// Takes the last step back: the values to go to.
+    /// Takes the last step back, and returns the values to go to.
     pub fn undo(&mut self) -> Option<SlotValues> {
         let step = self.done.pop()?;
         let values = step.before.clone();
@@ -57,7 +57,7 @@ impl UndoHistory {
         Some(values)
     }
 
-    /// Does again what was taken back last.
+    /// Does the step again that was taken back last, and returns its values.
     pub fn redo(&mut self) -> Option<SlotValues> {
         let step = self.undone.pop()?;
         let values = step.after.clone();
@@ -65,27 +65,27 @@ impl UndoHistory {
         Some(values)
     }
 
-    /// The step that [`Self::undo`] would take back.
+    /// Returns the step that [`Self::undo`] would take back.
     pub fn last(&self) -> Option<&UndoStep> {
         self.done.last()
     }
 
-    /// The step that [`Self::redo`] would do again.
+    /// Returns the step that [`Self::redo`] would do again.
     pub fn next(&self) -> Option<&UndoStep> {
         self.undone.last()
     }
 
-    /// Steps done, oldest first.
+    /// Returns the steps done, oldest first.
     pub fn steps(&self) -> &[UndoStep] {
         &self.done
     }
 
-    /// Steps taken back, the one that [`Self::redo`] would do again first.
+    /// Returns the steps taken back, the one that [`Self::redo`] would do again first.
     pub fn undone(&self) -> impl Iterator<Item = &UndoStep> {
         self.undone.iter().rev()
     }
 
-    /// A value that was refused is no step.
+    /// Removes values that were refused from all steps.
     pub fn forget(&mut self, slots: &[ParameterSlot]) {
         for step in &mut self.done {
             step.before.retain(|slot, _| !slots.contains(slot));

@@ -21,10 +21,10 @@ pub enum LinkedKeys {
 }
 
 impl LinkedKeys {
-    /// All of them.
+    /// Every link, in the order of the menu.
     pub const ALL: [Self; 4] = [Self::Alone, Self::Same, Self::Factor, Self::Graded];
 
-    /// In words.
+    /// Returns the text of the menu.
     pub const fn text(self) -> &'static str {
         match self {
             Self::Alone => "this key",
@@ -35,7 +35,7 @@ impl LinkedKeys {
     }
 }
 
-/// The values of a range of keys once `key` has been moved to `value`.
+/// Returns the values of a range of keys once `key` has been moved to `value`.
 ///
 /// `values` are those before, of every key that can follow; what comes back is not yet limited.
 pub fn moved(
@@ -59,7 +59,7 @@ pub fn moved(
     others.filter_map(new).collect()
 }
 
-/// `old` times the factor from `before` to `after`; nothing grows out of zero.
+/// Returns `old` times the factor from `before` to `after`; nothing grows out of zero.
 fn scaled(old: f64, before: Option<f64>, after: f64) -> f64 {
     match before {
         Some(before) if f64::MIN_POSITIVE < before.abs() => old * (after / before),
@@ -67,7 +67,7 @@ fn scaled(old: f64, before: Option<f64>, after: f64) -> f64 {
     }
 }
 
-/// The line from the moved key to the end of the range on which `other` lies.
+/// Returns the value of `other` on the line from the moved key to its end of the range.
 fn graded(
     range: &RangeInclusive<u8>,
     values: &BTreeMap<u8, f64>,

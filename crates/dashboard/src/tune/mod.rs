@@ -1,4 +1,4 @@
-//! Parameters under somebody's hands: what is shown, what is asked for, what can be taken back.
+//! Parameters that are tuned: what is shown, what is asked for, what can be taken back.
 //!
 //! A value that was asked for is shown at once and stays until the host has answered, so that a
 //! slider never jumps back to what it was.
@@ -42,7 +42,7 @@ struct KeyInstrument {
     revision: u32,
 }
 
-/// Values on their way.
+/// Values that were sent, and whose answer is on its way.
 #[derive(Clone, Debug)]
 struct PendingValues {
     ticket: Ticket,
@@ -51,14 +51,15 @@ struct PendingValues {
     revisions: BTreeMap<u8, u32>,
 }
 
-/// Somebody's hands on the parameters.
+/// The parameters as the window shows and changes them.
 #[derive(Clone, Debug, Default)]
 pub struct Tuner {
     /// What is remembered from one start to the next.
     pub kept: SavedTuning,
     models: BTreeMap<String, Model>,
     played: BTreeMap<u8, KeyInstrument>,
-    wanted: SlotValues,
+    /// Values that were asked for and not yet answered, by key and parameter.
+    wanted: BTreeMap<u8, BTreeMap<String, f64>>,
     dirty: BTreeSet<ParameterSlot>,
     asked: Option<PendingValues>,
     history: UndoHistory,
@@ -76,7 +77,7 @@ impl Tuner {
             && let Some(key) = number::key(voice.key)
         {
             if self.played.get(&key).is_some_and(|played| played.model != voice.model) {
-                self.wanted.retain(|slot, _| slot.key != key);
+                self.wanted.remove(&key);
                 self.dirty.retain(|slot| slot.key != key);
             }
             let played = KeyInstrument {
@@ -89,14 +90,14 @@ impl Tuner {
         }
     }
 
-    /// What was on its way will not be answered any more.
+    /// Forgets values that were sent and will not be answered any more.
     pub fn forget(&mut self) {
         self.asked = None;
         self.dirty.clear();
         self.wanted.clear();
     }
 
-    /// The parameter `name` of a key's model.
+    /// Returns the parameter `name` of a key's model.
     pub fn parameter(&self, key: u8, name: &str) -> Option<&Parameter> {
         Some(self.at(key, name)?.1)
     }
@@ -107,34 +108,37 @@ impl Tuner {
         model.parameters.iter().enumerate().find(is_it)
     }
 
-    /// The value to show: the one asked for, or else the host's.
+    /// Returns the value to show: the one asked for, or else the host's.
     pub fn value(&self, key: u8, name: &str) -> Option<f64> {
-        let wanted = self.wanted.get(&ParameterSlot::new(key, name)).copied();
-        wanted.or_else(|| self.told(key, name))
+        self.wanted(key, name).or_else(|| self.reported(key, name))
     }
 
-    /// The value that the host told.
-    fn told(&self, key: u8, name: &str) -> Option<f64> {
+    fn wanted(&self, key: u8, name: &str) -> Option<f64> {
+        self.wanted.get(&key)?.get(name).copied()
+    }
+
+    /// Returns the value that the host told.
+    fn reported(&self, key: u8, name: &str) -> Option<f64> {
         let (i, _) = self.at(key, name)?;
         self.played.get(&key)?.values.get(i).copied().filter(|value| value.is_finite())
     }
 
-    /// The model and the instrument of a key.
+    /// Returns the model and the instrument of a key.
     pub fn played(&self, key: u8) -> Option<(&str, &str)> {
         self.played.get(&key).map(|played| (played.model.as_str(), played.instrument.as_str()))
     }
 
-    /// Whether a value was asked for and not yet answered.
+    /// Returns whether a value was asked for and not yet answered.
     pub fn is_asked(&self, key: u8, name: &str) -> bool {
-        self.wanted.contains_key(&ParameterSlot::new(key, name))
+        self.wanted(key, name).is_some()
     }
 
-    /// Why the last value was refused.
+    /// Returns why the last value was refused.
     pub fn refusal(&self) -> Option<&str> {
         self.refusal.as_deref()
     }
 
-    /// What was changed.
+    /// Returns the steps that were done and taken back.
     pub const fn history(&self) -> &UndoHistory {
         &self.history
     }
@@ -144,22 +148,22 @@ impl Tuner {
     /// Changes of the same `gesture` are taken back together.
     pub fn edit(
         &mut self,
-        slot: &ParameterSlot,
+        (key, parameter): (u8, &str),
         value: f64,
         (link, range): (LinkedKeys, &RangeInclusive<u8>),
         gesture: Option<u64>,
     ) {
-        let Some(model) = self.played.get(&slot.key).map(|played| &played.model) else { return };
+        let Some(model) = self.played.get(&key).map(|played| &played.model) else { return };
         let same = self.played.iter().filter(|(_, played)| played.model == *model);
         let values: BTreeMap<u8, f64> =
-            same.filter_map(|(key, _)| Some((*key, self.value(*key, &slot.parameter)?))).collect();
-        let moved = link::moved(link, range, &values, slot.key, value);
+            same.filter_map(|(key, _)| Some((*key, self.value(*key, parameter)?))).collect();
+        let moved = link::moved(link, range, &values, key, value);
         let values =
-            moved.into_iter().map(|(key, value)| (ParameterSlot::new(key, &slot.parameter), value));
+            moved.into_iter().map(|(key, value)| (ParameterSlot::new(key, parameter), value));
         let text = match link {
-            LinkedKeys::Alone => format!("{} of {}", slot.parameter, names::name(slot.key)),
+            LinkedKeys::Alone => format!("{parameter} of {}", names::name(key)),
             LinkedKeys::Same | LinkedKeys::Factor | LinkedKeys::Graded => {
-                format!("{} of {}, {}", slot.parameter, names::range_name(range), link.text())
+                format!("{parameter} of {}, {}", names::range_name(range), link.text())
             }
         };
         self.apply(&text, &values.collect(), gesture);
@@ -184,7 +188,7 @@ impl Tuner {
         }
     }
 
-    /// The value before, and the one that is allowed.
+    /// Returns the value before, and `value` within its limits; none if it must not change.
     fn limited(&self, slot: &ParameterSlot, value: f64) -> Option<(f64, f64)> {
         if !value.is_finite() || self.is_locked(&slot.parameter) {
             return None;
@@ -197,7 +201,10 @@ impl Tuner {
     }
 
     fn want(&mut self, values: &SlotValues) {
-        self.wanted.extend(values.iter().map(|(slot, value)| (slot.clone(), *value)));
+        for (slot, value) in values {
+            let of_key = self.wanted.entry(slot.key).or_default();
+            of_key.insert(slot.parameter.clone(), *value);
+        }
         self.dirty.extend(values.keys().cloned());
     }
 
@@ -230,7 +237,7 @@ impl Tuner {
         values
     }
 
-    /// Whether nothing changes a parameter.
+    /// Returns whether a parameter is locked.
     pub fn is_locked(&self, parameter: &str) -> bool {
         self.kept.locked.contains(parameter)
     }
@@ -242,7 +249,7 @@ impl Tuner {
         }
     }
 
-    /// All values as they are now.
+    /// Returns all values as they are now.
     pub fn snapshot(&self) -> Snapshot {
         Snapshot::new(self.models_played(), &self.values())
     }
@@ -279,7 +286,7 @@ impl Tuner {
         }
     }
 
-    /// What to ask for now: nothing while an answer is on its way.
+    /// Returns the changes to ask for now; none while an answer is on its way.
     ///
     /// A drag thus asks as often as the host answers, and always for the newest value.
     pub fn outgoing(&self) -> Option<Vec<Change>> {
@@ -287,17 +294,17 @@ impl Tuner {
             return None;
         }
         let change = |slot: &ParameterSlot| {
-            let value = *self.wanted.get(slot)?;
+            let value = self.wanted(slot.key, &slot.parameter)?;
             Some(Change { key: slot.key, parameter: slot.parameter.clone(), value })
         };
         Some(self.dirty.iter().filter_map(change).collect())
     }
 
-    /// What [`Self::outgoing`] said was asked for by `ticket`.
+    /// Notes that the changes of [`Self::outgoing`] were asked for by `ticket`.
     pub fn sent(&mut self, ticket: Ticket) {
         let dirty = std::mem::take(&mut self.dirty);
         let value = |slot: ParameterSlot| {
-            let value = *self.wanted.get(&slot)?;
+            let value = self.wanted(slot.key, &slot.parameter)?;
             Some((slot, value))
         };
         let values: SlotValues = dirty.into_iter().filter_map(value).collect();
@@ -307,7 +314,7 @@ impl Tuner {
         self.asked = Some(PendingValues { ticket, values, revisions });
     }
 
-    /// The host answered: a refusal is a sentence.
+    /// Takes the host's answer; a refusal is a sentence.
     pub fn answered(&mut self, ticket: Ticket, result: Result<(), &str>) {
         let Some(asked) = self.asked.take_if(|asked| asked.ticket == ticket) else { return };
         self.refusal = result.err().map(str::to_owned);
@@ -317,9 +324,11 @@ impl Tuner {
                 // It was moved on meanwhile: the newer value stays.
                 continue;
             }
-            self.wanted.remove(&slot);
-            if result.is_ok() && self.told_nothing_since(&asked.revisions, slot.key) {
-                self.believe(&slot, value);
+            if let Some(of_key) = self.wanted.get_mut(&slot.key) {
+                of_key.remove(&slot.parameter);
+            }
+            if result.is_ok() && self.is_unchanged_since(&asked.revisions, slot.key) {
+                self.assume_set(&slot, value);
             }
         }
         if result.is_err() {
@@ -327,12 +336,12 @@ impl Tuner {
         }
     }
 
-    fn told_nothing_since(&self, revisions: &BTreeMap<u8, u32>, key: u8) -> bool {
+    fn is_unchanged_since(&self, revisions: &BTreeMap<u8, u32>, key: u8) -> bool {
         self.played.get(&key).map(|played| played.revision) == revisions.get(&key).copied()
     }
 
-    /// The host did as it was asked, and its voice is still on the way.
-    fn believe(&mut self, slot: &ParameterSlot, value: f64) {
+    /// Takes a value for the host's, whose voice is still on the way.
+    fn assume_set(&mut self, slot: &ParameterSlot, value: f64) {
         let Some((i, _)) = self.at(slot.key, &slot.parameter) else { return };
         let played = self.played.get_mut(&slot.key);
         if let Some(told) = played.and_then(|played| played.values.get_mut(i)) {

@@ -8,19 +8,18 @@ use telemetry::Parameter;
 /// How far values may lie from a straight line between the ends (share of the larger end).
 const STRAIGHT: f64 = 1e-6;
 
-/// What is written.
+/// The values of a range of keys, to be written as an instrument's file.
 #[derive(Clone, Debug)]
 pub struct SavedPreset<'a> {
     pub title: &'a str,
-    /// The model.
     pub model: &'a str,
     pub parameters: &'a [Parameter],
-    /// Which keys the values are of.
+    /// Keys whose values are written.
     pub range: RangeInclusive<u8>,
 }
 
 impl SavedPreset<'_> {
-    /// The file's text: a number where all keys have it, else the values of both ends.
+    /// Returns the file's text: a number where all keys have it, else the values of both ends.
     ///
     /// `value` gives a parameter's value on a key.
     pub fn text(&self, value: impl Fn(u8, &str) -> Option<f64>) -> String {
@@ -56,7 +55,7 @@ fn line(name: &str, unit: &str, values: &[f64]) -> Option<String> {
     Some(format!("{name} = {value}{}\n", comment(unit, note)))
 }
 
-/// The unit and a note, as far as there are any.
+/// Returns the unit and a note, as far as there are any.
 fn comment(unit: &str, note: &str) -> String {
     let unit = crate::unit::bracketed(unit);
     let parts = [unit.as_str(), note].into_iter().filter(|part| !part.is_empty());

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-/// Which parameter of which key.
+/// A parameter of a key.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 pub struct ParameterSlot {
     pub key: u8,
@@ -12,13 +12,13 @@ pub struct ParameterSlot {
 }
 
 impl ParameterSlot {
-    /// The parameter `parameter` of `key`.
+    /// Creates the slot of `parameter` on `key`.
     pub fn new(key: u8, parameter: impl Into<String>) -> Self {
         Self { key, parameter: parameter.into() }
     }
 }
 
-/// Values by slot.
+/// Values by their slots.
 pub type SlotValues = BTreeMap<ParameterSlot, f64>;
 
 /// Values of all keys, as they once were.
@@ -36,7 +36,7 @@ impl Snapshot {
         Self { models, values: values.iter().map(|(slot, value)| (slot.clone(), *value)).collect() }
     }
 
-    /// The values of keys that `models` still play.
+    /// Returns the values of keys that `models` still play.
     pub fn values(&self, models: &BTreeMap<u8, String>) -> SlotValues {
         let of_same = |(slot, _): &&(ParameterSlot, f64)| {
             self.models.get(&slot.key).is_some_and(|model| models.get(&slot.key) == Some(model))
@@ -45,7 +45,7 @@ impl Snapshot {
     }
 }
 
-/// What lies between `from` (0) and `to` (1); where only one has a value, nothing does.
+/// Returns the values at `share` between `from` (0) and `to` (1), where both have one.
 pub fn between(from: &SlotValues, to: &SlotValues, share: f64) -> SlotValues {
     let mix = |(slot, a): (&ParameterSlot, &f64)| {
         let b = to.get(slot)?;

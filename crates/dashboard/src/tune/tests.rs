@@ -17,7 +17,7 @@ fn voice(key: u8, revision: u32, model: &str, values: &[f64]) -> Update {
     })
 }
 
-/// Three keys of a model with k in 0..100 and d in 0..1, each k = 10, d = 0.5.
+/// Creates three keys of a model with k in 0..100 and d in 0..1, each k = 10, d = 0.5.
 fn tuner() -> Tuner {
     let parameter = |name: &str, max| Parameter { name: name.into(), max, ..Parameter::default() };
     let parameters = vec![parameter("k", 100.0), parameter("d", 1.0)];
@@ -36,7 +36,7 @@ fn tuner() -> Tuner {
 }
 
 fn edit(tuner: &mut Tuner, value: f64) {
-    tuner.edit(&ParameterSlot::new(KEY, "k"), value, (ALONE.0, &ALONE.1), None);
+    tuner.edit((KEY, "k"), value, (ALONE.0, &ALONE.1), None);
 }
 
 #[track_caller]
@@ -128,8 +128,8 @@ fn values_stay_within_their_limits() {
     shows(&tuner, 0.0);
     edit(&mut tuner, f64::NAN);
     shows(&tuner, 0.0);
-    tuner.edit(&ParameterSlot::new(KEY, "nothing"), 1.0, (ALONE.0, &ALONE.1), None);
-    tuner.edit(&ParameterSlot::new(87, "k"), 1.0, (ALONE.0, &ALONE.1), None);
+    tuner.edit((KEY, "nothing"), 1.0, (ALONE.0, &ALONE.1), None);
+    tuner.edit((87, "k"), 1.0, (ALONE.0, &ALONE.1), None);
     assert_eq!(tuner.history().steps().len(), 2);
 }
 
@@ -170,8 +170,8 @@ fn one_goes_to_any_step_and_comes_back() {
 #[test]
 fn a_range_is_taken_back_as_one() {
     let mut tuner = tuner();
-    tuner.edit(&ParameterSlot::new(KEY, "k"), 40.0, (LinkedKeys::Same, &(0..=87)), Some(1));
-    tuner.edit(&ParameterSlot::new(KEY, "k"), 50.0, (LinkedKeys::Same, &(0..=87)), Some(1));
+    tuner.edit((KEY, "k"), 40.0, (LinkedKeys::Same, &(0..=87)), Some(1));
+    tuner.edit((KEY, "k"), 50.0, (LinkedKeys::Same, &(0..=87)), Some(1));
     assert_eq!(tuner.value(KEY + 1, "k"), Some(50.0));
     assert_eq!(send(&mut tuner, 1), [50.0; 3]);
     tuner.undo();
@@ -184,7 +184,7 @@ fn a_range_is_taken_back_as_one() {
 fn a_key_of_another_model_does_not_follow() {
     let mut tuner = tuner();
     tuner.take(&voice(KEY + 1, 2, "other", &[10.0, 0.5]));
-    tuner.edit(&ParameterSlot::new(KEY, "k"), 40.0, (LinkedKeys::Same, &(0..=87)), None);
+    tuner.edit((KEY, "k"), 40.0, (LinkedKeys::Same, &(0..=87)), None);
     assert_eq!(tuner.value(KEY - 1, "k"), Some(40.0));
     assert_eq!(tuner.value(KEY + 1, "k"), Some(10.0));
 }

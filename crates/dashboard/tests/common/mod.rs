@@ -22,9 +22,9 @@ const BEGAN: u64 = 1_800_000_000_000_000_000;
 
 /// A clock that a test sets.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Hand(Arc<AtomicU64>);
+pub(crate) struct TestClock(Arc<AtomicU64>);
 
-impl Hand {
+impl TestClock {
     /// Goes to `seconds` after the beginning.
     pub(crate) fn set(&self, seconds: f64) {
         #[expect(
@@ -38,8 +38,8 @@ impl Hand {
 
     /// The clock that it sets.
     pub(crate) fn clock(&self) -> WallClock {
-        let hand = Arc::clone(&self.0);
-        Arc::new(move || BEGAN + hand.load(Ordering::Relaxed))
+        let time = Arc::clone(&self.0);
+        Arc::new(move || BEGAN + time.load(Ordering::Relaxed))
     }
 }
 
@@ -54,42 +54,42 @@ pub(crate) enum Behind {
 }
 
 /// A window, and what is behind it.
-pub(crate) struct Stage {
+pub(crate) struct TestWindow {
     pub(crate) harness: Harness<'static, App>,
-    pub(crate) hand: Hand,
+    pub(crate) time: TestClock,
     asked: RequestLog,
 }
 
 /// A window that shows `pane` alone, three seconds after the beginning.
-pub(crate) fn stage(pane: Pane, behind: Behind) -> Stage {
-    let mut stage = stage_with(behind, None, move |app| app.show_only(pane));
-    stage.play(3.0);
-    stage
+pub(crate) fn open(pane: Pane, behind: Behind) -> TestWindow {
+    let mut window = open_with(behind, None, move |app| app.show_only(pane));
+    window.play(3.0);
+    window
 }
 
 /// A window at the beginning.
 #[expect(clippy::large_stack_frames, reason = "a window, once")]
-pub(crate) fn stage_with(
+pub(crate) fn open_with(
     behind: Behind,
     memory: Option<SavedWindow>,
     set: impl FnOnce(&mut App),
-) -> Stage {
-    let hand = Hand::default();
-    let (source, asked) = source(&hand, behind);
+) -> TestWindow {
+    let time = TestClock::default();
+    let (source, asked) = source(&time, behind);
     let ctx = egui::Context::default();
-    let mut app = App::new(source, hand.clock(), memory, &ctx);
+    let mut app = App::new(source, time.clock(), memory, &ctx);
     set(&mut app);
     let builder =
         Harness::builder().with_size([900.0, 640.0]).with_step_dt(1.0 / 60.0).with_max_steps(40);
     let harness = builder.build_ui_state(|ui, app: &mut App| app.draw(ui), app);
-    Stage { harness, hand, asked }
+    TestWindow { harness, time, asked }
 }
 
 /// The demonstration, and what it is asked.
-pub(crate) fn source(hand: &Hand, behind: Behind) -> (Box<dyn Source>, RequestLog) {
+pub(crate) fn source(time: &TestClock, behind: Behind) -> (Box<dyn Source>, RequestLog) {
     let demo = match behind {
-        Behind::Live | Behind::Vanishing => Demo::live(hand.clock()),
-        Behind::Recording => Demo::recording(hand.clock()),
+        Behind::Live | Behind::Vanishing => Demo::live(time.clock()),
+        Behind::Recording => Demo::recording(time.clock()),
     };
     let asked = demo.asked();
     if matches!(behind, Behind::Vanishing) {
@@ -141,7 +141,7 @@ impl Source for Vanishing {
     }
 }
 
-impl Stage {
+impl TestWindow {
     /// Lets time go by until `seconds` after the beginning, a frame every tenth.
     pub(crate) fn play(&mut self, seconds: f64) {
         self.play_on(0.0, seconds);
@@ -152,7 +152,7 @@ impl Stage {
         let mut at = from;
         while at < seconds {
             at = f64::min(at + 0.1, seconds);
-            self.hand.set(at);
+            self.time.set(at);
             self.harness.step();
         }
         self.settle();

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use dashboard::App;
 use eframe::egui::{self, Color32};
 
-use super::Hand;
+use super::TestClock;
 use super::raster::{Picture, Rasteriser};
 
 /// By how much a channel of a pixel may differ: a rounding of the last bit on the way.
@@ -48,11 +48,11 @@ impl Canvas {
     }
 
     /// A frame every tenth of a second until `seconds`.
-    pub(crate) fn play(&mut self, hand: &Hand, seconds: f64) {
+    pub(crate) fn play(&mut self, time: &TestClock, seconds: f64) {
         let mut at = 0.0;
         while at < seconds {
             at = f64::min(at + 0.1, seconds);
-            hand.set(at);
+            time.set(at);
             self.step(Vec::new());
         }
         for _ in 0..3 {

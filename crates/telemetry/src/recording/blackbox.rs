@@ -8,25 +8,25 @@ use super::error::RecordError;
 use super::format::Labels;
 use super::latest::Latest;
 use super::part::RecordingPart;
-use super::raw::Raw;
+use super::raw_message::RawMessage;
 use crate::Update;
 
 /// The last seconds of messages, and the catalogue and voices that they need, in bounded memory.
 #[derive(Clone, Debug)]
 pub struct BlackBox {
-    /// For how long it keeps something (ns).
+    /// Time for which a message is kept (ns).
     span: u64,
     most: usize,
     /// The last seconds, the oldest first.
-    ring: VecDeque<Raw>,
+    ring: VecDeque<RawMessage>,
     bytes: usize,
-    /// What was true before them.
+    /// The last catalogue and voices before them.
     before: Latest,
     newest: u64,
 }
 
 impl BlackBox {
-    /// Keeps the last `span`, or less if that is more than `most_bytes` (B).
+    /// Creates a black box for the last `span`, or less if that is more than `most_bytes` (B).
     pub fn new(span: Duration, most_bytes: usize) -> Self {
         Self {
             span: u64::try_from(span.as_nanos()).unwrap_or(u64::MAX),
@@ -43,7 +43,7 @@ impl BlackBox {
     /// # Errors
     /// If the message is of no key; it is then not kept.
     pub fn keep(&mut self, at: u64, update: &Update) -> Result<(), RecordError> {
-        let raw = Raw::of(at, update)?;
+        let raw = RawMessage::of(at, update)?;
         self.newest = self.newest.max(at);
         self.bytes += cost(&raw);
         self.ring.push_back(raw);
@@ -55,12 +55,12 @@ impl BlackBox {
         Ok(())
     }
 
-    /// What it holds (B).
+    /// Returns the memory that the messages take (B).
     pub fn bytes(&self) -> usize {
         self.bytes + self.before.bytes()
     }
 
-    /// Writes what it holds of `run` as a recording, the new file `path`; how large that is (B).
+    /// Writes what it holds of `run` as a recording to the new file `path`; returns its size (B).
     ///
     /// # Errors
     /// If a file of this name is there already or cannot be written.
@@ -69,7 +69,7 @@ impl BlackBox {
         let mut part = RecordingPart::create(path, &labels)?;
         let mut latest = self.before.clone();
         let begins = self.ring.front().map_or(self.newest, |raw| raw.at);
-        for raw in self.before.again(begins) {
+        for raw in self.before.repeated(begins) {
             part.add(&raw)?;
         }
         for raw in &self.ring {
@@ -79,7 +79,7 @@ impl BlackBox {
                 part.flush()?;
             }
         }
-        part.close_up(&labels, &latest, self.newest)?;
+        part.write_trailer(&labels, &latest, self.newest)?;
         part.finish()
     }
 
@@ -89,7 +89,7 @@ impl BlackBox {
     }
 }
 
-/// What it takes to keep `raw` (B).
-const fn cost(raw: &Raw) -> usize {
-    raw.bytes.capacity() + size_of::<Raw>()
+/// Returns the memory that `raw` takes (B).
+const fn cost(raw: &RawMessage) -> usize {
+    raw.bytes.capacity() + size_of::<RawMessage>()
 }

@@ -7,21 +7,21 @@ use mcap::{McapError, McapResult};
 use super::format::LARGEST_CHUNK;
 use super::zstd::Zstd;
 
-/// Records of one chunk, which is decompressed and compared with its checksum before the first.
+/// The records of one chunk, which is decompressed and checked before the first.
 pub(super) struct Chunk {
     reader: LinearReader,
     is_at_end: bool,
 }
 
-/// What a chunk holds.
+/// A record of a chunk.
 pub(super) enum Inside {
-    /// Messages with this number are of the topic of this name.
+    /// A channel: its number and the name of its topic.
     Channel(u16, String),
     Message(MessageHeader, Vec<u8>),
 }
 
 impl Chunk {
-    /// The chunk that `record` is, with its opcode and length.
+    /// Opens the chunk `record`, which begins with its opcode and length.
     pub(super) fn new(record: &[u8]) -> Self {
         let options = LinearReaderOptions::default()
             .with_skip_start_magic(true)
@@ -36,9 +36,9 @@ impl Chunk {
         Self { reader, is_at_end: false }
     }
 
-    /// What comes next that is not a message or one that `wants` wants.
+    /// Returns the next channel, or the next message whose header `wants` accepts.
     ///
-    /// After an error there is nothing more.
+    /// After an error there are no further records.
     pub(super) fn next(
         &mut self,
         mut wants: impl FnMut(&MessageHeader) -> bool,

@@ -6,21 +6,17 @@ use std::path::PathBuf;
 use super::format::{FORMAT, PROFILE};
 use crate::topic;
 
-/// Why something is not recorded.
+/// Why a message is not recorded, or a recording not written.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordError {
     #[error("{} is there already: choose another name, or move it away", .0.display())]
     Exists(PathBuf),
-    /// A file could not be made.
     #[error("{} cannot be made: {cause}", .path.display())]
     Create { path: PathBuf, cause: io::Error },
-    /// A file could not be written any further.
     #[error("{} cannot be written any further, and ends here: {cause}", .path.display())]
     Write { path: PathBuf, cause: String },
-    /// An older file of the recording could not be removed.
     #[error("{} cannot be removed to make room, and the recording ends here: {cause}", .path.display())]
     Remove { path: PathBuf, cause: io::Error },
-    /// The disk is all but full.
     #[error(
         "only {} MiB are free where {} lies, less than the {} MiB that are to stay: \
          the recording ends here, and what is recorded is complete",
@@ -28,15 +24,15 @@ pub enum RecordError {
     )]
     LowDisk {
         path: PathBuf,
-        /// What is free (B).
+        /// Free space (B).
         free: u64,
-        /// What is to stay free (B).
+        /// Space that is to stay free (B).
         lowest: u64,
     },
-    /// A message of a key that there is none of.
+    /// The message is of a key beyond the 88.
     #[error("a message is of key {key}, and there are keys 0 to 87: it is not recorded")]
     NoSuchKey { key: u32 },
-    /// It has ended already.
+    /// The recording has ended already.
     #[error("the recording has ended already: begin another one")]
     Ended,
 }
@@ -44,22 +40,20 @@ pub enum RecordError {
 /// Why a file is not opened.
 #[derive(Debug, thiserror::Error)]
 pub enum OpenError {
-    /// It could not be read.
     #[error("{} cannot be read: {cause}", .path.display())]
     Io { path: PathBuf, cause: io::Error },
-    /// It is something else.
+    /// The file is no MCAP file.
     #[error("{} is no recording: it does not begin as an MCAP file does", .0.display())]
     NotMcap(PathBuf),
-    /// It is somebody else's.
+    /// The file is an MCAP file of another program.
     #[error("{} is an MCAP file, but no recording of {PROFILE}'s: it does not say so", .0.display())]
     NotOurs(PathBuf),
-    /// It is of another version.
     #[error(
         "{} is of format {found}, and this {PROFILE} reads {FORMAT}: \
          use the {PROFILE} that recorded it", .path.display()
     )]
     Version { path: PathBuf, found: String },
-    /// It breaks off before the first message.
+    /// The file breaks off before the first message.
     #[error("{} breaks off before anything was recorded: there is nothing to read", .0.display())]
     Empty(PathBuf),
 }
@@ -67,10 +61,8 @@ pub enum OpenError {
 /// Why a part of a recording is not read; what comes after it may well be.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
-    /// It could not be read.
     #[error("{} cannot be read any further: {cause}", .path.display())]
     Io { path: PathBuf, cause: io::Error },
-    /// A chunk is damaged.
     #[error(
         "{} is damaged at byte {at} ({cause}): what it had from {from:.3} s to {to:.3} s is left \
          out, and `letoff recover {}` makes a complete file of the rest",
@@ -78,17 +70,17 @@ pub enum ReadError {
     )]
     Damaged {
         path: PathBuf,
-        /// Where (B).
+        /// Offset in the file (B).
         at: u64,
         cause: String,
-        /// When the first message was made that is lost, since the recording's beginning \[s\].
+        /// Time of the first lost message since the recording's beginning (s).
         from: f64,
-        /// When the last one was \[s\].
+        /// Time of the last lost message since the recording's beginning (s).
         to: f64,
-        /// Whether there was nothing but the catalogue and voices, which are said again elsewhere.
+        /// Whether it held only the catalogue and voices, which are repeated elsewhere.
         is_said_again: bool,
     },
-    /// A message is none.
+    /// A message cannot be decoded.
     #[error("{}: {cause}", .path.display())]
     Message { path: PathBuf, cause: topic::TopicDecodeError },
 }
@@ -98,18 +90,16 @@ pub enum ReadError {
 pub enum ExportError {
     #[error("{} is there already: choose another folder, or move it away", .0.display())]
     Exists(PathBuf),
-    /// A file could not be written.
     #[error("{} cannot be written: {cause}", .path.display())]
     Write { path: PathBuf, cause: String },
     /// Without a catalogue nothing has a name or a time.
     #[error("{} has no catalogue, which says how long a tick is: it cannot be made into tables", .0.display())]
     NoCatalogue(PathBuf),
-    /// The recording could not be read.
     #[error(transparent)]
     Read(#[from] ReadError),
 }
 
-/// What an error of the format means; its own text hides the system's.
+/// Returns the text of an error, which is the system's own if that failed.
 pub(super) fn cause(error: &mcap::McapError) -> String {
     if let mcap::McapError::Io(error) = error { error.to_string() } else { error.to_string() }
 }

@@ -13,24 +13,23 @@ pub const FORMAT: &str = "1.0";
 /// Profile of the header, and name of the metadata.
 pub(super) const PROFILE: &str = "letoff";
 
-/// What wrote a file.
+/// The name of the program that wrote a file.
 pub(super) const LIBRARY: &str = concat!("letoff ", env!("CARGO_PKG_VERSION"));
 
-/// A chunk is closed when so much is in it [B]: small enough to be read at each move of a
+/// A chunk is closed when so much is in it (B): small enough to be read at each move of a
 /// timeline, large enough to be worth compressing.
 pub(super) const CHUNK: u64 = 1 << 20;
 
 /// No chunk is larger than this (B), compressed or not; a length above it is a damaged one.
 pub(super) const LARGEST_CHUNK: usize = 64 << 20;
 
-/// What a file says of itself.
+/// The labels of a file: its run, part and format.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Labels {
-    /// Which run: see `Catalogue.run`.
+    /// The name of the run: see `Catalogue.run`.
     pub(super) run: String,
-    /// Which file of the recording, from 1.
+    /// The number of the file in the recording, from 1.
     pub(super) part: u32,
-    /// Version of the format.
     pub(super) format: String,
 }
 
@@ -60,18 +59,18 @@ impl Labels {
         Some(Self { run: entry("run")?, part, format: entry("format").filter(is_version)? })
     }
 
-    /// Whether this version reads it.
+    /// Returns whether this version reads the file.
     pub(super) fn is_ours(&self) -> bool {
         let major = |format: &str| format.split('.').next().map(str::to_owned);
         major(&self.format) == major(FORMAT)
     }
 }
 
-/// From these on the numbers of keys' topics lie, 100 for each.
+/// The first channel numbers of keys' blocks and states, 100 for each.
 const BLOCKS: u16 = 100;
 const STATES: u16 = 200;
 
-/// Under which number a topic's messages lie; the same in every file that we write.
+/// Returns the number of a topic's channel, the same in every file that Letoff writes.
 pub(super) const fn channel(topic: Topic) -> u16 {
     match topic {
         Topic::Catalogue => 1,
@@ -88,7 +87,7 @@ pub(super) const fn channel(topic: Topic) -> u16 {
     }
 }
 
-/// Number of a topic's schema; 0 would mean that there is none.
+/// Returns the number of a topic's schema; 0 would mean that there is none.
 pub(super) const fn schema(topic: Topic) -> u16 {
     match channel(topic) {
         STATES.. => 11,
@@ -98,14 +97,14 @@ pub(super) const fn schema(topic: Topic) -> u16 {
     }
 }
 
-/// Topics by their numbers in the files that we write.
+/// Returns the topics by their numbers in files that Letoff writes.
 ///
-/// Other people's tools may number them anew, and say so by name in the file.
+/// Other tools may number them anew, and then name them in the file.
 pub(super) fn topics() -> BTreeMap<u16, Topic> {
     Topic::all().map(|topic| (channel(topic), topic)).collect()
 }
 
-/// Where part `part` of the recording lies whose first is `first`: `take-0002.mcap` of
+/// Returns the path of part `part` of the recording that begins with `first`: `take-0002.mcap` of
 /// `take.mcap`.
 pub(super) fn part_path(first: &Path, part: u32) -> PathBuf {
     if part <= 1 {
@@ -115,7 +114,7 @@ pub(super) fn part_path(first: &Path, part: u32) -> PathBuf {
     first.with_file_name(format!("{stem}-{part:04}.{}", extension(first)))
 }
 
-/// Where the first part of the recording lies whose part `part` is `path`.
+/// Returns the path of the first part of the recording whose part `part` is `path`.
 pub(super) fn first_path(path: &Path, part: u32) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     match stem.strip_suffix(&format!("-{part:04}")) {

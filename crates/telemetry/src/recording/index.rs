@@ -8,8 +8,8 @@ use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{MAGIC, McapResult};
 
 use super::chunk::{Chunk, Inside};
+use super::file_bytes::FileBytes;
 use super::format::{self, LARGEST_CHUNK, Labels};
-use super::part_file::Bytes;
 use crate::Topic;
 
 /// Opcode and length of a record (B).
@@ -25,58 +25,58 @@ const COPIES: usize = 2;
 /// No labels are longer than this (B).
 const LONGEST_LABELS: u64 = 4096;
 
-/// Where a chunk is, and what is in it.
+/// The position of a chunk in a file, with its times and topics.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct ChunkPosition {
-    /// Where it begins, and how long it is, with opcode and length (B).
+    /// Offset and length of the whole record (B).
     pub(super) offset: u64,
     pub(super) length: u64,
     /// Times of its first and last message (ns since 1970).
     pub(super) first: u64,
     pub(super) last: u64,
-    /// What its messages are, if that is known without looking.
+    /// Topics of its messages, if the index names them.
     pub(super) topics: Option<Vec<Topic>>,
-    /// Whether it is known that it cannot be read.
+    /// Whether it is known to be damaged.
     pub(super) is_damaged: bool,
 }
 
 impl ChunkPosition {
-    /// Whether it may have messages of one of these topics.
+    /// Returns whether it may have messages of a wanted topic.
     pub(super) fn may_have(&self, wanted: impl Fn(Topic) -> bool) -> bool {
         self.topics.as_ref().is_none_or(|topics| topics.iter().any(|topic| wanted(*topic)))
     }
 }
 
-/// Where the chunks of a file are.
+/// The positions of the chunks of a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Index {
-    /// In the order of the file.
-    pub(super) places: Vec<ChunkPosition>,
-    /// Topics by their numbers.
+    /// Positions in the order of the file.
+    pub(super) positions: Vec<ChunkPosition>,
+    /// Topics by the numbers of their channels.
     pub(super) topics: BTreeMap<u16, Topic>,
-    /// Whether the file itself names one of them.
+    /// Whether the file itself names a topic of Letoff's.
     pub(super) names_ours: bool,
-    /// What the file says of itself behind its beginning, the last ones.
+    /// The last labels behind the file's beginning.
     pub(super) labels: Vec<Labels>,
-    /// If there was no summary: how it looked without.
+    /// What a scan of the file found, if there was no summary.
     pub(super) without_summary: Option<IndexScan>,
 }
 
-/// How a file looked that was read without its summary.
+/// What was found in a file that was read without its summary.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct IndexScan {
-    /// Up to where there are whole records (B).
+    /// End of the last whole record (B).
     pub(super) up_to: u64,
     /// Whether the data had an end, so that nothing but the summary is missing.
     pub(super) has_end: bool,
-    /// Chunks that are there, but damaged.
+    /// Number of damaged chunks.
     pub(super) damaged: u32,
 }
 
 impl Index {
     fn empty() -> Self {
         Self {
-            places: Vec::new(),
+            positions: Vec::new(),
             topics: format::topics(),
             names_ours: false,
             labels: Vec::new(),
@@ -89,7 +89,7 @@ impl Index {
         self.names_ours |= topic.is_some();
         match topic {
             Some(topic) => self.topics.insert(channel, topic),
-            // Somebody else's: not to be taken for ours of the same number.
+            // Another program's: not to be taken for Letoff's of the same number.
             None => self.topics.remove(&channel),
         };
     }
@@ -97,7 +97,7 @@ impl Index {
     fn add(&mut self, index: &ChunkIndex) {
         let channels = index.message_index_offsets.keys();
         let topics: Vec<_> = channels.filter_map(|id| self.topics.get(id).copied()).collect();
-        self.places.push(ChunkPosition {
+        self.positions.push(ChunkPosition {
             offset: index.chunk_start_offset,
             length: index.chunk_length,
             first: index.message_start_time,
@@ -108,27 +108,27 @@ impl Index {
     }
 }
 
-/// The index as the summary has it; none if there is none that can be trusted.
-pub(super) fn summary(file: &Bytes) -> io::Result<Option<Index>> {
+/// Reads the index from the summary; none if there is no intact one.
+pub(super) fn summary(file: &FileBytes) -> io::Result<Option<Index>> {
     let Some(start) = summary_start(file)? else { return Ok(None) };
     let bytes = file.read(start, file.size - start)?;
     // The checksum of the whole summary is looked at before any of it is used.
     let Ok((mut index, metadata)) = read_summary(&bytes) else { return Ok(None) };
-    index.places.sort_by_key(|place| place.offset);
+    index.positions.sort_by_key(|position| position.offset);
     for at in metadata.iter().rev().take(COPIES) {
         let is_inside = at.offset.checked_add(at.length).is_some_and(|end| end <= file.size);
         if is_inside && at.length <= LONGEST_LABELS {
             index.labels.extend(labels_in(&file.read(at.offset, at.length)?));
         }
     }
-    let is_inside = |place: &ChunkPosition| {
-        place.length > RECORD
-            && place.offset.checked_add(place.length).is_some_and(|end| end <= file.size)
+    let is_inside = |position: &ChunkPosition| {
+        position.length > RECORD
+            && position.offset.checked_add(position.length).is_some_and(|end| end <= file.size)
     };
-    Ok(index.places.iter().all(is_inside).then_some(index))
+    Ok(index.positions.iter().all(is_inside).then_some(index))
 }
 
-/// What the metadata `record`, with opcode and length, says of the file.
+/// Returns the labels in the metadata `record`, which begins with its opcode and length.
 fn labels_in(record: &[u8]) -> Option<Labels> {
     let body = record.strip_prefix(&[op::METADATA])?.get(8..)?;
     match mcap::parse_record(op::METADATA, body) {
@@ -137,8 +137,8 @@ fn labels_in(record: &[u8]) -> Option<Labels> {
     }
 }
 
-/// Where the end of the data, and after it the summary, begins.
-fn summary_start(file: &Bytes) -> io::Result<Option<u64>> {
+/// Returns where the data end and the summary begins.
+fn summary_start(file: &FileBytes) -> io::Result<Option<u64>> {
     let Some(footer) = file.size.checked_sub(FOOTER) else { return Ok(None) };
     let tail = file.read(footer, FOOTER)?;
     let Some((&op::FOOTER, rest)) = tail.split_first() else { return Ok(None) };
@@ -184,7 +184,7 @@ fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
             expected = usize::try_from(statistics.chunk_count).ok();
         }
     }
-    // Somebody may have left the places out, or some of them.
+    // A writer may have left the positions out, or some of them.
     if expected != Some(chunks.len()) {
         return Err(mcap::McapError::BadIndex);
     }
@@ -194,16 +194,16 @@ fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
     Ok((index, metadata))
 }
 
-/// The index of a file whose host died, or whose summary is damaged, from byte `start` on.
+/// Builds the index of a file without a usable summary by reading it from byte `start` on.
 ///
 /// Where lengths do not lead on, it goes on at the next chunk that is whole.
-pub(super) fn scan(file: &Bytes, start: u64) -> io::Result<Index> {
+pub(super) fn scan(file: &FileBytes, start: u64) -> io::Result<Index> {
     let mut index = Index::empty();
     let mut scan = IndexScan { up_to: start, has_end: false, damaged: 0 };
     loop {
         let Some((opcode, length)) = record_at(file, scan.up_to)? else {
             let Some(next) = next_chunk(file, scan.up_to)? else { break };
-            index.places.push(damaged(scan.up_to, next - scan.up_to));
+            index.positions.push(damaged(scan.up_to, next - scan.up_to));
             scan.damaged += 1;
             scan.up_to = next;
             continue;
@@ -218,22 +218,22 @@ pub(super) fn scan(file: &Bytes, start: u64) -> io::Result<Index> {
         }
         let mut length = length;
         if opcode == op::CHUNK {
-            let place = look(file, scan.up_to, length, &mut index)?;
-            if place.is_none() {
+            let position = scan_chunk(file, scan.up_to, length, &mut index)?;
+            if position.is_none() {
                 length = length_of_damaged(file, scan.up_to, length)?;
                 scan.damaged += 1;
             }
-            index.places.push(place.unwrap_or_else(|| damaged(scan.up_to, length)));
+            index.positions.push(position.unwrap_or_else(|| damaged(scan.up_to, length)));
         }
         scan.up_to += length;
     }
-    date_damaged(&mut index.places);
+    date_damaged(&mut index.positions);
     index.without_summary = Some(scan);
     Ok(index)
 }
 
-/// How long the chunk at `offset` is that says it has `length`, and may be wrong in that, too.
-fn length_of_damaged(file: &Bytes, offset: u64, length: u64) -> io::Result<u64> {
+/// Returns the length of the damaged chunk at `offset`, whose own `length` may be wrong, too.
+fn length_of_damaged(file: &FileBytes, offset: u64, length: u64) -> io::Result<u64> {
     if record_at(file, offset + length)?.is_some() {
         return Ok(length);
     }
@@ -241,29 +241,29 @@ fn length_of_damaged(file: &Bytes, offset: u64, length: u64) -> io::Result<u64> 
     Ok(next.map_or(length, |next| next - offset))
 }
 
-/// A piece of a file that cannot be read.
+/// Returns the position of a piece that cannot be read.
 const fn damaged(offset: u64, length: u64) -> ChunkPosition {
     ChunkPosition { offset, length, first: 0, last: u64::MAX, topics: None, is_damaged: true }
 }
 
-/// Says of damaged pieces that they are of the time between those around them.
-fn date_damaged(places: &mut [ChunkPosition]) {
-    let known = |place: &&ChunkPosition| !place.is_damaged;
-    for i in 0..places.len() {
-        if places[i].is_damaged {
-            let before = places[..i].iter().rev().find(known).map(|place| place.last);
-            let after = places[i..].iter().find(known).map(|place| place.first);
+/// Sets the times of damaged pieces to the time between their neighbours.
+fn date_damaged(positions: &mut [ChunkPosition]) {
+    let known = |position: &&ChunkPosition| !position.is_damaged;
+    for i in 0..positions.len() {
+        if positions[i].is_damaged {
+            let before = positions[..i].iter().rev().find(known).map(|position| position.last);
+            let after = positions[i..].iter().find(known).map(|position| position.first);
             let first = before.or(after).unwrap_or(0);
-            (places[i].first, places[i].last) = (first, after.unwrap_or(first).max(first));
+            (positions[i].first, positions[i].last) = (first, after.unwrap_or(first).max(first));
         }
     }
 }
 
-/// Bytes that are looked through at once.
+/// Size of the piece that is searched at once (B).
 const WINDOW: u64 = 1 << 20;
 
-/// Where the next chunk begins that is whole, from byte `from` on.
-fn next_chunk(file: &Bytes, from: u64) -> io::Result<Option<u64>> {
+/// Returns where the next intact chunk begins, from byte `from` on.
+fn next_chunk(file: &FileBytes, from: u64) -> io::Result<Option<u64>> {
     let mut at = from;
     while at + RECORD < file.size {
         let window = file.read(at, WINDOW.min(file.size - at))?;
@@ -272,7 +272,7 @@ fn next_chunk(file: &Bytes, from: u64) -> io::Result<Option<u64>> {
             let offset = at + i as u64;
             let length = <[u8; 8]>::try_from(&head[1..]).map_or(u64::MAX, u64::from_le_bytes);
             let fits = length < LARGEST_CHUNK as u64 && length + RECORD <= file.size - offset;
-            if fits && look(file, offset, length + RECORD, &mut Index::empty())?.is_some() {
+            if fits && scan_chunk(file, offset, length + RECORD, &mut Index::empty())?.is_some() {
                 return Ok(Some(offset));
             }
         }
@@ -282,8 +282,8 @@ fn next_chunk(file: &Bytes, from: u64) -> io::Result<Option<u64>> {
     Ok(None)
 }
 
-/// Opcode and length of the record at `offset`, with opcode and length; none if it is cut.
-fn record_at(file: &Bytes, offset: u64) -> io::Result<Option<(u8, u64)>> {
+/// Returns opcode and whole length of the record at `offset`; none if it is cut off.
+fn record_at(file: &FileBytes, offset: u64) -> io::Result<Option<(u8, u64)>> {
     let left = file.size.saturating_sub(offset);
     if left < RECORD {
         return Ok(None);
@@ -297,9 +297,9 @@ fn record_at(file: &Bytes, offset: u64) -> io::Result<Option<(u8, u64)>> {
     Ok(length.filter(|length| is_one && *length <= left).map(|length| (opcode, length)))
 }
 
-/// What is in the chunk at `offset`; none if it is damaged.
-fn look(
-    file: &Bytes,
+/// Reads times and topics of the chunk at `offset`; none if it is damaged.
+fn scan_chunk(
+    file: &FileBytes,
     offset: u64,
     length: u64,
     index: &mut Index,

@@ -4,22 +4,22 @@ use std::collections::BTreeMap;
 
 use prost::Message as _;
 
-use super::raw::Raw;
+use super::raw_message::RawMessage;
 use crate::{Topic, Voice};
 
 /// The last catalogue and the last voice of every key.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Latest {
-    catalogue: Option<Raw>,
-    voices: BTreeMap<u32, Raw>,
+    catalogue: Option<RawMessage>,
+    voices: BTreeMap<u32, RawMessage>,
     bytes: usize,
-    /// When the newest of them was made (ns since 1970).
+    /// Time of the newest of them (ns since 1970).
     newest: u64,
 }
 
 impl Latest {
-    /// Remembers `raw` if it is one of these.
-    pub(super) fn note(&mut self, raw: &Raw) {
+    /// Remembers `raw` if it is a catalogue or a voice.
+    pub(super) fn note(&mut self, raw: &RawMessage) {
         if raw.topic == Topic::Catalogue {
             let old = self.catalogue.replace(raw.clone());
             self.change(raw, old);
@@ -32,20 +32,23 @@ impl Latest {
         }
     }
 
-    fn change(&mut self, new: &Raw, old: Option<Raw>) {
+    fn change(&mut self, new: &RawMessage, old: Option<RawMessage>) {
         self.newest = self.newest.max(new.made);
         self.bytes += new.bytes.len();
         self.bytes -= old.map_or(0, |old| old.bytes.len());
     }
 
-    /// They, said again at `at` (ns since 1970), or as soon as that is later than they were made:
-    /// by this they are told from what is said for the first time.
-    pub(super) fn again(&self, at: u64) -> impl Iterator<Item = Raw> {
+    /// Returns them as repeated at `at` (ns since 1970), or right after the newest was made:
+    /// a repeated message is later than its publish time.
+    pub(super) fn repeated(&self, at: u64) -> impl Iterator<Item = RawMessage> {
         let at = at.max(self.newest.saturating_add(1));
-        self.catalogue.iter().chain(self.voices.values()).map(move |raw| Raw { at, ..raw.clone() })
+        self.catalogue
+            .iter()
+            .chain(self.voices.values())
+            .map(move |raw| RawMessage { at, ..raw.clone() })
     }
 
-    /// How much it holds (B).
+    /// Returns the size of the messages (B).
     pub(super) const fn bytes(&self) -> usize {
         self.bytes
     }

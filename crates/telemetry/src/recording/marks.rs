@@ -8,10 +8,10 @@ use crate::event::Kind;
 use crate::source::Mark;
 use crate::{Event, Topic, Update, key_name};
 
-/// Strikes, and ticks that were not in time, are marked once in so long (ns).
+/// Shortest time between two marked strikes, or two late ticks (ns).
 const THINNED: u64 = 1_000_000_000;
 
-/// Moments of a recording that are worth finding again: faults and recoveries, boards, ticks that
+/// Returns moments that are worth finding again: faults and recoveries, boards, ticks that
 /// were not in time, and strikes, these two at most once a second.
 ///
 /// It reads every chunk that has events; what cannot be read is left out.
@@ -20,10 +20,10 @@ pub fn marks(recording: &Recording) -> Marks<'_> {
     Marks { events, strike: None, miss: None }
 }
 
-/// See [`marks`].
+/// The moments that [`marks`] returns.
 pub struct Marks<'a> {
     events: Messages<'a>,
-    /// When one was marked last (ns since 1970).
+    /// Time of the last mark (ns since 1970).
     strike: Option<u64>,
     miss: Option<u64>,
 }
@@ -41,10 +41,10 @@ impl Marks<'_> {
             Kind::Strike if is_far(&mut self.strike) => {
                 (format!("{} struck", key_name(event.key)), false)
             }
-            Kind::Miss if is_far(&mut self.miss) => (said("late", event), true),
-            Kind::Fault => (said(&format!("{}: fault", key_name(event.key)), event), true),
+            Kind::Miss if is_far(&mut self.miss) => (with_text("late", event), true),
+            Kind::Fault => (with_text(&format!("{}: fault", key_name(event.key)), event), true),
             Kind::Recovery => (format!("{} recovered", key_name(event.key)), false),
-            Kind::Board => (said("board", event), false),
+            Kind::Board => (with_text("board", event), false),
             Kind::Disarm => ("all forces fade".to_owned(), false),
             Kind::Strike
             | Kind::Miss
@@ -80,6 +80,6 @@ impl fmt::Debug for Marks<'_> {
     }
 }
 
-fn said(what: &str, event: &Event) -> String {
+fn with_text(what: &str, event: &Event) -> String {
     if event.text.is_empty() { what.to_owned() } else { format!("{what}: {}", event.text) }
 }

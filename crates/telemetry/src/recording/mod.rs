@@ -7,7 +7,7 @@
 //! last seconds to be written when something fails, [`recover`] makes a complete file of one that
 //! breaks off, and [`export_csv`] makes tables of it.
 //!
-//! Nothing here reads a clock: time comes with the messages, or from whoever calls.
+//! Nothing here reads a clock: time comes with the messages, or from the caller.
 //!
 //! A file holds, in this order:
 //!
@@ -28,6 +28,7 @@ mod blackbox;
 mod chunk;
 mod csv;
 mod error;
+mod file_bytes;
 mod format;
 mod index;
 mod latest;
@@ -35,7 +36,7 @@ mod marks;
 mod part;
 mod part_file;
 mod playback;
-mod raw;
+mod raw_message;
 mod reader;
 mod recover;
 mod rows;

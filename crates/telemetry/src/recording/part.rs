@@ -15,17 +15,17 @@ use mcap::{Compression, McapError, WriteOptions, Writer};
 use super::error::{RecordError, cause};
 use super::format::{self, CHUNK, LIBRARY, Labels, PROFILE};
 use super::latest::Latest;
-use super::raw::Raw;
+use super::raw_message::RawMessage;
 use crate::{DESCRIPTORS, Topic};
 
-/// What a message takes beside its bytes: its record and its place in the index (B).
+/// Size of a message beside its bytes: its record and its place in the index (B).
 const BESIDE_MESSAGE: u64 = 31 + 16;
-/// What a topic takes beside its schema: its record, twice, and its index (B).
+/// Size of a topic beside its schema: its record, twice, and its index (B).
 const BESIDE_TOPIC: u64 = 300;
-/// What a chunk takes in the summary, and each topic in it (B).
+/// Size of a chunk in the summary, and of each topic in it (B).
 const CHUNK_INDEX: (u64, u64) = (120, 10);
 
-/// What labels take in the summary (B).
+/// Size of labels in the summary (B).
 const METADATA_INDEX: u64 = 40;
 
 /// One file that is being written.
@@ -38,9 +38,9 @@ pub(super) struct RecordingPart {
     written: Arc<AtomicU64>,
     topics: BTreeSet<Topic>,
     messages: u64,
-    /// Bytes in the open chunk.
+    /// Size of the open chunk (B).
     pending: u64,
-    /// Bytes that the summary will take at most.
+    /// Largest size of the summary (B).
     summary: u64,
 }
 
@@ -79,18 +79,18 @@ impl RecordingPart {
         self.messages
     }
 
-    /// Whether something waits in memory.
+    /// Returns whether messages wait in memory.
     pub(super) const fn is_pending(&self) -> bool {
         self.pending > 0
     }
 
-    /// Whether the open chunk is as large as it should become.
+    /// Returns whether the open chunk is as large as it should become.
     pub(super) const fn is_chunk_full(&self) -> bool {
         self.pending >= CHUNK
     }
 
-    /// How large the complete file would be at most with `raw` in it (B).
-    pub(super) fn size_with(&self, raw: &Raw) -> u64 {
+    /// Returns the largest size of the complete file with `raw` in it (B).
+    pub(super) fn size_with(&self, raw: &RawMessage) -> u64 {
         let more =
             size(raw) + if self.topics.contains(&raw.topic) { 0 } else { 2 * introduction() };
         let pending = self.pending + more;
@@ -99,7 +99,7 @@ impl RecordingPart {
         self.written.load(Ordering::Relaxed) + compressed + self.summary + self.chunk_index()
     }
 
-    pub(super) fn add(&mut self, raw: &Raw) -> Result<(), RecordError> {
+    pub(super) fn add(&mut self, raw: &RawMessage) -> Result<(), RecordError> {
         self.introduce(raw.topic).map_err(|error| failed(&self.path, &error))?;
         let header = MessageHeader {
             channel_id: format::channel(raw.topic),
@@ -147,29 +147,29 @@ impl RecordingPart {
     }
 
     /// Says labels, catalogue and voices again at `at` (ns since 1970).
-    pub(super) fn say_again(
+    pub(super) fn repeat(
         &mut self,
         labels: &Labels,
         latest: &Latest,
         at: u64,
     ) -> Result<(), RecordError> {
         self.label(labels)?;
-        latest.again(at).try_for_each(|raw| self.add(&raw))
+        latest.repeated(at).try_for_each(|raw| self.add(&raw))
     }
 
     /// Says everything again that the file could not be understood without, at its end.
-    pub(super) fn close_up(
+    pub(super) fn write_trailer(
         &mut self,
         labels: &Labels,
         latest: &Latest,
         at: u64,
     ) -> Result<(), RecordError> {
         // Three labels and more, so that one that is damaged is found out.
-        self.say_again(labels, latest, at)?;
+        self.repeat(labels, latest, at)?;
         self.label(labels)
     }
 
-    /// Completes the file and waits until it is on the disk; how large it is (B).
+    /// Completes the file and waits until it is on the disk; returns its size (B).
     pub(super) fn finish(self) -> Result<u64, RecordError> {
         let path = self.path.clone();
         let (size, file) = self.close()?;
@@ -177,7 +177,7 @@ impl RecordingPart {
         Ok(size)
     }
 
-    /// Completes the file, and leaves it to the system when it is on the disk; how large it is (B).
+    /// Completes the file without waiting for the disk; returns its size (B).
     pub(super) fn close(mut self) -> Result<(u64, File), RecordError> {
         self.writer.finish().map_err(|error| failed(&self.path, &error))?;
         let sink = self.writer.into_inner().into_inner();
@@ -209,12 +209,12 @@ fn options() -> WriteOptions {
         .disable_seeking(true)
 }
 
-/// What a message takes in the file, not compressed (B).
-const fn size(raw: &Raw) -> u64 {
+/// Returns the size of a message in the file, not compressed (B).
+const fn size(raw: &RawMessage) -> u64 {
     raw.bytes.len() as u64 + BESIDE_MESSAGE
 }
 
-/// What a topic takes at its first message (B).
+/// Returns the size of what introduces a topic in a file (B).
 const fn introduction() -> u64 {
     DESCRIPTORS.len() as u64 + BESIDE_TOPIC
 }

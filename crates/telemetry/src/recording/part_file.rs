@@ -1,11 +1,7 @@
 //! One file that is being read.
 
 use std::fmt;
-use std::fs::File;
-use std::io::{self, Read as _, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 use mcap::records::{MessageHeader, Record, op};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
@@ -13,56 +9,31 @@ use mcap::{MAGIC, McapResult};
 
 use super::chunk::{Chunk, Inside};
 use super::error::{OpenError, ReadError, cause};
+use super::file_bytes::FileBytes;
 use super::format::{LARGEST_CHUNK, Labels, PROFILE};
 use super::index::{self, ChunkPosition, Index};
-use super::raw::Raw;
+use super::raw_message::RawMessage;
 use crate::{Topic, Update};
 
-/// Header and metadata of ours lie in so much of a file's beginning (B).
+/// Size of the beginning in which header and metadata lie (B).
 const HEAD: u64 = 4096;
-
-/// A file's bytes, of which only those are read that are asked for.
-#[derive(Debug)]
-pub(super) struct Bytes {
-    file: Mutex<File>,
-    pub(super) size: u64,
-    read: AtomicU64,
-}
-
-impl Bytes {
-    fn open(path: &Path) -> io::Result<Self> {
-        let file = File::open(path)?;
-        let size = file.metadata()?.len();
-        Ok(Self { file: Mutex::new(file), size, read: AtomicU64::new(0) })
-    }
-
-    /// `length` bytes from `offset` on.
-    pub(super) fn read(&self, offset: u64, length: u64) -> io::Result<Vec<u8>> {
-        let mut bytes = vec![0; usize::try_from(length).map_err(io::Error::other)?];
-        let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
-        file.seek(SeekFrom::Start(offset))?;
-        file.read_exact(&mut bytes)?;
-        self.read.fetch_add(length, Ordering::Relaxed);
-        Ok(bytes)
-    }
-}
 
 /// One file of a recording.
 pub(super) struct PartFile {
     pub(super) path: PathBuf,
     pub(super) labels: Labels,
     pub(super) index: Index,
-    /// Whether its beginning is damaged, and what it says of itself was found elsewhere.
-    pub(super) is_headless: bool,
-    /// When the recording begins that it is of (ns since 1970).
+    /// Whether its beginning is damaged, and its labels were found elsewhere.
+    pub(super) has_damaged_start: bool,
+    /// Time of the recording's beginning (ns since 1970).
     pub(super) began: u64,
-    bytes: Bytes,
+    bytes: FileBytes,
 }
 
 impl PartFile {
     pub(super) fn open(path: &Path) -> Result<Self, OpenError> {
         let io = |cause| OpenError::Io { path: path.to_owned(), cause };
-        let bytes = Bytes::open(path).map_err(io)?;
+        let bytes = FileBytes::open(path).map_err(io)?;
         let head = FileStart::of(&bytes.read(0, bytes.size.min(HEAD)).map_err(io)?);
         let index = match (index::summary(&bytes).map_err(io)?, &head) {
             (Some(index), _) => index,
@@ -75,8 +46,8 @@ impl PartFile {
         let mut part = Self {
             path: path.to_owned(),
             labels: Labels::new("", part_number(path)),
-            is_headless: !matches!(head, FileStart::Ours(..)),
-            began: index.places.first().map_or(0, |place| place.first),
+            has_damaged_start: !matches!(head, FileStart::Ours(..)),
+            began: index.positions.first().map_or(0, |position| position.first),
             index,
             bytes,
         };
@@ -88,7 +59,7 @@ impl PartFile {
         Ok(part)
     }
 
-    /// What the file says of itself: what most of its copies say.
+    /// Returns the labels on which most copies in the file agree.
     fn labels(&self, head: FileStart) -> Result<Labels, OpenError> {
         let (first, is_cut) = match head {
             FileStart::Ours(labels, _) => (Some(labels), false),
@@ -108,20 +79,20 @@ impl PartFile {
         Ok(best.map_or_else(|| self.labels_by_catalogue(), |it| (*it).clone()))
     }
 
-    /// What is known of the file where nothing says it: the run by its catalogue.
+    /// Returns labels for a file without any: the run as its catalogue names it.
     fn labels_by_catalogue(&self) -> Labels {
         let mut labels = self.labels.clone();
         let has_catalogue = |it: &&ChunkPosition| it.may_have(|it| it == Topic::Catalogue);
-        let mut places = self.index.places.iter().filter(has_catalogue);
-        if let Some(run) = places.find_map(|place| self.run_in(place)) {
+        let mut positions = self.index.positions.iter().filter(has_catalogue);
+        if let Some(run) = positions.find_map(|position| self.run_in(position)) {
             labels.run = run;
         }
         labels
     }
 
-    /// The run that a catalogue in the chunk at `place` names, if one can be read.
-    fn run_in(&self, place: &ChunkPosition) -> Option<String> {
-        let mut chunk = self.chunk(place).ok()?;
+    /// Returns the run that a catalogue in the chunk at `place` names, if one can be read.
+    fn run_in(&self, position: &ChunkPosition) -> Option<String> {
+        let mut chunk = self.chunk(position).ok()?;
         let is_it = |header: &MessageHeader| self.topic(header) == Some(Topic::Catalogue);
         // Bounded by the chunk.
         loop {
@@ -132,54 +103,58 @@ impl PartFile {
         }
     }
 
-    /// How much of it was read so far (B).
+    /// Returns how much was read so far (B).
     pub(super) fn bytes_read(&self) -> u64 {
-        self.bytes.read.load(Ordering::Relaxed)
+        self.bytes.bytes_read()
     }
 
     pub(super) const fn size(&self) -> u64 {
         self.bytes.size
     }
 
-    /// The chunk at `place`.
-    pub(super) fn chunk(&self, place: &ChunkPosition) -> Result<Chunk, ReadError> {
-        if place.is_damaged || place.length > LARGEST_CHUNK as u64 {
-            return Err(self.damaged(place, "there is no whole chunk"));
+    /// Reads the chunk at `place`.
+    pub(super) fn chunk(&self, position: &ChunkPosition) -> Result<Chunk, ReadError> {
+        if position.is_damaged || position.length > LARGEST_CHUNK as u64 {
+            return Err(self.damaged(position, "there is no whole chunk"));
         }
-        let bytes = self.bytes.read(place.offset, place.length);
+        let bytes = self.bytes.read(position.offset, position.length);
         let bytes = bytes.map_err(|cause| ReadError::Io { path: self.path.clone(), cause })?;
         if bytes.first() != Some(&op::CHUNK) {
-            return Err(self.damaged(place, "there is something else than a chunk"));
+            return Err(self.damaged(position, "there is something else than a chunk"));
         }
         Ok(Chunk::new(&bytes))
     }
 
-    pub(super) fn damaged(&self, place: &ChunkPosition, cause: &str) -> ReadError {
+    pub(super) fn damaged(&self, position: &ChunkPosition, cause: &str) -> ReadError {
         let seconds = |at: u64| at.saturating_sub(self.began) as f64 * 1e-9;
         ReadError::Damaged {
             path: self.path.clone(),
-            at: place.offset,
+            at: position.offset,
             cause: cause.to_owned(),
-            from: seconds(place.first),
-            to: seconds(place.last),
-            is_said_again: place.topics.as_ref().is_some_and(|topics| {
+            from: seconds(position.first),
+            to: seconds(position.last),
+            is_said_again: position.topics.as_ref().is_some_and(|topics| {
                 topics.iter().all(|it| matches!(it, Topic::Catalogue | Topic::Voices))
             }),
         }
     }
 
-    pub(super) fn is_damaged(&self, place: &ChunkPosition, error: &mcap::McapError) -> ReadError {
-        self.damaged(place, &cause(error))
+    pub(super) fn is_damaged(
+        &self,
+        position: &ChunkPosition,
+        error: &mcap::McapError,
+    ) -> ReadError {
+        self.damaged(position, &cause(error))
     }
 
-    /// What `header` says the message is of, if it is one of ours.
+    /// Returns the topic of a message, if it is one of Letoff's.
     pub(super) fn topic(&self, header: &MessageHeader) -> Option<Topic> {
         self.index.topics.get(&header.channel_id).copied()
     }
 
-    pub(super) fn raw(&self, header: &MessageHeader, bytes: Vec<u8>) -> Option<Raw> {
+    pub(super) fn raw(&self, header: &MessageHeader, bytes: Vec<u8>) -> Option<RawMessage> {
         let topic = self.topic(header)?;
-        Some(Raw { at: header.log_time, made: header.publish_time, topic, bytes })
+        Some(RawMessage { at: header.log_time, made: header.publish_time, topic, bytes })
     }
 }
 
@@ -189,13 +164,13 @@ impl fmt::Debug for PartFile {
     }
 }
 
-/// How a file begins.
+/// The beginning of a file.
 enum FileStart {
-    /// As a recording; up to where what it says of itself goes (B).
+    /// A recording, its labels, and where they end (B).
     Ours(Labels, u64),
-    /// As an MCAP file that does not say it is a recording.
+    /// An MCAP file that does not say that it is a recording.
     Foreign,
-    /// It is too short to say.
+    /// The file is cut off before its labels.
     Cut,
     NotMcap,
 }
@@ -210,7 +185,7 @@ impl FileStart {
     }
 }
 
-/// The number of a file of this name among those of its recording, as far as the name says it.
+/// Returns the part's number as its file name tells it; 1 without.
 fn part_number(path: &Path) -> u32 {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let number = stem.rsplit_once('-').filter(|(_, number)| number.len() == 4);

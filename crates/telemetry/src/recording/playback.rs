@@ -10,17 +10,17 @@ use std::time::Duration;
 use super::error::ReadError;
 use super::marks::marks;
 use super::part_file::PartFile;
-use super::raw::Raw;
+use super::raw_message::RawMessage;
 use super::reader::{Recording, update};
 use super::walk::Walk;
 use crate::log::Level;
 use crate::source::{Mark, Ticket};
 use crate::{Arrival, ConnectionState, Log, Request, Source, Timeline, Topic, Update};
 
-/// What a window gets of the time before the place that it goes to [ns]: enough for its scopes.
+/// Time before a place that a window gets, too (ns): enough for its scopes.
 const BEFORE: u64 = 5_000_000_000;
 
-/// Tells the time (s); only how much goes by matters.
+/// A clock: returns the time since any fixed moment (s).
 pub type PlaybackClock = Box<dyn Fn() -> f64 + Send>;
 
 /// A recording that a window sees as if it were a live host.
@@ -28,17 +28,18 @@ pub type PlaybackClock = Box<dyn Fn() -> f64 + Send>;
 /// It gives what was recorded up to where it is, in the order in which it was recorded, and it
 /// goes on by the clock that it is given. The catalogue and the voices come whatever is followed,
 /// because nothing can be understood without them; a topic that is followed anew begins with its
-/// last seconds, and a key's rows with the last ones before these. What cannot be read is said in a [`Log`] at its place.
+/// last seconds, and a key's rows with the last ones before these. What cannot be read is said in a
+/// [`Log`] at its place.
 pub struct Playback {
     recording: Arc<Recording>,
     clock: PlaybackClock,
     span: (u64, u64),
-    /// Where it was (ns since 1970), and what the clock said then (s).
+    /// Place at the last change (ns since 1970), and the clock's time then (s).
     at: u64,
     since: f64,
     speed: f64,
     followed: BTreeSet<Topic>,
-    /// What comes before anything else.
+    /// Arrivals that come before all others.
     arrivals: VecDeque<Arrival>,
     /// Last seconds of topics that are followed anew.
     past: VecDeque<PlaybackStream>,
@@ -49,7 +50,7 @@ pub struct Playback {
 }
 
 impl Playback {
-    /// Begins at the recording's beginning, in the clock's time.
+    /// Plays `recording` from its beginning, in the time of `clock`.
     ///
     /// Its marks are gathered on a thread beside.
     pub fn new(recording: Recording, clock: PlaybackClock) -> Self {
@@ -77,7 +78,7 @@ impl Playback {
         playback
     }
 
-    /// What is being played.
+    /// Returns the recording that is played.
     pub fn recording(&self) -> &Recording {
         &self.recording
     }
@@ -93,8 +94,8 @@ impl Playback {
         self.followed.iter().copied().chain(always).collect()
     }
 
-    /// Catalogue and voices at `at`.
-    fn stage(&self, at: u64) -> Result<Vec<Arrival>, ReadError> {
+    /// Returns the catalogue and the voices at `at` (ns since 1970).
+    fn catalogue_and_voices(&self, at: u64) -> Result<Vec<Arrival>, ReadError> {
         let began = self.span.0;
         let catalogue = self.recording.catalogue()?.map(|it| (began, Update::Catalogue(it)));
         let voices = self.recording.voices_at(at)?;
@@ -102,7 +103,7 @@ impl Playback {
         Ok(catalogue.into_iter().chain(voices).map(|(at, update)| arrival(at, update)).collect())
     }
 
-    /// How keys were before `from` (ns since 1970) whose rows are among `topics`: one that lies
+    /// Returns the rows of keys among `topics` before `from` (ns since 1970): one that lies
     /// still for long has none in the seconds before any place.
     fn keys_before(&self, from: u64, topics: &BTreeSet<Topic>) -> Vec<Arrival> {
         let blocks = topics.iter().filter(|topic| matches!(topic, Topic::Block(_)));
@@ -110,8 +111,8 @@ impl Playback {
         last.map(|raw| self.arrive(Ok(raw))).collect()
     }
 
-    /// What came next up to now.
-    fn next_raw(&mut self) -> Option<Result<Raw, ReadError>> {
+    /// Returns the next message up to now.
+    fn next_raw(&mut self) -> Option<Result<RawMessage, ReadError>> {
         let (now, parts) = (Timeline::at(self), self.recording.parts());
         for stream in &mut self.past {
             let next = stream.next(parts, now);
@@ -123,7 +124,7 @@ impl Playback {
         self.main.next(parts, now)
     }
 
-    fn arrive(&self, raw: Result<Raw, ReadError>) -> Arrival {
+    fn arrive(&self, raw: Result<RawMessage, ReadError>) -> Arrival {
         let update = raw.and_then(|raw| Ok((raw.made, update(&raw, &self.recording)?)));
         match update {
             Ok((at, update)) => arrival(at, update),
@@ -197,7 +198,7 @@ impl Timeline for Playback {
         self.arrivals.retain(|arrival| matches!(arrival, Arrival::Reply { .. }));
         self.arrivals.push_back(Arrival::Anew);
         let from = self.at.saturating_sub(BEFORE).max(self.span.0);
-        match self.stage(from) {
+        match self.catalogue_and_voices(from) {
             Ok(stage) => self.arrivals.extend(stage),
             Err(error) => self.arrivals.push_back(log(self.at, Level::Error, error.to_string())),
         }
@@ -229,8 +230,8 @@ impl fmt::Debug for Playback {
 /// Messages as their time comes.
 struct PlaybackStream {
     walk: Walk,
-    /// What comes next, but not yet.
-    due: Option<Raw>,
+    /// The next message, whose time has not come.
+    due: Option<RawMessage>,
 }
 
 impl PlaybackStream {
@@ -238,8 +239,8 @@ impl PlaybackStream {
         Self { walk, due: None }
     }
 
-    /// What came next up to `now` (ns since 1970).
-    fn next(&mut self, parts: &[PartFile], now: u64) -> Option<Result<Raw, ReadError>> {
+    /// Returns the next message up to `now` (ns since 1970).
+    fn next(&mut self, parts: &[PartFile], now: u64) -> Option<Result<RawMessage, ReadError>> {
         let due = self.due.take().filter(|raw| self.walk.topics.contains(&raw.topic));
         let next = due.map(Ok).or_else(|| self.walk.next(parts))?;
         match next {
@@ -266,7 +267,7 @@ fn log(at: u64, level: Level, text: String) -> Arrival {
 fn gather(recording: Arc<Recording>) -> Receiver<Mark> {
     let (sender, receiver) = channel();
     let gatherer = thread::Builder::new().name("letoff-marks".to_owned());
-    // It ends by itself: at the end of the recording, or when nobody listens.
+    // It ends by itself: at the end of the recording, or when the receiver is gone.
     drop(gatherer.spawn(move || marks(&recording).try_for_each(|mark| sender.send(mark))));
     receiver
 }

@@ -11,7 +11,7 @@ use super::error::{OpenError, ReadError};
 use super::format::{first_path, part_path};
 use super::index::ChunkPosition;
 use super::part_file::PartFile;
-use super::raw::Raw;
+use super::raw_message::RawMessage;
 use super::walk::Walk;
 use crate::{Catalogue, KEYS, Topic, Update, Voice};
 
@@ -29,10 +29,10 @@ pub struct Recording {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Tear {
     pub path: PathBuf,
-    /// Up to where it could be read (B).
+    /// Offset up to which it could be read (B).
     pub at: u64,
     pub(super) what: String,
-    /// What is there all the same, and what to do.
+    /// What can be read all the same, and what to do.
     advice: String,
 }
 
@@ -54,14 +54,14 @@ impl Recording {
                 Ok(part) if recording.goes_on_in(&part) => recording.add(part),
                 Ok(_) => return Ok(recording),
                 Err(error) => {
-                    recording.lose(next, &error.to_string());
+                    recording.note_loss(next, &error.to_string());
                     return Ok(recording);
                 }
             }
         }
         if let Some(later) = recording.next_path(2).filter(|later| later.exists()) {
             let text = format!("the file before {} is missing", later.display());
-            recording.lose(later, &text);
+            recording.note_loss(later, &text);
         }
         Ok(recording)
     }
@@ -76,34 +76,35 @@ impl Recording {
         Ok(recording)
     }
 
-    /// What is missing, in a sentence; `None` if it is complete.
+    /// Returns where the recording breaks off or what is missing; `None` if it is complete.
     pub const fn tear(&self) -> Option<&Tear> {
         self.tear.as_ref()
     }
 
-    /// Which run it is of: see `Catalogue.run`.
+    /// Returns the name of the run: see `Catalogue.run`.
     pub fn run(&self) -> &str {
         self.parts.first().map_or("", |part| &part.labels.run)
     }
 
-    /// Its files.
+    /// Returns the paths of its files, in their order.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         self.parts.iter().map(|part| part.path.as_path())
     }
 
-    /// From when to when it goes (ns since 1970); nothing if there is nothing in it.
+    /// Returns the times of the first and the last message (ns since 1970); `None` if it is empty.
     pub fn span(&self) -> Option<(u64, u64)> {
-        let places = || self.places().map(|(_, place)| place).filter(|it| it.may_have(|_| true));
-        Some((places().map(|it| it.first).min()?, places().map(|it| it.last).max()?))
+        let positions =
+            || self.positions().map(|(_, position)| position).filter(|it| it.may_have(|_| true));
+        Some((positions().map(|it| it.first).min()?, positions().map(|it| it.last).max()?))
     }
 
-    /// How much of its files was read so far (B).
+    /// Returns how much of its files was read so far (B).
     pub fn bytes_read(&self) -> u64 {
         self.parts.iter().map(PartFile::bytes_read).sum()
     }
 
-    /// Messages of these topics from `from` on and before `to` (ns since 1970), in the order in
-    /// which they were written, and when each was made.
+    /// Returns messages of these topics from `from` on and before `to` (ns since 1970), in the
+    /// order in which they were written, and when each was made.
     ///
     /// Only chunks that may have such messages are read, one at a time. After an error it goes on
     /// behind what is damaged.
@@ -114,12 +115,12 @@ impl Recording {
         Messages { recording: self, walk: Walk::new(from, last.unwrap_or(0), topics) }
     }
 
-    /// Every message, in the order in which they were written.
+    /// Returns every message, in the order in which they were written.
     pub fn messages(&self) -> Messages<'_> {
         Messages { recording: self, walk: Walk::new(0, u64::MAX, Topic::all().collect()) }
     }
 
-    /// What there is to see; nothing if it was not recorded.
+    /// Returns the catalogue; `None` if it was not recorded.
     ///
     /// # Errors
     /// If it is damaged.
@@ -136,24 +137,25 @@ impl Recording {
         wrong.map_or(Ok(None), Err)
     }
 
-    /// What each key was played by at `at` (ns since 1970), and since when, by keys.
+    /// Returns the voices at `at` (ns since 1970) in the order of keys, each with its time (ns
+    /// since 1970).
     ///
     /// # Errors
     /// If it is damaged, and nothing is known of any.
     pub fn voices_at(&self, at: u64) -> Result<Vec<(u64, Voice)>, ReadError> {
         let (mut voices, mut wrong) = (BTreeMap::new(), None);
         let mut last_part = None;
-        for (part, place) in self.places().rev() {
+        for (part, position) in self.positions().rev() {
             // A file begins with the voices of all keys.
             let is_complete = last_part.is_some_and(|last: &Path| last != part.path);
             if voices.len() == KEYS || (is_complete && !voices.is_empty()) {
                 break;
             }
             last_part = Some(part.path.as_path());
-            if at < place.first || !place.may_have(|topic| topic == Topic::Voices) {
+            if at < position.first || !position.may_have(|topic| topic == Topic::Voices) {
                 continue;
             }
-            match voices_in(part, place, at) {
+            match voices_in(part, position, at) {
                 Ok(found) => found.into_iter().for_each(|(key, voice)| {
                     voices.entry(key).or_insert(voice);
                 }),
@@ -162,10 +164,10 @@ impl Recording {
         }
         if voices.is_empty() && wrong.is_some() {
             // They were said before, and lost, and are said again further on.
-            let later = self.places().filter(|(_, place)| at < place.last);
+            let later = self.positions().filter(|(_, position)| at < position.last);
             voices = later
-                .filter(|(_, place)| place.may_have(|topic| topic == Topic::Voices))
-                .filter_map(|(part, place)| voices_in(part, place, at).ok())
+                .filter(|(_, position)| position.may_have(|topic| topic == Topic::Voices))
+                .filter_map(|(part, position)| voices_in(part, position, at).ok())
                 .find(|found| !found.is_empty())
                 .unwrap_or_default();
         }
@@ -175,13 +177,13 @@ impl Recording {
         }
     }
 
-    /// The last message of `topic` before `at` (ns since 1970), however long before; what is
-    /// damaged is passed over.
-    pub(super) fn last_before(&self, topic: Topic, at: u64) -> Option<Raw> {
-        let places = self.places().rev().filter(|(_, place)| place.first < at);
-        let mut places = places.filter(|(_, place)| place.may_have(|it| it == topic));
-        places.find_map(|(part, place)| {
-            let (mut chunk, mut last) = (part.chunk(place).ok()?, None);
+    /// Returns the last message of `topic` before `at` (ns since 1970), however long before; what
+    /// is damaged is passed over.
+    pub(super) fn last_before(&self, topic: Topic, at: u64) -> Option<RawMessage> {
+        let positions = self.positions().rev().filter(|(_, position)| position.first < at);
+        let mut positions = positions.filter(|(_, position)| position.may_have(|it| it == topic));
+        positions.find_map(|(part, position)| {
+            let (mut chunk, mut last) = (part.chunk(position).ok()?, None);
             let is_it =
                 |header: &MessageHeader| header.log_time < at && part.topic(header) == Some(topic);
             while let Some(Ok(inside)) = chunk.next(is_it) {
@@ -202,8 +204,8 @@ impl Recording {
         self.parts.first().map_or(Path::new(""), |part| &part.path)
     }
 
-    fn places(&self) -> impl DoubleEndedIterator<Item = (&PartFile, &ChunkPosition)> {
-        self.parts.iter().flat_map(|part| part.index.places.iter().map(move |it| (part, it)))
+    fn positions(&self) -> impl DoubleEndedIterator<Item = (&PartFile, &ChunkPosition)> {
+        self.parts.iter().flat_map(|part| part.index.positions.iter().map(move |it| (part, it)))
     }
 
     fn add(&mut self, mut part: PartFile) {
@@ -214,13 +216,13 @@ impl Recording {
         self.parts.push(part);
     }
 
-    /// It does not go on in `next`, and why.
-    fn lose(&mut self, next: PathBuf, why: &str) {
+    /// Notes that the recording does not go on in `next`, for the reason `why`.
+    fn note_loss(&mut self, next: PathBuf, why: &str) {
         let (what, advice) = (why.to_owned(), "; what was recorded before it is there".to_owned());
         self.tear.get_or_insert(Tear { path: next, at: 0, what, advice });
     }
 
-    /// Where the file would be that it goes on in `after` its last.
+    /// Returns the path of the file that would be number `after` behind its last.
     fn next_path(&self, after: u32) -> Option<PathBuf> {
         let (first, last) = (self.parts.first()?, self.parts.last()?);
         let first = first_path(&first.path, first.labels.part);
@@ -235,15 +237,15 @@ impl Recording {
     }
 }
 
-/// Messages of a recording.
+/// An iterator over messages of a recording.
 pub struct Messages<'a> {
     recording: &'a Recording,
     walk: Walk,
 }
 
 impl Messages<'_> {
-    /// The next as it lies in the file.
-    pub(super) fn next_raw(&mut self) -> Option<Result<Raw, ReadError>> {
+    /// Returns the next message as it lies in the file.
+    pub(super) fn next_raw(&mut self) -> Option<Result<RawMessage, ReadError>> {
         self.walk.next(&self.recording.parts)
     }
 }
@@ -263,24 +265,24 @@ impl fmt::Debug for Messages<'_> {
     }
 }
 
-/// The message that `raw` is.
-pub(super) fn update(raw: &Raw, recording: &Recording) -> Result<Update, ReadError> {
+/// Decodes a message of `recording`.
+pub(super) fn update(raw: &RawMessage, recording: &Recording) -> Result<Update, ReadError> {
     let path = || recording.path().to_owned();
     raw.update().map_err(|cause| ReadError::Message { path: path(), cause })
 }
 
-/// The last voices of keys in a chunk up to `at`, and since when they are.
+/// Returns the last voices of keys in a chunk up to `at`, each with its time (ns since 1970).
 fn voices_in(
     part: &PartFile,
-    place: &ChunkPosition,
+    position: &ChunkPosition,
     at: u64,
 ) -> Result<BTreeMap<u32, (u64, Voice)>, ReadError> {
     let mut voices = BTreeMap::new();
-    let mut chunk = part.chunk(place)?;
+    let mut chunk = part.chunk(position)?;
     while let Some(inside) =
         chunk.next(|header| header.publish_time <= at && part.topic(header) == Some(Topic::Voices))
     {
-        let inside = inside.map_err(|error| part.is_damaged(place, &error))?;
+        let inside = inside.map_err(|error| part.is_damaged(position, &error))?;
         let Inside::Message(header, bytes) = inside else { continue };
         let voice = Update::decode(Topic::Voices, &bytes);
         let voice = voice.map_err(|cause| ReadError::Message { path: part.path.clone(), cause })?;
@@ -291,7 +293,7 @@ fn voices_in(
     Ok(voices)
 }
 
-/// What is to be said of a file that has no summary, or no beginning.
+/// Returns what is missing of a file that has no summary or no beginning.
 fn tear(part: &PartFile) -> Option<Tear> {
     let path = part.path.display();
     let damaged = match part.index.without_summary.map_or(0, |scan| scan.damaged) {
@@ -308,7 +310,7 @@ fn tear(part: &PartFile) -> Option<Tear> {
             let why = "because its host died or the file was cut";
             (format!("{path} breaks off at byte {up_to} of {size}, {why}"), up_to)
         }
-        None if part.is_headless => (format!("{path} has a damaged beginning"), 0),
+        None if part.has_damaged_start => (format!("{path} has a damaged beginning"), 0),
         None => return None,
     };
     let there = if at == 0 { "everything else" } else { "everything before" };

@@ -7,19 +7,19 @@ use super::error::{OpenError, ReadError, RecordError};
 use super::latest::Latest;
 use super::part::RecordingPart;
 use super::part_file::PartFile;
-use super::raw::Raw;
+use super::raw_message::RawMessage;
 use super::reader::Recording;
 
-/// What came of a file that was recovered.
+/// The result of recovering a file.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Recovered {
-    /// Messages in the new file.
+    /// Number of messages in the new file.
     pub messages: u64,
-    /// When the first and the last of them were recorded (ns since 1970); nothing without any.
+    /// Times of the first and the last of them (ns since 1970), if there are any.
     pub span: Option<(u64, u64)>,
-    /// At the old file's end, where it breaks off, and of no use (B).
+    /// Size of the incomplete record at the old file's end (B).
     pub cut: u64,
-    /// Pieces of the old file that are damaged: up to a second each.
+    /// Number of damaged pieces of the old file, up to a second each.
     pub damaged: u64,
     /// What was wrong with the old file, a sentence each; nothing if it was complete.
     pub wrong: Vec<String>,
@@ -28,13 +28,11 @@ pub struct Recovered {
 /// Why a file is not recovered.
 #[derive(Debug, thiserror::Error)]
 pub enum RecoverError {
-    /// It is not opened.
     #[error(transparent)]
     Open(#[from] OpenError),
-    /// There is not one message in it.
+    /// The old file has no message in it.
     #[error("{} has nothing in it that could be saved: no file is made of it", .0.display())]
     Nothing(PathBuf),
-    /// The new file is not written.
     #[error(transparent)]
     Record(#[from] RecordError),
 }
@@ -59,8 +57,8 @@ pub fn recover(path: &Path, to: &Path) -> Result<Recovered, RecoverError> {
     saved
 }
 
-/// What is known of the old file before it is read.
-fn stock(part: &PartFile) -> Recovered {
+/// Returns what the index tells of the old file.
+fn before_reading(part: &PartFile) -> Recovered {
     let Some(scan) = part.index.without_summary else { return Recovered::default() };
     // Behind the end of the data there was nothing but the index.
     let cut = if scan.has_end { 0 } else { part.size().saturating_sub(scan.up_to) };
@@ -73,7 +71,7 @@ fn save(
     mut new: RecordingPart,
     part: &PartFile,
 ) -> Result<Recovered, RecordError> {
-    let (mut saved, mut latest, mut last) = (stock(part), Latest::default(), 0);
+    let (mut saved, mut latest, mut last) = (before_reading(part), Latest::default(), 0);
     saved.wrong.extend(old.tear().map(|tear| tear.what.clone()));
     let mut messages = old.messages();
     while let Some(raw) = messages.next_raw() {
@@ -84,11 +82,11 @@ fn save(
                 last = raw.at;
                 saved.note(raw.at);
             }
-            Err(error) => saved.lose(&error),
+            Err(error) => saved.note_loss(&error),
         }
     }
     saved.messages = new.messages();
-    new.close_up(&part.labels, &latest, last)?;
+    new.write_trailer(&part.labels, &latest, last)?;
     new.finish()?;
     Ok(saved)
 }
@@ -99,13 +97,13 @@ impl Recovered {
         self.span = Some((first.min(at), last.max(at)));
     }
 
-    fn lose(&mut self, error: &ReadError) {
+    fn note_loss(&mut self, error: &ReadError) {
         self.damaged += 1;
         self.wrong.push(error.to_string());
     }
 }
 
-fn add(part: &mut RecordingPart, raw: &Raw) -> Result<(), RecordError> {
+fn add(part: &mut RecordingPart, raw: &RawMessage) -> Result<(), RecordError> {
     part.add(raw)?;
     if part.is_chunk_full() { part.flush() } else { Ok(()) }
 }

@@ -12,22 +12,22 @@ pub struct Row<'a> {
     pub age: u32,
     /// Ticks since the sample was taken, less what its way usually takes.
     pub taken: f64,
-    /// The voice's force (N).
+    /// Force of the voice (N).
     pub force: f64,
-    /// The force sent (N).
+    /// Force sent to the board (N).
     pub sent: f64,
     /// Mode after the tick.
     pub mode: u8,
-    /// What was the case.
+    /// Bits as in `KeyBlock.flags`.
     pub flags: u8,
     pub fault: u8,
-    /// The voice that it is of.
+    /// Revision of the voice that computed it.
     pub revision: u32,
     /// The model's signals after the tick.
     pub signals: &'a [f32],
 }
 
-/// The rows of `block`, where `width` tells how many signals the voice of a revision has.
+/// Returns the rows of `block`; `width` returns the number of signals of a revision's voice.
 ///
 /// A column that is too short reads as NaN or 0: blocks come from files and from far away.
 pub fn rows<W: FnMut(u32) -> usize>(

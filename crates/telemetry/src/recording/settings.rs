@@ -8,26 +8,26 @@ use std::time::Duration;
 pub struct RecordingSettings {
     /// The first file; the others are called `<name>-0002.mcap` and so on beside it.
     pub path: PathBuf,
-    /// Which run it is of: see `Catalogue.run`.
+    /// Name of the run: see `Catalogue.run`.
     pub run: String,
-    /// No file is larger than this (B); at least [`RecordingSettings::LEAST_FILE`].
+    /// Largest size of a file (B); at least [`RecordingSettings::LEAST_FILE`].
     pub largest_file: u64,
-    /// All files of the recording together are not larger than this (B).
+    /// Largest size of all files of the recording together (B).
     ///
     /// When they would be, the oldest is removed: of a run that is recorded for days, the last
     /// hours stay. The file that is being written always does.
     pub largest_total: u64,
     /// The recording ends, complete, when less than this is free on the disk (B).
     pub lowest_free: u64,
-    /// For how long a message may wait in memory; at most a second.
+    /// Longest time for which a message waits in memory; at most a second.
     pub flush: Duration,
 }
 
 impl RecordingSettings {
-    /// A file is never asked to be smaller than this (B), or its schemas would be most of it.
+    /// Least limit of a file's size (B): in a smaller one schemas would be most of it.
     pub const LEAST_FILE: u64 = 1 << 20;
 
-    /// A recording of `run` from `path` on: files of 1 GiB, 16 GiB in all, 1 GiB left free.
+    /// Creates settings for `run` at `path`: files of 1 GiB, 16 GiB in all, 1 GiB left free.
     pub fn new(path: impl Into<PathBuf>, run: impl Into<String>) -> Self {
         Self {
             path: path.into(),
@@ -39,13 +39,13 @@ impl RecordingSettings {
         }
     }
 
-    /// [`RecordingSettings::flush`], as it is used (ns).
+    /// Returns [`RecordingSettings::flush`] as it is used (ns).
     pub(super) fn flush_ns(&self) -> u64 {
         let flush = self.flush.min(Duration::from_secs(1));
         u64::try_from(flush.as_nanos()).unwrap_or(u64::MAX)
     }
 
-    /// [`RecordingSettings::largest_file`], as it is used [B]: there is room for two.
+    /// Returns [`RecordingSettings::largest_file`] as it is used (B): there is room for two.
     pub(super) fn file_limit(&self) -> u64 {
         self.largest_file.min(self.largest_total / 2).max(Self::LEAST_FILE)
     }

@@ -5,28 +5,28 @@ use std::collections::BTreeSet;
 use super::chunk::{Chunk, Inside};
 use super::error::ReadError;
 use super::part_file::PartFile;
-use super::raw::Raw;
+use super::raw_message::RawMessage;
 use crate::Topic;
 
-/// A place among a recording's messages, from which it goes on.
+/// A cursor in a recording's messages.
 ///
 /// One chunk is in memory at a time.
 pub(super) struct Walk {
     part: usize,
-    place: usize,
+    position: usize,
     open: Option<Chunk>,
-    /// Messages of the open chunk that were passed.
+    /// Number of messages passed in the open chunk.
     passed: usize,
-    /// Where it ends; at the end of the recording if it is none.
+    /// Part, chunk and message at which it ends; the recording's end without.
     stop: Option<(usize, usize, usize)>,
     pub(super) topics: BTreeSet<Topic>,
-    /// Messages from this time on (ns since 1970) …
+    /// Time of the first wanted messages (ns since 1970).
     from: u64,
-    /// … up to this one.
+    /// Time of the last wanted messages (ns since 1970).
     last: u64,
-    /// Whether something could not be read since catalogue and voices were said last.
+    /// Whether a chunk could not be read since catalogue and voices came last.
     has_lost: bool,
-    /// When they were said again that make up for it (ns since 1970).
+    /// Time of the repeated messages that make up for a loss (ns since 1970).
     made_up: Option<u64>,
 }
 
@@ -34,7 +34,7 @@ impl Walk {
     pub(super) const fn new(from: u64, last: u64, topics: BTreeSet<Topic>) -> Self {
         Self {
             part: 0,
-            place: 0,
+            position: 0,
             open: None,
             passed: 0,
             stop: None,
@@ -46,14 +46,14 @@ impl Walk {
         }
     }
 
-    /// A walk over what this one has passed, from `from` on.
+    /// Returns a walk over what this one has passed, from `from` on (ns since 1970).
     pub(super) fn past(&self, from: u64, topics: BTreeSet<Topic>) -> Self {
         let passed = if self.open.is_some() { self.passed } else { 0 };
-        Self { stop: Some((self.part, self.place, passed)), ..Self::new(from, u64::MAX, topics) }
+        Self { stop: Some((self.part, self.position, passed)), ..Self::new(from, u64::MAX, topics) }
     }
 
-    /// The next message; after an error it goes on behind what is damaged.
-    pub(super) fn next(&mut self, parts: &[PartFile]) -> Option<Result<Raw, ReadError>> {
+    /// Returns the next message; after an error it goes on behind what is damaged.
+    pub(super) fn next(&mut self, parts: &[PartFile]) -> Option<Result<RawMessage, ReadError>> {
         loop {
             let is_open = if self.open.is_none() { self.open(parts)? } else { Ok(()) };
             let found = match is_open {
@@ -64,7 +64,7 @@ impl Walk {
                 return found;
             }
             self.open = None;
-            self.place += 1;
+            self.position += 1;
             if found.is_some() {
                 self.has_lost = true;
                 return found;
@@ -77,34 +77,37 @@ impl Walk {
         Some(self.open_next(parts)?.map(|chunk| self.open = Some(chunk)))
     }
 
-    /// The chunk here, or the next one that may have something; none at the end.
+    /// Opens the chunk here, or the next one that may have wanted messages; none at the end.
     fn open_next(&mut self, parts: &[PartFile]) -> Option<Result<Chunk, ReadError>> {
         loop {
             let part = parts.get(self.part)?;
-            let Some(place) = part.index.places.get(self.place) else {
+            let Some(position) = part.index.positions.get(self.position) else {
                 self.part += 1;
-                self.place = 0;
+                self.position = 0;
                 continue;
             };
-            if self.stop.is_some_and(|(part, place, _)| (part, place) < (self.part, self.place)) {
+            if self
+                .stop
+                .is_some_and(|(part, position, _)| (part, position) < (self.part, self.position))
+            {
                 return None;
             }
-            let is_in_range = place.first <= self.last && self.from <= place.last;
-            if is_in_range && place.may_have(|topic| self.topics.contains(&topic)) {
-                return Some(part.chunk(place));
+            let is_in_range = position.first <= self.last && self.from <= position.last;
+            if is_in_range && position.may_have(|topic| self.topics.contains(&topic)) {
+                return Some(part.chunk(position));
             }
-            self.place += 1;
+            self.position += 1;
         }
     }
 
-    /// What comes next in the open chunk.
-    fn next_inside(&mut self, parts: &[PartFile]) -> Option<Result<Raw, ReadError>> {
+    /// Returns the next wanted message of the open chunk.
+    fn next_inside(&mut self, parts: &[PartFile]) -> Option<Result<RawMessage, ReadError>> {
         let part = parts.get(self.part)?;
-        let place = part.index.places.get(self.place)?;
+        let position = part.index.positions.get(self.position)?;
         let chunk = self.open.as_mut()?;
         loop {
             let (topics, range) = (&self.topics, self.from..=self.last);
-            let (passed, here, stop) = (&mut self.passed, (self.part, self.place), self.stop);
+            let (passed, here, stop) = (&mut self.passed, (self.part, self.position), self.stop);
             let (has_lost, made_up) = (&mut self.has_lost, &mut self.made_up);
             let inside = chunk.next(|header| {
                 *passed += 1;
@@ -120,7 +123,7 @@ impl Walk {
                     && part.topic(header).is_some_and(|topic| topics.contains(&topic))
             });
             match inside? {
-                Err(error) => return Some(Err(part.is_damaged(place, &error))),
+                Err(error) => return Some(Err(part.is_damaged(position, &error))),
                 Ok(Inside::Channel(..)) => {}
                 Ok(Inside::Message(header, bytes)) => return part.raw(&header, bytes).map(Ok),
             }

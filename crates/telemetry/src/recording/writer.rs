@@ -8,7 +8,7 @@ use super::error::RecordError;
 use super::format::{Labels, part_path};
 use super::latest::Latest;
 use super::part::RecordingPart;
-use super::raw::Raw;
+use super::raw_message::RawMessage;
 use super::settings::RecordingSettings;
 use crate::Update;
 
@@ -23,14 +23,14 @@ pub struct Recorder {
     /// The file that is being written; none once it has ended.
     part: Option<RecordingPart>,
     number: u32,
-    /// How many messages it begins with that were said before.
+    /// Number of repeated messages at its beginning.
     repeated: u64,
     latest: Latest,
     /// Complete files, the oldest first, with their sizes (B).
     complete: VecDeque<(PathBuf, u64)>,
     messages: u64,
     removed: u32,
-    /// When something was last given to the system: by messages' time and by the caller's (ns).
+    /// Times of the last flush, by messages' time and by the caller's (ns).
     flushed: Option<u64>,
     attended: Option<u64>,
     /// When catalogue and voices are to be said again, and when the last message was made
@@ -39,14 +39,14 @@ pub struct Recorder {
     last: u64,
 }
 
-/// Time between two times that catalogue, voices and labels are said in a file [ns]: a damaged
+/// Time between two repetitions of catalogue, voices and labels (ns): a damaged
 /// piece takes none of them away.
 const AGAIN: u64 = 30_000_000_000;
 
-/// They are said again where that takes at most so much of a file.
+/// Repetitions take at most one part in this many of a file.
 const SHARE: u64 = 8;
 
-/// What has become of a recording.
+/// The files of a recording, and what was left out.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct RecordingStatus {
     /// Its files, the oldest first.
@@ -93,9 +93,9 @@ impl Recorder {
     /// # Errors
     /// If it cannot be written; but for [`RecordError::NoSuchKey`], the recording has then ended.
     pub fn write(&mut self, at: u64, update: &Update) -> Result<(), RecordError> {
-        let raw = Raw::of(at, update)?;
+        let raw = RawMessage::of(at, update)?;
         let part = self.part.as_ref().ok_or(RecordError::Ended)?;
-        let again = if self.says_again() { self.again_bytes() } else { 0 };
+        let again = if self.repeats() { self.repeated_bytes() } else { 0 };
         let is_full = part.size_with(&raw) + again > self.settings.file_limit();
         if is_full && part.messages() > self.repeated {
             self.rotate(at)?;
@@ -136,7 +136,7 @@ impl Recorder {
         Ok(RecordingStatus { files, bytes, messages: self.messages, removed: self.removed })
     }
 
-    fn add(&mut self, raw: &Raw) -> Result<(), RecordError> {
+    fn add(&mut self, raw: &RawMessage) -> Result<(), RecordError> {
         let added = self.part.as_mut().ok_or(RecordError::Ended)?.add(raw);
         self.or_end(added)
     }
@@ -149,40 +149,40 @@ impl Recorder {
         }
         self.flushed = Some(at);
         self.flush()?;
-        if self.again <= at && self.says_again() {
+        if self.again <= at && self.repeats() {
             self.again = at.saturating_add(AGAIN);
-            self.say_again(at)?;
+            self.repeat(at)?;
         }
         Ok(())
     }
 
-    /// Whether the files are large enough for that.
-    fn says_again(&self) -> bool {
-        let bytes = self.again_bytes();
+    /// Returns whether files are large enough to repeat catalogue and voices.
+    fn repeats(&self) -> bool {
+        let bytes = self.repeated_bytes();
         0 < self.latest.bytes() && bytes.saturating_mul(SHARE) <= self.settings.file_limit()
     }
 
-    /// What it takes at most to say it again (B).
-    fn again_bytes(&self) -> u64 {
+    /// Returns the largest size of what is repeated (B).
+    fn repeated_bytes(&self) -> u64 {
         // Each message has its own head, and there are 88 voices; labels come twice.
         self.latest.bytes() as u64 + 100 * 64 + 2 * 256
     }
 
-    /// Says catalogue, voices and labels again.
-    fn say_again(&mut self, at: u64) -> Result<(), RecordError> {
+    /// Repeats catalogue, voices and labels.
+    fn repeat(&mut self, at: u64) -> Result<(), RecordError> {
         let labels = Labels::new(&self.settings.run, self.number);
         let part = self.part.as_mut().ok_or(RecordError::Ended)?;
-        let said = part.say_again(&labels, &self.latest, at);
-        self.or_end(said)
+        let repeated = part.repeat(&labels, &self.latest, at);
+        self.or_end(repeated)
     }
 
-    /// Says it once more at the end of the file that is being written.
-    fn close_up(&mut self) -> Result<(), RecordError> {
-        let says_again = self.says_again();
-        let Some(part) = self.part.as_mut().filter(|_| says_again) else { return Ok(()) };
+    /// Repeats catalogue, voices and labels at the end of the open file.
+    fn write_trailer(&mut self) -> Result<(), RecordError> {
+        let repeats = self.repeats();
+        let Some(part) = self.part.as_mut().filter(|_| repeats) else { return Ok(()) };
         let labels = Labels::new(&self.settings.run, self.number);
-        let said = part.close_up(&labels, &self.latest, self.last);
-        self.or_end(said)
+        let repeated = part.write_trailer(&labels, &self.latest, self.last);
+        self.or_end(repeated)
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {
@@ -201,7 +201,7 @@ impl Recorder {
     ///
     /// It does not wait for the disk, or what is told meanwhile would find no room on its way here.
     fn rotate(&mut self, at: u64) -> Result<(), RecordError> {
-        self.close_up()?;
+        self.write_trailer()?;
         self.again = 0;
         let part = self.part.take().ok_or(RecordError::Ended)?;
         let path = part.path().to_owned();
@@ -212,7 +212,7 @@ impl Recorder {
         let path = part_path(&self.settings.path, self.number);
         let labels = Labels::new(&self.settings.run, self.number);
         self.part = Some(RecordingPart::create(&path, &labels)?);
-        let again: Vec<Raw> = self.latest.again(at).collect();
+        let again: Vec<RawMessage> = self.latest.repeated(at).collect();
         self.repeated = u64::try_from(again.len()).unwrap_or(u64::MAX);
         again.iter().try_for_each(|raw| self.add(raw))
     }
@@ -232,14 +232,14 @@ impl Recorder {
 
     /// Completes the file that is being written, if there is one.
     fn end(&mut self) -> Result<(), RecordError> {
-        self.close_up()?;
+        self.write_trailer()?;
         let Some(part) = self.part.take() else { return Ok(()) };
         let path = part.path().to_owned();
         self.complete.push_back((path, part.finish()?));
         Ok(())
     }
 
-    /// A file that cannot be written is not written any further.
+    /// Closes the file if `result` is an error: it is not written any further.
     fn or_end(&mut self, result: Result<(), RecordError>) -> Result<(), RecordError> {
         if result.is_err() {
             self.part = None;
@@ -248,7 +248,7 @@ impl Recorder {
     }
 }
 
-/// Whether the disk has the room that is to stay free.
+/// Checks that the disk has the room that is to stay free.
 fn check_room(settings: &RecordingSettings, path: &std::path::Path) -> Result<(), RecordError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     match free(folder.unwrap_or_else(|| ".".as_ref())) {
@@ -259,14 +259,14 @@ fn check_room(settings: &RecordingSettings, path: &std::path::Path) -> Result<()
     }
 }
 
-/// What is free where `folder` lies (B), if that can be known.
+/// Returns the free space of the disk of `folder` (B), if it is known.
 #[cfg(unix)]
 fn free(folder: &std::path::Path) -> Option<u64> {
     let disk = rustix::fs::statvfs(folder).ok()?;
     Some(disk.f_bavail.saturating_mul(disk.f_frsize))
 }
 
-/// What is free where `folder` lies [B]: it is not known here.
+/// Returns the free space of the disk of `folder` (B), which is not known on this system.
 #[cfg(not(unix))]
 const fn free(_: &std::path::Path) -> Option<u64> {
     None

@@ -36,7 +36,7 @@ struct Waiting<T> {
 const OVERHEAD: usize = 64;
 
 impl<T> Backlog<T> {
-    /// With room for `most` bytes.
+    /// Creates a queue with room for `most` bytes.
     pub(crate) const fn new(most: usize) -> Self {
         Self { waiting: VecDeque::new(), bytes: 0, most, dropped: 0 }
     }
@@ -53,26 +53,26 @@ impl<T> Backlog<T> {
         while self.bytes > self.most && self.drop_oldest() {}
     }
 
-    /// The oldest.
+    /// Takes the oldest entry.
     pub(crate) fn pop(&mut self) -> Option<T> {
         let entry = self.waiting.pop_front()?;
         self.release(&entry);
         Some(entry.what)
     }
 
-    /// Forgets those that `is_gone`.
+    /// Removes the entries for which `is_gone` holds.
     pub(crate) fn forget(&mut self, is_gone: impl Fn(&T) -> bool) {
         self.waiting.retain(|entry| !is_gone(&entry.what));
         let passing = self.waiting.iter().filter(|entry| entry.worth == Worth::Passing);
         self.bytes = passing.map(|entry| entry.bytes).sum();
     }
 
-    /// How many were dropped since this was last asked.
+    /// Returns how many were dropped since the last call.
     pub(crate) const fn take_dropped(&mut self) -> u64 {
         std::mem::replace(&mut self.dropped, 0)
     }
 
-    /// There is a newer one: those before may be dropped like any other.
+    /// Lets entries be dropped that a newer one replaces.
     fn outdate(&mut self, worth: Worth) {
         for entry in self.waiting.iter_mut().filter(|entry| entry.worth == worth) {
             entry.worth = Worth::Passing;

@@ -10,7 +10,7 @@ use data_encoding::HEXUPPER;
 pub struct Fingerprint(pub [u8; 32]);
 
 impl Fingerprint {
-    /// That of the certificate `der`.
+    /// Computes the fingerprint of the certificate `der`.
     pub fn of(der: &[u8]) -> Self {
         let digest = ring::digest::digest(&ring::digest::SHA256, der);
         let mut bytes = [0; 32];

@@ -15,9 +15,9 @@
 //! that is a `status` with the refused request's own id.
 
 mod backlog;
-mod carrier;
+mod byte_stream;
 mod fingerprint;
-mod latch;
+mod retained;
 
 pub mod client;
 pub mod protocol;

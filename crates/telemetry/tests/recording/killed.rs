@@ -40,7 +40,7 @@ fn a_killed_host_loses_a_second_at_most() {
         let last: u64 = told.find(|told| at(seconds * 1000) <= *told).expect("so far");
         host.kill().expect("killed");
         host.wait().expect("dead");
-        // Until now, or it would have ended by itself because nobody listens.
+        // Until now, or it would have ended by itself because the receiver is gone.
         drop(told);
         let recording = Recording::open(&path).expect("a recording");
         let tear = recording.tear().expect("no summary").to_string();

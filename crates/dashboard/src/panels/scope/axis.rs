@@ -9,7 +9,7 @@ use crate::scope::Scope;
 /// Points of a drag after which a plot shows 1/e as much.
 const DRAG: f64 = 100.0;
 
-/// A drag and the wheel zoom, a double click shows all values again.
+/// Handles the axis: a drag and the wheel zoom, a double click shows all values again.
 pub(super) fn axis_ui(ui: &Ui, scope: &mut Scope, lane: usize, frame: &PlotTransform) {
     let inside = frame.frame();
     let rect = Rect::from_x_y_ranges(ui.max_rect().left()..=inside.left(), inside.y_range());

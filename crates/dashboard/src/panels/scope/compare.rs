@@ -3,19 +3,19 @@
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Key, PopupCloseBehavior, TextEdit, Ui};
 
-use crate::desk::AppState;
+use crate::app_state::AppState;
 use crate::scope::Scope;
-use crate::{look, names};
+use crate::{names, theme};
 
-/// The menu of keys that are compared with the scope's own.
-pub(super) fn compare_ui(ui: &mut Ui, scope: &mut Scope, desk: &AppState) {
+/// Draws the menu of keys that are compared with the scope's own.
+pub(super) fn compare_ui(ui: &mut Ui, scope: &mut Scope, state: &AppState) {
     // It stays open, so that one can name one key after the other.
     let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let menu = MenuButton::new("Compare").config(config);
     let (button, _) = menu.ui(ui, |ui| {
         typed_ui(ui, scope);
-        if ui.button(format!("Add {}", names::range_name(&desk.range()))).clicked() {
-            scope.compare(desk.range());
+        if ui.button(format!("Add {}", names::range_name(&state.range()))).clicked() {
+            scope.compare(state.range());
         }
         for key in scope.compared.clone() {
             if ui.button(format!("Remove {}", names::name(key))).clicked() {
@@ -26,7 +26,7 @@ pub(super) fn compare_ui(ui: &mut Ui, scope: &mut Scope, desk: &AppState) {
     button.on_hover_text("Further keys in the same plots.");
 }
 
-/// Keys by their names: Enter adds them.
+/// Draws keys by their names: Enter adds them.
 fn typed_ui(ui: &mut Ui, scope: &mut Scope) {
     let is_entered = ui
         .horizontal(|ui| {
@@ -38,7 +38,7 @@ fn typed_ui(ui: &mut Ui, scope: &mut Scope) {
         .inner;
     let keys = keys(&scope.typed);
     if keys.is_none() {
-        ui.colored_label(look::fault(ui), "write E4 or E4, G4..B4");
+        ui.colored_label(theme::fault(ui), "write E4 or E4, G4..B4");
     }
     if is_entered && let Some(keys) = keys {
         scope.compare(keys);
@@ -46,7 +46,7 @@ fn typed_ui(ui: &mut Ui, scope: &mut Scope) {
     }
 }
 
-/// The keys that `text` names; none of them if any is unknown.
+/// Returns the keys that `text` names; none of them if any is unknown.
 fn keys(text: &str) -> Option<Vec<u8>> {
     let words = text.split([',', ' ']).filter(|word| !word.is_empty());
     let ranges: Option<Vec<_>> = words.map(names::range).collect();

@@ -3,14 +3,14 @@
 use eframe::egui::{ComboBox, DragValue, Grid, Ui};
 
 use super::compare;
-use crate::desk::AppState;
+use crate::app_state::AppState;
 use crate::scope::Scope;
 use crate::scope::trigger::{Edge, On, Sweep, Trigger};
 use crate::store::Store;
 use crate::{names, unit};
 
-/// Key, window, trigger, cursors.
-pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, desk: &mut AppState, key: u8, now: f64) {
+/// Draws key, window, trigger, cursors.
+pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, state: &mut AppState, key: u8, now: f64) {
     ui.horizontal_wrapped(|ui| {
         let mut stays = scope.key.is_some();
         if ui.checkbox(&mut stays, names::name(key)).on_hover_text("Stays with this key.").clicked()
@@ -20,10 +20,10 @@ pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, desk: &mut AppState, k
         let window =
             DragValue::new(&mut scope.window).speed(0.01).range(0.002..=600.0).suffix(" s");
         ui.add(window).on_hover_text("How much time is seen.").accessible_name("window");
-        let mut follows = scope.follows() && desk.views.frozen.is_none();
+        let mut follows = scope.follows() && state.view.frozen.is_none();
         if ui.toggle_value(&mut follows, "Follow").clicked() {
             scope.pinned = if follows { None } else { Some(now) };
-            desk.views.frozen = desk.views.frozen.filter(|_| !follows);
+            state.view.frozen = state.view.frozen.filter(|_| !follows);
         }
         ComboBox::from_id_salt("trigger")
             .width(92.0)
@@ -38,8 +38,8 @@ pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, desk: &mut AppState, k
         if ui.toggle_value(&mut scope.has_cursors, "Cursors").clicked() {
             scope.place_cursors(now);
         }
-        ui.menu_button("Channels", |ui| channels_ui(ui, scope, &desk.store, key));
-        compare::compare_ui(ui, scope, desk);
+        ui.menu_button("Channels", |ui| channels_ui(ui, scope, &state.store, key));
+        compare::compare_ui(ui, scope, state);
         fit_ui(ui, scope);
         if ui.button("Pop out").clicked() {
             scope.is_popped = true;
@@ -47,7 +47,7 @@ pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, desk: &mut AppState, k
     });
 }
 
-/// The way back for somebody who has zoomed in values.
+/// Draws the button that shows all values again, if there was a zoom.
 fn fit_ui(ui: &mut Ui, scope: &mut Scope) {
     let is_wanted = scope.heights.is_chosen();
     let text = "All plots show all values again.";
@@ -56,7 +56,7 @@ fn fit_ui(ui: &mut Ui, scope: &mut Scope) {
     }
 }
 
-/// Which channels are seen in which plot.
+/// Draws which channels are seen in which plot.
 fn channels_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8) {
     let shown = scope.channels(store, key);
     Grid::new("channels").striped(true).show(ui, |ui| {
@@ -75,14 +75,14 @@ fn channels_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8) {
     }
 }
 
-/// Whether somebody wants a channel in a plot that is not seen there, or the other way round.
+/// Draws whether a channel is in a plot; returns whether that was toggled.
 fn channel_ui(ui: &mut Ui, lane: usize, name: &str, shown: &[Vec<String>]) -> bool {
     let mut is_shown = shown.get(lane).is_some_and(|it| it.iter().any(|it| it == name));
     let check = ui.checkbox(&mut is_shown, "");
     check.accessible_name(format!("{name} in plot {}", lane + 1)).clicked()
 }
 
-/// What it waits for, and what is shown between.
+/// Draws what the trigger waits for, and what is shown between two.
 pub(super) fn trigger_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8) {
     ui.horizontal_wrapped(|ui| {
         let trigger = &mut scope.trigger;

@@ -8,12 +8,12 @@ use egui_plot::PlotTransform;
 
 use crate::scope::Scope;
 use crate::store::Store;
-use crate::{look, names, unit};
+use crate::{names, theme, unit};
 
 /// Points to each side within which a cursor is caught.
 const REACH: f32 = 5.0;
 
-/// Two lines through all plots that can be taken with the mouse.
+/// Draws two lines through all plots that can be dragged with the mouse.
 pub(super) fn cursors_ui(ui: &Ui, scope: &mut Scope, frames: &[PlotTransform]) {
     for (i, frame) in frames.iter().enumerate() {
         for (cursor, name) in ["A", "B"].into_iter().enumerate() {
@@ -35,7 +35,7 @@ pub(super) fn cursors_ui(ui: &Ui, scope: &mut Scope, frames: &[PlotTransform]) {
                 let per_point = frame.bounds().width() / width;
                 scope.cursors[cursor] += f64::from(response.drag_delta().x) * per_point;
             }
-            let color = [look::selected(ui.visuals()), look::PURPLE][cursor];
+            let color = [theme::selected(ui.visuals()), theme::PURPLE][cursor];
             let painter = ui.painter();
             painter.vline(x, frame.frame().y_range(), Stroke::new(1.5, color));
             let font = FontId::proportional(11.0);
@@ -46,7 +46,7 @@ pub(super) fn cursors_ui(ui: &Ui, scope: &mut Scope, frames: &[PlotTransform]) {
     }
 }
 
-/// What the cursors say: times, differences, and values of each key's channels.
+/// Draws what the cursors say: times, differences, and values of each key's channels.
 pub(super) fn table_ui(
     ui: &mut Ui,
     scope: &Scope,
@@ -63,7 +63,7 @@ pub(super) fn table_ui(
     let columns: Vec<CursorColumn<'_>> = keys.iter().copied().flat_map(channels).collect();
     ScrollArea::horizontal().auto_shrink([false, true]).show(ui, |ui| {
         Grid::new("cursors").striped(true).show(ui, |ui| {
-            heads_ui(ui, keys, &columns);
+            header_ui(ui, keys, &columns);
             let at = |(key, channel): &CursorColumn<'_>, at: f64| store.value(*key, channel, at);
             row_ui(ui, "A", store, &columns, |column| at(column, a));
             row_ui(ui, "B", store, &columns, |column| at(column, b));
@@ -75,8 +75,8 @@ pub(super) fn table_ui(
 /// A key and its channel.
 type CursorColumn<'a> = (u8, &'a str);
 
-/// The channels, with their keys where there are several.
-fn heads_ui(ui: &mut Ui, keys: &[u8], columns: &[CursorColumn<'_>]) {
+/// Draws the channels, with their keys where there are several.
+fn header_ui(ui: &mut Ui, keys: &[u8], columns: &[CursorColumn<'_>]) {
     ui.weak("");
     for (key, channel) in columns {
         let of = if keys.len() == 1 { String::new() } else { names::name(*key) + " " };
@@ -85,7 +85,7 @@ fn heads_ui(ui: &mut Ui, keys: &[u8], columns: &[CursorColumn<'_>]) {
     ui.end_row();
 }
 
-/// A value of each column.
+/// Draws a value of each column.
 fn row_ui(
     ui: &mut Ui,
     name: &str,

@@ -7,7 +7,7 @@ use crate::store::Store;
 use crate::store::trace::OWN;
 use crate::{names, number, unit};
 
-/// More epochs than this in a plot are a grey of their own: they are not drawn.
+/// Most epochs in a plot that are drawn: more would be a grey of their own.
 const EPOCHS: usize = 160;
 
 /// Points across for which the ends, the smallest and the largest value are drawn.
@@ -17,10 +17,10 @@ const BUCKET: f64 = 3.0;
 pub(super) struct PlotTrace {
     name: String,
     key: u8,
-    /// Which of the scope's keys that is: its own is the first.
+    /// Place of the key among the scope's: its own is the first.
     pub(super) place: usize,
     pub(super) points: Vec<[f64; 2]>,
-    /// By how much its values were made larger or smaller to fit the plot.
+    /// Factor of its values in the plot.
     gain: f64,
     pub(super) unit: String,
 }
@@ -33,7 +33,7 @@ pub(super) struct Shade {
 }
 
 impl PlotTrace {
-    /// Its name, and by how much it was made larger to be seen beside the first.
+    /// Returns its name, and the gain with which it is drawn beside the first.
     pub(super) fn title(&self) -> String {
         let name = unit::named(&self.name, &self.unit);
         if (self.gain - 1.0).abs() < 1e-9 {
@@ -43,13 +43,13 @@ impl PlotTrace {
         }
     }
 
-    /// The same with its key, where there are several.
+    /// Returns the title with its key, where there are several.
     pub(super) fn title_with_key(&self) -> String {
         format!("{} {}", names::name(self.key), self.title())
     }
 }
 
-/// The channels' points in the view, key by key, all in the scale of the first.
+/// Returns the channels' points in the view, key by key, all in the scale of the first.
 pub(super) fn traces(
     store: &Store,
     keys: &[u8],
@@ -74,7 +74,7 @@ pub(super) fn traces(
     traces
 }
 
-/// By how much a trace is made larger to be seen beside the first, whose `unit` and `size` are
+/// Returns the gain with which a trace is drawn beside the first, whose `unit` and `size` are
 /// given: as the same channel of a key before, so that keys are compared as they are.
 fn gain(trace: &PlotTrace, before: &[PlotTrace], unit: &str, size: f64) -> f64 {
     let same = before.iter().find(|it| it.name == trace.name && it.unit == trace.unit);
@@ -85,7 +85,7 @@ fn gain(trace: &PlotTrace, before: &[PlotTrace], unit: &str, size: f64) -> f64 {
     }
 }
 
-/// The largest size of a value.
+/// Returns the largest size of a value.
 fn size(points: &[[f64; 2]]) -> f64 {
     let sizes = points.iter().map(|point| point[1].abs()).filter(|it| it.is_finite());
     sizes.fold(0.0, f64::max)
@@ -115,7 +115,7 @@ fn trace(store: &Store, key: u8, name: &str, view: (f64, f64), width: f32) -> Op
     Some(PlotTrace { name: name.to_owned(), key, place: 0, points, gain: 1.0, unit })
 }
 
-/// The view across; up what was chosen, or else all values and zero.
+/// Returns the bounds of a plot: the view across; up what was chosen, or else all values and zero.
 pub(super) fn bounds(
     traces: &[PlotTrace],
     view: (f64, f64),
@@ -125,7 +125,7 @@ pub(super) fn bounds(
     PlotBounds::from_min_max([view.0, low], [view.1, high])
 }
 
-/// All values and zero, with some room.
+/// Returns a range of all values and zero, with some room.
 fn range(traces: &[PlotTrace]) -> (f64, f64) {
     let values = traces.iter().flat_map(|it| &it.points).map(|point| point[1]);
     let finite = values.filter(|value| value.is_finite());
@@ -134,7 +134,7 @@ fn range(traces: &[PlotTrace]) -> (f64, f64) {
     (low - room, high + room)
 }
 
-/// Modes in the view: from one switch to the next, to the moment where it is known.
+/// Returns the modes in the view, from one switch to the next.
 pub(super) fn shades(store: &Store, key: u8, view: (f64, f64)) -> Vec<Shade> {
     let Some(trace) = store.trace(key) else { return Vec::new() };
     let epochs = trace.epochs();
@@ -156,7 +156,7 @@ pub(super) fn shades(store: &Store, key: u8, view: (f64, f64)) -> Vec<Shade> {
     (first..last).map(shade).filter(|shade| shade.from < shade.to).collect()
 }
 
-/// Times of a key's events in the view.
+/// Returns the times of a key's events in the view (s).
 pub(super) fn events(store: &Store, key: u8, kind: Kind, view: (f64, f64)) -> Vec<f64> {
     // Newest last: what is before the view needs no look.
     let recent = store.events.iter().rev().take_while(|it| view.0 <= store.when(it) + 1.0);

@@ -11,9 +11,9 @@ use super::data::{self, PlotTrace, Shade};
 use super::{axis, cursors, mouse};
 use crate::scope::Scope;
 use crate::store::Store;
-use crate::{look, number, unit};
+use crate::{number, theme, unit};
 
-/// How high the table of the cursors is.
+/// Height of the table of the cursors (points).
 const TABLE: f32 = 108.0;
 
 /// Points of the dashes of keys that are compared; the scope's own key has solid lines.
@@ -23,11 +23,11 @@ const DASHES: [f32; 4] = [9.0, 4.0, 16.0, 2.5];
 struct PlotLane {
     bounds: PlotBounds,
     traces: Vec<PlotTrace>,
-    /// When the scope's own key struck (s).
+    /// Times of strikes of the scope's own key (s).
     strikes: Vec<f64>,
 }
 
-/// All plots, then the cursors over them; the first of `keys` is the scope's own.
+/// Draws all plots, then the cursors over them; the first of `keys` is the scope's own.
 pub(super) fn lanes_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, keys: &[u8], now: f64) {
     let Some(key) = keys.first().copied() else { return };
     let lanes = scope.channels(store, key);
@@ -58,7 +58,7 @@ pub(super) fn lanes_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, keys: &[u8
     }
 }
 
-/// A plot without its contents: everything that moves it is ours.
+/// Returns a plot without contents, which does not move by itself.
 fn plot<'a>(ui: &Ui, (lane, of): (usize, usize), link: Id, height: f32, unit: &str) -> Plot<'a> {
     let is_last = lane + 1 == of;
     Plot::new(("lane", lane))
@@ -73,9 +73,9 @@ fn plot<'a>(ui: &Ui, (lane, of): (usize, usize), link: Id, height: f32, unit: &s
         .show_axes([is_last, true])
         .y_axis_min_width(54.0)
         .grid_spacing(22.0..=220.0)
-        .grid_color(look::grid(ui))
-        .x_grid_spacer(look::spacer_across(ui.available_width()))
-        .y_grid_spacer(look::spacer_up(height))
+        .grid_color(theme::grid(ui))
+        .x_grid_spacer(theme::spacer_across(ui.available_width()))
+        .y_grid_spacer(theme::spacer_up(height))
         .y_axis_label(unit::bracketed(unit))
         .y_axis_formatter(|mark, _| unit::digits(mark.value))
         .x_axis_formatter(|mark, _| format!("{} s", unit::digits(mark.value)))
@@ -105,19 +105,19 @@ fn lane_ui(
     lane: PlotLane,
 ) -> (Response, PlotTransform) {
     let PlotLane { bounds, traces, strikes } = lane;
-    let line = look::faint(ui.visuals().strong_text_color(), 0.55);
+    let line = theme::faint(ui.visuals().strong_text_color(), 0.55);
     let lines = lines(ui, traces);
     let shown = plot.show(ui, move |plot| {
         plot.set_plot_bounds(bounds);
         for (i, shade) in shades.iter().enumerate() {
-            let fill = look::faint(look::mode(shade.mode), 0.16);
+            let fill = theme::faint(theme::mode(shade.mode), 0.16);
             plot.span(Span::new("", shade.from..=shade.to).fill(fill));
             if 0 < i {
                 plot.vline(VLine::new("", shade.from).stroke(Stroke::new(1.2, line)));
             }
         }
         for at in strikes {
-            let stroke = Stroke::new(1.4, look::VERMILLION);
+            let stroke = Stroke::new(1.4, theme::VERMILLION);
             let style = LineStyle::dashed_dense();
             plot.vline(VLine::new("", at).stroke(stroke).style(style));
         }
@@ -128,7 +128,7 @@ fn lane_ui(
     (shown.response, shown.transform)
 }
 
-/// Each trace as a line of its own colour, dashed as its key is.
+/// Returns each trace as a line of its own colour, dashed as its key is.
 fn lines(ui: &Ui, traces: Vec<PlotTrace>) -> Vec<Line<'static>> {
     let has_others = traces.iter().any(|trace| 0 < trace.place);
     let line = |(i, trace): (usize, PlotTrace)| {
@@ -136,7 +136,7 @@ fn lines(ui: &Ui, traces: Vec<PlotTrace>) -> Vec<Line<'static>> {
         let dash = trace.place.checked_sub(1).map(|other| DASHES[other % DASHES.len()]);
         let style = dash.map_or(LineStyle::Solid, |length| LineStyle::Dashed { length });
         Line::new(name, PlotPoints::new(trace.points))
-            .color(look::line(i, ui))
+            .color(theme::line(i, ui))
             .style(style)
             .width(1.5)
             .allow_band(false)
@@ -144,7 +144,7 @@ fn lines(ui: &Ui, traces: Vec<PlotTrace>) -> Vec<Line<'static>> {
     traces.into_iter().enumerate().map(line).collect()
 }
 
-/// Names of the modes in the first plot, where there is room.
+/// Draws names of the modes in the first plot, where there is room.
 fn names_ui(ui: &Ui, store: &Store, key: u8, shades: &[Shade], frame: Option<&PlotTransform>) {
     let Some(frame) = frame else { return };
     let painter = ui.painter_at(*frame.frame());
@@ -157,7 +157,7 @@ fn names_ui(ui: &Ui, store: &Store, key: u8, shades: &[Shade], frame: Option<&Pl
             continue;
         }
         let font = FontId::proportional(11.0);
-        let color = look::blend(look::mode(shade.mode), ui.visuals().strong_text_color(), 0.35);
+        let color = theme::blend(theme::mode(shade.mode), ui.visuals().strong_text_color(), 0.35);
         let at = Pos2::new(left + 4.0, frame.frame().top() + 3.0);
         painter.text(at, Align2::LEFT_TOP, name, font, color);
     }

@@ -3,14 +3,14 @@
 use eframe::egui::{PointerButton, Pos2, Rect, Response, Ui};
 use egui_plot::PlotTransform;
 
-use crate::look;
 use crate::scope::Scope;
+use crate::theme;
 
 /// Points of the wheel after which a plot shows 1/e as much.
 const WHEEL: f64 = 200.0;
 
-/// A drag moves, the wheel zooms in time, with Shift in values, the right button zooms to what it
-/// covers, a double click follows.
+/// Handles a plot: a drag moves, the wheel zooms in time, with Shift in values, the right button
+/// zooms to what it covers, a double click follows.
 pub(super) fn handle(
     ui: &Ui,
     scope: &mut Scope,
@@ -47,7 +47,7 @@ pub(super) fn handle(
     }
 }
 
-/// By how far the wheel was turned (points), if it was.
+/// Returns how far the wheel was turned (points), if it was.
 pub(super) fn wheel(ui: &Ui) -> Option<f64> {
     let turned = ui.input(|input| {
         let scrolled = input.smooth_scroll_delta();
@@ -58,17 +58,17 @@ pub(super) fn wheel(ui: &Ui) -> Option<f64> {
     (0.5 < turned.abs()).then_some(turned)
 }
 
-/// How much more is seen after the wheel was turned so far (points).
+/// Returns the zoom factor of a turn of the wheel (points).
 pub(super) fn factor(turned: f64) -> f64 {
     (-turned / WHEEL).exp()
 }
 
-/// The smallest and the largest value that a plot shows.
+/// Returns the smallest and the largest value that a plot shows.
 pub(super) fn values(frame: &PlotTransform) -> (f64, f64) {
     (frame.bounds().min()[1], frame.bounds().max()[1])
 }
 
-/// The stretch that the right button covers: seen alone once it is let go.
+/// Selects the stretch that the right button covers, which is seen alone once it is released.
 fn select(
     ui: &Ui,
     scope: &mut Scope,
@@ -78,7 +78,7 @@ fn select(
 ) {
     let [left, right] = [from.min(to), from.max(to)].map(|at| frame.position_from_point_x(at));
     let rect = Rect::from_x_y_ranges(left..=right, frame.frame().y_range());
-    ui.painter().rect_filled(rect.intersect(*frame.frame()), 0.0, look::faint(look::SKY, 0.25));
+    ui.painter().rect_filled(rect.intersect(*frame.frame()), 0.0, theme::faint(theme::SKY, 0.25));
     if response.drag_stopped_by(PointerButton::Secondary) {
         scope.selects = None;
         if 4.0 < right - left {

@@ -1,155 +1,175 @@
-//! Sliders for every parameter of the selected keys.
+//! Sliders for every parameter of the selected keys, steps back and forth, and snapshots.
 
 mod file;
 mod parameter;
 mod steps;
 
-use eframe::egui::{Button, ComboBox, RichText, ScrollArea, Slider, TextEdit, Ui};
+use eframe::egui::{Button, ComboBox, Context, RichText, ScrollArea, Slider, TextEdit, Ui};
 use serde::{Deserialize, Serialize};
 use telemetry::Request;
 
-pub(crate) use file::scene_ui;
-
 use super::nothing_ui;
-use crate::desk::AppState;
+use crate::app_state::AppState;
+use crate::tune::Tuner;
 use crate::tune::link::LinkedKeys;
-use crate::{look, names};
+use crate::{names, theme};
 
-/// Points that the slider between A and B takes with its name.
+/// Width that the slider between A and B takes with its name (points).
 const MORPH: f32 = 150.0;
 
-/// What the panel remembers.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
-pub(crate) struct View {
+pub(super) struct View {
     /// What the other keys of the range do.
-    pub(crate) link: LinkedKeys,
+    link: LinkedKeys,
     /// Name of the next snapshot.
     name: String,
     /// Where a scene or a preset is written to.
     file: String,
-    /// Between A and B.
+    /// Place between A (0) and B (1).
     morph: f64,
-    /// Counts presses of the mouse: what is done in one is taken back as one.
+    /// Counts presses of the mouse: the changes of one are taken back as one.
     #[serde(skip)]
     gesture: u64,
 }
 
-/// Draws the panel.
-pub(super) fn tuning_ui(ui: &mut Ui, desk: &mut AppState) {
-    if ui.input(|input| input.pointer.any_pressed()) {
-        desk.views.tuning.gesture += 1;
-    }
-    let key = desk.views.selected;
-    head_ui(ui, desk, key);
-    compare_ui(ui, desk);
-    ui.separator();
-    let parameters = desk.store.parameters(key).to_vec();
-    if parameters.is_empty() {
-        nothing_ui(ui, "Nothing of this key can be changed.");
-        return;
-    }
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        for parameter in &parameters {
-            parameter::parameter_ui(ui, desk, key, parameter);
+impl super::View for View {
+    fn ui(&mut self, ui: &mut Ui, state: &mut AppState) {
+        if ui.input(|input| input.pointer.any_pressed()) {
+            self.gesture += 1;
         }
+        let key = state.view.selected;
+        self.head_ui(ui, state, key);
+        self.compare_ui(ui, &mut state.tuner);
         ui.separator();
-        snapshots_ui(ui, desk);
-    });
-}
-
-/// Which keys, what the others do, back and forth.
-fn head_ui(ui: &mut Ui, desk: &mut AppState, key: u8) {
-    ui.horizontal_wrapped(|ui| {
-        ui.strong(desk.title(key));
-        let link = &mut desk.views.tuning.link;
-        let combo = ComboBox::from_id_salt("link").width(88.0).selected_text(link.text());
-        let combo = combo.show_ui(ui, |ui| {
-            for other in LinkedKeys::ALL {
-                ui.selectable_value(link, other, other.text());
-            }
+        if state.store.parameters(key).is_empty() {
+            nothing_ui(ui, "Nothing of this key can be changed.");
+            return;
+        }
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            self.parameters_ui(ui, state, key);
+            ui.separator();
+            self.snapshots_ui(ui, &mut state.tuner);
         });
-        combo.response.accessible_name("link").on_hover_text("What the other selected keys do.");
-        if desk.views.tuning.link != LinkedKeys::Alone {
-            ui.label(names::range_name(&desk.range()));
-            if ui.small_button("All keys").clicked() {
-                desk.views.range = (0, names::LAST);
-            }
-        }
-    });
-    ui.horizontal_wrapped(|ui| {
-        steps::steps_ui(ui, desk);
-        if ui.button("Save scene").clicked() {
-            desk.ask(Request::Scene {});
-        }
-        if ui.button("Save preset").clicked() {
-            desk.views.scene = file::preset(desk, key);
-        }
-    });
-    if let Some(refusal) = desk.tuner.refusal() {
-        ui.colored_label(look::fault(ui), refusal);
     }
 }
 
-/// A, B, and what lies between.
-fn compare_ui(ui: &mut Ui, desk: &mut AppState) {
-    ui.horizontal_wrapped(|ui| {
-        for (i, name) in ["A", "B"].into_iter().enumerate() {
-            if ui.small_button(format!("Store {name}")).clicked() {
-                desk.tuner.kept.compared[i] = Some(desk.tuner.snapshot());
-            }
-            let kept = desk.tuner.kept.compared[i].clone();
-            let recall = ui.add_enabled(kept.is_some(), Button::new(RichText::new(name).strong()));
-            if recall.clicked()
-                && let Some(kept) = kept
-            {
-                desk.tuner.recall(&kept, name);
-            }
-        }
-        let has_both = desk.tuner.kept.compared.iter().all(Option::is_some);
-        let gesture = gesture(ui, desk);
-        if ui.available_size_before_wrap().x < MORPH {
-            ui.end_row();
-        }
-        ui.add_enabled_ui(has_both, |ui| {
-            ui.spacing_mut().slider_width = 90.0;
-            let slider = Slider::new(&mut desk.views.tuning.morph, 0.0..=1.0);
-            if ui.add(slider.show_value(false).text("morph")).changed() {
-                desk.tuner.morph(desk.views.tuning.morph, gesture);
-            }
-        });
-    });
-}
-
-/// What is done while the mouse is down is taken back as one.
-fn gesture(ui: &Ui, desk: &AppState) -> Option<u64> {
-    let is_down = ui.input(|input| input.pointer.any_down());
-    is_down.then_some(desk.views.tuning.gesture)
-}
-
-/// Snapshots by their names.
-fn snapshots_ui(ui: &mut Ui, desk: &mut AppState) {
-    ui.horizontal_wrapped(|ui| {
-        let label = ui.label("snapshot");
-        let name = TextEdit::singleline(&mut desk.views.tuning.name).desired_width(120.0);
-        ui.add(name.hint_text("its name")).labelled_by(label.id);
-        let has_name = !desk.views.tuning.name.trim().is_empty();
-        if ui.add_enabled(has_name, Button::new("Keep")).clicked() {
-            let name = desk.views.tuning.name.trim().to_owned();
-            desk.tuner.kept.named.insert(name, desk.tuner.snapshot());
-        }
-    });
-    let names: Vec<String> = desk.tuner.kept.named.keys().cloned().collect();
-    for name in names {
+impl View {
+    /// Draws which keys are tuned, what the others do, and steps back and forth.
+    fn head_ui(&mut self, ui: &mut Ui, state: &mut AppState, key: u8) {
         ui.horizontal_wrapped(|ui| {
-            if ui.button(format!("Recall {name}")).clicked()
-                && let Some(snapshot) = desk.tuner.kept.named.get(&name).cloned()
-            {
-                desk.tuner.recall(&snapshot, &name);
-            }
-            if ui.small_button(format!("Forget {name}")).clicked() {
-                desk.tuner.kept.named.remove(&name);
+            ui.strong(state.title(key));
+            let combo = ComboBox::from_id_salt("link").width(88.0).selected_text(self.link.text());
+            let combo = combo.show_ui(ui, |ui| {
+                for other in LinkedKeys::ALL {
+                    ui.selectable_value(&mut self.link, other, other.text());
+                }
+            });
+            let combo = combo.response.accessible_name("link");
+            combo.on_hover_text("What the other selected keys do.");
+            if self.link != LinkedKeys::Alone {
+                ui.label(names::range_name(&state.range()));
+                if ui.small_button("All keys").clicked() {
+                    state.view.range = (0, names::LAST);
+                }
             }
         });
+        ui.horizontal_wrapped(|ui| {
+            steps::steps_ui(ui, &mut state.tuner);
+            if ui.button("Save scene").clicked() {
+                state.ask(Request::Scene {});
+            }
+            if ui.button("Save preset").clicked() {
+                state.view.scene = file::preset(state, key);
+            }
+        });
+        if let Some(refusal) = state.tuner.refusal() {
+            ui.colored_label(theme::fault(ui), refusal);
+        }
+    }
+
+    /// Draws A, B, and the slider between them.
+    fn compare_ui(&mut self, ui: &mut Ui, tuner: &mut Tuner) {
+        ui.horizontal_wrapped(|ui| {
+            for (i, name) in ["A", "B"].into_iter().enumerate() {
+                if ui.small_button(format!("Store {name}")).clicked() {
+                    tuner.kept.compared[i] = Some(tuner.snapshot());
+                }
+                let is_kept = tuner.kept.compared[i].is_some();
+                let recall = ui.add_enabled(is_kept, Button::new(RichText::new(name).strong()));
+                if recall.clicked()
+                    && let Some(kept) = tuner.kept.compared[i].clone()
+                {
+                    tuner.recall(&kept, name);
+                }
+            }
+            let has_both = tuner.kept.compared.iter().all(Option::is_some);
+            let gesture = self.gesture(ui);
+            if ui.available_size_before_wrap().x < MORPH {
+                ui.end_row();
+            }
+            ui.add_enabled_ui(has_both, |ui| {
+                ui.spacing_mut().slider_width = 90.0;
+                let slider = Slider::new(&mut self.morph, 0.0..=1.0);
+                if ui.add(slider.show_value(false).text("morph")).changed() {
+                    tuner.morph(self.morph, gesture);
+                }
+            });
+        });
+    }
+
+    fn parameters_ui(&self, ui: &mut Ui, state: &mut AppState, key: u8) {
+        let range = state.range();
+        let AppState { store, tuner, .. } = state;
+        for parameter in store.parameters(key) {
+            let usual = parameter::usual(store, key, &parameter.name);
+            let moved = parameter::parameter_ui(ui, tuner, key, (parameter, usual));
+            if let Some(value) = moved {
+                let slot = (key, parameter.name.as_str());
+                tuner.edit(slot, value, (self.link, &range), self.gesture(ui));
+            }
+        }
+    }
+
+    /// Returns the number of the mouse's press while it lasts.
+    fn gesture(&self, ui: &Ui) -> Option<u64> {
+        ui.input(|input| input.pointer.any_down()).then_some(self.gesture)
+    }
+
+    /// Draws the snapshots by their names.
+    fn snapshots_ui(&mut self, ui: &mut Ui, tuner: &mut Tuner) {
+        ui.horizontal_wrapped(|ui| {
+            let label = ui.label("snapshot");
+            let name = TextEdit::singleline(&mut self.name).desired_width(120.0);
+            ui.add(name.hint_text("its name")).labelled_by(label.id);
+            let name = self.name.trim();
+            if ui.add_enabled(!name.is_empty(), Button::new("Keep")).clicked() {
+                tuner.kept.named.insert(name.to_owned(), tuner.snapshot());
+            }
+        });
+        let (mut recalled, mut removed) = (None, None);
+        for name in tuner.kept.named.keys() {
+            ui.horizontal_wrapped(|ui| {
+                if ui.button(format!("Recall {name}")).clicked() {
+                    recalled = Some(name.clone());
+                }
+                if ui.small_button(format!("Forget {name}")).clicked() {
+                    removed = Some(name.clone());
+                }
+            });
+        }
+        if let Some(name) = recalled
+            && let Some(snapshot) = tuner.kept.named.get(&name).cloned()
+        {
+            tuner.recall(&snapshot, &name);
+        }
+        if let Some(name) = removed {
+            tuner.kept.named.remove(&name);
+        }
+    }
+
+    /// Draws the window in which a scene or a preset is written to a file.
+    pub(super) fn file_ui(&mut self, ctx: &Context, state: &mut AppState) {
+        file::file_ui(ctx, &mut self.file, state);
     }
 }

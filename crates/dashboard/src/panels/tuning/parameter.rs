@@ -7,9 +7,9 @@ use eframe::egui::{
 };
 use telemetry::Parameter;
 
-use crate::desk::AppState;
-use crate::tune::snapshot::ParameterSlot;
-use crate::{look, unit};
+use crate::store::Store;
+use crate::tune::Tuner;
+use crate::{theme, unit};
 
 /// Parameters over more decades than this move on a logarithm.
 const DECADES: f64 = 30.0;
@@ -36,23 +36,34 @@ struct ParameterRow<'a> {
 }
 
 impl<'a> ParameterRow<'a> {
-    fn new(desk: &AppState, key: u8, parameter: &'a Parameter) -> Option<Self> {
-        let value = desk.tuner.value(key, &parameter.name)?;
-        let usual = usual(desk, key, &parameter.name);
+    fn new(
+        tuner: &Tuner,
+        key: u8,
+        (parameter, usual): (&'a Parameter, Option<f64>),
+    ) -> Option<Self> {
+        let value = tuner.value(key, &parameter.name)?;
         let is_changed = usual.is_some_and(|it| 1e-9 * it.abs().max(1e-9) < (it - value).abs());
-        let is_locked = desk.tuner.is_locked(&parameter.name);
+        let is_locked = tuner.is_locked(&parameter.name);
         Some(Self { parameter, value, usual, is_changed, is_locked })
     }
 
-    /// Where the slider goes.
+    /// Returns the range of the slider.
     fn travel(&self) -> RangeInclusive<f64> {
         travel(self.parameter, self.usual.unwrap_or(self.value))
     }
 }
 
-/// Draws a parameter: in one line, or in two where there is no room for one.
-pub(super) fn parameter_ui(ui: &mut Ui, desk: &mut AppState, key: u8, parameter: &Parameter) {
-    let Some(row) = ParameterRow::new(desk, key, parameter) else { return };
+/// Draws a parameter with its usual value, in one line or, where that has no room, in two.
+///
+/// Returns the value to which it was moved.
+pub(super) fn parameter_ui(
+    ui: &mut Ui,
+    tuner: &mut Tuner,
+    key: u8,
+    parameter: (&Parameter, Option<f64>),
+) -> Option<f64> {
+    let row = ParameterRow::new(tuner, key, parameter)?;
+    let name = &row.parameter.name;
     let room = ui.available_width();
     let is_narrow = room < BESIDE + SHORTEST;
     let mut moved = None;
@@ -63,25 +74,20 @@ pub(super) fn parameter_ui(ui: &mut Ui, desk: &mut AppState, key: u8, parameter:
         }
         moved = moved.or(number_ui(ui, &row)).or(reset_ui(ui, &row));
         if !is_narrow {
-            lock_ui(ui, desk, key, &parameter.name);
+            lock_ui(ui, tuner, key, name);
         }
     });
     if is_narrow {
         ui.horizontal(|ui| {
             moved = moved.or(slider_ui(ui, &row, room - 70.0));
-            lock_ui(ui, desk, key, &parameter.name);
+            lock_ui(ui, tuner, key, name);
         });
     }
-    if let Some(value) = moved {
-        let gesture = super::gesture(ui, desk);
-        let link = desk.views.tuning.link;
-        let range = desk.range();
-        desk.tuner.edit(&ParameterSlot::new(key, &parameter.name), value, (link, &range), gesture);
-    }
+    moved
 }
 
 fn name_ui(ui: &mut Ui, row: &ParameterRow<'_>) {
-    let mark = if row.is_changed { look::ORANGE } else { ui.visuals().text_color() };
+    let mark = if row.is_changed { theme::ORANGE } else { ui.visuals().text_color() };
     let name = RichText::new(&row.parameter.name).color(mark).strong();
     let layout = Layout::left_to_right(Align::Center);
     let name = ui.allocate_ui_with_layout(vec2(NAME, 18.0), layout, |ui| {
@@ -103,7 +109,7 @@ fn slider_ui(ui: &mut Ui, row: &ParameterRow<'_>, width: f32) -> Option<f64> {
     slid.changed().then_some(value)
 }
 
-/// The value as a number to type.
+/// Draws the value as a number to type; returns it if it was changed.
 fn number_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let Parameter { name, unit, min, max, .. } = row.parameter;
     let mut value = row.value;
@@ -114,11 +120,11 @@ fn number_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let drag = drag.update_while_editing(false);
     let typed = ui.add_enabled_ui(!row.is_locked, |ui| ui.add_sized([92.0, 18.0], drag)).inner;
     let is_changed = typed.accessible_name(format!("{name} value")).changed();
-    // Whoever leaves the field as it was has not typed the digits that it does not show.
+    // A field that is left as it was has not been given the digits that it does not show.
     (is_changed && unit::exact(value) != unit::exact(row.value)).then_some(value)
 }
 
-/// Back to what the instrument has.
+/// Draws the button that resets the value; returns what the instrument has if it was clicked.
 fn reset_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let can_go_back = row.is_changed && !row.is_locked;
     let reset = ui.add_enabled(can_go_back, Button::new("Reset").small());
@@ -128,21 +134,21 @@ fn reset_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     if reset.clicked() { row.usual } else { None }
 }
 
-/// Whether anything changes it, and whether an answer is on its way.
-fn lock_ui(ui: &mut Ui, desk: &mut AppState, key: u8, name: &str) {
-    let mut locked = desk.tuner.is_locked(name);
+/// Draws the lock, and whether an answer is on its way.
+fn lock_ui(ui: &mut Ui, tuner: &mut Tuner, key: u8, name: &str) {
+    let mut locked = tuner.is_locked(name);
     let lock = ui
         .checkbox(&mut locked, RichText::new("lock").small())
         .accessible_name(format!("lock {name}"));
     if lock.on_hover_text("Locked: nothing changes it.").clicked() {
-        desk.tuner.toggle_lock(name);
+        tuner.toggle_lock(name);
     }
-    if desk.tuner.is_asked(key, name) {
+    if tuner.is_asked(key, name) {
         ui.weak("…");
     }
 }
 
-/// Where a slider goes: what a model can stand is far more than a hand wants, which is near what
+/// Returns the range of a slider: what a model can stand is far more than a hand wants, near what
 /// is usual. Any value of the parameter's own range can be typed.
 fn travel(parameter: &Parameter, usual: f64) -> RangeInclusive<f64> {
     let Parameter { min, max, .. } = *parameter;
@@ -155,11 +161,11 @@ fn travel(parameter: &Parameter, usual: f64) -> RangeInclusive<f64> {
     low..=near.max(far).min(max)
 }
 
-/// The instrument's value of a parameter.
-fn usual(desk: &AppState, key: u8, name: &str) -> Option<f64> {
-    let voice = desk.store.voice(key)?;
-    let values = desk.store.instrument_values(&voice.instrument, key)?;
-    let i = desk.store.parameters(key).iter().position(|it| it.name == name)?;
+/// Returns the instrument's value of a parameter.
+pub(super) fn usual(store: &Store, key: u8, name: &str) -> Option<f64> {
+    let voice = store.voice(key)?;
+    let values = store.instrument_values(&voice.instrument, key)?;
+    let i = store.parameters(key).iter().position(|it| it.name == name)?;
     values.get(i).copied()
 }
 

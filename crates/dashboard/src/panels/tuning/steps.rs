@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Button, PopupCloseBehavior, RichText, ScrollArea, Ui};
 
-use crate::desk::AppState;
 use crate::tune::Tuner;
 use crate::tune::history::UndoStep;
 use crate::tune::snapshot::SlotValues;
@@ -14,27 +13,26 @@ use crate::{names, unit};
 /// Points of the list before it scrolls.
 const HEIGHT: f32 = 320.0;
 
-/// Undo, redo, and the list of steps.
-pub(super) fn steps_ui(ui: &mut Ui, desk: &mut AppState) {
-    let history = desk.tuner.history();
-    let text = |step: Option<&UndoStep>| step.map(|step| line(step, &desk.tuner));
+/// Draws undo, redo, and the list of steps.
+pub(super) fn steps_ui(ui: &mut Ui, tuner: &mut Tuner) {
+    let history = tuner.history();
+    let text = |step: Option<&UndoStep>| step.map(|step| line(step, tuner));
     let (last, next) = (text(history.last()), text(history.next()));
     let undo = ui.add_enabled(last.is_some(), Button::new("Undo"));
     if undo.on_hover_text(last.unwrap_or_default()).clicked() {
-        desk.tuner.undo();
+        tuner.undo();
     }
     let redo = ui.add_enabled(next.is_some(), Button::new("Redo"));
     if redo.on_hover_text(next.unwrap_or_default()).clicked() {
-        desk.tuner.redo();
+        tuner.redo();
     }
     // It stays open, so that one can listen to one step after the other.
     let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    let (button, _) =
-        MenuButton::new("History").config(config).ui(ui, |ui| list_ui(ui, &mut desk.tuner));
+    let (button, _) = MenuButton::new("History").config(config).ui(ui, |ui| list_ui(ui, tuner));
     button.on_hover_text("What was changed; a click goes back to it, or forward.");
 }
 
-/// All steps, the newest above; those taken back are faint.
+/// Draws all steps, the newest above; those taken back are faint.
 fn list_ui(ui: &mut Ui, tuner: &mut Tuner) {
     let history = tuner.history();
     let here = history.steps().len();
@@ -59,7 +57,7 @@ fn list_ui(ui: &mut Ui, tuner: &mut Tuner) {
     }
 }
 
-/// What a step changed, on which keys, from what to what.
+/// Returns what a step changed, on which keys, from what to what.
 fn line(step: &UndoStep, tuner: &Tuner) -> String {
     let parameters: BTreeSet<&str> = step.after.keys().map(|it| it.parameter.as_str()).collect();
     let first = step.after.keys().next();
@@ -71,14 +69,14 @@ fn line(step: &UndoStep, tuner: &Tuner) -> String {
     format!("{}: from {before} to {after}{}", step.text, unit::suffix(unit))
 }
 
-/// The keys of some values, from the lowest to the highest.
+/// Returns the keys of some values, from the lowest to the highest.
 fn keys(values: &SlotValues) -> String {
     let keys = || values.keys().map(|slot| slot.key);
     let range = keys().min().zip(keys().max());
     range.map_or_else(String::new, |(low, high)| names::range_name(&(low..=high)))
 }
 
-/// The smallest and the largest of some values; one where they are the same.
+/// Returns the smallest and the largest of some values; one where they are the same.
 fn span(values: &SlotValues) -> String {
     let low = unit::exact(values.values().copied().fold(f64::INFINITY, f64::min));
     let high = unit::exact(values.values().copied().fold(f64::NEG_INFINITY, f64::max));

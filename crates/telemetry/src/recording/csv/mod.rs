@@ -1,14 +1,14 @@
 //! A recording as tables.
 
+mod columns;
 mod table;
-mod words;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+use self::columns::{EVENTS, fault, flags, header, mode, seconds};
 use self::table::CsvTable;
-use self::words::{EVENTS, fault, flags, header, mode, seconds};
 use super::error::{ExportError, ReadError};
 use super::reader::Recording;
 use super::rows::{Row, rows};
@@ -26,7 +26,7 @@ pub struct Selection {
 }
 
 impl Default for Selection {
-    /// Everything.
+    /// Selects all keys and all times.
     fn default() -> Self {
         Self { keys: (0..=u8::MAX).take(KEYS).collect(), from: 0, to: u64::MAX }
     }
@@ -118,7 +118,7 @@ impl CsvTables {
         Ok(tables)
     }
 
-    /// Which model each voice of the recording is of: a voice may be told after its first rows.
+    /// Notes the model of each voice: a voice may be told after its first rows.
     fn note_revisions(&mut self, recording: &Recording) {
         for message in recording.read(0, u64::MAX, &BTreeSet::from([Topic::Voices])) {
             // What is damaged is said when its rows are read.
@@ -129,7 +129,7 @@ impl CsvTables {
         }
     }
 
-    /// Something could not be read; it is said once.
+    /// Notes an error once.
     fn say(&mut self, error: &ReadError) {
         let text = error.to_string();
         if !self.done.wrong.contains(&text) {
@@ -137,7 +137,7 @@ impl CsvTables {
         }
     }
 
-    /// From now on its key is played by `voice`.
+    /// Notes that the key of `voice` is played by it from now on.
     fn note(&mut self, voice: &Voice) {
         let model = self.named(&voice.model);
         self.current.insert(voice.key, model);
@@ -174,7 +174,7 @@ impl CsvTables {
         Ok(())
     }
 
-    /// The table with the columns of `model`.
+    /// Returns the key's table with the columns of `model`.
     fn key_table(&mut self, key: u32, model: &Model) -> Result<&mut KeyTable, ExportError> {
         let number = match self.keys.get(&key) {
             Some(table) if table.model == model.name => None,
@@ -236,7 +236,7 @@ impl CsvTables {
         self.revisions.get(&(key, revision)).map_or_else(Rc::default, Rc::clone)
     }
 
-    /// The model of this name; one without signals if the catalogue does not have it.
+    /// Returns the model called `name`; one without signals if the catalogue does not have it.
     fn named(&self, name: &str) -> Rc<Model> {
         let nameless = || Rc::new(Model { name: name.to_owned(), ..Model::default() });
         self.models.get(name).map_or_else(nameless, Rc::clone)

@@ -2,10 +2,10 @@
 
 use tokio_tungstenite::tungstenite::http::Uri;
 
-/// The port that hosts listen at if nobody says otherwise.
+/// The port at which hosts listen by default.
 const PORT: u16 = 8765;
 
-/// Where a host is.
+/// The address of a host.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct HostAddress {
     pub(super) scheme: Scheme,
@@ -14,7 +14,7 @@ pub(super) struct HostAddress {
     pub(super) port: u16,
 }
 
-/// How bytes travel.
+/// How bytes travel: plain or encrypted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Scheme {
     Ws,
@@ -27,7 +27,7 @@ pub(super) enum Scheme {
 pub(super) struct NoAddress(String);
 
 impl HostAddress {
-    /// The address that `text` is.
+    /// Parses the address of a host.
     pub(super) fn parse(text: &str) -> Result<Self, NoAddress> {
         let no_address = || NoAddress(text.to_owned());
         let (scheme, rest) = match text.trim().split_once("://") {
@@ -52,7 +52,7 @@ impl HostAddress {
         Ok(Self { scheme, host, port: port.ok_or_else(no_address)? })
     }
 
-    /// What the WebSocket handshake asks for.
+    /// Returns the address of the WebSocket handshake.
     pub(super) fn uri(&self) -> Option<Uri> {
         let is_ipv6 = self.host.contains(':');
         let host = if is_ipv6 { format!("[{}]", self.host) } else { self.host.clone() };

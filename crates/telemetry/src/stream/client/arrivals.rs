@@ -5,25 +5,25 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::Waker;
 use crate::stream::backlog::{Backlog, Worth};
-use crate::stream::latch::latch;
+use crate::stream::retained::retained_slot;
 use crate::{Arrival, ConnectionState, Topic};
 
 /// Messages that wait for a window (bytes); more are dropped.
 const ROOM: usize = 32 << 20;
 
-/// What has come and waits for the window.
+/// The queue of what has arrived and waits for the window.
 pub(super) struct Arrivals {
     waiting: Mutex<Backlog<Arrival>>,
-    standing: Mutex<ConnectionState>,
+    state: Mutex<ConnectionState>,
     waker: Option<Waker>,
 }
 
 impl Arrivals {
-    /// Nothing yet.
+    /// Creates an empty queue, which calls `waker` when something has arrived.
     pub(super) fn new(waker: Option<Waker>) -> Self {
         Self {
             waiting: Mutex::new(Backlog::new(ROOM)),
-            standing: Mutex::new(ConnectionState::Connecting),
+            state: Mutex::new(ConnectionState::Connecting),
             waker,
         }
     }
@@ -39,15 +39,15 @@ impl Arrivals {
     pub(super) fn begin(&self) {
         self.waiting().forget(|arrival| !matches!(arrival, Arrival::Reply { .. }));
         self.push(Arrival::Anew, 0);
-        self.stand(ConnectionState::Live);
+        self.set_state(ConnectionState::Live);
     }
 
-    /// What came next.
+    /// Takes the oldest arrival.
     pub(super) fn pop(&self) -> Option<Arrival> {
         self.waiting().pop()
     }
 
-    /// Forgets messages of other topics.
+    /// Removes messages of other topics.
     pub(super) fn keep_only(&self, topics: &BTreeSet<Topic>) {
         self.waiting().forget(|arrival| match arrival {
             Arrival::Update { update, .. } => {
@@ -57,15 +57,15 @@ impl Arrivals {
         });
     }
 
-    /// How it stands from now on.
-    pub(super) fn stand(&self, standing: ConnectionState) {
-        *self.standing.lock().unwrap_or_else(PoisonError::into_inner) = standing;
+    /// Sets the state of the connection.
+    pub(super) fn set_state(&self, state: ConnectionState) {
+        *self.state.lock().unwrap_or_else(PoisonError::into_inner) = state;
         self.wake();
     }
 
-    /// How it stands.
-    pub(super) fn standing(&self) -> ConnectionState {
-        self.standing.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    /// Returns the state of the connection.
+    pub(super) fn state(&self) -> ConnectionState {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     fn waiting(&self) -> MutexGuard<'_, Backlog<Arrival>> {
@@ -81,7 +81,9 @@ impl Arrivals {
 
 fn worth(arrival: &Arrival) -> Worth {
     match arrival {
-        Arrival::Update { update, .. } => latch(update).map_or(Worth::Passing, Worth::Latest),
+        Arrival::Update { update, .. } => {
+            retained_slot(update).map_or(Worth::Passing, Worth::Latest)
+        }
         Arrival::Reply { .. } | Arrival::Anew => Worth::Kept,
     }
 }
@@ -120,6 +122,6 @@ mod tests {
         arrivals.push(update(Update::Event(Event::default())), 10);
         arrivals.keep_only(&BTreeSet::from([Topic::Log]));
         assert_eq!(arrivals.pop(), None);
-        assert_eq!(arrivals.standing(), ConnectionState::Live);
+        assert_eq!(arrivals.state(), ConnectionState::Live);
     }
 }

@@ -1,4 +1,4 @@
-//! From an address to a connection, or why there is none.
+//! Connects to an address: TCP, TLS, then WebSocket.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ use tokio_tungstenite::{WebSocketStream, client_async_with_config};
 
 use super::address::{HostAddress, Scheme};
 use super::{Dial, pin};
-use crate::stream::carrier::Boxed;
+use crate::stream::byte_stream::BoxedStream;
 use crate::stream::protocol::SUBPROTOCOLS;
 
 /// Longest time to connect.
@@ -23,27 +23,27 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// Longest message from a host (bytes).
 const MOST_BYTES: usize = 64 << 20;
 
-/// Why there is no connection, in a sentence.
+/// Why there is no connection, as a sentence.
 #[derive(Debug)]
 pub(super) enum ConnectError {
-    /// It may be better later.
+    /// It is worth trying again.
     Lost(String),
     Refused(String),
 }
 
 /// Connects as `dial` says.
-pub(super) async fn connect(dial: &Dial) -> Result<WebSocketStream<Boxed>, ConnectError> {
+pub(super) async fn connect(dial: &Dial) -> Result<WebSocketStream<BoxedStream>, ConnectError> {
     let address = HostAddress::parse(&dial.address)
         .map_err(|error| ConnectError::Refused(error.to_string()))?;
     let connected = timeout(PATIENCE, async {
-        let carrier = carrier(dial, &address).await?;
-        greet(dial, &address, carrier).await
+        let stream = open_stream(dial, &address).await?;
+        handshake(dial, &address, stream).await
     });
     let slow = || ConnectError::Lost(format!("the host at {} does not answer", dial.address));
     connected.await.unwrap_or_else(|_elapsed| Err(slow()))
 }
 
-async fn carrier(dial: &Dial, address: &HostAddress) -> Result<Boxed, ConnectError> {
+async fn open_stream(dial: &Dial, address: &HostAddress) -> Result<BoxedStream, ConnectError> {
     let lost = |error| ConnectError::Lost(format!("no host answers at {}: {error}", dial.address));
     let stream = TcpStream::connect((address.host.as_str(), address.port)).await.map_err(lost)?;
     stream.set_nodelay(true).map_err(lost)?;
@@ -57,7 +57,7 @@ async fn encrypted(
     dial: &Dial,
     address: &HostAddress,
     stream: TcpStream,
-) -> Result<Boxed, ConnectError> {
+) -> Result<BoxedStream, ConnectError> {
     let pin = dial.pin.ok_or_else(|| {
         let text = "wss:// needs the fingerprint of the host's certificate, which the host prints";
         ConnectError::Refused(text.to_owned())
@@ -75,12 +75,12 @@ async fn encrypted(
     }
 }
 
-/// The WebSocket handshake.
-async fn greet(
+/// Makes the WebSocket handshake.
+async fn handshake(
     dial: &Dial,
     address: &HostAddress,
-    carrier: Boxed,
-) -> Result<WebSocketStream<Boxed>, ConnectError> {
+    stream: BoxedStream,
+) -> Result<WebSocketStream<BoxedStream>, ConnectError> {
     let uri = address.uri().ok_or_else(|| ConnectError::Refused(dial.address.clone()))?;
     let mut request = ClientRequestBuilder::new(uri);
     for protocol in SUBPROTOCOLS {
@@ -96,21 +96,21 @@ async fn greet(
     let config = WebSocketConfig::default()
         .max_message_size(Some(MOST_BYTES))
         .max_frame_size(Some(MOST_BYTES));
-    match client_async_with_config(request, carrier, Some(config)).await {
+    match client_async_with_config(request, stream, Some(config)).await {
         Ok((socket, _response)) => Ok(socket),
-        Err(error) => Err(trouble(dial, error)),
+        Err(error) => Err(connect_error(dial, error)),
     }
 }
 
-fn trouble(dial: &Dial, error: Error) -> ConnectError {
+fn connect_error(dial: &Dial, error: Error) -> ConnectError {
     if let Error::Http(response) = error {
-        return turned_away(dial, &response);
+        return http_error(dial, &response);
     }
     ConnectError::Lost(format!("the host at {} speaks no WebSocket: {error}", dial.address))
 }
 
-/// What an answer of HTTP means.
-fn turned_away(dial: &Dial, response: &Response) -> ConnectError {
+/// Returns what an HTTP answer means.
+fn http_error(dial: &Dial, response: &Response) -> ConnectError {
     let body = response.body().as_deref().unwrap_or_default();
     let text = String::from_utf8_lossy(body).trim().to_owned();
     let text = if text.is_empty() {

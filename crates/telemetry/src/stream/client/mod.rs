@@ -6,9 +6,10 @@
 
 mod address;
 mod arrivals;
+mod command;
 mod connect;
-mod line;
 mod pin;
+mod reconnect;
 mod session;
 
 use std::collections::BTreeSet;
@@ -19,7 +20,8 @@ use std::thread;
 use tokio::sync::mpsc::{self, UnboundedSender};
 
 use arrivals::Arrivals;
-use line::{ClientCommand, ReconnectingClient};
+use command::ClientCommand;
+use reconnect::ReconnectingClient;
 
 use super::Fingerprint;
 use crate::source::Ticket;
@@ -28,19 +30,19 @@ use crate::{Arrival, ConnectionState, Reply, Request, Source, Topic};
 /// Called when something has come, from the client's own thread.
 pub type Waker = Box<dyn Fn() + Send + Sync>;
 
-/// Whom to connect to.
+/// The host to connect to.
 #[derive(Clone, Default)]
 pub struct Dial {
-    /// Where, as `ws://127.0.0.1:8765` or `wss://piano.local`; `ws://` and port 8765 without.
+    /// The address, as `ws://127.0.0.1:8765` or `wss://piano.local`; `ws://` and port 8765 without.
     pub address: String,
-    /// What lets us in, if the host asks for it.
+    /// The token, if the host asks for one.
     pub token: Option<String>,
-    /// What the host's certificate is recognised by, as the host printed it; `wss://` needs it.
+    /// The fingerprint of the host's certificate, as the host printed it; `wss://` needs it.
     pub pin: Option<Fingerprint>,
 }
 
 impl fmt::Debug for Dial {
-    /// Without the token, which must not get into a log.
+    /// Leaves out the token, which must not get into a log.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let has_token = self.token.is_some();
         f.debug_struct("Dial")
@@ -51,27 +53,28 @@ impl fmt::Debug for Dial {
     }
 }
 
-/// A live host.
+/// A connection to a live host, which is made again when it is lost.
 pub struct Client {
     name: String,
     arrivals: Arc<Arrivals>,
-    orders: UnboundedSender<ClientCommand>,
+    commands: UnboundedSender<ClientCommand>,
     tickets: u64,
 }
 
 impl Client {
-    /// Begins to connect, and goes on until it is dropped.
+    /// Begins to connect, and keeps connecting until it is dropped.
     pub fn connect(dial: Dial, waker: Option<Waker>) -> Self {
         let name = dial.address.clone();
         let arrivals = Arc::new(Arrivals::new(waker));
-        let (orders, incoming) = mpsc::unbounded_channel();
-        let line = ReconnectingClient::new(dial, Arc::clone(&arrivals), incoming);
+        let (commands, incoming) = mpsc::unbounded_channel();
+        let client = ReconnectingClient::new(dial, Arc::clone(&arrivals), incoming);
         let thread = thread::Builder::new().name("letoff-stream".to_owned());
-        if let Err(error) = thread.spawn(move || line.run()) {
-            arrivals
-                .stand(ConnectionState::Refused(format!("the system gives no thread: {error}")));
+        if let Err(error) = thread.spawn(move || client.run()) {
+            arrivals.set_state(ConnectionState::Refused(format!(
+                "the system gives no thread: {error}"
+            )));
         }
-        Self { name, arrivals, orders, tickets: 0 }
+        Self { name, arrivals, commands, tickets: 0 }
     }
 
     fn answer(&self, ticket: Ticket, result: Result<Reply, String>) {
@@ -93,20 +96,20 @@ impl Source for Client {
     fn follow(&mut self, topics: &BTreeSet<Topic>) {
         self.arrivals.keep_only(topics);
         // If the thread is gone, `standing` has said why.
-        let _gone = self.orders.send(ClientCommand::Follow(topics.clone()));
+        let _gone = self.commands.send(ClientCommand::Follow(topics.clone()));
     }
 
     fn ask(&mut self, request: Request) -> Ticket {
         self.tickets += 1;
         let ticket = Ticket(self.tickets);
-        if self.orders.send(ClientCommand::Ask(ticket, request)).is_err() {
-            self.answer(ticket, Err(line::NOT_CONNECTED.to_owned()));
+        if self.commands.send(ClientCommand::Ask(ticket, request)).is_err() {
+            self.answer(ticket, Err(reconnect::NOT_CONNECTED.to_owned()));
         }
         ticket
     }
 
     fn standing(&self) -> ConnectionState {
-        self.arrivals.standing()
+        self.arrivals.state()
     }
 
     fn name(&self) -> String {

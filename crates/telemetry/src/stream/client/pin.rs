@@ -13,7 +13,7 @@ use tokio_rustls::rustls::{ClientConfig, DigitallySignedStruct, Error, Signature
 
 use crate::stream::Fingerprint;
 
-/// What encrypts a connection to the host that `pin` is of.
+/// Returns what encrypts connections to the host whose certificate has this fingerprint.
 pub(super) fn connector(pin: Fingerprint) -> Result<TlsConnector, Error> {
     let provider = Arc::new(crypto::ring::default_provider());
     let verifier = Arc::new(Pinned { pin, provider: Arc::clone(&provider) });
@@ -25,13 +25,13 @@ pub(super) fn connector(pin: Fingerprint) -> Result<TlsConnector, Error> {
     Ok(TlsConnector::from(Arc::new(config)))
 }
 
-/// Why TLS failed for good, if it did: it is the wrong host.
+/// Returns why TLS failed, if it is the wrong host.
 pub(super) fn refusal(error: &io::Error) -> Option<String> {
     let error = error.get_ref()?.downcast_ref::<Error>()?;
     if let Error::General(text) = error { Some(text.clone()) } else { None }
 }
 
-/// Knows one certificate.
+/// A verifier that accepts one certificate.
 #[derive(Debug)]
 struct Pinned {
     pin: Fingerprint,

@@ -11,22 +11,22 @@ use tokio_tungstenite::tungstenite::protocol::CloseFrame;
 use tokio_tungstenite::tungstenite::{Bytes, Message};
 
 use super::arrivals::Arrivals;
-use super::line::ClientCommand;
+use super::command::ClientCommand;
 use crate::source::Ticket;
-use crate::stream::carrier::Boxed;
+use crate::stream::byte_stream::BoxedStream;
 use crate::stream::protocol::{
     ClientFrame, FromClient, FromServer, Level, ParameterValue, ServerFrame, Service, Subscription,
     Text as _,
 };
 use crate::{Arrival, Log, Reply, Request, Topic, Update, log};
 
-/// Between two pings.
+/// Time between two pings.
 const PING: Duration = Duration::from_secs(5);
 
 /// Longest time in which nothing is heard of the host, or it takes nothing.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// Longest time for a last word.
+/// Longest time for closing the connection.
 const GRACE: Duration = Duration::from_secs(1);
 
 /// How a connection ended.
@@ -38,17 +38,17 @@ pub(super) enum SessionEnd {
     Lost(String),
 }
 
-/// One connection.
+/// One connection to a host.
 pub(super) struct ClientSession<'a> {
-    socket: WebSocketStream<Boxed>,
+    socket: WebSocketStream<BoxedStream>,
     arrivals: &'a Arrivals,
     channels: BTreeMap<Topic, u32>,
     /// What is subscribed to, by our own number.
     subscriptions: BTreeMap<u32, Topic>,
     services: BTreeMap<String, u32>,
     /// That services will be named, but are not yet.
-    is_early: bool,
-    early: Vec<(Ticket, Request)>,
+    awaits_services: bool,
+    waiting: Vec<(Ticket, Request)>,
     /// What is not answered yet: sets and calls.
     sets: BTreeMap<String, Ticket>,
     calls: BTreeMap<u32, Ticket>,
@@ -61,16 +61,16 @@ pub(super) struct ClientSession<'a> {
 type ToSend = Vec<Message>;
 
 impl<'a> ClientSession<'a> {
-    /// On a connection that was just made.
-    pub(super) const fn new(socket: WebSocketStream<Boxed>, arrivals: &'a Arrivals) -> Self {
+    /// Creates a session on a connection that was just made.
+    pub(super) const fn new(socket: WebSocketStream<BoxedStream>, arrivals: &'a Arrivals) -> Self {
         Self {
             socket,
             arrivals,
             channels: BTreeMap::new(),
             subscriptions: BTreeMap::new(),
             services: BTreeMap::new(),
-            is_early: false,
-            early: Vec::new(),
+            awaits_services: false,
+            waiting: Vec::new(),
             sets: BTreeMap::new(),
             calls: BTreeMap::new(),
             count: 0,
@@ -81,12 +81,12 @@ impl<'a> ClientSession<'a> {
     /// Runs until either side is gone; nothing that was asked stays without an answer.
     pub(super) async fn run(
         mut self,
-        orders: &mut UnboundedReceiver<ClientCommand>,
+        commands: &mut UnboundedReceiver<ClientCommand>,
         wanted: &mut BTreeSet<Topic>,
     ) -> SessionEnd {
-        let end = self.talk(orders, wanted).await;
-        let early = self.early.iter().map(|(ticket, _)| *ticket);
-        for ticket in self.sets.values().chain(self.calls.values()).copied().chain(early) {
+        let end = self.exchange(commands, wanted).await;
+        let waiting = self.waiting.iter().map(|(ticket, _)| *ticket);
+        for ticket in self.sets.values().chain(self.calls.values()).copied().chain(waiting) {
             let text = "the connection was lost before the host answered: whether it was done is \
                         not known";
             answer(self.arrivals, ticket, Err(text.to_owned()));
@@ -97,9 +97,9 @@ impl<'a> ClientSession<'a> {
         end
     }
 
-    async fn talk(
+    async fn exchange(
         &mut self,
-        orders: &mut UnboundedReceiver<ClientCommand>,
+        commands: &mut UnboundedReceiver<ClientCommand>,
         wanted: &mut BTreeSet<Topic>,
     ) -> SessionEnd {
         let mut pings = tokio::time::interval(PING);
@@ -107,15 +107,15 @@ impl<'a> ClientSession<'a> {
         loop {
             let to_send = tokio::select! {
                 message = self.socket.next() => match message {
-                    Some(Ok(Message::Close(frame))) => return SessionEnd::Lost(farewell(frame)),
+                    Some(Ok(Message::Close(frame))) => return SessionEnd::Lost(close_reason(frame)),
                     Some(Ok(message)) => {
                         heard = Instant::now();
-                        self.hear(message, wanted)
+                        self.receive(message, wanted)
                     }
                     Some(Err(error)) => return SessionEnd::Lost(format!("the connection broke: {error}")),
-                    None => return SessionEnd::Lost(farewell(None)),
+                    None => return SessionEnd::Lost(close_reason(None)),
                 },
-                order = orders.recv() => match order {
+                command = commands.recv() => match command {
                     Some(ClientCommand::Follow(topics)) => {
                         *wanted = topics;
                         self.follow(wanted)
@@ -145,7 +145,7 @@ impl<'a> ClientSession<'a> {
         Ok(())
     }
 
-    fn hear(&mut self, message: Message, wanted: &BTreeSet<Topic>) -> ToSend {
+    fn receive(&mut self, message: Message, wanted: &BTreeSet<Topic>) -> ToSend {
         match message {
             Message::Text(text) => match FromServer::decode(&text) {
                 Ok(message) => self.text(message, wanted),
@@ -162,7 +162,7 @@ impl<'a> ClientSession<'a> {
     fn text(&mut self, message: FromServer, wanted: &BTreeSet<Topic>) -> ToSend {
         match message {
             FromServer::ServerInfo { capabilities, .. } => {
-                self.is_early = capabilities.iter().any(|it| it == "services");
+                self.awaits_services = capabilities.iter().any(|it| it == "services");
                 self.arrivals.begin();
                 vec![]
             }
@@ -180,7 +180,7 @@ impl<'a> ClientSession<'a> {
             }
             FromServer::AdvertiseServices { services } => {
                 self.services.extend(services.into_iter().map(|it| (it.name, it.id)));
-                self.ask_early()
+                self.ask_waiting()
             }
             FromServer::UnadvertiseServices { service_ids } => {
                 self.services.retain(|_, id| !service_ids.contains(id));
@@ -201,10 +201,10 @@ impl<'a> ClientSession<'a> {
     }
 
     /// Asks what had to wait for the services' numbers.
-    fn ask_early(&mut self) -> ToSend {
-        self.is_early = false;
-        let early = std::mem::take(&mut self.early);
-        early.into_iter().flat_map(|(ticket, request)| self.ask(ticket, request)).collect()
+    fn ask_waiting(&mut self) -> ToSend {
+        self.awaits_services = false;
+        let waiting = std::mem::take(&mut self.waiting);
+        waiting.into_iter().flat_map(|(ticket, request)| self.ask(ticket, request)).collect()
     }
 
     fn frame(&mut self, frame: &ServerFrame<'_>) -> ToSend {
@@ -261,8 +261,8 @@ impl<'a> ClientSession<'a> {
 
     fn ask(&mut self, ticket: Ticket, request: Request) -> ToSend {
         let Some(service) = Service::of(&request) else { return self.set(ticket, request) };
-        if self.is_early {
-            self.early.push((ticket, request));
+        if self.awaits_services {
+            self.waiting.push((ticket, request));
             return vec![];
         }
         let Some(id) = self.services.get(&service.name()).copied() else {
@@ -295,7 +295,7 @@ impl<'a> ClientSession<'a> {
         self.note(level, message)
     }
 
-    /// What the stream itself has to say stands in the host's log.
+    /// Adds a sentence of the stream itself to the host's log.
     fn note(&self, level: Level, text: String) -> ToSend {
         let level = match level {
             Level::Info => log::Level::Info,
@@ -320,15 +320,15 @@ impl<'a> ClientSession<'a> {
         }
     }
 
-    /// A number that nothing of this connection has yet.
+    /// Returns a number that nothing of this connection has yet.
     const fn number(&mut self) -> u32 {
         self.count = self.count.wrapping_add(1);
         self.count
     }
 }
 
-/// Why the host ended the connection, as far as it said so.
-fn farewell(frame: Option<CloseFrame>) -> String {
+/// Returns why the host ended the connection, as far as it said so.
+fn close_reason(frame: Option<CloseFrame>) -> String {
     match frame {
         Some(frame) if !frame.reason.is_empty() => {
             format!("the host ended the connection: {}", frame.reason)

@@ -32,7 +32,7 @@ pub enum ServerFrame<'a> {
 }
 
 impl<'a> ServerFrame<'a> {
-    /// Its bytes.
+    /// Encodes the frame as the protocol says.
     pub fn encode(&self) -> Vec<u8> {
         match *self {
             Self::Message { subscription, at, payload } => {
@@ -50,10 +50,10 @@ impl<'a> ServerFrame<'a> {
         }
     }
 
-    /// The message that `bytes` are.
+    /// Decodes a frame.
     ///
     /// # Errors
-    /// If they are none.
+    /// If the bytes are no frame.
     pub fn decode(bytes: &'a [u8]) -> Result<Self, ProtocolError> {
         let mut reader = BinaryReader::new(bytes)?;
         match reader.opcode {
@@ -87,16 +87,16 @@ pub enum ClientFrame<'a> {
 }
 
 impl<'a> ClientFrame<'a> {
-    /// Its bytes.
+    /// Encodes the frame as the protocol says.
     pub fn encode(&self) -> Vec<u8> {
         let Self::Request { service, call, encoding, payload } = *self;
         Exchange { service, call, encoding, payload }.encode(SERVICE_REQUEST)
     }
 
-    /// The message that `bytes` are.
+    /// Decodes a frame.
     ///
     /// # Errors
-    /// If they are none.
+    /// If the bytes are no frame.
     pub fn decode(bytes: &'a [u8]) -> Result<Self, ProtocolError> {
         let mut reader = BinaryReader::new(bytes)?;
         match reader.opcode {

@@ -26,7 +26,7 @@ pub struct Channel {
 }
 
 impl Channel {
-    /// That of `topic`.
+    /// Returns the channel of `topic`.
     fn of(topic: Topic, schema: String) -> Self {
         Self {
             id: channel_id(topic),
@@ -39,7 +39,7 @@ impl Channel {
     }
 }
 
-/// All channels of a host, which are always the same.
+/// Returns all channels of a host, which are always the same.
 pub fn channels() -> Vec<Channel> {
     // Hundreds of channels have a dozen schemas.
     let mut schemas = BTreeMap::new();
@@ -50,12 +50,12 @@ pub fn channels() -> Vec<Channel> {
     Topic::all().map(&mut channel).collect()
 }
 
-/// The number of `topic`'s channel, from 1 on in the order of [`Topic::all`].
+/// Returns the number of `topic`'s channel, from 1 on in the order of [`Topic::all`].
 pub fn channel_id(topic: Topic) -> u32 {
     u32::try_from(place(topic) + 1).unwrap_or(0)
 }
 
-/// Where `topic` stands in [`Topic::all`]; beyond its end if it is of no key.
+/// Returns the place of `topic` in [`Topic::all`]; one beyond its end if it is of no key.
 pub(crate) fn place(topic: Topic) -> usize {
     match topic {
         Topic::Block(key) => Topic::COMMON.len() + 2 * usize::from(key),
@@ -75,7 +75,7 @@ pub(crate) fn place(topic: Topic) -> usize {
     }
 }
 
-/// The topic whose channel has the number `id`, if there is one.
+/// Returns the topic whose channel has the number `id`, if there is one.
 pub fn topic_of(id: u32) -> Option<Topic> {
     let place = usize::try_from(id).ok()?.checked_sub(1)?;
     Topic::all().nth(place)

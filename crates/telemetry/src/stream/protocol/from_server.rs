@@ -11,7 +11,7 @@ use crate::Reply;
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(tag = "op", rename_all = "camelCase", rename_all_fields = "camelCase")]
 pub enum FromServer {
-    /// Who the server is; the first of all.
+    /// The name and capabilities of the server; the first message.
     ServerInfo {
         name: String,
         #[serde(default)]
@@ -27,7 +27,6 @@ pub enum FromServer {
     },
     /// A sentence for people.
     Status {
-        /// How bad it is.
         level: Level,
         message: String,
         /// Of a refusal: the request's own name.
@@ -64,7 +63,7 @@ pub enum FromServer {
     Other,
 }
 
-/// How bad something is.
+/// The severity of a status.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 #[serde(into = "u8", from = "u8")]
 pub enum Level {
@@ -86,7 +85,7 @@ impl From<Level> for u8 {
 }
 
 impl From<u8> for Level {
-    /// What is worse than known is an error.
+    /// Takes a level above those known for an error.
     fn from(number: u8) -> Self {
         match number {
             0 => Self::Info,

@@ -18,12 +18,12 @@ pub struct ParameterValue {
 }
 
 impl ParameterValue {
-    /// That called `name`.
+    /// Creates the parameter `name` with a number as its value.
     pub fn new(name: impl Into<String>, value: f64) -> Self {
         Self { name: name.into(), value: value.into(), kind: Some("float64".to_owned()) }
     }
 
-    /// What setting it means.
+    /// Returns the change that setting the parameter means.
     ///
     /// # Errors
     /// If its name is no parameter's, or its value no number.
@@ -46,7 +46,7 @@ pub enum ParameterError {
     NoName(String),
 }
 
-/// A foreign name, short enough for a sentence.
+/// Returns a foreign name, short enough for a sentence.
 fn shortened(name: &str) -> String {
     const MOST: usize = 80;
     let short: String = name.chars().take(MOST).collect();

@@ -11,12 +11,12 @@ use prost_types::{DescriptorProto, FileDescriptorProto, FileDescriptorSet};
 
 use crate::{DESCRIPTORS, Topic};
 
-/// The schema of `topic`'s messages: a `google.protobuf.FileDescriptorSet` in base64.
+/// Returns the schema of `topic`'s messages: a `google.protobuf.FileDescriptorSet` in base64.
 pub fn schema(topic: Topic) -> String {
     BASE64.encode(&descriptors(topic.schema()))
 }
 
-/// The descriptors of the message type `name` and of those that it contains.
+/// Returns the descriptors of the message type `name` and of those that it contains.
 fn descriptors(name: &str) -> Vec<u8> {
     // They are ours, and a test reads them; whole they are right as well.
     let Ok(set) = FileDescriptorSet::decode(DESCRIPTORS) else { return DESCRIPTORS.to_vec() };
@@ -24,7 +24,7 @@ fn descriptors(name: &str) -> Vec<u8> {
     FileDescriptorSet { file }.encode_to_vec()
 }
 
-/// Of `file` what the message type `name` needs.
+/// Reduces `file` to what the message type `name` needs.
 fn reduced(mut file: FileDescriptorProto, name: &str) -> FileDescriptorProto {
     let package = format!(".{}.", file.package());
     let mut needed = BTreeSet::from([format!(".{name}")]);
@@ -41,7 +41,7 @@ fn reduced(mut file: FileDescriptorProto, name: &str) -> FileDescriptorProto {
     file
 }
 
-/// Full names of the types of a message's fields.
+/// Returns full names of the types of a message's fields.
 fn contained(message: &DescriptorProto) -> impl Iterator<Item = String> {
     let types = message.field.iter().filter_map(|field| field.type_name.clone());
     types.filter(|name| !name.is_empty())

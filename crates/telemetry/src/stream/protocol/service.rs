@@ -8,29 +8,23 @@ use crate::Request;
 /// A service; what it does is said at the [`Request`] of its name.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Service {
-    /// [`Request::UseInstrument`].
     UseInstrument,
-    /// [`Request::Stop`].
     Stop,
-    /// [`Request::Press`].
     Press,
-    /// [`Request::Identify`].
     Identify,
-    /// [`Request::Scene`].
     Scene,
-    /// [`Request::Record`].
     Record,
 }
 
 impl Service {
-    /// All of them.
+    /// Every service, in the order of their numbers.
     pub const ALL: [Self; 6] =
         [Self::UseInstrument, Self::Stop, Self::Press, Self::Identify, Self::Scene, Self::Record];
 
-    /// By which `request` travels; none if it is of parameters.
+    /// Returns the service by which `request` travels; none if it is of parameters.
     pub const fn of(request: &Request) -> Option<Self> {
         match request {
-            // Whoever is here knows where it is.
+            // A client knows where it is connected.
             Request::Set { .. } | Request::Where {} => None,
             Request::UseInstrument { .. } => Some(Self::UseInstrument),
             Request::Stop {} => Some(Self::Stop),
@@ -41,7 +35,7 @@ impl Service {
         }
     }
 
-    /// Its number.
+    /// Returns the service's number on every connection.
     pub const fn id(self) -> u32 {
         match self {
             Self::UseInstrument => 1,
@@ -53,12 +47,12 @@ impl Service {
         }
     }
 
-    /// That with the number `id`, if there is one.
+    /// Returns the service with the number `id`, if there is one.
     pub fn numbered(id: u32) -> Option<Self> {
         Self::ALL.into_iter().find(|service| service.id() == id)
     }
 
-    /// Its name without `/letoff/`, which is also how [`Request`] writes it.
+    /// Returns the name without `/letoff/`, which is also how [`Request`] writes it.
     pub const fn word(self) -> &'static str {
         match self {
             Self::UseInstrument => "use_instrument",
@@ -70,12 +64,12 @@ impl Service {
         }
     }
 
-    /// Its name, as `/letoff/press`.
+    /// Returns the name, as `/letoff/press`.
     pub fn name(self) -> String {
         format!("/letoff/{}", self.word())
     }
 
-    /// The request that `payload` is: JSON, with the fields that the request has.
+    /// Decodes a request: JSON with the fields that the request has.
     ///
     /// # Errors
     /// If it is none of this service's.
@@ -90,7 +84,7 @@ impl Service {
         serde_json::from_value(Value::Object(fields)).map_err(refused)
     }
 
-    /// What asks this service for `request`.
+    /// Encodes `request` as the payload of a call.
     pub fn payload(request: &Request) -> Vec<u8> {
         let mut fields = serde_json::to_value(request).unwrap_or_default();
         if let Some(fields) = fields.as_object_mut() {
@@ -99,7 +93,7 @@ impl Service {
         fields.to_string().into_bytes()
     }
 
-    /// How it is advertised.
+    /// Returns how the service is advertised.
     pub fn advertised(self) -> AdvertisedService {
         let word = self.word();
         AdvertisedService {
@@ -111,7 +105,7 @@ impl Service {
         }
     }
 
-    /// What a request is made of, as a JSON schema.
+    /// Returns the JSON schema of a request's fields.
     fn fields(self) -> Value {
         let (properties, required) = match self {
             Self::UseInstrument => (
@@ -152,7 +146,7 @@ impl Service {
     }
 }
 
-/// What a reply is made of, as a JSON schema.
+/// Returns the JSON schema of a reply.
 fn reply() -> Value {
     json!({
         "type": "object",
@@ -255,7 +249,7 @@ mod tests {
             let refused = Service::Press.request(payload).expect_err("wrong");
             assert!(refused.starts_with("/letoff/press was asked wrongly: "), "{refused}");
         }
-        // Nobody gets to another service by naming it.
+        // Naming another service leads nowhere.
         assert_eq!(Service::Scene.request(br#"{"service":"stop"}"#), Ok(Request::Scene {}));
     }
 }

@@ -7,12 +7,12 @@ use super::{FromClient, FromServer, ProtocolError};
 
 /// A text of the protocol: a JSON object with an `op`.
 pub trait Text: Serialize + DeserializeOwned {
-    /// How it is written; `None` for an `op` that is only read, as `Other`.
+    /// Encodes the message as JSON; `None` for an `op` that is only read, as `Other`.
     fn encode(&self) -> Option<String> {
         serde_json::to_string(self).ok()
     }
 
-    /// What `text` says.
+    /// Decodes a JSON text.
     ///
     /// # Errors
     /// If it is nothing of the protocol's.

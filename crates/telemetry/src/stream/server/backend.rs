@@ -8,16 +8,16 @@ use crate::{Reply, Request};
 
 /// The host, as the stream knows it.
 pub trait Backend: Send + Sync {
-    /// The parameters called so, in any order; all without names. Those that are not known are
-    /// left out.
+    /// Returns parameters by their names, in any order; all without names. Those that are not known
+    /// are left out.
     fn parameters(&self, names: Option<&[String]>) -> Vec<ParameterSetting>;
 
     /// Does what is asked, and returns when it is done; a set is done as a whole or not at all.
     ///
     /// It is called on a thread that may wait, for each client one call after the other, except for
     /// a stop, which overtakes.
-    /// Whoever set values gets them as the answer; those who follow parameters are told by the
-    /// host, whoever changed them, with [`super::Publisher::parameters_changed`].
+    /// A client that set values gets them as the answer; those that follow parameters are told by
+    /// the host, with [`super::Publisher::parameters_changed`].
     ///
     /// # Errors
     /// If it is refused; a sentence.
@@ -36,28 +36,27 @@ pub trait Backend: Send + Sync {
         let _ = who;
     }
 
-    /// Hears that somebody at `address` was turned away, and why.
+    /// Hears that a client at `address` was refused, and why.
     fn refused(&self, address: SocketAddr, why: &str) {
         let _ = (address, why);
     }
 }
 
-/// A parameter's value.
+/// A parameter with its value.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ParameterSetting {
-    /// Its name, as `/key/39/k2`.
+    /// Name, as `/key/39/k2`.
     pub name: String,
-    /// Its value, in its unit.
+    /// Value in the parameter's unit.
     pub value: f64,
 }
 
-/// Who asks.
+/// A client of the stream.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Who {
-    /// Counts the clients of a run.
+    /// Number of the client, counted in a run.
     pub number: u64,
     pub address: SocketAddr,
-    /// What they may do.
     pub role: Role,
 }
 

@@ -5,51 +5,49 @@ use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 use crate::stream::protocol::place;
 use crate::{KEYS, Topic};
 
-/// How many follow each topic.
+/// The number of clients that follow each topic.
 #[derive(Debug)]
 pub(super) struct Following {
     counts: [AtomicU32; Topic::COMMON.len() + 2 * KEYS],
-    /// How often somebody began to follow a topic.
     begun: AtomicU64,
 }
 
 impl Default for Following {
-    /// Nobody.
+    /// Creates counts of zero.
     fn default() -> Self {
         let counts = [const { AtomicU32::new(0) }; Topic::COMMON.len() + 2 * KEYS];
         Self { counts, begun: AtomicU64::new(0) }
     }
 }
 
-// Counts are relaxed: a message more or less at the moment when somebody comes is the same.
+// Counts are relaxed: a message more or less at the moment when a client comes is the same.
 impl Following {
-    /// Whether anybody follows `topic`.
+    /// Returns whether a client follows `topic`.
     pub(super) fn has(&self, topic: Topic) -> bool {
         self.counts.get(place(topic)).is_some_and(|count| count.load(Ordering::Relaxed) > 0)
     }
 
-    /// One more.
+    /// Counts a client that follows `topic`.
     pub(super) fn add(&self, topic: Topic) {
         if let Some(count) = self.counts.get(place(topic)) {
             count.fetch_add(1, Ordering::Relaxed);
         }
-        // After the count: whoever sees this sees who follows.
+        // After the count: a thread that sees this sees the count, too.
         self.begun.fetch_add(1, Ordering::Release);
     }
 
-    /// How often somebody began to follow a topic.
     pub(super) fn begun(&self) -> u64 {
         self.begun.load(Ordering::Acquire)
     }
 
-    /// One less.
+    /// Counts a client less that follows `topic`.
     pub(super) fn remove(&self, topic: Topic) {
         if let Some(count) = self.counts.get(place(topic)) {
             count.fetch_sub(1, Ordering::Relaxed);
         }
     }
 
-    /// Keys of which somebody follows blocks or states: bit n is key n.
+    /// Returns the keys whose blocks or states a client follows: bit n is key n.
     pub(super) fn keys(&self) -> u128 {
         let keys = (0..=u8::MAX).take(KEYS);
         let followed =

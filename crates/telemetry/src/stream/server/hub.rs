@@ -1,78 +1,54 @@
-//! Who is there and follows what; hands out what comes in.
+//! The hub: which clients are there, what each follows, and who gets which sample.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use tokio::sync::mpsc;
-
+use super::hub_handle::{ClientNumber, HubCommand, HubHandle, HubReceivers};
 use super::outbox::Outbox;
-use super::publisher::HubHandle;
 use super::sample::StreamSample;
 use super::watched::WatchedParameters;
 use crate::Topic;
 use crate::stream::protocol::{FromServer, Level, ParameterValue, Subscription, topic_of};
 
-/// Counts the clients of a run.
-pub(super) type Number = u64;
-
-/// What the hub is told.
-#[derive(Debug)]
-pub(super) enum HubCommand {
-    Join(Number, Arc<Outbox>),
-    Leave(Number),
-    Subscribe(Number, Vec<Subscription>),
-    /// Somebody wants no more messages.
-    Unsubscribe(Number, Vec<u32>),
-    /// Somebody wants to hear of parameters.
-    Watch(Number, Vec<String>),
-    /// Somebody wants to hear no more of parameters.
-    Unwatch(Number, Vec<String>),
-    /// Parameters have these values now.
-    Changed(Vec<ParameterValue>),
-}
-
-/// Who is there and follows what.
+/// The clients, what each follows, and what comes in for them.
 #[derive(Debug)]
 pub(super) struct Hub {
-    desk: Arc<HubHandle>,
-    samples: mpsc::Receiver<StreamSample>,
-    commands: mpsc::UnboundedReceiver<HubCommand>,
-    /// The last of each that every client gets.
+    handle: Arc<HubHandle>,
+    receivers: HubReceivers,
+    /// The last sample of each slot, which every client gets.
     latest: BTreeMap<u16, StreamSample>,
-    members: BTreeMap<Number, Member>,
+    members: BTreeMap<ClientNumber, Member>,
 }
 
-/// Somebody who is there.
+/// A client of the hub.
 #[derive(Debug)]
 struct Member {
     outbox: Arc<Outbox>,
-    /// What they follow, and their own number for it.
+    /// The followed topics, and the client's own number for each.
     follows: BTreeMap<Topic, u32>,
     watched: WatchedParameters,
 }
 
 impl Hub {
-    /// Nobody is there.
-    pub(super) fn new(
-        desk: Arc<HubHandle>,
-        samples: mpsc::Receiver<StreamSample>,
-        commands: mpsc::UnboundedReceiver<HubCommand>,
-    ) -> Self {
-        Self { desk, samples, commands, latest: BTreeMap::new(), members: BTreeMap::new() }
+    /// Creates a hub without clients, and the way to it.
+    pub(super) fn new() -> (Arc<HubHandle>, Self) {
+        let (handle, receivers) = HubHandle::channel();
+        let (latest, members) = (BTreeMap::new(), BTreeMap::new());
+        (Arc::clone(&handle), Self { handle, receivers, latest, members })
     }
 
-    /// Hands out, until it is dropped.
+    /// Hands out samples until it is dropped.
     pub(super) async fn run(mut self) {
         loop {
             tokio::select! {
-                Some(command) = self.commands.recv() => self.obey(command),
-                Some(sample) = self.samples.recv() => self.take(&sample),
-                () = self.desk.is_latched.notified() => self.take_latched(),
+                Some(command) = self.receivers.commands.recv() => self.execute(command),
+                Some(sample) = self.receivers.samples.recv() => self.take(&sample),
+                () = self.handle.is_retained.notified() => self.take_retained(),
             }
         }
     }
 
-    fn obey(&mut self, command: HubCommand) {
+    fn execute(&mut self, command: HubCommand) {
         match command {
             HubCommand::Join(number, outbox) => {
                 let (follows, watched) = (BTreeMap::new(), WatchedParameters::none());
@@ -91,26 +67,26 @@ impl Hub {
         }
     }
 
-    fn with(&mut self, number: Number, work: impl FnOnce(&mut Member)) {
+    fn with(&mut self, number: ClientNumber, work: impl FnOnce(&mut Member)) {
         if let Some(member) = self.members.get_mut(&number) {
             work(member);
         }
     }
 
-    fn leave(&mut self, number: Number) {
+    fn leave(&mut self, number: ClientNumber) {
         let Some(member) = self.members.remove(&number) else { return };
         for topic in member.follows.keys() {
-            self.desk.following.remove(*topic);
+            self.handle.following.remove(*topic);
         }
     }
 
-    fn subscribe(&mut self, number: Number, wanted: &[Subscription]) {
+    fn subscribe(&mut self, number: ClientNumber, wanted: &[Subscription]) {
         let Some(member) = self.members.get_mut(&number) else { return };
         let mut refusals = Vec::new();
         for subscription in wanted {
             match member.follow(*subscription) {
                 Ok(topic) => {
-                    self.desk.following.add(topic);
+                    self.handle.following.add(topic);
                     member.catch_up(topic, &self.latest);
                 }
                 Err(refusal) => refusals.push(refusal),
@@ -123,35 +99,35 @@ impl Hub {
         }
     }
 
-    fn unsubscribe(&mut self, number: Number, ids: &[u32]) {
+    fn unsubscribe(&mut self, number: ClientNumber, ids: &[u32]) {
         let Some(member) = self.members.get_mut(&number) else { return };
         for id in ids {
             if let Some(topic) = member.unfollow(*id) {
-                self.desk.following.remove(topic);
+                self.handle.following.remove(topic);
             }
         }
     }
 
-    /// What found no room in the queue.
-    fn take_latched(&mut self) {
-        for sample in self.desk.take_latched().into_values() {
+    /// Takes what found no room in the queue.
+    fn take_retained(&mut self) {
+        for sample in self.handle.take_retained().into_values() {
             self.take(&sample);
         }
     }
 
     fn take(&mut self, sample: &StreamSample) {
-        if let Some((number, order)) = sample.latch {
-            let last = self.latest.get(&number).and_then(|last| last.latch);
+        if let Some((slot, order)) = sample.retained {
+            let last = self.latest.get(&slot).and_then(|last| last.retained);
             // What was put aside may have overtaken what still waited in the queue.
             if last.is_some_and(|(_, last)| last > order) {
                 return;
             }
-            self.latest.insert(number, sample.clone());
+            self.latest.insert(slot, sample.clone());
         }
-        self.hand_out(sample);
+        self.distribute(sample);
     }
 
-    fn hand_out(&self, sample: &StreamSample) {
+    fn distribute(&self, sample: &StreamSample) {
         for member in self.members.values() {
             if let Some(subscription) = member.follows.get(&sample.topic) {
                 member.outbox.post(*subscription, sample.clone());
@@ -194,7 +170,7 @@ impl Member {
         Some(topic)
     }
 
-    /// Whoever comes late gets the last of what is always there.
+    /// Sends the last retained samples of `topic` to a client that follows it now.
     fn catch_up(&self, topic: Topic, latest: &BTreeMap<u16, StreamSample>) {
         let Some(subscription) = self.follows.get(&topic) else { return };
         for sample in latest.values().filter(|sample| sample.topic == topic) {

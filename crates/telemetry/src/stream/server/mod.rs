@@ -13,16 +13,18 @@
 //! token ([`Token::random`] makes one for a run), and beyond loopback it needs TLS as well.
 
 mod accept;
+mod admission;
 mod backend;
 mod connection;
-mod door;
 mod following;
 mod hub;
+mod hub_handle;
 mod outbox;
 mod publisher;
 mod role;
 mod sample;
 mod settings;
+mod state;
 mod tls;
 mod watched;
 
@@ -69,25 +71,25 @@ impl StreamServer {
         })?;
         listener.set_nonblocking(true)?;
         let address = listener.local_addr()?;
-        let (publisher, hub) = publisher::pair();
-        let closer = Closer::default();
+        let (handle, hub) = Hub::new();
+        let (publisher, closer) = (Publisher::new(handle), Closer::default());
         Ok(Self { listener, address, settings, tls, publisher, hub, closer })
     }
 
-    /// Where it listens; with the port that was found if port 0 was asked for.
+    /// Returns the address at which it listens, with the port that the system chose for port 0.
     pub const fn address(&self) -> SocketAddr {
         self.address
     }
 
-    /// Where a client connects to, as `ws://127.0.0.1:8765`.
+    /// Returns the address for clients, as `ws://127.0.0.1:8765`.
     pub fn url(&self) -> String {
         let scheme = if self.tls.is_some() { "wss" } else { "ws" };
         format!("{scheme}://{}", self.address)
     }
 
-    /// What its certificate is recognised by, if it has one.
+    /// Returns the fingerprint of its certificate, if it has one.
     pub fn fingerprint(&self) -> Option<Fingerprint> {
-        self.tls.as_ref().map(|armour| armour.fingerprint)
+        self.tls.as_ref().map(|identity| identity.fingerprint)
     }
 
     /// Returns what ends [`serve`] in good order.
@@ -95,7 +97,7 @@ impl StreamServer {
         self.closer.clone()
     }
 
-    /// Where messages are handed in.
+    /// Returns what hands in messages.
     pub fn publisher(&self) -> Publisher {
         self.publisher.clone()
     }

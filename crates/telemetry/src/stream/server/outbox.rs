@@ -11,11 +11,11 @@ use super::sample::StreamSample;
 use crate::stream::backlog::{Backlog, Worth};
 use crate::stream::protocol::{FromServer, Level, ServerFrame, Text as _};
 
-/// What waits for a client.
+/// The messages that wait for a client.
 #[derive(Debug)]
 pub(super) struct Outbox {
     control: mpsc::Sender<Message>,
-    /// Of what waits in it (bytes).
+    /// Size of the control queue (bytes).
     control_bytes: AtomicUsize,
     most_control_bytes: usize,
     data: Mutex<Backlog<QueuedSample>>,
@@ -34,7 +34,7 @@ struct QueuedSample {
 }
 
 impl Outbox {
-    /// An empty one, and the end of its control queue from which is sent.
+    /// Creates an empty outbox, and the receiver of its control queue.
     pub(super) fn new(limits: &ServerLimits) -> (Self, mpsc::Receiver<Message>) {
         let (control, receiver) = mpsc::channel(limits.control_messages.max(1));
         let outbox = Self {
@@ -75,7 +75,7 @@ impl Outbox {
         self.control_bytes.fetch_sub(message.len(), Ordering::Relaxed);
     }
 
-    /// Says that nothing more is added.
+    /// Marks that nothing more is added.
     pub(super) fn finish(&self) {
         self.is_finished.store(true, Ordering::Release);
         self.finishes.notify_one();
@@ -95,7 +95,7 @@ impl Outbox {
 
     /// Adds a sample; the oldest are dropped if there is no room.
     pub(super) fn post(&self, subscription: u32, sample: StreamSample) {
-        let worth = sample.latch.map_or(Worth::Passing, |(number, _)| Worth::Latest(number));
+        let worth = sample.retained.map_or(Worth::Passing, |(slot, _)| Worth::Latest(slot));
         let bytes = sample.payload.len();
         self.with_data(|data| data.push(QueuedSample { subscription, sample }, worth, bytes));
         self.is_data.notify_one();
@@ -103,20 +103,20 @@ impl Outbox {
 
     /// Forgets samples for a subscription that is no more.
     pub(super) fn forget(&self, subscription: u32) {
-        self.with_data(|data| data.forget(|letter| letter.subscription == subscription));
+        self.with_data(|data| data.forget(|queued| queued.subscription == subscription));
     }
 
     /// Waits for the next sample.
     pub(super) async fn sample(&self) -> Message {
         loop {
-            if let Some(letter) = self.with_data(Backlog::pop) {
-                return letter.into_message();
+            if let Some(queued) = self.with_data(Backlog::pop) {
+                return queued.into_message();
             }
             self.is_data.notified().await;
         }
     }
 
-    /// How many samples were dropped since this was last asked.
+    /// Returns how many samples were dropped since the last call.
     pub(super) fn take_dropped(&self) -> u64 {
         self.with_data(Backlog::take_dropped)
     }
@@ -179,7 +179,7 @@ mod tests {
         for at in 0..10 {
             outbox.post(7, sample(at));
         }
-        outbox.post(8, sample(10).latched(0, 0));
+        outbox.post(8, sample(10).retained(0, 0));
         assert_eq!(outbox.take_dropped(), 7);
         outbox.forget(7);
         let frame = ServerFrame::Message { subscription: 8, at: 10, payload: &[] };

@@ -1,11 +1,11 @@
-//! What somebody may do.
+//! Roles: what a client may do.
 
 use serde::{Deserialize, Serialize};
 
 use crate::Request;
 use crate::stream::protocol::Service;
 
-/// What somebody may do; each may do what those before may.
+/// What a client may do; each role may do what those before it may.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
@@ -18,7 +18,7 @@ pub enum Role {
 }
 
 impl Role {
-    /// Who may ask for `request`, at least.
+    /// Returns the least role that may ask for `request`.
     pub const fn for_request(request: &Request) -> Self {
         match Service::of(request) {
             Some(service) => Self::for_service(service),
@@ -29,7 +29,7 @@ impl Role {
 
     /// Returns the least role that may ask for `service`.
     ///
-    /// A stop needs the least of all: whoever sees that something goes wrong may end it.
+    /// A stop needs the least of all: every client that sees that something goes wrong may end it.
     pub const fn for_service(service: Service) -> Self {
         match service {
             Service::Stop => Self::Viewer,
@@ -38,7 +38,7 @@ impl Role {
         }
     }
 
-    /// Its name.
+    /// Returns the role's name, as it stands in a file of tokens.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Viewer => "viewer",
@@ -47,10 +47,10 @@ impl Role {
         }
     }
 
-    /// Whether it may ask for `request`.
+    /// Checks that the role may ask for `request`.
     ///
     /// # Errors
-    /// If not; a sentence.
+    /// If it may not; a sentence.
     pub fn check(self, request: &Request) -> Result<(), String> {
         let needed = Self::for_request(request);
         if self >= needed {

@@ -1,28 +1,29 @@
-//! A message on its way to clients, encoded once for all of them.
+//! Messages on their way to clients.
 
 use tokio_tungstenite::tungstenite::Bytes;
 
 use crate::{Topic, Update};
 
-/// A message on its way to clients.
+/// A message on its way to clients, encoded once for all of them.
 #[derive(Clone, Debug)]
 pub(super) struct StreamSample {
     pub(super) topic: Topic,
-    /// Of those whose last one every client gets: which one it is, and how many there were before.
-    pub(super) latch: Option<(u16, u64)>,
+    /// Its slot, if every client gets the last sample of that, and how many came before it.
+    pub(super) retained: Option<(u16, u64)>,
     /// When it was made (ns since 1970).
     pub(super) at: u64,
     pub(super) payload: Bytes,
 }
 
 impl StreamSample {
-    /// `update`, encoded.
+    /// Encodes `update`, which was made at `at` (ns since 1970).
     pub(super) fn new(topic: Topic, at: u64, update: &Update) -> Self {
-        Self { topic, latch: None, at, payload: update.encode().into() }
+        Self { topic, retained: None, at, payload: update.encode().into() }
     }
 
-    /// The same, as one whose last one every client gets.
-    pub(super) fn latched(self, number: u16, order: u64) -> Self {
-        Self { latch: Some((number, order)), ..self }
+    /// Returns the same sample as the last one of `slot`, which every client gets.
+    pub(super) const fn retained(mut self, slot: u16, order: u64) -> Self {
+        self.retained = Some((slot, order));
+        self
     }
 }

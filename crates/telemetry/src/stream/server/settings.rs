@@ -12,26 +12,25 @@ use super::Role;
 /// How a server listens.
 #[derive(Clone, Debug)]
 pub struct ServerSettings {
-    /// Where; port 0 takes any that is free.
+    /// The address; port 0 takes any that is free.
     pub address: SocketAddr,
-    /// What it is called in viewers.
+    /// The name that viewers show.
     pub name: String,
-    /// Which run this is, so that viewers know when another one has begun.
+    /// The name of the run, by which viewers know that another one has begun.
     pub session: String,
     /// Web pages that may connect, as `https://app.example`; programs send no origin.
     pub origins: Vec<String>,
-    /// Who may do what; without any, everybody who gets in is an owner.
+    /// Tokens and what each allows; without any, every client is an owner.
     pub tokens: Vec<Token>,
     /// How it is encrypted, if it is.
     pub tls: Option<Tls>,
     /// Listens even where others could read along or need no token.
     pub insecure: bool,
-    /// What it puts up with.
     pub limits: ServerLimits,
 }
 
 impl Default for ServerSettings {
-    /// For programs of this machine, at port 8765.
+    /// Listens for programs of this machine, at port 8765.
     fn default() -> Self {
         Self {
             address: SocketAddr::from((Ipv4Addr::LOCALHOST, 8765)),
@@ -51,7 +50,6 @@ impl Default for ServerSettings {
 pub struct Token {
     /// Letters, digits and `-._~`, so that it can stand in an address.
     pub secret: String,
-    /// What those who know it may do.
     pub role: Role,
 }
 
@@ -69,7 +67,7 @@ impl Token {
         Ok(Self { secret, role })
     }
 
-    /// Whether its secret can stand in an address as it is.
+    /// Returns whether the secret can stand in an address as it is.
     pub fn is_plain(&self) -> bool {
         let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~".contains(&byte);
         !self.secret.is_empty() && self.secret.bytes().all(is_plain)
@@ -77,7 +75,7 @@ impl Token {
 }
 
 impl std::fmt::Debug for Token {
-    /// Without the secret, which must not get into a log.
+    /// Leaves out the secret, which must not get into a log.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Token").field("role", &self.role).finish_non_exhaustive()
     }
@@ -94,14 +92,14 @@ pub enum Tls {
     },
     /// Self-made, for names or addresses; clients recognise it by its fingerprint.
     SelfMade {
-        /// What the machine is called.
+        /// Names and addresses of the machine.
         names: Vec<String>,
-        /// Where it is kept, so that the fingerprint is the same tomorrow; made anew without.
+        /// The folder in which it is kept; without, it is another one in each run.
         folder: Option<PathBuf>,
     },
 }
 
-/// What a server puts up with.
+/// The limits of a server.
 #[derive(Clone, Copy, Debug)]
 pub struct ServerLimits {
     /// Clients at once; the next ones are turned away.
@@ -158,7 +156,7 @@ pub enum Unsafe {
     /// A token that cannot stand in an address.
     #[error("a token of the stream is empty, or has other than letters, digits and -._~ in it")]
     Token,
-    /// An origin that anybody can send.
+    /// An origin that any page can send.
     #[error(
         "the origin {0:?} is no web page's: give the page's scheme and name, as https://app.example"
     )]
@@ -166,13 +164,13 @@ pub enum Unsafe {
 }
 
 impl ServerSettings {
-    /// Whether they are safe; a server that is not does not listen.
+    /// Checks that the settings are safe; a server listens with no others.
     ///
     /// # Errors
-    /// If not: why, in a sentence.
+    /// If they are not, and why.
     pub fn check(&self) -> Result<(), Unsafe> {
         let is_open = !self.address.ip().is_loopback() && !self.insecure;
-        if let Some(lack) = self.lack().filter(|_lack| is_open) {
+        if let Some(lack) = self.missing_protection().filter(|_lack| is_open) {
             return Err(Unsafe::Open(self.address, lack));
         }
         if !self.tokens.iter().all(Token::is_plain) {
@@ -184,8 +182,8 @@ impl ServerSettings {
         }
     }
 
-    /// Of what keeps others out, what is not there.
-    const fn lack(&self) -> Option<&'static str> {
+    /// Returns what is missing to keep other machines out.
+    const fn missing_protection(&self) -> Option<&'static str> {
         match (self.tokens.is_empty(), self.tls.is_none()) {
             (true, true) => Some("tokens and TLS"),
             (true, false) => Some("tokens"),
@@ -195,9 +193,9 @@ impl ServerSettings {
     }
 }
 
-/// Whether a web page can be of this origin: a scheme and a name, without a path.
+/// Returns whether a web page can have this origin: a scheme and a name, without a path.
 ///
-/// Every sandboxed frame has the origin "null", whoever it is of.
+/// Every sandboxed frame has the origin "null", of whatever page it is.
 fn is_origin(text: &str) -> bool {
     let parts = text.split_once("://");
     parts.is_some_and(|(scheme, name)| {

@@ -13,18 +13,18 @@ use tokio_rustls::rustls::{self, ServerConfig, crypto, version};
 use super::Tls;
 use crate::stream::Fingerprint;
 
-/// What connections are encrypted with.
+/// The certificate and the key of a server.
 pub(super) struct TlsIdentity {
-    /// What the certificate is recognised by.
     pub(super) fingerprint: Fingerprint,
-    /// What makes a stream of bytes a secret one.
     pub(super) acceptor: TlsAcceptor,
 }
 
 impl std::fmt::Debug for TlsIdentity {
-    /// Without the key.
+    /// Leaves out the key.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Armour").field("fingerprint", &self.fingerprint).finish_non_exhaustive()
+        f.debug_struct("TlsIdentity")
+            .field("fingerprint", &self.fingerprint)
+            .finish_non_exhaustive()
     }
 }
 
@@ -32,7 +32,7 @@ impl std::fmt::Debug for TlsIdentity {
 type Identity = (Vec<CertificateDer<'static>>, PrivateKeyDer<'static>);
 
 impl TlsIdentity {
-    /// As `tls` says.
+    /// Reads or makes the certificate that `tls` describes.
     pub(super) fn new(tls: &Tls) -> io::Result<Self> {
         let (chain, key) = match tls {
             Tls::Files { chain, key } => read(chain, key)?,
@@ -61,7 +61,7 @@ fn config(
         .with_single_cert(chain, key)
 }
 
-/// The self-made certificate in `folder`, made if it is not there yet.
+/// Reads the self-made certificate in `folder`, and makes it first if it is not there.
 fn kept(names: &[String], folder: &Path) -> io::Result<Identity> {
     let (chain, key) = (folder.join("certificate.pem"), folder.join("key.pem"));
     if !(chain.exists() && key.exists()) {
@@ -92,7 +92,7 @@ fn write_secret(path: &Path, text: &str) -> io::Result<()> {
     options.open(path)?.write_all(text.as_bytes())
 }
 
-/// A certificate and its key in PEM form, for these names.
+/// Makes a certificate for these names, and its key, in PEM form.
 fn make(names: &[String]) -> io::Result<(String, String)> {
     let made = rcgen::generate_simple_self_signed(names)
         .map_err(|error| wrong(format!("no certificate can be made for {names:?}: {error}")))?;

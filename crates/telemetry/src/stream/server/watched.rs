@@ -1,17 +1,17 @@
-//! Of which parameters somebody wants to hear.
+//! The parameters whose values a client follows.
 
 use std::collections::BTreeSet;
 
 use crate::request::Change;
 use crate::stream::protocol::ParameterValue;
 
-/// More names than a full keyboard has.
+/// Most names of a client, more than a full keyboard has.
 const MOST_NAMES: usize = 16_384;
 
-/// Longest name (bytes).
+/// Longest name of a parameter (bytes).
 const LONGEST_NAME: usize = 128;
 
-/// Of which parameters somebody wants to hear.
+/// The parameters whose values a client follows.
 #[derive(Debug)]
 pub(super) enum WatchedParameters {
     All,
@@ -19,12 +19,12 @@ pub(super) enum WatchedParameters {
 }
 
 impl WatchedParameters {
-    /// Of none.
+    /// Creates an empty set.
     pub(super) const fn none() -> Self {
         Self::Only(BTreeSet::new())
     }
 
-    /// Of these too; of all if there are none.
+    /// Adds names; all parameters if there are none.
     pub(super) fn add(&mut self, names: Vec<String>) {
         match self {
             Self::All => {}
@@ -36,9 +36,9 @@ impl WatchedParameters {
         }
     }
 
-    /// Of these no more; of none if there are none.
+    /// Removes names; all of them if there are none.
     ///
-    /// Whoever hears of all goes on hearing of all, as one cannot be left out.
+    /// A client that hears of all goes on hearing of all, as one cannot be left out.
     pub(super) fn remove(&mut self, names: &[String]) {
         if names.is_empty() {
             *self = Self::none();
@@ -50,7 +50,7 @@ impl WatchedParameters {
         }
     }
 
-    /// Those of `changed` that are to be heard of.
+    /// Returns those of `changed` that the client hears of.
     pub(super) fn of(&self, changed: &[ParameterValue]) -> Vec<ParameterValue> {
         match self {
             Self::All => changed.to_vec(),
@@ -61,7 +61,7 @@ impl WatchedParameters {
     }
 }
 
-/// Whether there may be a parameter called so; what is none needs no memory.
+/// Returns whether there may be a parameter of this name; others need no memory.
 fn can_change(name: &str) -> bool {
     name.len() <= LONGEST_NAME && Change::named(name, 0.0).is_some()
 }

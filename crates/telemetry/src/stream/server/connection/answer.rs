@@ -6,41 +6,41 @@ use tokio::sync::mpsc;
 use tokio_tungstenite::tungstenite::Message;
 
 use crate::stream::protocol::{FromServer, Level, ParameterError, ParameterValue, ServerFrame};
-use crate::stream::server::accept::ServerState;
 use crate::stream::server::outbox::Outbox;
+use crate::stream::server::state::ServerState;
 use crate::stream::server::{ParameterSetting, Who};
 use crate::{Reply, Request};
 
-/// Something to be answered.
+/// A request that waits for its answer.
 #[derive(Debug)]
 pub(super) struct PendingAnswer {
     pub(super) receipt: Receipt,
-    pub(super) wish: ClientRequest,
+    pub(super) request: ClientRequest,
 }
 
-/// What an answer is told by.
+/// How an answer is addressed.
 #[derive(Clone, Debug)]
 pub(super) enum Receipt {
-    /// Of parameters: what the client calls its request, if anything.
+    /// The client's name of a request for parameters, if it has one.
     Parameters(Option<String>),
-    /// Of a service: the service's number, and the client's for the call.
+    /// The numbers of the service and of the client's call.
     Call(u32, u32),
 }
 
-/// What is asked.
+/// A request of a client.
 #[derive(Debug)]
 pub(super) enum ClientRequest {
-    /// Parameters' values; all without names.
+    /// Values of parameters; of all without names.
     Get(Vec<String>),
     Set(Vec<ParameterValue>),
-    /// A service; or why it was asked wrongly.
+    /// A call of a service, or why it is not understood.
     Call(Result<Request, String>),
 }
 
 impl PendingAnswer {
-    /// Whether it may overtake others.
+    /// Returns whether it overtakes others.
     pub(super) const fn is_urgent(&self) -> bool {
-        matches!(self.wish, ClientRequest::Call(Ok(Request::Stop {})))
+        matches!(self.request, ClientRequest::Call(Ok(Request::Stop {})))
     }
 }
 
@@ -73,12 +73,12 @@ impl Receipt {
     }
 }
 
-/// Answers one client.
+/// The answerer of one client.
 #[derive(Clone)]
 pub(super) struct Answerer(Arc<Parts>);
 
 struct Parts {
-    house: Arc<ServerState>,
+    state: Arc<ServerState>,
     outbox: Arc<Outbox>,
     who: Who,
     /// Whether the client is gone; held while a key is pressed.
@@ -86,28 +86,28 @@ struct Parts {
 }
 
 impl Answerer {
-    /// Of `who`, by `outbox`.
-    pub(super) fn new(house: Arc<ServerState>, outbox: Arc<Outbox>, who: Who) -> Self {
-        Self(Arc::new(Parts { house, outbox, who, is_gone: Mutex::new(false) }))
+    /// Creates an answerer of `who`, which answers through `outbox`.
+    pub(super) fn new(state: Arc<ServerState>, outbox: Arc<Outbox>, who: Who) -> Self {
+        Self(Arc::new(Parts { state, outbox, who, is_gone: Mutex::new(false) }))
     }
 
     /// Tells the backend that the client is there.
     pub(super) fn arrive(&self) {
-        self.0.house.backend.connected(&self.0.who);
+        self.0.state.backend.connected(&self.0.who);
     }
 
     /// Tells the backend that the client is gone: what it had pressed is let go.
     pub(super) fn leave(&self) {
         *self.0.is_gone.lock().unwrap_or_else(PoisonError::into_inner) = true;
-        self.0.house.backend.disconnected(&self.0.who);
+        self.0.state.backend.disconnected(&self.0.who);
     }
 
-    /// Answers one job after the other.
-    pub(super) async fn run(&self, mut jobs: mpsc::Receiver<PendingAnswer>) {
-        while let Some(PendingAnswer { receipt, wish }) = jobs.recv().await {
+    /// Answers one answer after the other.
+    pub(super) async fn run(&self, mut pending: mpsc::Receiver<PendingAnswer>) {
+        while let Some(PendingAnswer { receipt, request }) = pending.recv().await {
             let (parts, copy) = (Arc::clone(&self.0), receipt.clone());
             // What was begun is finished and told to others, even if this client goes.
-            let answered = tokio::task::spawn_blocking(move || parts.answer(copy, wish)).await;
+            let answered = tokio::task::spawn_blocking(move || parts.answer(copy, request)).await;
             if answered.is_err() {
                 let text = "the host failed over this request: whether it was done is not known";
                 receipt.refuse(&self.0.outbox, text.to_owned());
@@ -117,11 +117,11 @@ impl Answerer {
 }
 
 impl Parts {
-    fn answer(&self, receipt: Receipt, wish: ClientRequest) {
-        match wish {
+    fn answer(&self, receipt: Receipt, request: ClientRequest) {
+        match request {
             ClientRequest::Get(names) => {
                 let names = if names.is_empty() { None } else { Some(names.as_slice()) };
-                receipt.tell(&self.outbox, &self.house.backend.parameters(names), None);
+                receipt.tell(&self.outbox, &self.state.backend.parameters(names), None);
             }
             ClientRequest::Set(parameters) => self.set(receipt, &parameters),
             ClientRequest::Call(request) => match request.and_then(|request| self.ask(request)) {
@@ -134,7 +134,7 @@ impl Parts {
     fn set(&self, receipt: Receipt, parameters: &[ParameterValue]) {
         let result = self.try_set(parameters);
         let names: Vec<String> = parameters.iter().map(|it| it.name.clone()).collect();
-        let values = self.house.backend.parameters(Some(&names));
+        let values = self.state.backend.parameters(Some(&names));
         let is_named = matches!(receipt, Receipt::Parameters(Some(_)));
         let reply = match result {
             Ok(reply) => Some(reply),
@@ -143,7 +143,7 @@ impl Parts {
                 None
             }
         };
-        // Whoever was refused learns what is the case instead.
+        // A client that was refused learns what is the case instead.
         if is_named {
             receipt.tell(&self.outbox, &values, reply);
         }
@@ -162,13 +162,13 @@ impl Parts {
     fn ask(&self, request: Request) -> Result<Reply, String> {
         self.who.role.check(&request)?;
         if !matches!(request, Request::Press { .. }) {
-            return self.house.backend.ask(request, &self.who);
+            return self.state.backend.ask(request, &self.who);
         }
         // Held until it is done: a key that is pressed after its client has gone stays pressed.
         let is_gone = self.is_gone.lock().unwrap_or_else(PoisonError::into_inner);
         if *is_gone {
             return Err("the key was not pressed: its client is gone".to_owned());
         }
-        self.house.backend.ask(request, &self.who)
+        self.state.backend.ask(request, &self.who)
     }
 }

@@ -1,7 +1,7 @@
 //! One client, from its first message to its end.
 
 mod answer;
-mod bucket;
+mod rate_limit;
 mod read;
 mod write;
 
@@ -19,11 +19,11 @@ use tokio_tungstenite::tungstenite::Message;
 use answer::Answerer;
 use read::RequestReader;
 
-use super::accept::ServerState;
-use super::hub::HubCommand;
+use super::hub_handle::HubCommand;
 use super::outbox::Outbox;
+use super::state::ServerState;
 use super::{Publisher, Role, ServerSettings, Who};
-use crate::stream::carrier::Boxed;
+use crate::stream::byte_stream::BoxedStream;
 use crate::stream::protocol::{FromServer, Service, Text as _, channels};
 
 /// Longest time for the last answers of a server that closes, and for the client to hear them.
@@ -32,21 +32,21 @@ const CLOSING: Duration = Duration::from_secs(1);
 /// Requests of a client that wait for those before; more are refused.
 const WAITING: usize = 64;
 
-/// Talks with `who` until either side has enough.
-pub(super) async fn hold(house: &Arc<ServerState>, socket: WebSocketStream<Boxed>, who: Who) {
-    let limits = &house.settings.limits;
+/// Holds the connection of `who` until either side ends it.
+pub(super) async fn run(state: &Arc<ServerState>, socket: WebSocketStream<BoxedStream>, who: Who) {
+    let limits = &state.settings.limits;
     let (outbox, control) = Outbox::new(limits);
     let outbox = Arc::new(outbox);
-    outbox.tell(&information(&house.settings, who.role));
-    outbox.send(house.advertised.clone());
+    outbox.tell(&information(&state.settings, who.role));
+    outbox.send(state.advertised.clone());
     outbox.tell(&services(who.role));
-    let _member = Membership::join(&house.publisher, who, &outbox);
+    let _member = Membership::join(&state.publisher, who, &outbox);
     let (mut sink, mut stream) = socket.split();
     let (asked, to_answer) = mpsc::channel(WAITING);
     let (urgent, to_answer_first) = mpsc::channel(WAITING);
-    let answerer = Answerer::new(Arc::clone(house), Arc::clone(&outbox), who);
+    let answerer = Answerer::new(Arc::clone(state), Arc::clone(&outbox), who);
     let presence = Presence::begin(&answerer);
-    let mut reader = RequestReader::new(house, Arc::clone(&outbox), who, asked, urgent);
+    let mut reader = RequestReader::new(state, Arc::clone(&outbox), who, asked, urgent);
     let mut writing = Box::pin(write::run(&mut sink, control, &outbox, limits));
     let mut answering =
         pin!(async { tokio::join!(answerer.run(to_answer), answerer.run(to_answer_first)) });
@@ -55,21 +55,21 @@ pub(super) async fn hold(house: &Arc<ServerState>, socket: WebSocketStream<Boxed
         end = &mut writing => end,
         _ended = &mut answering => ConnectionEnd::Left,
         () = outbox.cut() => ConnectionEnd::Stalled,
-        () = house.closing() => ConnectionEnd::Over,
+        () = state.closing() => ConnectionEnd::Over,
     };
     // Nothing more is taken from the client: the answers come to their end.
     drop(reader);
     if end == ConnectionEnd::Over {
-        let last_words = async {
+        let last_answers = async {
             answering.await;
             outbox.finish();
             writing.as_mut().await
         };
-        let _sent = timeout(CLOSING, last_words).await;
+        let _sent = timeout(CLOSING, last_answers).await;
     }
     drop(writing);
     drop(presence);
-    write::bid_farewell(&mut sink, end, &house.reason()).await;
+    write::close(&mut sink, end, &state.reason()).await;
     if end == ConnectionEnd::Over {
         // A client that is still heard reads what was sent; one that is not might lose it.
         let _gone = timeout(CLOSING, async { while stream.next().await.is_some() {} }).await;
@@ -92,20 +92,20 @@ impl Drop for Presence {
     }
 }
 
-/// How a conversation ended.
+/// How a connection ended.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ConnectionEnd {
     Left,
-    /// It does not take what is sent.
+    /// The client does not take what is sent.
     Stalled,
-    /// Nothing is heard of it.
+    /// Nothing was heard of the client.
     Silent,
-    /// It sent more at once than is taken.
+    /// A message was larger than is taken.
     TooLarge,
     Over,
 }
 
-/// That somebody is there, as long as this is.
+/// The hub knows that a client is there as long as this is.
 struct Membership {
     publisher: Publisher,
     number: u64,
@@ -124,7 +124,7 @@ impl Drop for Membership {
     }
 }
 
-/// Who we are, and what somebody in this role can ask.
+/// Returns what a client of this role is told first.
 fn information(settings: &ServerSettings, role: Role) -> FromServer {
     let capabilities = ["parameters", "parametersSubscribe", "services"];
     FromServer::ServerInfo {
@@ -136,13 +136,13 @@ fn information(settings: &ServerSettings, role: Role) -> FromServer {
     }
 }
 
-/// What can be followed: the same for everybody, and long.
+/// Encodes the channels, which are the same for all clients, and long.
 pub(super) fn advertised() -> Message {
     let advertise = FromServer::Advertise { channels: channels() };
     Message::text(advertise.encode().unwrap_or_default())
 }
 
-/// What somebody in this role can ask for.
+/// Returns the services that this role may call.
 fn services(role: Role) -> FromServer {
     let may_ask = |service: &Service| Role::for_service(*service) <= role;
     let services = Service::ALL.into_iter().filter(may_ask).map(Service::advertised).collect();

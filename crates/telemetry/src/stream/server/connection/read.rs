@@ -12,49 +12,49 @@ use tokio_tungstenite::tungstenite::{Error, Message};
 
 use super::ConnectionEnd;
 use super::answer::{ClientRequest, PendingAnswer, Receipt};
-use super::bucket::Bucket;
+use super::rate_limit::RateLimit;
 use crate::Request;
-use crate::stream::carrier::Boxed;
+use crate::stream::byte_stream::BoxedStream;
 use crate::stream::protocol::{ClientFrame, FromClient, Level, Service, Text as _};
-use crate::stream::server::accept::ServerState;
-use crate::stream::server::hub::HubCommand;
+use crate::stream::server::hub_handle::HubCommand;
 use crate::stream::server::outbox::Outbox;
+use crate::stream::server::state::ServerState;
 use crate::stream::server::{Publisher, Who};
 
 /// Subscriptions in one message; there are fewer channels.
 const MOST_SUBSCRIPTIONS: usize = 1000;
 
-/// Reads what a client says.
+/// Reads the messages of a client.
 pub(super) struct RequestReader {
     publisher: Publisher,
     outbox: Arc<Outbox>,
     who: Who,
     asked: mpsc::Sender<PendingAnswer>,
     urgent: mpsc::Sender<PendingAnswer>,
-    messages: Bucket,
-    requests: Bucket,
+    messages: RateLimit,
+    requests: RateLimit,
     idle: Duration,
 }
 
 impl RequestReader {
-    /// For `who`; what is asked is handed on to `asked`, a stop to `urgent`.
+    /// Creates a reader for `who`, which hands requests on to `asked`, and a stop to `urgent`.
     pub(super) fn new(
-        house: &ServerState,
+        state: &ServerState,
         outbox: Arc<Outbox>,
         who: Who,
         asked: mpsc::Sender<PendingAnswer>,
         urgent: mpsc::Sender<PendingAnswer>,
     ) -> Self {
-        let limits = &house.settings.limits;
-        let bucket = |per_second| Bucket::new(per_second, Instant::now());
+        let limits = &state.settings.limits;
+        let limit = |per_second| RateLimit::new(per_second, Instant::now());
         Self {
-            publisher: house.publisher.clone(),
+            publisher: state.publisher.clone(),
             outbox,
             who,
             asked,
             urgent,
-            messages: bucket(limits.messages_per_second),
-            requests: bucket(limits.requests_per_second),
+            messages: limit(limits.messages_per_second),
+            requests: limit(limits.requests_per_second),
             idle: limits.idle,
         }
     }
@@ -62,7 +62,7 @@ impl RequestReader {
     /// Reads until the client has nothing more to say, or nothing is heard of it.
     pub(super) async fn run(
         &mut self,
-        stream: &mut SplitStream<WebSocketStream<Boxed>>,
+        stream: &mut SplitStream<WebSocketStream<BoxedStream>>,
     ) -> ConnectionEnd {
         loop {
             let message = match timeout(self.idle, stream.next()).await {
@@ -91,7 +91,7 @@ impl RequestReader {
             Ok(FromClient::Subscribe { subscriptions }) => {
                 if subscriptions.len() > MOST_SUBSCRIPTIONS {
                     let text = format!("at most {MOST_SUBSCRIPTIONS} subscriptions in a message");
-                    return self.complain(text);
+                    return self.send_error(text);
                 }
                 self.publisher.command(HubCommand::Subscribe(number, subscriptions));
             }
@@ -111,9 +111,9 @@ impl RequestReader {
                 self.ask(Receipt::Parameters(id), ClientRequest::Set(parameters));
             }
             Ok(FromClient::Other) => {
-                self.complain("this host has not said that it could do this".to_owned());
+                self.send_error("this host has not said that it could do this".to_owned());
             }
-            Err(error) => self.complain(error.to_string()),
+            Err(error) => self.send_error(error.to_string()),
         }
     }
 
@@ -122,33 +122,33 @@ impl RequestReader {
             Ok(ClientFrame::Request { service, call, encoding, payload }) => {
                 (service, call, encoding, payload)
             }
-            Err(error) => return self.complain(error.to_string()),
+            Err(error) => return self.send_error(error.to_string()),
         };
         let request = request(service, encoding, payload);
         self.ask(Receipt::Call(service, call), ClientRequest::Call(request));
     }
 
     /// Hands on what is asked, unless too much is.
-    fn ask(&mut self, receipt: Receipt, wish: ClientRequest) {
-        let job = PendingAnswer { receipt, wish };
-        let queue = if job.is_urgent() { &self.urgent } else { &self.asked };
-        // Whoever asks for a stop gets it, whatever else they ask for.
-        if !job.is_urgent() && !self.requests.take(Instant::now()) {
+    fn ask(&mut self, receipt: Receipt, request: ClientRequest) {
+        let answer = PendingAnswer { receipt, request };
+        let queue = if answer.is_urgent() { &self.urgent } else { &self.asked };
+        // A stop is done however much else the client asks for.
+        if !answer.is_urgent() && !self.requests.take(Instant::now()) {
             let text = "too many requests come at once: this one was not done, ask more slowly";
-            return job.receipt.refuse(&self.outbox, text.to_owned());
+            return answer.receipt.refuse(&self.outbox, text.to_owned());
         }
-        if let Err(full) = queue.try_send(job) {
+        if let Err(full) = queue.try_send(answer) {
             let text = "too many requests wait already: this one was not done, ask more slowly";
             full.into_inner().receipt.refuse(&self.outbox, text.to_owned());
         }
     }
 
-    fn complain(&self, text: String) {
+    fn send_error(&self, text: String) {
         self.outbox.status(Level::Error, text, None);
     }
 }
 
-/// What is asked of a service.
+/// Decodes the call of a service.
 fn request(service: u32, encoding: &str, payload: &[u8]) -> Result<Request, String> {
     let service =
         Service::numbered(service).ok_or_else(|| format!("there is no service {service} here"))?;

@@ -10,13 +10,13 @@ use tokio_tungstenite::tungstenite::protocol::frame::coding::CloseCode;
 use tokio_tungstenite::tungstenite::{Bytes, Message, Utf8Bytes};
 
 use super::ConnectionEnd;
-use crate::stream::carrier::Boxed;
+use crate::stream::byte_stream::BoxedStream;
 use crate::stream::protocol::Level;
 use crate::stream::server::ServerLimits;
 use crate::stream::server::outbox::Outbox;
 
-/// One end of a connection.
-type FrameSink = SplitSink<WebSocketStream<Boxed>, Message>;
+/// The sending end of a connection.
+type FrameSink = SplitSink<WebSocketStream<BoxedStream>, Message>;
 
 /// Pings in the time after which a client counts as gone.
 const PINGS: u32 = 3;
@@ -48,7 +48,7 @@ pub(super) async fn run(
             message = outbox.sample() => message,
             () = outbox.finished() => return ConnectionEnd::Over,
         };
-        // Whoever takes nothing for so long is gone, or will not catch up.
+        // A client that takes nothing for so long is gone, or will not catch up.
         match timeout(limits.stall, sink.send(next)).await {
             Ok(Ok(())) => {}
             Ok(Err(_gone)) => return ConnectionEnd::Left,
@@ -57,11 +57,11 @@ pub(super) async fn run(
     }
 }
 
-/// Says why it is over, if the client may still hear it.
+/// Sends the close frame with the reason, if the client may still hear it.
 ///
 /// `closing` is why the server closes, if it does.
-pub(super) async fn bid_farewell(sink: &mut FrameSink, end: ConnectionEnd, closing: &str) {
-    /// Longest time for a last word.
+pub(super) async fn close(sink: &mut FrameSink, end: ConnectionEnd, closing: &str) {
+    /// Longest time for sending it.
     const GRACE: Duration = Duration::from_secs(1);
     /// Longest reason that a close frame carries (bytes).
     const LONGEST: usize = 123;
@@ -76,14 +76,14 @@ pub(super) async fn bid_farewell(sink: &mut FrameSink, end: ConnectionEnd, closi
     let _heard = timeout(GRACE, sink.send(Message::Close(Some(frame)))).await;
 }
 
-/// Ticks never closer than `period`, however long a message took.
+/// Creates an interval whose ticks are never closer than `period`, however long a message took.
 fn interval(period: Duration) -> Interval {
     let mut interval = tokio::time::interval(period);
     interval.set_missed_tick_behavior(MissedTickBehavior::Delay);
     interval
 }
 
-/// Says how many samples were dropped, if any were.
+/// Sends how many samples were dropped, if any were.
 fn warn(outbox: &Outbox) {
     let dropped = outbox.take_dropped();
     if dropped > 0 {

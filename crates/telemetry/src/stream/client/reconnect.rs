@@ -1,4 +1,4 @@
-//! Connects, again and again.
+//! Connects to a host, and again whenever the connection is lost.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -8,44 +8,36 @@ use tokio::sync::mpsc::UnboundedReceiver;
 
 use super::Dial;
 use super::arrivals::Arrivals;
+use super::command::ClientCommand;
 use super::connect::{ConnectError, connect};
 use super::session::{ClientSession, SessionEnd};
-use crate::source::Ticket;
-use crate::{Arrival, ConnectionState, Request, Topic};
+use crate::{Arrival, ConnectionState, Topic};
 
-/// What is asked of a host that is not there.
+/// The answer to a request while there is no connection.
 pub(super) const NOT_CONNECTED: &str = "no host is connected: wait until one is, and ask again";
 
-/// Before it is tried again: at first, and at last.
+/// Shortest and longest pause before it is tried again.
 const PAUSES: (Duration, Duration) = (Duration::from_millis(250), Duration::from_secs(5));
 
-/// What the window wants.
-#[derive(Debug)]
-pub(super) enum ClientCommand {
-    /// These topics, and no others.
-    Follow(BTreeSet<Topic>),
-    Ask(Ticket, Request),
-}
-
-/// Connects, again and again.
+/// Connects to a host, and again whenever the connection is lost.
 pub(super) struct ReconnectingClient {
     dial: Dial,
     arrivals: Arc<Arrivals>,
-    orders: UnboundedReceiver<ClientCommand>,
+    commands: UnboundedReceiver<ClientCommand>,
     wanted: BTreeSet<Topic>,
 }
 
-/// The window is gone.
+/// The window has dropped its [`super::Client`].
 struct WindowClosed;
 
 impl ReconnectingClient {
-    /// To whom `dial` says.
+    /// Creates a client of the host at `dial`.
     pub(super) const fn new(
         dial: Dial,
         arrivals: Arc<Arrivals>,
-        orders: UnboundedReceiver<ClientCommand>,
+        commands: UnboundedReceiver<ClientCommand>,
     ) -> Self {
-        Self { dial, arrivals, orders, wanted: BTreeSet::new() }
+        Self { dial, arrivals, commands, wanted: BTreeSet::new() }
     }
 
     /// Runs until the window is gone.
@@ -53,47 +45,51 @@ impl ReconnectingClient {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         match runtime {
             Ok(runtime) => {
-                let Err(WindowClosed) = runtime.block_on(self.keep());
+                let Err(WindowClosed) = runtime.block_on(self.keep_connected());
             }
             Err(error) => {
                 let text = format!("the system gives no network: {error}");
-                self.arrivals.stand(ConnectionState::Refused(text));
+                self.arrivals.set_state(ConnectionState::Refused(text));
             }
         }
     }
 
-    /// Connects, again and again.
-    async fn keep(&mut self) -> Result<std::convert::Infallible, WindowClosed> {
+    /// Keeps a connection, until the window is gone or the host refuses it.
+    async fn keep_connected(&mut self) -> Result<std::convert::Infallible, WindowClosed> {
         let mut pause = PAUSES.0;
         loop {
             let dial = self.dial.clone();
-            match self.meanwhile(Box::pin(connect(&dial))).await? {
+            match self.wait_for(Box::pin(connect(&dial))).await? {
                 Ok(socket) => {
                     pause = PAUSES.0;
                     let session = ClientSession::new(socket, &self.arrivals);
-                    match Box::pin(session.run(&mut self.orders, &mut self.wanted)).await {
+                    match Box::pin(session.run(&mut self.commands, &mut self.wanted)).await {
                         SessionEnd::Gone => return Err(WindowClosed),
-                        SessionEnd::Lost(text) => self.arrivals.stand(ConnectionState::Lost(text)),
+                        SessionEnd::Lost(text) => {
+                            self.arrivals.set_state(ConnectionState::Lost(text))
+                        }
                     }
                 }
-                Err(ConnectError::Lost(text)) => self.arrivals.stand(ConnectionState::Lost(text)),
+                Err(ConnectError::Lost(text)) => {
+                    self.arrivals.set_state(ConnectionState::Lost(text))
+                }
                 Err(ConnectError::Refused(text)) => {
-                    self.arrivals.stand(ConnectionState::Refused(text));
-                    return self.meanwhile(std::future::pending()).await;
+                    self.arrivals.set_state(ConnectionState::Refused(text));
+                    return self.wait_for(std::future::pending()).await;
                 }
             }
-            self.meanwhile(tokio::time::sleep(pause)).await?;
+            self.wait_for(tokio::time::sleep(pause)).await?;
             pause = (2 * pause).min(PAUSES.1);
         }
     }
 
     /// Waits for `work`; what is asked meanwhile is refused.
-    async fn meanwhile<T>(&mut self, work: impl Future<Output = T>) -> Result<T, WindowClosed> {
+    async fn wait_for<T>(&mut self, work: impl Future<Output = T>) -> Result<T, WindowClosed> {
         let mut work = std::pin::pin!(work);
         loop {
             tokio::select! {
                 done = &mut work => return Ok(done),
-                order = self.orders.recv() => match order {
+                command = self.commands.recv() => match command {
                     Some(ClientCommand::Follow(topics)) => self.wanted = topics,
                     Some(ClientCommand::Ask(ticket, _)) => {
                         let result = Err(NOT_CONNECTED.to_owned());

@@ -29,7 +29,7 @@ use tokio_tungstenite::tungstenite::{Error, Message, WebSocket, client::client_w
 pub(crate) const PATIENCE: Duration = Duration::from_mins(2);
 
 /// A host that is served, until it is dropped.
-pub(crate) struct Stage {
+pub(crate) struct TestServer {
     pub(crate) address: SocketAddr,
     pub(crate) url: String,
     pub(crate) fingerprint: Option<Fingerprint>,
@@ -41,7 +41,7 @@ pub(crate) struct Stage {
     thread: Option<JoinHandle<()>>,
 }
 
-impl Stage {
+impl TestServer {
     /// As `settings` say, at any port unless they say one.
     pub(crate) fn with(settings: ServerSettings) -> Self {
         let host = Arc::new(Synthetic::default());
@@ -96,20 +96,20 @@ impl Stage {
     }
 
     /// A client that talks as it pleases, and has read nothing yet.
-    pub(crate) fn stranger(&self) -> Stranger {
-        Stranger::knock(self.address, "/", &[]).expect("a connection")
+    pub(crate) fn raw_client(&self) -> RawClient {
+        RawClient::connect(self.address, "/", &[]).expect("a connection")
     }
 
     /// Publishes an overview again and again until `watcher`, who follows them, gets one.
     pub(crate) fn meet(&self, watcher: &mut Watcher) {
         watcher.follow(&[Topic::Overview]);
-        eventually("somebody follows", || self.publisher.is_followed(Topic::Overview));
+        eventually("a client follows", || self.publisher.is_followed(Topic::Overview));
         self.publisher.publish(1, &synthetic::overview(7, 1));
         watcher.update(|update| matches!(update, Update::Overview(_)).then_some(()));
     }
 }
 
-impl Drop for Stage {
+impl Drop for TestServer {
     fn drop(&mut self) {
         drop(self.end.take());
         if let Some(thread) = self.thread.take() {
@@ -208,13 +208,13 @@ pub(crate) fn set(parameter: &str, value: f64) -> telemetry::request::Change {
 }
 
 /// A client that talks as it pleases.
-pub(crate) struct Stranger {
+pub(crate) struct RawClient {
     pub(crate) socket: WebSocket<TcpStream>,
 }
 
-impl Stranger {
+impl RawClient {
     /// Tries to come in, with more headers.
-    pub(crate) fn knock(
+    pub(crate) fn connect(
         address: SocketAddr,
         path: &str,
         headers: &[(&str, &str)],

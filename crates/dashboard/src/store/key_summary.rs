@@ -2,14 +2,13 @@
 
 use telemetry::{KEYS, Overview};
 
-/// What a key is seen to do.
+/// The summary of a key: how deep it is, its force, mode and fault.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeySummary {
     /// Largest displacement since the message before (m).
     pub position: f32,
     /// The force sent that is farthest from none (N).
     pub force: f32,
-    /// Mode, if there is one.
     pub mode: Option<u8>,
     /// Bits as in `KeyBlock.flags`.
     pub flags: u8,
@@ -19,7 +18,7 @@ pub struct KeySummary {
 impl KeySummary {
     const NOTHING: Self = Self { position: 0.0, force: 0.0, mode: None, flags: 8, fault: 0 };
 
-    /// The `i`th key of an overview.
+    /// Reads the `i`th key of an overview.
     fn of(overview: &Overview, i: usize) -> Self {
         let float = |values: &[f32]| values.get(i).copied().filter(|x| x.is_finite());
         let byte = |values: &[u8]| values.get(i).copied();
@@ -35,42 +34,42 @@ impl KeySummary {
     }
 }
 
-/// The newest overview.
+/// The summaries of all keys, of the newest overview.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Glances {
+pub struct KeySummaries {
     keys: [KeySummary; KEYS],
-    /// Whether there was one.
+    /// Whether there was an overview.
     pub is_known: bool,
-    /// The last tick that is in it.
+    /// The last tick of the overview.
     pub tick: u64,
-    /// Samples that found no room on their way.
+    /// Number of samples that found no room on their way to the window.
     pub dropped: u64,
 }
 
-impl Default for Glances {
+impl Default for KeySummaries {
     fn default() -> Self {
         Self { keys: [KeySummary::NOTHING; KEYS], is_known: false, tick: 0, dropped: 0 }
     }
 }
 
-impl Glances {
-    /// The key `key`; nothing for one that is none.
+impl KeySummaries {
+    /// Returns the summary of a key; that of a key at rest for a number that is none.
     pub fn key(&self, key: u8) -> KeySummary {
         self.keys.get(usize::from(key)).copied().unwrap_or(KeySummary::NOTHING)
     }
 
-    /// Whether an overview says of each key what is known already.
+    /// Returns whether an overview says of each key what is known already.
     pub(crate) fn shows(&self, overview: &Overview) -> bool {
-        self.keys.iter().enumerate().all(|(i, glance)| *glance == KeySummary::of(overview, i))
+        self.keys.iter().enumerate().all(|(i, summary)| *summary == KeySummary::of(overview, i))
     }
 
-    /// Takes an overview.
+    /// Takes a new overview.
     pub(crate) fn take(&mut self, overview: &Overview) {
         self.is_known = true;
         self.tick = overview.tick;
         self.dropped = overview.dropped;
-        for (i, glance) in self.keys.iter_mut().enumerate() {
-            *glance = KeySummary::of(overview, i);
+        for (i, summary) in self.keys.iter_mut().enumerate() {
+            *summary = KeySummary::of(overview, i);
         }
     }
 }

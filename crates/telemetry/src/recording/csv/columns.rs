@@ -25,7 +25,7 @@ pub(super) fn header(model: &Model) -> Vec<String> {
     COLUMNS.map(str::to_owned).into_iter().chain(signals).collect()
 }
 
-/// Time since tick 0 (s).
+/// Returns the time since tick 0 (s).
 pub(super) fn seconds(catalogue: &Catalogue, tick: u64, theta: f64) -> f64 {
     (tick as f64 + theta) / f64::from(catalogue.tick_hz)
 }

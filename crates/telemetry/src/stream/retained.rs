@@ -1,11 +1,11 @@
-//! Messages of which the last one is always there.
+//! Retained messages: every client gets the last one, however late it comes.
 
 use crate::{KEYS, Update};
 
-/// Of messages whose last one every client gets: which one it takes the place of.
+/// Returns the slot of a retained message: it takes the place of the one before in its slot.
 ///
-/// There is one catalogue, and one voice for each key.
-pub(crate) fn latch(update: &Update) -> Option<u16> {
+/// The catalogue has a slot, and each key's voice.
+pub(crate) fn retained_slot(update: &Update) -> Option<u16> {
     match update {
         Update::Catalogue(_) => Some(0),
         Update::Voice(voice) => {

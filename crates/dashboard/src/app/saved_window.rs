@@ -4,11 +4,12 @@ use eframe::egui;
 use serde::{Deserialize, Serialize};
 
 use super::App;
-use crate::desk::Views;
-use crate::layout::{Layout, Pane};
+use crate::app_state::SharedView;
+use crate::layout::Layout;
+use crate::panels::{Pane, Panels};
 use crate::tune::SavedTuning;
 
-/// Under which name it is stored.
+/// The name under which it is stored.
 const NAME: &str = "letoff-dashboard";
 
 /// What the window remembers from one start to the next: a text, so that a change of ours never
@@ -23,22 +24,24 @@ struct Remembered {
     layout: Layout,
     theme: egui::ThemePreference,
     zoom: f32,
-    views: Views,
+    views: SharedView,
+    #[serde(default)]
+    panels: Panels,
     kept: SavedTuning,
 }
 
 impl SavedWindow {
-    /// What was stored, if anything was.
+    /// Returns what was stored, if anything was.
     pub fn load(storage: &dyn eframe::Storage) -> Option<Self> {
         storage.get_string(NAME).map(|text| Self { text })
     }
 
-    /// What `text` says, as [`Self::text`] wrote it.
+    /// Creates it from a text that [`Self::text`] wrote.
     pub fn read(text: impl Into<String>) -> Self {
         Self { text: text.into() }
     }
 
-    /// It as a text.
+    /// Returns it as a text.
     pub fn text(&self) -> &str {
         &self.text
     }
@@ -62,14 +65,15 @@ impl SavedWindow {
             layout: app.layout.clone(),
             theme,
             zoom: app.zoom,
-            views: app.desk.views.clone(),
-            kept: app.desk.tuner.kept.clone(),
+            views: app.state.view.clone(),
+            panels: app.panels.clone(),
+            kept: app.state.tuner.kept.clone(),
         };
         // What cannot be written is not remembered: the window goes on without.
         Self { text: serde_json::to_string(&remembered).unwrap_or_default() }
     }
 
-    /// Puts it back; what cannot be read is as if it had not been stored.
+    /// Restores the window; what cannot be read is as if it had not been stored.
     pub(super) fn restore(&self, app: &mut App, ctx: &egui::Context) {
         let Ok(remembered) = serde_json::from_str::<Remembered>(&self.text) else { return };
         let is_whole = remembered.layout.tiles.find_pane(&Pane::Overview).is_some()
@@ -79,8 +83,9 @@ impl SavedWindow {
         }
         app.zoom = remembered.zoom.clamp(*super::ZOOM.start(), *super::ZOOM.end());
         app.theme = remembered.theme;
-        app.desk.views = remembered.views;
-        app.desk.tuner.kept = remembered.kept;
+        app.state.view = remembered.views;
+        app.panels = remembered.panels;
+        app.state.tuner.kept = remembered.kept;
         ctx.set_theme(remembered.theme);
         ctx.set_zoom_factor(app.zoom);
     }

@@ -11,32 +11,33 @@ use telemetry::source::Ticket;
 use telemetry::{Arrival, ConnectionState, Request, Source, Topic, Update};
 
 use crate::RepaintWaker;
-use crate::store::glance::Glances;
+use crate::store::key_summary::KeySummaries;
 
-/// At most sixty pictures a second.
+/// Shortest time between two frames.
 const FRAME: Duration = Duration::from_millis(16);
 
-/// How soon what changes all the time, and means little, is worth a frame.
+/// Longest time until a frame shows what changes all the time, and means little.
 const SELDOM: Duration = Duration::from_secs(5);
 
-/// Arrivals that wait for the window; beyond, the source itself has to wait or to drop.
+/// Most arrivals that wait for the window; beyond, the source itself waits or drops.
 const WAITING: usize = 1 << 16;
 
-/// What the source's thread is told.
+/// What the window tells the source's thread.
 enum SourceCommand {
-    Rung,
+    /// The source has something new.
+    Arrived,
     Follow(BTreeSet<Topic>),
     Ask(Ticket, Request),
 }
 
-/// Rung by a source's own threads when something has arrived.
+/// Tells the window's thread that a source has something new.
 #[derive(Clone, Debug)]
 pub struct Notifier(Sender<SourceCommand>);
 
 impl Notifier {
-    /// Something has arrived. False once nobody listens any more.
-    pub fn ring(&self) -> bool {
-        self.0.send(SourceCommand::Rung).is_ok()
+    /// Tells that something has arrived; returns false once the window is gone.
+    pub fn notify(&self) -> bool {
+        self.0.send(SourceCommand::Arrived).is_ok()
     }
 }
 
@@ -44,14 +45,14 @@ impl Notifier {
 #[derive(Debug)]
 pub struct SourceThread {
     arrivals: Receiver<Arrival>,
-    orders: Sender<SourceCommand>,
+    commands: Sender<SourceCommand>,
     standing: Arc<Mutex<ConnectionState>>,
     name: String,
     tickets: u64,
 }
 
 impl SourceThread {
-    /// Makes a source, which rings the bell that it gets, and takes care of it.
+    /// Makes a source, which rings the notifier that it gets, and takes care of it.
     ///
     /// # Errors
     /// If the source cannot be made.
@@ -59,8 +60,8 @@ impl SourceThread {
         make: impl FnOnce(Notifier) -> Result<Box<dyn Source + Send>, E>,
         wake: RepaintWaker,
     ) -> Result<Self, E> {
-        let (orders, ordered) = channel();
-        let source = make(Notifier(orders.clone()))?;
+        let (commands, received) = channel();
+        let source = make(Notifier(commands.clone()))?;
         let (given, arrivals) = sync_channel(WAITING);
         let standing = Arc::new(Mutex::new(source.standing()));
         let name = source.name();
@@ -69,16 +70,16 @@ impl SourceThread {
             given,
             wake,
             standing: Arc::clone(&standing),
-            glances: Glances::default(),
+            summaries: KeySummaries::default(),
             tickets: BTreeMap::new(),
         };
-        thread::spawn(move || worker.run(&ordered));
-        Ok(Self { arrivals, orders, standing, name, tickets: 0 })
+        thread::spawn(move || worker.run(&received));
+        Ok(Self { arrivals, commands, standing, name, tickets: 0 })
     }
 
-    fn order(&self, order: SourceCommand) {
+    fn command(&self, command: SourceCommand) {
         // A thread that has ended says so by its standing.
-        let _gone = self.orders.send(order).is_err();
+        let _gone = self.commands.send(command).is_err();
     }
 }
 
@@ -88,13 +89,13 @@ impl Source for SourceThread {
     }
 
     fn follow(&mut self, topics: &BTreeSet<Topic>) {
-        self.order(SourceCommand::Follow(topics.clone()));
+        self.command(SourceCommand::Follow(topics.clone()));
     }
 
     fn ask(&mut self, request: Request) -> Ticket {
         self.tickets += 1;
         let ticket = Ticket(self.tickets);
-        self.order(SourceCommand::Ask(ticket, request));
+        self.command(SourceCommand::Ask(ticket, request));
         ticket
     }
 
@@ -113,16 +114,16 @@ struct Worker {
     given: SyncSender<Arrival>,
     wake: RepaintWaker,
     standing: Arc<Mutex<ConnectionState>>,
-    glances: Glances,
+    summaries: KeySummaries,
     /// The window's ticket by the source's.
     tickets: BTreeMap<Ticket, Ticket>,
 }
 
 impl Worker {
-    fn run(mut self, orders: &Receiver<SourceCommand>) {
-        while let Ok(order) = orders.recv() {
-            match order {
-                SourceCommand::Rung => {}
+    fn run(mut self, commands: &Receiver<SourceCommand>) {
+        while let Ok(command) = commands.recv() {
+            match command {
+                SourceCommand::Arrived => {}
                 SourceCommand::Follow(topics) => self.source.follow(&topics),
                 SourceCommand::Ask(ticket, request) => {
                     let own = self.source.ask(request);
@@ -135,7 +136,7 @@ impl Worker {
         }
     }
 
-    /// Hands on what has arrived; nothing once the window is gone.
+    /// Hands on what has arrived; returns `None` once the window is gone.
     fn pass_on(&mut self) -> Option<()> {
         let mut soon = None;
         while let Some(arrival) = self.source.next() {
@@ -167,13 +168,13 @@ impl Worker {
         }
     }
 
-    /// Whether more than the time changes.
+    /// Returns whether an arrival changes more than the time.
     fn is_seen(&mut self, arrival: &Arrival) -> bool {
         let Arrival::Update { update, .. } = arrival else { return true };
         match &**update {
             Update::Overview(it) => {
-                let is_new = !self.glances.shows(it);
-                self.glances.take(it);
+                let is_new = !self.summaries.shows(it);
+                self.summaries.take(it);
                 is_new
             }
             Update::Ticks(_) | Update::Deadlines(_) | Update::Links(_) => false,
@@ -201,50 +202,50 @@ mod tests {
     /// How soon each wake wanted a frame.
     type Wakes = Receiver<Duration>;
 
-    fn pump(hand: &Arc<AtomicU64>) -> (SourceThread, Notifier, Wakes) {
+    fn start(time: &Arc<AtomicU64>) -> (SourceThread, Notifier, Wakes) {
         let clock: WallClock = {
-            let hand = Arc::clone(hand);
-            Arc::new(move || hand.load(Ordering::Relaxed))
+            let time = Arc::clone(time);
+            Arc::new(move || time.load(Ordering::Relaxed))
         };
         let (woken, wakes) = channel();
         let wake: RepaintWaker = Arc::new(move |soon| {
             let _gone = woken.send(soon).is_err();
         });
-        let mut bell = None;
+        let mut notifier = None;
         let make = |given: Notifier| -> Result<Box<dyn Source + Send>, String> {
-            bell = Some(given);
+            notifier = Some(given);
             Ok(Box::new(Demo::live(clock)))
         };
-        let pump = SourceThread::start(make, wake).expect("a demonstration");
-        (pump, bell.expect("a bell"), wakes)
+        let thread = SourceThread::start(make, wake).expect("a demonstration");
+        (thread, notifier.expect("a notifier"), wakes)
     }
 
-    /// Goes to `seconds`, rings, and says how soon a frame was wanted.
-    fn at(seconds: f64, hand: &AtomicU64, bell: &Notifier, wakes: &Wakes) -> Duration {
-        hand.store(crate::number::floor(seconds * 1e9), Ordering::Relaxed);
-        assert!(bell.ring());
+    /// Goes to `seconds`, notifies, and returns how soon a frame was wanted.
+    fn at(seconds: f64, time: &AtomicU64, notifier: &Notifier, wakes: &Wakes) -> Duration {
+        time.store(crate::number::floor(seconds * 1e9), Ordering::Relaxed);
+        assert!(notifier.notify());
         wakes.recv_timeout(Duration::from_secs(20)).expect("a wake")
     }
 
     #[test]
     fn a_keyboard_that_lies_still_costs_no_frames() {
-        let hand = Arc::new(AtomicU64::new(0));
-        let (mut pump, bell, wakes) = pump(&hand);
-        assert_eq!(at(0.1, &hand, &bell, &wakes), FRAME, "the catalogue is new");
-        assert_eq!(at(0.2, &hand, &bell, &wakes), SELDOM, "nothing moves yet");
-        assert_eq!(at(0.4, &hand, &bell, &wakes), FRAME, "the first key goes down");
-        assert!(matches!(pump.next(), Some(Arrival::Update { .. })));
+        let time = Arc::new(AtomicU64::new(0));
+        let (mut thread, notifier, wakes) = start(&time);
+        assert_eq!(at(0.1, &time, &notifier, &wakes), FRAME, "the catalogue is new");
+        assert_eq!(at(0.2, &time, &notifier, &wakes), SELDOM, "nothing moves yet");
+        assert_eq!(at(0.4, &time, &notifier, &wakes), FRAME, "the first key goes down");
+        assert!(matches!(thread.next(), Some(Arrival::Update { .. })));
     }
 
     #[test]
     fn an_answer_comes_back_under_the_window_s_own_ticket() {
-        let hand = Arc::new(AtomicU64::new(0));
-        let (mut pump, _bell, wakes) = pump(&hand);
-        let tickets = [pump.ask(Request::Scene {}), pump.ask(Request::Stop {})];
+        let time = Arc::new(AtomicU64::new(0));
+        let (mut thread, _notifier, wakes) = start(&time);
+        let tickets = [thread.ask(Request::Scene {}), thread.ask(Request::Stop {})];
         let mut replies = Vec::new();
         while replies.len() < 2 {
             let _soon = wakes.recv_timeout(Duration::from_secs(20)).expect("a wake");
-            let arrivals = std::iter::from_fn(|| pump.next());
+            let arrivals = std::iter::from_fn(|| thread.next());
             replies.extend(arrivals.filter_map(|arrival| match arrival {
                 Arrival::Reply { ticket, result } => Some((ticket, result.expect("done"))),
                 Arrival::Update { .. } | Arrival::Anew => None,
@@ -256,10 +257,10 @@ mod tests {
 
     #[test]
     fn the_thread_ends_with_the_window() {
-        let hand = Arc::new(AtomicU64::new(0));
-        let (pump, bell, wakes) = pump(&hand);
-        drop(pump);
-        while bell.ring() {
+        let time = Arc::new(AtomicU64::new(0));
+        let (thread, notifier, wakes) = start(&time);
+        drop(thread);
+        while notifier.notify() {
             thread::yield_now();
         }
         drop(wakes);

@@ -1,4 +1,4 @@
-//! Who is let in: by where they come from, what they speak and what they know.
+//! Which clients are let in: by their origin, their protocol and their token.
 
 use subtle::ConstantTimeEq as _;
 use tokio_tungstenite::tungstenite::handshake::server::{ErrorResponse, Request};
@@ -7,19 +7,19 @@ use tokio_tungstenite::tungstenite::http::{HeaderMap, Response, StatusCode, head
 use super::{Role, ServerSettings, Token};
 use crate::stream::protocol::SUBPROTOCOLS;
 
-/// Why somebody is not let in.
+/// Why a client is not let in.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Closed {
-    /// A web page that is not listed.
+pub(super) enum AdmissionError {
+    /// The origin of a web page is not listed.
     Origin,
     Protocol,
-    /// Without a token that is known here.
+    /// The token is missing or unknown.
     Token,
     /// All places are taken.
     Full,
 }
 
-impl Closed {
+impl AdmissionError {
     const fn status(self) -> StatusCode {
         match self {
             Self::Origin => StatusCode::FORBIDDEN,
@@ -29,7 +29,7 @@ impl Closed {
         }
     }
 
-    /// What is said of it.
+    /// Returns the reason as a sentence for the client.
     pub(super) const fn text(self) -> &'static str {
         match self {
             Self::Origin => {
@@ -44,7 +44,7 @@ impl Closed {
         }
     }
 
-    /// What is answered.
+    /// Returns the answer to the handshake.
     pub(super) fn response(self) -> ErrorResponse {
         let mut response = Response::new(Some(format!("{}\n", self.text())));
         *response.status_mut() = self.status();
@@ -56,57 +56,57 @@ impl Closed {
     }
 }
 
-/// Who comes in, as what, and in which protocol they are spoken to.
+/// Returns the role of a client, and the protocol in which it is spoken to.
 ///
 /// # Errors
-/// If they are not let in.
+/// If it is not let in.
 pub(super) fn admit(
     settings: &ServerSettings,
     request: &Request,
-) -> Result<(Role, &'static str), Closed> {
+) -> Result<(Role, &'static str), AdmissionError> {
     check_origin(&settings.origins, request.headers())?;
     let protocol = protocol(request.headers())?;
     Ok((role(&settings.tokens, request)?, protocol))
 }
 
-/// Programs send no origin; a page's must be listed.
-fn check_origin(listed: &[String], headers: &HeaderMap) -> Result<(), Closed> {
+/// Checks the origin: a program sends none, a page's must be listed.
+fn check_origin(listed: &[String], headers: &HeaderMap) -> Result<(), AdmissionError> {
     let is_listed = |origin: &header::HeaderValue| {
         listed.iter().any(|it| origin.as_bytes().eq_ignore_ascii_case(it.as_bytes()))
     };
     let all_listed = headers.get_all(header::ORIGIN).iter().all(is_listed);
-    if all_listed { Ok(()) } else { Err(Closed::Origin) }
+    if all_listed { Ok(()) } else { Err(AdmissionError::Origin) }
 }
 
-fn protocol(headers: &HeaderMap) -> Result<&'static str, Closed> {
+fn protocol(headers: &HeaderMap) -> Result<&'static str, AdmissionError> {
     let offered: Vec<&str> = headers
         .get_all(header::SEC_WEBSOCKET_PROTOCOL)
         .iter()
         .filter_map(|value| value.to_str().ok())
         .flat_map(|value| value.split(',').map(str::trim))
         .collect();
-    SUBPROTOCOLS.into_iter().find(|ours| offered.contains(ours)).ok_or(Closed::Protocol)
+    SUBPROTOCOLS.into_iter().find(|ours| offered.contains(ours)).ok_or(AdmissionError::Protocol)
 }
 
-fn role(tokens: &[Token], request: &Request) -> Result<Role, Closed> {
+fn role(tokens: &[Token], request: &Request) -> Result<Role, AdmissionError> {
     if tokens.is_empty() {
         return Ok(Role::Owner);
     }
     let given = bearer(request.headers()).or_else(|| queried(request.uri().query()?));
-    let given = given.ok_or(Closed::Token)?;
+    let given = given.ok_or(AdmissionError::Token)?;
     // All are compared to the end, so that the time tells nothing.
     let known =
         tokens.iter().filter(|token| bool::from(token.secret.as_bytes().ct_eq(given.as_bytes())));
-    known.map(|token| token.role).max().ok_or(Closed::Token)
+    known.map(|token| token.role).max().ok_or(AdmissionError::Token)
 }
 
-/// `Authorization: Bearer <token>`.
+/// Returns the token of `Authorization: Bearer <token>`.
 fn bearer(headers: &HeaderMap) -> Option<&str> {
     let (scheme, token) = headers.get(header::AUTHORIZATION)?.to_str().ok()?.split_once(' ')?;
     scheme.eq_ignore_ascii_case("bearer").then_some(token.trim())
 }
 
-/// `?token=<token>`.
+/// Returns the token of `?token=<token>`.
 fn queried(query: &str) -> Option<&str> {
     query.split('&').find_map(|pair| pair.strip_prefix("token="))
 }
@@ -124,7 +124,7 @@ mod tests {
         }
     }
 
-    fn knock(uri: &str, headers: &[(&str, &str)]) -> Result<Role, Closed> {
+    fn try_admit(uri: &str, headers: &[(&str, &str)]) -> Result<Role, AdmissionError> {
         let mut builder = Request::builder().uri(uri);
         for (name, value) in headers {
             builder = builder.header(*name, *value);
@@ -133,39 +133,39 @@ mod tests {
         admit(&settings(), &request).map(|(role, _)| role)
     }
 
-    const SPEAKS: (&str, &str) = ("Sec-WebSocket-Protocol", "other, foxglove.sdk.v1");
+    const PROTOCOL: (&str, &str) = ("Sec-WebSocket-Protocol", "other, foxglove.sdk.v1");
 
     #[test]
     fn a_token_makes_the_role() {
-        assert_eq!(knock("/?token=see", &[SPEAKS]), Ok(Role::Viewer));
-        assert_eq!(knock("/?a=b&token=tune", &[SPEAKS]), Ok(Role::Tuner));
-        assert_eq!(knock("/", &[SPEAKS, ("Authorization", "Bearer tune")]), Ok(Role::Tuner));
+        assert_eq!(try_admit("/?token=see", &[PROTOCOL]), Ok(Role::Viewer));
+        assert_eq!(try_admit("/?a=b&token=tune", &[PROTOCOL]), Ok(Role::Tuner));
+        assert_eq!(try_admit("/", &[PROTOCOL, ("Authorization", "Bearer tune")]), Ok(Role::Tuner));
         for wrong in ["/", "/?token=", "/?token=tun", "/?token=tunes", "/?Token=tune"] {
-            assert_eq!(knock(wrong, &[SPEAKS]), Err(Closed::Token), "{wrong}");
+            assert_eq!(try_admit(wrong, &[PROTOCOL]), Err(AdmissionError::Token), "{wrong}");
         }
         assert_eq!(
-            knock("/?token=see", &[SPEAKS, ("Authorization", "Bearer x")]),
-            Err(Closed::Token)
+            try_admit("/?token=see", &[PROTOCOL, ("Authorization", "Bearer x")]),
+            Err(AdmissionError::Token)
         );
     }
 
     #[test]
     fn only_listed_pages_come_in() {
-        let from = |origin| knock("/?token=see", &[SPEAKS, ("Origin", origin)]);
+        let from = |origin| try_admit("/?token=see", &[PROTOCOL, ("Origin", origin)]);
         assert_eq!(from("https://app.example"), Ok(Role::Viewer));
         for evil in ["null", "https://app.example.evil", "http://app.example", ""] {
-            assert_eq!(from(evil), Err(Closed::Origin), "{evil}");
+            assert_eq!(from(evil), Err(AdmissionError::Origin), "{evil}");
         }
-        let two = [SPEAKS, ("Origin", "https://app.example"), ("Origin", "https://evil.example")];
-        assert_eq!(knock("/?token=see", &two), Err(Closed::Origin));
+        let two = [PROTOCOL, ("Origin", "https://app.example"), ("Origin", "https://evil.example")];
+        assert_eq!(try_admit("/?token=see", &two), Err(AdmissionError::Origin));
     }
 
     #[test]
     fn both_names_of_the_protocol_are_spoken_and_no_other() {
         let old = ("sec-websocket-protocol", "foxglove.websocket.v1");
-        assert_eq!(knock("/?token=see", &[old]), Ok(Role::Viewer));
-        assert_eq!(knock("/?token=see", &[]), Err(Closed::Protocol));
+        assert_eq!(try_admit("/?token=see", &[old]), Ok(Role::Viewer));
+        assert_eq!(try_admit("/?token=see", &[]), Err(AdmissionError::Protocol));
         let other = ("sec-websocket-protocol", "foxglove.sdk.v2");
-        assert_eq!(knock("/?token=see", &[other]), Err(Closed::Protocol));
+        assert_eq!(try_admit("/?token=see", &[other]), Err(AdmissionError::Protocol));
     }
 }

@@ -1,4 +1,4 @@
-//! Everything that a panel may see and change.
+//! What all panels see and change: the source, what has arrived, and what is selected.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -8,26 +8,24 @@ use telemetry::source::Ticket;
 use telemetry::{Arrival, ConnectionState, Log, Reply, Request, Source, Topic, Update, log};
 
 use crate::names::LAST;
-use crate::panels::links::Light;
-use crate::panels::{deadlines, keyboard, links, midi, phase, tuning};
 use crate::scope::Scope;
 use crate::store::Store;
 use crate::tune::Tuner;
 use crate::{WallClock, names};
 
-/// Arrivals that are taken before each frame: a flood does not stop the window.
+/// Most arrivals taken before each frame: a flood does not stop the window.
 const MOST: usize = 20_000;
 
-/// Why something was asked.
+/// Why the host was asked, which says where its answer is shown.
 #[derive(Clone, PartialEq, Eq, Debug)]
 enum Purpose {
     Tune,
-    Tell,
+    Other,
     Stop,
     Identify { line: u32, board: u32 },
 }
 
-/// What became of a stop that was asked for here.
+/// What became of a stop that this window asked for.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum StopState {
     /// The host has not answered since then (ns since 1970).
@@ -40,7 +38,6 @@ pub(crate) enum StopState {
 }
 
 impl StopState {
-    /// What an answer says.
     fn of(result: Result<Reply, String>) -> Self {
         match result {
             Ok(Reply::Stopped { told, boards, text }) if boards <= told => {
@@ -58,28 +55,27 @@ impl StopState {
     }
 }
 
-/// What panels remember of themselves.
+/// What became of a board's light.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum LightState {
+    Asked,
+    /// What the host answered, in a sentence.
+    Answered(Result<String, String>),
+}
+
+/// What is shown, whichever panel shows it.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
-pub(crate) struct Views {
-    /// The selected key, and those with it.
+pub(crate) struct SharedView {
+    /// The selected key, which is in `range`.
     pub(crate) selected: u8,
+    /// The lowest and the highest key of the selected range.
     pub(crate) range: (u8, u8),
     pub(crate) scopes: BTreeMap<u8, Scope>,
-    pub(crate) phase: phase::View,
-    pub(crate) tuning: tuning::View,
-    pub(crate) deadlines: deadlines::View,
-    pub(crate) midi: midi::View,
-    #[serde(skip)]
-    pub(crate) links: links::View,
-    #[serde(skip)]
-    pub(crate) keyboard: keyboard::View,
-    #[serde(skip)]
-    pub(crate) instruments: crate::panels::instruments::View,
     /// The time at which everything stands still (s).
     #[serde(skip)]
     pub(crate) frozen: Option<f64>,
-    /// The scene as it sounds now, if somebody asked.
+    /// The text of a scene or a preset that is to be written to a file.
     #[serde(skip)]
     pub(crate) scene: Option<String>,
     /// The last answer, in a sentence.
@@ -92,38 +88,41 @@ pub(crate) struct Views {
     pub(crate) shows_help: bool,
 }
 
-/// Everything that a panel may see and change.
+/// What all panels see and change.
 pub(crate) struct AppState {
     pub(crate) source: Box<dyn Source>,
     pub(crate) clock: WallClock,
     pub(crate) store: Store,
     pub(crate) tuner: Tuner,
-    pub(crate) views: Views,
+    pub(crate) view: SharedView,
     /// What became of a stop, if one was asked for.
     pub(crate) stop: Option<StopState>,
+    /// What became of boards' lights that were asked for, by line and board.
+    lights: BTreeMap<(u32, u32), LightState>,
     asked: BTreeMap<Ticket, Purpose>,
     followed: BTreeSet<Topic>,
-    /// Keys whose rows somebody looked at in this frame.
+    /// Keys whose rows are drawn in this frame.
     wanted: BTreeSet<u8>,
 }
 
 impl AppState {
     pub(crate) fn new(source: Box<dyn Source>, clock: WallClock) -> Self {
-        let views = Views { selected: 39, range: (39, 39), ..Views::default() };
+        let view = SharedView { selected: 39, range: (39, 39), ..SharedView::default() };
         Self {
             source,
             clock,
             store: Store::default(),
             tuner: Tuner::default(),
-            views,
+            view,
             stop: None,
+            lights: BTreeMap::new(),
             asked: BTreeMap::new(),
             followed: BTreeSet::new(),
             wanted: BTreeSet::new(),
         }
     }
 
-    /// Takes what has arrived.
+    /// Takes what has arrived since the last frame.
     pub(crate) fn take(&mut self) {
         for _ in 0..MOST {
             let Some(arrival) = self.source.next() else { break };
@@ -136,20 +135,20 @@ impl AppState {
                 Arrival::Anew => self.start_anew(),
             }
         }
-        let (store, views) = (&self.store, &mut self.views);
-        for scope in views.scopes.values_mut() {
-            scope.look(store, scope.key.unwrap_or(views.selected));
+        let (store, view) = (&self.store, &mut self.view);
+        for scope in view.scopes.values_mut() {
+            scope.update(store, scope.key.unwrap_or(view.selected));
         }
     }
 
     fn start_anew(&mut self) {
         self.store.forget();
         self.tuner.forget();
-        self.views.frozen = None;
-        self.views.links = links::View::default();
+        self.view.frozen = None;
+        self.lights.clear();
         self.asked.clear();
         self.stop = match self.stop.take() {
-            // Another run, which nobody has stopped.
+            // Another run begins, which was not stopped.
             None | Some(StopState::Confirmed { .. }) => None,
             Some(StopState::Asked { .. }) => {
                 Some(StopState::Unconfirmed("the host was reached anew meanwhile".to_owned()))
@@ -171,12 +170,12 @@ impl AppState {
             self.tuner.answered(ticket, result.as_ref().map(|_| ()).map_err(String::as_str));
         }
         if let Some(Purpose::Identify { line, board }) = purpose {
-            self.views.links.lights.insert((line, board), Light::Answered(told(&result)));
+            self.lights.insert((line, board), LightState::Answered(sentence(&result)));
         }
         let is_tuned = purpose == Some(Purpose::Tune) && result.is_ok();
-        self.views.notice = match result {
+        self.view.notice = match result {
             Ok(Reply::Scene { toml }) => {
-                self.views.scene = Some(toml);
+                self.view.scene = Some(toml);
                 None
             }
             Ok(Reply::Done { .. }) if is_tuned => None,
@@ -190,13 +189,13 @@ impl AppState {
         };
     }
 
-    /// Asks the host; the answer is seen in the bar.
+    /// Asks the host; its answer is shown in the bar.
     pub(crate) fn ask(&mut self, request: Request) {
         let ticket = self.source.ask(request);
-        self.asked.insert(ticket, Purpose::Tell);
+        self.asked.insert(ticket, Purpose::Other);
     }
 
-    /// No force on any key.
+    /// Asks the host for no force on any key.
     pub(crate) fn stop(&mut self) {
         if self.source.standing() == ConnectionState::Recording {
             // It has no keys, and says so as with anything that is asked of it.
@@ -207,17 +206,17 @@ impl AppState {
         if !matches!(self.stop, Some(StopState::Confirmed { .. })) {
             self.stop = Some(StopState::Asked { at: (self.clock)() });
         }
-        self.views.notice = None;
+        self.view.notice = None;
     }
 
-    /// A board shows its light; the answer is seen beside it too.
+    /// Asks a board to show its light; the answer is shown beside it, too.
     pub(crate) fn identify(&mut self, line: u32, board: u32) {
-        self.views.links.lights.insert((line, board), Light::Asked);
+        self.lights.insert((line, board), LightState::Asked);
         let ticket = self.source.ask(Request::Identify { line, board });
         self.asked.insert(ticket, Purpose::Identify { line, board });
     }
 
-    /// Sends values that were changed, and says which keys are looked at.
+    /// Sends values that were changed, and follows the keys that are drawn.
     pub(crate) fn flush(&mut self) {
         if let Some(changes) = self.tuner.outgoing() {
             let ticket = self.source.ask(Request::Set { changes });
@@ -233,56 +232,61 @@ impl AppState {
         }
     }
 
-    /// This key's rows are looked at.
+    /// Returns what became of a board's light, if it was asked for.
+    pub(crate) fn light(&self, line: u32, board: u32) -> Option<&LightState> {
+        self.lights.get(&(line, board))
+    }
+
+    /// Asks for a key's rows: a panel calls it in each frame in which it draws them.
     pub(crate) fn want(&mut self, key: u8) {
         self.wanted.insert(key);
     }
 
-    /// The time that is shown [s]: the newest, or that at which everything stands still.
+    /// Returns the time that is shown (s): the newest, or that at which everything stands still.
     pub(crate) fn now(&self) -> f64 {
-        self.views.frozen.unwrap_or_else(|| self.store.newest())
+        self.view.frozen.unwrap_or_else(|| self.store.newest())
     }
 
-    /// Lets everything stand still, or go on.
+    /// Lets the picture stand still, or go on.
     pub(crate) fn toggle_freeze(&mut self) {
-        self.views.frozen = match self.views.frozen {
+        self.view.frozen = match self.view.frozen {
             None => Some(self.store.newest()),
             Some(_) => None,
         };
     }
 
-    /// All scopes follow what comes.
+    /// Lets all scopes follow what comes.
     pub(crate) fn follow(&mut self) {
-        self.views.frozen = None;
-        self.views.scopes.values_mut().for_each(|scope| scope.pinned = None);
+        self.view.frozen = None;
+        self.view.scopes.values_mut().for_each(|scope| scope.pinned = None);
     }
 
-    /// The selected range.
+    /// Returns the selected range.
     pub(crate) fn range(&self) -> RangeInclusive<u8> {
-        self.views.range.0..=self.views.range.1
+        self.view.range.0..=self.view.range.1
     }
 
-    /// Selects a key.
+    /// Selects a key alone.
     pub(crate) fn select(&mut self, key: u8) {
         let key = key.min(LAST);
-        self.views.selected = key;
-        self.views.range = (key, key);
+        self.view.selected = key;
+        self.view.range = (key, key);
     }
 
     /// Selects all keys from the selected one to `key`.
     pub(crate) fn select_up_to(&mut self, key: u8) {
-        let (key, selected) = (key.min(LAST), self.views.selected);
-        self.views.range = (key.min(selected), key.max(selected));
+        let (key, selected) = (key.min(LAST), self.view.selected);
+        self.view.range = (key.min(selected), key.max(selected));
     }
 
-    /// Seconds since the newest message was made, as far as both clocks agree.
+    /// Returns the age of the newest message (s), as far as both clocks agree.
     pub(crate) fn latency(&self) -> Option<f64> {
         let at = self.store.newest_at();
         (0 < at && self.source.standing() == ConnectionState::Live)
             .then(|| (self.clock)().saturating_sub(at) as f64 * 1e-9)
     }
 
-    /// The key's name, and what plays it.
+    /// Returns the key's name, and what plays it.
     pub(crate) fn title(&self, key: u8) -> String {
         let played = self.store.voice(key).map(|voice| voice.instrument.as_str());
         match played.filter(|name| !name.is_empty()) {
@@ -291,18 +295,18 @@ impl AppState {
         }
     }
 
-    /// Takes a message as if the source had given it: for measurements.
+    /// Takes a message as if the source had given it, for measurements.
     pub(crate) fn take_update(&mut self, at: u64, update: Update) {
         self.tuner.take(&update);
         self.store.take(at, update);
     }
 }
 
-/// An answer in a sentence.
-fn told(result: &Result<Reply, String>) -> Result<String, String> {
+/// Returns an answer as a sentence.
+fn sentence(result: &Result<Reply, String>) -> Result<String, String> {
     match result {
         Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => Ok(text.clone()),
-        // Another answer than it should be, but an answer.
+        // It is another answer than it should be, but an answer.
         Ok(Reply::Scene { .. } | Reply::Where { .. }) => Ok("done".to_owned()),
         Err(text) => Err(text.clone()),
     }

@@ -2,16 +2,16 @@
 
 use telemetry::event::Kind;
 
-/// What people want to know of a fault.
+/// A fault in words: what it means, and what to do.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Explained {
+pub(crate) struct Explanation {
     pub(crate) name: &'static str,
     pub(crate) what: &'static str,
     pub(crate) advice: &'static str,
 }
 
-/// The fault of a key: see `KeyBlock.fault`.
-pub(crate) const fn fault(code: u8) -> Option<Explained> {
+/// Explains the fault of a key: see `KeyBlock.fault`.
+pub(crate) const fn fault(code: u8) -> Option<Explanation> {
     let (name, what, advice) = match code {
         0 => return None,
         1 => (
@@ -50,11 +50,11 @@ pub(crate) const fn fault(code: u8) -> Option<Explained> {
             "Change its values or its instrument: it is tried again then.",
         ),
     };
-    Some(Explained { name, what, advice })
+    Some(Explanation { name, what, advice })
 }
 
-/// An event that says that something went wrong, or was made good.
-pub(crate) const fn event(kind: Kind) -> Option<Explained> {
+/// Explains an event that says that something went wrong, or works again.
+pub(crate) const fn event(kind: Kind) -> Option<Explanation> {
     let (name, what, advice) = match kind {
         Kind::Fault => (
             "voice failed",
@@ -89,7 +89,7 @@ pub(crate) const fn event(kind: Kind) -> Option<Explained> {
         | Kind::Pedal
         | Kind::Arm => return None,
     };
-    Some(Explained { name, what, advice })
+    Some(Explanation { name, what, advice })
 }
 
 #[cfg(test)]
@@ -100,8 +100,8 @@ mod tests {
     fn every_fault_is_explained() {
         assert_eq!(fault(0), None);
         for code in 1..=7 {
-            let explained = fault(code).expect("a fault");
-            assert!(explained.what.ends_with('.') && explained.advice.ends_with('.'));
+            let explanation = fault(code).expect("a fault");
+            assert!(explanation.what.ends_with('.') && explanation.advice.ends_with('.'));
         }
     }
 }

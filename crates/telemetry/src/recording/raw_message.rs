@@ -6,16 +6,16 @@ use crate::{Topic, Update};
 
 /// A message as it lies in a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Raw {
-    /// Where it stands in time (ns since 1970).
+pub(super) struct RawMessage {
+    /// Time under which it is recorded (ns since 1970).
     pub(super) at: u64,
-    /// When it was made (ns since 1970); earlier than `at` where it is said again.
+    /// Time at which it was made (ns since 1970), earlier than `at` where it is repeated.
     pub(super) made: u64,
     pub(super) topic: Topic,
     pub(super) bytes: Vec<u8>,
 }
 
-impl Raw {
+impl RawMessage {
     pub(super) fn of(at: u64, update: &Update) -> Result<Self, RecordError> {
         let topic = update.topic().ok_or_else(|| RecordError::NoSuchKey { key: key(update) })?;
         Ok(Self { at, made: at, topic, bytes: update.encode() })
@@ -26,7 +26,7 @@ impl Raw {
     }
 }
 
-/// Which key an update without a topic is of.
+/// Returns the key of an update that has no topic.
 fn key(update: &Update) -> u32 {
     match update {
         Update::Block(block) => block.key,

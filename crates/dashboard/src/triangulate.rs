@@ -13,7 +13,7 @@ const MOST: usize = 256;
 /// A place, across and up.
 pub(crate) type ScreenPoint = [f64; 2];
 
-/// Whether an outline turns always the same way, once around.
+/// Returns whether an outline turns always the same way, once around.
 pub(crate) fn is_convex(points: &[ScreenPoint]) -> bool {
     let all: Vec<usize> = (0..points.len()).collect();
     let turns = (0..all.len()).map(|at| turn(points, around(&all, at)));
@@ -23,7 +23,7 @@ pub(crate) fn is_convex(points: &[ScreenPoint]) -> bool {
     !(left && right) && (0..2).all(|axis| reversals(points, axis) <= 2)
 }
 
-/// How often a walk along an outline turns back in one direction.
+/// Returns how often a walk along an outline turns back in one direction.
 fn reversals(points: &[ScreenPoint], axis: usize) -> usize {
     let next = points.iter().cycle().skip(1);
     let steps = points.iter().zip(next).map(|(from, to)| to[axis] - from[axis]);
@@ -32,7 +32,8 @@ fn reversals(points: &[ScreenPoint], axis: usize) -> usize {
     goes_up.iter().zip(next).filter(|(a, b)| a != b).count()
 }
 
-/// The corners of triangles that together are an outline's inside, as indices into `points`.
+/// Returns the corners of triangles that together are an outline's inside, as indices into
+/// `points`.
 pub(crate) fn triangles(points: &[ScreenPoint]) -> Vec<[usize; 3]> {
     if MOST < points.len() || !points.iter().flatten().all(|it| it.is_finite()) {
         return Vec::new();
@@ -53,8 +54,8 @@ pub(crate) fn triangles(points: &[ScreenPoint]) -> Vec<[usize; 3]> {
     triangles
 }
 
-/// The corner to cut: one of no area, on an edge or at the end of a spike, else an ear, else any
-/// that points outwards.
+/// Returns the corner to cut: one of no area, on an edge or at the end of a spike, else an ear,
+/// else any that points outwards.
 fn corner(points: &[ScreenPoint], left: &[usize]) -> usize {
     let turn = |at: usize| turn(points, around(left, at));
     let all = 0..left.len();
@@ -64,13 +65,13 @@ fn corner(points: &[ScreenPoint], left: &[usize]) -> usize {
     flat.or_else(ear).or_else(outward).unwrap_or(0)
 }
 
-/// Whether nothing else of the outline is in the triangle of a corner that points outwards.
+/// Returns whether nothing else of the outline is in the triangle of a corner that points outwards.
 fn is_ear(points: &[ScreenPoint], left: &[usize], at: usize) -> bool {
     let cut = around(left, at);
     0.0 < turn(points, cut) && !(0..left.len()).any(|other| is_in_way(points, left, cut, other))
 }
 
-/// Whether the outline is in a triangle where it comes to its place `other`.
+/// Returns whether the outline is in a triangle where it comes to its place `other`.
 fn is_in_way(points: &[ScreenPoint], left: &[usize], cut: [usize; 3], other: usize) -> bool {
     let [before, here, after] = around(left, other);
     let is_here = |corner: &usize| distance(points[*corner], points[here]) <= 0.0;
@@ -85,34 +86,34 @@ fn is_in_way(points: &[ScreenPoint], left: &[usize], cut: [usize; 3], other: usi
     }
 }
 
-/// Whether the way from a triangle's first corner to `other` begins in the triangle.
+/// Returns whether the way from a triangle's first corner to `other` begins in the triangle.
 fn leads_into(points: &[ScreenPoint], [corner, next, last]: [usize; 3], other: usize) -> bool {
     0.0 < turn(points, [corner, next, other]) && 0.0 < turn(points, [corner, other, last])
 }
 
-/// A corner between its neighbours.
+/// Returns a corner between its neighbours.
 fn around(left: &[usize], at: usize) -> [usize; 3] {
     let of = left.len();
     [left[(at + of - 1) % of], left[at], left[(at + 1) % of]]
 }
 
-/// How far two points are from each other, along the axes.
+/// Returns the distance of two points along the axes.
 fn distance(a: ScreenPoint, b: ScreenPoint) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).abs()
 }
 
-/// Twice the area of a triangle; positive if it turns anticlockwise.
+/// Returns twice the area of a triangle; positive if it turns anticlockwise.
 fn turn(points: &[ScreenPoint], [a, b, c]: [usize; 3]) -> f64 {
     let [a, b, c] = [points[a], points[b], points[c]];
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether a point is in a triangle that turns anticlockwise, or on its edge.
+/// Returns whether a point is in a triangle that turns anticlockwise, or on its edge.
 fn is_within(points: &[ScreenPoint], [a, b, c]: [usize; 3], other: usize) -> bool {
     [[a, b], [b, c], [c, a]].into_iter().all(|[from, to]| 0.0 <= turn(points, [from, to, other]))
 }
 
-/// Twice the area of an outline; positive if it turns anticlockwise.
+/// Returns twice the area of an outline; positive if it turns anticlockwise.
 fn doubled_area(points: &[ScreenPoint]) -> f64 {
     let next = points.iter().cycle().skip(1);
     points.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum()
@@ -122,7 +123,7 @@ fn doubled_area(points: &[ScreenPoint]) -> f64 {
 mod tests {
     use super::*;
 
-    /// The triangles are of the outline's corners and have its area.
+    /// Checks that the triangles are of the outline's corners and have its area.
     #[track_caller]
     fn check(points: &[ScreenPoint]) {
         let mut turned: Vec<ScreenPoint> = points.to_vec();

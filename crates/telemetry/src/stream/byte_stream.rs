@@ -1,11 +1,11 @@
-//! What carries a connection: bytes both ways, encrypted or not.
+//! The bytes of a connection, encrypted or not.
 
 use tokio::io::{AsyncRead, AsyncWrite};
 
-/// Bytes both ways.
+/// Bytes in both directions.
 pub(crate) trait ByteStream: AsyncRead + AsyncWrite + Send + Unpin {}
 
 impl<T: AsyncRead + AsyncWrite + Send + Unpin> ByteStream for T {}
 
-/// Any carrier.
-pub(crate) type Boxed = Box<dyn ByteStream>;
+/// A byte stream of any kind.
+pub(crate) type BoxedStream = Box<dyn ByteStream>;

@@ -1,25 +1,25 @@
-//! How often something may be done.
+//! A token bucket: how often something may be done.
 
 use std::time::Duration;
 
 use tokio::time::Instant;
 
-/// Lets through so many each second, and twice as many at once after a pause.
+/// A rate (1/s), of which twice as many are let through at once after a pause.
 #[derive(Debug)]
-pub(super) struct Bucket {
+pub(super) struct RateLimit {
     per_second: f64,
     level: f64,
     since: Instant,
 }
 
-impl Bucket {
-    /// A full one.
+impl RateLimit {
+    /// Creates a full bucket.
     pub(super) fn new(per_second: u32, now: Instant) -> Self {
         let per_second = f64::from(per_second.max(1));
         Self { per_second, level: 2.0 * per_second, since: now }
     }
 
-    /// Whether one more may be done now, which then counts.
+    /// Returns whether one more may be done now, and counts it then.
     pub(super) fn take(&mut self, now: Instant) -> bool {
         self.fill(now);
         let is_free = self.level >= 1.0;
@@ -27,7 +27,7 @@ impl Bucket {
         is_free
     }
 
-    /// Counts one more, and says how long to wait before it is done.
+    /// Counts one more, and returns how long it has to wait.
     pub(super) fn book(&mut self, now: Instant) -> Duration {
         self.fill(now);
         self.level -= 1.0;
@@ -48,19 +48,19 @@ mod tests {
     #[test]
     fn after_a_burst_so_many_a_second_are_let_through() {
         let start = Instant::now();
-        let mut bucket = Bucket::new(100, start);
-        let through = |bucket: &mut Bucket, at| (0..5000).filter(|_| bucket.take(at)).count();
-        assert_eq!(through(&mut bucket, start), 200);
-        assert_eq!(through(&mut bucket, start + Duration::from_millis(500)), 50);
-        assert_eq!(through(&mut bucket, start + Duration::from_mins(1)), 200);
+        let mut limit = RateLimit::new(100, start);
+        let through = |limit: &mut RateLimit, at| (0..5000).filter(|_| limit.take(at)).count();
+        assert_eq!(through(&mut limit, start), 200);
+        assert_eq!(through(&mut limit, start + Duration::from_millis(500)), 50);
+        assert_eq!(through(&mut limit, start + Duration::from_mins(1)), 200);
     }
 
     #[test]
     fn those_that_are_booked_wait_for_their_turn() {
         let start = Instant::now();
-        let mut bucket = Bucket::new(100, start);
-        assert!((0..200).all(|_| bucket.book(start) == Duration::ZERO));
-        assert_eq!(bucket.book(start), Duration::from_millis(10));
-        assert_eq!(bucket.book(start), Duration::from_millis(20));
+        let mut limit = RateLimit::new(100, start);
+        assert!((0..200).all(|_| limit.book(start) == Duration::ZERO));
+        assert_eq!(limit.book(start), Duration::from_millis(10));
+        assert_eq!(limit.book(start), Duration::from_millis(20));
     }
 }

@@ -1,0 +1,111 @@
+//! The way to the hub, from any thread.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use tokio::sync::mpsc::error::TrySendError;
+use tokio::sync::{Notify, mpsc};
+
+use super::following::Following;
+use super::outbox::Outbox;
+use super::sample::StreamSample;
+use crate::stream::protocol::{ParameterValue, Subscription};
+use crate::{Topic, Update};
+
+/// Most messages that wait for the runtime; further ones are dropped, and counted.
+const QUEUE: usize = 4096;
+
+/// The number of a client, counted in a run.
+pub(super) type ClientNumber = u64;
+
+/// What connections and publishers tell the hub.
+#[derive(Debug)]
+pub(super) enum HubCommand {
+    Join(ClientNumber, Arc<Outbox>),
+    Leave(ClientNumber),
+    Subscribe(ClientNumber, Vec<Subscription>),
+    Unsubscribe(ClientNumber, Vec<u32>),
+    /// A client follows the values of parameters.
+    Watch(ClientNumber, Vec<String>),
+    Unwatch(ClientNumber, Vec<String>),
+    /// These are the new values of parameters.
+    Changed(Vec<ParameterValue>),
+}
+
+/// What publishers and the hub share.
+#[derive(Debug)]
+pub(super) struct HubHandle {
+    pub(super) following: Following,
+    /// Samples that must not be dropped and found no room, by slot, until the hub takes them.
+    retained: Mutex<BTreeMap<u16, StreamSample>>,
+    order: AtomicU64,
+    /// Notified when a sample was put aside.
+    pub(super) is_retained: Notify,
+    samples: mpsc::Sender<StreamSample>,
+    commands: mpsc::UnboundedSender<HubCommand>,
+    pub(super) lost: AtomicU64,
+}
+
+/// The ends of a [`HubHandle`] from which a hub receives.
+#[derive(Debug)]
+pub(super) struct HubReceivers {
+    pub(super) samples: mpsc::Receiver<StreamSample>,
+    pub(super) commands: mpsc::UnboundedReceiver<HubCommand>,
+}
+
+impl HubHandle {
+    /// Creates a handle, and the ends from which its hub receives.
+    pub(super) fn channel() -> (Arc<Self>, HubReceivers) {
+        let (sender, samples) = mpsc::channel(QUEUE);
+        let (commands, received) = mpsc::unbounded_channel();
+        let handle = Self {
+            following: Following::default(),
+            retained: Mutex::default(),
+            order: AtomicU64::new(0),
+            is_retained: Notify::new(),
+            samples: sender,
+            commands,
+            lost: AtomicU64::new(0),
+        };
+        (Arc::new(handle), HubReceivers { samples, commands: received })
+    }
+
+    /// Sends `update`, made at `at` (ns since 1970), which takes the place of others numbered
+    /// `slot`.
+    pub(super) fn send_retained(&self, topic: Topic, at: u64, update: &Update, slot: u16) {
+        let order = self.order.fetch_add(1, Ordering::Relaxed);
+        self.send(StreamSample::new(topic, at, update).retained(slot, order));
+    }
+
+    /// Keeps a sample for which the queue has no room if it must not be dropped.
+    fn put_aside(&self, sample: StreamSample) {
+        let Some((slot, _)) = sample.retained else {
+            self.lost.fetch_add(1, Ordering::Relaxed);
+            return;
+        };
+        // Held only to put in or to take out, never while anything is sent.
+        self.retained.lock().unwrap_or_else(PoisonError::into_inner).insert(slot, sample);
+        self.is_retained.notify_one();
+    }
+
+    /// Takes what was put aside since the last call.
+    pub(super) fn take_retained(&self) -> BTreeMap<u16, StreamSample> {
+        std::mem::take(&mut *self.retained.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// Hands a sample to the hub, or puts it aside if it must not be dropped.
+    pub(super) fn send(&self, sample: StreamSample) {
+        match self.samples.try_send(sample) {
+            Ok(()) => {}
+            Err(TrySendError::Full(sample) | TrySendError::Closed(sample)) => {
+                self.put_aside(sample);
+            }
+        }
+    }
+
+    pub(super) fn command(&self, command: HubCommand) {
+        // Without a hub there are no clients.
+        let _no_hub = self.commands.send(command);
+    }
+}
