@@ -4,6 +4,7 @@ use core::ops::Add;
 
 use crate::input::Signal;
 use crate::model::Model;
+use crate::state::State as _;
 use crate::watch::{Event, Piece, Watch};
 
 /// Energy and powers of a model at one instant, or a part of them.
@@ -149,33 +150,47 @@ impl<M: Energetic> Watch<M> for EnergyAudit {
 pub struct Auditor<M: Energetic> {
     /// The sums so far.
     pub sums: EnergyAudit,
-    known: Option<(M::Mode, M::State, Balance)>,
+    /// Mode and state at the end of the last piece, and the balance of that state.
+    mode: Option<M::Mode>,
+    state: M::State,
+    balance: Balance,
 }
 
 impl<M: Energetic> Default for Auditor<M> {
     fn default() -> Self {
-        Self { sums: EnergyAudit::default(), known: None }
+        Self {
+            sums: EnergyAudit::default(),
+            mode: None,
+            state: M::State::ZERO,
+            balance: Balance::default(),
+        }
     }
 }
 
 impl<M: Energetic> Auditor<M> {
     /// Forgets the last state's balance: the model's parameters have changed.
     pub const fn forget(&mut self) {
-        self.known = None;
+        self.mode = None;
     }
+}
+
+/// The balance of a state that no piece has ended in; apart, since it is seldom needed.
+#[cold]
+#[inline(never)]
+fn balance_anew<M: Energetic>(model: &M, mode: M::Mode, x: M::State) -> Balance {
+    model.balance_of_state(mode, &x)
 }
 
 impl<M: Energetic> Watch<M> for Auditor<M> {
     #[expect(clippy::inline_always, reason = "a call takes the piece through memory")]
     #[inline(always)]
     fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
-        let Piece { mode, start, end, .. } = *piece;
-        let known = self.known.filter(|(of, x, _)| *of == mode && *x == start);
+        let is_known = self.mode == Some(piece.mode) && self.state == piece.start;
         let start =
-            known.map_or_else(|| model.balance_of_state(mode, &start), |(_, _, balance)| balance);
-        let at_end = model.balance_of_state(mode, &end);
-        self.sums.add_piece(model, piece, (start, at_end));
-        self.known = Some((mode, end, at_end));
+            if is_known { self.balance } else { balance_anew(model, piece.mode, piece.start) };
+        let end = model.balance_of_state(piece.mode, &piece.end);
+        self.sums.add_piece(model, piece, (start, end));
+        (self.mode, self.state, self.balance) = (Some(piece.mode), piece.end, end);
     }
 
     fn event(&mut self, model: &M, event: &Event<'_, M>) {

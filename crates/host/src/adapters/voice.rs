@@ -141,7 +141,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut Turn) {
         turn.begin();
         let is_passive = self.passivity.is_passive(tick, sample.position);
-        let Followed { signal, position, late } = self.input.follow(tick, sample);
+        let Followed { ref signal, position, late } = self.input.follow(tick, sample);
         let damped = self.damper.follow(tick, position, self.h);
         if let Some((at, event)) = damped {
             turn.events.push(at, event);
@@ -150,7 +150,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let Turn { events, switches, .. } = turn;
         let mut strikes = Strikes { tick, events, switches };
         let mut watch = (&mut self.auditor, &mut strikes);
-        let done = self.simulator.advance(self.h, &signal, &mut watch);
+        let done = self.simulator.advance(self.h, signal, &mut watch);
         turn.look = self.look(&signal.at(1.0));
         let per_metre = self.simulator.model().input_per_metre();
         let gated = self.gate.apply(done.mean_readout * per_metre, self.h);

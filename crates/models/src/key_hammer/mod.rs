@@ -18,7 +18,8 @@ use pode::{GuardValue, Motion};
 /// Gap between slider and hammer and its rate; positive apart.
 ///
 /// gap = L4 cos θh − L3 sin θh − L1 sin δ, δ = θk − θh.
-#[inline]
+#[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+#[inline(always)]
 pub(crate) fn gap(p: &Values, hammer: (f64, f64), key: (f64, f64)) -> GuardValue {
     let ([sin_h, sin_d], [cos_h, cos_d]) = sin_cos_of_two([hammer.0, key.0 - hammer.0]);
     let value = p.l4 * cos_h - p.l3 * sin_h - p.l1 * sin_d;

@@ -227,7 +227,8 @@ impl Guarded for KeyHammerSprings {
         }
     }
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn guard(&self, _mode: Mode, guard: GuardId, x: &[f64; 4], _s: &Motion) -> GuardValue {
         let gap = || gap(&self.values, (x[0], x[2]), (x[1], x[3]));
         match guard {
