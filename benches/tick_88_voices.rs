@@ -121,10 +121,10 @@ fn ticks(
     name: &str,
     positions: Vec<[f64; TICKS]>,
     idle: usize,
-    published: Published,
+    observer: impl TickObserver,
 ) {
     let bus = Tables { positions, next: 0 };
-    let mut stage = Stage::new(&scene("default", &[]), bus).watched_by(published);
+    let mut stage = Stage::new(&scene("default", &[]), bus).watched_by(observer);
     for _ in 0..8 * TICKS {
         stage.tick();
     }
@@ -144,7 +144,8 @@ fn active(criterion: &mut Criterion) {
     let swings = (0..KEYS).map(|key| swing(key as f64 / KEYS as f64, quantum));
     let swings: Vec<_> = swings.collect();
     ticks(criterion, "tick_88_voices/active", swings.clone(), 0, Published::new());
-    ticks(criterion, "tick_88_voices/active_untapped", swings, 0, Published::untapped());
+    ticks(criterion, "tick_88_voices/active_untapped", swings.clone(), 0, Published::untapped());
+    ticks(criterion, "tick_88_voices/active_unwatched", swings, 0, stage::Nobody);
 }
 
 /// A voice that can be put back to where it was.

@@ -13,7 +13,9 @@ use models::{
     BouncingBall, CartPendulum, Described, KeyHammerRigid, KeyHammerSprings, ReducedGrand,
     SpringWall,
 };
-use pode::{Energetic as _, Model as _, Motion};
+use pode::input::Cubic;
+use pode::stepper::Rk4;
+use pode::{Auditor, Energetic as _, EnergyAudit, Limits, Model as _, Motion, Simulator};
 use proptest::prelude::*;
 
 use crate::stroke::{Books, bells, preset, presses, run, sine, still};
@@ -225,4 +227,25 @@ fn an_elastic_cart_keeps_its_energy_over_many_walls() {
     assert!(books.events.len() > 50, "{} events", books.events.len());
     let spread = books.spread();
     assert!(spread < 1e-8, "energy moves by {spread:e} J");
+}
+
+#[test]
+fn an_auditor_that_remembers_the_last_state_sums_the_same_bits() {
+    const H: f64 = 1e-3;
+    let model: KeyHammerSprings = preset("playable", 39, &[]);
+    let (mode, state) = model.at_rest(&still(0.0));
+    let mut simulator = Simulator::new(model, Rk4, Limits::default(), mode, state);
+    let (mut plain, mut auditor) = (EnergyAudit::default(), Auditor::default());
+    let (mut events, scale) = (0, models::Playable::input_per_metre(&model));
+    for tick in 0..1000 {
+        // As from an estimate, the input jumps where a tick begins.
+        let s =
+            presses(&[[9e-3 * scale, 0.1, 0.02], [-9e-3 * scale, 0.5, 0.02]], f64::from(tick) * H);
+        let signal = Cubic::ballistic(s.position, s.rate, 0.9 * s.acceleration, H);
+        let done = simulator.advance(H, &signal, &mut (&mut plain, &mut auditor));
+        events += done.work.events;
+    }
+    assert!(4 <= events, "{events} events");
+    assert_eq!(auditor.sums, plain);
+    assert!(plain.supplied > 1e-3 && plain.residual().abs() < 1e-3 * plain.supplied, "{plain:?}");
 }

@@ -1,10 +1,41 @@
 //! Where the energy of a simulation came from and where it went.
 
+use core::ops::Add;
+
 use crate::input::Signal;
 use crate::model::Model;
+use crate::state::State as _;
 use crate::watch::{Event, Piece, Watch};
 
+/// Energy and powers of a model at one instant, or a part of them.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Balance {
+    /// Energy stored [J].
+    pub energy: f64,
+    /// Power that the input's driver puts in [W].
+    pub supplied: f64,
+    /// Power that dampers and friction take [W].
+    pub dissipated: f64,
+}
+
+impl Add for Balance {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self {
+            energy: self.energy + other.energy,
+            supplied: self.supplied + other.supplied,
+            dissipated: self.dissipated + other.dissipated,
+        }
+    }
+}
+
 /// A model that can account for its energy.
+///
+/// [`Energetic::energy`], [`Energetic::supplied`] and [`Energetic::dissipated`] are the sums of
+/// [`Energetic::balance_of_state`] and [`Energetic::balance_of_input`]. A model overrides these
+/// two where its energy and powers share costly terms.
 pub trait Energetic: Model {
     /// Energy stored in `x` (J).
     fn energy(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
@@ -15,6 +46,24 @@ pub trait Energetic: Model {
     /// Power that dampers and friction take (W).
     fn dissipated(&self, _mode: Self::Mode, _x: &Self::State, _input: &Self::Input) -> f64 {
         0.0
+    }
+
+    /// Returns the part of the balance that depends on the state alone.
+    ///
+    /// An audit evaluates it once per state, even where the input jumps.
+    #[inline]
+    fn balance_of_state(&self, _mode: Self::Mode, _x: &Self::State) -> Balance {
+        Balance::default()
+    }
+
+    /// Returns the rest of the balance.
+    #[inline]
+    fn balance_of_input(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> Balance {
+        Balance {
+            energy: self.energy(mode, x, input),
+            supplied: self.supplied(mode, x, input),
+            dissipated: self.dissipated(mode, x, input),
+        }
     }
 }
 
@@ -46,29 +95,105 @@ impl EnergyAudit {
     }
 }
 
-impl<M: Energetic> Watch<M> for EnergyAudit {
-    fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
-        let [start, middle, end] = [0.0, 0.5, 1.0].map(|part| {
-            let (x, input) = piece.at(part);
-            (model.constrain(piece.mode, &x, &input), input)
-        });
-        // Simpson's rule, of the dense output's own order.
-        let mean = |power: &dyn Fn(&M::State, &M::Input) -> f64| {
-            (power(&start.0, &start.1) + 4.0 * power(&middle.0, &middle.1) + power(&end.0, &end.1))
-                / 6.0
-        };
+impl EnergyAudit {
+    /// Adds a piece, where the state alone gives the balances `start` and `end` at its ends.
+    #[expect(clippy::inline_always, reason = "a call takes the piece through memory")]
+    #[inline(always)]
+    fn add_piece<M: Energetic, S: Signal<M::Input>>(
+        &mut self,
+        model: &M,
+        piece: &Piece<'_, M, S>,
+        (start, end): (Balance, Balance),
+    ) {
         let mode = piece.mode;
+        let (x, input) = piece.middle(model);
+        let start = start + model.balance_of_input(mode, &piece.start, &piece.inputs[0]);
+        let middle = model.balance_of_state(mode, &x) + model.balance_of_input(mode, &x, &input);
+        let end = end + model.balance_of_input(mode, &piece.end, &piece.inputs[1]);
         let h = piece.duration();
-        self.supplied += h * mean(&|x, u| model.supplied(mode, x, u));
-        self.dissipated += h * mean(&|x, u| model.dissipated(mode, x, u));
-        self.stored +=
-            model.energy(mode, &piece.end, &end.1) - model.energy(mode, &start.0, &start.1);
+        self.supplied += h * mean(start.supplied, middle.supplied, end.supplied);
+        self.dissipated += h * mean(start.dissipated, middle.dissipated, end.dissipated);
+        self.stored += end.energy - start.energy;
     }
 
-    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+    /// Adds what an event changes.
+    fn add_event<M: Energetic>(&mut self, model: &M, event: &Event<'_, M>) {
         let energy = |(mode, x): &(M::Mode, M::State)| model.energy(*mode, x, &event.input);
         let jump = energy(&event.after) - energy(&event.before);
         self.jumps += jump;
         self.stored += jump;
+    }
+}
+
+/// Simpson's rule, of the dense output's own order.
+#[inline]
+fn mean(start: f64, middle: f64, end: f64) -> f64 {
+    (start + 4.0 * middle + end) / 6.0
+}
+
+impl<M: Energetic> Watch<M> for EnergyAudit {
+    #[inline]
+    fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
+        let [start, end] =
+            [&piece.start, &piece.end].map(|x| model.balance_of_state(piece.mode, x));
+        self.add_piece(model, piece, (start, end));
+    }
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        self.add_event(model, event);
+    }
+}
+
+/// An energy audit that evaluates the balance of each state once: the end of a piece is the
+/// start of the next.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Auditor<M: Energetic> {
+    /// The sums so far.
+    pub sums: EnergyAudit,
+    /// Mode and state at the end of the last piece, and the balance of that state.
+    mode: Option<M::Mode>,
+    state: M::State,
+    balance: Balance,
+}
+
+impl<M: Energetic> Default for Auditor<M> {
+    fn default() -> Self {
+        Self {
+            sums: EnergyAudit::default(),
+            mode: None,
+            state: M::State::ZERO,
+            balance: Balance::default(),
+        }
+    }
+}
+
+impl<M: Energetic> Auditor<M> {
+    /// Forgets the last state's balance: the model's parameters have changed.
+    pub const fn forget(&mut self) {
+        self.mode = None;
+    }
+}
+
+/// The balance of a state that no piece has ended in; apart, since it is seldom needed.
+#[cold]
+#[inline(never)]
+fn balance_anew<M: Energetic>(model: &M, mode: M::Mode, x: M::State) -> Balance {
+    model.balance_of_state(mode, &x)
+}
+
+impl<M: Energetic> Watch<M> for Auditor<M> {
+    #[expect(clippy::inline_always, reason = "a call takes the piece through memory")]
+    #[inline(always)]
+    fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
+        let is_known = self.mode == Some(piece.mode) && self.state == piece.start;
+        let start =
+            if is_known { self.balance } else { balance_anew(model, piece.mode, piece.start) };
+        let end = model.balance_of_state(piece.mode, &piece.end);
+        self.sums.add_piece(model, piece, (start, end));
+        (self.mode, self.state, self.balance) = (Some(piece.mode), piece.end, end);
+    }
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        self.sums.add_event(model, event);
     }
 }

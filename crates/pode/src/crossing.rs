@@ -7,6 +7,7 @@
 use crate::cubic::{Cubic, Turns};
 use crate::dip::Dip;
 use crate::epoch::Stand;
+use crate::forecast::is_certain;
 use crate::guard::{GuardSpec, GuardValue};
 use crate::locate::Bracket;
 
@@ -43,6 +44,12 @@ pub(crate) enum Crossing {
 impl GuardSpan<'_> {
     /// Most evaluations of the true guard that [`Self::crossing`] takes.
     pub(crate) const LOOKS: u32 = Dip::LOOKS + TRIES;
+
+    /// Whether the step hides no pair of the guard's roots for certain.
+    #[inline]
+    pub(crate) fn is_certain(&self) -> bool {
+        self.is_quiet || is_certain(self.spec.band(), self.start, self.end, self.bound, self.h)
+    }
 
     /// Whether the values at both ends leave room for a crossing.
     ///

@@ -66,7 +66,7 @@ pub mod input;
 pub mod math;
 pub mod stepper;
 
-pub use audit::{Energetic, EnergyAudit};
+pub use audit::{Auditor, Balance, Energetic, EnergyAudit};
 pub use dense::{Cubic, Dense, Polynomial};
 pub use guard::{Fires, GuardId, GuardSpec, GuardValue, MAX_GUARDS, Reads};
 pub use input::{Motion, Signal};

@@ -55,8 +55,23 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
         let z = x * x;
         (small_sine(x, z), small_cosine(z))
     } else {
-        (sin(x), cos(x))
+        large(x)
     }
+}
+
+/// The same beyond; apart, so that a caller's own numbers stay in registers.
+#[cold]
+#[inline(never)]
+fn large(x: f64) -> (f64, f64) {
+    (sin(x), cos(x))
+}
+
+/// The same of two angles, one of which may be small.
+#[cold]
+#[inline(never)]
+fn large_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+    let [first, second] = x.map(sin_cos);
+    ([first.0, second.0], [first.1, second.1])
 }
 
 /// Sines and cosines of two angles (rad), the same bits as [`sin_cos`]'s: in the time of one
@@ -68,8 +83,7 @@ pub fn sin_cos_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let z = x * x;
         (small_sine(x, z).to_array(), small_cosine(z).to_array())
     } else {
-        let [first, second] = x.map(sin_cos);
-        ([first.0, second.0], [first.1, second.1])
+        large_of_two(x)
     }
 }
 

@@ -16,8 +16,14 @@ pub struct Piece<'a, M: Model, S> {
     pub h: f64,
     /// How much of the step was kept, 0 ..= 1.
     pub tau: f64,
+    /// State at the start of the piece.
+    pub start: M::State,
     /// State at the end of the piece.
     pub end: M::State,
+    /// Input at both ends.
+    pub inputs: [M::Input; 2],
+    /// State and input in the middle, if the readout's mean took them.
+    pub(crate) middle: Option<(M::State, M::Input)>,
     /// Where the piece begins within its tick, and where the whole step would end.
     pub theta: (f64, f64),
     pub tick: u64,
@@ -29,8 +35,27 @@ impl<M: Model, S: Signal<M::Input>> Piece<'_, M, S> {
     /// State and input at the fraction `part` of the piece, 0 ..= 1.
     #[inline]
     pub fn at(&self, part: f64) -> (M::State, M::Input) {
+        self.at_in(self.dense, part)
+    }
+
+    /// The same by the piece's dense output with its type, which costs no call.
+    #[inline]
+    pub(crate) fn at_in<D: Dense<M::State> + ?Sized>(
+        &self,
+        dense: &D,
+        part: f64,
+    ) -> (M::State, M::Input) {
         let tau = part * self.tau;
-        (self.dense.at(tau), self.signal.at(self.theta_at(tau)))
+        (dense.at(tau), self.signal.at(self.theta_at(tau)))
+    }
+
+    /// State, with what is slaved in place, and input in the middle of the piece.
+    #[inline]
+    pub fn middle(&self, model: &M) -> (M::State, M::Input) {
+        self.middle.unwrap_or_else(|| {
+            let (x, input) = self.at(0.5);
+            (model.constrain(self.mode, &x, &input), input)
+        })
     }
 
     /// Length of the piece (s).
@@ -113,6 +138,8 @@ impl<M: Model> Watch<M> for Silent {
 impl<M: Model, A: Watch<M>, B: Watch<M>> Watch<M> for (A, B) {
     const LOOKS_INSIDE: bool = A::LOOKS_INSIDE || B::LOOKS_INSIDE;
 
+    #[expect(clippy::inline_always, reason = "a call takes the piece through memory")]
+    #[inline(always)]
     fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
         self.0.piece(model, piece);
         self.1.piece(model, piece);
@@ -127,6 +154,8 @@ impl<M: Model, A: Watch<M>, B: Watch<M>> Watch<M> for (A, B) {
 impl<M: Model, W: Watch<M>> Watch<M> for &mut W {
     const LOOKS_INSIDE: bool = W::LOOKS_INSIDE;
 
+    #[expect(clippy::inline_always, reason = "a call takes the piece through memory")]
+    #[inline(always)]
     fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
         (**self).piece(model, piece);
     }

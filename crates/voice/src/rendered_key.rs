@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use haptics::{EnergyBound, ForceGate, PassivityObserver};
 use models::Playable;
-use pode::{Advance, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch};
+use pode::{
+    Advance, Auditor, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch,
+};
 use scheduler::look::{MAX_STATES, ModelSnapshot, Switch, Switches};
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
 use scheduler::values::{MAX_VALUES, ModelValues};
@@ -28,7 +30,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     gate: ForceGate,
     damper: DamperTracker,
     rest: RestDetector,
-    audit: EnergyAudit,
+    auditor: Auditor<M>,
     passivity: PassivityObserver,
     cell: Arc<AuditCell>,
     /// Tick (s).
@@ -87,7 +89,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             gate,
             damper: DamperTracker::new(0.0),
             rest: RestDetector::new(h),
-            audit: EnergyAudit::default(),
+            auditor: Auditor::default(),
             passivity,
             cell,
             h,
@@ -127,29 +129,28 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
-    /// Whether the model accounts for the energy that it gained or lost in this tick, but for
+    /// Whether the model accounts for the energy that it gained or lost since `before`, but for
     /// less than the strongest force does over [`LONGEST_WAY`].
     ///
     /// Energies are the same at the finger and in the model, whatever its input is measured in.
-    fn is_explained(&self, audit: &EnergyAudit) -> bool {
+    fn is_explained(&self, before: &EnergyAudit) -> bool {
         let most = self.gate.limit() * LONGEST_WAY;
-        (audit.residual() - self.audit.residual()).abs() <= most
+        (self.auditor.sums.residual() - before.residual()).abs() <= most
     }
 
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         turn.begin();
         let is_passive = self.passivity.is_passive(tick, sample.position);
-        let Followed { signal, position, late } = self.input.follow(tick, sample);
-        if let Some((at, event)) = self.damper.follow(tick, position, self.h) {
+        let Followed { ref signal, position, late } = self.input.follow(tick, sample);
+        let damped = self.damper.follow(tick, position, self.h);
+        if let Some((at, event)) = damped {
             turn.events.push(at, event);
         }
-        let before = *self.simulator.state();
-        // What a tick says counts only if it ends well: a model that diverges must neither
-        // play notes nor spoil the sums.
-        let (mut audit, mut events) = (self.audit, turn.events);
-        let mut strikes = Strikes { tick, events: &mut events, switches: &mut turn.switches };
-        let mut watch = (&mut audit, &mut strikes);
-        let done = self.simulator.advance(self.h, &signal, &mut watch);
+        let (before, sums) = (*self.simulator.state(), self.auditor.sums);
+        let Turn { events, switches, .. } = turn;
+        let mut strikes = Strikes { tick, events, switches };
+        let mut watch = (&mut self.auditor, &mut strikes);
+        let done = self.simulator.advance(self.h, signal, &mut watch);
         turn.look = self.look(&signal.at(1.0));
         let per_metre = self.simulator.model().input_per_metre();
         let gated = self.gate.apply(done.mean_readout * per_metre, self.h);
@@ -164,12 +165,18 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             events: done.work.events,
         };
         turn.fault = fault(done.advance, done.work.events)
-            .or_else(|| (!self.is_explained(&audit)).then_some(VoiceFault::Diverged))
+            .or_else(|| (!self.is_explained(&sums)).then_some(VoiceFault::Diverged))
             .or((!is_passive).then_some(VoiceFault::MakesEnergy));
         if turn.fault.is_none() {
-            (self.audit, turn.events) = (audit, events);
-            self.cell.publish(&self.audit);
+            self.cell.publish(&self.auditor.sums);
             self.passivity.hold(tick, sample.position, turn.force);
+        } else {
+            // A model that diverges must neither play notes nor spoil the sums.
+            self.auditor.sums = sums;
+            turn.events.clear();
+            if let Some((at, event)) = damped {
+                turn.events.push(at, event);
+            }
         }
         self.rest.observe(sample.position, turn.force);
         if moves::<M>(&before, self.simulator.state(), self.h) {
@@ -211,6 +218,8 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
             return false;
         }
         self.simulator.set_model(M::with_values(values.as_slice()));
+        self.auditor.forget();
+        donor.auditor.forget();
         self.revision = values.revision();
         // What was at rest may not be any more, and what was stored is another amount.
         self.rest = RestDetector::new(self.h);

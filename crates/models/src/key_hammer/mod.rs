@@ -12,16 +12,16 @@ pub use parameters::{KeyHammerValues, PARAMETERS};
 pub use presets::PRESETS;
 pub(crate) use presets::{BALANCE, hammer_mass};
 
-use pode::math::{atan2, hypot, sin_cos};
+use pode::math::{atan2, hypot, sin_cos, sin_cos_of_two};
 use pode::{GuardValue, Motion};
 
 /// Gap between slider and hammer and its rate; positive apart.
 ///
 /// gap = L4 cos θh − L3 sin θh − L1 sin δ, δ = θk − θh.
-#[inline]
+#[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+#[inline(always)]
 pub(crate) fn gap(p: &KeyHammerValues, hammer: (f64, f64), key: (f64, f64)) -> GuardValue {
-    let (sin_h, cos_h) = sin_cos(hammer.0);
-    let (sin_d, cos_d) = sin_cos(key.0 - hammer.0);
+    let ([sin_h, sin_d], [cos_h, cos_d]) = sin_cos_of_two([hammer.0, key.0 - hammer.0]);
     let value = p.l4 * cos_h - p.l3 * sin_h - p.l1 * sin_d;
     let rate = -(p.l4 * sin_h + p.l3 * cos_h) * hammer.1 - p.l1 * cos_d * (key.1 - hammer.1);
     GuardValue::new(value, rate)

@@ -1,9 +1,10 @@
 //! Model B's equations, by hand, in the form that generated ones will take.
 
-use pode::math::{sin, sin_cos_of_two, sqrt};
+use pode::math::{sin_cos_of_two, sqrt};
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature,
-    ReadoutSlopes, Reset, Resets, Sloped,
+    Balance, Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature,
+    ReadoutSlopes,
+    Reset, Resets, Sloped,
 };
 
 use super::{KeyHammerSprings, Mode};
@@ -39,12 +40,24 @@ pub(super) struct Contact {
     pub(super) per_hammer: f64,
     /// ∂q4/∂θk = L1 + q4 tan δ (m/rad).
     pub(super) per_key: f64,
-    /// cos θh and cos θk.
+    /// Sines and cosines of θh and θk.
+    sin_h: f64,
+    sin_k: f64,
     cos_h: f64,
     cos_k: f64,
 }
 
 impl Contact {
+    /// What the felt stores and takes.
+    #[inline]
+    fn balance(&self) -> Balance {
+        Balance {
+            energy: 0.5 * self.spring * self.q4,
+            supplied: 0.0,
+            dissipated: (self.force() - self.spring) * self.q4_rate,
+        }
+    }
+
     /// `F_KH` (N).
     pub(super) fn force(&self) -> f64 {
         self.spring * self.felt
@@ -68,7 +81,20 @@ impl KeyHammerSprings {
         let q4_rate = per_hammer * x[2] + per_key * x[3];
         let (spring, stiffer) = (p.k2 * q4, 1.0 + p.c2 * q4_rate);
         let felt = if stiffer > 0.0 { stiffer } else { 0.0 };
-        Contact { q4, q4_rate, q3, spring, felt, cos_delta, per_hammer, per_key, cos_h, cos_k }
+        Contact {
+            q4,
+            q4_rate,
+            q3,
+            spring,
+            felt,
+            cos_delta,
+            per_hammer,
+            per_key,
+            sin_h,
+            sin_k,
+            cos_h,
+            cos_k,
+        }
     }
 
     /// F_KU as a torque: k1 (s − θk) + b1 (s' − θk') (N·m).
@@ -138,7 +164,8 @@ impl Model for KeyHammerSprings {
     type Input = Motion;
     const COORDS: usize = 2;
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn derivative(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> [f64; 4] {
         let [hammer, key] = match mode {
             Mode::B1 => {
@@ -201,7 +228,8 @@ impl Guarded for KeyHammerSprings {
         }
     }
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn guard(&self, _mode: Mode, guard: GuardId, x: &[f64; 4], _s: &Motion) -> GuardValue {
         let gap = || gap(&self.values, (x[0], x[2]), (x[1], x[3]));
         match guard {
@@ -227,17 +255,7 @@ impl Resets for KeyHammerSprings {
 
 impl Energetic for KeyHammerSprings {
     fn energy(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
-        let p = &self.values;
-        let twist = s.position - x[1];
-        let squeeze = match mode {
-            Mode::B1 => self.contact(x).q4,
-            Mode::B2 => 0.0,
-        };
-        0.5 * (p.jh * x[2] * x[2]
-            + p.jk * x[3] * x[3]
-            + p.k1 * twist * twist
-            + p.k2 * squeeze * squeeze)
-            + p.g * (p.m2 * p.l2 * sin(x[0]) + p.m1 * p.ck * sin(x[1]))
+        self.balance_of_state(mode, x).energy + self.balance_of_input(mode, x, s).energy
     }
 
     fn supplied(&self, _mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
@@ -245,15 +263,39 @@ impl Energetic for KeyHammerSprings {
     }
 
     fn dissipated(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
-        let slip = s.rate - x[3];
-        let felt = match mode {
+        self.balance_of_state(mode, x).dissipated + self.balance_of_input(mode, x, s).dissipated
+    }
+
+    /// Motion, weight and the felt between hammer and key.
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
+    fn balance_of_state(&self, mode: Mode, x: &[f64; 4]) -> Balance {
+        let p = &self.values;
+        let ([sin_h, sin_k], felt) = match mode {
             Mode::B1 => {
                 let contact = self.contact(x);
-                (contact.force() - contact.spring) * contact.q4_rate
+                ([contact.sin_h, contact.sin_k], contact.balance())
             }
-            Mode::B2 => 0.0,
+            Mode::B2 => (sin_cos_of_two([x[0], x[1]]).0, Balance::default()),
         };
-        self.values.b1 * slip * slip + felt
+        let own = Balance {
+            energy: 0.5 * (p.jh * x[2] * x[2] + p.jk * x[3] * x[3])
+                + self.moments[0] * sin_h
+                + self.moments[1] * sin_k,
+            ..Balance::default()
+        };
+        own + felt
+    }
+
+    /// The coupling k1 and b1.
+    #[inline]
+    fn balance_of_input(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> Balance {
+        let (twist, slip) = (s.position - x[1], s.rate - x[3]);
+        Balance {
+            energy: 0.5 * self.values.k1 * twist * twist,
+            supplied: self.supplied(mode, x, s),
+            dissipated: self.values.b1 * slip * slip,
+        }
     }
 }
 

@@ -23,6 +23,8 @@ pub struct KeyHammerSprings {
     per_inertia: [f64; 2],
     /// Angular accelerations by the weight of hammer and key, lying level (rad/s²).
     weights: [f64; 2],
+    /// Moments of the weight of hammer and key, lying level [N·m].
+    moments: [f64; 2],
 }
 
 impl KeyHammerSprings {
@@ -56,10 +58,17 @@ impl Described for KeyHammerSprings {
     fn with_values(values: &[f64]) -> Self {
         let values = KeyHammerValues::from_array(&filled::<_, Self>(values));
         let per_inertia = [1.0 / values.jh, 1.0 / values.jk];
-        let weights = [values.m2 * values.l2, values.m1 * values.ck];
-        let weights = [0, 1].map(|i| weights[i] * values.g * per_inertia[i]);
+        let moments = [values.m2 * values.l2, values.m1 * values.ck].map(|it| it * values.g);
+        let weights = [0, 1].map(|i| moments[i] * per_inertia[i]);
         let longest_steps = equations::longest_steps(&values);
-        Self { values, longest_steps, rates: equations::rates(&values), per_inertia, weights }
+        Self {
+            values,
+            longest_steps,
+            rates: equations::rates(&values),
+            per_inertia,
+            weights,
+            moments,
+        }
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {

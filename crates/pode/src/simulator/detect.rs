@@ -7,7 +7,7 @@ use super::{Simulator, TakenStep};
 use crate::crossing::{Crossing, GuardSpan};
 use crate::dense::Dense as _;
 use crate::epoch::Stand;
-use crate::forecast::{GuardSlot, is_certain};
+use crate::forecast::GuardSlot;
 use crate::guard::{GuardSet, GuardSpec, GuardValue, MAX_GUARDS};
 use crate::input::Signal;
 use crate::locate::{locate, most_evaluations};
@@ -36,49 +36,71 @@ impl CrossingTime {
     const NOWHERE: Self = Self { tau: f64::INFINITY, radius: 0.0 };
 }
 
+/// The guards that may cross in a step, by their place among the mode's guards.
+pub(super) type Suspects = [Option<Span<'static>>; MAX_GUARDS];
+
 impl<M: Resets, T: Stepper> Simulator<M, T> {
-    /// The earliest crossing within the step; ties go to the lower priority number.
-    #[inline]
-    pub(super) fn first_crossing<S: Signal<M::Input>, W>(
+    /// Evaluates the guards at the end of a step, and says whether any of them may have crossed:
+    /// these are the `suspects`.
+    #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
+    #[inline(always)]
+    pub(super) fn may_cross<S: Signal<M::Input>, W>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
-        taken: &mut TakenStep<M, T>,
-    ) -> Result<Option<First>, Fault> {
-        let specs = self.model.guards(self.mode);
-        let mut places = [CrossingTime::NOWHERE; MAX_GUARDS];
+        taken: &TakenStep<M, T>,
+        suspects: &mut Suspects,
+    ) -> Result<bool, Fault> {
         let (mut any, mut verdict) = (false, StepCertainty::Certified);
-        for (index, spec) in specs.iter().enumerate().take(MAX_GUARDS) {
+        let uncertain = self.uncertain(taken.h);
+        for (index, spec) in self.model.guards(self.mode).iter().enumerate().take(MAX_GUARDS) {
             let slot = &mut self.guards[index];
             if run.limits.forecast && slot.is_asleep(taken.h) {
                 slot.later(taken.h);
                 continue;
             }
-            let Some(span) = self.span(run, taken, index, spec)? else { return Ok(None) };
-            verdict = verdict.max(self.verdict(&span));
+            let Some(span) = self.span(run, taken, index, spec)? else { return Ok(false) };
+            verdict = verdict.max(if span.is_certain() { Verdict::Certified } else { uncertain });
             if !span.is_quiet && span.may_cross() {
-                self.refine(run, taken);
-                places[index] = self.crossing_place(run, taken, &span)?;
+                suspects[index] = Some(span);
                 any = true;
             }
         }
         run.work.judge(verdict);
-        Ok(match specs {
-            _ if !any => None,
+        Ok(any)
+    }
+
+    /// The earliest crossing of the suspects within the step; ties go to the lower priority
+    /// number.
+    pub(super) fn first_crossing<S: Signal<M::Input>, W>(
+        &self,
+        run: &mut Run<'_, S, W>,
+        taken: &mut Taken<M, T>,
+        suspects: &Suspects,
+    ) -> Result<Option<First>, Fault> {
+        self.refine(run, taken);
+        let mut places = [Place::NOWHERE; MAX_GUARDS];
+        for (place, span) in places.iter_mut().zip(suspects) {
+            if let Some(span) = span {
+                *place = self.crossing_place(run, taken, span)?;
+            }
+        }
+        Ok(match self.model.guards(self.mode) {
             [only] => alone(only, places[0]),
-            _ => earliest(specs, &places),
+            specs => earliest(specs, &places),
         })
     }
 
     /// A guard's values at both ends of a step, and from there what it will do next; `None` if
     /// the tick has no more evaluations.
-    #[inline]
-    fn span<'a, S: Signal<M::Input>, W>(
+    #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
+    #[inline(always)]
+    fn span<S: Signal<M::Input>, W>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
         taken: &TakenStep<M, T>,
         index: usize,
-        spec: &'a GuardSpec,
-    ) -> Result<Option<GuardSpan<'a>>, Fault> {
+        spec: &'static GuardSpec,
+    ) -> Result<Option<GuardSpan<'static>>, Fault> {
         let slot = self.guards[index];
         let is_quiet = run.limits.forecast && slot.is_quiet(taken.h);
         if !run.spend_guards(1 + u32::from(!slot.is_fresh && !is_quiet)) {
@@ -98,7 +120,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             next.curvature = (end.rate - start.rate) / taken.h;
         }
         self.guards[index] = next;
-        let sinks = slot.stand == Stand::Spent && self.would_turn(run, taken, spec, end);
+        let sinks =
+            slot.stand == Stand::Spent && self.would_turn(run, (taken.end, taken.input), spec, end);
         let stand = if sinks { Stand::Sinking } else { slot.stand };
         Ok(Some(GuardSpan { spec, stand, start, end, h: taken.h, bound, is_quiet }))
     }
@@ -108,31 +131,28 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     fn would_turn<S, W>(
         &self,
         run: &mut TickRun<'_, S, W>,
-        taken: &TakenStep<M, T>,
+        (x, input): (M::State, M::Input),
         spec: &GuardSpec,
         end: GuardValue,
     ) -> bool {
         if end.value >= -spec.band() || end.rate >= 0.0 || !run.spend_guards(1) {
             return false;
         }
-        let reset = self.model.reset(self.mode, spec.id, &taken.end, &taken.input);
-        let after = self.model.guard(self.mode, spec.id, &reset.state, &taken.input);
+        let reset = self.model.reset(self.mode, spec.id, &x, &input);
+        let after = self.model.guard(self.mode, spec.id, &reset.state, &input);
         reset.mode != self.mode || after.rate >= 0.0
     }
 
-    /// Whether the step can hide a pair of this guard's roots.
+    /// What is known of a step of `h` [s] over which a guard is not positive for certain.
     #[inline]
-    fn verdict(&self, span: &GuardSpan<'_>) -> StepCertainty {
-        if span.is_quiet || is_certain(span.spec.band(), span.start, span.end, span.bound, span.h) {
-            return StepCertainty::Certified;
-        }
+    fn uncertain(&self, h: f64) -> StepCertainty {
         let nature = self.model.nature(self.mode);
         // Without a rate a linear mode is a polynomial in the time; others then go by their step.
         let is_resolved = if nature.is_linear() || nature.rate > 0.0 {
-            nature.rate * span.h <= 1.0
+            nature.rate * h <= 1.0
         } else {
             let own = self.model.longest_step(self.mode);
-            span.h <= own && own < f64::INFINITY
+            h <= own && own < f64::INFINITY
         };
         if is_resolved { StepCertainty::Likely } else { StepCertainty::Unknown }
     }

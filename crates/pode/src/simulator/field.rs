@@ -51,7 +51,8 @@ impl<M: Model, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
         self.model.nature(self.mode)
     }
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn derivative(&mut self, tau: f64, x: &M::State) -> M::State {
         self.derivatives += 1;
         self.model.derivative(self.mode, x, &self.signal.at(self.theta + tau * self.span))

@@ -9,7 +9,7 @@ mod field;
 mod step_end;
 mod transition;
 
-use detect::First;
+use detect::{First, Suspects};
 use field::ModeField;
 
 use crate::dense::Dense as _;
@@ -150,29 +150,30 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         W: Watch<M>,
     {
         let mut run = TickRun::new(h, signal, watch, self.limits);
-        if h > 0.0 && h.is_finite() {
-            self.begin(&mut run);
+        let mut input = run.input();
+        if h > 0.0 && h < f64::INFINITY {
+            self.begin(&mut run, &mut input);
         } else {
             run.fail(Fault::Period);
         }
-        for _ in 0..=run.limits.pieces {
-            if !run.is_going() {
-                break;
-            }
-            self.advance_piece(&mut run);
+        while run.is_going() {
+            self.advance_piece(&mut run, &mut input);
         }
-        self.finish(run)
+        self.finish(run, input)
     }
 
     /// Takes the guards at the start of the tick, and settles what is due at once.
     #[inline]
-    fn begin<S: Signal<M::Input>, W: Watch<M>>(&mut self, run: &mut TickRun<'_, S, W>) {
+    fn begin<S: Signal<M::Input>, W: Watch<M>>(
+        &mut self,
+        run: &mut TickRun<'_, S, W>,
+        input: &mut M::Input,
+    ) {
         self.memory.begin_tick();
-        let input = run.input();
-        if self.last_input == Some(input) {
+        if self.last_input == Some(*input) {
             return;
         }
-        let Some(state) = self.constrained(self.mode, &self.state, &input) else {
+        let Some(state) = self.constrained(self.mode, &self.state, input) else {
             return run.fail(Fault::State);
         };
         self.state = state;
@@ -187,27 +188,60 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
         if self.take_guards(run, from) {
             self.settle(run);
+            *input = run.input();
         }
     }
 
-    /// Advances one step, or the part of it up to the first crossing.
-    #[inline]
-    fn advance_piece<S: Signal<M::Input>, W: Watch<M>>(&mut self, run: &mut TickRun<'_, S, W>) {
+    /// Advances one step, or the part of it up to the first crossing; `input` is that of the
+    /// present instant.
+    #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
+    #[inline(always)]
+    fn advance_piece<S: Signal<M::Input>, W: Watch<M>>(
+        &mut self,
+        run: &mut TickRun<'_, S, W>,
+        input: &mut M::Input,
+    ) {
         if run.work.pieces >= run.limits.pieces {
             return run.cap(Cap::Pieces);
         }
         run.work.pieces += 1;
         let Some(mut taken) = self.take_step(run) else { return };
-        match self.first_crossing(run, &mut taken) {
+        let mut suspects = [None; MAX_GUARDS];
+        match self.may_cross(run, &taken, &mut suspects) {
             Err(fault) => run.fail(fault),
             Ok(_) if !run.is_going() => {}
-            Ok(None) => self.keep(run, &mut taken),
-            Ok(Some(first)) => self.leave(run, &taken, &first),
+            Ok(false) => {
+                self.keep(run, &mut taken, input);
+                *input = taken.input;
+            }
+            // By value, so that a step that is kept never has to be in memory.
+            Ok(true) => *input = self.cross(run, taken, &suspects, *input),
         }
     }
 
+    /// Leaves a step that began with `input` at its first crossing, or keeps it if there is none
+    /// after all; returns the input where it ends.
+    #[cold]
+    #[inline(never)]
+    fn cross<S: Signal<M::Input>, W: Watch<M>>(
+        &mut self,
+        run: &mut Run<'_, S, W>,
+        mut taken: Taken<M, T>,
+        suspects: &Suspects,
+        input: M::Input,
+    ) -> M::Input {
+        match self.first_crossing(run, &mut taken, suspects) {
+            Err(fault) => run.fail(fault),
+            Ok(_) if !run.is_going() => {}
+            Ok(None) => self.keep(run, &mut taken, &input),
+            Ok(Some(first)) => self.leave(run, &taken, &first, &input),
+        }
+        run.input()
+    }
+
     /// Takes a step; `None` if the method refuses it, or its end is not finite.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
+    #[inline(always)]
     fn take_step<S: Signal<M::Input>, W>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
@@ -230,16 +264,18 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     /// Keeps a whole step.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
+    #[inline(always)]
     fn keep<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
         taken: &mut TakenStep<M, T>,
+        input: &M::Input,
     ) {
         if self.is_read || W::LOOKS_INSIDE {
             self.refine(run, taken);
         }
-        self.accept(run, taken, 1.0, taken.end, &taken.input);
+        self.accept(run, taken, (1.0, taken.end), [*input, taken.input]);
         for (slot, spec) in self.guards.iter_mut().zip(self.model.guards(self.mode)) {
             if slot.is_fresh {
                 slot.stand = stand_after(slot.stand, spec, slot.value, taken.h);
@@ -255,6 +291,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run: &mut TickRun<'_, S, W>,
         taken: &TakenStep<M, T>,
         first: &First,
+        from: &M::Input,
     ) {
         if first.tau > 0.0 {
             let theta = taken.theta(run.theta, first.tau);
@@ -263,7 +300,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             else {
                 return run.fail(Fault::State);
             };
-            self.accept(run, taken, first.tau, end, &input);
+            self.accept(run, taken, (first.tau, end), [*from, input]);
             self.memory.restart();
             run.move_to(theta);
             run.since_event = run.resolution();
@@ -275,27 +312,30 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     /// Takes over the state at `tau` of a step, and what was to be felt and seen until there.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
+    #[inline(always)]
     fn accept<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
         taken: &TakenStep<M, T>,
-        tau: f64,
-        end: M::State,
-        input: &M::Input,
+        (tau, end): (f64, M::State),
+        inputs: [M::Input; 2],
     ) {
-        let piece = Piece {
+        let mut piece = Piece {
             mode: self.mode,
             dense: &taken.step.dense,
             h: taken.h,
             tau,
+            start: self.state,
             end,
+            inputs,
+            middle: None,
             theta: (run.theta, taken.theta_end),
             tick: self.tick,
             signal: run.signal,
         };
         if self.is_read {
-            self.sum_readout(run, &piece, input);
+            self.sum_readout(run, &taken.step.dense, &mut piece);
         }
         run.watch.piece(&self.model, &piece);
         run.local_error = run.local_error.max(largest(&taken.step.error));
@@ -304,25 +344,32 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     /// Adds a piece's readout to the tick's mean, by a rule that fits the dense output.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
+    #[inline(always)]
     fn sum_readout<S: Signal<M::Input>, W>(
         &self,
         run: &mut TickRun<'_, S, W>,
-        piece: &Piece<'_, M, S>,
-        end_input: &M::Input,
+        dense: &T::Dense<M::State>,
+        piece: &mut Piece<'_, M, S>,
     ) {
         let readout = |x: &M::State, input: &M::Input| self.model.readout(self.mode, x, input);
-        let start = run.readout.unwrap_or_else(|| readout(&self.state, &run.input()));
-        let end = readout(&piece.end, end_input);
+        let start = run.readout.unwrap_or_else(|| readout(&piece.start, &piece.inputs[0]));
+        let end = readout(&piece.end, &piece.inputs[1]);
         let inside = |part: f64| {
-            let (x, input) = piece.at(part);
-            readout(&self.model.constrain(self.mode, &x, &input), &input)
+            let (x, input) = piece.at_in(dense, part);
+            (self.model.constrain(self.mode, &x, &input), input)
         };
         let ends = [start, end];
         let (mean, looks) = if self.stepper.is_smooth_inside() {
-            (LOBATTO.mean(ends, inside), LOBATTO.looks())
+            let value = |part: f64| {
+                let (x, input) = inside(part);
+                readout(&x, &input)
+            };
+            (LOBATTO.mean(ends, value), LOBATTO.looks())
         } else {
-            (SIMPSON.mean(ends, inside), SIMPSON.looks())
+            let (x, input) = inside(0.5);
+            piece.middle = Some((x, input));
+            (SIMPSON.mean(ends, |_middle| readout(&x, &input)), SIMPSON.looks())
         };
         run.work.readouts += 1 + looks + u32::from(run.readout.is_none());
         run.integral += piece.duration() * mean;
@@ -336,9 +383,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     #[inline]
-    fn finish<S: Signal<M::Input>, W>(&mut self, mut run: TickRun<'_, S, W>) -> Tick {
-        let input = run.signal.at(1.0);
+    fn finish<S: Signal<M::Input>, W>(&mut self, mut run: TickRun<'_, S, W>, now: M::Input) -> Tick {
         let is_complete = run.advance == Advance::Completed;
+        let is_at_end = is_complete && run.theta <= 1.0;
+        let input = if is_at_end { now } else { run.signal.at(1.0) };
         if !is_complete {
             // Held: the rest of the tick keeps the last good state.
             self.state = self.constrained(self.mode, &self.state, &input).unwrap_or(self.state);

@@ -1,0 +1,127 @@
+//! What a tick of 88 active keys spends on each part (model B, playable, RK4).
+//!
+//! Each case does what the one before it does and one thing more, so the difference is what that
+//! thing costs. `tick_88_voices` goes on from there: `active_unwatched` adds lanes and safety,
+//! `active_untapped` the counters, `active` the telemetry.
+//!
+//! | case | adds |
+//! |---|---|
+//! | estimate | the filter, and the input over the tick |
+//! | step | RK4 and the guards |
+//! | readout | the mean force |
+//! | audit | the energy audit |
+//! | voice | force limits, damper, passivity, events, rest |
+#![expect(clippy::expect_used, reason = "a bench may stop here")]
+
+#[path = "setting/mod.rs"]
+mod setting;
+
+use std::sync::Arc;
+
+use criterion::Criterion;
+use haptics::{Kalman, RigParameters};
+use host::adapters::input::{AnyEstimator, InputPath};
+use host::assemble::{AnyVoice, Assembler};
+use host::config::Scene;
+use models::{Described as _, KeyHammerSprings, Playable as _};
+use pode::input::Cubic;
+use pode::stepper::Rk4;
+use pode::{Auditor, Limits, Signal as _, Silent, Simulator};
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::voice::Turn;
+use setting::{TICKS, swing};
+
+/// Tick [s].
+const H: f64 = 1e-3;
+
+fn main() {
+    let mut criterion = setting::criterion();
+    keys(&mut criterion, "estimate", |key, signal| key.felt += signal.at(1.0).position);
+    keys(&mut criterion, "step", |key, signal| {
+        key.felt += key.unread.advance(H, signal, &mut Silent).mean_readout;
+    });
+    keys(&mut criterion, "readout", |key, signal| {
+        key.felt += key.simulator.advance(H, signal, &mut Silent).mean_readout;
+    });
+    keys(&mut criterion, "audit", |key, signal| {
+        key.felt += key.simulator.advance(H, signal, &mut key.auditor).mean_readout;
+    });
+    voices(&mut criterion);
+    criterion.final_summary();
+}
+
+/// What a voice is made of, and the positions that its key goes through.
+struct Key {
+    input: InputPath,
+    simulator: Simulator<KeyHammerSprings, Rk4>,
+    unread: Simulator<KeyHammerSprings, Rk4>,
+    auditor: Auditor<KeyHammerSprings>,
+    positions: [f64; TICKS],
+    felt: f64,
+}
+
+impl Key {
+    fn new(number: u8) -> Self {
+        let preset = KeyHammerSprings::PRESETS.iter().find(|preset| preset.name == "playable");
+        let value = preset.expect("the preset").value;
+        let indices = 0..KeyHammerSprings::PARAMETERS.len();
+        let model = KeyHammerSprings::with_values(
+            &indices.map(|index| value(index, number)).collect::<Vec<_>>(),
+        );
+        let positions = swing_of(number.into());
+        let kalman = Kalman::new(H, RigParameters::default().quantum, Kalman::KEY_JERK_DENSITY);
+        let scale = model.input_per_metre();
+        let mut input = InputPath::new(AnyEstimator::Kalman(kalman), None, scale, H);
+        let (mode, state) = model.at_rest(&input.reset(positions[0]));
+        let simulator = Simulator::new(model, Rk4, Limits::default(), mode, state);
+        let unread = simulator.without_readout();
+        Self { input, simulator, unread, auditor: Auditor::default(), positions, felt: 0.0 }
+    }
+}
+
+/// A slow swing, of which each key is at another place.
+fn swing_of(key: usize) -> [f64; TICKS] {
+    swing(key as f64 / KEYS as f64, RigParameters::default().quantum)
+}
+
+/// A tick of all keys: the estimate, and then `rest` with the input over the tick.
+fn keys(criterion: &mut Criterion, name: &str, mut rest: impl FnMut(&mut Key, &Cubic)) {
+    let mut keys: Vec<_> = (0..88).map(Key::new).collect();
+    let mut tick = 0;
+    let mut next = || {
+        let place = tick as usize % TICKS;
+        for key in &mut keys {
+            let sample = KeySample::fresh(key.positions[place]);
+            let followed = key.input.follow(tick, &sample);
+            rest(key, &followed.signal);
+        }
+        tick += 1;
+    };
+    (0..8 * TICKS).for_each(|_| next());
+    criterion.bench_function(&format!("tick_parts/{name}"), |bencher| bencher.iter(&mut next));
+}
+
+/// A tick of whole voices.
+fn voices(criterion: &mut Criterion) {
+    let scene = Scene::load("default", &[]).expect("a scene of ours");
+    let assembler = Assembler::new(&scene).expect("a scene of ours");
+    let voice = |(number, described)| {
+        let positions = swing_of(number);
+        let voice = assembler.voice(described, Arc::default()).expect("a model of ours");
+        (voice, Turn::default(), positions)
+    };
+    let mut voices: Vec<(AnyVoice, Turn, _)> = assembler.keys().map(voice).collect();
+    for (voice, _turn, positions) in &mut voices {
+        voice.reset(&KeySample::fresh(positions[0]));
+    }
+    let mut tick = 0;
+    let mut next = || {
+        let place = tick as usize % TICKS;
+        for (voice, turn, positions) in &mut voices {
+            voice.tick_into(tick, &KeySample::fresh(positions[place]), turn);
+        }
+        tick += 1;
+    };
+    (0..8 * TICKS).for_each(|_| next());
+    criterion.bench_function("tick_parts/voice", |bencher| bencher.iter(&mut next));
+}
