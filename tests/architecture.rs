@@ -142,7 +142,7 @@ fn every_dependency_is_used() {
 }
 
 #[test]
-fn every_dependency_of_the_workspace_is_somebody_s() {
+fn every_shared_dependency_is_inherited() {
     let inherited: BTreeSet<String> =
         manifests().iter().flat_map(|it| dependencies(it)).map(|(_, name)| name).collect();
     let root = parse(&root().join("Cargo.toml"));
