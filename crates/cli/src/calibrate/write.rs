@@ -1,7 +1,6 @@
 //! What was measured into files, and to the boards.
 
 use std::path::PathBuf;
-use std::time::SystemTime;
 
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::Operation;
@@ -11,9 +10,16 @@ use hardware::calibration::{KeyCalibration, file};
 use hardware::keybed::{Armed, Keybed};
 use hardware::refusal::{KeyName, Refusal};
 use serde::Serialize;
+use time::OffsetDateTime;
+use time::format_description::BorrowedFormatItem;
+use time::macros::format_description;
 
 use super::bring_up::MeasuredBoard;
 use super::measure::MeasureOutcome;
+
+/// How a file says when it was made.
+const MADE: &[BorrowedFormatItem<'_>] =
+    format_description!("[year]-[month]-[day] [hour]:[minute] UTC");
 
 /// A board whose file was written.
 #[derive(Debug, Serialize)]
@@ -109,7 +115,7 @@ impl From<&(KeyIndex, KeyCalibration)> for MeasuredKeyRow {
 fn sheet(board: &MeasuredBoard, keys: &[KeyCalibration]) -> file::CalibrationSheet {
     file::CalibrationSheet {
         uid: board.found.uid(),
-        made: lab::report::utc(SystemTime::now()),
+        made: OffsetDateTime::now_utc().format(MADE).unwrap_or_default(),
         by: format!("letoff calibrate {}", env!("CARGO_PKG_VERSION")),
         keys: PerKey::collect(keys.iter().copied()),
     }

@@ -1,15 +1,16 @@
 //! What happens in a run: events, states at the times of samples, work of each tick.
 
-use pode::{Advance, Cap, EnergyAudit, Event, Fault, Model, Piece, Signal, Stepper, Watch, Work};
+use pode::stepper::Any;
+use pode::{Advance, Cap, EnergyAudit, Event, Fault, Model, Piece, Signal, Watch, Work};
 
 use super::job::RunJob;
 use super::stepped::Stepped;
 use crate::scenario::{ForceKind, Plan, Scenario, StateOf, Studied};
 
-/// An event that happened.
+/// An event that happened in a run.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SeenEvent<M: Model> {
-    /// When (s).
+    /// Time of the event (s).
     pub(super) t: f64,
     pub(super) guard: &'static str,
     pub(super) to: M::Mode,
@@ -18,7 +19,7 @@ pub(super) struct SeenEvent<M: Model> {
 /// State and force where the reference has a sample.
 pub(super) type FoundSamples<S> = (S, f64);
 
-/// What a run gave.
+/// Everything of a run that can be judged.
 #[derive(Clone, Debug)]
 pub(super) struct ObservedRun<M: Model> {
     pub(super) events: Vec<SeenEvent<M>>,
@@ -28,14 +29,14 @@ pub(super) struct ObservedRun<M: Model> {
     pub(super) samples: Vec<Option<FoundSamples<M::State>>>,
     /// Of every tick, until the end or the first fault.
     pub(super) work: Vec<Work>,
-    /// What the energy audit leaves unexplained (J).
+    /// Energy that the audit leaves unexplained (J).
     pub(super) residual: f64,
     /// Where and why the run did not go on as it should (s).
     pub(super) trouble: Option<(f64, &'static str)>,
 }
 
 /// Does the run once, looking on.
-pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> ObservedRun<S::Model> {
+pub(super) fn observe<S: Scenario>(job: &RunJob<'_, S, Any>) -> ObservedRun<S::Model> {
     let mut log = EventRecorder::<S::Model>::new(job.tick);
     let mut samples = Samples::new(job.scenario, job.tick);
     let mut trouble = None;
@@ -60,9 +61,9 @@ pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Observ
     }
 }
 
-/// Work of every tick, until the end or the first fault, while nobody looks on: who looks
+/// Returns the work of every tick, until the end or the first fault, without a watch: a look
 /// inside a step may cost evaluations.
-fn work<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Vec<Work> {
+fn work<S: Scenario>(job: &RunJob<'_, S, Any>) -> Vec<Work> {
     let mut simulator = job.simulator();
     let mut work = Vec::new();
     for _ in 0..job.ticks() {
