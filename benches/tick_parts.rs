@@ -20,16 +20,16 @@ use std::sync::Arc;
 
 use criterion::Criterion;
 use haptics::{Kalman, RigParameters};
-use host::adapters::input::{AnyEstimator, InputPath};
-use host::assemble::{AnyVoice, Assembler};
-use host::config::Scene;
 use models::{Described as _, KeyHammerSprings, Playable as _};
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Auditor, Limits, Signal as _, Silent, Simulator};
+use scene::Scene;
 use scheduler::motion::{KEYS, KeySample};
-use scheduler::voice::Turn;
+use scheduler::voice::VoiceOutput;
 use setting::{TICKS, swing};
+use voice::input::{AnyEstimator, InputPath};
+use voice::{AnyVoice, VoiceBuilder};
 
 /// Tick [s].
 const H: f64 = 1e-3;
@@ -104,13 +104,13 @@ fn keys(criterion: &mut Criterion, name: &str, mut rest: impl FnMut(&mut Key, &C
 /// A tick of whole voices.
 fn voices(criterion: &mut Criterion) {
     let scene = Scene::load("default", &[]).expect("a scene of ours");
-    let assembler = Assembler::new(&scene).expect("a scene of ours");
+    let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");
     let voice = |(number, described)| {
         let positions = swing_of(number);
         let voice = assembler.voice(described, Arc::default()).expect("a model of ours");
-        (voice, Turn::default(), positions)
+        (voice, VoiceOutput::default(), positions)
     };
-    let mut voices: Vec<(AnyVoice, Turn, _)> = assembler.keys().map(voice).collect();
+    let mut voices: Vec<(AnyVoice, VoiceOutput, _)> = assembler.keys().map(voice).collect();
     for (voice, _turn, positions) in &mut voices {
         voice.reset(&KeySample::fresh(positions[0]));
     }

@@ -6,7 +6,7 @@ use std::time::SystemTime;
 
 use clap::{Args, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
-use lab::accuracy::{Effort, METHODS, SequenceVerdict, StudyChoice, Unknown, measure};
+use lab::accuracy::{Effort, METHODS, SequenceVerdict, StudyChoice, UnknownName, measure};
 use lab::report::{self, Machine, PAGE, StudyReport, read_peers};
 use lab::scenario::SCENARIOS;
 
@@ -119,8 +119,8 @@ fn check(args: &AccuracyArgs) -> Result<(StudyChoice, StudyReport), Vec<String>>
 }
 
 /// Returns what is wrong with a name, and which would be right.
-fn sentence(unknown: &Unknown) -> String {
-    let Unknown { what, name, known } = unknown;
+fn sentence(unknown: &UnknownName) -> String {
+    let UnknownName { what, name, known } = unknown;
     format!("there is no {what} {}: {}", quoted(name), choice(name, known))
 }
 

@@ -1,10 +1,15 @@
-//! Offline studies with reports.
+//! All that is offline: one key in simulation, and studies with reports.
 //!
 //! ```text
+//! simulate/   one model under one input: trajectory, events, picture, summary
 //! scenario/   problems with known answers: models, inputs, references
 //! accuracy/   runs each with every method and step, judges it, times it
 //! report/     what was measured, as CSV, SVG and one HTML page
+//! plot/       pictures as SVG, for simulate and report
 //! ```
+//!
+//! `scenario` does not know `accuracy`, `accuracy` does not know `report`, and none of them knows
+//! `simulate`.
 //!
 //! A study is run by hand on an idle machine; its counts are the same everywhere, its
 //! nanoseconds belong to the machine that the report names.
@@ -13,6 +18,7 @@
 #![forbid(unsafe_code)]
 
 pub mod accuracy;
+mod plot;
 pub mod report;
 pub mod scenario;
 pub mod simulate;

@@ -98,7 +98,7 @@ fn the_step_that_is_studied_is_the_step_that_is_taken() {
 #[test]
 fn every_method_finds_the_events_of_the_pendulum_with_a_fine_step() {
     let measured = study(&["pendulum"], &[], COUNTED);
-    for method in METHODS {
+    for method in METHODS.iter() {
         let last = measured[0].rows.iter().rfind(|row| row.method.name == method.name);
         let verdict = &last.expect("a run").verdict;
         assert_eq!(verdict.sequence, SequenceVerdict::Right, "{}", method.name);

@@ -147,7 +147,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             turn.events.push(at, event);
         }
         let (before, sums) = (*self.simulator.state(), self.auditor.sums);
-        let Turn { events, switches, .. } = turn;
+        let VoiceOutput { events, switches, .. } = turn;
         let mut strikes = Strikes { tick, events, switches };
         let mut watch = (&mut self.auditor, &mut strikes);
         let done = self.simulator.advance(self.h, signal, &mut watch);
@@ -219,7 +219,6 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         }
         self.simulator.set_model(M::with_values(values.as_slice()));
         self.auditor.forget();
-        donor.auditor.forget();
         self.revision = values.revision();
         // What was at rest may not be any more, and what was stored is another amount.
         self.rest = RestDetector::new(self.h);

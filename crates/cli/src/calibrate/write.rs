@@ -1,7 +1,6 @@
 //! Writes measurements into files and to the boards.
 
 use std::path::PathBuf;
-use std::time::SystemTime;
 
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::Operation;
@@ -11,8 +10,15 @@ use hardware::calibration::{KeyCalibration, file};
 use hardware::keybed::{Armed, Keybed};
 use hardware::refusal::Refusal;
 use serde::Serialize;
+use time::OffsetDateTime;
+use time::format_description::BorrowedFormatItem;
+use time::macros::format_description;
 
 use super::bring_up::MeasuredBoard;
+
+/// How a file says when it was made.
+const MADE: &[BorrowedFormatItem<'_>] =
+    format_description!("[year]-[month]-[day] [hour]:[minute] UTC");
 
 /// A board whose file was written.
 #[derive(Debug, Serialize)]
@@ -119,7 +125,7 @@ impl From<&(KeyIndex, KeyCalibration)> for MeasuredKeyRow {
 fn sheet(board: &MeasuredBoard, keys: &[KeyCalibration]) -> file::CalibrationSheet {
     file::CalibrationSheet {
         uid: board.found.uid(),
-        made: lab::report::utc(SystemTime::now()),
+        made: OffsetDateTime::now_utc().format(MADE).unwrap_or_default(),
         by: format!("letoff calibrate {}", env!("CARGO_PKG_VERSION")),
         keys: PerKey::collect(keys.iter().copied()),
     }

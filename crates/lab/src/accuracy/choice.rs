@@ -1,25 +1,22 @@
 //! What is asked for: which scenarios, which methods, how thoroughly.
 
 use super::Effort;
-use super::method::{METHODS, NamedMethod};
-use super::study::{Setting, Study};
-use crate::scenario::{SCENARIOS, ScenarioEntry};
+use super::method::{METHODS, NamedMethod, Setting};
+use super::study;
+use crate::scenario::{Plan, SCENARIOS, ScenarioEntry};
 
-/// Which scenarios and methods, and how much effort.
+/// Which scenarios are run with which methods, and how thoroughly.
 #[derive(Clone, Debug)]
 pub struct StudyChoice {
-    /// The scenarios, in their order.
     pub scenarios: Vec<&'static ScenarioEntry>,
-    /// The methods, in their order.
     pub methods: Vec<&'static NamedMethod>,
-    /// How much time is spent.
     pub effort: Effort,
 }
 
-/// A name that nothing has.
+/// A name that no scenario or method has.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Unknown {
-    /// What it should be a name of.
+pub struct UnknownName {
+    /// What the name should be of: `scenario` or `method`.
     pub what: &'static str,
     pub name: String,
     /// The names that there are.
@@ -27,7 +24,7 @@ pub struct Unknown {
 }
 
 impl StudyChoice {
-    /// The scenarios and methods of these names; no names are all of them.
+    /// Chooses the scenarios and methods of these names; no names are all of them.
     ///
     /// # Errors
     /// Every name that is unknown.
@@ -35,11 +32,11 @@ impl StudyChoice {
         scenarios: &[String],
         methods: &[String],
         effort: Effort,
-    ) -> Result<Self, Vec<Unknown>> {
+    ) -> Result<Self, Vec<UnknownName>> {
         let scenario_names: Vec<_> = SCENARIOS.iter().map(|entry| entry.name).collect();
         let method_names: Vec<_> = METHODS.iter().map(|method| method.name).collect();
-        let mut unknown = strangers("scenario", scenarios, &scenario_names);
-        unknown.extend(strangers("method", methods, &method_names));
+        let mut unknown = unknown_names("scenario", scenarios, &scenario_names);
+        unknown.extend(unknown_names("method", methods, &method_names));
         if !unknown.is_empty() {
             return Err(unknown);
         }
@@ -52,28 +49,29 @@ impl StudyChoice {
         })
     }
 
-    /// The runs of one scenario, series by series.
-    pub(super) fn runs(&self, study: &dyn Study) -> Vec<(&'static NamedMethod, Setting)> {
+    /// Returns the runs of one scenario, method by method.
+    pub(super) fn runs(&self, plan: &Plan) -> Vec<(&'static NamedMethod, Setting)> {
         let stride = if self.effort.is_quick { 2 } else { 1 };
         let settings = |method: &&'static NamedMethod| {
             let method = *method;
-            study.settings(method).into_iter().step_by(stride).map(move |it| (method, it))
+            method.settings(plan).into_iter().step_by(stride).map(move |it| (method, it))
         };
         self.methods.iter().flat_map(settings).collect()
     }
 
-    /// How many runs there are in all; what cannot be read has none.
+    /// Returns the number of all runs; a scenario that cannot be read has none.
     pub fn count(&self) -> usize {
-        let runs =
-            |entry: &&ScenarioEntry| entry.build().map_or(0, |it| self.runs(it.as_ref()).len());
+        let runs = |entry: &&ScenarioEntry| {
+            study::build(entry).map_or(0, |study| self.runs(&study.plan()).len())
+        };
         self.scenarios.iter().map(runs).sum()
     }
 }
 
-/// The names that are not among those `known`.
-fn strangers(what: &'static str, names: &[String], known: &[&'static str]) -> Vec<Unknown> {
+/// Returns the names that are not among those `known`.
+fn unknown_names(what: &'static str, names: &[String], known: &[&'static str]) -> Vec<UnknownName> {
     let is_unknown = |name: &&String| !known.contains(&name.as_str());
-    let unknown = |name: &String| Unknown { what, name: name.clone(), known: known.to_vec() };
+    let unknown = |name: &String| UnknownName { what, name: name.clone(), known: known.to_vec() };
     names.iter().filter(is_unknown).map(unknown).collect()
 }
 

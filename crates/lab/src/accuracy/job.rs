@@ -5,7 +5,7 @@ use pode::{Limits, Silent, Simulator, Stepper, Tick, Watch};
 use super::stepped::{Stepped, Stepping};
 use crate::scenario::Scenario;
 
-/// One run, which can be done any number of times.
+/// All that a run needs, so that it can be done any number of times.
 #[derive(Debug)]
 pub(super) struct RunJob<'a, S, T> {
     pub(super) scenario: &'a S,
@@ -17,7 +17,7 @@ pub(super) struct RunJob<'a, S, T> {
 }
 
 impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
-    /// How many ticks the run has.
+    /// Returns the number of ticks of the run.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -27,7 +27,7 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
         (self.scenario.plan().until / self.tick).round() as u64
     }
 
-    /// The model at the start.
+    /// Returns a simulator of the model at the start.
     pub(super) fn simulator(&self) -> Simulator<Stepped<S::Model>, T> {
         let (model, mode, state) = self.scenario.start();
         let model = Stepped { model, stepping: self.stepping };
@@ -46,7 +46,7 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
         simulator.advance(h, &signal, watch)
     }
 
-    /// The same, watched by nobody: what is timed.
+    /// Advances by one tick without a watch: this is what is timed.
     #[inline(never)]
     pub(super) fn advance_alone(&self, simulator: &mut Simulator<Stepped<S::Model>, T>) -> Tick {
         self.advance(simulator, &mut Silent)

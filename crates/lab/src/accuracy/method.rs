@@ -1,23 +1,22 @@
-//! The methods that are compared: the only list of them, one line each.
+//! The methods that are compared, and the settings with which each of them is run.
 
-use pode::Stepper;
-use pode::stepper::{
-    AdamsBashforth2, AdamsBashforth3, Any, BogackiShampine, ByNeed, Controlled, Dop853, Exact,
-    ExplicitEuler, ExponentialRosenbrock, Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3,
-    Rodas4, Ros2, SemiImplicitEuler, Tolerance, Tsitouras5, VelocityVerlet,
-};
+use std::sync::LazyLock;
 
-use super::study::Setting;
+use pode::stepper::{Any, ByNeed, Dop853, Rk4};
+use pode::{Limits, Stepper as _};
+
+use super::stepped::Stepping;
+use crate::scenario::Plan;
 
 /// A method by its name.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NamedMethod {
-    /// Its name on the command line and in reports.
+    /// Name on the command line and in reports.
     pub name: &'static str,
-    /// Its order of convergence.
+    /// Order of convergence.
     pub order: u32,
-    /// Where its steps come from.
     pub kind: MethodKind,
+    stepper: Any,
 }
 
 /// Where a method's steps come from.
@@ -33,72 +32,92 @@ pub enum MethodKind {
     Budgeted,
 }
 
-/// Something to be done with a method whose type is known by name only.
-pub(super) trait Visit {
-    type Output;
-
-    fn visit<T: Stepper + Into<Any>>(self, stepper: T) -> Self::Output;
+/// One point of a method's series of runs.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Setting {
+    /// Length of a tick (s).
+    pub tick: f64,
+    /// Tolerance or error budget, for methods that choose their steps.
+    pub tolerance: Option<f64>,
 }
 
-macro_rules! methods {
-    (
-        fixed: $($fixed:ty),+ $(,)?;
-        $($other:ty as $name:literal, $kind:expr, $build:expr;)+
-    ) => {
-        /// Every method that is compared.
-        pub const METHODS: &[NamedMethod] = &[
-            $(method::<$fixed>(<$fixed>::NAME, MethodKind::Fixed),)+
-            $(method::<$other>($name, $kind),)+
-        ];
+/// Tolerances, relative and absolute, of methods that choose their steps.
+const TOLERANCES: [f64; 7] = [1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13];
 
-        /// Does something with the method called `name`, set as `setting` says.
-        pub(super) fn visit<V: Visit>(name: &str, setting: &Setting, visitor: V) -> Option<V::Output> {
-            $(if name == <$fixed>::NAME {
-                return Some(visitor.visit(<$fixed>::default()));
-            })+
-            $(if name == $name {
-                let build: fn(&Setting) -> $other = $build;
-                return Some(visitor.visit(build(setting)));
-            })+
-            None
+/// Errors per radian of a mode's fastest motion, of methods that have a budget.
+const BUDGETS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+
+/// The longest tick in which methods with a budget are studied, that of a keyboard (s).
+const LONGEST_BUDGETED: f64 = 1e-3;
+
+/// Every method that is compared: those of [`Any`], and RK4 as instruments are played with it.
+pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
+    let all = Any::NAMES.iter().filter_map(|name| Any::named(name)).map(NamedMethod::of);
+    let (mut methods, others): (Vec<_>, Vec<_>) =
+        all.partition(|method| method.kind == MethodKind::Fixed);
+    methods.extend(others);
+    methods.push(NamedMethod {
+        name: "as-played",
+        order: Rk4::ORDER,
+        kind: MethodKind::Played,
+        stepper: Any::Rk4(Rk4),
+    });
+    methods
+});
+
+impl NamedMethod {
+    /// The study of a method by its own name; the method of the longest steps takes them by a
+    /// tolerance.
+    fn of(stepper: Any) -> Self {
+        let (name, kind) = match stepper.name() {
+            ByNeed::NAME => (ByNeed::NAME, MethodKind::Budgeted),
+            Dop853::NAME => ("dop853-adaptive", MethodKind::Controlled),
+            name => (name, MethodKind::Fixed),
+        };
+        Self { name, order: stepper.order(), kind, stepper }
+    }
+
+    /// Returns the points of the method's series under `plan`, the coarsest first.
+    pub(super) fn settings(&self, plan: &Plan) -> Vec<Setting> {
+        let Plan { ticks, offline_tick, .. } = *plan;
+        match self.kind {
+            MethodKind::Fixed | MethodKind::Played => {
+                ticks.iter().map(|tick| Setting { tick: *tick, tolerance: None }).collect()
+            }
+            MethodKind::Budgeted => {
+                let tick = ticks.iter().copied().find(|tick| *tick <= LONGEST_BUDGETED);
+                let setting = |budget| Some(Setting { tick: tick?, tolerance: Some(budget) });
+                BUDGETS.into_iter().filter_map(setting).collect()
+            }
+            MethodKind::Controlled => {
+                let setting =
+                    |tolerance| Setting { tick: offline_tick, tolerance: Some(tolerance) };
+                TOLERANCES.map(setting).to_vec()
+            }
         }
-    };
-}
+    }
 
-methods! {
-    fixed:
-        ExplicitEuler,
-        SemiImplicitEuler,
-        Heun,
-        VelocityVerlet,
-        AdamsBashforth2,
-        AdamsBashforth3,
-        BogackiShampine,
-        Rk4,
-        Tsitouras5,
-        Exact,
-        LinearImplicitMidpoint,
-        Ros2,
-        Rodas3,
-        Rodas4,
-        ExponentialRosenbrock,
-        Exprb32;
-    Controlled<Dop853> as "dop853-adaptive", MethodKind::Controlled, controlled;
-    ByNeed as "by-need", MethodKind::Budgeted, budgeted;
-    Rk4 as "as-played", MethodKind::Played, |_setting| Rk4;
-}
+    /// Returns the method as precise as `setting` says.
+    pub(super) fn stepper(&self, setting: &Setting) -> Any {
+        let precise = |tolerance| self.stepper.with_tolerance(tolerance, setting.tick);
+        setting.tolerance.and_then(precise).unwrap_or(self.stepper)
+    }
 
-const fn method<T: Stepper>(name: &'static str, kind: MethodKind) -> NamedMethod {
-    NamedMethod { name, order: T::ORDER, kind }
-}
+    /// Returns what cuts a tick into steps.
+    pub(super) const fn stepping(&self) -> Stepping {
+        match self.kind {
+            MethodKind::Fixed | MethodKind::Controlled => Stepping::Ticks,
+            MethodKind::Played | MethodKind::Budgeted => Stepping::Models,
+        }
+    }
 
-/// The choice by need that meets the setting's budget.
-fn budgeted(setting: &Setting) -> ByNeed {
-    setting.tolerance.map_or_else(ByNeed::default, |budget| ByNeed::new(budget, setting.tick))
-}
-
-/// The method with steps by the setting's tolerance.
-fn controlled<T: Stepper>(setting: &Setting) -> Controlled<T> {
-    let tolerance = setting.tolerance.map_or_else(Tolerance::default, Tolerance::both);
-    Controlled { method: T::default(), tolerance }
+    /// Returns what a tick may cost: without a deadline, more.
+    pub(super) fn limits(&self) -> Limits {
+        match self.kind {
+            MethodKind::Fixed | MethodKind::Played | MethodKind::Budgeted => Limits::default(),
+            MethodKind::Controlled => {
+                Limits { events: 1_000, guards: 1_000_000, pieces: 100_000, ..Limits::default() }
+            }
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Speed against error: every scenario with every method and step.
 //!
-//! In the order of a run: `choice` what is asked for, `method` who there is, `job` one run,
+//! In the order of a run: `choice` what is asked for, `method` the methods, `job` one run,
 //! `stepped` the step that is studied as the step that is taken, `observe` what happened,
 //! `judge` how right it was, `time` how long it took, `row` the figures of one run.
 //!
@@ -19,22 +19,21 @@ mod time;
 
 use std::time::Duration;
 
-pub use choice::{StudyChoice, Unknown};
+pub use choice::{StudyChoice, UnknownName};
 pub use judge::{EventMismatch, RunVerdict, SequenceVerdict};
-pub use method::{METHODS, MethodKind, NamedMethod};
+pub use method::{METHODS, MethodKind, NamedMethod, Setting};
 pub use row::{EvaluationCounts, StudyRow, Times};
-pub use study::{Series, Setting, Study};
 
 use crate::scenario::{BadFile, ScenarioEntry};
 
-/// How much time is spent on timing.
+/// How much time a study spends on timing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Effort {
-    /// Fewest repeats of a run.
+    /// Smallest number of repeats of a run.
     pub repeats: u32,
-    /// Repeats go on until this much has been spent on one run.
+    /// Time that is spent on the repeats of one run at least.
     pub budget: Duration,
-    /// Only every second step of a series is taken.
+    /// Whether only every second step of a series is taken.
     pub is_quick: bool,
 }
 
@@ -49,13 +48,13 @@ impl Effort {
 #[derive(Clone, Debug)]
 pub struct MeasuredScenario {
     pub entry: ScenarioEntry,
-    /// Its end (s).
+    /// End of the scenario (s).
     pub until: f64,
-    /// Its runs, series by series, the longest step first.
+    /// The runs, method by method, the longest step first.
     pub rows: Vec<StudyRow>,
 }
 
-/// Measures a scenario with the methods chosen; `after` hears of each run that is done.
+/// Measures a scenario with the methods chosen, and hands each run that is done to `after`.
 ///
 /// # Errors
 /// When the scenario's reference cannot be read.
@@ -64,14 +63,13 @@ pub fn measure(
     choice: &StudyChoice,
     after: &mut dyn FnMut(&StudyRow),
 ) -> Result<MeasuredScenario, BadFile> {
-    let study = entry.build()?;
+    let study = study::build(entry)?;
+    let plan = study.plan();
     let mut rows = Vec::new();
-    for (series, setting) in choice.runs(study.as_ref()) {
-        let row = study.run(entry.name, series, setting, choice.effort);
-        if let Some(row) = row {
-            after(&row);
-            rows.push(row);
-        }
+    for (method, setting) in choice.runs(&plan) {
+        let row = study.run(entry.name, method, setting, choice.effort);
+        after(&row);
+        rows.push(row);
     }
-    Ok(MeasuredScenario { entry: *entry, until: study.until(), rows })
+    Ok(MeasuredScenario { entry: *entry, until: plan.until, rows })
 }

@@ -7,10 +7,10 @@ use super::job::RunJob;
 use super::stepped::Stepped;
 use crate::scenario::{ForceKind, Plan, Scenario, StateOf, Studied};
 
-/// An event that happened.
+/// An event that happened in a run.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SeenEvent<M: Model> {
-    /// When (s).
+    /// Time of the event (s).
     pub(super) t: f64,
     pub(super) guard: &'static str,
     pub(super) to: M::Mode,
@@ -19,7 +19,7 @@ pub(super) struct SeenEvent<M: Model> {
 /// State and force where the reference has a sample.
 pub(super) type FoundSamples<S> = (S, f64);
 
-/// What a run gave.
+/// Everything of a run that can be judged.
 #[derive(Clone, Debug)]
 pub(super) struct ObservedRun<M: Model> {
     pub(super) events: Vec<SeenEvent<M>>,
@@ -29,7 +29,7 @@ pub(super) struct ObservedRun<M: Model> {
     pub(super) samples: Vec<Option<FoundSamples<M::State>>>,
     /// Of every tick, until the end or the first fault.
     pub(super) work: Vec<Work>,
-    /// What the energy audit leaves unexplained (J).
+    /// Energy that the audit leaves unexplained (J).
     pub(super) residual: f64,
     /// Where and why the run did not go on as it should (s).
     pub(super) trouble: Option<(f64, &'static str)>,
@@ -61,7 +61,7 @@ pub(super) fn observe<S: Scenario>(job: &RunJob<'_, S, Any>) -> ObservedRun<S::M
     }
 }
 
-/// Work of every tick, until the end or the first fault, while nobody looks on: who looks
+/// Returns the work of every tick, until the end or the first fault, without a watch: a look
 /// inside a step may cost evaluations.
 fn work<S: Scenario>(job: &RunJob<'_, S, Any>) -> Vec<Work> {
     let mut simulator = job.simulator();

@@ -4,8 +4,7 @@ use pode::{State as _, Work};
 use serde::Serialize;
 
 use super::judge::RunVerdict;
-use super::method::NamedMethod;
-use super::study::Setting;
+use super::method::{NamedMethod, Setting};
 use crate::scenario::{Scenario, StateOf};
 
 /// One run, judged, counted and timed.
@@ -13,34 +12,31 @@ use crate::scenario::{Scenario, StateOf};
 pub struct StudyRow {
     pub scenario: &'static str,
     pub method: &'static NamedMethod,
-    /// With which step or tolerance.
     pub setting: Setting,
-    /// How right it was.
     pub verdict: RunVerdict,
-    /// How much work it was; the same on every machine.
+    /// Work of the run, the same on every machine.
     pub counts: EvaluationCounts,
-    /// How long it took on this machine.
     pub times: Times,
-    /// What the energy audit leaves unexplained (J).
+    /// Energy that the audit leaves unexplained (J).
     pub energy_residual: f64,
 }
 
-/// Evaluations, as `pode` counts them.
+/// Evaluations of a run, as `pode` counts them.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
 pub struct EvaluationCounts {
-    /// Of the derivative, per simulated ms.
+    /// Evaluations of the derivative per simulated ms.
     pub derivatives_per_ms: f64,
-    /// Of the Jacobian, per simulated ms.
+    /// Evaluations of the Jacobian per simulated ms.
     pub jacobians_per_ms: f64,
-    /// Of one guard each, per simulated ms.
+    /// Evaluations of one guard each per simulated ms.
     pub guards_per_ms: f64,
-    /// Of the readout, per simulated ms.
+    /// Evaluations of the readout per simulated ms.
     pub readouts_per_ms: f64,
-    /// Of the derivative, in the worst tick.
+    /// Evaluations of the derivative in the worst tick.
     pub worst_derivatives: u32,
-    /// Of the Jacobian, in the worst tick.
+    /// Evaluations of the Jacobian in the worst tick.
     pub worst_jacobians: u32,
-    /// Of guards, in the worst tick.
+    /// Evaluations of guards in the worst tick.
     pub worst_guards: u32,
     /// Steps that certainly hide no pair of roots of a guard, in the whole run.
     pub steps_certified: u64,
@@ -53,7 +49,7 @@ pub struct EvaluationCounts {
 }
 
 impl EvaluationCounts {
-    /// The counts of ticks of `tick` (s).
+    /// Returns the counts of ticks of `tick` (s).
     pub(super) fn new<S: Scenario>(work: &[Work], tick: f64) -> Self {
         let ms = work.len() as f64 * tick * 1e3;
         let sum = |count: fn(&Work) -> u32| -> u64 {
@@ -80,19 +76,19 @@ impl EvaluationCounts {
     }
 }
 
-/// Nanoseconds.
+/// How long a run takes on one machine (ns).
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
 pub struct Times {
-    /// Per simulated ms, over the whole run.
+    /// Time per simulated ms, over the whole run (ns).
     pub per_ms: f64,
-    /// Of the tick that takes longest.
+    /// Time of the tick that takes longest (ns).
     pub worst_tick: f64,
-    /// Of a tick without an event, on average.
+    /// Mean time of a tick without an event (ns).
     pub without_event: Option<f64>,
-    /// Of a tick with one event, on average.
+    /// Mean time of a tick with one event (ns).
     pub with_one_event: Option<f64>,
-    /// Of the ticks with the most events, on average.
+    /// Mean time of the ticks with the most events (ns).
     pub with_most_events: Option<f64>,
-    /// How many events those have.
+    /// Number of events in those ticks.
     pub most_events: u32,
 }

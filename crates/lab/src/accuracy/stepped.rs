@@ -7,10 +7,10 @@
 use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets};
 use pode::{Settling, State};
 
-/// Who cuts a tick into steps.
+/// What cuts a tick into steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Stepping {
-    /// Nobody but the method: a tick is one step, up to an event.
+    /// The method alone: a tick is one step, up to an event.
     Ticks,
     /// The model, as when it is played.
     Models,

@@ -1,151 +1,97 @@
 //! A scenario whose model's type is known by name only, and the runs it can do.
 
-use pode::stepper::Any;
-use pode::{Limits, Stepper};
+use pode::Stepper;
+use pode::stepper::StepperVisitor;
 
 use super::Effort;
 use super::job::RunJob;
 use super::judge::judge;
-use super::method::{MethodKind, NamedMethod, Visit, visit};
+use super::method::{NamedMethod, Setting};
 use super::observe::observe;
-use super::row::{EvaluationCounts, StudyRow};
-use super::stepped::Stepping;
+use super::row::{EvaluationCounts, StudyRow, Times};
 use super::time::time;
-use crate::scenario::{Plan, Scenario};
-
-/// A method as one line of a plot.
-pub type Series = NamedMethod;
-
-/// One point of a series.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Setting {
-    /// Length of a tick (s).
-    pub tick: f64,
-    /// Tolerance or error budget, for methods that choose their steps.
-    pub tolerance: Option<f64>,
-}
+use crate::scenario::{BadFile, Plan, Scenario, ScenarioEntry, ScenarioVisitor};
 
 /// A scenario that can be run with every method.
-pub trait Study {
-    /// End (s).
-    fn until(&self) -> f64;
+pub(super) trait Study {
+    fn plan(&self) -> Plan;
 
-    /// The points of the series of `method`, the coarsest first.
-    fn settings(&self, method: &NamedMethod) -> Vec<Setting>;
-
-    /// One run, judged and timed; nothing if there is no such method.
+    /// Does one run, judges and times it.
     fn run(
         &self,
         scenario: &'static str,
         method: &'static NamedMethod,
         setting: Setting,
         effort: Effort,
-    ) -> Option<StudyRow>;
-
-    /// What is wrong with the ticks: each must divide the run and the times of samples.
-    fn misfits(&self) -> Option<String>;
+    ) -> StudyRow;
 }
 
-/// Tolerances, relative and absolute, of methods that choose their steps.
-const TOLERANCES: [f64; 7] = [1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13];
+/// Builds the scenario of an entry.
+///
+/// # Errors
+/// When its reference cannot be read.
+pub(super) fn build(entry: &ScenarioEntry) -> Result<Box<dyn Study>, BadFile> {
+    entry.visit(BoxedStudy)
+}
 
-/// Errors per radian of a mode's fastest motion, of methods that have a budget.
-const BUDGETS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+/// Forgets a scenario's type.
+struct BoxedStudy;
 
-/// The longest tick in which they are studied, that of a keyboard (s).
-const LONGEST_BUDGETED: f64 = 1e-3;
+impl ScenarioVisitor for BoxedStudy {
+    type Output = Box<dyn Study>;
+
+    fn visit<S: Scenario + 'static>(self, scenario: S) -> Box<dyn Study> {
+        Box::new(scenario)
+    }
+}
 
 impl<S: Scenario> Study for S {
-    fn until(&self) -> f64 {
-        self.plan().until
+    fn plan(&self) -> Plan {
+        Scenario::plan(self)
     }
 
-    fn settings(&self, method: &NamedMethod) -> Vec<Setting> {
-        let Plan { ticks, offline_tick, .. } = self.plan();
-        match method.kind {
-            MethodKind::Fixed | MethodKind::Played => {
-                ticks.iter().map(|tick| Setting { tick: *tick, tolerance: None }).collect()
-            }
-            MethodKind::Budgeted => {
-                let tick = ticks.iter().copied().find(|tick| *tick <= LONGEST_BUDGETED);
-                let setting = |budget| Some(Setting { tick: tick?, tolerance: Some(budget) });
-                BUDGETS.into_iter().filter_map(setting).collect()
-            }
-            MethodKind::Controlled => {
-                let setting =
-                    |tolerance| Setting { tick: offline_tick, tolerance: Some(tolerance) };
-                TOLERANCES.map(setting).to_vec()
-            }
-        }
-    }
-
+    /// What happens is observed through the method of any type, which is compiled once for each
+    /// model; what is timed is the method itself, whose steps are the same to the last bit.
     fn run(
         &self,
         scenario: &'static str,
         method: &'static NamedMethod,
         setting: Setting,
         effort: Effort,
-    ) -> Option<StudyRow> {
-        let run = PlannedRun { scenario: self, name: scenario, method, setting, effort };
-        visit(method.name, &setting, run)
-    }
-
-    fn misfits(&self) -> Option<String> {
-        let Plan { until, ticks, offline_tick, .. } = self.plan();
-        let is_whole = |parts: f64| (parts - parts.round()).abs() < 1e-6 && parts > 0.5;
-        let odd = ticks.iter().chain([&offline_tick]).find(|tick| !is_whole(until / **tick));
-        if let Some(odd) = odd {
-            return Some(format!("{odd} s does not divide {until} s"));
-        }
-        let samples = &self.reference().samples;
-        let odd = ticks.iter().find_map(|tick| {
-            let sample = samples.iter().find(|sample| !is_whole(sample.t / tick))?;
-            Some(format!("{tick} s does not divide {} s", sample.t))
-        });
-        let nothing = samples.is_empty().then(|| "there are no samples".to_owned());
-        odd.or(nothing)
-    }
-}
-
-/// Limits of a run that has no deadline.
-fn offline() -> Limits {
-    Limits { events: 1_000, guards: 1_000_000, pieces: 100_000, ..Limits::default() }
-}
-
-/// One run, still without a method's type.
-struct PlannedRun<'a, S> {
-    scenario: &'a S,
-    name: &'static str,
-    method: &'static NamedMethod,
-    setting: Setting,
-    effort: Effort,
-}
-
-impl<S: Scenario> Visit for PlannedRun<'_, S> {
-    type Output = StudyRow;
-
-    /// What is timed is the method itself; what happens is observed through [`Any`], whose steps
-    /// are the same to the last bit and which is compiled once for all methods.
-    fn visit<T: Stepper + Into<Any>>(self, stepper: T) -> StudyRow {
-        let Self { scenario, name, method, setting, effort } = self;
-        let (stepping, limits) = match method.kind {
-            MethodKind::Fixed => (Stepping::Ticks, Limits::default()),
-            MethodKind::Played | MethodKind::Budgeted => (Stepping::Models, Limits::default()),
-            MethodKind::Controlled => (Stepping::Ticks, offline()),
+    ) -> StudyRow {
+        let job = RunJob {
+            scenario: self,
+            stepper: method.stepper(&setting),
+            limits: method.limits(),
+            stepping: method.stepping(),
+            tick: setting.tick,
         };
-        let tick = setting.tick;
-        let any = stepper.into();
-        let observed = observe(&RunJob { scenario, stepper: any, limits, stepping, tick });
-        let job = RunJob { scenario, stepper, limits, stepping, tick };
-        let times = time(&job, &observed.work, effort);
+        let observed = observe(&job);
+        let times = job.stepper.visit(TimedRun { job: &job, work: &observed.work, effort });
         StudyRow {
-            scenario: name,
+            scenario,
             method,
             setting,
-            verdict: judge(scenario.reference(), &observed),
+            verdict: judge(self.reference(), &observed),
             counts: EvaluationCounts::new::<S>(&observed.work, setting.tick),
             times,
             energy_residual: observed.residual,
         }
+    }
+}
+
+/// A run that is timed under the type of its method.
+struct TimedRun<'a, S, T> {
+    job: &'a RunJob<'a, S, T>,
+    work: &'a [pode::Work],
+    effort: Effort,
+}
+
+impl<S: Scenario, T> StepperVisitor for TimedRun<'_, S, T> {
+    type Output = Times;
+
+    fn visit<U: Stepper>(self, stepper: U) -> Times {
+        let RunJob { scenario, limits, stepping, tick, .. } = *self.job;
+        time(&RunJob { scenario, stepper, limits, stepping, tick }, self.work, self.effort)
     }
 }

@@ -4,12 +4,11 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A file or folder that could not be written.
+/// Which file or folder could not be written, and why.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot write {}: {cause}", path.display())]
 pub struct DiskError {
     pub path: PathBuf,
-    /// What the system said.
     pub cause: io::Error,
 }
 

@@ -4,11 +4,11 @@ use std::fs;
 
 use serde::Serialize;
 
-/// What a reader must know of the machine and the program.
+/// The machine and the program with which a study was measured.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct Machine {
     pub processor: String,
-    /// How many of them.
+    /// Number of processors that the program may use.
     pub processors: usize,
     /// Operating system and architecture.
     pub system: String,
@@ -17,7 +17,7 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// This one.
+    /// Describes the machine on which this program runs.
     pub fn this() -> Self {
         let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let build = if cfg!(debug_assertions) { "not optimised for release" } else { "release" };
@@ -30,7 +30,7 @@ impl Machine {
     }
 }
 
-/// The processor's name, where the system tells it.
+/// Returns the processor's name, where the system tells it.
 fn processor() -> Option<String> {
     let info = fs::read_to_string("/proc/cpuinfo").ok()?;
     let named = |key: &str| {

@@ -1,8 +1,8 @@
 //! What was measured, as CSV, SVG and one HTML page.
 //!
-//! A report is written anew after each scenario: who stops a study halfway keeps what it has
-//! measured. Each file is written beside its place and then moved there, so that none is ever
-//! half of one.
+//! A report is written anew after each scenario, so that a study that is stopped halfway keeps
+//! what it has measured. Each file is written beside its place and then moved there, so that none
+//! is ever half of one.
 
 mod date;
 mod disk;
@@ -17,7 +17,6 @@ mod text;
 use std::path::Path;
 use std::time::SystemTime;
 
-pub use date::utc;
 pub use disk::DiskError;
 pub use machine::Machine;
 pub use peers::{BadPeers, Peer, read as read_peers};
@@ -25,39 +24,28 @@ pub use summary::Summary;
 
 use crate::accuracy::MeasuredScenario;
 
-/// The page's file.
+/// Name of the page's file.
 pub const PAGE: &str = "index.html";
-/// The table's file.
+/// Name of the table's file.
 pub const TABLE: &str = "accuracy.csv";
 
-/// A study, as far as it has come.
+/// What a study has measured so far, and where.
 #[derive(Clone, Debug)]
 pub struct StudyReport {
-    /// Where it was measured.
     pub machine: Machine,
-    /// When it was begun.
+    /// When the study was begun.
     pub date: SystemTime,
-    /// The scenarios that are done.
     pub measured: Vec<MeasuredScenario>,
-    /// What other codes did on some of the same problems.
+    /// Runs of other codes on some of the same problems.
     pub peers: Vec<Peer>,
 }
 
-/// A report that could not be made.
+/// Why a report could not be made.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReportError {
-    /// A file could not be written.
     #[error(transparent)]
     Disk(#[from] DiskError),
-    /// A plot could not be drawn.
-    #[error("the plot of {scenario} cannot be drawn: {cause}")]
-    Plot {
-        scenario: &'static str,
-        /// What the drawing library said.
-        cause: String,
-    },
-    /// The table could not be put together.
     #[error("the table cannot be put together: {0}")]
     Table(#[from] csv::Error),
 }
@@ -79,10 +67,7 @@ impl StudyReport {
         disk::write(&folder.join(TABLE), &table::csv(&self.measured)?)?;
         let mut pages = Vec::new();
         for measured in &self.measured {
-            let plots = self.plots(measured).map_err(|cause| ReportError::Plot {
-                scenario: measured.entry.name,
-                cause: cause.to_string(),
-            })?;
+            let plots = self.plots(measured);
             for (name, svg) in &plots {
                 disk::write(&folder.join(name), svg)?;
             }
@@ -92,17 +77,17 @@ impl StudyReport {
     }
 
     /// The plots of a scenario with their files' names: ours, and other codes' if there are any.
-    fn plots(&self, measured: &MeasuredScenario) -> Result<Vec<(String, String)>, plot::DrawError> {
+    fn plots(&self, measured: &MeasuredScenario) -> Vec<(String, String)> {
         let name = measured.entry.name;
-        let mut plots = vec![(format!("{name}.svg"), plot::methods(measured)?)];
+        let mut plots = vec![(format!("{name}.svg"), plot::methods(measured))];
         let peers = self.peers_on(name);
         if !peers.is_empty() {
-            plots.push((format!("{name}-peers.svg"), plot::peers(measured, &peers)?));
+            plots.push((format!("{name}-peers.svg"), plot::peers(measured, &peers)));
         }
-        Ok(plots)
+        plots
     }
 
-    /// The main figures, for a program to read.
+    /// Returns the main figures, for a program to read.
     pub fn summary(&self) -> Summary<'_> {
         Summary::new(self)
     }

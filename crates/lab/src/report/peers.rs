@@ -8,10 +8,10 @@ use serde_json::Value;
 
 use super::text;
 
-/// One run of one code.
+/// One run of one code, as `benches/peers` measured it.
 #[derive(Clone, PartialEq, Debug, Deserialize, Serialize)]
 pub struct Peer {
-    /// The scenario of the same name.
+    /// Name of the scenario.
     pub problem: String,
     pub code: String,
     pub version: String,
@@ -20,9 +20,9 @@ pub struct Peer {
     pub setting: String,
     /// Tolerance, or step (s).
     pub tolerance_or_step: Option<f64>,
-    /// Events that it found.
+    /// Number of events that the run found.
     pub events: Option<u64>,
-    /// Whether they were the right ones.
+    /// Whether the right events were found in the right order.
     pub sequence_ok: bool,
     /// Largest error of an event's time (s).
     pub event_error_s: Option<f64>,
@@ -34,7 +34,6 @@ pub struct Peer {
     pub ns_per_ms_min: Option<f64>,
     /// Median time per simulated ms (ns).
     pub ns_per_ms_median: Option<f64>,
-    /// What a reader must know.
     #[serde(default)]
     pub note: Option<String>,
     /// What went wrong, where the events were not the right ones.
@@ -43,12 +42,12 @@ pub struct Peer {
 }
 
 impl Peer {
-    /// Code, method and setting: what makes a curve.
+    /// Returns code, method and setting, which make a curve.
     pub(super) fn curve(&self) -> String {
         format!("{} {} ({})", self.code, self.method, self.setting)
     }
 
-    /// Whose code this is.
+    /// Returns whose code this is.
     pub(super) fn author(&self) -> Author {
         match self.code.as_str() {
             "pode" => Author::Ours,
@@ -57,7 +56,7 @@ impl Peer {
         }
     }
 
-    /// Tolerance or step, with the digits that matter.
+    /// Writes tolerance or step with the digits that matter.
     pub(super) fn knob(&self) -> String {
         self.tolerance_or_step.map(text::exponent).unwrap_or_default()
     }
@@ -73,12 +72,11 @@ pub(super) enum Author {
     Others,
 }
 
-/// A file of other codes' results that cannot be used.
+/// Why a file of other codes' results cannot be used.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("{}: {what}; give the results.json that benches/peers writes", path.display())]
 pub struct BadPeers {
     pub path: PathBuf,
-    /// What is wrong with it.
     pub what: String,
 }
 

@@ -1,4 +1,4 @@
-//! The main figures: who is cheapest at an error, and who fails.
+//! The main figures: the cheapest run at each error, and how many runs fail.
 
 use serde::Serialize;
 
@@ -9,7 +9,7 @@ use crate::accuracy::{MeasuredScenario, MethodKind, SequenceVerdict, StudyRow};
 /// Errors of event times (s) at which speed is compared.
 pub(super) const TARGETS: [f64; 3] = [1e-6, 1e-9, 1e-12];
 
-/// The main figures of a report.
+/// The main figures of a report, for a program to read.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary<'a> {
     machine: &'a Machine,
@@ -23,11 +23,11 @@ struct ScenarioSummary {
     runs: usize,
     /// Runs whose sequence of events was wrong, or that did not end.
     failures: usize,
-    /// The cheapest of ours in ticks, as at a deadline, for each target that one meets.
+    /// The cheapest run of ours in ticks, as at a deadline, for each target that one meets.
     in_ticks: Vec<Cheapest>,
-    /// The same of those that choose their steps.
+    /// The cheapest run of ours with steps by a tolerance, for each target that one meets.
     offline: Vec<Cheapest>,
-    /// The same of all that were run side by side: ours, other people's, written by hand.
+    /// The cheapest runs of those done side by side: ours, other people's, written by hand.
     side_by_side: [Vec<Cheapest>; 3],
 }
 
@@ -37,7 +37,6 @@ pub(super) struct Cheapest {
     /// Largest error allowed (s).
     pub(super) target_s: f64,
     pub(super) who: String,
-    /// With which step or tolerance.
     pub(super) setting: String,
     /// Its error (s).
     pub(super) event_error_s: f64,
@@ -64,18 +63,19 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// Runs that have no error to speak of.
+/// Counts the runs whose events were wrong or that did not end.
 pub(super) fn failures(measured: &MeasuredScenario) -> usize {
     let wrong = |row: &&StudyRow| row.verdict.sequence != SequenceVerdict::Right;
     measured.rows.iter().filter(wrong).count()
 }
 
-/// Our cheapest run in ticks with an event-time error of at most `target` (s).
+/// Returns our cheapest run in ticks with an event-time error of at most `target` (s).
 pub(super) fn in_ticks(measured: &MeasuredScenario, target: f64) -> Option<Cheapest> {
     ours(measured, target, |kind| kind != MethodKind::Controlled)
 }
 
-/// Our cheapest run with steps by a tolerance and an event-time error of at most `target` (s).
+/// Returns our cheapest run with steps by a tolerance and an event-time error of at most
+/// `target` (s).
 pub(super) fn offline(measured: &MeasuredScenario, target: f64) -> Option<Cheapest> {
     ours(measured, target, |kind| kind == MethodKind::Controlled)
 }
@@ -97,7 +97,7 @@ fn ours(
     cheapest(measured.rows.iter().filter(|row| is_of(row.method.kind)).filter_map(run))
 }
 
-/// The cheapest of what was run side by side, by whose code it is.
+/// Returns the cheapest run of an author's code among those done side by side.
 pub(super) fn peer(
     report: &StudyReport,
     measured: &MeasuredScenario,

@@ -6,7 +6,6 @@ use models::bouncing_ball::{BouncingBall, Mode};
 use pode::Motion;
 
 use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
-use crate::accuracy::Study;
 
 const G: f64 = 9.81;
 const HEIGHT: f64 = 1.0;
@@ -14,36 +13,36 @@ const MASS: f64 = 1.0;
 
 /// A drop with restitution `e`, run until `until` (s).
 #[derive(Clone, Copy, Debug)]
-struct Drop {
+struct BallDrop {
     e: f64,
     until: f64,
 }
 
 /// The drop with its answer.
 #[derive(Debug)]
-struct Bounces {
-    drop: Drop,
+pub(super) struct BallScenario {
+    drop: BallDrop,
     reference: Reference<BouncingBall>,
 }
 
 /// As long as the other codes are measured on it: ten impacts.
-pub(super) fn ten_impacts() -> Box<dyn Study> {
-    Drop { e: 0.8, until: 3.6 }.answered(10, None)
+pub(super) fn ten_impacts() -> BallScenario {
+    BallDrop { e: 0.8, until: 3.6 }.answered(10, None)
 }
 
 /// Rests from 4.06 s on; the first ten impacts are judged, and when it rests.
-pub(super) fn rest_08() -> Box<dyn Study> {
-    let drop = Drop { e: 0.8, until: 5.0 };
+pub(super) fn rest_08() -> BallScenario {
+    let drop = BallDrop { e: 0.8, until: 5.0 };
     drop.answered(10, Some(drop.rests()))
 }
 
 /// Rests from 1.35 s on; after the eighth impact more than six are in one tick of 5 ms.
-pub(super) fn rest_05() -> Box<dyn Study> {
-    let drop = Drop { e: 0.5, until: 2.0 };
+pub(super) fn rest_05() -> BallScenario {
+    let drop = BallDrop { e: 0.5, until: 2.0 };
     drop.answered(8, Some(drop.rests()))
 }
 
-impl Drop {
+impl BallDrop {
     /// Time of impact `n`, from 1 (s).
     fn impact(self, n: i32) -> f64 {
         let e = self.e;
@@ -74,7 +73,7 @@ impl Drop {
 
     /// The scenario, judged on its first impacts, as many as `judged`, and on the time `rests`
     /// (s), if it comes so far; otherwise there are no other impacts.
-    fn answered(self, judged: i32, rests: Option<f64>) -> Box<dyn Study> {
+    fn answered(self, judged: i32, rests: Option<f64>) -> BallScenario {
         let event = |t| ExpectedEvent { t, guard: "floor".to_owned(), to: Mode::Flight };
         let events = (1..=judged).map(|n| event(self.impact(n))).collect();
         let mut times: Vec<f64> = (1..MOST).map(|n| self.impact(n)).collect();
@@ -84,14 +83,14 @@ impl Drop {
             Reference::<BouncingBall>::samples(span, 5.0 * MS, &times, |t| Some(self.state(t)));
         let rest = rests.map(|t| (t, Mode::Rest));
         let reference = Reference { events, is_whole: rest.is_none(), rest, samples };
-        Box::new(Bounces { drop: self, reference })
+        BallScenario { drop: self, reference }
     }
 }
 
 /// Impacts that are told apart: e⁹⁹ is 2e-10.
 const MOST: i32 = 100;
 
-impl Scenario for Bounces {
+impl Scenario for BallScenario {
     type Model = BouncingBall;
 
     fn plan(&self) -> Plan {
@@ -120,19 +119,19 @@ mod tests {
 
     #[test]
     fn impacts_are_at_the_times_of_40_digit_arithmetic() {
-        let lively = Drop { e: 0.8, until: 5.0 };
+        let lively = BallDrop { e: 0.8, until: 5.0 };
         let known = [(1, 0.451_523_640_985_730_9), (2, 1.173_961_466_562_900_4)];
         for (n, t) in known.into_iter().chain([(10, 3.578_892_951_020_438)]) {
             assert!((lively.impact(n) - t).abs() < 1e-15, "impact {n}");
         }
         assert!((lively.rests() - 4.063_712_768_871_578).abs() < 1e-15);
-        let dull = Drop { e: 0.5, until: 2.0 };
+        let dull = BallDrop { e: 0.5, until: 2.0 };
         assert!((dull.rests() - 1.354_570_922_957_192_7).abs() < 1e-15);
     }
 
     #[test]
     fn a_ball_at_rest_has_passed_on_its_whole_momentum() {
-        let (state, impulse) = Drop { e: 0.5, until: 2.0 }.state(1.5);
+        let (state, impulse) = BallDrop { e: 0.5, until: 2.0 }.state(1.5);
         assert!(state.iter().all(|entry| entry.abs() < 1e-300), "{state:?}");
         assert!((impulse - MASS * G * 1.5).abs() < 1e-15);
     }

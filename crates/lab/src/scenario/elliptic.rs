@@ -18,21 +18,21 @@ pub(super) fn sn_cn(u: f64, k: f64) -> (f64, f64) {
 
 /// A step of the arithmetic-geometric mean: a, and c = (a − b)/2 of the step before.
 #[derive(Clone, Copy, Debug)]
-struct Mean {
+struct AgmStep {
     a: f64,
     c: f64,
 }
 
 /// All steps, from a = 1 on, until they do not change.
-fn means(k: f64) -> Vec<Mean> {
+fn means(k: f64) -> Vec<AgmStep> {
     /// Convergence is quadratic: more are never needed below k = 1 − ε.
     const MOST: usize = 12;
     let (mut a, mut b) = (1.0, (1.0 - k * k).sqrt());
-    let mut means = vec![Mean { a, c: k }];
+    let mut means = vec![AgmStep { a, c: k }];
     while means.len() < MOST && a - b > f64::EPSILON * a {
         let c = 0.5 * (a - b);
         (a, b) = (f64::midpoint(a, b), (a * b).sqrt());
-        means.push(Mean { a, c });
+        means.push(AgmStep { a, c });
     }
     means
 }

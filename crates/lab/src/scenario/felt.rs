@@ -8,7 +8,6 @@ use pode::{
 };
 
 use super::{ExpectedEvent, ForceKind as Figure, MS, Plan, Reference, Scenario};
-use crate::accuracy::Study;
 
 /// Mass of the head (kg).
 const MASS: f64 = 0.01;
@@ -42,27 +41,27 @@ struct ContactRecord {
 }
 
 /// 1e5 N/m^1.5.
-pub(super) fn soft() -> Box<dyn Study> {
+pub(super) fn soft() -> FeltScenario {
     const TICKS: &[f64] =
         &[MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS, 0.005 * MS];
-    Box::new(FeltContact::new(ContactRecord {
+    FeltScenario::new(ContactRecord {
         felt: FeltPenetration { k: 1e5, depth: 0.001_521_344_239_131_188_8 },
         times: [0.002_359_535_961_218_295, 0.005_332_605_765_717_41],
         span: (10.0 * MS, MS),
         ticks: TICKS,
-    }))
+    })
 }
 
 /// 1e7 N/m^1.5.
-pub(super) fn hard() -> Box<dyn Study> {
+pub(super) fn hard() -> FeltScenario {
     const TICKS: &[f64] =
         &[0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS, 0.005 * MS, 0.001 * MS];
-    Box::new(FeltContact::new(ContactRecord {
+    FeltScenario::new(ContactRecord {
         felt: FeltPenetration { k: 1e7, depth: 0.000_241_116_812_798_895_35 },
         times: [0.000_373_961_248_230_206_54, 0.000_845_161_057_616_440_6],
         span: (2.0 * MS, 0.5 * MS),
         ticks: TICKS,
-    }))
+    })
 }
 
 impl Model for FeltPenetration {
@@ -141,12 +140,12 @@ impl Energetic for FeltPenetration {
 
 /// One contact, and the flight after it.
 #[derive(Debug)]
-struct FeltContact {
+pub(super) struct FeltScenario {
     known: ContactRecord,
     reference: Reference<FeltPenetration>,
 }
 
-impl FeltContact {
+impl FeltScenario {
     fn new(known: ContactRecord) -> Self {
         let [deepest, exit] = known.times;
         let event = |t, guard: &str, to| ExpectedEvent { t, guard: guard.to_owned(), to };
@@ -161,7 +160,7 @@ impl FeltContact {
     }
 }
 
-impl Scenario for FeltContact {
+impl Scenario for FeltScenario {
     type Model = FeltPenetration;
 
     fn plan(&self) -> Plan {

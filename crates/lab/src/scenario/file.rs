@@ -11,7 +11,7 @@ const AWAY: f64 = 0.005;
 
 /// A reference, as text.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct File {
+pub(super) struct ReferenceFile {
     pub(super) name: &'static str,
     pub(super) json: &'static str,
     pub(super) csv: &'static str,
@@ -20,7 +20,7 @@ pub(super) struct File {
 /// The reference `$name` in `$folder`, which is part of the program.
 macro_rules! file {
     ($folder:literal, $name:literal) => {
-        $crate::scenario::file::File {
+        $crate::scenario::file::ReferenceFile {
             name: $name,
             json: include_str!(concat!($folder, $name, ".json")),
             csv: include_str!(concat!($folder, $name, ".csv")),
@@ -37,7 +37,7 @@ pub struct BadFile {
     what: String,
 }
 
-impl File {
+impl ReferenceFile {
     pub(super) fn wrong(&self, what: impl std::fmt::Display) -> BadFile {
         BadFile { name: self.name, what: what.to_string() }
     }
@@ -45,7 +45,7 @@ impl File {
 
 /// What the JSON says.
 #[derive(Debug, Deserialize)]
-pub(super) struct Case {
+pub(super) struct ReferenceCase {
     parameters: Map<String, Value>,
     input: InputTerms,
     t_end: Value,
@@ -70,8 +70,8 @@ fn number(value: &Value) -> Option<f64> {
     value.as_f64().or_else(|| value.as_str()?.parse().ok())
 }
 
-impl Case {
-    pub(super) fn read(file: &File) -> Result<Self, BadFile> {
+impl ReferenceCase {
+    pub(super) fn read(file: &ReferenceFile) -> Result<Self, BadFile> {
         serde_json::from_str(file.json).map_err(|error| file.wrong(error))
     }
 
@@ -88,20 +88,20 @@ impl Case {
     }
 
     /// Size, time and width of each term of the input.
-    pub(super) fn input_terms(&self, file: &File) -> Result<Vec<[f64; 3]>, BadFile> {
+    pub(super) fn input_terms(&self, file: &ReferenceFile) -> Result<Vec<[f64; 3]>, BadFile> {
         let term = |[a, tc, w]: &[Value; 3]| Some([number(a)?, number(tc)?, number(w)?]);
         let terms: Option<_> = self.input.terms.iter().map(term).collect();
         terms.ok_or_else(|| file.wrong("a term of the input is no number"))
     }
 
     /// End (s).
-    pub(super) fn until(&self, file: &File) -> Result<f64, BadFile> {
+    pub(super) fn until(&self, file: &ReferenceFile) -> Result<f64, BadFile> {
         number(&self.t_end).ok_or_else(|| file.wrong("t_end is no number"))
     }
 
     pub(super) fn events<M: Described>(
         &self,
-        file: &File,
+        file: &ReferenceFile,
     ) -> Result<Vec<ExpectedEvent<M>>, BadFile> {
         let event = |event: &ReferenceEvent| {
             let t = number(&event.t).ok_or_else(|| file.wrong("an event without a time"))?;
@@ -113,26 +113,26 @@ impl Case {
     /// The rows of the trajectory that are away from the events.
     pub(super) fn samples<M: Described>(
         &self,
-        file: &File,
+        file: &ReferenceFile,
         readout: &str,
     ) -> Result<Vec<ReferenceSample<M::State>>, BadFile> {
         let events: Vec<f64> = self.events.iter().filter_map(|event| number(&event.t)).collect();
-        let rows = Rows::<M>::read(file, readout)?;
+        let rows = TrajectoryRows::<M>::read(file, readout)?;
         let is_away = |t: f64| t > 0.0 && events.iter().all(|event| (event - t).abs() > AWAY);
         Ok(rows.0.into_iter().filter(|sample| is_away(sample.t)).collect())
     }
 }
 
-fn mode<M: Described>(file: &File, name: &str) -> Result<M::Mode, BadFile> {
+fn mode<M: Described>(file: &ReferenceFile, name: &str) -> Result<M::Mode, BadFile> {
     let known = M::MODES.iter().find(|(_, known)| *known == name);
     known.map(|(mode, _)| *mode).ok_or_else(|| file.wrong(format_args!("no mode {name}")))
 }
 
 /// The trajectory.
-struct Rows<M: Described>(Vec<ReferenceSample<M::State>>);
+struct TrajectoryRows<M: Described>(Vec<ReferenceSample<M::State>>);
 
-impl<M: Described> Rows<M> {
-    fn read(file: &File, readout: &str) -> Result<Self, BadFile> {
+impl<M: Described> TrajectoryRows<M> {
+    fn read(file: &ReferenceFile, readout: &str) -> Result<Self, BadFile> {
         let mut lines = file.csv.lines();
         let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
         let column = |name: &str| {

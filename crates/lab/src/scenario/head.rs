@@ -8,7 +8,6 @@ use pode::{
 };
 
 use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
-use crate::accuracy::Study;
 
 const G: f64 = 9.81;
 /// Mass of the head (kg).
@@ -170,23 +169,23 @@ impl Energetic for FallingHead {
 
 /// The head, with its contacts.
 #[derive(Debug)]
-struct Contacts {
+pub(super) struct HeadScenario {
     head: FallingHead,
     reference: Reference<FallingHead>,
 }
 
 /// Builds it with a stiffness of 10 to the `EXPONENT` (N/m).
-pub(super) fn build<const EXPONENT: i32>() -> Box<dyn Study> {
+pub(super) fn build<const EXPONENT: i32>() -> HeadScenario {
     let head = FallingHead { k: 10_f64.powi(EXPONENT) };
     let events = head.events();
     let times: Vec<f64> = events.iter().map(|event| event.t).collect();
     let span = (5.0 * MS, UNTIL);
     let samples = Reference::<FallingHead>::samples(span, MS, &times, |t| Some(head.state(t)));
     let reference = Reference { events, is_whole: true, rest: None, samples };
-    Box::new(Contacts { head, reference })
+    HeadScenario { head, reference }
 }
 
-impl Scenario for Contacts {
+impl Scenario for HeadScenario {
     type Model = FallingHead;
 
     fn plan(&self) -> Plan {

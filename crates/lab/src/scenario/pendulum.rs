@@ -8,7 +8,6 @@ use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Re
 
 use super::elliptic::{quarter_period, sn_cn};
 use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
-use crate::accuracy::Study;
 
 /// ω0² (1/s²).
 const STIFFNESS: f64 = 9.81;
@@ -80,12 +79,12 @@ impl Energetic for Pendulum {
 
 /// The pendulum, with its impacts.
 #[derive(Debug)]
-pub(super) struct Swings {
+pub(super) struct PendulumScenario {
     reference: Reference<Pendulum>,
 }
 
-/// Builds it.
-pub(super) fn build() -> Box<dyn Study> {
+/// Builds the scenario.
+pub(super) fn build() -> PendulumScenario {
     let impacts = impacts();
     let event = |(t, _): &(f64, f64)| ExpectedEvent { t: *t, guard: "wall".to_owned(), to: () };
     let times: Vec<f64> = impacts.iter().map(|(t, _)| *t).collect();
@@ -94,7 +93,7 @@ pub(super) fn build() -> Box<dyn Study> {
     });
     let events = impacts.iter().map(event).collect();
     let reference = Reference { events, is_whole: true, rest: None, samples };
-    Box::new(Swings { reference })
+    PendulumScenario { reference }
 }
 
 /// Times (s) of the impacts until the end, and the speeds after them (rad/s).
@@ -124,7 +123,7 @@ fn state(impacts: &[(f64, f64)], t: f64) -> ([f64; 2], f64) {
     ([2.0 * (k * sn).asin(), 2.0 * k * omega * cn], impulse)
 }
 
-impl Scenario for Swings {
+impl Scenario for PendulumScenario {
     type Model = Pendulum;
 
     fn plan(&self) -> Plan {

@@ -5,7 +5,7 @@ use pode::Model;
 /// An event that must happen.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ExpectedEvent<M: Model> {
-    /// When (s).
+    /// Time of the event (s).
     pub t: f64,
     pub guard: String,
     pub to: M::Mode,
@@ -14,14 +14,14 @@ pub struct ExpectedEvent<M: Model> {
 /// State and force at one time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ReferenceSample<S> {
-    /// When (s).
+    /// Time of the sample (s).
     pub t: f64,
     pub state: S,
-    /// What [`Felt`](super::Felt) says, in the readout's unit or that times s.
+    /// The force that [`ForceKind`](super::ForceKind) says, in the readout's unit or that times s.
     pub force: f64,
 }
 
-/// What is right.
+/// The events and states that are right.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Reference<M: Model> {
     /// The events, in their order.

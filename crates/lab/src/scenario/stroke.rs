@@ -6,37 +6,36 @@ use models::key_hammer_springs::KeyHammerSprings;
 use models::reduced_grand::ReducedGrand;
 use pode::Motion;
 
-use super::file::{BadFile, Case, File, file};
+use super::file::{BadFile, ReferenceCase, ReferenceFile, file};
 use super::input::{Bells, Presses, TermInput};
 use super::{ForceKind, MS, ModeOf, Plan, Reference, Scenario, StateOf, Studied};
-use crate::accuracy::Study;
 
 /// A model under a stroke.
 #[derive(Debug)]
-struct StrokeScenario<M: Described, I> {
+pub(super) struct StrokeScenario<M: Described, I> {
     model: M,
     input: I,
     until: f64,
-    pace: Pace,
+    pace: StrokeTicks,
     reference: Reference<M>,
 }
 
 /// Over which ticks a stroke is studied.
 #[derive(Clone, Copy, Debug)]
-struct Pace {
+struct StrokeTicks {
     ticks: &'static [f64],
     /// For methods that choose their steps (s).
     offline_tick: f64,
 }
 
-impl Pace {
+impl StrokeTicks {
     const USUAL: Self = Self { ticks: super::TICKS, offline_tick: 100.0 * MS };
 }
 
-impl<M: Described + Studied, I: TermInput + 'static> StrokeScenario<M, I> {
+impl<M: Described + Studied, I: TermInput> StrokeScenario<M, I> {
     /// Reads the case in `file`, whose trajectory has the readout in `column`.
-    fn read(file: &File, column: &str, pace: Pace) -> Result<Box<dyn Study>, BadFile> {
-        let case = Case::read(file)?;
+    fn read(file: &ReferenceFile, column: &str, pace: StrokeTicks) -> Result<Self, BadFile> {
+        let case = ReferenceCase::read(file)?;
         let input = I::of(&case.input_terms(file)?);
         let reference = Reference {
             events: case.events::<M>(file)?,
@@ -44,13 +43,13 @@ impl<M: Described + Studied, I: TermInput + 'static> StrokeScenario<M, I> {
             rest: None,
             samples: case.samples::<M>(file, column)?,
         };
-        Ok(Box::new(Self {
+        Ok(Self {
             model: case.model(),
             input: input.ok_or_else(|| file.wrong("another number of terms"))?,
             until: case.until(file)?,
             pace,
             reference,
-        }))
+        })
     }
 }
 
@@ -58,7 +57,7 @@ impl<M: Described + Studied, I: TermInput> Scenario for StrokeScenario<M, I> {
     type Model = M;
 
     fn plan(&self) -> Plan {
-        let Self { until, pace: Pace { ticks, offline_tick }, .. } = *self;
+        let Self { until, pace: StrokeTicks { ticks, offline_tick }, .. } = *self;
         Plan { until, ticks, offline_tick, felt: ForceKind::Readout }
     }
 
@@ -78,47 +77,54 @@ impl<M: Described + Studied, I: TermInput> Scenario for StrokeScenario<M, I> {
     }
 }
 
+/// Model A under two throws.
+pub(super) type RigidStroke = StrokeScenario<KeyHammerRigid, Bells<2>>;
+/// Model B under the paper's three throws.
+pub(super) type SpringsStroke = StrokeScenario<KeyHammerSprings, Bells<3>>;
+/// Model C under a press and its release.
+pub(super) type GrandStroke = StrokeScenario<ReducedGrand, Presses<2>>;
+
 /// The trajectories' column of the readout of models A and B.
 const TORQUE: &str = "T_KU";
 
 /// Model A.
-pub(super) fn two_throws() -> Result<Box<dyn Study>, BadFile> {
+pub(super) fn two_throws() -> Result<RigidStroke, BadFile> {
     let file = file!("../../../models/tests/reference/", "model-a-two-throws");
-    StrokeScenario::<KeyHammerRigid, Bells<2>>::read(&file, TORQUE, Pace::USUAL)
+    StrokeScenario::read(&file, TORQUE, StrokeTicks::USUAL)
 }
 
 /// Model B, as the paper has it.
-pub(super) fn figure_6() -> Result<Box<dyn Study>, BadFile> {
-    springs(&file!("../../../models/tests/reference/", "model-b-figure6"), Pace::USUAL)
+pub(super) fn figure_6() -> Result<SpringsStroke, BadFile> {
+    springs(&file!("../../../models/tests/reference/", "model-b-figure6"), StrokeTicks::USUAL)
 }
 
 /// Model B, 10 times stiffer.
-pub(super) fn stiff_10() -> Result<Box<dyn Study>, BadFile> {
-    springs(&file!("../../../models/tests/reference/", "model-b-stiff-10"), Pace::USUAL)
+pub(super) fn stiff_10() -> Result<SpringsStroke, BadFile> {
+    springs(&file!("../../../models/tests/reference/", "model-b-stiff-10"), StrokeTicks::USUAL)
 }
 
 /// Model B, 100 times stiffer.
-pub(super) fn stiff_100() -> Result<Box<dyn Study>, BadFile> {
-    springs(&file!("../../references/", "model-b-stiff-100"), Pace::USUAL)
+pub(super) fn stiff_100() -> Result<SpringsStroke, BadFile> {
+    springs(&file!("../../references/", "model-b-stiff-100"), StrokeTicks::USUAL)
 }
 
 /// Model B, 1e4 times stiffer: 2600 rad/s.
-pub(super) fn stiff_10000() -> Result<Box<dyn Study>, BadFile> {
+pub(super) fn stiff_10000() -> Result<SpringsStroke, BadFile> {
     const TICKS: &[f64] =
         &[5.0 * MS, MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.02 * MS, 0.01 * MS];
-    let pace = Pace { ticks: TICKS, offline_tick: 120.0 * MS };
+    let pace = StrokeTicks { ticks: TICKS, offline_tick: 120.0 * MS };
     springs(&file!("../../references/", "model-b-stiff-10000"), pace)
 }
 
 /// Model C: a forte, held and released.
-pub(super) fn forte() -> Result<Box<dyn Study>, BadFile> {
+pub(super) fn forte() -> Result<GrandStroke, BadFile> {
     const TICKS: &[f64] =
         &[5.0 * MS, MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS];
     let file = file!("../../../models/tests/reference/", "model-c-forte");
-    let pace = Pace { ticks: TICKS, offline_tick: 50.0 * MS };
-    StrokeScenario::<ReducedGrand, Presses<2>>::read(&file, "F_KU", pace)
+    let pace = StrokeTicks { ticks: TICKS, offline_tick: 50.0 * MS };
+    StrokeScenario::read(&file, "F_KU", pace)
 }
 
-fn springs(file: &File, pace: Pace) -> Result<Box<dyn Study>, BadFile> {
-    StrokeScenario::<KeyHammerSprings, Bells<3>>::read(file, TORQUE, pace)
+fn springs(file: &ReferenceFile, pace: StrokeTicks) -> Result<SpringsStroke, BadFile> {
+    StrokeScenario::read(file, TORQUE, pace)
 }

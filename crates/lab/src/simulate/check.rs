@@ -8,7 +8,7 @@ use pode::stepper::{Any, ByNeed};
 use pode::{Limits, State as _};
 
 use super::args::SimulateArgs;
-use super::error::Mistake;
+use super::error::SimulateMistake;
 use super::input::InputSignal;
 
 /// More ticks than this are a slip of the exponent: a day's work at least.
@@ -21,16 +21,19 @@ const TOLERANCES: (f64, f64) = (1e-16, 0.5);
 const LAST_KEY: u8 = 87;
 
 /// The method called for, with its tolerance; RK4 where there is a mistake.
-fn method(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Any {
+fn method(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> Any {
     let Some(method) = Any::named(&args.method) else {
-        mistakes.push(Mistake::unknown("method", &args.method, Any::NAMES));
+        mistakes.push(SimulateMistake::unknown("method", &args.method, Any::NAMES));
         return Any::default();
     };
     // `by-need` has to know the tick even where nobody said how precise it should be.
     let by_default = matches!(method, Any::ByNeed(_)).then_some(ByNeed::BUDGET);
     let Some(tolerance) = args.tolerance.or(by_default) else { return method };
     method.with_tolerance(tolerance, args.step).unwrap_or_else(|| {
-        mistakes.push(Mistake::NoTolerance { method: args.method.clone(), known: Any::TOLERANT });
+        mistakes.push(SimulateMistake::NoTolerance {
+            method: args.method.clone(),
+            known: Any::TOLERANT,
+        });
         method
     })
 }
@@ -40,9 +43,9 @@ fn method(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Any {
 pub(super) struct TickClock {
     /// Length of a tick (s).
     pub(super) step: f64,
-    /// The end (s).
+    /// End of the last tick (s).
     pub(super) until: f64,
-    /// Ticks, the last one perhaps shorter.
+    /// Number of ticks, of which the last may be shorter.
     pub(super) ticks: u64,
     /// The method, as precise as was asked for.
     pub(super) method: Any,
@@ -51,19 +54,19 @@ pub(super) struct TickClock {
 }
 
 impl TickClock {
-    pub(super) fn check(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Self {
+    pub(super) fn check(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> Self {
         let SimulateArgs { until, step, .. } = *args;
         let default = Limits::default();
         let event_tolerance = args.event_tolerance.unwrap_or(default.event_tolerance);
         let before = mistakes.len();
         for (option, value) in [("--until", until), ("--step", step)] {
             if !(value > 0.0 && value.is_finite()) {
-                mistakes.push(Mistake::NotADuration { option, value });
+                mistakes.push(SimulateMistake::NotADuration { option, value });
             }
         }
         let ticks = (until / step - CRUMB).ceil().max(1.0);
         if mistakes.len() == before && ticks > MOST_TICKS {
-            mistakes.push(Mistake::TooManyTicks { ticks, most: MOST_TICKS });
+            mistakes.push(SimulateMistake::TooManyTicks { ticks, most: MOST_TICKS });
         }
         check_range("--event-tolerance", event_tolerance, TOLERANCES, "of a tick", mistakes);
         if let Some(tolerance) = args.tolerance {
@@ -91,8 +94,8 @@ impl TickClock {
     }
 }
 
-/// What does not depend on the model.
-pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) {
+/// Checks what does not depend on the model: the key, and that no file is used twice.
+pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) {
     if args.key > LAST_KEY {
         check_range("--key", args.key.into(), (0.0, LAST_KEY.into()), "(A0 to C8)", mistakes);
     }
@@ -108,7 +111,7 @@ pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) {
             if let (Some(a), Some(b)) = (a, b)
                 && is_same_file(a, b)
             {
-                mistakes.push(Mistake::SameFile { first, second, path: b.clone() });
+                mistakes.push(SimulateMistake::SameFile { first, second, path: b.clone() });
             }
         }
     }
@@ -135,10 +138,16 @@ fn check_range(
     value: f64,
     (low, high): (f64, f64),
     unit: &'static str,
-    mistakes: &mut Vec<Mistake>,
+    mistakes: &mut Vec<SimulateMistake>,
 ) {
     if !(low..=high).contains(&value) {
-        mistakes.push(Mistake::OutOfRange { what: what.to_owned(), value, low, high, unit });
+        mistakes.push(SimulateMistake::OutOfRange {
+            what: what.to_owned(),
+            value,
+            low,
+            high,
+            unit,
+        });
     }
 }
 
@@ -155,7 +164,7 @@ impl<M: Playable> Start<M> {
     pub(super) fn check(
         args: &SimulateArgs,
         input: &InputSignal,
-        mistakes: &mut Vec<Mistake>,
+        mistakes: &mut Vec<SimulateMistake>,
     ) -> Option<Self> {
         let model = M::with_values(&parameters::<M>(args, mistakes)?);
         let s = input.at(0.0);
@@ -165,27 +174,30 @@ impl<M: Playable> Start<M> {
             let found = M::MODES.iter().find(|(_, known)| *known == name);
             if found.is_none() {
                 let known: Vec<_> = M::MODES.iter().map(|(_, known)| *known).collect();
-                mistakes.push(Mistake::unknown("mode", name, &known));
+                mistakes.push(SimulateMistake::unknown("mode", name, &known));
             }
             found.map(|(mode, _)| *mode)
         })?;
         let state = model.constrain(mode, &with_entries::<M>(rest, &given), &s);
         if !state.entries().iter().all(|entry| entry.is_finite()) {
-            mistakes.push(Mistake::NoStart);
+            mistakes.push(SimulateMistake::NoStart);
         }
         Some(Self { model, mode, state })
     }
 }
 
 /// One value per parameter: the preset's, then those of `--set`; `None` without a preset.
-fn parameters<M: Described>(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Option<Vec<f64>> {
+fn parameters<M: Described>(
+    args: &SimulateArgs,
+    mistakes: &mut Vec<SimulateMistake>,
+) -> Option<Vec<f64>> {
     let preset = match args.preset.as_deref() {
         None => M::PRESETS.first(),
         Some(name) => {
             let found = M::PRESETS.iter().find(|preset| preset.name == name);
             if found.is_none() {
                 let known: Vec<_> = M::PRESETS.iter().map(|preset| preset.name).collect();
-                mistakes.push(Mistake::unknown("preset", name, &known));
+                mistakes.push(SimulateMistake::unknown("preset", name, &known));
             }
             // What else is wrong is found with the default.
             found.or_else(|| M::PRESETS.first())
@@ -213,26 +225,26 @@ fn named_values(
     what: &'static str,
     pairs: &[String],
     names: &[&'static str],
-    mistakes: &mut Vec<Mistake>,
+    mistakes: &mut Vec<SimulateMistake>,
 ) -> Vec<(usize, f64)> {
     let mut values: Vec<(usize, f64)> = Vec::new();
     for text in pairs {
         let Some((name, number)) = text.split_once('=') else {
-            mistakes.push(Mistake::NotNameValue { option, text: text.clone() });
+            mistakes.push(SimulateMistake::NotNameValue { option, text: text.clone() });
             continue;
         };
         let index = names.iter().position(|known| *known == name);
         let value = number.parse::<f64>().ok().filter(|value| value.is_finite());
         if index.is_none() {
-            mistakes.push(Mistake::unknown(what, name, names));
+            mistakes.push(SimulateMistake::unknown(what, name, names));
         }
         if value.is_none() {
             let (name, text) = (name.to_owned(), number.to_owned());
-            mistakes.push(Mistake::NotANumber { option, name, text });
+            mistakes.push(SimulateMistake::NotANumber { option, name, text });
         }
         let (Some(index), Some(value)) = (index, value) else { continue };
         if values.iter().any(|(known, _)| *known == index) {
-            mistakes.push(Mistake::Twice { option, name: name.to_owned() });
+            mistakes.push(SimulateMistake::Twice { option, name: name.to_owned() });
         } else {
             values.push((index, value));
         }

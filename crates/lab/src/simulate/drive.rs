@@ -1,4 +1,4 @@
-//! Tick after tick, with the audit and the tables looking on.
+//! Tick after tick, followed by the energy audit and the files.
 
 use models::{Described, Playable};
 use pode::stepper::{Any, ByNeed, Choice};
@@ -8,14 +8,15 @@ use pode::{State as _, Tick, Watch};
 use super::check::{Start, TickClock};
 use super::error::SimulateError;
 use super::input::{InputSignal, is_finite};
-use super::output::Files;
-use super::summary::{Capped, RunCounts, SimulationReport, Why};
+use super::mode::mode_name;
+use super::output::OutputFiles;
+use super::summary::{Capped, RunCounts, RunFailure, SimulationReport};
 
 /// Runs a model with the method of the clock, and says what `by-need` takes.
 pub(super) fn run<M: Playable>(
     start: &Start<M>,
     plan: (&TickClock, &InputSignal),
-    files: &mut Files,
+    files: &mut OutputFiles,
 ) -> Result<SimulationReport, SimulateError> {
     let TickClock { method, step, .. } = *plan.0;
     let report = drive(start, plan, files)?;
@@ -34,12 +35,12 @@ fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(&'static
 fn drive<M: Playable>(
     start: &Start<M>,
     (clock, input): (&TickClock, &InputSignal),
-    files: &mut Files,
+    files: &mut OutputFiles,
 ) -> Result<SimulationReport, SimulateError> {
     let Start { model, mode, state } = *start;
     let mut follower =
         Follower { clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
-    let mut tally = Tally::default();
+    let mut tally = RunTally::default();
     let mut simulator = Simulator::new(model, clock.method, clock.limits, mode, state);
     let audit = follower.audit;
     follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
@@ -49,7 +50,11 @@ fn drive<M: Playable>(
         tally.add(&done);
         follower.files.check()?;
         if let Advance::Faulty(fault) = done.advance {
-            let why = if is_driven(clock, input, tick) { Why::Model(fault) } else { Why::Input };
+            let why = if is_driven(clock, input, tick) {
+                RunFailure::Model(fault)
+            } else {
+                RunFailure::Input
+            };
             tally.failure = Some(why);
             break;
         }
@@ -70,13 +75,13 @@ fn is_driven(clock: &TickClock, input: &InputSignal, tick: u64) -> bool {
     places.all(|theta| is_finite(&input.at(clock.time(tick, theta))))
 }
 
-/// Looks on while a tick runs.
+/// Follows a tick while it runs: audits its energy, and hands on its pieces and events.
 struct Follower<'a, M: Described> {
     clock: &'a TickClock,
     audit: EnergyAudit,
     /// The last instant known to be good: t (s), mode, state.
     last: (f64, M::Mode, M::State),
-    files: &'a mut Files,
+    files: &'a mut OutputFiles,
 }
 
 impl<M: Described> Watch<M> for Follower<'_, M> {
@@ -98,13 +103,13 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
 
 /// Counts over all ticks.
 #[derive(Clone, Copy, Default)]
-struct Tally {
+struct RunTally {
     counts: RunCounts,
     capped: Capped,
-    failure: Option<Why>,
+    failure: Option<RunFailure>,
 }
 
-impl Tally {
+impl RunTally {
     fn add(&mut self, tick: &Tick) {
         let RunCounts { ticks, steps, evaluations, events, verdicts } = &mut self.counts;
         *ticks += 1;
@@ -149,9 +154,4 @@ impl Tally {
             failure: self.failure,
         }
     }
-}
-
-/// The name of a mode.
-pub(super) fn mode_name<M: Described>(mode: M::Mode) -> &'static str {
-    M::MODES.iter().find(|(known, _)| *known == mode).map_or("?", |(_, name)| name)
 }

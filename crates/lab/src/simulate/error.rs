@@ -1,4 +1,4 @@
-//! What `letoff simulate` can refuse or run into, in sentences for whoever called it.
+//! What `letoff simulate` can refuse or run into, in sentences that a user reads.
 
 use std::fmt::Write as _;
 use std::io;
@@ -13,15 +13,13 @@ use diagnostics::nearest;
 pub enum SimulateError {
     /// Wrong usage or file: every mistake that was found; nothing was run.
     #[error("{}", lines(.0))]
-    Usage(Vec<Mistake>),
+    Usage(Vec<SimulateMistake>),
     /// The model failed while running; the files hold everything up to there.
     #[error("{model} failed after t = {t:?} s in mode {mode}: {why}")]
     Fault {
-        /// The model's name.
         model: &'static str,
         /// The last instant with a finite state (s).
         t: f64,
-        /// The mode there.
         mode: &'static str,
         /// What failed, and what to do.
         why: &'static str,
@@ -33,7 +31,6 @@ pub enum SimulateError {
          a shorter --step{}", if *tolerance { " or a larger --tolerance" } else { "" }
     )]
     Capped {
-        /// The model's name.
         model: &'static str,
         capped: u64,
         ticks: u64,
@@ -44,11 +41,7 @@ pub enum SimulateError {
     },
     /// A file could not be written to its end.
     #[error("cannot write {}: {cause}; make room there or choose another file", path.display())]
-    Write {
-        path: PathBuf,
-        /// What the system said.
-        cause: csv::Error,
-    },
+    Write { path: PathBuf, cause: csv::Error },
     /// The summary could not be written; the files are complete.
     #[error("cannot write the summary: {0}")]
     Summary(io::Error),
@@ -67,7 +60,7 @@ impl SimulateError {
 /// One mistake in the arguments or in the input file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum Mistake {
+pub enum SimulateMistake {
     /// A path where only a name is known.
     #[error(
         "`{path}` looks like a path: MODEL is a built-in name for now, a path to a description \
@@ -77,11 +70,9 @@ pub enum Mistake {
     /// A name that is not among those that there are.
     #[error("there is no {what} `{name}`{}; there are {}", suggestion(name, known), known.join(", "))]
     Unknown {
-        /// What kind of thing.
+        /// What the name should be of: `model`, `mode`, `parameter`, …
         what: &'static str,
-        /// The name that was given.
         name: String,
-        /// The names that there are.
         known: Vec<&'static str>,
     },
     /// Not of the form name=value.
@@ -105,7 +96,6 @@ pub enum Mistake {
         short(*value), short(*low), short(*high), after_number(unit)
     )]
     OutOfRange {
-        /// What has the value.
         what: String,
         value: f64,
         low: f64,
@@ -122,17 +112,10 @@ pub enum Mistake {
     },
     /// A time that is not a length of time.
     #[error("{option} = {value:?}: it must be a positive, finite number of seconds")]
-    NotADuration {
-        option: &'static str,
-        /// The value (s).
-        value: f64,
-    },
-    /// More ticks than anybody waits for.
+    NotADuration { option: &'static str, value: f64 },
+    /// More ticks than can be computed in a day.
     #[error("--until / --step are {ticks:e} ticks, more than {most:e}: take a longer --step")]
     TooManyTicks { ticks: f64, most: f64 },
-    /// A reconstruction without samples.
-    #[error("--reconstruct is for an --input from a CSV file")]
-    NothingToReconstruct,
     /// The model does not start anywhere.
     #[error("the model is not at rest anywhere at t = 0: give --initial for every state")]
     NoStart,
@@ -143,14 +126,10 @@ pub enum Mistake {
     SameFile { first: &'static str, second: &'static str, path: PathBuf },
     /// A file cannot be created.
     #[error("cannot create {}: {cause}", path.display())]
-    Create {
-        path: PathBuf,
-        /// What the system said.
-        cause: io::Error,
-    },
+    Create { path: PathBuf, cause: io::Error },
 }
 
-impl Mistake {
+impl SimulateMistake {
     pub(super) fn unknown(what: &'static str, name: &str, known: &[&'static str]) -> Self {
         Self::Unknown { what, name: name.to_owned(), known: known.to_vec() }
     }
@@ -166,7 +145,7 @@ impl Mistake {
 }
 
 /// One mistake per line.
-fn lines(mistakes: &[Mistake]) -> String {
+fn lines(mistakes: &[SimulateMistake]) -> String {
     let mut text = String::new();
     for (index, mistake) in mistakes.iter().enumerate() {
         let separator = if index == 0 { "" } else { "\n" };

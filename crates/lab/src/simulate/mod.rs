@@ -10,6 +10,7 @@ mod check;
 mod drive;
 mod error;
 mod input;
+mod mode;
 mod output;
 mod plot;
 mod summary;
@@ -23,10 +24,10 @@ use models::catalogue::{self, Visitor};
 
 pub use self::args::{Reconstruct, SimulateArgs};
 use self::check::{Start, TickClock};
-pub use self::error::{Mistake, SimulateError};
+pub use self::error::{SimulateError, SimulateMistake};
 pub use self::input::InputMistake;
 use self::input::InputSignal;
-use self::output::Files;
+use self::output::OutputFiles;
 
 /// Simulates what `args` ask for; the summary goes to `out`.
 ///
@@ -36,11 +37,13 @@ use self::output::Files;
 pub fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), SimulateError> {
     let mut mistakes = Vec::new();
     let clock = TickClock::check(args, &mut mistakes);
-    let input = InputSignal::read(args, &mut mistakes);
+    let mut input_mistakes = Vec::new();
+    let input = InputSignal::read(args, &mut input_mistakes);
+    mistakes.extend(input_mistakes.into_iter().map(SimulateMistake::Input));
     check::rest(args, &mut mistakes);
     if catalogue::find(&args.model).is_none() {
         let known = catalogue::ENTRIES.iter().map(|entry| entry.name).collect();
-        mistakes.insert(0, Mistake::model(&args.model, known));
+        mistakes.insert(0, SimulateMistake::model(&args.model, known));
         return Err(SimulateError::Usage(mistakes));
     }
     let job = SimulationJob { args, clock, input, mistakes, out };
@@ -52,7 +55,7 @@ struct SimulationJob<'a> {
     args: &'a SimulateArgs,
     clock: TickClock,
     input: InputSignal,
-    mistakes: Vec<Mistake>,
+    mistakes: Vec<SimulateMistake>,
     out: &'a mut dyn Write,
 }
 
@@ -65,7 +68,7 @@ impl Visitor for SimulationJob<'_> {
         let (Some(start), true) = (start, mistakes.is_empty()) else {
             return Err(SimulateError::Usage(mistakes));
         };
-        let mut files = Files::create(args, &start).map_err(SimulateError::Usage)?;
+        let mut files = OutputFiles::create(args, &start).map_err(SimulateError::Usage)?;
         let report = drive::run(&start, (&clock, &input), &mut files)?;
         files.finish()?;
         summary::write(&report, args, out).map_err(SimulateError::Summary)?;

@@ -13,8 +13,8 @@ use pode::{EnergyAudit, Event, GuardSpec, Motion, Piece, Signal, State as _};
 
 use super::args::SimulateArgs;
 use super::check::Start;
-use super::drive::mode_name;
-use super::error::{Mistake, SimulateError};
+use super::error::{SimulateError, SimulateMistake};
+use super::mode::mode_name;
 use super::plot::Plot;
 
 /// Columns of the readout's slopes by s and by s'.
@@ -24,12 +24,12 @@ const SLOPES: [&str; 2] = ["readout_per_s", "readout_per_s_dot"];
 /// − dissipated + jumps.
 const ENERGIES: [&str; 4] = ["E_supplied", "E_dissipated", "E_jumps", "E_stored"];
 
-/// What is collected before the system is asked to write it (bytes).
+/// Room for rows before they are written to the disk (bytes).
 const BUFFER: usize = 1 << 16;
 
 /// The files that were asked for.
 #[derive(Debug)]
-pub(super) struct Files {
+pub(super) struct OutputFiles {
     trajectory: Option<CsvFile>,
     events: Option<CsvFile>,
     plot: Option<Plot>,
@@ -37,16 +37,16 @@ pub(super) struct Files {
     guards: Vec<&'static str>,
     /// Room for a row's outputs.
     outputs: Vec<f64>,
-    /// What went wrong where it could not be said: an event is written from inside a tick.
+    /// The first failure to write an event: a tick cannot return it.
     failure: Option<SimulateError>,
 }
 
-impl Files {
-    /// Creates all, the tables with their headers, or says of each why not.
+impl OutputFiles {
+    /// Creates the files, the tables with their headers, or returns why each cannot be created.
     pub(super) fn create<M: Playable>(
         args: &SimulateArgs,
         start: &Start<M>,
-    ) -> Result<Self, Vec<Mistake>> {
+    ) -> Result<Self, Vec<SimulateMistake>> {
         let guards = guard_names(&start.model);
         let mut mistakes = Vec::new();
         let mut create = |path: Option<&PathBuf>, header: Vec<String>| {
@@ -104,7 +104,7 @@ impl Files {
         }
     }
 
-    /// Marks an event and writes its row; a failure is kept for [`Files::check`].
+    /// Marks an event and writes its row; a failure is kept for [`OutputFiles::check`].
     pub(super) fn event<M: Described>(&mut self, t: f64, event: &Event<'_, M>) {
         if let Some(plot) = &mut self.plot {
             plot.event(t, event);
@@ -123,12 +123,12 @@ impl Files {
         }
     }
 
-    /// What went wrong while events were written.
+    /// Returns the first failure to write an event.
     pub(super) fn check(&mut self) -> Result<(), SimulateError> {
         self.failure.take().map_or(Ok(()), Err)
     }
 
-    /// Hands everything to the system.
+    /// Writes what is left, and the plot.
     pub(super) fn finish(self) -> Result<(), SimulateError> {
         // All are tried: what one cannot take is no reason to lose the others.
         let plotted = self.plot.map_or(Ok(()), Plot::finish);
@@ -193,8 +193,8 @@ struct CsvFile {
 }
 
 impl CsvFile {
-    fn create(path: &Path, header: &[String]) -> Result<Self, Mistake> {
-        let fail = |cause| Mistake::Create { path: path.to_owned(), cause };
+    fn create(path: &Path, header: &[String]) -> Result<Self, SimulateMistake> {
+        let fail = |cause| SimulateMistake::Create { path: path.to_owned(), cause };
         let file = File::create(path).map_err(fail)?;
         let mut writer = csv::WriterBuilder::new().buffer_capacity(BUFFER).from_writer(file);
         writer.write_record(header).map_err(|cause| fail(cause.into()))?;

@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use super::args::SimulateArgs;
 use super::error::SimulateError;
 
-/// What a run gave.
+/// Everything that is told of a run.
 #[derive(Debug)]
 pub(super) struct SimulationReport {
     pub(super) model: &'static str,
@@ -28,7 +28,7 @@ pub(super) struct SimulationReport {
     pub(super) choices: Vec<(&'static str, Choice)>,
     pub(super) state: Vec<(&'static str, f64)>,
     pub(super) audit: EnergyAudit,
-    pub(super) failure: Option<Why>,
+    pub(super) failure: Option<RunFailure>,
 }
 
 /// Work of all ticks; independent of the machine.
@@ -49,7 +49,7 @@ pub(super) struct Verdicts {
     pub(super) unknown: u64,
 }
 
-/// Evaluations of a model.
+/// Evaluations of a model in all ticks.
 #[derive(Clone, Copy, Default, Debug, Serialize)]
 pub(super) struct ModelEvaluations {
     pub(super) derivatives: u64,
@@ -77,16 +77,16 @@ impl Capped {
     }
 }
 
-/// What failed.
+/// Why a run failed.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Why {
+pub(super) enum RunFailure {
     /// The input, or a derivative of it, was not finite.
     Input,
     /// The model, under a finite input.
     Model(Fault),
 }
 
-impl Why {
+impl RunFailure {
     /// One word for a program.
     const fn kind(self) -> &'static str {
         match self {

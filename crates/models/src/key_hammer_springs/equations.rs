@@ -2,9 +2,8 @@
 
 use pode::math::{sin_cos_of_two, sqrt};
 use pode::{
-    Balance, Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature,
-    ReadoutSlopes,
-    Reset, Resets, Sloped,
+    Balance, Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion,
+    Nature, ReadoutSlopes, Reset, Resets, Sloped,
 };
 
 use super::{KeyHammerSprings, Mode};

@@ -37,7 +37,7 @@ impl CrossingTime {
 }
 
 /// The guards that may cross in a step, by their place among the mode's guards.
-pub(super) type Suspects = [Option<Span<'static>>; MAX_GUARDS];
+pub(super) type Suspects = [Option<GuardSpan<'static>>; MAX_GUARDS];
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Evaluates the guards at the end of a step, and says whether any of them may have crossed:
@@ -59,7 +59,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
                 continue;
             }
             let Some(span) = self.span(run, taken, index, spec)? else { return Ok(false) };
-            verdict = verdict.max(if span.is_certain() { Verdict::Certified } else { uncertain });
+            verdict =
+                verdict.max(if span.is_certain() { StepCertainty::Certified } else { uncertain });
             if !span.is_quiet && span.may_cross() {
                 suspects[index] = Some(span);
                 any = true;
@@ -73,12 +74,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// number.
     pub(super) fn first_crossing<S: Signal<M::Input>, W>(
         &self,
-        run: &mut Run<'_, S, W>,
-        taken: &mut Taken<M, T>,
+        run: &mut TickRun<'_, S, W>,
+        taken: &mut TakenStep<M, T>,
         suspects: &Suspects,
     ) -> Result<Option<First>, Fault> {
         self.refine(run, taken);
-        let mut places = [Place::NOWHERE; MAX_GUARDS];
+        let mut places = [CrossingTime::NOWHERE; MAX_GUARDS];
         for (place, span) in places.iter_mut().zip(suspects) {
             if let Some(span) = span {
                 *place = self.crossing_place(run, taken, span)?;

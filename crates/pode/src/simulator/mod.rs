@@ -225,8 +225,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     #[inline(never)]
     fn cross<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
-        run: &mut Run<'_, S, W>,
-        mut taken: Taken<M, T>,
+        run: &mut TickRun<'_, S, W>,
+        mut taken: TakenStep<M, T>,
         suspects: &Suspects,
         input: M::Input,
     ) -> M::Input {
@@ -383,7 +383,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     #[inline]
-    fn finish<S: Signal<M::Input>, W>(&mut self, mut run: TickRun<'_, S, W>, now: M::Input) -> Tick {
+    fn finish<S: Signal<M::Input>, W>(
+        &mut self,
+        mut run: TickRun<'_, S, W>,
+        now: M::Input,
+    ) -> Tick {
         let is_complete = run.advance == Advance::Completed;
         let is_at_end = is_complete && run.theta <= 1.0;
         let input = if is_at_end { now } else { run.signal.at(1.0) };

@@ -102,8 +102,27 @@ impl<S: State> Field<S> for Erased<'_, S> {
     }
 }
 
+/// Something to be done with a method of its own type.
+pub trait StepperVisitor {
+    type Output;
+
+    /// Does it with `stepper`.
+    fn visit<T: Stepper>(self, stepper: T) -> Self::Output;
+}
+
 macro_rules! any {
-    ($($(#[$doc:meta])* $name:ident($stepper:ty)),+ $(,)?) => {
+    (
+        named { $($(#[$doc:meta])* $name:ident($stepper:ty)),+ $(,)? }
+        controlled { $($(#[$of:meta])* $controlled:ident($how:ty)),+ $(,)? }
+    ) => {
+        impl Any {
+            /// Names of the methods.
+            pub const NAMES: &[&str] = &[$(<$stepper>::NAME),+];
+        }
+
+        any! { @all $($(#[$doc])* $name($stepper),)+ $($(#[$of])* $controlled($how)),+ }
+    };
+    (@all $($(#[$doc:meta])* $name:ident($stepper:ty)),+) => {
         /// Any of the methods, chosen at run time: where a simulation is set up by name, and a
         /// nanosecond does not count.
         ///
@@ -172,6 +191,21 @@ macro_rules! any {
             pub const fn name(&self) -> &'static str {
                 match self {
                     $(Self::$name(_) => <$stepper>::NAME),+
+                }
+            }
+
+            /// The order of convergence of the method.
+            pub const fn order(&self) -> u32 {
+                match self {
+                    $(Self::$name(_) => <$stepper>::ORDER),+
+                }
+            }
+
+            /// Hands the method to `visitor` under its own type: for what must not pay for the
+            /// choice at every step.
+            pub fn visit<V: StepperVisitor>(self, visitor: V) -> V::Output {
+                match self {
+                    $(Self::$name(stepper) => visitor.visit(stepper)),+
                 }
             }
         }
@@ -270,73 +304,55 @@ macro_rules! any {
 }
 
 any! {
-    /// [`ByNeed`].
-    ByNeed(ByNeed),
-    /// [`ExplicitEuler`].
-    ExplicitEuler(ExplicitEuler),
-    /// [`SemiImplicitEuler`].
-    SemiImplicitEuler(SemiImplicitEuler),
-    /// [`Heun`].
-    Heun(Heun),
-    /// [`VelocityVerlet`].
-    VelocityVerlet(VelocityVerlet),
-    /// [`AdamsBashforth2`].
-    AdamsBashforth2(AdamsBashforth2),
-    /// [`AdamsBashforth3`].
-    AdamsBashforth3(AdamsBashforth3),
-    /// [`BogackiShampine`].
-    BogackiShampine(BogackiShampine),
-    /// [`Rk4`].
-    Rk4(Rk4),
-    /// [`Tsitouras5`].
-    Tsitouras5(Tsitouras5),
-    /// [`Dop853`].
-    Dop853(Dop853),
-    /// [`LinearImplicitMidpoint`].
-    LinearImplicitMidpoint(LinearImplicitMidpoint),
-    /// [`Ros2`].
-    Ros2(Ros2),
-    /// [`Rodas3`].
-    Rodas3(Rodas3),
-    /// [`Rodas4`].
-    Rodas4(Rodas4),
-    /// [`ExponentialRosenbrock`].
-    ExponentialRosenbrock(ExponentialRosenbrock),
-    /// [`Exprb32`].
-    Exprb32(Exprb32),
-    /// [`Exact`].
-    Exact(Exact<Rk4>),
-    /// [`BogackiShampine`] in steps as long as a tolerance allows.
-    ControlledBogackiShampine(Controlled<BogackiShampine>),
-    /// [`Tsitouras5`] in steps as long as a tolerance allows.
-    ControlledTsitouras5(Controlled<Tsitouras5>),
-    /// [`Dop853`] in steps as long as a tolerance allows.
-    ControlledDop853(Controlled<Dop853>),
+    named {
+        /// [`ByNeed`].
+        ByNeed(ByNeed),
+        /// [`ExplicitEuler`].
+        ExplicitEuler(ExplicitEuler),
+        /// [`SemiImplicitEuler`].
+        SemiImplicitEuler(SemiImplicitEuler),
+        /// [`Heun`].
+        Heun(Heun),
+        /// [`VelocityVerlet`].
+        VelocityVerlet(VelocityVerlet),
+        /// [`AdamsBashforth2`].
+        AdamsBashforth2(AdamsBashforth2),
+        /// [`AdamsBashforth3`].
+        AdamsBashforth3(AdamsBashforth3),
+        /// [`BogackiShampine`].
+        BogackiShampine(BogackiShampine),
+        /// [`Rk4`].
+        Rk4(Rk4),
+        /// [`Tsitouras5`].
+        Tsitouras5(Tsitouras5),
+        /// [`Dop853`].
+        Dop853(Dop853),
+        /// [`LinearImplicitMidpoint`].
+        LinearImplicitMidpoint(LinearImplicitMidpoint),
+        /// [`Ros2`].
+        Ros2(Ros2),
+        /// [`Rodas3`].
+        Rodas3(Rodas3),
+        /// [`Rodas4`].
+        Rodas4(Rodas4),
+        /// [`ExponentialRosenbrock`].
+        ExponentialRosenbrock(ExponentialRosenbrock),
+        /// [`Exprb32`].
+        Exprb32(Exprb32),
+        /// [`Exact`].
+        Exact(Exact<Rk4>),
+    }
+    controlled {
+        /// [`BogackiShampine`] in steps as long as a tolerance allows.
+        ControlledBogackiShampine(Controlled<BogackiShampine>),
+        /// [`Tsitouras5`] in steps as long as a tolerance allows.
+        ControlledTsitouras5(Controlled<Tsitouras5>),
+        /// [`Dop853`] in steps as long as a tolerance allows.
+        ControlledDop853(Controlled<Dop853>),
+    }
 }
 
 impl Any {
-    /// Names of the methods.
-    pub const NAMES: &[&str] = &[
-        ByNeed::NAME,
-        ExplicitEuler::NAME,
-        SemiImplicitEuler::NAME,
-        Heun::NAME,
-        VelocityVerlet::NAME,
-        AdamsBashforth2::NAME,
-        AdamsBashforth3::NAME,
-        BogackiShampine::NAME,
-        Rk4::NAME,
-        Tsitouras5::NAME,
-        Dop853::NAME,
-        LinearImplicitMidpoint::NAME,
-        Ros2::NAME,
-        Rodas3::NAME,
-        Rodas4::NAME,
-        ExponentialRosenbrock::NAME,
-        Exprb32::NAME,
-        Exact::<Rk4>::NAME,
-    ];
-
     /// Names of the methods that heed a tolerance.
     pub const TOLERANT: &[&str] =
         &[ByNeed::NAME, BogackiShampine::NAME, Tsitouras5::NAME, Dop853::NAME];

@@ -6,12 +6,12 @@ use serde::Serialize;
 use super::observe::{FoundSamples, ObservedRun, SeenEvent};
 use crate::scenario::{ExpectedEvent, Reference, ReferenceSample};
 
-/// How right a run was.
+/// How right a run was: its events, and its errors if they were right.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct RunVerdict {
     /// Whether all events happened in their order, and no others.
     pub sequence: SequenceVerdict,
-    /// Events that happened, judged or not.
+    /// Number of events that happened, judged or not.
     pub events: usize,
     /// Largest error of an event's time (s).
     pub event_error: Option<f64>,
@@ -25,11 +25,9 @@ pub struct RunVerdict {
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SequenceVerdict {
-    /// All of them, in their order.
     Right,
-    /// Not all, or others.
     Wrong(EventMismatch),
-    /// The run did not come to its end.
+    /// Why the run did not come to its end.
     Failed(String),
 }
 
@@ -38,13 +36,13 @@ pub enum SequenceVerdict {
 pub struct EventMismatch {
     /// How many events were right.
     pub index: usize,
-    /// What should have happened then.
+    /// The event that should have happened then.
     pub expected: String,
     pub found: String,
 }
 
 impl SequenceVerdict {
-    /// Whether there is an error to speak of.
+    /// Whether the run has errors that can be compared.
     pub const fn is_right(&self) -> bool {
         matches!(self, Self::Right)
     }

@@ -1,53 +1,31 @@
 //! What is drawn: a curve for each method and for each way of running another code.
 
-use plotters::style::RGBColor;
-
-use super::marker::Shape;
+use super::marker::{CurveStyle, MarkerShape};
 use super::quantity::CostErrorPoint;
 use crate::accuracy::{MeasuredScenario, MethodKind};
+use crate::plot::color::{CURVES, Color, Stroke};
 use crate::report::peers::{Author, Peer};
 
 /// A curve: runs from the coarsest to the finest.
 #[derive(Clone, Debug)]
-pub(super) struct Curve {
+pub(super) struct CostErrorCurve {
     pub(super) name: String,
-    pub(super) style: Style,
+    pub(super) style: CurveStyle,
     pub(super) points: Vec<CostErrorPoint>,
 }
 
-/// How a curve is drawn.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Style {
-    pub(super) color: RGBColor,
-    pub(super) shape: Shape,
-    /// (pixels)
-    pub(super) width: f64,
-    /// Another code's: dashed, with hollow marks.
-    pub(super) is_peer: bool,
-}
-
-/// Colours that differ for most eyes, after Okabe and Ito, without the yellow.
-const COLORS: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(118, 76, 36),
-];
-const BLACK: RGBColor = RGBColor(0, 0, 0);
+const BLACK: Color = Color(0, 0, 0);
 /// The choice by need.
-const GREY: RGBColor = RGBColor(125, 125, 125);
+const GREY: Color = Color(125, 125, 125);
 
 /// The curves of our methods.
-pub(super) fn methods(measured: &MeasuredScenario) -> Vec<Curve> {
-    let mut curves: Vec<Curve> = Vec::new();
+pub(super) fn methods(measured: &MeasuredScenario) -> Vec<CostErrorCurve> {
+    let mut curves: Vec<CostErrorCurve> = Vec::new();
     for row in &measured.rows {
         let name = row.method.name;
         if curves.last().is_none_or(|curve| curve.name != name) {
             let style = ours(curves.len(), row.method.kind);
-            curves.push(Curve { name: name.to_owned(), style, points: Vec::new() });
+            curves.push(CostErrorCurve { name: name.to_owned(), style, points: Vec::new() });
         }
         if let Some(curve) = curves.last_mut() {
             curve.points.push(CostErrorPoint::of(row));
@@ -57,39 +35,36 @@ pub(super) fn methods(measured: &MeasuredScenario) -> Vec<Curve> {
 }
 
 /// The curves of the codes that were run side by side on a problem that ends `until` (s).
-pub(super) fn peers(peers: &[&Peer], until: f64) -> Vec<Curve> {
-    let mut curves: Vec<Curve> = Vec::new();
+pub(super) fn peers(peers: &[&Peer], until: f64) -> Vec<CostErrorCurve> {
+    let mut curves: Vec<CostErrorCurve> = Vec::new();
     for peer in peers {
         let (name, point) = (peer.curve(), CostErrorPoint::of_peer(peer, until));
         if let Some(curve) = curves.iter_mut().find(|curve| curve.name == name) {
             curve.points.push(point);
         } else {
-            curves.push(Curve { name, style: of_peer(peer, peers), points: vec![point] });
+            curves.push(CostErrorCurve { name, style: of_peer(peer, peers), points: vec![point] });
         }
     }
     // Ours lie on top.
-    curves.sort_by_key(|curve| !curve.style.is_peer);
+    curves.sort_by_key(|curve| !curve.style.is_peer());
     curves
 }
 
-fn ours(index: usize, kind: MethodKind) -> Style {
-    let style = Style {
-        color: COLORS[index % COLORS.len()],
-        shape: Shape::ALL[index % Shape::ALL.len()],
-        width: 1.6,
-        is_peer: false,
-    };
-    let broad = Style { shape: Shape::Circle, width: 2.6, ..style };
+fn ours(index: usize, kind: MethodKind) -> CurveStyle {
+    let broad = |color| CurveStyle { shape: MarkerShape::Circle, stroke: Stroke::new(color, 2.6) };
     match kind {
-        MethodKind::Fixed | MethodKind::Controlled => style,
+        MethodKind::Fixed | MethodKind::Controlled => CurveStyle {
+            shape: MarkerShape::ALL[index % MarkerShape::ALL.len()],
+            stroke: Stroke::new(CURVES[index % CURVES.len()], 1.6),
+        },
         // What instruments play stands out.
-        MethodKind::Played => Style { color: BLACK, ..broad },
-        MethodKind::Budgeted => Style { color: GREY, ..broad },
+        MethodKind::Played => broad(BLACK),
+        MethodKind::Budgeted => broad(GREY),
     }
 }
 
 /// A colour for each code, a shape for each way of running it; ours is black.
-fn of_peer(peer: &Peer, peers: &[&Peer]) -> Style {
+fn of_peer(peer: &Peer, peers: &[&Peer]) -> CurveStyle {
     let mut codes: Vec<&str> = Vec::new();
     let mut ways: Vec<String> = Vec::new();
     for other in peers {
@@ -103,12 +78,11 @@ fn of_peer(peer: &Peer, peers: &[&Peer]) -> Style {
     }
     let code = codes.iter().position(|code| *code == peer.code);
     let way = ways.iter().position(|way| *way == peer.curve()).unwrap_or(0);
-    Style {
-        color: code.map_or(BLACK, |code| COLORS[code % COLORS.len()]),
-        shape: Shape::ALL[way % Shape::ALL.len()],
-        width: if code.is_none() { 2.2 } else { 1.2 },
-        is_peer: code.is_some(),
-    }
+    let stroke = code.map_or(Stroke::new(BLACK, 2.2), |code| {
+        let stroke = Stroke::new(CURVES[code % CURVES.len()], 1.2);
+        Stroke { is_dashed: true, ..stroke }
+    });
+    CurveStyle { shape: MarkerShape::ALL[way % MarkerShape::ALL.len()], stroke }
 }
 
 #[cfg(test)]
@@ -118,8 +92,8 @@ mod tests {
     use super::*;
     use crate::report::peers::read;
 
-    fn looks(style: &Style) -> (RGBColor, Shape, bool) {
-        (style.color, style.shape, style.is_peer)
+    fn looks(style: &CurveStyle) -> (Color, MarkerShape, bool) {
+        (style.stroke.color, style.shape, style.is_peer())
     }
 
     #[test]

@@ -1,50 +1,27 @@
-//! Which curve is what.
+//! The legend beside the panels: each curve, and what a cross means.
 
-use super::canvas::{Anchor, Canvas, DrawError};
-use super::curve::Curve;
+use super::curve::CostErrorCurve;
 use super::{marker, place};
+use crate::plot::canvas::{Canvas, Pixel};
+use crate::plot::color::INK;
+use crate::plot::legend::{ROW, draw_name, draw_row};
 
-/// Size of the text (pixels).
-const TEXT: f64 = 11.5;
-/// From one line to the next (pixels).
-const ROW: f64 = 20.0;
-/// Length of a sample of a curve (pixels).
-const SAMPLE: f64 = 30.0;
-/// Longest name (characters); the end of a longer one is left out.
-const LONGEST: usize = 44;
-
-/// Draws the legend beside the panels.
-pub(super) fn draw(canvas: &Canvas<'_>, curves: &[Curve]) -> Result<(), DrawError> {
-    let left = place::LEGEND;
+/// Draws the legend.
+pub(super) fn draw(canvas: &mut Canvas, curves: &[CostErrorCurve]) {
     for (row, curve) in curves.iter().enumerate() {
-        let (y, style) = (height(row), &curve.style);
-        let ends = [(left, y), (left + SAMPLE, y)];
-        if style.is_peer {
-            canvas.dashes(ends, style.color, style.width)?;
-        } else {
-            canvas.line(&ends, style.color, style.width)?;
-        }
-        marker::draw(canvas, (left + 0.5 * SAMPLE, y), style)?;
-        canvas.text(&short(&curve.name), (left + SAMPLE + 8.0, y), TEXT, Anchor::Start)?;
+        let middle = draw_row(canvas, corner(row), curve.style.stroke, &curve.name);
+        marker::draw(canvas, middle, &curve.style);
     }
-    let y = height(curves.len());
-    let color = super::canvas::INK;
-    marker::draw_failure(canvas, (left + 0.5 * SAMPLE, y), color)?;
-    canvas.text("wrong events, or no end", (left + SAMPLE + 8.0, y), TEXT, Anchor::Start)
+    let middle = draw_name(canvas, corner(curves.len()), "wrong events, or no end");
+    marker::draw_failure(canvas, middle, INK);
 }
 
 /// Where the legend ends (pixels).
-pub(super) fn bottom(curves: &[Curve]) -> f64 {
-    height(curves.len() + 1)
+pub(super) fn bottom(curves: &[CostErrorCurve]) -> f64 {
+    corner(curves.len() + 1).1
 }
 
-fn height(row: usize) -> f64 {
-    ROW * row as f64 + place::TOP + 8.0
-}
-
-fn short(name: &str) -> String {
-    if name.chars().count() <= LONGEST {
-        return name.to_owned();
-    }
-    name.chars().take(LONGEST - 1).chain(['…']).collect()
+/// Where a row begins.
+fn corner(row: usize) -> Pixel {
+    (place::LEGEND, ROW * row as f64 + place::TOP + 8.0)
 }

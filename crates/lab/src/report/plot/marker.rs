@@ -1,13 +1,25 @@
-//! Marks of curves: the same curve has the same mark in every panel.
+//! How a curve and its marks look: the same in every panel.
 
-use plotters::style::RGBColor;
+use crate::plot::canvas::{Canvas, Pixel};
+use crate::plot::color::{Color, PAPER, Stroke};
 
-use super::canvas::{Canvas, DrawError, PAPER, Pixel};
-use super::curve::Style;
+/// How a curve is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CurveStyle {
+    pub(super) shape: MarkerShape,
+    pub(super) stroke: Stroke,
+}
+
+impl CurveStyle {
+    /// Whether the curve is another code's: dashed, with hollow marks.
+    pub(super) const fn is_peer(&self) -> bool {
+        self.stroke.is_dashed
+    }
+}
 
 /// The shape of a mark.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Shape {
+pub(super) enum MarkerShape {
     Circle,
     Square,
     Up,
@@ -18,7 +30,7 @@ pub(super) enum Shape {
     Tall,
 }
 
-impl Shape {
+impl MarkerShape {
     /// Eight, beside seven colours: that makes 56 pairs.
     pub(super) const ALL: [Self; 8] = [
         Self::Circle,
@@ -49,25 +61,25 @@ impl Shape {
 /// Half a mark's width (pixels).
 const SIZE: f64 = 3.6;
 
+/// Width of a mark's edge (pixels).
+const EDGE: f64 = 1.2;
+
 /// Draws the mark of a curve.
-pub(super) fn draw(canvas: &Canvas<'_>, at: Pixel, style: &Style) -> Result<(), DrawError> {
-    let fill = if style.is_peer { PAPER } else { style.color };
+pub(super) fn draw(canvas: &mut Canvas, at: Pixel, style: &CurveStyle) {
+    let color = style.stroke.color;
+    let (fill, edge) = (if style.is_peer() { PAPER } else { color }, Stroke::new(color, EDGE));
     let corners = style.shape.corners();
     if corners.is_empty() {
-        return canvas.circle(at, SIZE, fill, style.color);
+        canvas.circle(at, SIZE, fill, edge);
+    } else {
+        let corner = |(x, y): &Pixel| (at.0 + SIZE * x, at.1 + SIZE * y);
+        canvas.polygon(&corners.iter().map(corner).collect::<Vec<_>>(), fill, edge);
     }
-    let corners: Vec<_> = corners.iter().map(|(x, y)| (at.0 + SIZE * x, at.1 + SIZE * y)).collect();
-    canvas.polygon(&corners, fill, style.color)
 }
 
 /// Draws the mark of a run whose events were wrong.
-pub(super) fn draw_failure(
-    canvas: &Canvas<'_>,
-    at: Pixel,
-    color: RGBColor,
-) -> Result<(), DrawError> {
-    let (x, y) = at;
-    let r = SIZE;
-    canvas.line(&[(x - r, y - r), (x + r, y + r)], color, 1.6)?;
-    canvas.line(&[(x - r, y + r), (x + r, y - r)], color, 1.6)
+pub(super) fn draw_failure(canvas: &mut Canvas, (x, y): Pixel, color: Color) {
+    let (r, stroke) = (SIZE, Stroke::new(color, 1.6));
+    canvas.line(&[(x - r, y - r), (x + r, y + r)], stroke);
+    canvas.line(&[(x - r, y + r), (x + r, y - r)], stroke);
 }

@@ -8,24 +8,21 @@
 //!
 //! And, where other codes were run side by side with ours, the errors of all against cost.
 //!
-//! `curve` what is drawn, `quantity` which of its figures, `panel` one pair of axes, `axis` a
-//! logarithmic scale, `canvas` lines and text at places in pixels.
+//! `curve` what is drawn, `quantity` which of its figures, `panel` one pair of axes, `marker` and
+//! `legend` which curve is what.
 
-mod axis;
-mod canvas;
 mod curve;
 mod legend;
 mod marker;
 mod panel;
 mod quantity;
 
-use self::canvas::Canvas;
-pub(in crate::report) use self::canvas::DrawError;
-use self::curve::Curve;
-use self::panel::Panel;
+use self::curve::CostErrorCurve;
+use self::panel::CostErrorPanel;
 use self::quantity::Quantities;
 use super::peers::Peer;
 use crate::accuracy::MeasuredScenario;
+use crate::plot::canvas::{Anchor, Canvas};
 
 /// Places in the picture (pixels).
 mod place {
@@ -44,12 +41,12 @@ mod place {
 }
 
 /// Draws all methods on a scenario.
-pub(super) fn methods(measured: &MeasuredScenario) -> Result<String, DrawError> {
+pub(super) fn methods(measured: &MeasuredScenario) -> String {
     svg(&title(measured), &quantity::OURS, &curve::methods(measured))
 }
 
 /// Draws all codes that were run side by side on the same problem.
-pub(super) fn peers(measured: &MeasuredScenario, peers: &[&Peer]) -> Result<String, DrawError> {
+pub(super) fn peers(measured: &MeasuredScenario, peers: &[&Peer]) -> String {
     let title = format!("{}, side by side with other codes", title(measured));
     svg(&title, &quantity::THEIRS, &curve::peers(peers, measured.until))
 }
@@ -58,24 +55,16 @@ fn title(measured: &MeasuredScenario) -> String {
     format!("{}: {}", measured.entry.name, measured.entry.title)
 }
 
-fn svg(title: &str, panels: &[Quantities], curves: &[Curve]) -> Result<String, DrawError> {
+fn svg(title: &str, panels: &[Quantities], curves: &[CostErrorCurve]) -> String {
     let rows = panels.len().div_ceil(place::COLUMNS.len());
     let height = place::TOP + place::ROW * rows as f64;
-    let size = (place::WIDTH, height.max(legend::bottom(curves)));
-    canvas::svg(size, |canvas| draw(canvas, title, panels, curves))
-}
-
-fn draw(
-    canvas: &Canvas<'_>,
-    title: &str,
-    panels: &[Quantities],
-    curves: &[Curve],
-) -> Result<(), DrawError> {
-    canvas.text(title, (place::COLUMNS[0], place::TITLE), 15.0, canvas::Anchor::Start)?;
+    let mut canvas = Canvas::new((place::WIDTH, height.max(legend::bottom(curves))));
+    canvas.text(title, (place::COLUMNS[0], place::TITLE), 15.0, Anchor::Start);
     for (index, quantities) in panels.iter().enumerate() {
         let (row, column) = (index / place::COLUMNS.len(), index % place::COLUMNS.len());
         let corner = (place::COLUMNS[column], place::TOP + place::ROW * row as f64);
-        Panel::new(quantities, curves, corner).draw(canvas)?;
+        CostErrorPanel::new(quantities, curves, corner).draw(&mut canvas);
     }
-    legend::draw(canvas, curves)
+    legend::draw(&mut canvas, curves);
+    canvas.into_svg()
 }

@@ -1,17 +1,16 @@
 //! The input s(t) of a simulation, with its first three derivatives.
 
 mod expression;
+mod mistake;
 mod spelling;
 mod table;
-
-use std::path::PathBuf;
 
 use pode::Motion;
 
 use self::expression::Expression;
-pub(super) use self::table::InputTable;
+pub use self::mistake::InputMistake;
+use self::table::InputTable;
 use super::args::SimulateArgs;
-use super::error::Mistake;
 
 /// The input's name: the only one that every model has.
 const NAME: &str = "s";
@@ -26,9 +25,9 @@ pub(super) enum InputSignal {
 
 impl InputSignal {
     /// Reads what `--input` and `--reconstruct` say; every mistake goes to `mistakes`.
-    pub(super) fn read(args: &SimulateArgs, mistakes: &mut Vec<Mistake>) -> Self {
+    pub(super) fn read(args: &SimulateArgs, mistakes: &mut Vec<InputMistake>) -> Self {
         let mut note = |found: Vec<InputMistake>| {
-            mistakes.extend(found.into_iter().map(Mistake::from));
+            mistakes.extend(found);
             Self::Rest
         };
         let table = |path: &str| {
@@ -48,7 +47,7 @@ impl InputSignal {
         .unwrap_or_else(&mut note);
         if args.reconstruct.is_some() && given.is_none_or(|text| name_before_equals(text).is_some())
         {
-            mistakes.push(Mistake::NothingToReconstruct);
+            mistakes.push(InputMistake::NothingToReconstruct);
         }
         input
     }
@@ -74,63 +73,4 @@ fn name_before_equals(text: &str) -> Option<&str> {
     let name = name.trim();
     let is_name = name.chars().all(|c| c.is_alphanumeric() || c == '_');
     is_name.then_some(name)
-}
-
-/// What is wrong with an input.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum InputMistake {
-    /// Another input than s.
-    #[error("--input {name}=…: the model's input is called `s`")]
-    Name {
-        /// The name that was given.
-        name: String,
-    },
-    /// The expression cannot be read.
-    #[error("--input, column {column}: {problem}")]
-    Spelling {
-        /// Character of the argument, from 1.
-        column: usize,
-        /// What is wrong there.
-        problem: String,
-    },
-    /// The expression has no derivatives.
-    #[error(
-        "--input: exmex cannot derive this expression, and the model needs s', s'' and s''': {cause}"
-    )]
-    NotDerivable { cause: exmex::ExError },
-    /// The expression is infinite or undefined where it starts.
-    #[error("--input: s or one of its first three derivatives is not finite at t = 0")]
-    NotFinite,
-    /// The file cannot be read.
-    #[error("cannot read {}: {cause}", path.display())]
-    Read {
-        path: PathBuf,
-        /// What the system said.
-        cause: csv::Error,
-    },
-    /// Something in the file is wrong.
-    #[error("{}, line {line}, column {column}: {problem}", path.display())]
-    Cell {
-        path: PathBuf,
-        /// Line of the file, from 1.
-        line: u64,
-        /// Column of the table, from 1.
-        column: usize,
-        /// What is wrong there.
-        problem: String,
-    },
-    /// More of the same.
-    #[error("{}: {more} more mistakes", path.display())]
-    More {
-        path: PathBuf,
-        /// How many were left out.
-        more: usize,
-    },
-    #[error("{} has {rows} rows: an input needs at least 2", path.display())]
-    TooShort {
-        path: PathBuf,
-        /// How many there are.
-        rows: usize,
-    },
 }

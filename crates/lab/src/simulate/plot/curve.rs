@@ -3,7 +3,7 @@
 use models::Described;
 use pode::{Motion, State as _};
 
-use super::track::{Columns, Track};
+use super::track::{Columns, DecimatedCurve};
 use super::unit;
 
 /// The panels, from above.
@@ -27,19 +27,19 @@ pub(super) enum CurveSource {
     Guard(&'static str),
 }
 
-/// One curve.
+/// A curve of the picture, and the values that it has had.
 #[derive(Debug)]
 pub(super) struct SignalCurve {
     pub(super) source: CurveSource,
     pub(super) name: &'static str,
     pub(super) unit: &'static str,
     pub(super) panel: PanelKind,
-    pub(super) track: Track,
+    pub(super) track: DecimatedCurve,
 }
 
 impl SignalCurve {
     /// A value of it, if the mode has one.
-    fn value<M: Described>(&self, model: &M, now: &Now<'_, M>) -> Option<f64> {
+    fn value<M: Described>(&self, model: &M, now: &ModelInstant<'_, M>) -> Option<f64> {
         match self.source {
             CurveSource::Input => Some(now.input.position),
             CurveSource::State(index) => now.state.entries().get(index).copied(),
@@ -52,15 +52,15 @@ impl SignalCurve {
     }
 
     /// Goes on to where the model is now.
-    pub(super) fn add<M: Described>(&mut self, model: &M, now: &Now<'_, M>) {
+    pub(super) fn add<M: Described>(&mut self, model: &M, now: &ModelInstant<'_, M>) {
         let value = self.value(model, now);
         self.track.add(now.t, value);
     }
 }
 
 /// A model at an instant.
-pub(super) struct Now<'a, M: Described> {
-    /// When (s).
+pub(super) struct ModelInstant<'a, M: Described> {
+    /// Model time (s).
     pub(super) t: f64,
     pub(super) mode: M::Mode,
     pub(super) state: &'a M::State,
@@ -82,7 +82,7 @@ pub(super) fn all<M: Described>(guards: &[&'static str], axis: Columns) -> Vec<S
     let curve = |(name, source): (&'static str, CurveSource)| {
         let unit = unit::of(M::NAME, name)?;
         let panel = panel(source, unit)?;
-        Some(SignalCurve { source, name, unit, panel, track: Track::new(axis) })
+        Some(SignalCurve { source, name, unit, panel, track: DecimatedCurve::new(axis) })
     };
     sources.filter_map(curve).collect()
 }

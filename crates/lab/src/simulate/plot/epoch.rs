@@ -5,9 +5,9 @@ use super::track::Columns;
 /// An interval in which one mode held.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Epoch {
-    /// Its beginning and end (s).
+    /// Beginning and end (s).
     pub(super) span: (f64, f64),
-    /// Which of the model's modes.
+    /// Place of the mode in the model's list.
     pub(super) mode: usize,
 }
 

@@ -5,9 +5,9 @@ use super::track::Columns;
 /// Events that share a place.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct EventMark {
-    /// The first one (s).
+    /// Time of the first one (s).
     pub(super) t: f64,
-    /// What they are called.
+    /// The different names among them.
     names: Vec<&'static str>,
     count: u64,
 }
@@ -58,7 +58,7 @@ impl EventMarks {
 
     /// Labels that are `apart` from each other and at most `astray` behind their mark;
     /// where there is no room, several marks share one [all in columns].
-    pub(super) fn labels(&self, apart: f64, astray: f64) -> Vec<Label> {
+    pub(super) fn labels(&self, apart: f64, astray: f64) -> Vec<EventLabel> {
         let mut groups: Vec<(f64, EventMark)> = Vec::new();
         for mark in &self.all {
             let x = mark.t / self.axis.until * self.axis.n as f64;
@@ -69,16 +69,19 @@ impl EventMarks {
             }
         }
         let decimals = decimals(self.axis.until);
-        let label =
-            |(place, mark): (f64, EventMark)| Label { t: mark.t, place, text: mark.text(decimals) };
+        let label = |(place, mark): (f64, EventMark)| EventLabel {
+            t: mark.t,
+            place,
+            text: mark.text(decimals),
+        };
         groups.into_iter().map(label).collect()
     }
 }
 
-/// What stands above a mark.
+/// The text above a mark.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Label {
-    /// The mark (s).
+pub(super) struct EventLabel {
+    /// Time of the mark (s).
     pub(super) t: f64,
     /// Where the label stands [columns].
     pub(super) place: f64,

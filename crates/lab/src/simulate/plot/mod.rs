@@ -1,13 +1,14 @@
 //! `--plot`: the run as a picture, in the manner of `[GC93]` figure 6.
 //!
 //! In the order of a run: `curve` what is plotted, in which `unit`; `track`, `mark` and
-//! `epoch` what of a run of any length can be seen; `draw` the picture. What is kept is
-//! bounded by the picture's width, not by the run.
+//! `epoch` what of a run of any length can be seen; `picture` all that is shown; `draw` the
+//! SVG. What is kept is bounded by the picture's width, not by the run.
 
 mod curve;
 mod draw;
 mod epoch;
 mod mark;
+mod picture;
 mod track;
 mod unit;
 
@@ -18,26 +19,15 @@ use std::path::{Path, PathBuf};
 use models::Described;
 use pode::{Event, Motion, Piece, Signal};
 
-use self::curve::{Now, SignalCurve};
+use self::curve::ModelInstant;
 use self::epoch::Epochs;
 use self::mark::EventMarks;
+use self::picture::Picture;
 use self::track::Columns;
 use super::args::SimulateArgs;
 use super::check::Start;
-use super::error::{Mistake, SimulateError};
-
-/// What the picture shows.
-#[derive(Debug)]
-struct Picture {
-    /// What was run, in lines.
-    title: [String; 3],
-    axis: Columns,
-    /// The modes' names.
-    modes: Vec<&'static str>,
-    curves: Vec<SignalCurve>,
-    epochs: Epochs,
-    marks: EventMarks,
-}
+use super::error::{SimulateError, SimulateMistake};
+use super::mode::mode_index;
 
 /// A picture that follows a run, and the file for it.
 #[derive(Debug)]
@@ -50,14 +40,14 @@ pub(super) struct Plot {
 }
 
 impl Plot {
-    /// Creates the file, or says why not.
+    /// Creates the file, or returns why it cannot be created.
     pub(super) fn create<M: Described>(
         path: &Path,
         args: &SimulateArgs,
         start: &Start<M>,
         guards: &[&'static str],
-    ) -> Result<Self, Mistake> {
-        let fail = |cause| Mistake::Create { path: path.to_owned(), cause };
+    ) -> Result<Self, SimulateMistake> {
+        let fail = |cause| SimulateMistake::Create { path: path.to_owned(), cause };
         let file = File::create(path).map_err(fail)?;
         let axis = Columns { n: draw::COLUMNS, until: args.until };
         let picture = Picture {
@@ -65,7 +55,7 @@ impl Plot {
             axis,
             modes: M::MODES.iter().map(|(_, name)| *name).collect(),
             curves: curve::all::<M>(guards, axis),
-            epochs: Epochs::new(axis, index::<M>(start.mode)),
+            epochs: Epochs::new(axis, mode_index::<M>(start.mode)),
             marks: EventMarks::new(axis),
         };
         let outputs = vec![0.0; M::OUTPUTS.len()];
@@ -87,7 +77,7 @@ impl Plot {
             let (state, mode) = (&model.constrain(piece.mode, &state, &input), piece.mode);
             model.outputs(mode, state, &input, outputs);
             let t = start + part * (end - start);
-            let now = Now { t, mode, state, input: &input, outputs };
+            let now = ModelInstant { t, mode, state, input: &input, outputs };
             picture.curves.iter_mut().for_each(|curve| curve.add(model, &now));
         }
         picture.epochs.last_until(end);
@@ -97,7 +87,7 @@ impl Plot {
     pub(super) fn event<M: Described>(&mut self, t: f64, event: &Event<'_, M>) {
         self.picture.marks.add(t, event.cause.name());
         if event.before.0 != event.after.0 {
-            self.picture.epochs.begin(t, index::<M>(event.after.0));
+            self.picture.epochs.begin(t, mode_index::<M>(event.after.0));
         }
     }
 
@@ -108,12 +98,6 @@ impl Plot {
     }
 
     fn write(&mut self) -> io::Result<()> {
-        let svg = draw::svg(&self.picture).map_err(io::Error::other)?;
-        self.file.write_all(svg.as_bytes())
+        self.file.write_all(draw::svg(&self.picture).as_bytes())
     }
-}
-
-/// Which of the model's modes this is.
-fn index<M: Described>(mode: M::Mode) -> usize {
-    M::MODES.iter().position(|(known, _)| *known == mode).unwrap_or(0)
 }

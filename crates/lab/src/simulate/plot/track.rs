@@ -62,14 +62,14 @@ impl PixelColumn {
 
 /// A curve as it is drawn: at most four points per pixel column, extremes among them.
 #[derive(Debug)]
-pub(super) struct Track {
+pub(super) struct DecimatedCurve {
     axis: Columns,
     columns: Vec<Option<PixelColumn>>,
     /// Whether the next point begins anew.
     is_cut: bool,
 }
 
-impl Track {
+impl DecimatedCurve {
     pub(super) fn new(axis: Columns) -> Self {
         Self { axis, columns: vec![None; axis.n], is_cut: true }
     }
@@ -127,8 +127,8 @@ mod tests {
 
     const AXIS: Columns = Columns { n: 20, until: 1.0 };
 
-    fn track(points: &[(f64, Option<f64>)]) -> Track {
-        let mut track = Track::new(AXIS);
+    fn track(points: &[(f64, Option<f64>)]) -> DecimatedCurve {
+        let mut track = DecimatedCurve::new(AXIS);
         for (t, value) in points {
             track.add(*t, *value);
         }

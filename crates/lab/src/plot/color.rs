@@ -1,0 +1,51 @@
+//! Colours, and the strokes that are drawn with them.
+
+/// A colour: red, green and blue, 0 ..= 255.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Color(pub(crate) u8, pub(crate) u8, pub(crate) u8);
+
+/// Text and axes.
+pub(crate) const INK: Color = Color(40, 40, 40);
+pub(crate) const PAPER: Color = Color(255, 255, 255);
+
+/// Colours of curves that differ for most eyes, after Okabe and Ito, without the yellow.
+pub(crate) const CURVES: [Color; 7] = [
+    Color(0, 114, 178),
+    Color(213, 94, 0),
+    Color(0, 158, 115),
+    Color(204, 121, 167),
+    Color(230, 159, 0),
+    Color(86, 180, 233),
+    Color(118, 76, 36),
+];
+
+impl Color {
+    /// Returns the colour as SVG reads it: `#28D0FF`.
+    pub(crate) fn hex(self) -> String {
+        let Self(red, green, blue) = self;
+        format!("#{red:02X}{green:02X}{blue:02X}")
+    }
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Stroke {
+    pub(crate) color: Color,
+    /// Width of the line (pixels).
+    pub(crate) width: f64,
+    /// Part of what lies below that the line hides, 0 to 1.
+    pub(crate) opacity: f64,
+    pub(crate) is_dashed: bool,
+}
+
+impl Stroke {
+    /// Returns a line without gaps of `width` (pixels).
+    pub(crate) const fn new(color: Color, width: f64) -> Self {
+        Self { color, width, opacity: 1.0, is_dashed: false }
+    }
+
+    /// Returns the same line, through which what lies below is seen.
+    pub(crate) const fn faint(self, opacity: f64) -> Self {
+        Self { opacity, ..self }
+    }
+}

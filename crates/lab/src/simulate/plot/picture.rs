@@ -1,0 +1,19 @@
+//! All that a picture shows.
+
+use super::curve::SignalCurve;
+use super::epoch::Epochs;
+use super::mark::EventMarks;
+use super::track::Columns;
+
+/// What a run has shown, in bounded memory.
+#[derive(Debug)]
+pub(super) struct Picture {
+    /// Model, method and tick, one in a line.
+    pub(super) title: [String; 3],
+    pub(super) axis: Columns,
+    /// Names of the model's modes.
+    pub(super) modes: Vec<&'static str>,
+    pub(super) curves: Vec<SignalCurve>,
+    pub(super) epochs: Epochs,
+    pub(super) marks: EventMarks,
+}
