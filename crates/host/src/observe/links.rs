@@ -5,8 +5,8 @@ use hardware::rt::link_snapshot::{BoardSnapshot, LineSnapshot, LinkSnapshot};
 use rtrb::Consumer;
 use telemetry::Links;
 
-use crate::adapters::link_monitor::LinkSample;
 use crate::report::{muted_keys, stage_words, wire_words};
+use hardware::rt::link_monitor::LinkSample;
 
 /// The state of lines and boards, and the ring from which it is updated.
 #[derive(Debug)]

@@ -6,15 +6,11 @@ use hardware::sim::keybed::SimulatedKeybed;
 use performance::Performance;
 use scheduler::time::Nanos;
 
-use super::key_transport::{MonitoredTransport, Plans};
-use super::simulated_transport::SimulatedTransport;
+use super::key_transport::{KeyTransport, Plans};
 use super::{PreparedRun, SessionError, all_keys};
 use crate::boards::{PATIENCE_US, calibration, now_us, open_all, planning};
 use realtime::clock;
 use scene::{Boards, period_us};
-
-/// Forces on simulated keys that may wait.
-const FINGERS: usize = 256;
 
 /// The keys before a run.
 pub(super) enum KeySource {
@@ -120,16 +116,11 @@ impl KeySource {
         self,
         prepared: &PreparedRun,
         lead: Nanos,
-    ) -> Result<(MonitoredTransport, Nanos), SessionError> {
+    ) -> Result<(KeyTransport, Nanos), SessionError> {
         match self {
             Self::Simulated(keybed) => {
-                let (weights, laid) = rtrb::RingBuffer::new(FINGERS);
-                prepared.handle.lend_fingers(weights);
                 let start = clock::monotonic().after(lead);
-                Ok((
-                    MonitoredTransport::simulated(SimulatedTransport::new(*keybed, laid), prepared),
-                    start,
-                ))
+                Ok((KeyTransport::simulated(keybed, prepared), start))
             }
             Self::Boards(keybed, terms, plans) => {
                 let mut keybed = Box::new(keybed.arm(terms, PATIENCE_US)?);
@@ -140,7 +131,7 @@ impl KeySource {
                 }
                 let start = clock::monotonic().after(lead);
                 keybed.begin_at(start.as_u64() / 1_000);
-                Ok((MonitoredTransport::on_boards(keybed, plans, prepared), start))
+                Ok((KeyTransport::on_boards(keybed, plans, prepared), start))
             }
         }
     }

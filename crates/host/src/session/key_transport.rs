@@ -3,16 +3,16 @@
 use firmware_protocol::key::BoardId;
 use hardware::keybed::{Armed, BoardReport, Keybed, LineReport};
 use hardware::plan::BusPlan;
+use hardware::rt::link_monitor::LinkSample;
+use hardware::sim::keybed::SimulatedKeybed;
 use hardware::topology::{BoardPlace, standard};
-use rtrb::{Consumer, RingBuffer};
+use rtrb::Consumer;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 use scheduler::time::Nanos;
 use telemetry::{Board, Line};
 
 use super::PreparedRun;
-use super::simulated_transport::SimulatedTransport;
-use crate::adapters::link_monitor::LinkMonitor;
 use crate::boards::stop_all;
 use crate::control::{BoardsTold, IdentifyTarget, Lights};
 use crate::observe::{LinksWatch, TelemetryMessage};
@@ -22,29 +22,22 @@ use realtime::clock;
 /// Time between two looks at the boards before the first tick.
 const LOOK: Nanos = Nanos::from_millis(1);
 
-/// Lights that may be asked for at once.
-const LIGHTS: usize = 32;
-
 /// What each line shall carry; none where times are not known.
 pub(super) type Plans = Vec<Option<BusPlan>>;
 
-/// The keys in a run, and who looks at their lines meanwhile.
-pub(super) struct MonitoredTransport {
-    bed: KeyTransport,
-    lookout: LinkMonitor,
+/// The keys of a run.
+pub(super) enum KeyTransport {
+    /// Keys that are simulated in this process.
+    Simulated(Box<SimulatedKeybed>),
+    /// Keys on armed boards, with what each line shall carry.
+    Boards(Box<Keybed<Armed>>, Plans),
 }
 
-/// Keys that are played.
-enum KeyTransport {
-    /// Simulated in this process.
-    Simulated(SimulatedTransport),
-    /// On armed boards, with what each line shall carry, and who shall show its light.
-    Boards(Box<Keybed<Armed>>, Plans, Consumer<usize>),
-}
-
-impl MonitoredTransport {
-    /// Simulated keys.
-    pub(super) fn simulated(keys: SimulatedTransport, stage: &PreparedRun) -> Self {
+impl KeyTransport {
+    /// Returns simulated keys, whose boards are armed again after a stall of the host.
+    pub(super) fn simulated(mut keybed: Box<SimulatedKeybed>, prepared: &PreparedRun) -> Self {
+        prepared.handle.lend_fingers(keybed.press_requests());
+        keybed.keep_armed();
         let places = standard();
         let line = |it: &BoardPlace| Line {
             name: format!("simulated {}", it.board.number()),
@@ -52,12 +45,17 @@ impl MonitoredTransport {
             seen: f64::NAN,
             ..Line::default()
         };
-        let lookout = look_out(places.iter().map(line).collect(), &places, stage);
-        Self { bed: KeyTransport::Simulated(keys), lookout }
+        let samples = keybed.monitor(prepared.tick_hz);
+        publish(samples, places.iter().map(line).collect(), &places, prepared);
+        Self::Simulated(keybed)
     }
 
-    /// Keys on armed boards whose lines carry what `plans` say.
-    pub(super) fn on_boards(keybed: Box<Keybed<Armed>>, plans: Plans, stage: &PreparedRun) -> Self {
+    /// Returns keys on armed boards whose lines carry what `plans` say.
+    pub(super) fn on_boards(
+        mut keybed: Box<Keybed<Armed>>,
+        plans: Plans,
+        prepared: &PreparedRun,
+    ) -> Self {
         let places: Vec<_> = keybed.terms().map(|it| it.place).collect();
         let names: Vec<_> = keybed.line_names().map(str::to_owned).collect();
         let planned = plans.iter().map(Option::as_ref).chain(std::iter::repeat(None));
@@ -67,21 +65,26 @@ impl MonitoredTransport {
             seen: f64::NAN,
             ..Line::default()
         });
-        let lookout = look_out(lines.collect(), &places, stage);
-        let (requests, shown) = RingBuffer::new(LIGHTS);
-        let lit = |it: &BoardPlace| IdentifyTarget {
+        let lines = lines.collect();
+        let target = |it: &BoardPlace| IdentifyTarget {
             line: number(it.line),
             name: names.get(it.line).cloned().unwrap_or_default(),
             board: it.board.number().into(),
         };
-        stage.handle.lend_lights(Lights { boards: places.iter().map(lit).collect(), requests });
-        Self { bed: KeyTransport::Boards(keybed, plans, shown), lookout }
+        let boards = places.iter().map(target).collect();
+        prepared.handle.lend_lights(Lights { boards, requests: keybed.identify_requests() });
+        publish(keybed.monitor(prepared.tick_hz), lines, &places, prepared);
+        Self::Boards(keybed, plans)
     }
 }
 
-/// Who looks at these lines and boards; whoever observes is told where they are seen.
-fn look_out(lines: Vec<Line>, places: &[BoardPlace], stage: &PreparedRun) -> LinkMonitor {
-    let (lookout, seen) = LinkMonitor::new(stage.tick_hz);
+/// Tells telemetry where `samples` of these lines and boards come.
+fn publish(
+    samples: Consumer<LinkSample>,
+    lines: Vec<Line>,
+    places: &[BoardPlace],
+    prepared: &PreparedRun,
+) {
     let board = |it: &BoardPlace| Board {
         line: number(it.line),
         id: it.board.number().into(),
@@ -91,9 +94,8 @@ fn look_out(lines: Vec<Line>, places: &[BoardPlace], stage: &PreparedRun) -> Lin
         ..Board::default()
     };
     let links = telemetry::Links { lines, boards: places.iter().map(board).collect() };
-    let watch = LinksWatch::new(seen, links, 1.0 / f64::from(stage.tick_hz));
-    stage.handle.tell(TelemetryMessage::Links(Box::new(watch)));
-    lookout
+    let watch = LinksWatch::new(samples, links, 1.0 / f64::from(prepared.tick_hz));
+    prepared.handle.tell(TelemetryMessage::Links(Box::new(watch)));
 }
 
 /// A small count.
@@ -101,43 +103,33 @@ fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }
 
-impl KeyBus for MonitoredTransport {
+impl KeyBus for KeyTransport {
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
-        let Self { bed, lookout } = self;
-        match bed {
-            KeyTransport::Simulated(keys) => {
-                keys.receive(tick, samples);
-                lookout.take(tick, |place| keys.glance(place));
-            }
-            KeyTransport::Boards(keybed, _, sought) => {
-                if let Ok(board) = sought.pop() {
-                    keybed.request_light(board);
-                }
-                keybed.receive(tick, samples);
-                lookout.take(tick, |place| keybed.snapshot(place));
-            }
+        match self {
+            Self::Simulated(keybed) => keybed.receive(tick, samples),
+            Self::Boards(keybed, _) => keybed.receive(tick, samples),
         }
     }
 
     fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
-        match &mut self.bed {
-            KeyTransport::Simulated(keys) => keys.send(tick, forces),
-            KeyTransport::Boards(keybed, ..) => keybed.send(tick, forces),
+        match self {
+            Self::Simulated(keybed) => keybed.send(tick, forces),
+            Self::Boards(keybed, ..) => keybed.send(tick, forces),
         }
     }
 
     fn send_sloped(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
-        match &mut self.bed {
-            KeyTransport::Simulated(keys) => keys.send(tick, forces),
-            KeyTransport::Boards(keybed, ..) => keybed.send_sloped(tick, forces, slopes),
+        match self {
+            Self::Simulated(keybed) => keybed.send(tick, forces),
+            Self::Boards(keybed, ..) => keybed.send_sloped(tick, forces, slopes),
         }
     }
 }
 
-impl MonitoredTransport {
+impl KeyTransport {
     /// Takes what boards send until `start` is near, so that the first tick finds what is new.
     pub(super) fn attend_until(&mut self, start: Nanos) {
-        let KeyTransport::Boards(keybed, ..) = &mut self.bed else { return };
+        let Self::Boards(keybed, ..) = self else { return };
         loop {
             let next = clock::monotonic().after(LOOK);
             if start <= next {
@@ -151,36 +143,36 @@ impl MonitoredTransport {
     /// Tells boards to render no force until they are seen to; a simulated keybed ends with the
     /// run.
     pub(super) fn stop(&mut self) -> BoardsTold {
-        match &mut self.bed {
-            KeyTransport::Simulated(_) => {
+        match self {
+            Self::Simulated(_) => {
                 let boards = standard().len();
                 BoardsTold { told: boards, boards }
             }
-            KeyTransport::Boards(keybed, ..) => stop_all(keybed),
+            Self::Boards(keybed, ..) => stop_all(keybed),
         }
     }
 
     /// Tells boards to render no force; a simulated keybed ends with the run.
     pub(super) fn disarm(&mut self) {
-        match &mut self.bed {
-            KeyTransport::Simulated(_) => {}
-            KeyTransport::Boards(keybed, ..) => keybed.disarm(),
+        match self {
+            Self::Simulated(_) => {}
+            Self::Boards(keybed, ..) => keybed.disarm(),
         }
     }
 
     /// What happened on all links together.
     pub(super) fn links(&self) -> LinkReport {
-        match &self.bed {
-            KeyTransport::Simulated(keys) => simulated_links(keys),
-            KeyTransport::Boards(keybed, ..) => board_links(keybed),
+        match self {
+            Self::Simulated(keybed) => simulated_links(keybed),
+            Self::Boards(keybed, ..) => board_links(keybed),
         }
     }
 
     /// What became of each line; nothing of simulated ones.
     pub(super) fn lines(&self, seconds: f64) -> Vec<LinkLine> {
-        match &self.bed {
-            KeyTransport::Simulated(_) => Vec::new(),
-            KeyTransport::Boards(keybed, plans, _) => {
+        match self {
+            Self::Simulated(_) => Vec::new(),
+            Self::Boards(keybed, plans) => {
                 let boards = keybed.board_reports();
                 let lines = keybed.line_reports();
                 let plans = plans.iter().map(Option::as_ref).chain(std::iter::repeat(None));
@@ -192,19 +184,19 @@ impl MonitoredTransport {
 
     /// What became of each board in a run of `seconds`; nothing of simulated ones.
     pub(super) fn boards(&self, seconds: f64) -> Vec<BoardLine> {
-        match &self.bed {
-            KeyTransport::Simulated(_) => Vec::new(),
-            KeyTransport::Boards(keybed, ..) => {
+        match self {
+            Self::Simulated(_) => Vec::new(),
+            Self::Boards(keybed, ..) => {
                 keybed.board_reports().iter().map(|it| BoardLine::new(it, seconds)).collect()
             }
         }
     }
 }
 
-fn simulated_links(keys: &SimulatedTransport) -> LinkReport {
-    let mut sum = LinkReport { rearmed: keys.rearmed, ..LinkReport::default() };
+fn simulated_links(keybed: &SimulatedKeybed) -> LinkReport {
+    let mut sum = LinkReport { rearmed: keybed.rearmed(), ..LinkReport::default() };
     for board in BoardId::all() {
-        let (it, wire) = (keys.keybed.statistics(board), keys.keybed.wire(board));
+        let (it, wire) = (keybed.statistics(board), keybed.wire(board));
         sum.frames += it.samples.frames;
         sum.gaps += it.samples.gaps;
         sum.refused += wire.corrupt + wire.foreign + it.refused + wire.down;

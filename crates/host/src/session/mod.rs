@@ -8,7 +8,6 @@ mod monitored_output;
 mod observed;
 mod pianist;
 mod real;
-mod simulated_transport;
 mod virtual_run;
 
 use std::num::NonZeroUsize;
@@ -29,7 +28,7 @@ use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
 use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, Realtime, RunReport};
 use key_source::KeySource;
-use key_transport::MonitoredTransport;
+use key_transport::KeyTransport;
 use measured::MeasuredRun;
 pub(crate) use midi_out::nowhere;
 pub(crate) use monitored_output::MonitoredOutput;
@@ -313,7 +312,7 @@ impl PreparedRun {
         ticks: u64,
         played: PlaybackSummary,
         measured: MeasuredRun,
-        bus: &MonitoredTransport,
+        bus: &KeyTransport,
     ) -> RunReport {
         use std::sync::atomic::Ordering::Relaxed;
         let duration = (ticks + measured.skipped) as f64 / f64::from(self.tick_hz);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::key_source::KeySource;
-use super::key_transport::MonitoredTransport;
+use super::key_transport::KeyTransport;
 use super::measured::MeasuredRun;
 use super::observed::{ObservedOutputs, RunningTelemetry};
 use super::{PreparedRun, SessionError};
@@ -66,7 +66,7 @@ pub(super) fn run(
 /// Runs the tick's thread, from its priority to the ramp at the end.
 fn tick(
     prepared: &mut PreparedRun,
-    bus: &mut MonitoredTransport,
+    bus: &mut KeyTransport,
     mut pulses: Pulses,
     start: Nanos,
     stop: &AtomicBool,
