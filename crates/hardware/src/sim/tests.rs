@@ -15,8 +15,11 @@ use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use haptics::plant::RigParameters;
 use links::Link as _;
 use links::loopback::Loopback;
+use scheduler::motion::{KEYS, KeySample};
+use scheduler::port::KeyBus as _;
 
 use super::board::{BoardMake, SimulatedBoard};
+use super::keybed::SimulatedKeybed;
 
 /// A tick (us).
 const TICK_US: u64 = 1_000;
@@ -235,4 +238,17 @@ fn the_flag_says_that_no_forces_are_rendered_for_whatever_reason() {
     assert!(flag(|bench| bench.request(Operation::Disarm, &Nothing)), "disarmed");
     assert!(!flag(|bench| _ = bench.arm(ForcePacking::Force16).unwrap()), "armed again");
     assert!(flag(Bench::stop), "stopped");
+}
+
+#[test]
+fn boards_that_a_stall_of_the_host_made_safe_are_armed_again() {
+    let mut keybed = SimulatedKeybed::new(1e-3, RigParameters::default()).expect("a keybed");
+    keybed.keep_armed();
+    let mut samples = [KeySample::default(); KEYS];
+    for tick in (0..10).chain(100..110) {
+        keybed.receive(tick, &mut samples);
+        keybed.send(tick, &[0.5; KEYS]);
+    }
+    assert_eq!(keybed.rearmed(), 1, "90 ms of silence trip every watchdog once");
+    assert!(BoardId::all().all(|board| !keybed.is_safe(board)));
 }
