@@ -76,11 +76,16 @@ impl Comments<'_, '_> {
     fn any(&mut self, attributes: &[Attribute], name: &str) {
         let text = text(attributes);
         let words = text.split_whitespace().count();
-        if (1..FEWEST_WORDS).contains(&words) {
+        if (1..FEWEST_WORDS).contains(&words) && !has_formula(&text) {
             let path = self.source.path.display();
             self.empty.push(format!("{path}: {name}: {}", text.trim()));
         }
     }
+}
+
+/// Whether a comment gives a unit, a symbol or a link, which are worth a comment of few words.
+fn has_formula(text: &str) -> bool {
+    text.contains(['(', '[', '`', '\'', '+']) || !text.is_ascii()
 }
 
 /// What the documentation comments say.

@@ -4,7 +4,7 @@ use pode::{Energetic, GuardId, Model, Motion, Resets, Sloped};
 
 use crate::draw::Sketch;
 
-/// A model's parameter.
+/// A parameter of a model, with its unit and range.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Parameter {
     /// Name in scenes, on the command line and in files.

@@ -64,18 +64,18 @@ pub struct Coil<'a> {
     pub modes: &'a [u8],
 }
 
-/// Somebody who draws.
+/// A canvas on which a model draws itself.
 pub trait Sketch {
     /// What is worth seeing: left, bottom, right, top (m).
     fn view(&mut self, edges: [f64; 4]);
 
-    /// One more body.
+    /// Adds a body to the drawing.
     fn body(&mut self, body: Body<'_>);
 
     /// A line of the newest body through `points` in its own axes (m); closed ones are filled.
     fn outline(&mut self, material: Material, points: &[[f64; 2]], ends: Ends);
 
-    /// One more spring.
+    /// Adds a spring to the drawing.
     fn coil(&mut self, coil: Coil<'_>);
 }
 

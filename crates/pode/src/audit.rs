@@ -40,7 +40,7 @@ pub trait Energetic: Model {
     /// Energy stored in `x` (J).
     fn energy(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
 
-    /// Power that whoever drives the input puts in (W).
+    /// Power that the drive of the input puts in (W).
     fn supplied(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
 
     /// Power that dampers and friction take (W).
@@ -70,7 +70,7 @@ pub trait Energetic: Model {
 /// Sums of energy (J) since the start: supplied − dissipated + jumps = stored.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct EnergyAudit {
-    /// Work done by whoever drives the input.
+    /// Work done by what drives the input.
     pub supplied: f64,
     /// Taken by dampers and friction.
     pub dissipated: f64,

@@ -35,7 +35,7 @@ impl Cubic {
         self.b + tau * (2.0 * self.c + tau * 3.0 * self.d)
     }
 
-    /// Second derivative.
+    /// Returns the second derivative with respect to τ.
     pub(crate) fn bend(&self, tau: f64) -> f64 {
         2.0 * self.c + tau * 6.0 * self.d
     }

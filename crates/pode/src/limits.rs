@@ -58,7 +58,7 @@ impl Limits {
     /// inside and at its end; at the start of the tick and after each event; at its end; and
     /// for each two events one more, if they are an event and a move over impacts.
     pub const fn most_readouts<T: Stepper>(&self) -> u32 {
-        let pieces = self.pieces.saturating_mul(1 + looks::<T>());
+        let pieces = self.pieces.saturating_mul(1 + looks(T::DENSE));
         pieces.saturating_add(self.events).saturating_add(self.events / 2).saturating_add(2)
     }
 }

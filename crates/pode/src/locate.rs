@@ -25,7 +25,7 @@ impl Bracket {
     #[inline]
     fn chord(&self) -> f64 {
         let tau = (self.hi * self.at_lo - self.lo * self.at_hi) / (self.at_lo - self.at_hi);
-        // Not `clamp`, which panics where somebody's ends are not in order.
+        // Not `clamp`, which panics where the ends are not in order.
         if tau.is_finite() { tau.max(self.lo).min(self.hi) } else { self.hi }
     }
 

@@ -24,7 +24,7 @@ pub trait Model {
     /// Returns the derivative of `x` in `mode`. `[GC93]` eq. 6.
     fn derivative(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> Self::State;
 
-    /// Returns the readout in `mode`: the generalised force on whoever drives the input.
+    /// Returns the readout in `mode`: the generalised force on what drives the input.
     /// `[GC93]` eq. 7.
     fn readout(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
 
@@ -97,10 +97,10 @@ pub trait Resets: Guarded + Sized {
 /// What a reset map gives.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Reset<M: Model> {
-    /// The next mode.
+    /// Mode that holds after the reset.
     pub mode: M::Mode,
     pub state: M::State,
-    /// Impulse on whoever drives the input (readout × s).
+    /// Impulse on what drives the input (readout × s).
     pub impulse: f64,
     /// Where the impacts that follow accumulate, if the model knows that they do.
     pub settles: Option<Settling<M>>,

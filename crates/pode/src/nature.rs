@@ -21,7 +21,7 @@ pub enum EquationKind {
 pub struct Nature {
     /// What kind of equations.
     pub kind: EquationKind,
-    /// Largest magnitude of the Jacobian's eigenvalues (rad/s); 0 where nobody said.
+    /// Largest magnitude of the Jacobian's eigenvalues (rad/s); 0 where it is not known.
     pub rate: f64,
 }
 

@@ -25,7 +25,7 @@ pub enum Cap {
     Pieces,
 }
 
-/// What failed.
+/// Why the model could not be advanced.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fault {
     /// The period is not a positive, finite number.

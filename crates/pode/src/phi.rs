@@ -1,7 +1,7 @@
 //! The φ functions of a matrix, by scaling and squaring.
 
 use crate::math::sqrt;
-use crate::matrix::Matrix as _;
+use crate::state::Matrix as _;
 use crate::state::{State, largest};
 
 /// eᴬ and k! φₖ(A) for k = 1, 2, 3.
@@ -127,7 +127,7 @@ fn mapped<S: State>(x: &S, f: impl Fn(usize, f64) -> f64) -> S {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::matrix::Matrix;
+    use crate::state::Matrix;
 
     type Square = <[f64; 2] as State>::Matrix;
 

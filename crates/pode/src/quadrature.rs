@@ -1,7 +1,5 @@
 //! The mean of a readout over a piece, its value at both ends being known.
 
-use crate::stepper::Stepper;
-
 /// Simpson's rule: the one place inside, and weights of the ends and of that place.
 /// Exact up to cubics.
 pub(crate) const SIMPSON: Rule<1> = Rule { ends: 1.0 / 6.0, inside: [(0.5, 4.0 / 6.0)], looks: 1 };
@@ -22,9 +20,9 @@ pub(crate) const LOBATTO: Rule<4> = Rule {
 /// Order of a dense output from which on Simpson's rule would lose what it has gained.
 pub(crate) const HIGH: u32 = 5;
 
-/// Most evaluations inside a piece that the method `T` takes for the mean.
-pub(crate) const fn looks<T: Stepper>() -> u32 {
-    if T::DENSE >= HIGH { LOBATTO.looks() } else { SIMPSON.looks() }
+/// Most evaluations inside a piece for the mean of a method whose dense output has this order.
+pub(crate) const fn looks(dense: u32) -> u32 {
+    if dense >= HIGH { LOBATTO.looks() } else { SIMPSON.looks() }
 }
 
 /// Places inside 0 .. 1 with their weights, and the weight of each end.
@@ -36,7 +34,7 @@ pub(crate) struct Rule<const N: usize> {
 }
 
 impl<const N: usize> Rule<N> {
-    /// Evaluations inside.
+    /// Returns the number of evaluations inside the step.
     pub(crate) const fn looks(&self) -> u32 {
         self.looks
     }

@@ -1,4 +1,4 @@
-//! Somebody who follows a simulation: a log, a plot, an audit.
+//! What follows a simulation: a log, a plot, an audit.
 
 use crate::dense::Dense;
 use crate::guard::GuardSpec;
@@ -8,7 +8,7 @@ use crate::model::Model;
 /// A stretch of one tick in which one mode held, with its dense output.
 #[derive(Debug)]
 pub struct Piece<'a, M: Model, S> {
-    /// The mode.
+    /// Mode in which the piece was computed.
     pub mode: M::Mode,
     /// Dense output over the step of which this piece is the first part.
     pub dense: &'a dyn Dense<M::State>,
@@ -110,7 +110,7 @@ pub struct Event<'a, M: Model> {
     /// Mode and state after.
     pub after: (M::Mode, M::State),
     pub input: M::Input,
-    /// Impulse on whoever drives the input (readout × s).
+    /// Impulse on what drives the input (readout × s).
     pub impulse: f64,
 }
 
@@ -123,11 +123,11 @@ pub trait Watch<M: Model> {
     /// A piece was advanced.
     fn piece<S: Signal<M::Input>>(&mut self, _model: &M, _piece: &Piece<'_, M, S>) {}
 
-    /// A guard fired.
+    /// Takes a transition that has happened.
     fn event(&mut self, _model: &M, _event: &Event<'_, M>) {}
 }
 
-/// Watches nothing.
+/// A watch that ignores everything.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Silent;
 

@@ -25,7 +25,7 @@ pub struct BouncingBall {
     pub scale: f64,
 }
 
-/// Contact configuration.
+/// Whether the ball flies or lies on the floor.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mode {
     /// The ball is in the air.

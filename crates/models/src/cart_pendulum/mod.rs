@@ -37,7 +37,7 @@ pub struct CartPendulum {
     pub scale: f64,
 }
 
-/// Contact configuration.
+/// Which wall, if any, holds the cart.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mode {
     /// The cart is between the walls.
@@ -119,7 +119,7 @@ impl Playable for CartPendulum {
         self.scale
     }
 
-    /// Both walls sound.
+    /// Returns the speed of the cart, since both walls sound.
     fn sounding(&self, guard: GuardId, before: &[f64; 4]) -> Option<Sounding> {
         equations::is_wall(guard).then(|| Sounding { speed: before[2].abs() })
     }

@@ -28,7 +28,7 @@ pub(crate) struct DrawingDimensions<'a> {
 }
 
 impl<'a> DrawingDimensions<'a> {
-    /// With rigid contacts.
+    /// Returns the dimensions of a mechanism with rigid contacts.
     pub(crate) fn rigid(p: &'a KeyHammerValues) -> Self {
         let unit = 0.08 * p.l1;
         let rest = Coupled::on_key(p, &Motion::default()).angle;

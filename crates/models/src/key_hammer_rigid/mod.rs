@@ -17,7 +17,7 @@ pub struct KeyHammerRigid {
     pub values: KeyHammerValues,
 }
 
-/// Contact configuration.
+/// Whether the hammer is on the key.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mode {
     /// Hammer on the key; no degree of freedom.

@@ -28,13 +28,13 @@ pub struct KeyHammerSprings {
 }
 
 impl KeyHammerSprings {
-    /// The parameter values.
+    /// Returns the values in the order of the parameters.
     pub const fn values(&self) -> &KeyHammerValues {
         &self.values
     }
 }
 
-/// Contact configuration.
+/// Whether the hammer is on the key.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mode {
     /// Hammer on the key, through k2.

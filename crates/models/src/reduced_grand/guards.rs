@@ -10,7 +10,7 @@ pub(super) const LIFT_OFF: GuardId = GuardId(0);
 pub(super) const BUTTON: GuardId = GuardId(1);
 /// It comes back from it.
 pub(super) const BUTTON_OFF: GuardId = GuardId(2);
-/// The jack trips.
+/// Guard of the jack, which trips when it fires.
 pub(super) const TRIP: GuardId = GuardId(3);
 /// The head lands on the jack.
 pub(super) const LAND: GuardId = GuardId(4);

@@ -34,13 +34,13 @@ pub struct ReducedGrand {
 }
 
 impl ReducedGrand {
-    /// The parameter values.
+    /// Returns the values in the order of the parameters.
     pub const fn values(&self) -> &ReducedGrandValues {
         &self.values
     }
 }
 
-/// Contact configuration.
+/// Where the hammer's head is, and how the jack stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mode {
     /// Accelerated: the head on the jack.

@@ -21,7 +21,7 @@ pub struct SpringWall {
     pub wall: f64,
 }
 
-/// Contact configuration.
+/// Whether the key touches the wall.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mode {
     Free,
@@ -73,7 +73,7 @@ impl Playable for SpringWall {
         1.0
     }
 
-    /// Nothing.
+    /// Returns nothing, since no contact sounds.
     fn sounding(&self, _guard: GuardId, _before: &[f64; 0]) -> Option<Sounding> {
         None
     }

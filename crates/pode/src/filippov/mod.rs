@@ -51,7 +51,7 @@ pub use sided::{Branch, Sided, Surface, SurfaceSide};
 use heading::Heading;
 use point::SurfacePoint;
 
-/// Which equations hold.
+/// Which of the two fields holds, or that the state slides between them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mode {
     /// Above the surface, h > 0.

@@ -96,13 +96,13 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Self { tick, ..self }
     }
 
-    /// The same where nobody needs the readout: none is evaluated, and a tick reads 0.
+    /// The same without the readout: none is evaluated, and a tick reads 0.
     #[must_use]
     pub fn without_readout(self) -> Self {
         Self { is_read: false, ..self }
     }
 
-    /// The model.
+    /// Returns the model as it is now.
     pub const fn model(&self) -> &M {
         &self.model
     }
@@ -116,12 +116,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.impacts = Impacts::NONE;
     }
 
-    /// The present mode.
+    /// Returns the mode that holds now.
     pub const fn mode(&self) -> M::Mode {
         self.mode
     }
 
-    /// The present state.
+    /// Returns the state at the present time.
     pub const fn state(&self) -> &M::State {
         &self.state
     }

@@ -1,8 +1,8 @@
 //! The exact flow of linear modes.
 
 use crate::dense::{Dense, Polynomial};
-use crate::matrix::Matrix as _;
 use crate::nature::{EquationKind, Nature};
+use crate::state::Matrix as _;
 use crate::state::State;
 use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 

@@ -1,8 +1,8 @@
 //! The exponential Rosenbrock pair exprb32.
 
 use crate::dense::Cubic;
-use crate::matrix::Matrix as _;
 use crate::phi::Phi;
+use crate::state::Matrix as _;
 use crate::state::State;
 use crate::stepper::quarters::{PLACES, through_quarters};
 use crate::stepper::time_slope::time_slope;

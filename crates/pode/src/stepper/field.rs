@@ -1,8 +1,8 @@
 //! The right-hand side over one step, as a method sees it.
 
 use crate::math::sqrt;
-use crate::matrix::Matrix as _;
 use crate::nature::Nature;
+use crate::state::Matrix as _;
 use crate::state::State;
 
 /// A mode's equations over one step of known length.

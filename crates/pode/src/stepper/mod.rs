@@ -124,7 +124,7 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     ) -> Step<S, Self::Dense<S>>;
 
     /// Brings the dense output of the step just taken to its full order, where that costs
-    /// evaluations of its own: asked for only where somebody looks inside.
+    /// evaluations of its own: asked for only where the inside of a step is looked at.
     #[inline]
     fn refine<S: State>(
         &self,

@@ -1,6 +1,6 @@
 //! One LU: what linearly implicit methods solve with.
 
-use crate::matrix::Matrix;
+use crate::state::Matrix;
 use crate::state::State;
 
 /// 1 − a J, factored.

@@ -25,24 +25,24 @@ pub(super) const NODES: [f64; 16] = [
     0.777_777_777_777_777_8,
 ];
 
-/// Stage 1.
+/// Weights of the stages before, for stage 1.
 pub(super) const A1: TableauRow<1> = [(0, 0.052_600_151_958_767_73)];
 
-/// Stage 2.
+/// Weights of the stages before, for stage 2.
 pub(super) const A2: TableauRow<2> = [(0, 0.019_725_056_984_537_9), (1, 0.059_175_170_953_613_7)];
 
-/// Stage 3.
+/// Weights of the stages before, for stage 3.
 pub(super) const A3: TableauRow<2> = [(0, 0.029_587_585_476_806_85), (2, 0.088_762_756_430_420_54)];
 
-/// Stage 4.
+/// Weights of the stages before, for stage 4.
 pub(super) const A4: TableauRow<3> =
     [(0, 0.241_365_134_159_266_7), (2, -0.884_549_479_328_286_1), (3, 0.924_834_003_261_792)];
 
-/// Stage 5.
+/// Weights of the stages before, for stage 5.
 pub(super) const A5: TableauRow<3> =
     [(0, 0.037_037_037_037_037_035), (3, 0.170_828_608_729_473_86), (4, 0.125_467_687_566_822_42)];
 
-/// Stage 6.
+/// Weights of the stages before, for stage 6.
 pub(super) const A6: TableauRow<4> = [
     (0, 0.037_109_375),
     (3, 0.170_252_211_019_544_05),
@@ -50,7 +50,7 @@ pub(super) const A6: TableauRow<4> = [
     (5, -0.017_578_125),
 ];
 
-/// Stage 7.
+/// Weights of the stages before, for stage 7.
 pub(super) const A7: TableauRow<5> = [
     (0, 0.037_092_000_118_504_79),
     (3, 0.170_383_925_712_239_98),
@@ -59,7 +59,7 @@ pub(super) const A7: TableauRow<5> = [
     (6, 0.008_273_789_163_814_023),
 ];
 
-/// Stage 8.
+/// Weights of the stages before, for stage 8.
 pub(super) const A8: TableauRow<6> = [
     (0, 0.624_110_958_716_075_7),
     (3, -3.360_892_629_446_941_4),
@@ -69,7 +69,7 @@ pub(super) const A8: TableauRow<6> = [
     (7, -43.489_884_181_069_96),
 ];
 
-/// Stage 9.
+/// Weights of the stages before, for stage 9.
 pub(super) const A9: TableauRow<7> = [
     (0, 0.477_662_536_438_264_34),
     (3, -2.488_114_619_971_667_7),
@@ -80,7 +80,7 @@ pub(super) const A9: TableauRow<7> = [
     (8, -0.020_331_201_708_508_627),
 ];
 
-/// Stage 10.
+/// Weights of the stages before, for stage 10.
 pub(super) const A10: TableauRow<8> = [
     (0, -0.937_142_430_085_987_3),
     (3, 5.186_372_428_844_064),
@@ -92,7 +92,7 @@ pub(super) const A10: TableauRow<8> = [
     (9, -3.046_764_471_898_219_6),
 ];
 
-/// Stage 11.
+/// Weights of the stages before, for stage 11.
 pub(super) const A11: TableauRow<9> = [
     (0, 2.273_310_147_516_538),
     (3, -10.534_495_466_737_25),

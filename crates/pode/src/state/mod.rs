@@ -1,10 +1,12 @@
 //! The vector operations that a stepper needs.
 
+mod matrix;
+
 use core::fmt::Debug;
 
 use nalgebra::{Const, DimMin, SMatrix};
 
-use crate::matrix::Matrix;
+pub use matrix::Matrix;
 
 /// A state vector of fixed size: coordinates first, speeds after.
 pub trait State: Copy + PartialEq + Debug + Send + 'static {
@@ -30,7 +32,7 @@ pub trait State: Copy + PartialEq + Debug + Send + 'static {
     #[must_use]
     fn with_entry(&self, index: usize, value: f64) -> Self;
 
-    /// The entries.
+    /// Returns the entries as a slice.
     fn entries(&self) -> &[f64];
 }
 
