@@ -18,7 +18,7 @@ use links::loopback::Loopback;
 
 use super::board::{BoardMake, SimulatedBoard};
 
-/// A tick (us).
+/// Length of a tick (us).
 const TICK_US: u64 = 1_000;
 /// What it is given [mN]: keys are held on their felts.
 const DOWN: i32 = -2_000;
