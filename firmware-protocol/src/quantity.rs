@@ -14,7 +14,7 @@ impl Counts {
     /// Bytes on the wire.
     pub const LEN: usize = 3;
 
-    /// The nearest reading to `counts` that 24 bits hold.
+    /// Returns the nearest reading to `counts` that 24 bits hold.
     pub const fn saturating(counts: i32) -> Self {
         if counts > Self::MAX.0 {
             Self::MAX
@@ -25,17 +25,17 @@ impl Counts {
         }
     }
 
-    /// The reading (counts).
+    /// Returns the reading (counts).
     pub const fn get(self) -> i32 {
         self.0
     }
 
-    /// The nearest 16 bits to the reading.
+    /// Returns the nearest 16 bits to the reading.
     pub fn saturated(self) -> i16 {
         saturated(self.0)
     }
 
-    /// Little-endian two's complement in three bytes.
+    /// Returns the little-endian two's complement in three bytes.
     pub const fn to_le_bytes(self) -> [u8; Self::LEN] {
         let [low, middle, high, _sign] = self.0.to_le_bytes();
         [low, middle, high]
@@ -61,17 +61,17 @@ impl Millinewtons {
     /// Bytes on the wire.
     pub const LEN: usize = 2;
 
-    /// The nearest force to `millinewtons` that 16 bits hold.
+    /// Returns the nearest force to `millinewtons` that 16 bits hold.
     pub fn saturating(millinewtons: i32) -> Self {
         Self(saturated(millinewtons))
     }
 
-    /// The force (mN).
+    /// Returns the force (mN).
     pub const fn get(self) -> i16 {
         self.0
     }
 
-    /// Little-endian two's complement.
+    /// Returns the little-endian two's complement.
     pub const fn to_le_bytes(self) -> [u8; Self::LEN] {
         self.0.to_le_bytes()
     }
@@ -92,17 +92,17 @@ impl SpeedCode {
     /// Bytes on the wire.
     pub const LEN: usize = 2;
 
-    /// The nearest speed to `units` (0.2 mm/s) that 16 bits hold.
+    /// Returns the nearest speed to `units` (0.2 mm/s) that 16 bits hold.
     pub fn saturating(units: i32) -> Self {
         Self(saturated(units))
     }
 
-    /// The speed (0.2 mm/s).
+    /// Returns the speed (0.2 mm/s).
     pub const fn get(self) -> i16 {
         self.0
     }
 
-    /// Little-endian two's complement.
+    /// Returns the little-endian two's complement.
     pub const fn to_le_bytes(self) -> [u8; Self::LEN] {
         self.0.to_le_bytes()
     }
@@ -133,10 +133,9 @@ impl SlopeCode {
     pub const STIFFNESS_UNIT: i32 = 250;
     /// What one unit of damping means (mN s/m).
     pub const DAMPING_UNIT: i32 = 1;
-    /// The largest magnitude.
     pub const MAX: i32 = 15 << 14;
 
-    /// The slope next to `units` on the side of zero.
+    /// Returns the slope next to `units` on the side of zero.
     pub const fn toward_zero(units: i32) -> Self {
         let magnitude = if units.unsigned_abs() < Self::MAX.unsigned_abs() {
             units.unsigned_abs()
@@ -151,14 +150,14 @@ impl SlopeCode {
         Self(if units < 0 && code != 0 { code | 0x80 } else { code })
     }
 
-    /// The slope (units).
+    /// Returns the slope (units).
     pub const fn get(self) -> i32 {
         let (exponent, mantissa) = (self.0 >> 3 & 0xF, (self.0 & 7) as i32);
         let magnitude = if exponent == 0 { mantissa } else { (8 + mantissa) << (exponent - 1) };
         if self.0 & 0x80 == 0 { magnitude } else { -magnitude }
     }
 
-    /// The byte on the wire.
+    /// Returns the byte on the wire.
     pub const fn code(self) -> u8 {
         self.0
     }
@@ -169,7 +168,7 @@ impl SlopeCode {
     }
 }
 
-/// The nearest 16 bits to `value`.
+/// Returns the nearest 16 bits to `value`.
 fn saturated(value: i32) -> i16 {
     let outside = if value < 0 { i16::MIN } else { i16::MAX };
     i16::try_from(value).unwrap_or(outside)

@@ -22,11 +22,10 @@ pub trait Record: Sized + Copy {
 /// A field of a record, for those who generate code from it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RecordField {
-    /// Its name.
     pub name: &'static str,
     /// Its type, as C99 has it: `uint16_t`; bytes are an array of `uint8_t`.
     pub c_type: &'static str,
-    /// Its length (bytes).
+    /// Length of the field (bytes).
     pub len: usize,
 }
 
@@ -76,12 +75,12 @@ impl<const N: usize> Scalar for [u8; N] {
 macro_rules! record {
     (
         $(#[$doc:meta])+
-        $name:ident { $($(#[$field_doc:meta])+ $field:ident: $type:ty,)* }
+        $name:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty,)* }
     ) => {
         $(#[$doc])+
         #[derive(Clone, Copy, PartialEq, Eq, Debug)]
         pub struct $name {
-            $($(#[$field_doc])+ pub $field: $type,)*
+            $($(#[$field_doc])* pub $field: $type,)*
         }
 
         impl $crate::Record for $name {

@@ -2,7 +2,7 @@
 //!
 //! A board says the hash that it was built with in its hello; a host never arms a board with
 //! another one. So a layout that was changed and a version that was not cannot meet.
-//! Whoever changes a cyclic frame changes the text; a test holds some of it to the code.
+//! A change of a cyclic frame changes the text; a test holds some of it to the code.
 
 /// What stands in the cyclic frames; changing a character makes every board of before foreign.
 pub const CYCLIC: &str = "\

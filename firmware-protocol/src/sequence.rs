@@ -5,15 +5,15 @@
 pub struct SequenceNumber(pub u8);
 
 impl SequenceNumber {
-    /// The number of the frame after this one.
+    /// Returns the number of the frame after this one.
     #[must_use]
     pub const fn next(self) -> Self {
         Self(self.0.wrapping_add(1))
     }
 
-    /// How a frame with this number stands to the newest one before it, `newest`.
+    /// Returns how a frame with this number stands to the newest one before it, `newest`.
     ///
-    /// The number wraps around, so half of the circle counts as newer: whoever heard
+    /// The number wraps around, so half of the circle counts as newer: a receiver that heard
     /// nothing for 127 frames must forget `newest` rather than ask.
     pub const fn after(self, newest: Self) -> FrameOrder {
         match self.0.wrapping_sub(newest.0) {
@@ -28,7 +28,6 @@ impl SequenceNumber {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[must_use]
 pub enum FrameOrder {
-    /// It is newer.
     Newer {
         /// How many between the two never came, or have not come yet.
         missing: u8,

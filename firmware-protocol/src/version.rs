@@ -20,7 +20,7 @@ pub struct ProtocolVersion {
 }
 
 impl ProtocolVersion {
-    /// Whether frames of `other` may be acted on: the major numbers are equal.
+    /// Tells whether frames of `other` may be acted on: the major numbers are equal.
     pub const fn understands(self, other: Self) -> bool {
         self.major == other.major
     }

@@ -12,17 +12,17 @@
 /// Round trips that are remembered.
 const WINDOW: usize = 64;
 
-/// Error of the rate below which it counts as known [1]: 0.15 ms between two round trips.
+/// Error of the rate below which it counts as known (1): 0.15 ms between two round trips.
 const RATE_ERROR: f64 = 3e-3;
 
-/// Largest drift of a board's clock that is accepted, faster or slower [1]: RC oscillators without
+/// Largest drift of a board's clock that is accepted, faster or slower (1): RC oscillators without
 /// trimming keep to it.
 pub const MOST_DRIFT: f64 = 0.03;
 
 /// Largest drift that a clock which was not set anew is believed to have (1).
 const MOST_BELIEVED: f64 = 0.1;
 
-/// One round trip.
+/// A round trip to a board.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 struct RoundTrip {
     /// Middle of the round trip, host time since the first (us).
@@ -106,30 +106,30 @@ impl ClockModel {
         ClockUpdate::News
     }
 
-    /// The same oscillator with another time, of which nothing is known yet.
+    /// Returns the same oscillator with another time, of which nothing is known yet.
     #[must_use]
     pub fn set_anew(&self) -> Self {
         let Self { drift, drift_error, .. } = *self;
         Self { drift, drift_error, ..Self::default() }
     }
 
-    /// Whether the board's time can be told, now and until the next round trip.
+    /// Tells whether the board's time can be told, now and until the next round trip.
     pub const fn is_known(&self) -> bool {
         0 < self.n && self.is_rate_known()
     }
 
-    /// Whether it is known how fast the board's clock runs.
+    /// Tells whether it is known how fast the board's clock runs.
     const fn is_rate_known(&self) -> bool {
         self.drift_error <= RATE_ERROR
     }
 
-    /// Whether the board's clock runs so much faster or slower than the host's that the board
+    /// Tells whether the board's clock runs so much faster or slower than the host's that the board
     /// cannot be used.
     pub fn is_beyond_tolerance(&self) -> bool {
         self.is_rate_known() && MOST_DRIFT + self.drift_error < self.drift.abs()
     }
 
-    /// The board's time at the host's `host_us` (us), low half.
+    /// Returns the board's time at the host's `host_us` (us), low half.
     pub fn board_us(&self, host_us: u64) -> Option<u32> {
         let (host_origin, board_origin) = self.origin?;
         let host = signed(host_us, host_origin);
@@ -140,8 +140,8 @@ impl ClockModel {
         Some(board_origin.wrapping_add(u32::from_le_bytes([a, b, c, d])))
     }
 
-    /// How long ago, at the host's `now_us`, the board's clock showed a time whose low 16 bits
-    /// are `stamp_us` (us); at most 65 ms can be told apart, 5 ms of them in the future.
+    /// Returns how long ago, at the host's `now_us`, the board's clock showed a time whose low 16
+    /// bits are `stamp_us` (us); at most 65 ms can be told apart, 5 ms of them in the future.
     ///
     /// None before the rate of the board's clock is known.
     pub fn age_us(&self, now_us: u64, stamp_us: u16) -> Option<i32> {
@@ -153,7 +153,7 @@ impl ClockModel {
         Some(i32::from(age.wrapping_add(FUTURE)) - i32::from(FUTURE))
     }
 
-    /// How much faster than the host's the board's clock runs (1e-6).
+    /// Returns how much faster than the host's the board's clock runs (1e-6).
     pub fn drift_ppm(&self) -> f64 {
         self.drift * 1e6
     }
@@ -162,7 +162,7 @@ impl ClockModel {
         &self.trips[..self.n.min(WINDOW)]
     }
 
-    /// Whether `trip` cannot be of the same clock: further off than drift and trip explain.
+    /// Tells whether `trip` cannot be of the same clock: further off than drift and trip explain.
     fn is_jump(&self, trip: &RoundTrip) -> bool {
         if self.n == 0 {
             return false;
@@ -173,7 +173,7 @@ impl ClockModel {
         allowed < (trip.board - newest.board - passed).abs()
     }
 
-    /// Lays a line through them, the shorter a trip the nearer.
+    /// Fits a line to them, the shorter a trip the nearer.
     fn fit(&mut self) {
         let trips = self.remembered();
         let sum = |value: &dyn Fn(&RoundTrip) -> f64| -> f64 {
@@ -196,20 +196,20 @@ impl ClockModel {
 }
 
 impl RoundTrip {
-    /// How much it counts: it tells the time to within half its length.
+    /// Returns how much it counts: it tells the time to within half its length.
     fn weight(&self) -> f64 {
         // Below 50 us the difference is noise of the system, not of the way.
         self.length.max(50.0).powi(-2)
     }
 }
 
-/// The low half of a clock (us), as it stands on the wire.
+/// Returns the low half of a clock (us), as it stands on the wire.
 pub(crate) const fn low(us: u64) -> u32 {
     let [a, b, c, d, ..] = us.to_le_bytes();
     u32::from_le_bytes([a, b, c, d])
 }
 
-/// `later` − `earlier` (us).
+/// Returns `later` − `earlier` (us).
 fn signed(later: u64, earlier: u64) -> f64 {
     later as f64 - earlier as f64
 }

@@ -132,7 +132,7 @@ impl fmt::Display for LineTraffic {
     }
 }
 
-/// A status in words.
+/// Returns a status in words.
 const fn status_words(status: Status) -> &'static str {
     match status {
         Status::Done => "done",
@@ -144,7 +144,7 @@ const fn status_words(status: Status) -> &'static str {
     }
 }
 
-/// What is wrong with a clock that runs so much too fast (1e-6), in words.
+/// Returns what is wrong with a clock that runs so much too fast (1e-6), in words.
 pub fn clock_words(ppm: i32) -> String {
     let percent = f64::from(ppm.abs()) * 1e-4;
     let how = if ppm < 0 { "slow" } else { "fast" };
@@ -152,7 +152,7 @@ pub fn clock_words(ppm: i32) -> String {
     format!("its clock runs {percent:.1} % too {how}, and at most {most:.0} % is accepted")
 }
 
-/// Why a board is safe, in words.
+/// Returns why a board is safe, in words.
 pub const fn reason_words(reason: u8) -> &'static str {
     match reason {
         safe_reason::NONE => "it is armed",

@@ -47,12 +47,12 @@ impl RequestChannel {
         Self { board, next_id: first, pending: None }
     }
 
-    /// Whether a request may be pending.
+    /// Tells whether a request may be pending.
     pub const fn is_free(&self) -> bool {
         self.pending.is_none()
     }
 
-    /// Asks; a request that is under way is forgotten.
+    /// Asks for an operation; a request that is under way is forgotten.
     pub fn ask<R: Record>(&mut self, operation: Operation, record: &R) {
         let (id, mut frame) = (self.next_id, [0; MAX_FRAME]);
         self.next_id = self.next_id.wrapping_add(1);

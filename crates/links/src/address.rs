@@ -13,15 +13,8 @@ pub const BAUD: u32 = 2_000_000;
 /// Where a link leads.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Address {
-    Serial {
-        port: PathBuf,
-        baud: u32,
-    },
-    Can {
-        interface: String,
-        /// What it carries.
-        mode: CanMode,
-    },
+    Serial { port: PathBuf, baud: u32 },
+    Can { interface: String, mode: CanMode },
 }
 
 impl Address {
@@ -45,7 +38,7 @@ impl Address {
         }
     }
 
-    /// What it is called in sentences: the port or the interface.
+    /// Returns what it is called in sentences: the port or the interface.
     pub fn name(&self) -> String {
         match self {
             Self::Serial { port, .. } => port.display().to_string(),

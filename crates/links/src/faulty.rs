@@ -112,12 +112,12 @@ impl Faults {
         Faulty { link, faults: self }
     }
 
-    /// How often each fault has happened.
+    /// Returns how often each fault has happened.
     pub const fn counts(&self) -> FaultCounts {
         self.counts
     }
 
-    /// Whether the script has the link down for this call.
+    /// Tells whether the script has the link down for this call.
     fn is_down(&mut self, direction: Direction) -> bool {
         let down = self.scripted(direction) == Some(LinkFault::Down);
         self.counts.down += u64::from(down);

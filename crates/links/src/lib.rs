@@ -53,7 +53,7 @@ pub trait Link {
     /// What had come is lost; the caller goes on.
     fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError>;
 
-    /// What the wire itself has said of its condition; nothing if it never says anything.
+    /// Returns what the wire itself has said of its condition; nothing if it never says anything.
     fn health(&self) -> Health {
         Health::default()
     }
@@ -92,7 +92,7 @@ impl<L: Link + ?Sized> Link for Box<L> {
 pub enum SendError {
     /// The frame is longer than this link carries.
     TooLong {
-        /// Its length (bytes).
+        /// Length of the frame (bytes).
         len: usize,
     },
     /// There is no room: what was sent before is still on its way.
@@ -106,7 +106,7 @@ pub enum SendError {
 pub enum RecvError {
     /// A frame is longer than the buffer, and lost.
     BufferTooShort {
-        /// Its length (bytes).
+        /// Length of the frame (bytes).
         len: usize,
     },
     /// Something came that was no frame: checksum, stuffing, length, a lost piece, or an

@@ -6,8 +6,8 @@ use super::{Link, QueuedFrame, RecvError, SendError};
 
 /// Both directions between a host and a board.
 ///
-/// Its memory is taken when it is made, and it is meant for one thread: whoever owns it
-/// lends out one end at a time.
+/// Its memory is taken when it is made, and it is meant for one thread: its owner lends out one
+/// end at a time.
 #[derive(Clone, Debug)]
 pub struct Loopback {
     to_board: Queue,
@@ -15,22 +15,22 @@ pub struct Loopback {
 }
 
 impl Loopback {
-    /// A wire that holds `capacity` frames in each direction, at least one.
+    /// Returns a wire that holds `capacity` frames in each direction, at least one.
     pub fn new(capacity: usize) -> Self {
         Self { to_board: Queue::new(capacity), to_host: Queue::new(capacity) }
     }
 
-    /// The end that the host sends to and receives from.
+    /// Returns the end that the host sends to and receives from.
     pub const fn host_end(&mut self) -> LoopbackEnd<'_> {
         LoopbackEnd { out: &mut self.to_board, back: &mut self.to_host }
     }
 
-    /// The end that the board sends to and receives from.
+    /// Returns the end that the board sends to and receives from.
     pub const fn board_end(&mut self) -> LoopbackEnd<'_> {
         LoopbackEnd { out: &mut self.to_host, back: &mut self.to_board }
     }
 
-    /// Frames that were replaced before anybody received them.
+    /// Returns how many frames were replaced before they were received.
     pub const fn dropped(&self) -> u64 {
         self.to_board.dropped + self.to_host.dropped
     }

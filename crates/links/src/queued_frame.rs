@@ -15,7 +15,7 @@ pub(crate) struct QueuedFrame {
 impl QueuedFrame {
     pub(crate) const EMPTY: Self = Self { bytes: [0; MAX_LEN], len: 0 };
 
-    /// Copies `frame`.
+    /// Returns a copy of `frame`.
     pub(crate) fn new(frame: &[u8]) -> Result<Self, SendError> {
         let mut queued = Self { len: frame.len(), ..Self::EMPTY };
         let place = queued.bytes.get_mut(..frame.len());

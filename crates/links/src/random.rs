@@ -7,7 +7,7 @@
 pub struct Random(pub u64);
 
 impl Random {
-    /// The next 64 bits.
+    /// Returns the next 64 bits.
     pub const fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let z = (self.0 ^ self.0 >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -15,12 +15,12 @@ impl Random {
         z ^ z >> 31
     }
 
-    /// A number in `0 .. 1`.
+    /// Returns a number in `0 .. 1`.
     pub fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Whether something happens that happens with this probability, `0 ..= 1`.
+    /// Tells whether something happens that happens with this probability, `0 ..= 1`.
     pub fn happens(&mut self, probability: f64) -> bool {
         0.0 < probability && self.unit() < probability
     }

@@ -13,7 +13,7 @@ use super::{Health, Link, RecvError, SendError};
 use crate::Error;
 use crate::pause;
 
-/// A link that somebody has opened.
+/// A link of any kind.
 type AnyLink = Box<dyn Link + Send>;
 
 /// Time between two attempts.
@@ -65,12 +65,12 @@ impl ReconnectingLink {
         Ok(Self { link, opened, closed, shared, before: Health::default(), reopened: 0 })
     }
 
-    /// Times that it was opened again.
+    /// Returns how often it was opened again.
     pub const fn reopened(&self) -> u64 {
         self.reopened
     }
 
-    /// The link, if there is one by now.
+    /// Returns the link, if there is one by now.
     fn current(&mut self) -> Option<&mut AnyLink> {
         if self.link.is_none()
             && let Ok(link) = self.opened.pop()
@@ -90,7 +90,7 @@ impl ReconnectingLink {
                 self.before = before;
                 self.shared.wanted.store(true, Ordering::Release);
             }
-            // Whoever closes is behind: it is tried again.
+            // The thread that closes is behind: it is tried again.
             Err(rtrb::PushError::Full(link)) => self.link = Some(link),
         }
     }
@@ -127,7 +127,7 @@ impl Link for ReconnectingLink {
     }
 }
 
-/// What a link is like, with what those before it have counted.
+/// Returns what a link is like, with what those before it have counted.
 fn added(before: Health, now: Health) -> Health {
     Health {
         reports: before.reports + now.reports,

@@ -13,7 +13,7 @@
 //!
 //! A board that was stopped or whose key failed is safe for good: a disarming is answered with
 //! [`super::Status::WrongState`] and changes nothing, so no request arms it and its reason can
-//! still be asked for. Only its power clears that, so somebody has been there. A stop or a failed
+//! still be asked for. Only its power clears that, so a person has been there. A stop or a failed
 //! key takes the place of any other reason, on a board that is safe or disarmed as well; of the
 //! two the first stays.
 
@@ -30,7 +30,7 @@ record! {
     Arm {
         /// What the disarming answered.
         nonce: u32,
-        /// [`crate::frame::key_forces::ForcePacking`].
+        /// Number of a [`crate::frame::key_forces::ForcePacking`].
         packing: u8,
         /// How long forces are valid after the samples that they answer (ms), `5 ..= 100`; when
         /// the last have expired, the board is safe.

@@ -4,17 +4,15 @@
 //! its own fault detection, and how strong the motor really is.
 
 record! {
-    /// Which key.
+    /// Asks for the calibration of the key in a slot.
     ReadCalibration {
-        /// Its slot.
         slot: u8,
     }
 }
 
 record! {
-    /// A key's calibration.
+    /// The calibration of the key in a slot.
     KeyCalibration {
-        /// Its slot.
         slot: u8,
         /// Reading at rest (counts).
         rest: i32,

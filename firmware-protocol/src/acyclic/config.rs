@@ -4,7 +4,7 @@
 //! write again what is there.
 
 record! {
-    /// Which setting.
+    /// Asks for the value of a setting.
     ReadConfig {
         /// Its number, one of [`setting`].
         setting: u8,
@@ -16,7 +16,6 @@ record! {
     WriteConfig {
         /// Its number, one of [`setting`].
         setting: u8,
-        /// Its value.
         value: i32,
     }
 }
@@ -24,7 +23,6 @@ record! {
 record! {
     /// A setting as it is now.
     Config {
-        /// Its value.
         value: i32,
         /// CRC-32 of all settings, as the hello has it.
         config_crc: u32,
@@ -43,7 +41,7 @@ pub mod setting {
     pub const COUNT: u8 = 3;
 }
 
-/// CRC-32 (ISO-HDLC) of all settings, in the order of their numbers, little-endian.
+/// Returns the CRC-32 (ISO-HDLC) of all settings, in the order of their numbers, little-endian.
 pub fn crc(settings: &[i32]) -> u32 {
     const CRC32: crc::Crc<u32> = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC);
     let mut digest = CRC32.digest();

@@ -5,7 +5,6 @@
 record! {
     /// A gesture on one key; a new one is added to those that wait.
     Finger {
-        /// The key's slot.
         slot: u8,
         /// [`PRESSED`], [`STRUCK`], or [`FORGET`].
         touch: u8,

@@ -1,7 +1,7 @@
 //! A light, so that a builder sees which board is which.
 
 record! {
-    /// Blink.
+    /// Lets the board blink its light.
     Light {
         /// For how long (s); 0 stops.
         seconds: u8,

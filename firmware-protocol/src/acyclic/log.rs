@@ -1,7 +1,7 @@
 //! A board's log: short lines, the oldest first.
 
 record! {
-    /// Which line.
+    /// Asks for a line of the log.
     ReadLog {
         /// Its number, from 0.
         line: u16,

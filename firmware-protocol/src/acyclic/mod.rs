@@ -41,7 +41,7 @@ pub const REPLY_HEAD: usize = 4;
 pub enum Operation {
     /// Who are you? Answered with the record of a hello.
     Hello = 1,
-    /// Send samples: [`stream`].
+    /// Send samples from now on: [`stream`].
     Stream = 2,
     /// Render no force, and say the nonce for arming: [`arm`].
     Disarm = 3,
@@ -59,7 +59,7 @@ pub enum Operation {
     WriteCalibration = 9,
     /// Read the log: [`log`].
     ReadLog = 10,
-    /// Show yourself: [`light`].
+    /// Show which board you are: [`light`].
     Light = 11,
     /// What was counted: [`counters`].
     Counters = 12,
@@ -85,7 +85,7 @@ impl Operation {
         Self::Finger,
     ];
 
-    /// The operation with this number.
+    /// Returns the operation with this number.
     pub fn new(number: u8) -> Option<Self> {
         Self::ALL.get(usize::from(number).checked_sub(1)?).copied()
     }
@@ -95,7 +95,6 @@ impl Operation {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[repr(u8)]
 pub enum Status {
-    /// It was done.
     Done = 0,
     /// The board does not know the operation.
     Unknown = 1,
@@ -120,7 +119,7 @@ impl Status {
         Self::Impossible,
     ];
 
-    /// The status with this number; [`Status::Impossible`] for those of newer versions.
+    /// Returns the status with this number; [`Status::Impossible`] for those of newer versions.
     pub fn new(number: u8) -> Self {
         Self::ALL.get(usize::from(number)).copied().unwrap_or(Self::Impossible)
     }
@@ -129,7 +128,6 @@ impl Status {
 /// A request as it came.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct AcyclicRequest<'a> {
-    /// Who is asked.
     pub board: BoardId,
     /// Its number; the same one is the same request again.
     pub id: u8,
@@ -173,13 +171,10 @@ pub fn encode_request<R: Record>(
 /// A reply as it came.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct AcyclicReply<'a> {
-    /// Who answers.
     pub board: BoardId,
-    /// Which request.
     pub id: u8,
     /// What had been asked for.
     pub operation: Result<Operation, u8>,
-    /// How it went.
     pub status: Status,
     /// The record, and zeros or newer fields behind it; nothing if it was not done.
     pub record: &'a [u8],

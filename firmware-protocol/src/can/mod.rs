@@ -18,7 +18,6 @@ use crate::frame::{ALL_BOARDS, FrameKind};
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 #[repr(u8)]
 pub enum Class {
-    /// Emergency stop.
     Stop = 0,
     /// Bus time, and "who is there?".
     Sync = 1,
@@ -26,13 +25,9 @@ pub enum Class {
     MulticastForces = 2,
     /// Forces of one board.
     KeyForces = 3,
-    /// Samples.
     KeySamples = 4,
-    /// Requests.
     Request = 8,
-    /// Replies.
     Reply = 9,
-    /// Hellos.
     Hello = 10,
 }
 
@@ -49,7 +44,7 @@ impl Class {
         Self::Hello,
     ];
 
-    /// The class of a frame; none if it is of no kind.
+    /// Returns the class of a frame; none if it is of no kind.
     pub fn of(frame: &[u8]) -> Option<Self> {
         Some(match FrameKind::of(frame)? {
             FrameKind::Broadcast if frame.get(1) == Some(&1) => Self::Stop,
@@ -67,7 +62,7 @@ impl Class {
 /// Bits of the identifier below the class.
 pub const NODE_BITS: u16 = 7;
 
-/// The identifier under which a frame travels; none if it is of no kind.
+/// Returns the identifier under which a frame travels; none if it is of no kind.
 pub fn identifier(frame: &[u8]) -> Option<u16> {
     let class = Class::of(frame)?;
     let node =
@@ -75,7 +70,7 @@ pub fn identifier(frame: &[u8]) -> Option<u16> {
     Some(u16::from(class as u8) << NODE_BITS | u16::from(node))
 }
 
-/// Whether a frame may have come under this identifier.
+/// Tells whether a frame may have come under this identifier.
 pub fn agrees(id: u16, frame: &[u8]) -> bool {
     identifier(frame) == Some(id)
 }

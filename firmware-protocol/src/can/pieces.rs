@@ -21,7 +21,7 @@ pub const INDEX: u8 = 0b0000_1111;
 /// Where the number of the frame stands in the head.
 pub const ROLL_SHIFT: u8 = 5;
 
-/// How many pieces a frame of `len` bytes takes; an empty one takes one.
+/// Returns how many pieces a frame of `len` bytes takes; an empty one takes one.
 pub const fn count(len: usize) -> usize {
     if len == 0 { 1 } else { len.div_ceil(PIECE) }
 }

@@ -33,7 +33,7 @@ pub const WHO: u8 = 3;
 pub enum Broadcast {
     /// No force on any key until the board is started anew.
     EmergencyStop {
-        /// Free for whoever stops.
+        /// Free for the sender's use.
         reason: u8,
     },
     /// What time it is on this bus.

@@ -25,13 +25,11 @@ pub const MAGIC: [u8; 4] = *b"LTOF";
 pub mod feature {
     /// Renders slopes between frames.
     pub const SLOPES: u16 = 1 << 0;
-    /// Takes multicast forces.
     pub const MULTICAST: u16 = 1 << 1;
     /// Has velocities in its samples.
     pub const VELOCITY: u16 = 1 << 2;
     /// Is a simulation and has fingers, see [`crate::acyclic::finger`].
     pub const FINGERS: u16 = 1 << 3;
-    /// Keeps a log.
     pub const LOG: u16 = 1 << 4;
 }
 
@@ -43,7 +41,6 @@ pub mod safe_reason {
     pub const NEVER_ARMED: u8 = 1;
     /// Its forces expired and no new ones came.
     pub const SILENCE: u8 = 2;
-    /// It was disarmed.
     pub const DISARMED: u8 = 3;
     /// Everything was stopped; until it is started anew.
     pub const EMERGENCY_STOP: u8 = 4;
@@ -54,11 +51,9 @@ pub mod safe_reason {
 record! {
     /// Who a board is.
     Hello {
-        /// [`MAGIC`].
         magic: [u8; 4],
         /// Major number of the protocol that it speaks.
         major: u8,
-        /// Minor number.
         minor: u8,
         /// [`crate::schema::HASH`] of the cyclic layouts that it was built with.
         schema: u64,
@@ -68,11 +63,10 @@ record! {
         first_key: u8,
         /// Its keys, `1 ..= 12`.
         n_keys: u8,
-        /// Bits of [`feature`].
         features: u16,
-        /// Fastest samples (1/s).
+        /// Highest rate of samples (1/s).
         max_sample_hz: u16,
-        /// Fastest forces (1/s).
+        /// Highest rate of forces (1/s).
         max_force_hz: u16,
         /// How often it works out its motors' forces (1/s).
         law_hz: u16,
@@ -86,7 +80,6 @@ record! {
         board_us: u32,
         /// Major number of its firmware.
         firmware_major: u8,
-        /// Minor number.
         firmware_minor: u8,
         /// Why it started; free for the firmware, 1 for power.
         reset_reason: u8,
@@ -102,7 +95,6 @@ pub struct Introduction {
     pub board: BoardId,
     /// It renders no forces; [`Hello::safe_reason`] says why.
     pub safe: bool,
-    /// Who it is.
     pub hello: Hello,
 }
 

@@ -29,14 +29,12 @@ use crate::MAX_FRAME;
 use crate::key::PerKey;
 use crate::quantity::{Millinewtons, SlopeCode};
 
-/// The longest encoding.
 pub const MAX_LEN: usize = MAX_FRAME;
 
 /// How each key is packed.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 #[repr(u8)]
 pub enum ForcePacking {
-    /// The force, held.
     #[default]
     Force16 = 0,
     /// The force and how it goes on.
@@ -46,15 +44,14 @@ pub enum ForcePacking {
 }
 
 impl ForcePacking {
-    /// All packings.
     pub const ALL: [Self; 3] = [Self::Force16, Self::Force16Slope, Self::Multicast16];
 
-    /// The packing with this number.
+    /// Returns the packing with this number.
     pub fn new(number: u8) -> Option<Self> {
         Self::ALL.get(usize::from(number)).copied()
     }
 
-    /// Bytes for one key.
+    /// Returns the bytes for one key.
     pub const fn key_len(self) -> usize {
         match self {
             Self::Force16 | Self::Multicast16 => 2,
@@ -62,7 +59,7 @@ impl ForcePacking {
         }
     }
 
-    /// Bytes of a frame with `n_keys` keys, without padding.
+    /// Returns the bytes of a frame with `n_keys` keys, without padding.
     pub const fn frame_len(self, n_keys: usize) -> usize {
         HEADER_LEN + n_keys * self.key_len()
     }
@@ -142,7 +139,7 @@ impl KeyForces {
         packing.frame_len(self.forces.as_slice().len()).min(MAX_LEN)
     }
 
-    /// How this frame is packed.
+    /// Returns how this frame is packed.
     pub const fn packing(&self) -> ForcePacking {
         if self.slopes.is_empty() { ForcePacking::Force16 } else { ForcePacking::Force16Slope }
     }

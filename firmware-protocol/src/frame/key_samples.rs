@@ -18,16 +18,13 @@ use crate::MAX_FRAME;
 use crate::key::PerKey;
 use crate::quantity::{Counts, SpeedCode};
 
-/// The longest encoding.
 pub const MAX_LEN: usize = MAX_FRAME;
 
 /// How each key is packed.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 #[repr(u8)]
 pub enum SamplePacking {
-    /// Position, 16 bits.
     Position16 = 0,
-    /// Position, 24 bits.
     #[default]
     Position24 = 1,
     /// Position, 16 bits, and velocity.
@@ -41,12 +38,12 @@ impl SamplePacking {
     pub const ALL: [Self; 4] =
         [Self::Position16, Self::Position24, Self::Position16Velocity, Self::Position24Velocity];
 
-    /// The packing with this number.
+    /// Returns the packing with this number.
     pub fn new(number: u8) -> Option<Self> {
         Self::ALL.get(usize::from(number)).copied()
     }
 
-    /// Bytes for one key.
+    /// Returns the bytes for one key.
     pub const fn key_len(self) -> usize {
         match self {
             Self::Position16 => 2,
@@ -56,17 +53,17 @@ impl SamplePacking {
         }
     }
 
-    /// Bytes of a frame with `n_keys` keys, without padding.
+    /// Returns the bytes of a frame with `n_keys` keys, without padding.
     pub const fn frame_len(self, n_keys: usize) -> usize {
         HEADER_LEN + n_keys * self.key_len()
     }
 
-    /// Whether positions have 16 bits only.
+    /// Tells whether positions have 16 bits only.
     const fn is_short(self) -> bool {
         matches!(self, Self::Position16 | Self::Position16Velocity)
     }
 
-    /// Whether there is a velocity.
+    /// Tells whether there is a velocity.
     pub const fn has_velocity(self) -> bool {
         matches!(self, Self::Position16Velocity | Self::Position24Velocity)
     }
@@ -132,7 +129,7 @@ impl KeySamples {
     }
 }
 
-/// The position in one key's bytes.
+/// Returns the position in one key's bytes.
 fn position(packing: SamplePacking, key: &[u8]) -> Counts {
     match *key {
         [low, high, ..] if packing.is_short() => {

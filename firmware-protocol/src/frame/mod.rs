@@ -71,13 +71,13 @@ impl FrameKind {
         Self::Hello,
     ];
 
-    /// The kind that a frame says it is; none if it is empty or of no known kind.
+    /// Returns the kind that a frame says it is; none if it is empty or of no known kind.
     pub fn of(frame: &[u8]) -> Option<Self> {
         Self::ALL.get(usize::from(frame.first()? >> field::KIND_SHIFT)).copied()
     }
 }
 
-/// The board that a frame is from or for; none if it is for all, or empty.
+/// Returns the board that a frame is from or for; none if it is for all, or empty.
 pub fn board_of(frame: &[u8]) -> Option<BoardId> {
     BoardId::new(frame.first()? & field::BOARD)
 }
@@ -100,10 +100,7 @@ pub struct Header {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DecodeError {
     /// Too short, or longer than this frame can be.
-    Length {
-        /// Bytes that came.
-        got: usize,
-    },
+    Length { got: usize },
     /// Another kind of frame, or none; the number that stands there.
     Kind(u8),
     /// No board has this number.
@@ -115,13 +112,10 @@ pub enum DecodeError {
     /// Something follows the last value.
     Padding,
     /// A value that has no meaning: which byte.
-    Value {
-        /// Its place.
-        at: usize,
-    },
+    Value { at: usize },
 }
 
-/// The first byte of a frame.
+/// Returns the first byte of a frame.
 pub(crate) const fn head(kind: FrameKind, board: u8) -> u8 {
     (kind as u8) << field::KIND_SHIFT | board & field::BOARD
 }
@@ -139,7 +133,7 @@ pub(crate) fn check_board(first: u8, kind: FrameKind) -> Result<BoardId, DecodeE
     BoardId::new(board).ok_or(DecodeError::NoSuchBoard(board))
 }
 
-/// Whether the flag is set in the first byte.
+/// Tells whether the flag is set in the first byte.
 pub(crate) const fn flag(first: u8) -> bool {
     first >> field::FLAG_SHIFT & 1 != 0
 }

@@ -34,7 +34,6 @@ pub struct MulticastForces {
     pub sequence: SequenceNumber,
     /// Bus time (us) when the forces were worked out.
     pub stamp_us: u16,
-    /// Render no force.
     pub flag: bool,
     /// Force of each key.
     pub forces: [Millinewtons; GROUP],
@@ -68,7 +67,7 @@ impl MulticastForces {
         })
     }
 
-    /// The frame's bytes.
+    /// Returns the frame's bytes.
     pub fn encode(&self) -> [u8; LEN] {
         let mut bytes = [0; LEN];
         let [low, high] = self.stamp_us.to_le_bytes();

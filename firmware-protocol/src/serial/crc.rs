@@ -10,7 +10,7 @@ pub(super) const LEN: usize = 2;
 
 const CCITT: Crc<u16> = Crc::<u16>::new(&CRC_16_IBM_3740);
 
-/// The checksum of `bytes`, little-endian.
+/// Returns the checksum of `bytes`, little-endian.
 pub(super) fn checksum(bytes: &[u8]) -> [u8; LEN] {
     CCITT.checksum(bytes).to_le_bytes()
 }

@@ -19,7 +19,7 @@ const END: u8 = 0;
 /// The frame is longer than [`MAX_FRAME`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TooLong {
-    /// Its length (bytes).
+    /// Length of the frame (bytes).
     pub len: usize,
 }
 

@@ -31,7 +31,7 @@ pub struct Balance {
     empty: Travelled,
     /// The weight's force (N).
     weight: f64,
-    /// Largest push (N).
+    /// Largest push that is tried (N).
     most: f64,
 }
 

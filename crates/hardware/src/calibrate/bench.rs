@@ -91,13 +91,13 @@ impl std::fmt::Debug for Bench {
 }
 
 impl Bench {
-    /// A bench for boards that were armed as if they were nominal.
+    /// Returns a bench for boards that were armed as if they were nominal.
     pub fn new(keybed: Keybed<Armed>) -> Self {
         Self::watched(keybed, |_keybed| None)
     }
 
-    /// The same, with `watch` to end what is measured: it is asked before each exchange, and for
-    /// [`Ending::AtOnce`] it has told the boards already.
+    /// Returns the same, with `watch` to end what is measured: it is asked before each exchange,
+    /// and for [`Ending::AtOnce`] it has told the boards already.
     pub fn watched(
         keybed: Keybed<Armed>,
         watch: impl FnMut(&mut Keybed<Armed>) -> Option<Ending> + 'static,
@@ -108,18 +108,18 @@ impl Bench {
         Self { keybed, watch, ending, samples, forces: [0.0; KEYS], tick: 0, due }
     }
 
-    /// How measurements were ended, if they were; from then on none is made.
+    /// Returns how measurements were ended, if they were; from then on none is made.
     pub const fn ending(&self) -> Option<Ending> {
         self.ending
     }
 
-    /// The boards again, without forces.
+    /// Returns the boards again, without forces.
     pub fn release(mut self) -> Keybed<Armed> {
         self.keybed.disarm();
         self.keybed
     }
 
-    /// The boards.
+    /// Returns the boards that are measured.
     pub const fn keybed(&self) -> &Keybed<Armed> {
         &self.keybed
     }
@@ -248,14 +248,14 @@ impl Bench {
         self.keybed.send(self.tick, &self.forces);
     }
 
-    /// Where `key` is, if that is known (m).
+    /// Returns where `key` is, if that is known (m).
     fn position(&self, key: KeyIndex) -> Option<f64> {
         let KeySample { position, age, .. } = self.samples[key.index()];
         let age_us = u64::from(age).saturating_mul(self.keybed.period_us());
         (age_us <= STALE_US).then_some(position)
     }
 
-    /// The host's clock (s).
+    /// Returns the host's clock (s).
     fn seconds(&self) -> f64 {
         self.keybed.now_us() as f64 * 1e-6
     }

@@ -18,7 +18,7 @@ const LONGEST: f64 = 60.0;
 /// A push, and what the key does under it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct KeyPush {
-    /// Down positive (N).
+    /// Push on the key, down positive (N).
     push: f64,
     /// Rest of the key (m).
     rest: f64,
@@ -84,22 +84,22 @@ impl KeyPush {
         }
     }
 
-    /// For how long the key has stood still (s).
+    /// Returns for how long the key has stood still (s).
     pub(super) fn still_for(&self) -> f64 {
         self.times.0 - self.stand.1
     }
 
-    /// How far below its rest the key is (m).
+    /// Returns how far below its rest the key is (m).
     pub(super) fn depth(&self) -> f64 {
         self.position - self.rest
     }
 
-    /// Where the key is (m).
+    /// Returns where the key is (m).
     pub(super) const fn position(&self) -> f64 {
         self.position
     }
 
-    /// The push (N, down positive).
+    /// Returns the push (N, down positive).
     pub(super) const fn push(&self) -> f64 {
         self.push
     }

@@ -38,7 +38,7 @@ pub const WEIGHTS: (f64, f64) = (0.03, 0.15);
 /// Standard acceleration of free fall (m/s^2).
 pub const G: f64 = 9.806_65;
 
-/// What comes next.
+/// What a measurement does next.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Next<T> {
     /// Push the key so much (N, down positive).
@@ -46,8 +46,8 @@ pub enum Next<T> {
     Done(T),
 }
 
-/// A key's calibration from what was measured where `nominal` said how it reads; `gain` is what
-/// must be asked of the motor for a newton (1).
+/// Returns a key's calibration from what was measured where `nominal` said how it reads; `gain` is
+/// what must be asked of the motor for a newton (1).
 pub fn calibrated(
     nominal: &KeyCalibration,
     rested: &Rested,
@@ -63,7 +63,7 @@ pub fn calibrated(
     }
 }
 
-/// What the board in whose `slot` the key is keeps of its calibration.
+/// Returns what the board in whose `slot` the key is keeps of its calibration.
 pub fn record(slot: u8, key: &KeyCalibration) -> wire::KeyCalibration {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
     let gain_permille = (1e3 / key.gain).round() as u16;

@@ -4,7 +4,7 @@ use super::{CalibrationFault, Next};
 
 /// How long a key is looked at (s).
 pub const TIME: f64 = 0.3;
-/// Largest spread of the readings of a key that nobody touches (m).
+/// Largest spread of the readings of a key that is not touched (m).
 pub const MOST_SPREAD: f64 = 0.1e-3;
 /// Fewest samples of which a mean is taken.
 const FEWEST: u32 = 20;

@@ -62,7 +62,7 @@ pub struct Travelled {
 }
 
 impl TripMeasurement {
-    /// The trip of a key that rests there.
+    /// Returns the trip of a key that rests there.
     pub const fn new(rested: &Rested) -> Self {
         let key = KeyPush::new(rested.position, rested.spread);
         Self { key, phase: TripPhase::Leaving, left_by: 0.0 }

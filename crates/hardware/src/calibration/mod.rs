@@ -24,7 +24,7 @@ pub struct KeyCalibration {
     pub friction: f64,
 }
 
-/// How far a key goes down, as long as nobody has measured it (m).
+/// How far a key goes down that was never measured (m).
 const USUAL_TRAVEL: f64 = 10.16e-3;
 
 impl Default for KeyCalibration {
@@ -43,48 +43,48 @@ pub struct MeasurementPoint {
 }
 
 impl KeyCalibration {
-    /// A key that nobody has measured, with a displacement of `quantum` (m) for each count.
+    /// Returns a key that was never measured, with a displacement of `quantum` (m) for each count.
     pub fn nominal(quantum: f64) -> Self {
         let rest = Counts::default();
         let bottom = Counts::saturating(nearest(USUAL_TRAVEL / quantum));
         Self { rest, quantum, gain: 1.0, bottom, friction: 0.0 }
     }
 
-    /// Whether nobody has measured it.
+    /// Tells whether it was never measured.
     pub fn is_nominal(&self) -> bool {
         let nominal = Self::nominal(self.quantum);
         *self == nominal || *self == nominal.unmeasured()
     }
 
-    /// The same of which not even that is known, how far it goes down: it may be anywhere.
+    /// Returns the same of which not even that is known, how far it goes down: it may be anywhere.
     #[must_use]
     pub const fn unmeasured(self) -> Self {
         Self { bottom: self.rest, ..self }
     }
 
-    /// How far the key goes down (m); 0 if that is not known.
+    /// Returns how far the key goes down (m); 0 if that is not known.
     pub fn travel(&self) -> f64 {
         self.position(self.bottom)
     }
 
-    /// Key-front displacement at a reading, down positive (m).
+    /// Returns the key-front displacement at a reading, down positive (m).
     pub fn position(&self, counts: Counts) -> f64 {
         // Both have 24 bits, so the difference is exact.
         f64::from(counts.get() - self.rest.get()) * self.quantum
     }
 
-    /// The reading nearest to `position` (m); the edge of 24 bits for what is beyond.
+    /// Returns the reading nearest to `position` (m); the edge of 24 bits for what is beyond.
     pub fn counts(&self, position: f64) -> Counts {
         Counts::saturating(nearest(position / self.quantum).saturating_add(self.rest.get()))
     }
 
-    /// What to ask of this motor for `force` (N); nothing at all if it is not finite.
+    /// Returns what to ask of this motor for `force` (N); nothing at all if it is not finite.
     pub fn millinewtons(&self, force: f64) -> Millinewtons {
         millinewtons(force * self.gain)
     }
 
-    /// What to ask of this motor, where it was measured at `here`, for a force of `force` (N)
-    /// that goes on with `slope` from another place.
+    /// Returns what to ask of this motor, where it was measured at `here`, for a force of `force`
+    /// (N) that goes on with `slope` from another place.
     ///
     /// The slopes on the wire are coarse, the force is not: it is taken to `here` along the
     /// slopes that are sent, so that the board renders `force` exactly where it was meant.
@@ -117,34 +117,34 @@ const DAMPING_UNIT: f64 = SlopeCode::DAMPING_UNIT as f64 * 1e-3;
 /// Largest force that a frame can hold (N).
 const LARGEST: f64 = 32.767;
 
-/// The wire's value nearest to `force` (N); no force at all if it is not finite.
+/// Returns the wire's value nearest to `force` (N); no force at all if it is not finite.
 pub fn millinewtons(force: f64) -> Millinewtons {
     let force = if force.is_finite() { force } else { 0.0 };
     Millinewtons::saturating(nearest(force * 1e3))
 }
 
-/// The force (N) that a wire's value means.
+/// Returns the force (N) that a wire's value means.
 pub fn newtons(force: Millinewtons) -> f64 {
     f64::from(force.get()) / 1e3
 }
 
-/// The speed (m/s) that a wire's value means.
+/// Returns the speed (m/s) that a wire's value means.
 pub fn metres_per_second(speed: SpeedCode) -> f64 {
     f64::from(speed.get()) * (f64::from(SpeedCode::MICROMETRES_PER_SECOND) * 1e-6)
 }
 
-/// The wire's value nearest to `speed` (m/s).
+/// Returns the wire's value nearest to `speed` (m/s).
 pub fn speed(speed: f64) -> SpeedCode {
     SpeedCode::saturating(nearest(speed * (1e6 / f64::from(SpeedCode::MICROMETRES_PER_SECOND))))
 }
 
-/// The stiffness (N/m) and damping (N s/m) that the wire's values mean.
+/// Returns the stiffness (N/m) and damping (N s/m) that the wire's values mean.
 pub fn slopes(slopes: KeySlopes) -> (f64, f64) {
     let KeySlopes { stiffness, damping } = slopes;
     (f64::from(stiffness.get()) * STIFFNESS_UNIT, f64::from(damping.get()) * DAMPING_UNIT)
 }
 
-/// The whole number nearest to `value`; the edge of `i32` beyond it, 0 for NaN.
+/// Returns the whole number nearest to `value`; the edge of `i32` beyond it, 0 for NaN.
 fn nearest(value: f64) -> i32 {
     #[expect(clippy::cast_possible_truncation, reason = "saturation is the contract")]
     let whole = value.round() as i32;

@@ -28,7 +28,7 @@ const FADE_US: u64 = 20_000;
 /// Lights that may be asked for at once.
 const MOST_IDENTIFY_REQUESTS: usize = 32;
 
-/// Armed boards.
+/// The boards render forces.
 #[derive(Debug)]
 pub struct Armed {
     bus: Box<KeybedBus>,
@@ -55,7 +55,7 @@ pub struct BoardReport {
     pub name: BoardName,
     /// Where it is, and its keys.
     pub place: BoardPlace,
-    /// Whether somebody has measured how its keys read.
+    /// Its keys were measured: how they read is not only what it says itself.
     pub is_calibrated: bool,
     /// What it has sent and was sent.
     pub statistics: BoardStatistics,
@@ -104,7 +104,7 @@ impl Armed {
         }
     }
 
-    /// The line or board at `place`, lines first, as it is now; nothing behind the last.
+    /// Returns the line or board at `place`, lines first, as it is now; nothing behind the last.
     fn snapshot(
         bus: &KeybedBus,
         supervisor: &BoardSupervisor,
@@ -150,7 +150,7 @@ fn outdate(sample: &mut KeySample) {
     }
 }
 
-/// Whole ticks in some that are not negative.
+/// Returns whole ticks in some that are not negative.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 const fn whole(ticks: f64) -> u32 {
     ticks as u32
@@ -201,12 +201,12 @@ impl Keybed<Armed> {
         self.stage.supervisor.request_light(board);
     }
 
-    /// Whether all boards render forces.
+    /// Tells whether all boards render forces.
     pub fn is_ready(&self) -> bool {
         self.stage.supervisor.is_ready()
     }
 
-    /// Whether every board renders forces, or may not be armed.
+    /// Tells whether every board renders forces, or may not be armed.
     pub(super) fn is_settled(&self) -> bool {
         self.stage.supervisor.is_settled()
     }
@@ -224,28 +224,28 @@ impl Keybed<Armed> {
         }
     }
 
-    /// The newest sample of every key, as old as it is since it came.
+    /// Returns the newest sample of every key, as old as it is since it came.
     pub const fn newest(&self) -> &[KeySample; KEYS] {
         self.stage.bus.samples()
     }
 
-    /// What was agreed with each board.
+    /// Returns what was agreed with each board.
     pub fn terms(&self) -> impl Iterator<Item = &BoardTerms> {
         self.stage.bus.boards().iter().map(BoardEnd::terms)
     }
 
-    /// Time between two exchanges (us).
+    /// Returns the time between two exchanges (us).
     pub const fn period_us(&self) -> u64 {
         self.stage.period_us
     }
 
-    /// Times that the board of `key` was armed, if it renders forces.
+    /// Returns how often the board of `key` was armed, if it renders forces.
     pub fn armings(&self, key: KeyIndex) -> Option<u64> {
         let has = |it: &BoardTerms| it.place.keys().contains(&key.index());
         self.stage.supervisor.armings(self.terms().position(has)?)
     }
 
-    /// From when on gestures and frames count: host time (us).
+    /// Sets the host time from which on gestures and frames count (us).
     ///
     /// What has come before is thrown away.
     pub fn begin_at(&mut self, origin_us: u64) {
@@ -275,7 +275,7 @@ impl Keybed<Armed> {
 
     /// Tells every board that it shall render no force; does not wait for answers.
     ///
-    /// One that was stopped, or has failed, is left as it is until somebody sees to it.
+    /// One that was stopped, or has failed, is left as it is until a person sees to it.
     pub fn disarm(&mut self) {
         let Armed { bus, supervisor, .. } = &self.stage;
         let boards = bus.boards().iter().enumerate();
@@ -292,7 +292,7 @@ impl Keybed<Armed> {
         }
     }
 
-    /// What became of each board.
+    /// Returns what became of each board.
     pub fn board_reports(&self) -> Vec<BoardReport> {
         let Armed { bus, supervisor, names, .. } = &self.stage;
         let reports = bus.boards().iter().zip(names).enumerate().map(|(index, (board, name))| {
@@ -310,7 +310,7 @@ impl Keybed<Armed> {
         reports.flatten().collect()
     }
 
-    /// What became of each line.
+    /// Returns what became of each line.
     pub fn line_reports(&self) -> Vec<LineReport> {
         let Armed { bus, supervisor, since_us, .. } = &self.stage;
         let seconds = supervisor.now().saturating_sub(*since_us) as f64 * 1e-6;
@@ -324,7 +324,7 @@ impl Keybed<Armed> {
         lines.map(report).collect()
     }
 
-    /// Why boards do not render forces after `seconds` of trying.
+    /// Returns why boards do not render forces after `seconds` of trying.
     pub(super) fn refusals(&self, seconds: f64) -> Vec<Refusal> {
         let boards = self.board_reports().into_iter().enumerate();
         let refusal = |(index, report): (usize, BoardReport)| {
@@ -361,7 +361,7 @@ impl Keybed<Armed> {
     }
 }
 
-/// Frames of samples that came, and of forces that went.
+/// Returns the frames of samples that came, and of forces that went.
 const fn exchanged(statistics: &BoardStatistics) -> (u64, u64) {
     (statistics.samples.frames, statistics.sent)
 }

@@ -10,7 +10,7 @@ use super::{Keybed, LOOK, NamedLink};
 use crate::refusal::{BoardName, Refusal};
 use crate::request_channel::RequestChannel;
 
-/// Whoever asks one board, and the numbers of its requests.
+/// The single requests to one board, with their numbers.
 #[derive(Clone, Debug)]
 pub struct Asker {
     line: usize,
@@ -19,7 +19,7 @@ pub struct Asker {
 }
 
 impl<S> Keybed<S> {
-    /// Somebody who asks `board` on `line`.
+    /// Returns the means to ask `board` on `line`.
     ///
     /// Not while an armed keybed is attended: a board answers one request at a time.
     pub fn asker(&mut self, line: usize, board: BoardId) -> Asker {
@@ -28,7 +28,7 @@ impl<S> Keybed<S> {
         let name = self.lines.get(line).map_or_else(String::new, |it| it.name.clone());
         let name = BoardName { line: name, number: board.number() };
         let mut asker = Asker { line, name, channel };
-        // If somebody else's last request had this number, the board repeats its answer to
+        // If the last request of another host had this number, the board repeats its answer to
         // that: let it be the answer to nothing.
         let _whatever = self.ask::<_, Nothing>(&mut asker, Operation::Ping, &Nothing);
         asker

@@ -10,7 +10,7 @@ use crate::refusal::{BoardName, Refusals};
 use crate::rt::board::BoardTerms;
 use crate::rt::board_supervisor::BoardSupervisor;
 use crate::rt::bus::KeybedBus;
-use crate::rt::terms::{Agreed, Terms};
+use crate::rt::terms::{BoardAgreement, Terms};
 use crate::topology::BoardPlace;
 
 /// The boards are known and measured.
@@ -22,12 +22,12 @@ pub struct Calibrated {
 }
 
 impl Keybed<Calibrated> {
-    /// Where the boards are, and which keys they carry.
+    /// Returns where the boards are, and which keys they carry.
     pub fn places(&self) -> impl Iterator<Item = &BoardPlace> {
         self.stage.boards.iter().map(|board| &board.place)
     }
 
-    /// The boards that nobody has calibrated, and what a command takes for their links.
+    /// Returns the boards that were never calibrated, and what a command takes for their links.
     pub fn uncalibrated(&self) -> impl Iterator<Item = (BoardName, &str)> {
         let boards = self.stage.boards.iter().filter(|it| !it.is_calibrated());
         boards.map(|it| {
@@ -36,7 +36,7 @@ impl Keybed<Calibrated> {
         })
     }
 
-    /// Whether all boards have simulated fingers.
+    /// Tells whether all boards have simulated fingers.
     pub fn has_fingers(&self) -> bool {
         self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
     }
@@ -86,7 +86,7 @@ impl Keybed<Calibrated> {
     }
 }
 
-/// Throws away what has come while nobody read: boards may have streamed to another host, and
+/// Throws away what has come before: boards may have streamed to another host, and
 /// what a full queue had no room for would look like frames that were lost.
 fn forget_the_past(line: &mut NamedLink) {
     /// More than any queue holds.
@@ -98,11 +98,11 @@ fn forget_the_past(line: &mut NamedLink) {
     }
 }
 
-/// What is agreed with each board.
+/// Returns what is agreed with each board.
 ///
 /// Those on one line are asked to begin in turns. Each goes on by its own clock, so they drift
 /// apart; nothing relies on it, and plans take all at once.
-fn phases(stage: &Calibrated, terms: Terms) -> Vec<Agreed> {
+fn phases(stage: &Calibrated, terms: Terms) -> Vec<BoardAgreement> {
     let on_line = |line| stage.boards.iter().filter(move |it| it.place.line == line);
     let agreed = stage.boards.iter().zip(&stage.uids).map(|(board, uid)| {
         let line = board.place.line;
@@ -111,7 +111,7 @@ fn phases(stage: &Calibrated, terms: Terms) -> Vec<Agreed> {
         let turn = u16::try_from(before).unwrap_or(0);
         // Boards work things out every 100 us, and can send only then.
         let phase_us = terms.period_us / n * turn / 100 * 100;
-        Agreed { place: board.place, uid: *uid, phase_us, terms }
+        BoardAgreement { place: board.place, uid: *uid, phase_us, terms }
     });
     agreed.collect()
 }

@@ -23,13 +23,13 @@ pub struct FoundBoard {
 }
 
 impl FoundBoard {
-    /// What it is called in sentences.
+    /// Returns what it is called in sentences.
     pub(super) fn name(&self, lines: &[NamedLink]) -> BoardName {
         let line = lines.get(self.line).map_or_else(String::new, |line| line.name.clone());
         BoardName { line, number: self.board.number() }
     }
 
-    /// Who it is.
+    /// Returns the hello that the board says.
     pub const fn uid(&self) -> Uid {
         Uid(self.hello.uid)
     }
@@ -39,12 +39,12 @@ impl FoundBoard {
         ClaimedKeys { first: self.hello.first_key, n: self.hello.n_keys }
     }
 
-    /// How its keys read as long as nobody has measured them.
+    /// Returns how its keys read as long as they were not measured.
     pub fn nominal(&self) -> KeyCalibration {
         KeyCalibration::nominal(f64::from(self.hello.quantum_nm) * 1e-9)
     }
 
-    /// Its place, if it can carry these keys.
+    /// Returns its place, if it can carry these keys.
     fn place(&self) -> Option<BoardPlace> {
         let first_key = KeyIndex::new(self.hello.first_key)?;
         let n_keys = self.hello.n_keys.into();
@@ -73,7 +73,7 @@ pub struct WantedBoards {
 }
 
 impl Keybed<Identified> {
-    /// The boards that answered.
+    /// Returns the boards that answered.
     pub fn boards(&self) -> &[FoundBoard] {
         &self.stage.found
     }
@@ -83,7 +83,7 @@ impl Keybed<Identified> {
         self.stage.found.retain(are_wanted);
     }
 
-    /// What the board is called in sentences.
+    /// Returns what the board is called in sentences.
     pub fn name(&self, found: &FoundBoard) -> BoardName {
         found.name(&self.lines)
     }
@@ -126,7 +126,7 @@ impl Keybed<Identified> {
     }
 }
 
-/// What the host must know of a board at `place`.
+/// Returns what the host must know of a board at `place`.
 const fn terms(
     place: BoardPlace,
     wanted: &WantedBoards,

@@ -54,7 +54,7 @@ pub struct NamedLink {
 }
 
 impl NamedLink {
-    /// A link of which only its name is known.
+    /// Returns a link of which only its name is known.
     pub fn new(name: impl Into<String>, link: Box<dyn Link + Send>) -> Self {
         let name = name.into();
         Self { address: name.clone(), name, link, medium: None }
@@ -68,23 +68,23 @@ impl std::fmt::Debug for NamedLink {
 }
 
 impl<S> Keybed<S> {
-    /// The names of the lines.
+    /// Returns the names of the lines.
     pub fn line_names(&self) -> impl Iterator<Item = &str> {
         self.lines.iter().map(|line| line.name.as_str())
     }
 
-    /// What each line is made of, if that is known.
+    /// Returns what each line is made of, if that is known.
     pub fn media(&self) -> impl Iterator<Item = Option<Medium>> {
         self.lines.iter().map(|line| line.medium)
     }
 
-    /// The host's clock now (us).
+    /// Returns the host's clock now (us).
     pub fn now_us(&self) -> u64 {
         (self.clock)()
     }
 }
 
-/// What a command takes for the line that is called `name`.
+/// Returns what a command takes for the line that is called `name`.
 fn address(lines: &[NamedLink], name: &str) -> String {
     let line = lines.iter().find(|line| line.name == name);
     line.map_or_else(|| name.to_owned(), |line| line.address.clone())

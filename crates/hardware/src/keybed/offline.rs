@@ -26,7 +26,7 @@ const QUIET_US: u64 = 300_000;
 pub struct Offline;
 
 impl Keybed<Offline> {
-    /// Boards behind `lines`, which were opened before.
+    /// Returns the boards behind `lines`, which were opened before.
     pub const fn new(lines: Vec<NamedLink>, clock: MicrosClock) -> Self {
         Self { lines, stage: Offline, clock }
     }
@@ -40,7 +40,7 @@ impl Keybed<Offline> {
         if refusals.0.is_empty() { Ok(keybed) } else { Err(refusals) }
     }
 
-    /// The same for who wants to know of boards beside what is wrong with others.
+    /// Does the same, and returns the boards that are right beside what is wrong with others.
     pub fn look(mut self, patience_us: u64) -> (Keybed<Identified>, Refusals) {
         let clock = self.clock;
         let start = clock();

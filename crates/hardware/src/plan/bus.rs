@@ -97,7 +97,7 @@ struct Traffic {
     kind: TrafficKind,
     /// Before it is framed (bytes).
     bytes: usize,
-    /// How often (Hz).
+    /// How often it comes (Hz).
     rate: f64,
 }
 
@@ -110,21 +110,21 @@ impl Traffic {
         matches!(self.kind, TrafficKind::Sync | TrafficKind::Forces | TrafficKind::Request)
     }
 
-    /// Share of the medium's time.
+    /// Returns the share of the medium's time.
     fn load(&self, medium: Medium) -> f64 {
         self.rate * medium.time(self.bytes, Stuffing::Most) * 1e-6
     }
 }
 
 impl BusPlan {
-    /// Share of the bus's time that is taken at worst; of the busier direction, if the two
-    /// do not take turns.
+    /// Returns the share of the bus's time that is taken at worst; of the busier direction, if the
+    /// two do not take turns.
     pub fn load(&self) -> f64 {
         let loads = self.lanes().map(|lane| self.sum(&lane, |_| true));
         loads.into_iter().fold(0.0, f64::max)
     }
 
-    /// By how much both rates can be multiplied until the load is `limit`.
+    /// Returns by how much both rates can be multiplied until the load is `limit`.
     pub(super) fn stretch(&self, limit: f64) -> f64 {
         let factors = self.lanes().map(|lane| {
             let cyclic = self.sum(&lane, Traffic::is_cyclic);
@@ -134,13 +134,13 @@ impl BusPlan {
         factors.into_iter().fold(f64::INFINITY, f64::min).max(0.0)
     }
 
-    /// How long the most urgent frame waits for one that is on its way, at worst (us).
+    /// Returns how long the most urgent frame waits for one that is on its way, at worst (us).
     pub fn blocking(&self) -> f64 {
         let lanes = self.lanes();
         lanes.iter().map(|lane| self.blocking_in(lane)).fold(0.0, f64::max)
     }
 
-    /// How long the least urgent of the force frames takes to arrive, at worst (us).
+    /// Returns how long the least urgent of the force frames takes to arrive, at worst (us).
     ///
     /// None if it may wait for ever, or if there is none.
     pub fn force_response(&self) -> Option<f64> {
@@ -156,20 +156,20 @@ impl BusPlan {
         worst_response(self.blocking_in(&down), &higher, time(down.get(last)?))
     }
 
-    /// The longest time for which nothing else can be sent (us).
+    /// Returns the longest time for which nothing else can be sent (us).
     fn blocking_in(&self, lane: &[Traffic]) -> f64 {
         let sent = lane.iter().filter(|it| 0.0 < it.rate);
         sent.map(|it| self.medium.blocking(it.bytes)).fold(0.0, f64::max)
     }
 
-    /// Share of the bus's time that those of `lane` take that `count`.
+    /// Returns the share of the bus's time that those of `lane` take that `count`.
     fn sum(&self, lane: &[Traffic], count: impl Fn(&Traffic) -> bool) -> f64 {
         // Not `sum`, which makes -0 of nothing, and a factor of -infinity of that.
         let loads = lane.iter().filter(|it| count(it)).map(|it| it.load(self.medium));
         loads.fold(0.0, |sum, load| sum + load)
     }
 
-    /// What does not take turns with one another, most urgent first: what goes down, with
+    /// Returns what does not take turns with one another, most urgent first: what goes down, with
     /// or without what comes up, and the rest.
     fn lanes(&self) -> [Vec<Traffic>; 2] {
         let shared = self.medium.is_shared();
@@ -177,7 +177,7 @@ impl BusPlan {
         [down, up]
     }
 
-    /// All that goes over the bus, most urgent first.
+    /// Returns all that goes over the bus, most urgent first.
     fn traffic(&self) -> Vec<Traffic> {
         let of = |kind, bytes, rate| Traffic { kind, bytes, rate };
         let mut all: Vec<_> = self
@@ -207,12 +207,12 @@ impl BusPlan {
         all
     }
 
-    /// Whether forces are for all boards.
+    /// Tells whether forces are for all boards.
     fn is_for_all(&self) -> bool {
         self.forces == ForcePacking::Multicast16
     }
 
-    /// How long each of the force frames of a cycle is (bytes).
+    /// Returns how long each of the force frames of a cycle is (bytes).
     fn force_frames(&self) -> Vec<usize> {
         if !self.is_for_all() {
             let len = |keys: &KeyRange| self.forces.frame_len(keys.numbers().len());
@@ -227,8 +227,8 @@ impl BusPlan {
     }
 }
 
-/// How many groups of keys these boards have a key of: each takes a whole frame, whether it has
-/// one of them or thirty.
+/// Returns how many groups of keys these boards have a key of: each takes a whole frame, whether it
+/// has one of them or thirty.
 fn groups(boards: &[KeyRange]) -> usize {
     let has = |keys: &KeyRange, group: usize| {
         keys.first().index() < (group + 1) * GROUP && group * GROUP <= keys.last().index()

@@ -32,7 +32,8 @@ pub enum Stuffing {
 }
 
 impl Stuffing {
-    /// Stuff bits among `bits`: the first comes after five, each further one after four.
+    /// Returns the stuff bits among `bits`: the first comes after five, each further one after
+    /// four.
     const fn among(self, bits: usize) -> usize {
         match self {
             Self::Fewest => 0,
@@ -41,7 +42,7 @@ impl Stuffing {
     }
 }
 
-/// Length of a classic frame with a payload of `bytes`, at most 8 (bits).
+/// Returns the length of a classic frame with a payload of `bytes`, at most 8 (bits).
 pub const fn classic_bits(id: Id, bytes: usize, stuffing: Stuffing) -> usize {
     // Start, identifier, flags, length, and the CRC behind the payload.
     let fixed = match id {
@@ -52,7 +53,7 @@ pub const fn classic_bits(id: Id, bytes: usize, stuffing: Stuffing) -> usize {
     stuffed + stuffing.among(stuffed) + CLASSIC_TAIL
 }
 
-/// Time of a classic frame at `bitrate` (bit/s) on the bus (us).
+/// Returns the time of a classic frame at `bitrate` (bit/s) on the bus (us).
 pub fn classic_time(id: Id, bytes: usize, stuffing: Stuffing, bitrate: u32) -> f64 {
     micros(classic_bits(id, bytes, stuffing), bitrate)
 }
@@ -67,7 +68,7 @@ pub struct FdBits {
 }
 
 impl FdBits {
-    /// Length of a frame that switches rates, with a payload of `bytes`, one of
+    /// Returns the length of a frame that switches rates, with a payload of `bytes`, one of
     /// [`firmware_protocol::can::LENGTHS`].
     ///
     /// The bits in which the rate switches belong half to each rate; the first is counted
@@ -89,13 +90,13 @@ impl FdBits {
         }
     }
 
-    /// Its time on a bus of these rates (bit/s) (us).
+    /// Returns its time on a bus of these rates (bit/s) (us).
     pub fn time(self, nominal: u32, data: u32) -> f64 {
         micros(self.nominal, nominal) + micros(self.data, data)
     }
 }
 
-/// Time of so many bits at a rate (bit/s) (us).
+/// Returns the time of so many bits at a rate (bit/s) (us).
 fn micros(bits: usize, rate: u32) -> f64 {
     bits as f64 * 1e6 / f64::from(rate)
 }

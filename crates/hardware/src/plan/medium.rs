@@ -15,7 +15,7 @@ use super::usb::UsbRate;
 pub enum Medium {
     /// Classic CAN; a frame goes in pieces of 7 bytes.
     ClassicCan {
-        /// Rate (bit/s).
+        /// Rate of all bits (bit/s).
         bitrate: u32,
     },
     /// CAN FD with rate switch; a frame above 64 bytes goes as several.
@@ -27,7 +27,7 @@ pub enum Medium {
     },
     /// An asynchronous serial line.
     Uart {
-        /// Rate (bit/s).
+        /// Rate of all bits (bit/s).
         baud: u32,
         /// Who may speak at a time.
         wiring: Wiring,
@@ -40,7 +40,7 @@ pub enum Medium {
 }
 
 impl Medium {
-    /// How long a frame of `bytes` has the medium for itself (us).
+    /// Returns how long a frame of `bytes` has the medium for itself (us).
     ///
     /// # Real-time
     /// A few dozen operations, whatever the length.
@@ -55,7 +55,7 @@ impl Medium {
         full as f64 * self.piece_time(piece, stuffing) + last
     }
 
-    /// How long a frame of `bytes` keeps the most urgent other one waiting, at worst (us).
+    /// Returns how long a frame of `bytes` keeps the most urgent other one waiting, at worst (us).
     pub fn blocking(self, bytes: usize) -> f64 {
         match self {
             Self::UsbFullSpeed => UsbRate::Full.frame_time(),
@@ -66,7 +66,7 @@ impl Medium {
         }
     }
 
-    /// Of a frame, what goes at once (bytes).
+    /// Returns what goes at once of a frame (bytes).
     fn piece(self, bytes: usize) -> usize {
         match self {
             Self::ClassicCan { .. } => bytes.min(PIECE),
@@ -75,7 +75,7 @@ impl Medium {
         }
     }
 
-    /// How long a piece takes that goes at once (us).
+    /// Returns how long a piece takes that goes at once (us).
     fn piece_time(self, bytes: usize, stuffing: Stuffing) -> f64 {
         match self {
             Self::ClassicCan { bitrate } => {
@@ -94,12 +94,12 @@ impl Medium {
         }
     }
 
-    /// Whether what comes up and what goes down take turns.
+    /// Tells whether what comes up and what goes down take turns.
     pub const fn is_shared(self) -> bool {
         !matches!(self, Self::Uart { wiring: Wiring::FullDuplex, .. })
     }
 
-    /// Whether one frame reaches every board.
+    /// Tells whether one frame reaches every board.
     pub const fn reaches_all(self) -> bool {
         match self {
             Self::ClassicCan { .. } | Self::CanFd { .. } => true,

@@ -25,7 +25,7 @@ pub struct MeterWindow {
 }
 
 impl Meter {
-    /// A meter that has seen nothing.
+    /// Returns a meter that has seen nothing.
     const fn new(medium: Medium) -> Self {
         Self { medium, frames: 0, least: 0.0, most: 0.0 }
     }
@@ -37,7 +37,7 @@ impl Meter {
         self.most += self.medium.time(len, Stuffing::Most);
     }
 
-    /// What it saw since it was as `earlier`.
+    /// Returns what it saw since it was as `earlier`.
     fn since(&self, earlier: &Self) -> Self {
         Self {
             medium: self.medium,
@@ -47,7 +47,7 @@ impl Meter {
         }
     }
 
-    /// What was seen in `seconds`.
+    /// Returns what was seen in `seconds`.
     fn seen(&self, seconds: f64) -> MeterWindow {
         let share = |micros: f64| micros * 1e-6 / seconds;
         MeterWindow {
@@ -67,7 +67,7 @@ pub struct LinkMeter {
 }
 
 impl LinkMeter {
-    /// A meter that has seen nothing.
+    /// Returns a meter that has seen nothing.
     pub const fn new(medium: Medium) -> Self {
         Self { down: Meter::new(medium), up: Meter::new(medium) }
     }
@@ -88,14 +88,14 @@ impl LinkMeter {
         self.up.saw(len);
     }
 
-    /// What it saw since it was as `earlier`.
+    /// Returns what it saw since it was as `earlier`.
     #[must_use]
     pub fn since(&self, earlier: &Self) -> Self {
         Self { down: self.down.since(&earlier.down), up: self.up.since(&earlier.up) }
     }
 
-    /// What was seen in `seconds`: of both directions together where they take turns, else of
-    /// the busier one, as [`super::BusPlan::load`] has it.
+    /// Returns what was seen in `seconds`: of both directions together where they take turns, else
+    /// of the busier one, as [`super::BusPlan::load`] has it.
     pub fn seen(&self, seconds: f64) -> MeterWindow {
         let (down, up) = (self.down.seen(seconds), self.up.seen(seconds));
         if self.up.medium.is_shared() {

@@ -35,7 +35,7 @@ pub enum Proposal {
 }
 
 impl BusPlan {
-    /// What this bus can carry of what is wanted of it, whatever the packing in the plan.
+    /// Returns what this bus can carry of what is wanted of it, whatever the packing in the plan.
     ///
     /// The richest packing with room to spare, else the leanest if it is only tight, else
     /// the leanest at lower rates, in the wanted proportion.
@@ -44,7 +44,7 @@ impl BusPlan {
         roomy.map_or_else(|| self.leanest(), Proposal::AsWanted)
     }
 
-    /// The packing with the smallest load, slower if it must be.
+    /// Returns the packing with the smallest load, slower if it must be.
     fn leanest(&self) -> Proposal {
         let by_load = |one: &Self, other: &Self| one.load().total_cmp(&other.load());
         let plan = self.candidates().min_by(by_load).unwrap_or_else(|| self.clone());
@@ -56,7 +56,7 @@ impl BusPlan {
         }
     }
 
-    /// The same, at the highest whole rates with room to spare; below 1 Hz, not whole.
+    /// Returns the same, at the highest whole rates with room to spare; below 1 Hz, not whole.
     fn slowed(self) -> Self {
         let factor = self.stretch(WARN);
         let slowed = |rate: f64| {
@@ -75,7 +75,7 @@ impl BusPlan {
             .map(|(samples, forces)| Self { samples, forces, ..self.clone() })
     }
 
-    /// The fewest buses like this one on which the boards fit with room to spare; none if
+    /// Returns the fewest buses like this one on which the boards fit with room to spare; none if
     /// one board is too much for one bus.
     pub fn buses_needed(&self) -> Option<usize> {
         (1..=self.boards.len()).find(|buses| {

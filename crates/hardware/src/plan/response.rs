@@ -12,7 +12,7 @@ pub struct Periodic {
 /// Longer than any that converges in use; each step lasts for a frame at least.
 const MAX_STEPS: u32 = 100_000;
 
-/// From wanting to send a frame until it has arrived, at worst (us).
+/// Returns the time from the wish to send a frame until it has arrived, at worst (us).
 ///
 /// The frame that is on the bus already ends first (`blocking`, the longest there is (us));
 /// then go all of `higher`, as often as they come meanwhile; then the frame itself, for

@@ -21,7 +21,7 @@ pub enum Wiring {
     },
 }
 
-/// What a frame of `bytes` is on the wire at most (bytes).
+/// Returns what a frame of `bytes` is on the wire at most (bytes).
 pub const fn wire_bytes(bytes: usize) -> usize {
     let checked = bytes + CRC;
     let code = 1 + checked / COBS_RUN;
@@ -29,7 +29,7 @@ pub const fn wire_bytes(bytes: usize) -> usize {
     checked + code + delimiter
 }
 
-/// Time of a frame at `baud` (bit/s) on a line that its sender has (us).
+/// Returns the time of a frame at `baud` (bit/s) on a line that its sender has (us).
 pub fn time(bytes: usize, baud: u32) -> f64 {
     wire_bytes(bytes) as f64 * BITS_PER_BYTE * 1e6 / f64::from(baud)
 }

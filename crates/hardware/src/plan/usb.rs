@@ -12,7 +12,7 @@ pub enum UsbRate {
 }
 
 impl UsbRate {
-    /// Most payload of one transaction (bytes).
+    /// Returns the most payload of one transaction (bytes).
     pub const fn payload(self) -> usize {
         match self {
             Self::Full => 64,
@@ -20,7 +20,7 @@ impl UsbRate {
         }
     }
 
-    /// What a transaction takes besides its payload (bytes).
+    /// Returns what a transaction takes besides its payload (bytes).
     const fn overhead(self) -> usize {
         match self {
             Self::Full => 13,
@@ -28,7 +28,7 @@ impl UsbRate {
         }
     }
 
-    /// What one frame has room for (bytes).
+    /// Returns what one frame has room for (bytes).
     const fn budget(self) -> usize {
         match self {
             Self::Full => 1_500,
@@ -36,7 +36,7 @@ impl UsbRate {
         }
     }
 
-    /// How long a frame is (us).
+    /// Returns how long a frame is (us).
     pub const fn frame_time(self) -> f64 {
         match self {
             Self::Full => 1_000.0,
@@ -44,12 +44,12 @@ impl UsbRate {
         }
     }
 
-    /// Transactions with a payload of `bytes` that fit into one frame.
+    /// Returns the transactions with a payload of `bytes` that fit into one frame.
     pub const fn transactions_per_frame(self, bytes: usize) -> usize {
         self.budget() / (self.overhead() + bytes)
     }
 
-    /// What a transfer takes of a frame's budget (bytes).
+    /// Returns what a transfer takes of a frame's budget (bytes).
     ///
     /// A transfer ends with a transaction that is not full; one that fills its last needs
     /// an empty one behind it.
@@ -58,7 +58,7 @@ impl UsbRate {
         bytes + transactions * self.overhead()
     }
 
-    /// Share of the wire's time, as time, that a transfer takes (us).
+    /// Returns the share of the wire's time, as time, that a transfer takes (us).
     pub const fn time(self, bytes: usize) -> f64 {
         self.cost(bytes) as f64 / self.budget() as f64 * self.frame_time()
     }

@@ -19,7 +19,7 @@ pub enum BusVerdict {
 }
 
 impl BusVerdict {
-    /// The verdict on a load; a load that is no number is refused.
+    /// Returns the verdict on a load; a load that is no number is refused.
     pub fn of(load: f64) -> Self {
         if load <= WARN {
             Self::Fits
@@ -44,7 +44,7 @@ impl BusPlan {
         BusVerdict::of(self.load())
     }
 
-    /// What the bus would carry, whether it can, and what to do if not.
+    /// Returns what the bus would carry, whether it can, and what to do if not.
     pub fn sentence(&self) -> String {
         let (what, load) = (self.what(), 100.0 * self.load());
         match self.verdict() {
@@ -64,7 +64,7 @@ impl BusPlan {
         }
     }
 
-    /// The bus and what it is asked for.
+    /// Returns the bus and what it is asked for.
     fn what(&self) -> String {
         let keys: usize = self.boards.iter().map(|it| it.numbers().len()).sum();
         format!(
@@ -77,14 +77,14 @@ impl BusPlan {
         )
     }
 
-    /// When a force arrives.
+    /// Says when a force arrives.
     fn arrival(&self) -> String {
         self.force_response().map_or_else(String::new, |response| {
             format!(", and a force arrives within {:.2} ms", response / 1e3)
         })
     }
 
-    /// What keeps the load to `limit`.
+    /// Returns what keeps the load to `limit`.
     fn way_out(&self, limit: f64) -> String {
         let factor = self.stretch(limit);
         let rate = |rate: f64| (rate * factor).floor();
@@ -100,7 +100,7 @@ impl BusPlan {
     }
 }
 
-/// A number and what is counted.
+/// Returns a number and what is counted.
 fn count(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
 }

@@ -25,7 +25,7 @@ pub struct BoardTerms {
 }
 
 impl BoardTerms {
-    /// Whether somebody has measured how its keys read.
+    /// Tells whether somebody has measured how its keys read.
     pub fn is_calibrated(&self) -> bool {
         !self.calibration.as_slice().iter().all(KeyCalibration::is_nominal)
     }
@@ -67,7 +67,7 @@ pub struct BoardEnd {
 }
 
 impl BoardEnd {
-    /// An end that has heard nothing.
+    /// Returns an end that has heard nothing.
     pub fn new(terms: BoardTerms) -> Self {
         Self {
             terms,
@@ -81,27 +81,27 @@ impl BoardEnd {
         }
     }
 
-    /// What was agreed with the board.
+    /// Returns what was agreed with the board.
     pub const fn terms(&self) -> &BoardTerms {
         &self.terms
     }
 
-    /// Whether its forces come in frames for all boards.
+    /// Tells whether its forces come in frames for all boards.
     pub(super) fn takes_multicast(&self) -> bool {
         self.terms.forces.packing == ForcePacking::Multicast16
     }
 
-    /// What it has sent and was sent.
+    /// Returns what it has sent and was sent.
     pub const fn statistics(&self) -> BoardStatistics {
         BoardStatistics { samples: self.loss.counts(), ..self.statistics }
     }
 
-    /// The newest samples as they came.
+    /// Returns the newest samples as they came.
     pub fn newest(&self) -> Option<&KeySamples> {
         self.newest.as_ref().map(|(newest, _tick)| newest)
     }
 
-    /// Whether samples have come in `tick`.
+    /// Tells whether samples have come in `tick`.
     pub(super) fn has_news(&self, tick: u64) -> bool {
         self.newest.as_ref().is_some_and(|(_, came)| *came == tick)
     }
@@ -130,7 +130,7 @@ impl BoardEnd {
         self.share += (wanted - self.share).clamp(-step, step);
     }
 
-    /// Share of the forces that the board is sent.
+    /// Returns the share of the forces that the board is sent.
     pub(super) const fn share(&self) -> f64 {
         self.share
     }
@@ -151,8 +151,8 @@ impl BoardEnd {
         news
     }
 
-    /// How long `samples` were taken after the newest before them by the board's clock (s), if
-    /// they are the next.
+    /// Returns how long `samples` were taken after the newest before them by the board's clock (s),
+    /// if they are the next.
     fn elapsed(&self, samples: &KeySamples, tick: u64) -> Option<f64> {
         let (newest, _tick) = self.newest.as_ref()?;
         let is_next = self.loss.is_next(samples.header.sequence, tick);
@@ -187,7 +187,7 @@ impl BoardEnd {
         }
     }
 
-    /// The next force frame and its length; nothing if there are no samples to answer.
+    /// Returns the next force frame and its length; nothing if there are no samples to answer.
     pub fn answer(
         &mut self,
         forces: &[f64; KEYS],
@@ -221,8 +221,8 @@ impl BoardEnd {
         Some((bytes, len))
     }
 
-    /// How the force on a key goes on: as `slope` says if it is sent whole, and answers where the
-    /// key really is.
+    /// Returns how the force on a key goes on: as `slope` says if it is sent whole, and answers
+    /// where the key really is.
     fn slope(&self, slot: usize, slope: &KeySlope) -> KeySlope {
         if self.used[slot] && 1.0 <= self.share { *slope } else { KeySlope::HELD }
     }
@@ -237,7 +237,7 @@ impl BoardEnd {
         }
     }
 
-    /// Where a key was when the newest samples were taken, as the board knows it too.
+    /// Returns where a key was when the newest samples were taken, as the board knows it too.
     fn measured(
         slot: usize,
         newest: &KeySamples,

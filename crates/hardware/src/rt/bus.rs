@@ -119,7 +119,7 @@ impl AcyclicHandler for IgnoreAcyclic {
 }
 
 impl KeybedBus {
-    /// A bus that has not heard of any of `boards`: all keys up, samples never taken.
+    /// Returns a bus that has not heard of any of `boards`: all keys up, samples never taken.
     ///
     /// No two boards on one line may have the same number.
     pub fn new(boards: &[BoardTerms]) -> Self {
@@ -157,12 +157,12 @@ impl KeybedBus {
         }
     }
 
-    /// How many lines there are.
+    /// Returns how many lines there are.
     pub const fn n_lines(&self) -> usize {
         self.lines.len()
     }
 
-    /// All boards, in the order in which they were given.
+    /// Returns all boards, in the order in which they were given.
     pub fn boards(&self) -> &[BoardEnd] {
         &self.boards
     }
@@ -209,7 +209,7 @@ impl KeybedBus {
         self.lines[line].statistics.health = link.health();
     }
 
-    /// Whether samples of the board with this index have come in this tick.
+    /// Tells whether samples of the board with this index have come in this tick.
     pub fn has_news(&self, board: usize) -> bool {
         let tick = self.tick.unwrap_or_default();
         self.boards.get(board).is_some_and(|it| it.has_news(tick))
@@ -226,7 +226,7 @@ impl KeybedBus {
         }
     }
 
-    /// The newest sample of every key.
+    /// Returns the newest sample of every key.
     pub const fn samples(&self) -> &[KeySample; KEYS] {
         &self.samples
     }
@@ -276,7 +276,7 @@ impl KeybedBus {
         }
     }
 
-    /// Counts a frame of `len` bytes that somebody else has sent over `line`.
+    /// Counts a frame of `len` bytes that was sent over `line` beside the forces.
     ///
     /// # Real-time
     /// As [`LinkMeter::saw_down`].
@@ -286,13 +286,13 @@ impl KeybedBus {
         }
     }
 
-    /// How full `line` was in the `seconds` since it is metered; none if its medium is not
+    /// Returns how full `line` was in the `seconds` since it is metered; none if its medium is not
     /// known.
     pub fn load(&self, line: usize, seconds: f64) -> Option<MeterWindow> {
         Some(self.lines.get(line)?.meter.as_ref()?.seen(seconds))
     }
 
-    /// What `line` has carried since it is metered, if its medium is known.
+    /// Returns what `line` has carried since it is metered, if its medium is known.
     pub fn line_meter(&self, line: usize) -> Option<LinkMeter> {
         self.lines.get(line)?.meter
     }
@@ -311,22 +311,22 @@ impl KeybedBus {
         }
     }
 
-    /// What the board with this index has sent and was sent.
+    /// Returns what the board with this index has sent and was sent.
     pub fn statistics(&self, board: usize) -> BoardStatistics {
         self.boards.get(board).map_or_else(BoardStatistics::default, BoardEnd::statistics)
     }
 
-    /// What `line` has carried beside.
+    /// Returns what `line` has carried beside.
     pub fn line(&self, line: usize) -> LineStatistics {
         self.lines.get(line).map_or_else(LineStatistics::default, |it| it.statistics)
     }
 
-    /// Whose frame this is, among all boards.
+    /// Returns whose frame this is, among all boards.
     pub fn board_on(&self, line: usize, frame: &[u8]) -> Option<usize> {
         self.lines.get(line)?.boards.get(board_of(frame)?.index()).copied().flatten()
     }
 
-    /// Reads one frame.
+    /// Takes a frame that came over `line`.
     fn read(&mut self, line: usize, frame: &[u8], acyclic: &mut impl AcyclicHandler) {
         self.lines[line].saw_up(frame.len());
         match (FrameKind::of(frame), self.board_on(line, frame)) {

@@ -32,7 +32,7 @@ impl Lateness {
         self.usual_us += (f64::from(age_us) - self.usual_us) / self.n;
     }
 
-    /// By how much a sample of `age_us` is older than usual (us); 0 as long as nothing is.
+    /// Returns by how much a sample of `age_us` is older than usual (us); 0 as long as nothing is.
     pub fn of(&self, age_us: i32) -> f64 {
         if self.n == 0.0 { 0.0 } else { f64::from(age_us) - self.usual_us }
     }

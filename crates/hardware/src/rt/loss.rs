@@ -57,13 +57,13 @@ impl Loss {
         news
     }
 
-    /// Whether a frame that comes in `tick` follows on the newest.
+    /// Tells whether a frame that comes in `tick` follows on the newest.
     pub fn is_next(&self, sequence: SequenceNumber, tick: u64) -> bool {
         let arrival = self.remembered(tick).map(|newest| sequence.after(newest));
         matches!(arrival, Some(FrameOrder::Newer { missing: 0 }))
     }
 
-    /// The counts so far.
+    /// Returns the counts so far.
     pub const fn counts(&self) -> LossCounts {
         self.counts
     }

@@ -22,7 +22,7 @@ pub(super) struct Multicast {
 type Frames = [Option<([u8; MAX_FRAME], usize)>; 1 + GROUPS];
 
 impl Multicast {
-    /// The frames with the forces of all keys on `boards`, worked out at `now_us`.
+    /// Returns the frames with the forces of all keys on `boards`, worked out at `now_us`.
     pub(super) fn frames(
         &mut self,
         now_us: u64,
@@ -54,7 +54,7 @@ impl Multicast {
     }
 }
 
-/// A frame that says what time it is.
+/// Returns a frame that says what time it is.
 fn bus_time(now_us: u64) -> ([u8; MAX_FRAME], usize) {
     let mut short = [0; broadcast::MAX_LEN];
     let len = Broadcast::BusTime { host_us: low(now_us) }.encode(&mut short);

@@ -15,7 +15,7 @@
 
 use crate::calibration::KeyCalibration;
 
-/// Fastest key (m/s).
+/// Largest speed of a key (m/s).
 const FASTEST: f64 = 5.0;
 
 /// Acceleration to and fro, from sample to sample, that a key can have (m/s²).
@@ -63,7 +63,7 @@ pub struct KeyCheck {
 }
 
 impl KeyCheck {
-    /// What the key was muted for, if it was.
+    /// Returns what the key was muted for, if it was.
     pub const fn muted(&self) -> Option<Implausible> {
         self.muted
     }
@@ -77,7 +77,7 @@ impl KeyCheck {
     /// that; says whether it may be used.
     ///
     /// # Real-time
-    /// Some twenty additions.
+    /// Some twenty additions; five comparisons for a key that rests.
     pub fn accept(
         &mut self,
         position: f64,
@@ -86,6 +86,10 @@ impl KeyCheck {
     ) -> bool {
         if self.muted.is_some() {
             return false;
+        }
+        // Nothing of what is looked at has changed.
+        if elapsed.is_some() && self.has_rested_at(position) {
+            return true;
         }
         match elapsed {
             Some(elapsed) => self.since += elapsed,
@@ -111,7 +115,7 @@ impl KeyCheck {
         is_possible && self.charge < DOUBT
     }
 
-    /// What is wrong with a reading at `position` (m), if anything is.
+    /// Returns what is wrong with a reading at `position` (m), if anything is.
     fn wrong(
         &self,
         position: f64,
@@ -120,7 +124,7 @@ impl KeyCheck {
     ) -> Option<Implausible> {
         let (quantum, travel) = (calibration.quantum.abs(), calibration.travel());
         let room = (0.5 * travel).max(LEAST_ROOM);
-        // A key that nobody has measured has no travel.
+        // A key that was never measured has no travel.
         if 0.0 < travel && !(-room..=travel + room).contains(&position) {
             return Some(Implausible::Beyond);
         }
@@ -136,6 +140,12 @@ impl KeyCheck {
         (most < fourth.abs()).then_some(Implausible::Noisy)
     }
 
+    /// Tells whether the key has stood at `position` (m) for all places, beyond any doubt.
+    fn has_rested_at(&self, position: f64) -> bool {
+        let is_here = |place: &f64| place.to_bits() == position.to_bits();
+        self.charge <= 0.0 && self.n == PLACES && self.places.iter().all(is_here)
+    }
+
     fn remember(&mut self, position: f64) {
         self.places.rotate_left(1);
         let [.., newest] = &mut self.places;
@@ -148,6 +158,7 @@ impl KeyCheck {
 #[cfg(test)]
 mod tests {
     use haptics::plant::{Gesture, KeyRig, RigParameters, Touch};
+    use links::random::Random;
 
     use super::*;
 
@@ -165,16 +176,10 @@ mod tests {
         (used.collect(), check)
     }
 
-    /// Numbers of chance, uniform in −1 ..= 1.
+    /// Numbers of chance, uniform in −1 .. 1.
     fn chance() -> impl Iterator<Item = f64> {
-        let mut state = 0x9E37_79B9_7F4A_7C15_u64;
-        std::iter::repeat_with(move || {
-            // Xorshift, G. Marsaglia, 2003.
-            state ^= state << 13;
-            state ^= state >> 7;
-            state ^= state << 17;
-            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        })
+        let mut random = Random(0x9E37_79B9_7F4A_7C15);
+        std::iter::repeat_with(move || 2.0 * random.unit() - 1.0)
     }
 
     #[test]

@@ -8,25 +8,25 @@ const RECENT: usize = 15;
 
 /// The last 256 round trips (us).
 #[derive(Clone, Debug)]
-pub(super) struct RoundTrips {
+pub(super) struct RoundTripHistory {
     lengths: [u32; WINDOW],
     n: usize,
 }
 
-impl Default for RoundTrips {
+impl Default for RoundTripHistory {
     fn default() -> Self {
         Self { lengths: [0; WINDOW], n: 0 }
     }
 }
 
-impl RoundTrips {
-    /// Remembers one (us).
+impl RoundTripHistory {
+    /// Remembers the length of a round trip (us).
     pub(super) fn push(&mut self, length: u64) {
         self.lengths[self.n % WINDOW] = u32::try_from(length).unwrap_or(u32::MAX);
         self.n += 1;
     }
 
-    /// Median of the latest (us), cheap enough for a tick; none if there is none.
+    /// Returns the median of the latest (us), cheap enough for a tick; none if there is none.
     pub(super) fn recent(&self) -> Option<u32> {
         let n = self.n.min(RECENT);
         let mut latest = [0; RECENT];
@@ -38,7 +38,7 @@ impl RoundTrips {
         latest.get(n / 2).copied()
     }
 
-    /// Median, 99th hundredth and longest (us); none if there is none.
+    /// Returns the median, 99th hundredth and longest (us); none if there is none.
     pub(super) fn quantiles(&self) -> Option<[u32; 3]> {
         let n = self.n.min(WINDOW);
         let mut sorted = self.lengths;
@@ -55,7 +55,7 @@ mod tests {
 
     #[test]
     fn the_recent_median_forgets_soon_and_is_not_moved_by_one_that_was_late() {
-        let mut trips = RoundTrips::default();
+        let mut trips = RoundTripHistory::default();
         assert_eq!(trips.recent(), None);
         (0..WINDOW).for_each(|_| trips.push(900));
         assert_eq!(trips.recent(), Some(900));
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn quantiles_are_those_of_the_last_256() {
-        let mut trips = RoundTrips::default();
+        let mut trips = RoundTripHistory::default();
         assert_eq!(trips.quantiles(), None);
         (0..1_000).for_each(|length| trips.push(length));
         assert_eq!(trips.quantiles(), Some([872, 997, 999]));

@@ -18,7 +18,7 @@ pub struct Terms {
 
 /// What is agreed with one board.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Agreed {
+pub struct BoardAgreement {
     pub place: BoardPlace,
     pub uid: [u8; 6],
     /// When in the period it begins to send (us).

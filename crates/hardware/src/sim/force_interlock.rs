@@ -26,7 +26,7 @@ const FADE_US: f64 = FADE_MS as f64 * 1e3;
 enum InterlockState {
     /// Nothing, for this reason; the force of before fades from then on, if there was one.
     Safe { reason: u8, fades_us: Option<u64> },
-    /// Nothing yet; whoever says this nonce may arm it.
+    /// Nothing yet; a request with this nonce may arm it.
     Disarmed { nonce: u32, fades_us: Option<u64> },
     /// It renders forces; the newest ones expire then. Nothing expires before the first.
     Armed { expires_us: Option<u64> },
@@ -56,7 +56,7 @@ pub(super) enum NotArmed {
 }
 
 impl ForceInterlock {
-    /// A board that was just switched on.
+    /// Returns a board that was just switched on.
     pub(super) const fn new(seed: u32) -> Self {
         let state = InterlockState::Safe { reason: safe_reason::NEVER_ARMED, fades_us: None };
         Self { state, valid_us: 0, seed, trips: 0, armings: 0 }
@@ -72,13 +72,13 @@ impl ForceInterlock {
         Some(self.seed)
     }
 
-    /// Whether it is safe for good.
+    /// Tells whether it is safe for good.
     const fn is_latched(&self) -> bool {
         matches!(self.state, InterlockState::Safe { reason, .. } if latches(reason))
     }
 
-    /// From when on the last forces fade if they are taken away at `now_us`; none if there are
-    /// none. What has expired before has begun to fade then, and nothing fades twice.
+    /// Returns from when on the last forces fade if they are taken away at `now_us`; none if there
+    /// are none. What has expired before has begun to fade then, and nothing fades twice.
     const fn fades_us(&self, now_us: u64) -> Option<u64> {
         match self.state {
             InterlockState::Safe { fades_us, .. } | InterlockState::Disarmed { fades_us, .. } => {
@@ -128,7 +128,7 @@ impl ForceInterlock {
         fed
     }
 
-    /// Whether forces that answer samples of `answered_us` may be rendered.
+    /// Tells whether forces that answer samples of `answered_us` may be rendered.
     pub(super) const fn judge(&self, answered_us: u64, now_us: u64) -> ForceDecision {
         let expires_us = answered_us.saturating_add(self.valid_us);
         match self.state {
@@ -172,12 +172,12 @@ impl ForceInterlock {
         }
     }
 
-    /// Whether forces are rendered.
+    /// Tells whether forces are rendered.
     pub(super) const fn is_armed(&self) -> bool {
         matches!(self.state, InterlockState::Armed { .. })
     }
 
-    /// Why no forces are rendered, as the hello says it.
+    /// Returns why no forces are rendered, as the hello says it.
     pub(super) const fn reason(&self) -> u8 {
         match self.state {
             InterlockState::Safe { reason, .. } => reason,
@@ -186,13 +186,13 @@ impl ForceInterlock {
         }
     }
 
-    /// Times that forces expired, and that it was armed.
+    /// Returns how often forces expired, and that it was armed.
     pub(super) const fn counts(&self) -> (u16, u16) {
         (self.trips, self.armings)
     }
 }
 
-/// Whether a board that is safe for `reason` is so for good.
+/// Tells whether a board that is safe for `reason` is so for good.
 const fn latches(reason: u8) -> bool {
     matches!(reason, safe_reason::EMERGENCY_STOP | safe_reason::KEY_FAULT)
 }

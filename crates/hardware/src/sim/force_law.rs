@@ -11,22 +11,22 @@ use crate::calibration;
 /// The law of one key, until the next frame.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(super) struct Law {
-    /// F0 (N).
+    /// Force at the position and velocity, F0 (N).
     force: f64,
-    /// K (N/m).
+    /// Stiffness of the force, K (N/m).
     stiffness: f64,
-    /// B (N s/m).
+    /// Damping of the force, B (N s/m).
     damping: f64,
-    /// s0 (m).
+    /// Position of the samples, s0 (m).
     position: f64,
-    /// s0' (m/s).
+    /// Velocity of the samples, s0' (m/s).
     velocity: f64,
     /// When the key was there (us).
     taken_us: u64,
 }
 
 impl Law {
-    /// The law of the key in `slot` that `frame` says, where `samples` are what it answers.
+    /// Returns the law of the key in `slot` that `frame` says, where `samples` are what it answers.
     ///
     /// `quantum` is what a count means (m). A frame that says "no force" says so of all keys.
     pub(super) fn answering(
@@ -47,7 +47,8 @@ impl Law {
         Self::here(*force, slopes, here, taken_us)
     }
 
-    /// The law of a force that holds at a position (m) and velocity (m/s), measured then (us).
+    /// Returns the law of a force that holds at a position (m) and velocity (m/s), measured then
+    /// (us).
     pub(super) fn here(
         force: Millinewtons,
         slopes: KeySlopes,
@@ -59,12 +60,12 @@ impl Law {
         Self { force, stiffness, damping, position, velocity, taken_us }
     }
 
-    /// Whether the force is the same wherever the key is.
+    /// Tells whether the force is the same wherever the key is.
     pub(super) const fn is_held(&self) -> bool {
         self.stiffness.abs() == 0.0 && self.damping.abs() == 0.0
     }
 
-    /// The force (N) at `now_us` on a key at `position` (m) moving at `velocity` (m/s).
+    /// Returns the force (N) at `now_us` on a key at `position` (m) moving at `velocity` (m/s).
     pub(super) fn force(&self, now_us: u64, (position, velocity): (f64, f64)) -> f64 {
         let along_us = now_us.saturating_sub(self.taken_us).min(PATH_US.into());
         let expected = self.position + self.velocity * (along_us as f64 * 1e-6);

@@ -34,7 +34,7 @@ pub(super) struct Plant {
 }
 
 impl Plant {
-    /// A key at rest whose encoder reads `offset` (counts) there.
+    /// Returns a key at rest whose encoder reads `offset` (counts) there.
     pub(super) fn new(rig: RigParameters, offset: i32) -> Self {
         Self { rig: KeyRig::new(rig), offset, gestures: Vec::new(), current: 0, force: 0.0 }
     }
@@ -59,7 +59,7 @@ impl Plant {
         self.gestures.insert(place, gesture);
     }
 
-    /// Position (m) as the encoder reads it, and velocity (m/s).
+    /// Returns the position (m) as the encoder reads it, and velocity (m/s).
     pub(super) fn measured(&self) -> (f64, f64) {
         (f64::from(self.counts().get()) * self.rig.quantum(), self.rig.velocity())
     }
@@ -75,7 +75,7 @@ impl Plant {
         self.rig.advance(t, h, force, gesture.as_ref());
     }
 
-    /// What the encoder reads.
+    /// Returns what the encoder reads.
     pub(super) fn counts(&self) -> Counts {
         Counts::saturating(self.rig.counts().saturating_add(self.offset))
     }
@@ -84,7 +84,7 @@ impl Plant {
         &self.rig
     }
 
-    /// How this key's encoder reads.
+    /// Returns how this key's encoder reads.
     pub(super) fn calibration(&self) -> KeyCalibration {
         let nominal = KeyCalibration::nominal(self.rig.quantum());
         let shifted = |it: Counts| Counts::saturating(it.get().saturating_add(self.offset));
@@ -92,7 +92,7 @@ impl Plant {
         KeyCalibration { rest, bottom, ..nominal }
     }
 
-    /// The gesture of the tick from `t` to `t + h` (s).
+    /// Returns the gesture of the tick from `t` to `t + h` (s).
     ///
     /// A finger that is there goes on until another one's time has come; one that comes
     /// within the tick is given beforehand, so that it starts at its own time.
@@ -104,7 +104,7 @@ impl Plant {
         (gesture.start < t + h).then_some(*gesture)
     }
 
-    /// Whether the current gesture has ended, or another one has started since.
+    /// Tells whether the current gesture has ended, or another one has started since.
     fn is_over(&self, t: f64) -> bool {
         let next = self.gestures.get(self.current + 1);
         self.gestures.get(self.current).is_some_and(|gesture| gesture.end() <= t)
@@ -120,7 +120,7 @@ pub(super) struct SampleProgress {
 }
 
 impl SampleProgress {
-    /// A simulation that has not begun, in ticks of `period` (s).
+    /// Returns a simulation that has not begun, in ticks of `period` (s).
     pub(super) fn new(period: f64) -> Result<Self, Error> {
         if 0.0 < period && period <= MAX_PERIOD {
             Ok(Self { period, tick: None })
@@ -136,12 +136,12 @@ impl SampleProgress {
         from..tick.min(from.saturating_add(MAX_CATCH_UP))
     }
 
-    /// Whether nothing has been simulated yet.
+    /// Tells whether nothing has been simulated yet.
     pub(super) const fn is_new(&self) -> bool {
         self.tick.is_none()
     }
 
-    /// Start of `tick` (us).
+    /// Returns the start of `tick` (us).
     pub(super) fn us(&self, tick: u64) -> u64 {
         #[expect(
             clippy::cast_possible_truncation,
@@ -152,17 +152,17 @@ impl SampleProgress {
         us
     }
 
-    /// Start of the tick that has come (us); 0 before the first.
+    /// Returns the start of the tick that has come (us); 0 before the first.
     pub(super) fn now_us(&self) -> u64 {
         self.us(self.tick.unwrap_or_default())
     }
 
-    /// Start of `tick` (s).
+    /// Returns the start of `tick` (s).
     pub(super) fn seconds(&self, tick: u64) -> f64 {
         Moment { tick, theta: 0.0 }.seconds(self.period)
     }
 
-    /// Length of a tick (s).
+    /// Returns the length of a tick (s).
     pub(super) const fn period(&self) -> f64 {
         self.period
     }
@@ -184,7 +184,7 @@ pub struct SimulatedKey {
 }
 
 impl SimulatedKey {
-    /// A key at rest, in ticks of `period` (s).
+    /// Returns a key at rest, in ticks of `period` (s).
     ///
     /// # Errors
     /// Refuses a period that is not above 0 and up to 1 s.
@@ -263,12 +263,12 @@ impl SimulatedKey {
         }
     }
 
-    /// Whether no force came for 20 ms, after which the key takes none.
+    /// Tells whether no force came for 20 ms, after which the key takes none.
     pub const fn is_safe(&self) -> bool {
         !self.interlock.is_armed()
     }
 
-    /// The plant itself, with what no sensor tells.
+    /// Returns the plant itself, with what no sensor tells.
     pub const fn rig(&self) -> &KeyRig {
         self.plant.rig()
     }

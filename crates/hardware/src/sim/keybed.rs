@@ -54,7 +54,7 @@ struct SimulatedLine {
 }
 
 impl SimulatedKeybed {
-    /// A keybed at rest whose keys are all alike, in ticks of `period` (s).
+    /// Returns a keybed at rest whose keys are all alike, in ticks of `period` (s).
     ///
     /// # Errors
     /// Refuses a period that is not above 0 and up to 1 s.
@@ -132,7 +132,7 @@ impl SimulatedKeybed {
         }
     }
 
-    /// Whether the watchdog of `board` has tripped and it was not armed since.
+    /// Tells whether the watchdog of `board` has tripped and it was not armed since.
     pub fn is_safe(&self, board: BoardId) -> bool {
         self.lines[board.index()].board.is_safe()
     }
@@ -142,27 +142,27 @@ impl SimulatedKeybed {
         snapshot(&self.bus, self.rearmed, place)
     }
 
-    /// What the host has counted on the wire of `board`.
+    /// Returns what the host has counted on the wire of `board`.
     pub fn statistics(&self, board: BoardId) -> BoardStatistics {
         self.bus.statistics(board.index())
     }
 
-    /// What the wire of `board` has carried beside.
+    /// Returns what the wire of `board` has carried beside.
     pub fn wire(&self, board: BoardId) -> LineStatistics {
         self.bus.line(board.index())
     }
 
-    /// What `board` itself has counted.
+    /// Returns what `board` itself has counted.
     pub fn board_counts(&self, board: BoardId) -> BoardCounts {
         self.lines[board.index()].board.counts()
     }
 
-    /// How often the wire of `board` was disturbed since the last plan.
+    /// Returns how often the wire of `board` was disturbed since the last plan.
     pub fn fault_counts(&self, board: BoardId) -> FaultCounts {
         self.lines[board.index()].faults.counts()
     }
 
-    /// The plant of `key`, with what no sensor tells.
+    /// Returns the plant of `key`, with what no sensor tells.
     pub fn rig(&self, key: KeyIndex) -> Option<&KeyRig> {
         self.lines[BoardId::of(key).index()].board.rig(BoardId::slot_of(key))
     }
@@ -185,7 +185,8 @@ impl SimulatedKeybed {
     }
 }
 
-/// A line or board as it is now; boards that are kept armed were armed once more than again.
+/// Returns a line or board as it is now; boards that are kept armed were armed once more than
+/// again.
 fn snapshot(bus: &KeybedBus, rearmed: Option<u64>, place: usize) -> Option<LinkSnapshot> {
     let snapshot = bus.snapshot(place)?;
     let status = rearmed.map(|rearmed| BoardStatus {

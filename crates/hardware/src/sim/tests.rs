@@ -21,7 +21,7 @@ use scheduler::port::KeyBus as _;
 use super::board::{BoardMake, SimulatedBoard};
 use super::keybed::SimulatedKeybed;
 
-/// A tick (us).
+/// Length of a tick (us).
 const TICK_US: u64 = 1_000;
 /// What it is given [mN]: keys are held on their felts.
 const DOWN: i32 = -2_000;

@@ -9,7 +9,7 @@ pub(super) trait CanBus {
     /// Hands over a frame of the bus; `data` has a length that the bus has.
     fn write(&mut self, id: u16, data: &[u8]) -> Result<(), SendError>;
 
-    /// The next thing that came, if anything did.
+    /// Returns the next thing that came, if anything did.
     fn read(&mut self) -> Result<Option<BusRead>, RecvError>;
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Data {
 }
 
 impl Data {
-    /// A copy; what is longer than any frame is cut off.
+    /// Returns a copy; what is longer than any frame is cut off.
     pub(super) fn new(id: u16, data: &[u8]) -> Self {
         let len = data.len().min(MAX_FRAME);
         let mut bytes = [0; MAX_FRAME];

@@ -97,7 +97,7 @@ impl ReassemblyState {
     }
 }
 
-/// What is remembered for an identifier; none if no frame travels under it.
+/// Returns what is remembered for an identifier; none if no frame travels under it.
 fn place(places: &mut [ReassemblyState], id: u16) -> Option<&mut ReassemblyState> {
     let (class, node) = (usize::from(id >> 7), usize::from(id & 0x7F));
     places.get_mut(class * NODES + node).filter(|_| node < NODES)

@@ -45,7 +45,7 @@ impl Health {
     }
 }
 
-/// The worst state that byte 1 tells; none if it tells of something else.
+/// Returns the worst state that byte 1 tells; none if it tells of something else.
 const fn controller_state(byte: u8) -> Option<WireState> {
     if byte & PASSIVE != 0 {
         Some(WireState::Passive)

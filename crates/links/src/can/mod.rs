@@ -67,7 +67,7 @@ impl Can {
         Ok(Self { port: CanPort::new(socket, mode) })
     }
 
-    /// Frames that were dropped because there was no room for them.
+    /// Returns the frames that were dropped because there was no room for them.
     pub const fn dropped(&self) -> u64 {
         self.port.dropped()
     }
@@ -93,7 +93,7 @@ impl Link for Can {
 
 #[cfg(not(target_os = "linux"))]
 impl Can {
-    /// CAN is for Linux.
+    /// Refuses: CAN is for Linux.
     ///
     /// # Errors
     /// Says so.
@@ -102,7 +102,7 @@ impl Can {
         Err(Error::Can { interface: interface.to_owned(), why })
     }
 
-    /// Frames that were dropped because there was no room for them.
+    /// Returns the frames that were dropped because there was no room for them.
     pub const fn dropped(&self) -> u64 {
         match self.port {}
     }

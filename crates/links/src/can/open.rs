@@ -15,7 +15,7 @@ pub(super) fn check(interface: &str, mode: CanMode) -> Result<(), CanTrouble> {
     obstacle(found, mode).map_or(Ok(()), Err)
 }
 
-/// Why an interface cannot be used in `mode`.
+/// Returns why an interface cannot be used in `mode`.
 fn obstacle(can: &CanInterface, mode: CanMode) -> Option<CanTrouble> {
     if mode == CanMode::Fd && !can.carries_fd {
         let name = &can.name;
@@ -34,7 +34,7 @@ fn obstacle(can: &CanInterface, mode: CanMode) -> Option<CanTrouble> {
     }
 }
 
-/// What a refusal of the system means for whoever wants to use the interface.
+/// Returns what a refusal of the system means, and what to do.
 #[cfg(target_os = "linux")]
 pub(super) fn trouble(error: std::io::Error) -> CanTrouble {
     use rustix::io::Errno;

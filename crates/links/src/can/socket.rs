@@ -66,7 +66,7 @@ impl CanBus for Socket {
     }
 }
 
-/// What came to a socket for CAN FD, where a classic frame is out of place.
+/// Returns what came to a socket for CAN FD, where a classic frame is out of place.
 fn any_arrival(frame: CanAnyFrame) -> BusRead {
     match frame {
         CanAnyFrame::Fd(frame) => data(frame.id(), frame.data()),
@@ -75,7 +75,7 @@ fn any_arrival(frame: CanAnyFrame) -> BusRead {
     }
 }
 
-/// What came to a socket for classic CAN.
+/// Returns what came to a socket for classic CAN.
 fn classic_arrival(frame: CanFrame) -> BusRead {
     match frame {
         CanFrame::Data(frame) => data(frame.id(), frame.data()),
@@ -96,7 +96,7 @@ fn report(frame: &CanErrorFrame) -> BusRead {
     BusRead::Report(ControllerReport { class: frame.error_bits(), data })
 }
 
-/// Why the kernel did not take a frame.
+/// Returns why the kernel did not take a frame.
 ///
 /// No room in the queue, or in the socket, passes; what else it says is that the interface
 /// is down, was removed, or lost its CAN FD.
@@ -107,7 +107,7 @@ fn refusal(error: &io::Error) -> SendError {
     }
 }
 
-/// Why nothing came.
+/// Returns why nothing came.
 fn silence(error: &io::Error) -> Result<Option<BusRead>, RecvError> {
     match Errno::from_io_error(error) {
         Some(Errno::AGAIN | Errno::INTR) => Ok(None),

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::Obstacle;
 
-/// The user of this process and the groups it is in; nobody known outside Linux.
+/// The user of this process and the groups it is in; not known outside Linux.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(super) struct User {
     id: Option<u32>,
@@ -12,7 +12,7 @@ pub(super) struct User {
 }
 
 impl User {
-    /// The user that the kernel has for this process.
+    /// Returns the user that the kernel has for this process.
     pub(super) fn current() -> Self {
         std::fs::read_to_string("/proc/self/status")
             .map(|text| Self::parse(&text))
@@ -32,7 +32,7 @@ impl User {
         Self { id: effective(numbers("Uid:")), groups }
     }
 
-    /// Why this user cannot use the device at `path`, if that can be told.
+    /// Returns why this user cannot use the device at `path`, if that can be told.
     #[cfg(unix)]
     pub(super) fn obstacle(&self, path: &Path) -> Option<Obstacle> {
         use std::os::unix::fs::MetadataExt as _;
@@ -47,13 +47,13 @@ impl User {
         Some(Obstacle::Forbidden { path: path.to_owned(), group })
     }
 
-    /// Outside Unix, rights are not known before a port is opened.
+    /// Returns nothing: outside Unix, rights are not known before a port is opened.
     #[cfg(not(unix))]
     pub(super) fn obstacle(&self, _path: &Path) -> Option<Obstacle> {
         None
     }
 
-    /// Whether this user may read and write; none if the user is not known.
+    /// Tells whether this user may read and write; none if the user is not known.
     #[cfg(unix)]
     fn may_use(&self, rights: &Rights) -> Option<bool> {
         let id = self.id?;
@@ -84,7 +84,7 @@ impl Rights {
     }
 }
 
-/// The name of a group in the text of `/etc/group`; its number if it has none.
+/// Returns the name of a group in the text of `/etc/group`; its number if it has none.
 #[cfg(unix)]
 fn group_name(names: &str, group: u32) -> String {
     let number = group.to_string();

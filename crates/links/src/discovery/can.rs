@@ -34,7 +34,7 @@ pub fn can_interfaces() -> Result<Listing<CanInterface>, Error> {
     Ok(listing)
 }
 
-/// The same from the kernel's files alone: without what `ip` tells, and without advice.
+/// Returns the same from the kernel's files alone: without what `ip` tells, and without advice.
 ///
 /// # Errors
 /// The kernel's list of network interfaces cannot be read.
@@ -70,7 +70,7 @@ fn interfaces_in(net: &Path) -> Result<Listing<CanInterface>, Error> {
     Ok(Listing::new(found, NONE))
 }
 
-/// The interface of `folder`, if it is one of CAN.
+/// Returns the interface of `folder`, if it is one of CAN.
 fn interface(folder: &Path) -> Option<CanInterface> {
     let text =
         |file: &str| fs::read_to_string(folder.join(file)).ok().map(|text| text.trim().to_owned());
@@ -99,13 +99,13 @@ fn interface(folder: &Path) -> Option<CanInterface> {
     Some(can)
 }
 
-/// The driver that a device's `uevent` names.
+/// Returns the driver that a device's `uevent` names.
 fn driver(uevent: &str) -> Option<String> {
     uevent.lines().find_map(|line| line.strip_prefix("DRIVER=")).map(str::to_owned)
 }
 
 impl CanInterface {
-    /// Why this interface carries no frames, if it does not.
+    /// Returns why this interface carries no frames, if it does not.
     fn find_obstacle(&self) -> Option<Obstacle> {
         let name = &self.name;
         if self.is_up {

@@ -10,7 +10,7 @@ use serde_json::Value;
 /// One of the two rates of a controller.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BitTiming {
-    /// Rate (bit/s).
+    /// Rate of the bits (bit/s).
     pub bitrate: u32,
     /// Where in a bit it is read (thousandths of the bit).
     pub sample_point: u32,
@@ -33,7 +33,7 @@ pub struct CanLink {
     pub modes: Vec<String>,
 }
 
-/// What `ip` tells of every CAN interface, by name; nothing if there is no `ip`.
+/// Returns what `ip` tells of every CAN interface, by name; nothing if there is no `ip`.
 pub(in super::super) fn ask_ip() -> BTreeMap<String, CanLink> {
     let arguments = ["-details", "-json", "-statistics", "link", "show"];
     let answer = Command::new("ip").args(arguments).output().ok();
@@ -67,7 +67,7 @@ fn number(value: &Value) -> Option<u32> {
     value.as_u64()?.try_into().ok()
 }
 
-/// A rate, unless the controller has none yet.
+/// Returns a rate, unless the controller has none yet.
 fn timing(value: &Value) -> Option<BitTiming> {
     let bitrate = number(&value["bitrate"]).filter(|rate| 0 < *rate)?;
     // Older versions of ip print a number, newer ones a text.

@@ -22,7 +22,7 @@ pub use diagnosis::machine::{Fact, this_machine};
 pub use diagnosis::usb::{UsbPlace, UsbSpeed};
 pub use serial::{SerialPort, UsbIdentity, serial_ports};
 
-/// Why the user of this process cannot use the device at `path`, if that can be told.
+/// Returns why the user of this process cannot use the device at `path`, if that can be told.
 #[cfg(unix)]
 pub(crate) fn obstacle(path: &std::path::Path) -> Option<Obstacle> {
     access::User::current().obstacle(path)
@@ -38,7 +38,7 @@ pub struct Listing<T> {
 }
 
 impl<T> Listing<T> {
-    /// A list, or `why_empty` if there is nothing in it.
+    /// Returns a list, or `why_empty` if there is nothing in it.
     fn new(found: Vec<T>, why_empty: &str) -> Self {
         let why_empty = found.is_empty().then(|| why_empty.to_owned());
         Self { found, why_empty }

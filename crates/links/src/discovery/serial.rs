@@ -94,7 +94,7 @@ fn examine(ports: &mut [SerialPort], sys: &Path) {
     }
 }
 
-/// The kernel's name of a port.
+/// Returns the kernel's name of a port.
 fn tty(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }

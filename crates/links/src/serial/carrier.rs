@@ -23,7 +23,7 @@ impl SerialCarrier {
         Self { stream, frame: [0; MAX_LEN], rest: 0..0, dropped: 0 }
     }
 
-    /// Frames that could not be begun.
+    /// Returns the frames that could not be begun.
     pub(super) const fn dropped(&self) -> u64 {
         self.dropped
     }

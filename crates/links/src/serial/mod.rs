@@ -26,7 +26,7 @@ pub(super) use stream::{Disconnected, NonBlockingFd};
 
 /// A serial port that was opened, and never waits.
 ///
-/// When it says that the other end is down, it stays down: whoever owns it opens it anew.
+/// When it says that the other end is down, it stays down: its owner opens it anew.
 #[derive(Debug)]
 pub struct Serial {
     framing: Framing,
@@ -63,7 +63,7 @@ impl Serial {
         Self { framing, carrier, _keeper: keeper }
     }
 
-    /// Frames that were dropped because those before were still on their way.
+    /// Returns the frames that were dropped because those before were still on their way.
     pub const fn dropped(&self) -> u64 {
         self.carrier.dropped()
     }
@@ -101,7 +101,7 @@ fn open(path: &Path, baud: u32) -> serialport::Result<(TTYPort, NonBlockingFd)> 
     Ok((port, NonBlockingFd::new(bytes)))
 }
 
-/// What a refusal of the system means for whoever wants to use the port.
+/// Returns what a refusal of the system means, and what to do.
 fn trouble(path: &Path, error: serialport::Error) -> PortTrouble {
     use std::io::ErrorKind as Io;
 

@@ -7,12 +7,12 @@ use rustix::io::Errno;
 #[derive(Debug)]
 pub(crate) struct NonBlockingFd(OwnedFd);
 
-/// Nobody is at the other end any more.
+/// The other end is not there any more.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Disconnected;
 
 impl NonBlockingFd {
-    /// `descriptor` was opened not to wait.
+    /// Takes `descriptor`, which was opened not to wait.
     pub(super) const fn new(descriptor: OwnedFd) -> Self {
         Self(descriptor)
     }
@@ -38,7 +38,7 @@ impl AsFd for NonBlockingFd {
     }
 }
 
-/// What did not wait has moved nothing; any other refusal is final.
+/// Returns what did not wait has moved nothing; any other refusal is final.
 const fn taken(outcome: Result<usize, Errno>) -> Result<usize, Disconnected> {
     match outcome {
         Ok(n) => Ok(n),

@@ -23,14 +23,14 @@ pub(super) struct WireDirection {
 }
 
 impl WireDirection {
-    /// An empty direction whose chance starts from the plan's seed and `salt`.
+    /// Returns an empty direction whose chance starts from the plan's seed and `salt`.
     pub(super) fn new(plan: WirePlan, salt: u64) -> Self {
         let random = Random(Random(plan.seed).next() ^ salt);
         let queue = VecDeque::with_capacity(CAPACITY);
         Self { plan, random, queue, free: 0, counts: WireCounts::default() }
     }
 
-    /// How many bytes it takes.
+    /// Returns how many bytes it takes.
     pub(super) fn room(&self) -> usize {
         CAPACITY - self.queue.len()
     }
@@ -79,7 +79,7 @@ impl WireDirection {
         self.queue.clear();
     }
 
-    /// When the next byte arrives; none if there is none on the way.
+    /// Returns when the next byte arrives; none if there is none on the way.
     pub(super) fn next(&self) -> Option<u64> {
         self.queue.front().map(|(due, _)| *due)
     }

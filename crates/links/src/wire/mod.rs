@@ -71,7 +71,7 @@ struct WireControl {
 }
 
 impl Wire {
-    /// Lays a wire that works as `plan` says.
+    /// Opens a wire that works as `plan` says.
     ///
     /// # Errors
     /// The system has no pseudo-terminal or no thread left.
@@ -89,12 +89,12 @@ impl Wire {
         Ok(Self { host, board, control, relay })
     }
 
-    /// The port at the host's end.
+    /// Returns the port at the host's end.
     pub fn host(&self) -> &Path {
         &self.host
     }
 
-    /// The port at the board's end.
+    /// Returns the port at the board's end.
     pub fn board(&self) -> &Path {
         &self.board
     }
@@ -109,7 +109,7 @@ impl Wire {
         self.control.cut.store(false, Ordering::Relaxed);
     }
 
-    /// What has happened so far.
+    /// Returns what has happened so far.
     pub fn counts(&self) -> WireCounts {
         let read = |count: &AtomicU64| count.load(Ordering::Relaxed);
         let WireControl { passed, lost, flipped, stalls, .. } = &*self.control;

@@ -13,7 +13,7 @@ use crate::serial::{Disconnected, NonBlockingFd, PtyPair};
 const CHUNK: usize = 1_024;
 /// Longest sleep, after which the relay looks whether it shall stop (ns).
 const LONGEST_SLEEP: u64 = 5_000_000;
-/// Shortest sleep (ns).
+/// Shortest sleep of the relay (ns).
 const SHORTEST_SLEEP: u64 = 20_000;
 
 /// Hands bytes on between two ports until it is told to stop.
@@ -90,7 +90,7 @@ impl WireClock {
         Self(Instant::now())
     }
 
-    /// Time since the start (ns).
+    /// Returns the time since the start (ns).
     fn now(&self) -> u64 {
         u64::try_from(self.0.elapsed().as_nanos()).unwrap_or(u64::MAX)
     }

@@ -20,14 +20,14 @@ pub use read::load;
 pub use sheet::CalibrationSheet;
 pub use write::{backup, write};
 
-/// Where the files of this user are.
+/// Returns where the files of this user are.
 pub fn usual_folder() -> Option<PathBuf> {
     let set = |name: &str| std::env::var_os(name).filter(|it| !it.is_empty()).map(PathBuf::from);
     let base = set("XDG_CONFIG_HOME").or_else(|| Some(set("HOME")?.join(".config")))?;
     Some(base.join("letoff/calibration"))
 }
 
-/// The file of the board with this id.
+/// Returns the file of the board with this id.
 pub fn path(folder: &Path, uid: Uid) -> PathBuf {
     folder.join(format!("{uid}.toml"))
 }

@@ -119,7 +119,7 @@ impl CalibrationReader<'_> {
         text.map(str::to_owned)
     }
 
-    /// The keys of all slots.
+    /// Returns the keys of all slots.
     fn keys(&mut self, root: &Table, n_keys: usize) -> Option<PerKey<KeyCalibration>> {
         let Some(tables) = root.get("key").and_then(Item::as_array_of_tables) else {
             self.say(": there is no [[key]]; calibrate the board again");
@@ -149,7 +149,7 @@ impl CalibrationReader<'_> {
         keys.map(PerKey::collect)
     }
 
-    /// A key and its slot, as far as they can be read.
+    /// Returns a key and its slot, as far as they can be read.
     fn key(&mut self, table: &Table) -> (Option<usize>, Option<KeyCalibration>) {
         let slot = table.get("slot").and_then(Item::as_integer);
         let slot = slot.and_then(|slot| usize::try_from(slot).ok());
@@ -176,7 +176,7 @@ impl CalibrationReader<'_> {
         (slot, key)
     }
 
-    /// Whether a key can go that far.
+    /// Tells whether a key can go that far.
     fn is_possible(&mut self, key: &KeyCalibration, place: &str) -> bool {
         let (least, most) = TRAVELS;
         let is_possible = (least..=most).contains(&key.travel());

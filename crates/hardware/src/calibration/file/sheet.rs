@@ -32,7 +32,7 @@ pub struct CalibrationSheet {
 }
 
 impl CalibrationSheet {
-    /// The file's text.
+    /// Returns the text of the file.
     pub fn render(&self) -> String {
         let quoted = |text: &str| toml_edit::Value::from(text).to_string();
         let mut text = format!(
@@ -56,7 +56,7 @@ impl CalibrationSheet {
         text
     }
 
-    /// CRC-32 (ISO-HDLC) of all values in one rendering, however the file spells them.
+    /// Returns the CRC-32 (ISO-HDLC) of all values in one rendering, however the file spells them.
     pub fn checksum(&self) -> u32 {
         const CRC32: crc::Crc<u32> = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC);
         let mut digest = CRC32.digest();

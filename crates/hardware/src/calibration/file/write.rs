@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::CalibrationSheet;
 use crate::Error;
 
-/// Where the file that was at `path` before is kept.
+/// Returns where the file that was at `path` before is kept.
 pub fn backup(path: &Path) -> PathBuf {
     beside(path, ".bak")
 }
@@ -38,7 +38,7 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     fs::rename(part, path)
 }
 
-/// `path` with more behind its name.
+/// Returns `path` with more behind its name.
 fn beside(path: &Path, more: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(more);

@@ -19,7 +19,7 @@ use firmware_protocol::{Nothing, Record as _, schema};
 use super::arm_state::{ArmLockout, ArmState};
 use super::sample_watch::{SampleWatch, is_silence};
 use crate::request_channel::RequestChannel;
-use crate::rt::terms::Agreed;
+use crate::rt::terms::BoardAgreement;
 
 /// Time after which an attempt to bring a board up is made again (us).
 const AGAIN_US: u64 = 100_000;
@@ -82,20 +82,20 @@ impl Arming {
         self.rest_until = now + AGAIN_US;
     }
 
-    /// Event: the board has started anew.
+    /// Begins again, since the board has started anew.
     pub(super) const fn on_start(&mut self, now: u64) {
         self.attempts = 0;
         self.greet(now);
     }
 
-    /// Event: a request was never answered.
+    /// Begins again after a while, since a request was never answered.
     pub(super) const fn on_loss(&mut self, now: u64) {
         if !self.state.is_barred() {
             self.greet(now + AGAIN_US);
         }
     }
 
-    /// Event: the board's clock runs by `ppm` (1e-6) too fast, more than is accepted.
+    /// Bars a board whose clock runs by `ppm` (1e-6) too fast, more than is accepted.
     pub(super) const fn on_clock(&mut self, ppm: i32, now: u64) {
         if matches!(self.state, ArmState::Confirming | ArmState::Armed) {
             self.bar(ArmLockout::Clock(ppm), now);
@@ -103,7 +103,7 @@ impl Arming {
         }
     }
 
-    /// Event: time passes, and `samples` have come meanwhile.
+    /// Goes on as time passes and `samples` have come.
     pub(super) const fn on_time(&mut self, samples: &SampleWatch, now: u64) {
         match self.state {
             ArmState::Arming { .. } => self.refused = samples.refused(),
@@ -124,10 +124,16 @@ impl Arming {
         }
     }
 
-    /// Event: the board has done what it was asked, and answers with `record`.
+    /// Goes on after the board has done what it was asked, and answered with `record`.
     ///
     /// An answer for which the state does not wait is late, and changes nothing.
-    pub(super) fn on_done(&mut self, done: Operation, record: &[u8], agreed: &Agreed, now: u64) {
+    pub(super) fn on_done(
+        &mut self,
+        done: Operation,
+        record: &[u8],
+        agreed: &BoardAgreement,
+        now: u64,
+    ) {
         if self.state.waits_for() != Some(done) {
             return;
         }
@@ -147,7 +153,7 @@ impl Arming {
         }
     }
 
-    /// Event: the board declines a request of its bring-up.
+    /// Goes on after the board has declined a request of its bring-up.
     pub(super) fn on_declined(&mut self, asked: Operation, status: Status, now: u64) {
         let why = ArmLockout::Declined(asked, status);
         let is_nonce_old =
@@ -163,7 +169,7 @@ impl Arming {
     }
 
     /// Asks what brings the board on; returns whether there is such a request.
-    pub(super) fn ask(&mut self, agreed: &Agreed, channel: &mut RequestChannel) -> bool {
+    pub(super) fn ask(&mut self, agreed: &BoardAgreement, channel: &mut RequestChannel) -> bool {
         let terms = agreed.terms;
         if std::mem::take(&mut self.must_disarm) {
             channel.ask(Operation::Disarm, &Nothing);
@@ -230,7 +236,7 @@ impl Arming {
 }
 
 /// Returns what follows a hello: whether the board may be armed.
-fn after_hello(hello: &Hello, agreed: &Agreed) -> ArmState {
+fn after_hello(hello: &Hello, agreed: &BoardAgreement) -> ArmState {
     let is_same = hello.uid == agreed.uid && hello.schema == schema::HASH;
     if !is_same {
         return ArmState::Barred(ArmLockout::Exchanged);

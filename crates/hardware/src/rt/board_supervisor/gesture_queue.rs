@@ -51,13 +51,13 @@ impl GestureQueue {
     }
 }
 
-/// Whole microseconds in a time that is not negative (s).
+/// Returns whole microseconds in a time that is not negative (s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn microseconds(seconds: f64) -> u64 {
     (seconds * 1e6).round() as u64
 }
 
-/// Whole millionths of a value of the wire.
+/// Returns whole millionths of a value of the wire.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn micro(value: f64) -> u32 {
     (value * 1e6).round() as u32

@@ -25,7 +25,7 @@ use haptics::plant::Gesture;
 use links::Link;
 
 use super::bus::{AcyclicHandler, KeybedBus};
-use super::terms::Agreed;
+use super::terms::BoardAgreement;
 use session::BoardSession;
 
 pub use arm_state::{ArmLockout, ArmState};
@@ -43,7 +43,7 @@ pub struct BoardSupervisor {
 
 impl BoardSupervisor {
     /// Begins with boards in the order in which the bus has them; `now` (us).
-    pub fn new(agreed: Vec<Agreed>, now: u64) -> Self {
+    pub fn new(agreed: Vec<BoardAgreement>, now: u64) -> Self {
         let sessions = agreed.into_iter().map(|agreed| BoardSession::new(agreed, now)).collect();
         Self { sessions, now, origin: None }
     }

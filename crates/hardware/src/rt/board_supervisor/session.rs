@@ -17,7 +17,7 @@ use super::timing::BoardTiming;
 use crate::periods::COUNTERS_US;
 use crate::request_channel::{ReceivedReply, RequestChannel};
 use crate::rt::bus::KeybedBus;
-use crate::rt::terms::Agreed;
+use crate::rt::terms::BoardAgreement;
 
 /// How long a light shows which board it is on (s).
 pub const LIGHT_S: u8 = 10;
@@ -25,7 +25,7 @@ pub const LIGHT_S: u8 = 10;
 /// What goes on with one board.
 #[derive(Clone, Debug)]
 pub(super) struct BoardSession {
-    pub(super) agreed: Agreed,
+    pub(super) agreed: BoardAgreement,
     pub(super) gestures: GestureQueue,
     /// The board shall show its light.
     pub(super) is_light_wanted: bool,
@@ -43,7 +43,7 @@ pub(super) struct BoardSession {
 }
 
 impl BoardSession {
-    pub(super) fn new(agreed: Agreed, now: u64) -> Self {
+    pub(super) fn new(agreed: BoardAgreement, now: u64) -> Self {
         // Another host's last request may have had any number.
         let [first, ..] = now.to_le_bytes();
         Self {

@@ -2,7 +2,7 @@
 
 use crate::clock::{ClockModel, ClockUpdate};
 use crate::periods::PING_US;
-use crate::rt::round_trips::RoundTrips;
+use crate::rt::round_trips::RoundTripHistory;
 
 /// Round trips at the start, to learn a board's clock from.
 const QUICK_PINGS: u32 = 8;
@@ -17,7 +17,7 @@ const QUICK_PING_US: u64 = 10_000;
 #[derive(Clone, Debug, Default)]
 pub(super) struct BoardTiming {
     clock: ClockModel,
-    round_trips: RoundTrips,
+    round_trips: RoundTripHistory,
     /// Round trips since the clock was set anew or has jumped.
     n_pings: u32,
     /// When the next round trip is due (us).
@@ -30,7 +30,7 @@ impl BoardTiming {
         &self.clock
     }
 
-    pub(super) const fn round_trips(&self) -> &RoundTrips {
+    pub(super) const fn round_trips(&self) -> &RoundTripHistory {
         &self.round_trips
     }
 
@@ -85,7 +85,7 @@ impl BoardTiming {
     }
 }
 
-/// Whole millionths.
+/// Returns whole millionths, as near as possible.
 #[expect(clippy::cast_possible_truncation, reason = "saturates")]
 const fn millionths(ppm: f64) -> i32 {
     ppm.round() as i32

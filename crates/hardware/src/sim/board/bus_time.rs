@@ -29,7 +29,7 @@ impl BusTime {
         self.offset = Some((low(now_us).wrapping_sub(host_us), now_us));
     }
 
-    /// How long ago the bus's clock showed a time with these low bits (us); none if that
+    /// Returns how long ago the bus's clock showed a time with these low bits (us); none if that
     /// cannot be told.
     pub(super) fn age_us(&self, now_us: u64, stamp_us: u16) -> Option<u64> {
         let (offset, heard_us) = self.offset?;
@@ -45,7 +45,7 @@ impl BusTime {
         }
     }
 
-    /// Whether a frame of `group` is newer than all before.
+    /// Tells whether a frame of `group` is newer than all before.
     pub(super) fn accept(&mut self, group: u8, sequence: SequenceNumber, now_us: u64) -> bool {
         let Some(newest) = self.newest.get_mut(usize::from(group)) else { return false };
         let is_newer = newest.is_none_or(|(before, at)| {

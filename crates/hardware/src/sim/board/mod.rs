@@ -77,7 +77,7 @@ pub struct BoardMake {
     pub first_key: u8,
     /// Its keys, `1 ..= 12`.
     pub n_keys: usize,
-    /// Its tick [s]: how often it works out its motors' forces.
+    /// Its tick (s): how often it works out its motors' forces.
     pub period: f64,
     /// What its keys are made of.
     pub rig: RigParameters,
@@ -102,7 +102,7 @@ pub struct FakeIdentity {
 }
 
 impl BoardMake {
-    /// A board of the standard compass, in ticks of `period` (s).
+    /// Returns a board of the standard compass, in ticks of `period` (s).
     pub fn standard(id: BoardId, period: f64, rig: RigParameters) -> Self {
         let first_key = u8::try_from(id.keys().start).unwrap_or_default();
         let (n_keys, offset, strength) = (KEYS_PER_BOARD, 0, 1.0);
@@ -110,7 +110,7 @@ impl BoardMake {
         Self { id, first_key, n_keys, period, rig, offset, strength, fake_identity }
     }
 
-    /// Who the board is: the same for the same number and keys.
+    /// Returns who the board is: the same for the same number and keys.
     pub const fn uid(&self) -> [u8; 6] {
         [b'S', b'I', b'M', self.id.number(), self.first_key, 0]
     }
@@ -142,7 +142,7 @@ pub struct SimulatedBoard {
 }
 
 impl SimulatedBoard {
-    /// A board that was just switched on: it sends nothing and renders nothing.
+    /// Returns a board that was just switched on: it sends nothing and renders nothing.
     ///
     /// # Errors
     /// Refuses a period that is not above 0 and up to 1 s, and more keys than a board has.
@@ -171,7 +171,7 @@ impl SimulatedBoard {
         })
     }
 
-    /// The same as if a host had asked for samples in every tick and armed it.
+    /// Returns the same as if a host had asked for samples in every tick and armed it.
     #[must_use]
     pub const fn armed(mut self) -> Self {
         self.every = Some((1, 1));
@@ -215,12 +215,12 @@ impl SimulatedBoard {
         }
     }
 
-    /// Whether it renders no forces, for whatever reason.
+    /// Tells whether it renders no forces, for whatever reason.
     pub const fn is_safe(&self) -> bool {
         !self.interlock.is_armed()
     }
 
-    /// Why it renders no forces, as in [`safe_reason`].
+    /// Returns why it renders no forces, as in [`safe_reason`].
     pub const fn safe_reason(&self) -> u8 {
         self.interlock.reason()
     }
@@ -239,28 +239,28 @@ impl SimulatedBoard {
         self.groups = Groups::default();
     }
 
-    /// What was counted.
+    /// Returns what the board has counted.
     pub fn counts(&self) -> BoardCounts {
         let (trips, armings) = self.interlock.counts();
         BoardCounts { trips: trips.into(), armings: armings.into(), ..self.counts }
     }
 
-    /// What it is.
+    /// Returns what the board is made of.
     pub const fn make(&self) -> &BoardMake {
         &self.make
     }
 
-    /// The plant in `slot`, with what no sensor tells.
+    /// Returns the plant in `slot`, with what no sensor tells.
     pub fn rig(&self, slot: usize) -> Option<&KeyRig> {
         self.keys.get(slot).map(Plant::rig)
     }
 
-    /// How the encoders of this board read.
+    /// Returns how the encoders of this board read.
     pub fn calibration(&self) -> impl Iterator<Item = KeyCalibration> {
         self.keys.iter().map(Plant::calibration)
     }
 
-    /// Who it is.
+    /// Returns the hello that the board says.
     pub fn introduction(&self) -> Introduction {
         let FakeIdentity { major, schema, keys, uid } = self.make.fake_identity;
         let n_keys = u8::try_from(self.make.n_keys).unwrap_or(u8::MAX);
@@ -294,30 +294,30 @@ impl SimulatedBoard {
         self.late_us = self.late_us.saturating_add(by_us);
     }
 
-    /// Ticks that have passed since it showed others this time, whole; at most 65 ms.
+    /// Returns the ticks that have passed since it showed others this time, whole; at most 65 ms.
     pub(super) fn ticks_since(&self, stamp_us: u16) -> f64 {
         let [low, high, ..] = self.clock_us().to_le_bytes();
         let us = u16::from_le_bytes([low, high]).wrapping_sub(stamp_us);
         (f64::from(us) * 1e-6 / self.make.period).round()
     }
 
-    /// One of its keys fails: it renders no force, for this reason; a failed key or a stop it
-    /// forgets only without power.
+    /// Lets the board render no force, for this reason; a failed key or a stop it forgets only
+    /// without power.
     pub fn fail(&mut self, reason: u8) {
         self.interlock.trip(reason, self.now_us());
     }
 
-    /// Its clock now (us), as requests see it.
+    /// Returns its clock now (us), as requests see it.
     fn clock_us(&self) -> u32 {
         low(self.told_us(self.now_us()))
     }
 
-    /// Its clock now (us).
+    /// Returns its clock now (us).
     fn now_us(&self) -> u64 {
         self.progress.now_us()
     }
 
-    /// What it tells others when its own clock shows `us`.
+    /// Returns what it tells others when its own clock shows `us`.
     const fn told_us(&self, us: u64) -> u64 {
         us.wrapping_sub(self.late_us)
     }
@@ -337,7 +337,7 @@ impl SimulatedBoard {
         }
     }
 
-    /// Takes one frame.
+    /// Takes a frame that came.
     fn hear(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
         let is_mine = board_of(frame) == Some(self.make.id);
         match FrameKind::of(frame) {
@@ -453,19 +453,19 @@ impl SimulatedBoard {
     }
 }
 
-/// The rate of a period (s), as a hello says it (1/s).
+/// Returns the rate of a period (s), as a hello says it (1/s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn rate(period: f64) -> u16 {
     (1.0 / period).round() as u16
 }
 
-/// A quantum (m), as a hello says it (nm).
+/// Returns a quantum (m), as a hello says it (nm).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn nanometres(quantum: f64) -> u32 {
     (quantum * 1e9).round() as u32
 }
 
-/// A force (N), as a hello says it (mN).
+/// Returns a force (N), as a hello says it (mN).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn millinewtons(force: f64) -> u16 {
     (force * 1e3).round() as u16

@@ -36,7 +36,7 @@ pub(super) struct BoardRequestHandler {
 }
 
 impl BoardRequestHandler {
-    /// The settings that `make` comes with.
+    /// Returns the settings that `make` comes with.
     pub(super) fn new(make: BoardMake) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "a motor's force")]
         let limit = (make.rig.motor.limit * 1e3) as i32;
@@ -49,12 +49,12 @@ impl BoardRequestHandler {
         }
     }
 
-    /// CRC-32 of the settings.
+    /// Returns the CRC-32 of the settings.
     pub(super) fn config_crc(&self) -> u32 {
         config::crc(&self.settings)
     }
 
-    /// Whether the light is on.
+    /// Tells whether the light is on.
     pub(super) const fn is_lit(&self, now_us: u64) -> bool {
         now_us < self.light_until_us
     }
@@ -226,7 +226,7 @@ impl SimulatedBoard {
         Nothing
     }
 
-    /// Whether the light that shows which board it is burns.
+    /// Tells whether the light that shows which board it is burns.
     pub fn is_lit(&self) -> bool {
         self.requests.is_lit(self.now_us())
     }
@@ -273,7 +273,7 @@ impl SimulatedBoard {
     }
 }
 
-/// The whole time (us) near `now_us` whose low half is `low`.
+/// Returns the whole time (us) near `now_us` whose low half is `low`.
 fn whole(now_us: u64, low: u32) -> u64 {
     let [a, b, c, d, ..] = now_us.to_le_bytes();
     let ahead = low.wrapping_sub(u32::from_le_bytes([a, b, c, d])).cast_signed();

@@ -9,7 +9,7 @@ use firmware_protocol::sequence::SequenceNumber;
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Sent {
     pub(super) samples: KeySamples,
-    /// Board time (us).
+    /// When they were taken, board time (us).
     pub(super) taken_us: u64,
     /// Which it was, counted from the first.
     pub(super) number: u64,
@@ -24,25 +24,25 @@ pub(super) struct SampleHistory {
 }
 
 impl SampleHistory {
-    /// Nothing was sent yet.
+    /// Returns a history in which nothing was sent yet.
     pub(super) fn new() -> Self {
         Self { sent: Box::new([None; HISTORY]), n: 0 }
     }
 
-    /// The number of the next frame.
+    /// Returns the number of the next frame.
     pub(super) const fn next_sequence(&self) -> SequenceNumber {
         let [low, ..] = self.n.to_le_bytes();
         SequenceNumber(low)
     }
 
-    /// Remembers a frame.
+    /// Remembers a frame of samples.
     pub(super) fn push(&mut self, samples: KeySamples, taken_us: u64) {
         self.sent[place(samples.header.sequence)] =
             Some(Sent { samples, taken_us, number: self.n });
         self.n += 1;
     }
 
-    /// The frame that `answer` answers: same number and same time, or none.
+    /// Returns the frame that `answer` answers: same number and same time, or none.
     pub(super) fn find(&self, answer: Header) -> Option<&Sent> {
         self.sent[place(answer.sequence)].as_ref().filter(|sent| {
             let header = sent.samples.header;
@@ -51,7 +51,7 @@ impl SampleHistory {
     }
 }
 
-/// Where the frame with this number is kept.
+/// Returns where the frame with this number is kept.
 const fn place(sequence: SequenceNumber) -> usize {
     sequence.0 as usize % HISTORY
 }

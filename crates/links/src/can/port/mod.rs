@@ -28,7 +28,7 @@ impl<B: CanBus> CanPort<B> {
         Self { bus, classic, health: Health::default(), dropped: 0 }
     }
 
-    /// Frames for which there was no room.
+    /// Returns the frames for which there was no room.
     pub(super) const fn dropped(&self) -> u64 {
         self.dropped
     }

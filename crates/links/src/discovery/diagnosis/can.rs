@@ -12,16 +12,14 @@ const LEAST_QUEUE_FD: u32 = 2 * 8;
 const LEAST_QUEUE_CLASSIC: u32 = 2 * 8 * 4;
 /// Frames that wait longer than this are stale.
 const MOST_QUEUE: u32 = 128;
-/// Right for both.
 const GOOD_QUEUE: u32 = LEAST_QUEUE_CLASSIC;
 /// Where a bit may be read (thousandths of the bit).
 const SAMPLE_POINTS: RangeInclusive<u32> = 750..=875;
-/// Well inside those.
 const GOOD_SAMPLE_POINT: u32 = 800;
 /// The first kernel whose driver keeps the frames of a USB adapter in order.
 const ORDERED_GS_USB: KernelVersion = KernelVersion { major: 6, minor: 6 };
 
-/// Everything to change about `can` on a kernel of this version, most urgent first.
+/// Returns everything to change about `can` on a kernel of this version, most urgent first.
 pub(in super::super) fn advice(can: &CanInterface, kernel: Option<KernelVersion>) -> Vec<String> {
     if can.is_virtual {
         return virtual_mtu(can).into_iter().collect();
@@ -40,7 +38,7 @@ pub(in super::super) fn advice(can: &CanInterface, kernel: Option<KernelVersion>
     findings.into_iter().flatten().collect()
 }
 
-/// How to set the controller of `name`, which must be down for that.
+/// Returns how to set the controller of `name`, which must be down for that.
 fn set(name: &str, what: &str) -> String {
     format!("sudo ip link set {name} down && sudo ip link set {name} up type can {what}")
 }
@@ -117,7 +115,8 @@ fn sample_point(can: &CanInterface, link: &CanLink, of: Option<BitTiming>) -> Op
     })
 }
 
-/// The rates of `link` with sample points that are right; a controller is given all at once.
+/// Returns the rates of `link` with sample points that are right; a controller is given all at
+/// once.
 fn moved(link: &CanLink) -> String {
     let timing = |prefix: &str, it: BitTiming| {
         let good = SAMPLE_POINTS.contains(&it.sample_point);

@@ -15,13 +15,13 @@ pub(in super::super) struct KernelVersion {
 }
 
 impl KernelVersion {
-    /// From the start of a release, as in `6.1.0-56-amd64`.
+    /// Reads a version from the start of a release, as in `6.1.0-56-amd64`.
     fn of(release: &str) -> Option<Self> {
         let mut numbers = release.split(|c: char| !c.is_ascii_digit()).map(str::parse);
         Some(Self { major: numbers.next()?.ok()?, minor: numbers.next()?.ok()? })
     }
 
-    /// Of the kernel whose files are under `root`.
+    /// Returns the version of the kernel whose files are under `root`.
     pub(in super::super) fn read(root: &Path) -> Option<Self> {
         Self::of(&release(root)?)
     }
@@ -33,17 +33,17 @@ impl fmt::Display for KernelVersion {
     }
 }
 
-/// The kernel's release, as `uname -r` prints it.
+/// Returns the kernel's release, as `uname -r` prints it.
 pub(super) fn release(root: &Path) -> Option<String> {
     text(&root.join("proc/sys/kernel/osrelease"))
 }
 
-/// Whether the kernel was built so that a thread can nearly always be interrupted.
+/// Tells whether the kernel was built so that a thread can nearly always be interrupted.
 pub(super) fn is_real_time(root: &Path) -> bool {
     text(&root.join("sys/kernel/realtime")).as_deref() == Some("1")
 }
 
-/// What real-time threads may have of each period, if it is not all (us), and the period.
+/// Returns what real-time threads may have of each period, if it is not all (us), and the period.
 pub(super) fn throttling(root: &Path) -> Option<(u32, u32)> {
     let kernel = root.join("proc/sys/kernel");
     let runtime: i64 = number(&kernel.join("sched_rt_runtime_us"))?;
@@ -53,7 +53,7 @@ pub(super) fn throttling(root: &Path) -> Option<(u32, u32)> {
     (runtime < period).then_some((runtime, period))
 }
 
-/// How the clocks of the processors are governed, each way once; empty if it is not told.
+/// Returns how the clocks of the processors are governed, each way once; empty if it is not told.
 pub(super) fn governors(root: &Path) -> BTreeSet<String> {
     let folders = fs::read_dir(root.join("sys/devices/system/cpu"));
     let folders = folders.into_iter().flatten().flatten();

@@ -26,7 +26,7 @@ pub(super) struct ProcessLimits {
 }
 
 impl ProcessLimits {
-    /// Those of this process, whose files are under `root`.
+    /// Returns the limits of this process, whose files are under `root`.
     pub(super) fn read(root: &Path) -> Option<Self> {
         let process = root.join("proc/self");
         let limits = text(&process.join("limits"))?;
@@ -34,7 +34,7 @@ impl ProcessLimits {
         Self::parse(&limits, &status)
     }
 
-    /// From the texts of `limits` and `status`.
+    /// Reads them from the texts of `limits` and `status`.
     fn parse(limits: &str, status: &str) -> Option<Self> {
         let capabilities = capabilities(status);
         let limit = |name, capability: u32| {
@@ -48,7 +48,7 @@ impl ProcessLimits {
     }
 }
 
-/// The soft limit in the line that begins with `name`.
+/// Returns the soft limit in the line that begins with `name`.
 fn soft(limits: &str, name: &str) -> Option<ResourceLimit> {
     let line = limits.lines().find_map(|line| line.strip_prefix(name))?;
     let value = line.split_whitespace().next()?;
@@ -59,7 +59,7 @@ fn soft(limits: &str, name: &str) -> Option<ResourceLimit> {
     }
 }
 
-/// The set of capabilities that are in force; none if they are not told.
+/// Returns the set of capabilities that are in force; none if they are not told.
 fn capabilities(status: &str) -> u64 {
     let line = status.lines().find_map(|line| line.strip_prefix("CapEff:"));
     line.and_then(|set| u64::from_str_radix(set.trim(), 16).ok()).unwrap_or(0)

@@ -19,13 +19,13 @@ pub struct Fact {
     pub advice: Option<String>,
 }
 
-/// What is known of this machine's kernel and of what it grants this user.
+/// Returns what is known of this machine's kernel and of what it grants this user.
 pub fn this_machine() -> Listing<Fact> {
     let facts = if cfg!(target_os = "linux") { facts(Path::new("/")) } else { Vec::new() };
     Listing::new(facts, "the kernel tells this on Linux only")
 }
 
-/// The facts that the files under `root` tell.
+/// Returns the facts that the files under `root` tell.
 fn facts(root: &Path) -> Vec<Fact> {
     let facts = [preemption(root), kernel::throttling(root).map(throttling), governors(root)];
     let limits = ProcessLimits::read(root).map(|it| [priority(it.priority), memory(it.locked)]);
@@ -59,7 +59,7 @@ fn throttling((runtime, period): (u32, u32)) -> Fact {
     }
 }
 
-/// None if the machine does not let its clocks be governed.
+/// Returns nothing if the machine does not let its clocks be governed.
 fn governors(root: &Path) -> Option<Fact> {
     let names = kernel::governors(root);
     let saves = names.contains("powersave");

@@ -8,12 +8,14 @@ use super::usb::{UsbPlace, UsbSpeed};
 /// How long an FTDI adapter may hold bytes back (ms).
 const MOST_LATENCY: u32 = 1;
 
-/// How long the adapter of the terminal `tty` holds bytes back, if it is one that does (ms).
+/// Returns how long the adapter of the terminal `tty` holds bytes back, if it is one that does
+/// (ms).
 pub(in super::super) fn latency_timer(sys: &Path, tty: &str) -> Option<u32> {
     number(&sys.join("bus/usb-serial/devices").join(tty).join("latency_timer"))
 }
 
-/// Everything to change about the terminal `tty`; `places` are all USB devices with ports.
+/// Returns everything to change about the terminal `tty`; `places` are all USB devices with
+/// ports.
 pub(in super::super) fn advice(
     tty: &str,
     latency: Option<u32>,

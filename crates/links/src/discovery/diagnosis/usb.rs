@@ -17,7 +17,7 @@ pub enum UsbSpeed {
 }
 
 impl UsbSpeed {
-    /// From the megabits of the kernel's file.
+    /// Reads it from the megabits of the kernel's file.
     fn of(megabits: &str) -> Option<Self> {
         let megabits: f64 = megabits.parse().ok()?;
         Some(if megabits < 12.0 {
@@ -46,7 +46,7 @@ pub struct UsbPlace {
     pub sleeps_after: Option<u32>,
 }
 
-/// The USB device of the terminal `tty`, if it is one, from the files under `sys`.
+/// Returns the USB device of the terminal `tty`, if it is one, from the files under `sys`.
 pub(in super::super) fn place(sys: &Path, tty: &str) -> Option<UsbPlace> {
     let device = sys.join("class/tty").join(tty).join("device").canonicalize().ok()?;
     let folder = device.ancestors().find(|it| it.join("idVendor").exists())?.to_owned();
@@ -63,7 +63,7 @@ fn speed(folder: &Path) -> Option<UsbSpeed> {
     UsbSpeed::of(&text(&folder.join("speed"))?)
 }
 
-/// Up the tree, past full-speed hubs, to what has 12 Mbit/s of its own.
+/// Looks up the tree, past full-speed hubs, to what has 12 Mbit/s of its own.
 fn domain(device: &Path) -> PathBuf {
     let mut below = device;
     while let Some(hub) = below.parent().filter(|hub| hub.join("speed").exists()) {
@@ -109,7 +109,8 @@ pub(super) mod tests {
             .with_link(&format!("class/tty/{tty}/device"), &interface)
     }
 
-    /// Two full-speed devices behind a hub of this protocol, and one on a port of its own.
+    /// Makes two full-speed devices behind a hub of this protocol, and one on a port of its
+    /// own.
     pub(in super::super) fn tree(test: &str, protocol: &str) -> Root {
         let mut root = with_usb(Root::new(test), "", "480", "01");
         root = with_usb(root, "/1-1", "480", protocol);
