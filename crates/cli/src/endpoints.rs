@@ -38,9 +38,9 @@ impl Endpoints {
     pub(super) fn open(
         scene: &Scene,
         handle: &Arc<RunHandle>,
-        wanted: Option<streaming::WantedStream>,
+        wanted: Option<&streaming::WantedStream>,
     ) -> Result<Self, Failure> {
-        let folders = wanted.as_ref().map(|it| it.folders.clone()).unwrap_or_default();
+        let folders = wanted.map(|it| it.folders.clone()).unwrap_or_default();
         let requests = RequestHandler::new(scene.clone(), Arc::clone(handle), folders);
         let requests = Arc::new(requests);
         let stream = wanted.map(|wanted| stream(wanted, &requests)).transpose()?.flatten();
@@ -103,7 +103,7 @@ pub(super) fn listen<A: Answers>(answers: Arc<A>) -> Clients {
 
 /// Serves the stream, if its port is free.
 fn stream(
-    wanted: streaming::WantedStream,
+    wanted: &streaming::WantedStream,
     requests: &Arc<RequestHandler>,
 ) -> Result<Option<ServedStream>, Failure> {
     let Some(server) = wanted.listen()? else { return Ok(None) };

@@ -168,7 +168,7 @@ async fn host(
     let endpoints = if options.virtual_time {
         Endpoints::default()
     } else {
-        Endpoints::open(scene, &handle, wanted)?
+        Endpoints::open(scene, &handle, wanted.as_ref())?
     };
     let Some(session) = prepare(scene, options, &handle, &mut signals).await? else {
         endpoints.leave("the host was stopped before it began to play").await;

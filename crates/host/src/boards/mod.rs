@@ -32,6 +32,9 @@ pub fn now_us() -> u64 {
 }
 
 /// Opens a link that is opened again whenever it goes down.
+///
+/// # Errors
+/// If it cannot be opened now.
 pub fn open(bus: &BoardBus) -> Result<NamedLink, links::Error> {
     let address = bus.address.clone();
     let link = ReconnectingLink::open(move || address.open(BusSide::Host))?;
@@ -91,6 +94,9 @@ pub fn folder(boards: &Boards) -> Option<PathBuf> {
 
 /// Returns how the keys of a board behind one of the `boards`' buses read: from its file; a
 /// simulated board reads as it says.
+///
+/// # Errors
+/// If there is no file, or it cannot be used.
 pub fn calibration(
     found: &FoundBoard,
     name: &BoardName,

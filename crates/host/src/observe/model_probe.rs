@@ -107,7 +107,7 @@ fn guards<M: Playable>() -> Vec<WatchedGuard> {
             match all.iter_mut().find(|guard| guard.id == spec.id) {
                 Some(guard) => guard.modes.push(number),
                 None => {
-                    all.push(WatchedGuard { id: spec.id, name: spec.name, modes: vec![number] })
+                    all.push(WatchedGuard { id: spec.id, name: spec.name, modes: vec![number] });
                 }
             }
         }

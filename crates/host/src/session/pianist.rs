@@ -16,14 +16,14 @@ pub use performance::Progress as PianistProgress;
 pub(super) fn rehearse(
     scene: &Scene,
     builder: &VoiceBuilder<'_>,
-    source: &KeySource,
+    key_source: &KeySource,
     duration: Option<f64>,
     progress: &(dyn Fn(PianistProgress) + Sync),
 ) -> Result<Option<Performance>, SessionError> {
     let Some(piece) = &scene.performance else { return Ok(None) };
     let technique = Technique::default();
     let score = load(piece)?;
-    let keys = keys_of(builder, source)?;
+    let keys = keys_of(builder, key_source)?;
     let score = within(score, duration, technique.lead_in, &keys);
     let keys = Mutex::new(keys);
     let instrument = |key: u8| {
@@ -52,10 +52,10 @@ fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
 /// Returns one key of every voice that has a motor, at rest.
 fn keys_of(
     builder: &VoiceBuilder<'_>,
-    source: &KeySource,
+    key_source: &KeySource,
 ) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
     let mut keys = vec![None; scheduler::motion::KEYS];
-    for (key, voice) in builder.keys().filter(|(key, _)| source.carries(*key)) {
+    for (key, voice) in builder.keys().filter(|(key, _)| key_source.carries(*key)) {
         keys[key] = Some(RehearsedKey::of_scene(builder, key, voice)?);
     }
     Ok(keys)

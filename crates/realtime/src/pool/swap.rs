@@ -15,9 +15,9 @@ const MAX_CHANGES_PER_TICK: usize = 8;
 /// Why a change was not taken; it is given back.
 pub enum Refused {
     /// No voice was set up for that key.
-    NoSuchVoice(VoiceChange),
+    NoSuchVoice(Box<VoiceChange>),
     /// As many changes are waiting as there are keys; try again after some ticks.
-    Full(VoiceChange),
+    Full(Box<VoiceChange>),
 }
 
 impl fmt::Debug for Refused {
@@ -92,11 +92,11 @@ impl VoiceSwaps {
     pub fn send(&mut self, key: usize, change: VoiceChange) -> Result<(), Refused> {
         self.drain();
         if !self.has_voice.get(key).is_some_and(|has_voice| *has_voice) {
-            return Err(Refused::NoSuchVoice(change));
+            return Err(Refused::NoSuchVoice(Box::new(change)));
         }
         let lane = lane_of(key, self.lanes.len());
         let pushed = self.lanes[lane].into.push(QueuedChange { key, change });
-        pushed.map_err(|PushError::Full(it)| Refused::Full(it.change))
+        pushed.map_err(|PushError::Full(it)| Refused::Full(Box::new(it.change)))
     }
 
     /// Says in a sentence why changes for `keys` would not all be taken now.
@@ -155,19 +155,28 @@ impl InnerEnd {
             if self.out.is_full() {
                 return;
             }
-            let Ok(QueuedChange { key, change }) = self.into.pop() else { return };
-            let slot = slots.iter_mut().find(|slot| slot.key() == key);
-            match change {
-                VoiceChange::Replace(voice) => {
-                    let voice = PanicGuard::new(voice);
-                    let old = if let Some(slot) = slot { slot.replace(voice) } else { voice };
-                    let sent = self.out.push(old);
-                    debug_assert!(sent.is_ok(), "there was room a moment ago");
-                }
-                VoiceChange::Retune(values) => {
-                    // A voice that does not take them has panicked, and stays at the safe force.
-                    let _taken = slot.is_some_and(|slot| slot.retune(&values));
-                }
+            let Ok(queued) = self.into.pop() else { return };
+            if let Some(old) = queued.apply(slots) {
+                let sent = self.out.push(old);
+                debug_assert!(sent.is_ok(), "there was room a moment ago");
+            }
+        }
+    }
+}
+
+impl QueuedChange {
+    /// Makes the change, and returns the voice that is left over, which must be freed elsewhere.
+    fn apply(self, slots: &mut [Slot<PanicGuard>]) -> Option<PanicGuard> {
+        let slot = slots.iter_mut().find(|slot| slot.key() == self.key);
+        match self.change {
+            VoiceChange::Replace(voice) => {
+                let voice = PanicGuard::new(voice);
+                Some(if let Some(slot) = slot { slot.replace(voice) } else { voice })
+            }
+            VoiceChange::Retune(values) => {
+                // A voice that does not take them has panicked, and stays at the safe force.
+                let _taken = slot.is_some_and(|slot| slot.retune(&values));
+                None
             }
         }
     }
