@@ -204,7 +204,7 @@ impl Scenario for HeadScenario {
     }
 }
 
-/// Steps down to 5 µs [s]: a contact of 0.1 ms wants them.
+/// Steps down to 5 µs (s): a contact of 0.1 ms wants them.
 const TICKS: &[f64] =
     &[5.0 * MS, 2.5 * MS, MS, 0.5 * MS, 0.2 * MS, 0.1 * MS, 0.05 * MS, 0.02 * MS, 0.005 * MS];
 

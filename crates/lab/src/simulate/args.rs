@@ -39,7 +39,7 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "N", default_value_t = MIDDLE_C)]
     pub key: u8,
 
-    /// The input s over time [s]: a CSV file with the header `t,s`, or an expression of t.
+    /// The input s over time (s): a CSV file with the header `t,s`, or an expression of t.
     ///
     /// An expression is exact with its derivatives; it has + - * / ^, parentheses, pi, e,
     /// tau, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, exp,

@@ -20,7 +20,7 @@ use super::plot::Plot;
 /// Columns of the readout's slopes by s and by s'.
 const SLOPES: [&str; 2] = ["readout_per_s", "readout_per_s_dot"];
 
-/// Columns of the energy audit since the start [J]: what is stored more than then is supplied
+/// Columns of the energy audit since the start (J): what is stored more than then is supplied
 /// − dissipated + jumps.
 const ENERGIES: [&str; 4] = ["E_supplied", "E_dissipated", "E_jumps", "E_stored"];
 

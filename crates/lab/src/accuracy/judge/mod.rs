@@ -100,7 +100,7 @@ fn difference<M: Model>(reference: &Reference<M>, seen: &[SeenEvent<M>]) -> Opti
     Some(EventMismatch { index, expected, found })
 }
 
-/// Largest error of a time [s]: of the matched events, and of the rest they lead to.
+/// Largest error of a time (s): of the matched events, and of the rest they lead to.
 fn event_error<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> f64 {
     let pairs = reference.events.iter().zip(&observed.events);
     let events = pairs.map(|(expected, seen)| (expected.t - seen.t).abs());

@@ -12,7 +12,7 @@ use super::{InputMistake, NAME, is_finite};
 
 /// Room for exmex's recursion on the longest expression; untouched pages cost nothing.
 const STACK: usize = 256 << 20;
-/// Longest expression that is derived once more [bytes]: a second or two.
+/// Longest expression that is derived once more (bytes): a second or two.
 const MOST_LENGTH: usize = 12_000;
 
 /// s(t) and its rates.

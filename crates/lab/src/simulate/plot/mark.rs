@@ -57,7 +57,7 @@ impl EventMarks {
     }
 
     /// Labels that are `apart` from each other and at most `astray` behind their mark;
-    /// where there is no room, several marks share one [all in columns].
+    /// where there is no room, several marks share one (all in columns).
     pub(super) fn labels(&self, apart: f64, astray: f64) -> Vec<EventLabel> {
         let mut groups: Vec<(f64, EventMark)> = Vec::new();
         for mark in &self.all {
@@ -83,7 +83,7 @@ impl EventMarks {
 pub(super) struct EventLabel {
     /// Time of the mark (s).
     pub(super) t: f64,
-    /// Where the label stands [columns].
+    /// Where the label stands (columns).
     pub(super) place: f64,
     pub(super) text: String,
 }
