@@ -287,7 +287,7 @@ fn stop_has_a_shortcut_that_is_heard_whatever_is_done() {
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::Period);
     window.settle();
     assert_eq!(stops(&window), 2, "while somebody types");
-    let mut window = self::open(Pane::Log, Behind::Live);
+    let mut window = open(Pane::Log, Behind::Live);
     window.harness.key_press(Key::F1);
     window.settle();
     assert!(window.says("STOP: no force on any key"), "it stands in the help");
@@ -321,7 +321,7 @@ fn a_stop_that_is_not_confirmed_says_to_cut_the_power() {
         assert!(!rects[i + 1..].iter().any(is_over), "{} is printed over", texts[i]);
     }
     // A recording has no keys that could have forces.
-    let mut window = self::open(Pane::Log, Behind::Recording);
+    let mut window = open(Pane::Log, Behind::Recording);
     window.harness.get_by_label_contains("STOP").click();
     window.settle();
     assert!(!window.has(title) && window.says("A recording cannot be changed"));
