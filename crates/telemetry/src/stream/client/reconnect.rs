@@ -59,25 +59,22 @@ impl ReconnectingClient {
         let mut pause = PAUSES.0;
         loop {
             let dial = self.dial.clone();
-            match self.wait_for(Box::pin(connect(&dial))).await? {
+            let lost = match self.wait_for(Box::pin(connect(&dial))).await? {
                 Ok(socket) => {
                     pause = PAUSES.0;
                     let session = ClientSession::new(socket, &self.arrivals);
                     match Box::pin(session.run(&mut self.commands, &mut self.wanted)).await {
                         SessionEnd::Gone => return Err(WindowClosed),
-                        SessionEnd::Lost(text) => {
-                            self.arrivals.set_state(ConnectionState::Lost(text))
-                        }
+                        SessionEnd::Lost(text) => text,
                     }
                 }
-                Err(ConnectError::Lost(text)) => {
-                    self.arrivals.set_state(ConnectionState::Lost(text))
-                }
+                Err(ConnectError::Lost(text)) => text,
                 Err(ConnectError::Refused(text)) => {
                     self.arrivals.set_state(ConnectionState::Refused(text));
                     return self.wait_for(std::future::pending()).await;
                 }
-            }
+            };
+            self.arrivals.set_state(ConnectionState::Lost(lost));
             self.wait_for(tokio::time::sleep(pause)).await?;
             pause = (2 * pause).min(PAUSES.1);
         }

@@ -1,8 +1,8 @@
 //! One client, from its first message to its end.
 
 mod answer;
-mod rate_limit;
 mod read;
+mod token_bucket;
 mod write;
 
 use std::collections::BTreeMap;

@@ -12,7 +12,7 @@ use tokio_tungstenite::tungstenite::{Error, Message};
 
 use super::ConnectionEnd;
 use super::answer::{ClientRequest, PendingAnswer, Receipt};
-use super::rate_limit::RateLimit;
+use super::token_bucket::TokenBucket;
 use crate::Request;
 use crate::stream::byte_stream::BoxedStream;
 use crate::stream::protocol::{ClientFrame, FromClient, Level, Service, Text as _};
@@ -31,8 +31,8 @@ pub(super) struct RequestReader {
     who: Who,
     asked: mpsc::Sender<PendingAnswer>,
     urgent: mpsc::Sender<PendingAnswer>,
-    messages: RateLimit,
-    requests: RateLimit,
+    messages: TokenBucket,
+    requests: TokenBucket,
     idle: Duration,
 }
 
@@ -46,7 +46,7 @@ impl RequestReader {
         urgent: mpsc::Sender<PendingAnswer>,
     ) -> Self {
         let limits = &state.settings.limits;
-        let limit = |per_second| RateLimit::new(per_second, Instant::now());
+        let limit = |per_second| TokenBucket::new(per_second, Instant::now());
         Self {
             publisher: state.publisher.clone(),
             outbox,

@@ -6,13 +6,13 @@ use tokio::time::Instant;
 
 /// A rate (1/s), of which twice as many are let through at once after a pause.
 #[derive(Debug)]
-pub(super) struct RateLimit {
+pub(super) struct TokenBucket {
     per_second: f64,
     level: f64,
     since: Instant,
 }
 
-impl RateLimit {
+impl TokenBucket {
     /// Creates a full bucket.
     pub(super) fn new(per_second: u32, now: Instant) -> Self {
         let per_second = f64::from(per_second.max(1));
@@ -48,8 +48,8 @@ mod tests {
     #[test]
     fn after_a_burst_so_many_a_second_are_let_through() {
         let start = Instant::now();
-        let mut limit = RateLimit::new(100, start);
-        let through = |limit: &mut RateLimit, at| (0..5000).filter(|_| limit.take(at)).count();
+        let mut limit = TokenBucket::new(100, start);
+        let through = |limit: &mut TokenBucket, at| (0..5000).filter(|_| limit.take(at)).count();
         assert_eq!(through(&mut limit, start), 200);
         assert_eq!(through(&mut limit, start + Duration::from_millis(500)), 50);
         assert_eq!(through(&mut limit, start + Duration::from_mins(1)), 200);
@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn those_that_are_booked_wait_for_their_turn() {
         let start = Instant::now();
-        let mut limit = RateLimit::new(100, start);
+        let mut limit = TokenBucket::new(100, start);
         assert!((0..200).all(|_| limit.book(start) == Duration::ZERO));
         assert_eq!(limit.book(start), Duration::from_millis(10));
         assert_eq!(limit.book(start), Duration::from_millis(20));
