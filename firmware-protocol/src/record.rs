@@ -33,7 +33,9 @@ pub struct RecordField {
 pub(crate) trait Scalar: Sized + Copy {
     const LEN: usize;
     const C_TYPE: &'static str;
+    /// Writes the scalar to the start of `bytes`, which has room for it.
     fn put(self, bytes: &mut [u8]);
+    /// Reads the scalar from the start of `bytes`.
     fn take(bytes: &[u8]) -> Option<Self>;
 }
 

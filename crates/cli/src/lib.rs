@@ -43,7 +43,7 @@ pub struct Letoff {
     pub command: Command,
 }
 
-/// What to do.
+/// The subcommand that was typed.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Runs the host; without a scene, 88 simulated keys and a virtual pianist.

@@ -70,7 +70,7 @@ impl StderrLog {
         *self.shared.bar.lock().unwrap_or_else(PoisonError::into_inner) = Some(bar);
     }
 
-    /// Writes a line.
+    /// Writes a line without waiting for the terminal.
     pub(super) fn say(&self, text: String) {
         self.lines().say(text);
     }

@@ -20,7 +20,7 @@ pub struct LabArgs {
     pub study: StudyCommand,
 }
 
-/// A study.
+/// The study that was asked for.
 #[derive(Clone, Debug, Subcommand)]
 pub enum StudyCommand {
     /// Speed against error of every method, on problems whose answers are known.

@@ -46,6 +46,7 @@ impl Diagnostics {
         &self.0
     }
 
+    /// Returns the mistakes, in order.
     pub fn into_vec(self) -> Vec<Diagnostic> {
         self.0
     }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use hdrhistogram::Histogram;
-use midi::{EventKind, NoteEvent, Output, Player, Schedule, VelocityCurve};
+use midi::{NoteEvent, NoteEventKind, Output, Player, Schedule, VelocityCurve};
 use performance::Struck;
 use rtrb::Consumer;
 use scheduler::time::Nanos;
@@ -117,7 +117,7 @@ impl MidiDispatcher {
             }
             let Some(event) = self.schedule.pop() else { return };
             self.play(event);
-            if matches!(event.kind, EventKind::Strike { .. }) {
+            if matches!(event.kind, NoteEventKind::Strike { .. }) {
                 handover.saturating_record(clock::monotonic().since(due).as_u64());
             }
         }
@@ -138,7 +138,7 @@ impl MidiDispatcher {
     }
 
     fn play(&mut self, event: NoteEvent) {
-        if let EventKind::Strike { speed } = event.kind {
+        if let NoteEventKind::Strike { speed } = event.kind {
             let velocity = self.curve.velocity(speed).get();
             self.struck.push(Struck { key: event.key, at: event.at, velocity });
         }

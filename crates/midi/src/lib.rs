@@ -26,6 +26,6 @@ pub mod velocity;
 pub use message::{Controller, Message, MidiDecodeError};
 pub use note::{Note, Velocity};
 pub use output::{MessageRecorder, MidiPort, MidiSendError, Output, Smf, Unavailable, ports};
-pub use player::{EventKind, NoteEvent, Player};
+pub use player::{NoteEvent, NoteEventKind, Player};
 pub use schedule::Schedule;
 pub use velocity::{UnknownCurve, VelocityCurve};

@@ -20,12 +20,12 @@ pub struct NoteEvent {
     pub key: u8,
     /// When (s since the host started).
     pub at: f64,
-    pub kind: EventKind,
+    pub kind: NoteEventKind,
 }
 
 /// What can be heard of a key.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum EventKind {
+pub enum NoteEventKind {
     /// The hammer meets the string.
     Strike {
         /// Speed of the hammer at the string (m/s).
@@ -174,16 +174,16 @@ impl<O: Output> Player<O> {
     fn respond(&mut self, event: NoteEvent) -> Result<(), MidiSendError> {
         let NoteEvent { key, at, kind } = event;
         match kind {
-            EventKind::Strike { speed } => self.strike(key, at, self.curve.velocity(speed)),
-            EventKind::DamperFall { speed } => {
+            NoteEventKind::Strike { speed } => self.strike(key, at, self.curve.velocity(speed)),
+            NoteEventKind::DamperFall { speed } => {
                 self.lay_damper(key);
                 self.release(key, at, release_velocity(speed))
             }
-            EventKind::DamperLift => {
+            NoteEventKind::DamperLift => {
                 self.lift_damper(key);
                 Ok(())
             }
-            EventKind::Sustain(depth) => self.sustain(at, depth),
+            NoteEventKind::Sustain(depth) => self.sustain(at, depth),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use crate::player::{EventKind, NoteEvent};
+use crate::player::{NoteEvent, NoteEventKind};
 
 /// Key events that wait, the earliest first.
 ///
@@ -27,7 +27,7 @@ impl ScheduledEvent {
     }
 
     fn is_of(&self, event: &NoteEvent) -> bool {
-        let is_pedal = |event: &NoteEvent| matches!(event.kind, EventKind::Sustain(_));
+        let is_pedal = |event: &NoteEvent| matches!(event.kind, NoteEventKind::Sustain(_));
         self.event.at.total_cmp(&event.at).is_eq()
             && self.event.key == event.key
             && is_pedal(&self.event) == is_pedal(event)
@@ -56,12 +56,12 @@ impl Schedule {
 }
 
 /// The smaller, the earlier among events of the same time.
-const fn rank(kind: EventKind) -> u8 {
+const fn rank(kind: NoteEventKind) -> u8 {
     match kind {
-        EventKind::DamperFall { .. } => 0,
-        EventKind::DamperLift => 1,
-        EventKind::Sustain(_) => 2,
-        EventKind::Strike { .. } => 3,
+        NoteEventKind::DamperFall { .. } => 0,
+        NoteEventKind::DamperLift => 1,
+        NoteEventKind::Sustain(_) => 2,
+        NoteEventKind::Strike { .. } => 3,
     }
 }
 
@@ -69,10 +69,10 @@ const fn rank(kind: EventKind) -> u8 {
 mod tests {
     use super::*;
 
-    const STRIKE: EventKind = EventKind::Strike { speed: 1.0 };
-    const FALL: EventKind = EventKind::DamperFall { speed: 0.1 };
+    const STRIKE: NoteEventKind = NoteEventKind::Strike { speed: 1.0 };
+    const FALL: NoteEventKind = NoteEventKind::DamperFall { speed: 0.1 };
 
-    fn order(events: &[(u8, f64, EventKind)]) -> Vec<(u8, EventKind)> {
+    fn order(events: &[(u8, f64, NoteEventKind)]) -> Vec<(u8, NoteEventKind)> {
         let mut schedule = Schedule::default();
         for (key, at, kind) in events.iter().copied() {
             schedule.insert(NoteEvent { key, at, kind });
@@ -88,19 +88,19 @@ mod tests {
 
     #[test]
     fn at_one_time_notes_end_before_others_begin_and_keys_keep_their_order() {
-        let pedal = EventKind::Sustain(1.0);
+        let pedal = NoteEventKind::Sustain(1.0);
         let at_once = [
             (1, 0.5, STRIKE),
             (0, 0.5, pedal),
             (2, 0.5, STRIKE),
-            (5, 0.5, EventKind::DamperLift),
+            (5, 0.5, NoteEventKind::DamperLift),
             (4, 0.5, FALL),
             (3, 0.5, FALL),
         ];
         let wanted = [
             (4, FALL),
             (3, FALL),
-            (5, EventKind::DamperLift),
+            (5, NoteEventKind::DamperLift),
             (0, pedal),
             (1, STRIKE),
             (2, STRIKE),

@@ -6,26 +6,27 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use midi::{
-    EventKind, Message, MessageRecorder, MidiSendError, NoteEvent, Output, Player, VelocityCurve,
+    Message, MessageRecorder, MidiSendError, NoteEvent, NoteEventKind, Output, Player,
+    VelocityCurve,
 };
 
 /// Middle C.
 const KEY: u8 = 39;
 
 fn strike(at: f64, speed: f64) -> NoteEvent {
-    NoteEvent { key: KEY, at, kind: EventKind::Strike { speed } }
+    NoteEvent { key: KEY, at, kind: NoteEventKind::Strike { speed } }
 }
 
 fn fall(at: f64) -> NoteEvent {
-    NoteEvent { key: KEY, at, kind: EventKind::DamperFall { speed: 0.2 } }
+    NoteEvent { key: KEY, at, kind: NoteEventKind::DamperFall { speed: 0.2 } }
 }
 
 fn lift(at: f64) -> NoteEvent {
-    NoteEvent { key: KEY, at, kind: EventKind::DamperLift }
+    NoteEvent { key: KEY, at, kind: NoteEventKind::DamperLift }
 }
 
 fn sustain(at: f64, depth: f64) -> NoteEvent {
-    NoteEvent { key: 0, at, kind: EventKind::Sustain(depth) }
+    NoteEvent { key: 0, at, kind: NoteEventKind::Sustain(depth) }
 }
 
 fn on(at: f64, velocity: u8) -> (f64, [u8; 3]) {
@@ -98,7 +99,7 @@ fn the_pedal_is_sent_when_its_value_changes() {
 
 #[test]
 fn a_key_that_does_not_exist_is_silent() {
-    check(&[NoteEvent { key: 88, at: 0.0, kind: EventKind::Strike { speed: 1.0 } }], &[]);
+    check(&[NoteEvent { key: 88, at: 0.0, kind: NoteEventKind::Strike { speed: 1.0 } }], &[]);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::watch::{Event, Piece, Watch};
 
 /// Energy and powers of a model at one instant, or a part of them.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct Balance {
+pub struct EnergyBalance {
     /// Energy stored [J].
     pub energy: f64,
     /// Power that the input's driver puts in [W].
@@ -18,7 +18,7 @@ pub struct Balance {
     pub dissipated: f64,
 }
 
-impl Add for Balance {
+impl Add for EnergyBalance {
     type Output = Self;
 
     #[inline]
@@ -52,14 +52,19 @@ pub trait Energetic: Model {
     ///
     /// An audit evaluates it once per state, even where the input jumps.
     #[inline]
-    fn balance_of_state(&self, _mode: Self::Mode, _x: &Self::State) -> Balance {
-        Balance::default()
+    fn balance_of_state(&self, _mode: Self::Mode, _x: &Self::State) -> EnergyBalance {
+        EnergyBalance::default()
     }
 
     /// Returns the rest of the balance.
     #[inline]
-    fn balance_of_input(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> Balance {
-        Balance {
+    fn balance_of_input(
+        &self,
+        mode: Self::Mode,
+        x: &Self::State,
+        input: &Self::Input,
+    ) -> EnergyBalance {
+        EnergyBalance {
             energy: self.energy(mode, x, input),
             supplied: self.supplied(mode, x, input),
             dissipated: self.dissipated(mode, x, input),
@@ -103,7 +108,7 @@ impl EnergyAudit {
         &mut self,
         model: &M,
         piece: &Piece<'_, M, S>,
-        (start, end): (Balance, Balance),
+        (start, end): (EnergyBalance, EnergyBalance),
     ) {
         let mode = piece.mode;
         let (x, input) = piece.middle(model);
@@ -153,7 +158,7 @@ pub struct Auditor<M: Energetic> {
     /// Mode and state at the end of the last piece, and the balance of that state.
     mode: Option<M::Mode>,
     state: M::State,
-    balance: Balance,
+    balance: EnergyBalance,
 }
 
 impl<M: Energetic> Default for Auditor<M> {
@@ -162,7 +167,7 @@ impl<M: Energetic> Default for Auditor<M> {
             sums: EnergyAudit::default(),
             mode: None,
             state: M::State::ZERO,
-            balance: Balance::default(),
+            balance: EnergyBalance::default(),
         }
     }
 }
@@ -177,7 +182,7 @@ impl<M: Energetic> Auditor<M> {
 /// The balance of a state that no piece has ended in; apart, since it is seldom needed.
 #[cold]
 #[inline(never)]
-fn balance_anew<M: Energetic>(model: &M, mode: M::Mode, x: M::State) -> Balance {
+fn balance_anew<M: Energetic>(model: &M, mode: M::Mode, x: M::State) -> EnergyBalance {
     model.balance_of_state(mode, &x)
 }
 

@@ -65,7 +65,7 @@ pub mod input;
 pub mod math;
 pub mod stepper;
 
-pub use audit::{Auditor, Balance, Energetic, EnergyAudit};
+pub use audit::{Auditor, Energetic, EnergyAudit, EnergyBalance};
 pub use dense::{Cubic, Dense, Polynomial};
 pub use guard::{Fires, GuardId, GuardSpec, GuardValue, MAX_GUARDS, Reads};
 pub use input::{Motion, Signal};

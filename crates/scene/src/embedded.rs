@@ -28,13 +28,13 @@ macro_rules! configs {
     };
 }
 
-/// The embedded scenes.
+/// The scenes that are part of the program.
 pub(super) const SCENES: EmbeddedFiles = EmbeddedFiles {
     what: "scene",
     files: configs!(include_str, "scenes", ".toml": "default", "bach", "paper", "mixed", "fast"),
 };
 
-/// The embedded instruments.
+/// The instruments that are part of the program.
 pub(super) const INSTRUMENTS: EmbeddedFiles = EmbeddedFiles {
     what: "instrument",
     files: configs!(

@@ -16,7 +16,7 @@ use super::source::{SourceError, SourceText, refuse};
 use super::voicing::Voicing;
 use diagnostics::Diagnostics;
 
-/// A checked instrument.
+/// An instrument whose values were checked.
 #[derive(Clone, Debug)]
 pub struct Instrument {
     /// The name in scenes and on the command line.

@@ -23,7 +23,7 @@ const DEFAULT_TICK_HZ: u32 = 1000;
 
 const LANES: Quantity = Quantity { unit: "1", range: (1.0, 16.0) };
 
-/// A checked scene.
+/// A scene whose values were checked.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// The embedded scene's name, or the file's without its ending.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
-use midi::{EventKind, NoteEvent as MidiEvent};
+use midi::{NoteEvent as MidiEvent, NoteEventKind};
 use rtrb::Producer;
 use scheduler::motion::{KeyEvent, Moment};
 use scheduler::port::{FinishedTick, TickObserver};
@@ -86,7 +86,7 @@ impl TickPublisher {
         let pressed = pedals.iter().take(n_pedals).map(|&(at, depth)| MidiEvent {
             key: 0,
             at,
-            kind: EventKind::Sustain(depth),
+            kind: NoteEventKind::Sustain(depth),
         });
         let played = (0..).zip(seen.turns).flat_map(|(key, turn)| {
             let event = move |&(at, event): &(Moment, KeyEvent)| MidiEvent {
@@ -175,10 +175,10 @@ impl TickObserver for TickPublisher {
     }
 }
 
-const fn heard(event: KeyEvent) -> EventKind {
+const fn heard(event: KeyEvent) -> NoteEventKind {
     match event {
-        KeyEvent::Strike { speed } => EventKind::Strike { speed },
-        KeyEvent::DamperLift => EventKind::DamperLift,
-        KeyEvent::DamperFall { speed } => EventKind::DamperFall { speed },
+        KeyEvent::Strike { speed } => NoteEventKind::Strike { speed },
+        KeyEvent::DamperLift => NoteEventKind::DamperLift,
+        KeyEvent::DamperFall { speed } => NoteEventKind::DamperFall { speed },
     }
 }

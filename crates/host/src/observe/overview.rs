@@ -38,7 +38,7 @@ impl KeyActivity {
     }
 }
 
-/// Collects all keys.
+/// Collects what all keys did since the last overview.
 #[derive(Debug)]
 pub(super) struct OverviewBuilder {
     keys: Box<[KeyActivity]>,
@@ -47,7 +47,7 @@ pub(super) struct OverviewBuilder {
 }
 
 impl OverviewBuilder {
-    /// Nothing was seen.
+    /// Returns a builder that has seen no key yet.
     pub(super) fn new() -> Self {
         Self { keys: vec![KeyActivity::NOTHING; KEYS].into(), last: 0, ticks: 0 }
     }

@@ -214,7 +214,7 @@ fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
 /// Returns the value of a column in a row, as text that is the same only for the same bits.
 type CellText = fn(&KeyBlock, usize) -> String;
 
-/// Every column.
+/// The columns that are compared.
 const COLUMNS: [(&str, CellText); 12] = [
     ("position", |it, row| bits(&it.position, row)),
     ("age", |it, row| cell(&it.age, row)),

@@ -173,7 +173,7 @@ impl Lanes for ReplayLanes {
     }
 }
 
-/// The recorded sensors.
+/// The samples of a recording, as a bus.
 #[derive(Debug)]
 pub(super) struct ReplayBus {
     pub(super) samples: [KeySample; KEYS],

@@ -98,7 +98,7 @@ fn publish(
     prepared.handle.tell(TelemetryMessage::Links(Box::new(watch)));
 }
 
-/// A small count.
+/// Returns a small count as the messages carry it.
 fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }

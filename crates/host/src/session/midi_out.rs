@@ -9,7 +9,7 @@ use crate::report::MidiReport;
 use crate::session::SessionError;
 use scene::{Midi, MidiOutput};
 
-/// Sends nothing anywhere.
+/// An output that drops every message.
 #[derive(Clone, Copy, Debug)]
 struct Nowhere;
 

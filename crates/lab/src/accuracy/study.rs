@@ -14,6 +14,7 @@ use crate::scenario::{BadFile, Plan, Scenario, ScenarioEntry, ScenarioVisitor};
 
 /// A scenario that can be run with every method.
 pub(super) trait Study {
+    /// Returns how long the scenario is run, and with which ticks.
     fn plan(&self) -> Plan;
 
     /// Does one run, judges and times it.

@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Color(pub(crate) u8, pub(crate) u8, pub(crate) u8);
 
-/// Text and axes.
+/// Colour of text and axes.
 pub(crate) const INK: Color = Color(40, 40, 40);
 pub(crate) const PAPER: Color = Color(255, 255, 255);
 

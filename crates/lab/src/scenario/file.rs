@@ -128,7 +128,7 @@ fn mode<M: Described>(file: &ReferenceFile, name: &str) -> Result<M::Mode, BadFi
     known.map(|(mode, _)| *mode).ok_or_else(|| file.wrong(format_args!("no mode {name}")))
 }
 
-/// The trajectory.
+/// Rows of the trajectory file.
 struct TrajectoryRows<M: Described>(Vec<ReferenceSample<M::State>>);
 
 impl<M: Described> TrajectoryRows<M> {

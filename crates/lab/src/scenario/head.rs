@@ -28,7 +28,7 @@ pub(super) struct FallingHead {
     k: f64,
 }
 
-/// Contact configuration.
+/// Whether the head is in flight or on the felt.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Mode {
     Flight,

@@ -116,6 +116,7 @@ enum Build {
 pub(crate) trait ScenarioVisitor {
     type Output;
 
+    /// Does something with a scenario of its own type.
     fn visit<S: Scenario + 'static>(self, scenario: S) -> Self::Output;
 }
 
@@ -156,7 +157,7 @@ const GIVEN: &str = "Reference: three independent integrators, agreeing to 1e-19
 const MADE: &str =
     "Reference: Taylor series in 240 bits and extrapolation in 113 bits, agreeing to 1e-23 s.";
 
-/// Every scenario.
+/// The scenarios of the study, by name.
 pub const SCENARIOS: &[ScenarioEntry] = &[
     closed("ball", "a ball with restitution 0.8, ten impacts", Build::Ball(ball::ten_impacts)),
     closed("ball-rest-0.8", "the same until it rests: a Zeno sequence", Build::Ball(ball::rest_08)),

@@ -83,7 +83,7 @@ pub(super) struct PendulumScenario {
     reference: Reference<Pendulum>,
 }
 
-/// Builds the scenario.
+/// Returns the scenario with its reference.
 pub(super) fn build() -> PendulumScenario {
     let impacts = impacts();
     let event = |(t, _): &(f64, f64)| ExpectedEvent { t: *t, guard: "wall".to_owned(), to: () };

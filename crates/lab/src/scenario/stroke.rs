@@ -87,7 +87,7 @@ pub(super) type GrandStroke = StrokeScenario<ReducedGrand, Presses<2>>;
 /// The trajectories' column of the readout of models A and B.
 const TORQUE: &str = "T_KU";
 
-/// Model A.
+/// Returns model A under two throws.
 pub(super) fn two_throws() -> Result<RigidStroke, BadFile> {
     let file = file!("../../../models/tests/reference/", "model-a-two-throws");
     StrokeScenario::read(&file, TORQUE, StrokeTicks::USUAL)

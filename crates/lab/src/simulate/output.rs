@@ -219,7 +219,7 @@ impl CsvFile {
         }
     }
 
-    /// Ends the row.
+    /// Ends the present row of the file.
     fn end(&mut self) -> Result<(), SimulateError> {
         let written = self.writer.write_record(&self.record);
         self.record.clear();

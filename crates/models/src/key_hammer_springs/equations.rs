@@ -2,7 +2,7 @@
 
 use pode::math::{sin_cos_of_two, sqrt};
 use pode::{
-    Balance, Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion,
+    Energetic, EnergyBalance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion,
     Nature, ReadoutSlopes, Reset, Resets, Sloped,
 };
 
@@ -49,8 +49,8 @@ pub(super) struct Contact {
 impl Contact {
     /// What the felt stores and takes.
     #[inline]
-    fn balance(&self) -> Balance {
-        Balance {
+    fn balance(&self) -> EnergyBalance {
+        EnergyBalance {
             energy: 0.5 * self.spring * self.q4,
             supplied: 0.0,
             dissipated: (self.force() - self.spring) * self.q4_rate,
@@ -268,29 +268,29 @@ impl Energetic for KeyHammerSprings {
     /// Motion, weight and the felt between hammer and key.
     #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
     #[inline(always)]
-    fn balance_of_state(&self, mode: Mode, x: &[f64; 4]) -> Balance {
+    fn balance_of_state(&self, mode: Mode, x: &[f64; 4]) -> EnergyBalance {
         let p = &self.values;
         let ([sin_h, sin_k], felt) = match mode {
             Mode::B1 => {
                 let contact = self.contact(x);
                 ([contact.sin_h, contact.sin_k], contact.balance())
             }
-            Mode::B2 => (sin_cos_of_two([x[0], x[1]]).0, Balance::default()),
+            Mode::B2 => (sin_cos_of_two([x[0], x[1]]).0, EnergyBalance::default()),
         };
-        let own = Balance {
+        let own = EnergyBalance {
             energy: 0.5 * (p.jh * x[2] * x[2] + p.jk * x[3] * x[3])
                 + self.moments[0] * sin_h
                 + self.moments[1] * sin_k,
-            ..Balance::default()
+            ..EnergyBalance::default()
         };
         own + felt
     }
 
     /// The coupling k1 and b1.
     #[inline]
-    fn balance_of_input(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> Balance {
+    fn balance_of_input(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> EnergyBalance {
         let (twist, slip) = (s.position - x[1], s.rate - x[3]);
-        Balance {
+        EnergyBalance {
             energy: 0.5 * self.values.k1 * twist * twist,
             supplied: self.supplied(mode, x, s),
             dissipated: self.values.b1 * slip * slip,

@@ -172,12 +172,6 @@ macro_rules! any {
             }
         }
 
-        $(impl From<$stepper> for Any {
-            fn from(stepper: $stepper) -> Self {
-                Self::$name(stepper)
-            }
-        })+
-
         impl Any {
             /// The method called `name` with its defaults; of several of one name the first.
             pub fn named(name: &str) -> Option<Self> {

@@ -17,7 +17,7 @@ const BIT_RATE: Quantity = Quantity { unit: "1", range: (10e3, 20e6) };
 /// Names that only a CAN bus has.
 const OF_CAN: [&str; 3] = ["mode", "bit_rate", "data_bit_rate"];
 
-/// Reads all buses.
+/// Reads every `[[links.bus]]` of a scene.
 pub(super) fn read_all(report: &mut MistakeList<'_>, node: &Node) -> Vec<BoardBus> {
     let mut buses: Vec<BoardBus> = Vec::new();
     let mut listed = Vec::new();

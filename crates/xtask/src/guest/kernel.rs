@@ -14,7 +14,7 @@ const NEWEST: [&str; 2] = ["linux-image-amd64", "linux-image-generic"];
 /// How the packages begin that a kernel consists of.
 const PARTS: [&str; 3] = ["linux-image-", "linux-modules-", "linux-binary-"];
 
-/// An unpacked kernel.
+/// A kernel of the distribution, unpacked.
 pub(super) struct Kernel {
     pub image: PathBuf,
     /// The folder of its modules, with `modules.dep`.

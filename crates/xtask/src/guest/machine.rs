@@ -24,7 +24,7 @@ const QEMU: &str = "-accel tcg -icount shift=0,sleep=off -machine q35 -smp 1 -m 
 
 const KERNEL_ARGUMENTS: &str = "console=ttyS0 panic=-1 quiet reboot=t";
 
-/// What is booted.
+/// The emulated machine that is booted.
 pub(super) struct VirtualMachine {
     pub kernel: PathBuf,
     pub initrd: PathBuf,

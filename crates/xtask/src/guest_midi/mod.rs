@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::guest::tools::Tool;
 use crate::guest::{GuestCheck, SCENE, piece};
 
-/// What listens.
+/// Programs that listen to MIDI in the guest.
 const PROGRAMS: [Tool; 2] = [("aseqdump", "alsa-utils"), ("aconnect", "alsa-utils")];
 
 /// The guest with the sequencer, four virtual cables, and Midi Through.

@@ -48,7 +48,7 @@ impl SequenceVerdict {
     }
 }
 
-/// Judges a run.
+/// Compares a run with the reference, the sequence of events first.
 pub(super) fn judge<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> RunVerdict {
     let sequence = sequence(reference, observed);
     let is_right = sequence.is_right();

@@ -6,7 +6,7 @@ use crate::plot::canvas::{Canvas, Pixel};
 use crate::plot::color::INK;
 use crate::plot::legend::{ROW, draw_name, draw_row};
 
-/// Draws the legend.
+/// Draws one entry for each method.
 pub(super) fn draw(canvas: &mut Canvas, curves: &[CostErrorCurve]) {
     for (row, curve) in curves.iter().enumerate() {
         let middle = draw_row(canvas, corner(row), curve.style.stroke, &curve.name);

@@ -19,7 +19,7 @@ pub(super) struct ServerState {
     pub(super) acceptor: Option<TlsAcceptor>,
     /// A permit for each client that is let in.
     pub(super) places: Arc<Semaphore>,
-    /// Clients so far.
+    /// Number of clients that were let in so far.
     pub(super) count: AtomicU64,
     /// Why the server closes, once it does.
     pub(super) closing: watch::Receiver<Option<String>>,

@@ -84,7 +84,7 @@ fn draw_legend(canvas: &mut Canvas, panel: &SignalPanel<'_>, top: f64) {
     }
 }
 
-/// The time axis.
+/// Returns the axis of time, shared by all panels.
 fn time(picture: &Picture) -> Axis {
     Axis::linear(&(0.0..picture.axis.until), (place::LEFT, place::RIGHT))
 }
