@@ -40,7 +40,7 @@ pub enum BusSide {
 
 /// A CAN interface that was opened, and never waits.
 ///
-/// Frames that are not of the protocol have no identifier: they are [`MidiSendError::TooLong`],
+/// Frames that are not of the protocol have no identifier: they are [`SendError::TooLong`],
 /// whatever their length. On CAN FD a frame arrives with the zeros that pad it.
 ///
 /// An interface that is taken down says so, and works again when it is up; one that was
