@@ -1,6 +1,6 @@
 //! The keys' side of the tick: boards, calibration, and the simulated keybed.
 //!
-//! [`rt::bus::Bus`] is the host's end of eight boards on any [`links::Link`]s: samples in,
+//! [`rt::bus::KeybedBus`] is the host's end of eight boards on any [`links::Link`]s: samples in,
 //! forces out, what was lost counted. [`sim::keybed::SimulatedKeybed`] puts simulated
 //! boards on the other end and fills the scheduler's `KeyBus`, byte for byte as real ones
 //! would. [`plan`] says what a bus can carry before a board is armed, and measures what it

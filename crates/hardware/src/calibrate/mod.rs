@@ -9,7 +9,7 @@
 //! ```
 //!
 //! [`rest`], [`trip`] and [`balance`] take times and positions and give pushes, and know no
-//! board; [`bench`] lets them work on the keys of armed boards. A push is down positive, and
+//! board; [`mod@bench`] lets them work on the keys of armed boards. A push is down positive, and
 //! changes slowly, and only while the key stands still.
 
 pub mod balance;
