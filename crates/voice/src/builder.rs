@@ -177,8 +177,9 @@ mod tests {
 
     use super::*;
 
-    /// Forces of 300 ticks in which the key goes down and up again.
+    /// Returns the forces of 300 ticks from rest, in which the key goes down and up again.
     fn forces(voice: &mut AnyVoice) -> Vec<u64> {
+        voice.reset(&KeySample::fresh(0.0));
         let position = |tick: u64| 1e-4 * (100.0 - (tick as f64 - 100.0).abs()).max(0.0);
         let force = |tick| voice.tick(tick, &KeySample::fresh(position(tick))).force.to_bits();
         (0..300).map(force).collect()
