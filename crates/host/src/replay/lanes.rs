@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use scheduler::motion::{KEYS, KeySample};
-use scheduler::port::{KeyBus, Lanes};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
+use scheduler::observation::{FollowedKeys, VoiceObservation};
+use scheduler::port::{KeyBus, Lanes, TickInput, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::voice::VoiceOutput;
 
@@ -104,10 +105,17 @@ impl ReplaySlot {
         Ok(())
     }
 
-    fn run(&mut self, tick: u64, fed: &KeyTick, turn: &mut VoiceOutput) {
+    fn run(
+        &mut self,
+        (tick, followed): (u64, FollowedKeys),
+        fed: &KeyTick,
+        turn: &mut VoiceOutput,
+        seen: &mut VoiceObservation,
+    ) {
         match fed.lane {
             LaneStatus::Late => {
-                *turn = turn.held();
+                turn.hold();
+                seen.pass(0);
                 if 0 < fed.events {
                     self.catch_up(|_late| true);
                     self.late.hand_over(turn);
@@ -117,6 +125,7 @@ impl ReplaySlot {
             LaneStatus::Done { unrun } => {
                 self.catch_up(|late| was_run(unrun, tick - late));
                 self.slot.tick(tick, &fed.sample, turn);
+                self.slot.observe(followed, turn, seen);
                 self.late.hand_over(turn);
             }
         }
@@ -140,15 +149,17 @@ fn was_run(unrun: u32, before: u64) -> bool {
 }
 
 impl Lanes for ReplayLanes {
-    fn run(&mut self, tick: u64, _samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
-        for ((desk, fed), turn) in self.desks.iter_mut().zip(&self.fed).zip(turns) {
+    fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
+        let keys = self.desks.iter_mut().zip(&self.fed);
+        let keys = keys.zip(output.turns.iter_mut().zip(output.observed.iter_mut()));
+        for ((desk, fed), (turn, seen)) in keys {
             let Some(desk) = desk else { continue };
             if fed.lane != LaneStatus::Late
                 && let Err(error) = desk.change(fed.revision, &self.parts, &self.scene)
             {
                 self.failed.get_or_insert(error);
             }
-            desk.run(tick, fed, turn);
+            desk.run((input.tick, input.followed), fed, turn, seen);
         }
     }
 }
@@ -164,5 +175,5 @@ impl KeyBus for ReplayBus {
         *samples = self.samples;
     }
 
-    fn send(&mut self, _tick: u64, _forces: &[f64; KEYS]) {}
+    fn send(&mut self, _tick: u64, _forces: &[f64; KEYS], _slopes: &[KeySlope; KEYS]) {}
 }

@@ -119,17 +119,10 @@ impl KeyBus for MonitoredTransport {
         }
     }
 
-    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
         match &mut self.bed {
-            KeyTransport::Simulated(keys) => keys.send(tick, forces),
-            KeyTransport::Boards(keybed, ..) => keybed.send(tick, forces),
-        }
-    }
-
-    fn send_sloped(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
-        match &mut self.bed {
-            KeyTransport::Simulated(keys) => keys.send(tick, forces),
-            KeyTransport::Boards(keybed, ..) => keybed.send_sloped(tick, forces, slopes),
+            KeyTransport::Simulated(keys) => keys.send(tick, forces, slopes),
+            KeyTransport::Boards(keybed, ..) => keybed.send(tick, forces, slopes),
         }
     }
 }

@@ -5,7 +5,7 @@ use hardware::rt::glance::{BoardGlance, BoardStatus, LinkSnapshot};
 use hardware::rt::steward::ArmState;
 use hardware::sim::keybed::SimulatedKeybed;
 use rtrb::Consumer;
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 
 /// A keybed whose boards are armed again when the host is back.
@@ -58,8 +58,8 @@ impl KeyBus for SimulatedTransport {
         }
     }
 
-    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
-        self.keybed.send(tick, forces);
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
+        self.keybed.send(tick, forces, slopes);
     }
 }
 
@@ -76,7 +76,7 @@ mod tests {
         let mut samples = [KeySample::default(); KEYS];
         for tick in (0..10).chain(100..110) {
             keys.receive(tick, &mut samples);
-            keys.send(tick, &[0.5; KEYS]);
+            keys.send(tick, &[0.5; KEYS], &[KeySlope::HELD; KEYS]);
         }
         assert_eq!(keys.rearmed, 1, "90 ms of silence trip every watchdog once");
         assert!(BoardId::all().all(|board| !keys.keybed.is_safe(board)));
