@@ -22,8 +22,9 @@ use hardware::sim::key::SimulatedKey;
 use host::adapters::observer::{LiveCounters, TickPublisher};
 use host::adapters::tick_recorder::{TickRecorder, TickRecorderRings};
 use realtime::wake_fd::WakeFd;
-use scheduler::motion::{KEYS, KeyEvent, KeySample};
-use scheduler::port::{FinishedTick, KeyBus, Lanes, TickObserver};
+use scheduler::motion::{KEYS, KeyEvent, KeySample, KeySlope};
+use scheduler::observation::{FollowedKeys, VoiceObservation};
+use scheduler::port::{FinishedTick, KeyBus, Lanes, TickInput, TickObserver, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::tick::Scheduler;
 use scheduler::time::{Nanos, Period, Timetable};
@@ -60,8 +61,8 @@ impl KeyBus for Tables {
         self.next = (self.next + 1) % TICKS;
     }
 
-    fn send(&mut self, _tick: u64, forces: &[f64; KEYS]) {
-        std::hint::black_box(forces);
+    fn send(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
+        std::hint::black_box((forces, slopes));
     }
 }
 
@@ -73,8 +74,8 @@ impl KeyBus for Held {
         *samples = [KeySample::fresh(self.0); KEYS];
     }
 
-    fn send(&mut self, _tick: u64, forces: &[f64; KEYS]) {
-        std::hint::black_box(forces);
+    fn send(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
+        std::hint::black_box((forces, slopes));
     }
 }
 
@@ -85,22 +86,35 @@ struct Published {
     tap: Option<(TickRecorder, TickRecorderRings)>,
 }
 
+/// As while a recording is made.
+const ALL_KEYS: u128 = (1 << KEYS) - 1;
+
+/// As while a window is looked at that shows a chord.
+const FOUR_KEYS: u128 = 1 << 27 | 1 << 39 | 1 << 43 | 1 << 46;
+
 impl Published {
-    fn new() -> Self {
+    /// With telemetry that follows `keys`.
+    fn new(keys: u128) -> Self {
         let (producer, ring) = rtrb::RingBuffer::new(4096);
         let bell = Arc::new(WakeFd::new().expect("a descriptor"));
         let counters = Arc::new(LiveCounters::default());
         let publisher = TickPublisher::new(producer, bell, counters, Box::default(), 1e-3);
-        Self { publisher, ring, tap: Some(TickRecorder::new()) }
+        let (tap, tapped) = TickRecorder::new();
+        tapped.followed.store(keys);
+        Self { publisher, ring, tap: Some((tap, tapped)) }
     }
 
     /// Without telemetry, to see what that costs.
     fn untapped() -> Self {
-        Self { tap: None, ..Self::new() }
+        Self { tap: None, ..Self::new(0) }
     }
 }
 
 impl TickObserver for Published {
+    fn followed(&mut self) -> FollowedKeys {
+        self.tap.as_mut().map_or(FollowedKeys::NONE, |(tap, _tapped)| tap.followed())
+    }
+
     fn observe(&mut self, seen: &FinishedTick<'_>) {
         self.publisher.observe(seen);
         let Some((tap, tapped)) = &mut self.tap else { return };
@@ -135,7 +149,7 @@ fn ticks(
 
 fn idle(criterion: &mut Criterion) {
     let still = || vec![[0.0; TICKS]; KEYS];
-    ticks(criterion, "tick_88_voices/idle", still(), KEYS, Published::new());
+    ticks(criterion, "tick_88_voices/idle", still(), KEYS, Published::new(ALL_KEYS));
     ticks(criterion, "tick_88_voices/idle_untapped", still(), KEYS, Published::untapped());
 }
 
@@ -143,7 +157,14 @@ fn active(criterion: &mut Criterion) {
     let quantum = RigParameters::default().quantum;
     let swings = (0..KEYS).map(|key| swing(key as f64 / KEYS as f64, quantum));
     let swings: Vec<_> = swings.collect();
-    ticks(criterion, "tick_88_voices/active", swings.clone(), 0, Published::new());
+    ticks(criterion, "tick_88_voices/active", swings.clone(), 0, Published::new(ALL_KEYS));
+    ticks(
+        criterion,
+        "tick_88_voices/active_4_followed",
+        swings.clone(),
+        0,
+        Published::new(FOUR_KEYS),
+    );
     ticks(criterion, "tick_88_voices/active_untapped", swings.clone(), 0, Published::untapped());
     ticks(criterion, "tick_88_voices/active_unwatched", swings, 0, stage::Nobody);
 }
@@ -158,12 +179,12 @@ impl Clone for Copied {
 }
 
 impl Voice for Copied {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
-        self.0.tick(tick, sample)
+    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        self.0.tick(tick, sample, turn);
     }
 
-    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
-        self.0.tick_into(tick, sample, turn);
+    fn observe(&self, seen: &mut VoiceObservation) {
+        self.0.observe(seen);
     }
 
     fn reset(&mut self, sample: &KeySample) {
@@ -175,7 +196,7 @@ impl Voice for Copied {
 fn event(criterion: &mut Criterion) {
     let (slot, tick, position) = just_before_a_strike();
     let slots: Vec<_> = (0..KEYS).map(|_| slot.clone()).collect();
-    let (mut bus, mut published) = (Held(position), Published::new());
+    let (mut bus, mut published) = (Held(position), Published::new(ALL_KEYS));
     criterion.bench_function("tick_88_voices/event", |bencher| {
         bencher.iter_batched_ref(
             || (scheduler_at(tick), Copies(slots.clone())),
@@ -195,9 +216,11 @@ fn event(criterion: &mut Criterion) {
 struct Copies(Vec<Slot<Copied>>);
 
 impl Lanes for Copies {
-    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
-        for ((slot, sample), turn) in self.0.iter_mut().zip(samples).zip(turns) {
-            slot.tick(tick, sample, turn);
+    fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
+        let keys = output.turns.iter_mut().zip(output.observed.iter_mut());
+        for ((slot, sample), (turn, seen)) in self.0.iter_mut().zip(input.samples).zip(keys) {
+            slot.tick(input.tick, sample, turn);
+            slot.observe(input.followed, turn, seen);
         }
     }
 }

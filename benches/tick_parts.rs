@@ -118,7 +118,7 @@ fn voices(criterion: &mut Criterion) {
     let mut next = || {
         let place = tick as usize % TICKS;
         for (voice, turn, positions) in &mut voices {
-            voice.tick_into(tick, &KeySample::fresh(positions[place]), turn);
+            voice.tick(tick, &KeySample::fresh(positions[place]), turn);
         }
         tick += 1;
     };

@@ -46,7 +46,8 @@ fn ticks(criterion: &mut Criterion, name: &str, mut voice: AnyVoice, positions: 
     let mut tick = 0;
     let mut next = || {
         let sample = samples.next().unwrap_or_default();
-        voice.tick_into(tick, &sample, &mut turn);
+        turn.begin();
+        voice.tick(tick, &sample, &mut turn);
         tick += 1;
         turn.force
     };

@@ -2,7 +2,7 @@
 
 use firmware_protocol::key::BoardId;
 use links::faulty::{Chance, FaultPlan, LinkFault};
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
 use crate::stage::{keybed, play_all, scene};
@@ -24,7 +24,7 @@ fn check(plan: &FaultPlan) {
         for tick in 0..WATCHED.end {
             keybed.receive(tick, &mut samples);
             let forces = samples.map(|sample| 200.0 * sample.position);
-            keybed.send(tick, &forces);
+            keybed.send(tick, &forces, &[KeySlope::HELD; KEYS]);
             deepest = samples.iter().fold(deepest, |most, sample| most.max(sample.position));
         }
     });

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use realtime::pool::BoxedVoice;
 use scheduler::motion::KeySample;
+use scheduler::observation::VoiceObservation;
 use scheduler::slot::lane_of;
 use scheduler::voice::{Voice, VoiceOutput};
 
@@ -23,14 +24,13 @@ impl Marking {
 }
 
 impl Voice for Marking {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
+    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.mark(tick);
-        self.voice.tick(tick, sample)
+        self.voice.tick(tick, sample, turn);
     }
 
-    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
-        self.mark(tick);
-        self.voice.tick_into(tick, sample, turn);
+    fn observe(&self, seen: &mut VoiceObservation) {
+        self.voice.observe(seen);
     }
 
     fn reset(&mut self, sample: &KeySample) {
@@ -54,9 +54,7 @@ pub(crate) fn mark_lanes(voices: &mut [(usize, BoxedVoice)], n_lanes: usize, tic
 struct Silent;
 
 impl Voice for Silent {
-    fn tick(&mut self, _tick: u64, _sample: &KeySample) -> VoiceOutput {
-        VoiceOutput::default()
-    }
+    fn tick(&mut self, _tick: u64, _sample: &KeySample, _turn: &mut VoiceOutput) {}
 
     fn reset(&mut self, _sample: &KeySample) {}
 }

@@ -14,6 +14,7 @@ use realtime::{clock, run};
 use rtrb::Consumer;
 use scene::Scene;
 use scheduler::motion::KEYS;
+use scheduler::observation::FollowedKeys;
 use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::time::Nanos;
 
@@ -48,11 +49,16 @@ impl Audience {
         let pedals = (0..100).map(|n| (0.03 * f64::from(n), f64::from(n % 2))).collect();
         let publisher = TickPublisher::new(producer, bell, Arc::clone(&counters), pedals, 1e-3);
         let (tap, tapped) = TickRecorder::new();
+        tapped.followed.store((1 << KEYS) - 1);
         Self { publisher, tap, tapped, ring, counters, active: [0; KEYS], events: [0; KEYS] }
     }
 }
 
 impl TickObserver for Audience {
+    fn followed(&mut self) -> FollowedKeys {
+        self.tap.followed()
+    }
+
     fn observe(&mut self, seen: &FinishedTick<'_>) {
         self.publisher.observe(seen);
         self.tap.observe(seen);

@@ -125,11 +125,11 @@ struct Delayed {
 }
 
 impl Voice for Delayed {
-    fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
+    fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
         while self.from <= tick && self.reached.load(Ordering::Acquire) < self.until {
             std::thread::yield_now();
         }
-        VoiceOutput { force: 1.0, ..VoiceOutput::default() }
+        turn.force = 1.0;
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
@@ -171,9 +171,8 @@ fn the_trap_sees_the_threads_of_the_lanes() {
     /// A voice that does what no voice may.
     struct Hoarding(Vec<u64>);
     impl Voice for Hoarding {
-        fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
+        fn tick(&mut self, tick: u64, _sample: &KeySample, _turn: &mut VoiceOutput) {
             self.0 = vec![tick];
-            VoiceOutput::default()
         }
         fn reset(&mut self, _sample: &KeySample) {}
     }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use hardware::sim::keybed::SimulatedKeybed;
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 
 /// A simulated keybed on which one key's sensor fails for a while.
@@ -23,7 +23,7 @@ impl KeyBus for BrokenSensor {
         }
     }
 
-    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
-        self.keybed.send(tick, forces);
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
+        self.keybed.send(tick, forces, slopes);
     }
 }

@@ -13,7 +13,7 @@ use hardware::refusal::Refusal;
 use hardware::rt::board_supervisor::{ArmLockout, ArmState};
 use hardware::rt::link_snapshot::LinkSnapshot;
 use keyboard::KeyRange;
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
 use crate::common::{Living, board, keybed, nominal, now_us, pair};
@@ -44,7 +44,7 @@ fn exchange(keybed: &mut Keybed<Armed>, from: u64, ticks: u64, force: f64) -> [K
     let mut samples = [KeySample::default(); KEYS];
     for tick in from..from + ticks {
         keybed.receive(tick, &mut samples);
-        keybed.send(tick, &[force; KEYS]);
+        keybed.send(tick, &[force; KEYS], &[KeySlope::HELD; KEYS]);
         std::thread::sleep(Duration::from_millis(1));
     }
     samples
@@ -142,7 +142,7 @@ fn a_simulated_finger_plays_over_the_link() {
     let mut samples = [KeySample::default(); KEYS];
     for tick in 0..700 {
         keybed.receive(tick, &mut samples);
-        keybed.send(tick, &[0.2; KEYS]);
+        keybed.send(tick, &[0.2; KEYS], &[KeySlope::HELD; KEYS]);
         deepest = deepest.max(samples[39].position);
         std::thread::sleep(Duration::from_millis(1));
     }

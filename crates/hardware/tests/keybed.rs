@@ -55,7 +55,8 @@ impl Bed {
     /// One whole exchange under the toy law; returns the played key's sample.
     fn exchange(&mut self, tick: u64) -> KeySample {
         let sample = self.receive(tick);
-        self.keybed.send(tick, &self.samples.map(|sample| law(sample.position)));
+        let forces = self.samples.map(|sample| law(sample.position));
+        self.keybed.send(tick, &forces, &[KeySlope::HELD; KEYS]);
         sample
     }
 
@@ -259,7 +260,7 @@ fn a_force_that_is_no_number_moves_nothing() {
     bed.keybed.play(key(PLAYED), Vec::new());
     for tick in 0..50 {
         bed.receive(tick);
-        bed.keybed.send(tick, &[f64::NAN; KEYS]);
+        bed.keybed.send(tick, &[f64::NAN; KEYS], &[KeySlope::HELD; KEYS]);
     }
     assert!(bed.samples.iter().all(|sample| *sample == KeySample::default()));
 }

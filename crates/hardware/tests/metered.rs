@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use hardware::keybed::{Keybed, NamedLink, Terms, WantedBoards};
 use hardware::plan::{BusPlan, Extras, Medium, standard};
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
 use crate::common::{Living, board, nominal, now_us, pair};
@@ -30,7 +30,7 @@ fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {
     let mut readings = [KeySample::default(); KEYS];
     for tick in 0..1_000 {
         keybed.receive(tick, &mut readings);
-        keybed.send(tick, &[0.0; KEYS]);
+        keybed.send(tick, &[0.0; KEYS], &[KeySlope::HELD; KEYS]);
         std::thread::sleep(Duration::from_millis(1));
     }
     let lines = keybed.line_reports();

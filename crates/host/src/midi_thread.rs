@@ -200,6 +200,7 @@ mod tests {
 
     use midi::{Message, MidiSendError};
     use scheduler::motion::{KEYS, KeyEvent as VoiceEvent, KeySample, Moment};
+    use scheduler::observation::{FollowedKeys, VoiceObservation};
     use scheduler::port::{FinishedTick, TickObserver as _};
     use scheduler::voice::VoiceOutput;
 
@@ -239,6 +240,8 @@ mod tests {
             samples: &samples,
             turns: &turns,
             forces: &[0.0; KEYS],
+            followed: FollowedKeys::NONE,
+            observed: &[VoiceObservation::default(); KEYS],
         };
         publisher.observe(&seen);
     }

@@ -7,7 +7,7 @@ use haptics::Gesture;
 use hardware::sim::key::SimulatedKey;
 use performance::{PlayOutcome, Rehearsal, Strike};
 use scene::KeyVoice;
-use scheduler::motion::{KeyEvent, Moment};
+use scheduler::motion::{KeyEvent, KeySample, Moment};
 use scheduler::safety::KeyGate;
 use scheduler::slot::Slot;
 use scheduler::time::Period;
@@ -48,11 +48,11 @@ impl Clone for Copied {
 }
 
 impl Voice for Copied {
-    fn tick(&mut self, tick: u64, sample: &scheduler::motion::KeySample) -> VoiceOutput {
-        self.0.tick(tick, sample)
+    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        self.0.tick(tick, sample, turn);
     }
 
-    fn reset(&mut self, sample: &scheduler::motion::KeySample) {
+    fn reset(&mut self, sample: &KeySample) {
         self.0.reset(sample);
     }
 }

@@ -124,6 +124,12 @@ pub trait Described:
 
 /// A model that can be rendered on a key.
 pub trait Playable: Described {
+    /// The damper that the key lifts.
+    const DAMPER: Damper;
+
+    /// Speed below which what strikes touches the string but does not sound (m/s).
+    const SOFTEST_TONE: f64;
+
     /// Input per metre of key-front travel (unit of the input / m); a force at the
     /// finger is the readout times this.
     fn input_per_metre(&self) -> f64;
@@ -134,6 +140,29 @@ pub trait Playable: Described {
     /// Draws the mechanism, with these values.
     fn draw(&self, _sketch: &mut dyn Sketch) {}
 }
+
+/// A damper that a key lifts off its string.
+///
+/// `lift` is above `fall` by many encoder counts, so that a key held at a height does not chatter.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Damper {
+    /// Key-front travel at which it leaves the string (m).
+    pub lift: f64,
+    /// Key-front travel at which it is back on the string (m).
+    pub fall: f64,
+}
+
+impl Damper {
+    /// A grand's: it is lifted at half of the key's dip (S), where the hammer is at half blow
+    /// (piano-facts).
+    pub const GRAND: Self = Self { lift: 5.0e-3, fall: 4.6e-3 };
+}
+
+/// [`Playable::SOFTEST_TONE`] of a grand (m/s).
+///
+/// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so that the
+/// limit lies below the softest MIDI velocity of the Disklavier's curve.
+pub(crate) const SOFTEST_TONE_OF_A_GRAND: f64 = 0.15;
 
 /// A guard's firing that is heard.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -29,7 +29,7 @@ pub mod spring_wall;
 
 pub use bouncing_ball::BouncingBall;
 pub use cart_pendulum::CartPendulum;
-pub use describe::{Described, Parameter, Playable, Preset, Sounding};
+pub use describe::{Damper, Described, Parameter, Playable, Preset, Sounding};
 pub use key_hammer_rigid::KeyHammerRigid;
 pub use key_hammer_springs::KeyHammerSprings;
 pub use reduced_grand::ReducedGrand;

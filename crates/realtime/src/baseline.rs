@@ -66,7 +66,7 @@ impl Baseline {
     }
 }
 
-/// Records beats until told to stop, one at least.
+/// Records wake-ups until told to stop, one at least.
 fn measure(
     timetable: Timetable,
     mut lateness: Histogram<u64>,

@@ -8,12 +8,12 @@ use scheduler::time::Nanos;
 /// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
 
-/// Host time: monotonic, never set by anybody.
+/// Returns host time: monotonic, and never set.
 pub fn monotonic() -> Nanos {
     nanos(clock_gettime(ClockId::Monotonic))
 }
 
-/// CPU time that the calling thread has used.
+/// Returns the CPU time that the calling thread has used.
 pub fn thread_cpu() -> Nanos {
     nanos(clock_gettime(ClockId::ThreadCPUTime))
 }

@@ -68,7 +68,7 @@ fn may_lock_without_limit() -> bool {
 )]
 pub fn prefault_stack() {
     let mut stack = [0_u8; STACK_BYTES];
-    // Without it the optimiser would see that nobody reads the array.
+    // Without it the optimiser would see that the array is not read.
     std::hint::black_box(&mut stack);
 }
 

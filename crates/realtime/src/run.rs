@@ -35,14 +35,14 @@ pub struct Assembly<'a, B, O> {
 /// When a run ends: whichever comes first.
 #[derive(Clone, Copy, Debug)]
 pub struct Until<'a> {
-    /// Set by anybody, seen before the next tick.
+    /// Looked at before each tick.
     pub stop: &'a AtomicBool,
     /// Ticks until it is over, run or skipped; `None` for no limit.
     pub ticks: Option<u64>,
 }
 
 impl Until<'_> {
-    /// Whether a run of `ticks` ticks is over.
+    /// Returns whether a run of `ticks` ticks is over.
     pub(super) fn reached(&self, ticks: u64) -> bool {
         self.ticks.is_some_and(|limit| limit <= ticks) || self.stop.load(Ordering::Acquire)
     }
@@ -71,7 +71,7 @@ pub struct Timings {
 }
 
 impl Timings {
-    /// Empty.
+    /// Returns timings of no tick.
     ///
     /// # Errors
     /// If the histograms cannot be made, which their constants rule out.
@@ -85,7 +85,7 @@ impl Timings {
         })
     }
 
-    /// Ticks, misses by cause, skips.
+    /// Returns the ticks, misses by cause and skips so far.
     pub const fn counters(&self) -> Counters {
         self.ledger.counters()
     }
@@ -108,7 +108,7 @@ pub fn histogram() -> Result<Histogram<u64>, CreationError> {
     Histogram::new_with_bounds(1, LONGEST, DIGITS)
 }
 
-/// A scheduler on the heap, since it is large, whose forces change by at most `slew` (N/s) on
+/// Returns a scheduler on the heap, since it is large, whose forces change by at most `slew` (N/s) on
 /// their way to a voice; before the tick.
 #[expect(clippy::large_stack_frames, reason = "once, at set-up, on its way to the heap")]
 pub fn scheduler(timetable: Timetable, slew: f64) -> Box<Scheduler> {

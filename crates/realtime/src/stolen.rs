@@ -4,8 +4,8 @@ use std::fs;
 
 use rustix::param::clock_ticks_per_second;
 
-/// Time that all processors together have lost since the machine was started \[s\]; `None` where
-/// the kernel does not say.
+/// Returns the time that all processors together have lost since the machine was started \[s\];
+/// `None` where the kernel does not say.
 ///
 /// Not for the tick: reads a file.
 pub fn stolen() -> Option<f64> {

@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 use std::sync::atomic::AtomicBool;
 
 use scheduler::deadline::Outcome;
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::time::{Nanos, Period, Timetable};
 use scheduler::voice::{Voice, VoiceOutput};
@@ -20,8 +20,8 @@ const HZ: u32 = 10_000;
 struct Spring;
 
 impl Voice for Spring {
-    fn tick(&mut self, _tick: u64, sample: &KeySample) -> VoiceOutput {
-        VoiceOutput { force: 500.0 * sample.position, ..VoiceOutput::default() }
+    fn tick(&mut self, _tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        turn.force = 500.0 * sample.position;
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
@@ -37,7 +37,7 @@ impl KeyBus for HeldKeys {
         *samples = [KeySample::fresh(0.005); KEYS];
     }
 
-    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS], _slopes: &[KeySlope; KEYS]) {
         self.sent.push((tick, forces[60].to_bits()));
     }
 }

@@ -1,4 +1,4 @@
-//! A real-time priority for the calling thread, and an honest word on whether it has one.
+//! A real-time priority for the calling thread, and whether the system granted it.
 
 use thread_priority::{
     RealtimeThreadSchedulePolicy, ThreadPriority, ThreadPriorityValue, ThreadSchedulePolicy,

@@ -6,12 +6,12 @@ use std::time::Duration;
 
 use rustix::event::{EventfdFlags, PollFd, PollFlags, Timespec, eventfd, poll};
 
-/// An eventfd that one side rings and the other waits for.
+/// An eventfd that one thread makes ready and another waits for.
 #[derive(Debug)]
 pub struct WakeFd(OwnedFd);
 
 impl WakeFd {
-    /// A bell that nobody has rung.
+    /// Returns a descriptor that is not ready yet.
     ///
     /// # Errors
     /// If the system has no descriptor left.
@@ -19,15 +19,15 @@ impl WakeFd {
         Ok(Self(eventfd(0, EventfdFlags::NONBLOCK | EventfdFlags::CLOEXEC)?))
     }
 
-    /// Rings; never waits.
+    /// Makes the descriptor ready; never waits.
     ///
     /// # Real-time
-    /// One non-blocking write. A bell that is already ringing may refuse it, which is as good.
+    /// One non-blocking write. A descriptor that is ready already may refuse it, which is as good.
     pub fn ring(&self) {
         let _already_ringing = rustix::io::write(&self.0, &1_u64.to_ne_bytes());
     }
 
-    /// Waits until somebody rings, or `patience` is over; not for the tick.
+    /// Waits until the descriptor is ready, or `patience` is over; not for the tick.
     pub fn wait(&self, patience: Duration) {
         let timeout = Timespec::try_from(patience).ok();
         let mut fds = [PollFd::new(&self.0, PollFlags::IN)];

@@ -38,17 +38,17 @@ pub struct TickTimes {
 }
 
 impl TickTimes {
-    /// How late it started.
+    /// Returns how late it started.
     pub const fn lateness(&self) -> Nanos {
         self.woken.since(self.due)
     }
 
-    /// From start to forces out.
+    /// Returns the time from start to forces out.
     pub const fn turnaround(&self) -> Nanos {
         self.finished.since(self.woken)
     }
 
-    /// Time between start and end in which the tick did not run.
+    /// Returns the time between start and end in which the tick did not run.
     pub const fn stolen(&self) -> Nanos {
         self.turnaround().since(self.work)
     }
@@ -65,7 +65,7 @@ pub enum MissCause {
     Preempted,
 }
 
-/// How a tick stood to its deadline.
+/// Whether a tick met its deadline.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[must_use]
 pub enum Outcome {
@@ -77,21 +77,17 @@ pub enum Outcome {
 /// Counts ticks, misses by cause, and skips.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Counters {
-    /// Ticks that were run.
     pub ticks: u64,
     /// Ticks that missed their deadline, all causes together.
     pub missed: u64,
-    /// Of these, by [`MissCause::OwnWork`].
     pub missed_own_work: u64,
-    /// Of these, by [`MissCause::WokenLate`].
     pub missed_woken_late: u64,
-    /// Of these, by [`MissCause::Preempted`].
     pub missed_preempted: u64,
     /// Ticks that were never run; they count as missed, too.
     pub skipped: u64,
 }
 
-/// Keeps the counters; remembers one tick.
+/// Counts ticks and misses; remembers one tick.
 #[derive(Clone, Debug, Default)]
 pub struct Ledger {
     counters: Counters,
@@ -118,7 +114,7 @@ impl Ledger {
         outcome
     }
 
-    /// What was counted so far.
+    /// Returns what was counted so far.
     pub const fn counters(&self) -> Counters {
         self.counters
     }

@@ -1,11 +1,10 @@
 //! One worker's voices and their share of the tick.
 
-use crate::motion::{KEYS, KeySample};
-use crate::port::Lanes;
+use crate::port::{Lanes, TickInput, TickOutput};
 use crate::slot::Slot;
 use crate::voice::{Voice, VoiceOutput, VoiceWork};
 
-/// What voices did in one tick.
+/// What voices did in one tick, in numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct LaneReport {
     pub idle: u32,
@@ -30,7 +29,7 @@ impl LaneReport {
         self.most = self.most.largest(turn.work);
     }
 
-    /// Adds up `turns`.
+    /// Returns what `turns` add up to.
     pub fn of(turns: &[VoiceOutput]) -> Self {
         turns.iter().fold(Self::default(), |mut report, turn| {
             report.count(turn);
@@ -39,54 +38,58 @@ impl LaneReport {
     }
 }
 
-/// Runs each slot's voice for `tick`, in the order of the slots, and writes its turn.
+/// Runs each slot's voice, in the order of the slots, and writes its turn and what is seen of it.
 ///
-/// Turns of other keys are left alone; so is every voice but the slot's own.
+/// Of other keys nothing is written, and no voice but the slot's own is called.
 pub fn run_slots<V: Voice>(
     slots: &mut [Slot<V>],
-    tick: u64,
-    samples: &[KeySample; KEYS],
-    turns: &mut [VoiceOutput; KEYS],
+    input: &TickInput<'_>,
+    output: &mut TickOutput<'_>,
 ) {
     for slot in slots {
         let key = slot.key();
-        slot.tick(tick, &samples[key], &mut turns[key]);
+        let turn = &mut output.turns[key];
+        slot.tick(input.tick, &input.samples[key], turn);
+        if input.followed.contains(key) {
+            slot.observe(input.followed, turn, &mut output.observed[key]);
+        }
     }
 }
 
 /// The plainest lanes: one, run where it is called.
 #[derive(Debug)]
 pub struct Inline<'a, V> {
-    /// The voices, each with its key.
     pub slots: &'a mut [Slot<V>],
 }
 
 impl<V: Voice> Lanes for Inline<'_, V> {
-    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
-        run_slots(self.slots, tick, samples, turns);
+    fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
+        run_slots(self.slots, input, output);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::{KEYS, KeySample};
+    use crate::observation::{FollowedKeys, VoiceObservation};
     use crate::voice::VoiceFault;
 
     /// Rests at even positions, works at odd ones, fails at negative ones.
     struct Parity;
 
     impl Voice for Parity {
-        fn tick(&mut self, _tick: u64, sample: &KeySample) -> VoiceOutput {
+        fn tick(&mut self, _tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
             if sample.position < 0.0 {
-                return VoiceOutput::faulty(VoiceFault::Capped { handled: 3 });
+                return turn.fail(VoiceFault::Capped { handled: 3 });
             }
-            let idle = sample.position % 2.0 == 0.0;
-            let derivatives = if idle { 0 } else { 10 * sample.age };
-            VoiceOutput {
-                idle,
-                work: VoiceWork { derivatives, guards: 1, events: 0 },
-                ..VoiceOutput::default()
-            }
+            turn.idle = sample.position % 2.0 == 0.0;
+            let derivatives = if turn.idle { 0 } else { 10 * sample.age };
+            turn.work = VoiceWork { derivatives, guards: 1, events: 0 };
+        }
+
+        fn observe(&self, seen: &mut VoiceObservation) {
+            seen.snapshot.mode += 1;
         }
 
         fn reset(&mut self, _sample: &KeySample) {}
@@ -101,7 +104,14 @@ mod tests {
         samples[7] = KeySample { age: 4, ..KeySample::fresh(1.0) };
         samples[8] = KeySample::fresh(-1.0);
         let mut turns = [VoiceOutput::default(); KEYS];
-        run_slots(&mut slots, 0, &samples, &mut turns);
+        let mut observed = [VoiceObservation::default(); KEYS];
+        let followed = FollowedKeys::new(1 << 2 | 1 << 7 | 1 << 9, 0);
+        let input = TickInput { tick: 0, samples: &samples, followed };
+        run_slots(
+            &mut slots,
+            &input,
+            &mut TickOutput { turns: &mut turns, observed: &mut observed },
+        );
         let expected = LaneReport {
             idle: 1,
             faults: 1,
@@ -110,5 +120,7 @@ mod tests {
             most: VoiceWork { derivatives: 40, guards: 1, events: 0 },
         };
         assert_eq!(LaneReport::of(&turns), expected);
+        let seen = |key: &usize| observed[*key].snapshot.mode == 1;
+        assert_eq!((0..KEYS).filter(seen).count(), 2, "slots whose key is followed are looked at");
     }
 }

@@ -10,6 +10,7 @@
 //! | [`time`] | host time, the period, when each tick is due |
 //! | [`motion`], [`voice`] | what goes into a voice and what comes out |
 //! | [`values`] | other values for the model of a voice that plays |
+//! | [`observation`] | what is seen of a voice whose key is followed |
 //! | [`port`] | what the outside must supply |
 //! | [`slot`], [`lane`] | which lane runs which voice; one lane's share of the tick |
 //! | [`safety`] | what is sent when a voice cannot be trusted |
@@ -23,8 +24,8 @@ extern crate std;
 
 pub mod deadline;
 pub mod lane;
-pub mod look;
 pub mod motion;
+pub mod observation;
 pub mod port;
 pub mod safety;
 pub mod slot;

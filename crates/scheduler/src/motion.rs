@@ -18,7 +18,7 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// Time since the start (s) with ticks of `period` (s).
+    /// Returns the time since the start (s) with ticks of `period` (s).
     pub fn seconds(self, period: f64) -> f64 {
         (self.tick as f64 + self.theta) * period
     }
@@ -37,7 +37,7 @@ pub struct KeySample {
 }
 
 impl KeySample {
-    /// A sample that has just come, as long after it was taken as any other.
+    /// Returns a sample that has just come, as long after it was taken as any other.
     pub const fn fresh(position: f64) -> Self {
         Self { position, age: 0, taken: 0.0 }
     }
@@ -61,11 +61,11 @@ pub struct KeySlope {
 }
 
 impl KeySlope {
-    /// A force that is held.
+    /// The slope of a force that is held.
     pub const HELD: Self =
         Self { stiffness: 0.0, damping: 0.0, position: 0.0, velocity: 0.0, ahead: 0.0 };
 
-    /// Whether all of it are numbers.
+    /// Returns whether all of it are numbers.
     pub const fn is_finite(&self) -> bool {
         self.stiffness.is_finite()
             && self.damping.is_finite()

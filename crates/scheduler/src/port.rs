@@ -1,6 +1,7 @@
 //! What the outside must supply: a bus to the keys, lanes to run on, an observer.
 
 use crate::motion::{KEYS, KeySample, KeySlope};
+use crate::observation::{FollowedKeys, VoiceObservation};
 use crate::voice::VoiceOutput;
 
 /// The motors and sensors of all keys.
@@ -10,32 +11,47 @@ pub trait KeyBus {
     /// A key that has no new sample keeps its old one with its age counted up.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]);
 
-    /// Hands over the forces (N, up positive) to be held during `tick`.
-    fn send(&mut self, tick: u64, forces: &[f64; KEYS]);
-
-    /// The same with how each force goes on, for motors that work between two ticks.
+    /// Hands over the forces of `tick` (N, up positive), and how each goes on until the next.
     ///
-    /// A bus whose motors hold what they are sent need not say anything.
-    fn send_sloped(&mut self, tick: u64, forces: &[f64; KEYS], _slopes: &[KeySlope; KEYS]) {
-        self.send(tick, forces);
-    }
+    /// A bus whose motors hold what they are sent has no use for the slopes.
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]);
 }
 
 /// Where the voices run.
 pub trait Lanes {
-    /// Runs every voice for `tick` and writes its turn.
+    /// Runs every voice and writes its turn, and what is seen of it if its key is followed.
     ///
-    /// A voice whose lane did not finish in time keeps its previous turn, marked late.
-    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]);
+    /// A voice whose lane did not finish in time has its previous force held, marked late.
+    fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>);
 }
 
-/// Somebody who watches ticks without being waited for.
+/// What all lanes read in a tick.
+#[derive(Clone, Copy, Debug)]
+pub struct TickInput<'a> {
+    pub tick: u64,
+    pub samples: &'a [KeySample; KEYS],
+    pub followed: FollowedKeys,
+}
+
+/// What all lanes write in a tick, each for its own keys.
+#[derive(Debug)]
+pub struct TickOutput<'a> {
+    pub turns: &'a mut [VoiceOutput; KEYS],
+    pub observed: &'a mut [VoiceObservation; KEYS],
+}
+
+/// Watches ticks without being waited for.
 pub trait TickObserver {
+    /// Returns the keys whose voices are to be observed in the next tick.
+    fn followed(&mut self) -> FollowedKeys {
+        FollowedKeys::NONE
+    }
+
     /// Sees a finished tick.
     fn observe(&mut self, seen: &FinishedTick<'_>);
 }
 
-/// A finished tick.
+/// A tick whose forces are out.
 #[derive(Clone, Copy, Debug)]
 pub struct FinishedTick<'a> {
     pub tick: u64,
@@ -43,10 +59,11 @@ pub struct FinishedTick<'a> {
     pub skipped: u64,
     /// Whether voices may be felt.
     pub armed: bool,
-    /// What the sensors said.
     pub samples: &'a [KeySample; KEYS],
-    /// What the voices did.
     pub turns: &'a [VoiceOutput; KEYS],
-    /// What was sent (N).
+    /// The forces sent (N).
     pub forces: &'a [f64; KEYS],
+    pub followed: FollowedKeys,
+    /// What is seen of the voices of followed keys; of others it is out of date.
+    pub observed: &'a [VoiceObservation; KEYS],
 }

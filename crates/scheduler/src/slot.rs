@@ -2,13 +2,14 @@
 //! it is still called.
 
 use crate::motion::{KEYS, KeySample};
+use crate::observation::{FollowedKeys, VoiceObservation};
 use crate::values::ModelValues;
 use crate::voice::{Voice, VoiceFault, VoiceOutput};
 
 /// Keys of an octave.
 const OCTAVE: usize = 12;
 
-/// The lane that runs `key` when there are `n_lanes`.
+/// Returns the lane that runs `key` when there are `n_lanes`.
 ///
 /// Neighbours go to different lanes, and so do octaves: hands play chords, and a chord
 /// should not fall on one lane. Lanes differ by a few keys at most.
@@ -82,7 +83,7 @@ impl<V> Slot<V> {
         Self { key, voice, fresh: true, retuned: false, lockout, ran: 0, last: 0 }
     }
 
-    /// The key that the voice plays.
+    /// Returns the key that the voice plays.
     pub const fn key(&self) -> usize {
         self.key
     }
@@ -119,15 +120,16 @@ impl<V: Voice> Slot<V> {
     /// A voice that failed is reset at the next sample, and says that its force is fresh; one
     /// that made energy or fails again and again is muted.
     pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        turn.begin();
         if self.lockout.muted {
-            *turn = VoiceOutput::faulty(VoiceFault::Muted);
+            turn.fault = Some(VoiceFault::Muted);
         } else if sample.position.is_finite() {
             if self.fresh {
                 self.voice.reset(sample);
             }
-            self.voice.tick_into(tick, sample, turn);
+            self.voice.tick(tick, sample, turn);
         } else {
-            *turn = VoiceOutput::faulty(VoiceFault::BadSample);
+            turn.fault = Some(VoiceFault::BadSample);
         }
         if turn.fault.is_none() && !turn.force.is_finite() {
             turn.fault = Some(VoiceFault::NotFinite);
@@ -137,21 +139,28 @@ impl<V: Voice> Slot<V> {
         self.fresh = turn.fault.is_some();
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
         self.lockout.note(turn.fault, passed);
-        turn.ran = self.note_run(tick, passed);
-    }
-
-    /// Notes that the voice was run in `tick`, `passed` after the last one; returns in which of
-    /// the last ones it was.
-    fn note_run(&mut self, tick: u64, passed: u32) -> u32 {
         self.ran = self.ran.checked_shl(passed).unwrap_or(0) | 1;
         self.last = tick;
-        self.ran
+    }
+
+    /// Writes what is seen of the voice after `turn`, its last one, if its key is followed.
+    #[inline]
+    pub fn observe(&self, followed: FollowedKeys, turn: &VoiceOutput, seen: &mut VoiceObservation) {
+        seen.pass(self.ran);
+        if followed.wants(self.key, turn) {
+            self.voice.observe(seen);
+            if !turn.was_run() {
+                // What the voice remembers of changes is of an earlier tick.
+                seen.switches.clear();
+            }
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::observation::Switch;
 
     #[test]
     fn neighbours_and_octaves_are_on_different_lanes() {
@@ -185,9 +194,13 @@ mod tests {
     }
 
     impl Voice for Spy {
-        fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
-            let force = if tick == self.fails_at { f64::NAN } else { self.rest };
-            VoiceOutput { force, ..VoiceOutput::default() }
+        fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
+            turn.force = if tick == self.fails_at { f64::NAN } else { self.rest };
+        }
+
+        fn observe(&self, seen: &mut VoiceObservation) {
+            seen.snapshot.show(&[self.rest]);
+            seen.switches.push(Switch::default());
         }
 
         fn reset(&mut self, sample: &KeySample) {
@@ -225,13 +238,31 @@ mod tests {
     }
 
     #[test]
-    fn a_turn_says_in_which_of_the_last_ticks_its_voice_was_run() {
+    fn an_observation_says_in_which_of_the_last_ticks_its_voice_was_run() {
         let mut slot = Slot::new(3, Spy { fails_at: 99, ..Spy::default() });
-        let mut turn = VoiceOutput::default();
+        let (mut turn, mut seen) = (VoiceOutput::default(), VoiceObservation::default());
         for (tick, ran) in [(7, 0b1), (8, 0b11), (11, 0b11001), (12, 0b11_0011), (60, 0b1)] {
             slot.tick(tick, &at(0.0), &mut turn);
-            assert_eq!(turn.ran, ran, "tick {tick}");
+            slot.observe(FollowedKeys::ALL, &turn, &mut seen);
+            assert_eq!(seen.ran, ran, "tick {tick}");
         }
+    }
+
+    #[test]
+    fn a_voice_that_was_not_called_is_seen_as_it_was_and_nothing_happened_to_it() {
+        let mut slot = Slot::new(3, Spy { fails_at: 99, ..Spy::default() });
+        let (mut turn, mut seen) = (VoiceOutput::default(), VoiceObservation::default());
+        for (tick, position, switches) in [(0, 0.004, 1), (1, f64::NAN, 0), (2, 0.004, 1)] {
+            slot.tick(tick, &at(position), &mut turn);
+            slot.observe(FollowedKeys::ALL, &turn, &mut seen);
+            assert_eq!(seen.switches.as_slice().len(), switches, "tick {tick}");
+            assert!((seen.snapshot.state[0] - 0.004).abs() == 0.0, "tick {tick}");
+        }
+        slot.tick(3, &at(f64::NAN), &mut turn);
+        let (mut new, first) = (VoiceObservation::default(), FollowedKeys::new(1 << 3, 1 << 3));
+        slot.observe(first, &turn, &mut new);
+        assert!((new.snapshot.state[0] - 0.004).abs() == 0.0, "what is new is shown");
+        assert_eq!(new.switches.as_slice(), []);
     }
 
     /// Fails where it is told to, and counts how often it is called.
@@ -241,12 +272,9 @@ mod tests {
     }
 
     impl Voice for Failing {
-        fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
+        fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
             self.calls += 1;
-            VoiceOutput {
-                force: if (self.fails)(tick) { f64::NAN } else { 1.0 },
-                ..VoiceOutput::default()
-            }
+            turn.force = if (self.fails)(tick) { f64::NAN } else { 1.0 };
         }
 
         fn reset(&mut self, _sample: &KeySample) {}
@@ -312,9 +340,9 @@ mod tests {
     }
 
     impl Voice for Tunable {
-        fn tick(&mut self, _tick: u64, _sample: &KeySample) -> VoiceOutput {
+        fn tick(&mut self, _tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
             self.ticks += 1;
-            VoiceOutput { force: self.value, ..VoiceOutput::default() }
+            turn.force = self.value;
         }
 
         fn reset(&mut self, _sample: &KeySample) {

@@ -2,28 +2,27 @@
 
 use crate::lane::LaneReport;
 use crate::motion::{KEYS, KeySample, KeySlope};
-use crate::port::{FinishedTick, KeyBus, Lanes, TickObserver};
+use crate::observation::VoiceObservation;
+use crate::port::{FinishedTick, KeyBus, Lanes, TickInput, TickObserver, TickOutput};
 use crate::safety::{SAFE_FORCE, Safety, SafetyReport};
 use crate::time::{Nanos, Timetable};
 use crate::voice::VoiceOutput;
 
-/// What happened in one tick.
+/// What happened in one tick, in numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TickReport {
     pub tick: u64,
-    /// When it should have started.
     pub due: Nanos,
-    /// When its forces had to be out.
     pub deadline: Nanos,
     /// Ticks before it that were never run.
     pub skipped: u64,
-    /// What the voices did.
     pub voices: LaneReport,
-    /// What was sent instead of their forces.
     pub safety: SafetyReport,
 }
 
-/// All keys, one tick at a time; memory is in the object, some 32 kB.
+/// Runs all keys, one tick at a time.
+///
+/// All memory of a tick is in the object: [`SCHEDULER_KB`] where pointers have 64 bits.
 #[derive(Debug)]
 pub struct Scheduler {
     timetable: Timetable,
@@ -31,14 +30,24 @@ pub struct Scheduler {
     next: u64,
     samples: [KeySample; KEYS],
     turns: [VoiceOutput; KEYS],
+    observed: [VoiceObservation; KEYS],
     forces: [f64; KEYS],
     slopes: [KeySlope; KEYS],
     safety: Safety,
 }
 
+/// Memory of a [`Scheduler`] (kB, rounded up): for each key its sample (24 bytes), turn (344),
+/// observation (216), force, slope and what safety knows of it (32).
+pub const SCHEDULER_KB: usize = 59;
+
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(size_of::<Scheduler>().div_ceil(1000) == SCHEDULER_KB, "correct SCHEDULER_KB");
+};
+
 impl Scheduler {
-    /// A scheduler whose first tick is due at the timetable's start, and whose forces change by
-    /// at most `slew` (N/s) on their way to a voice.
+    /// Returns a scheduler whose first tick is due at the timetable's start, and whose forces
+    /// change by at most `slew` (N/s) on their way to a voice.
     #[expect(
         clippy::large_stack_frames,
         clippy::large_stack_arrays,
@@ -50,6 +59,7 @@ impl Scheduler {
             next: 0,
             samples: [KeySample::default(); KEYS],
             turns: [VoiceOutput::default(); KEYS],
+            observed: [VoiceObservation::default(); KEYS],
             forces: [SAFE_FORCE; KEYS],
             slopes: [KeySlope::HELD; KEYS],
             safety: Safety::new(timetable.period(), slew),
@@ -74,10 +84,14 @@ impl Scheduler {
         self.next = tick + 1;
 
         bus.receive(tick, &mut self.samples);
-        lanes.run(tick, &self.samples, &mut self.turns);
+        let followed = observer.followed();
+        lanes.run(
+            &TickInput { tick, samples: &self.samples, followed },
+            &mut TickOutput { turns: &mut self.turns, observed: &mut self.observed },
+        );
         let safety = self.safety.apply(skipped, &self.samples, &self.turns, &mut self.forces);
         self.safety.slopes(&self.turns, &mut self.slopes);
-        bus.send_sloped(tick, &self.forces, &self.slopes);
+        bus.send(tick, &self.forces, &self.slopes);
         observer.observe(&FinishedTick {
             tick,
             skipped,
@@ -85,6 +99,8 @@ impl Scheduler {
             samples: &self.samples,
             turns: &self.turns,
             forces: &self.forces,
+            followed,
+            observed: &self.observed,
         });
 
         Some(TickReport {
@@ -102,18 +118,18 @@ impl Scheduler {
         self.timetable = self.timetable.moved(self.next, due);
     }
 
-    /// When the next tick is due.
+    /// Returns when the next tick is due.
     pub const fn next_due(&self) -> Nanos {
         self.timetable.due(self.next)
     }
 
-    /// When the forces must be out of the tick that [`Scheduler::poll`] would run at `now`.
+    /// Returns when the forces must be out of the tick that [`Scheduler::poll`] would run at `now`.
     pub fn deadline(&self, now: Nanos) -> Nanos {
         let newest = self.timetable.newest(now).unwrap_or(0);
         self.timetable.deadline(newest.max(self.next))
     }
 
-    /// When each tick is due.
+    /// Returns when each tick is due.
     pub const fn timetable(&self) -> Timetable {
         self.timetable
     }
@@ -128,7 +144,7 @@ impl Scheduler {
         self.safety.disarm();
     }
 
-    /// The forces sent last (N).
+    /// Returns the forces sent last (N).
     pub const fn forces(&self) -> &[f64; KEYS] {
         &self.forces
     }

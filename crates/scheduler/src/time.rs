@@ -18,42 +18,42 @@ impl Nanos {
     /// The clock's origin; an empty span.
     pub const ZERO: Self = Self(0);
 
-    /// From a count of nanoseconds.
+    /// Converts a count of nanoseconds.
     pub const fn new(nanoseconds: u64) -> Self {
         Self(nanoseconds)
     }
 
-    /// From a count of microseconds.
+    /// Converts a count of microseconds.
     pub const fn from_micros(microseconds: u64) -> Self {
         Self(microseconds.saturating_mul(1_000))
     }
 
-    /// From a count of milliseconds.
+    /// Converts a count of milliseconds.
     pub const fn from_millis(milliseconds: u64) -> Self {
         Self(milliseconds.saturating_mul(1_000_000))
     }
 
-    /// The count of nanoseconds.
+    /// Returns the count of nanoseconds.
     pub const fn as_u64(self) -> u64 {
         self.0
     }
 
-    /// The same span as model time (s).
+    /// Returns the span as model time (s).
     pub const fn as_secs_f64(self) -> f64 {
         self.0 as f64 * 1e-9
     }
 
-    /// Time from `earlier` to `self`; zero if `earlier` is later.
+    /// Returns the time from `earlier` to `self`; zero if `earlier` is later.
     pub const fn since(self, earlier: Self) -> Self {
         Self(self.0.saturating_sub(earlier.0))
     }
 
-    /// The time `span` before `self`; the origin if there is none.
+    /// Returns the time `span` before `self`; the origin if there is none.
     pub const fn before(self, span: Self) -> Self {
         Self(self.0.saturating_sub(span.0))
     }
 
-    /// The time `span` after `self`.
+    /// Returns the time `span` after `self`.
     pub const fn after(self, span: Self) -> Self {
         Self(self.0.saturating_add(span.0))
     }
@@ -66,29 +66,29 @@ pub struct Period {
 }
 
 impl Period {
-    /// The period of `tick_hz` ticks a second, in `1 ..= 100_000`.
+    /// Returns the period of `tick_hz` ticks a second, in `1 ..= 100_000`.
     pub const fn from_hz(tick_hz: u32) -> Option<Self> {
         if 0 < tick_hz && tick_hz <= MAX_TICK_HZ { Some(Self { hz: tick_hz }) } else { None }
     }
 
-    /// Ticks a second.
+    /// Returns the ticks a second (1/s).
     pub const fn hz(self) -> u32 {
         self.hz
     }
 
-    /// The period as model time (s).
+    /// Returns the period as model time (s).
     pub fn as_secs_f64(self) -> f64 {
         1.0 / f64::from(self.hz)
     }
 
-    /// Host time that `ticks` ticks take, rounded down to a nanosecond.
+    /// Returns the host time that `ticks` ticks take, rounded down to a nanosecond.
     pub const fn span(self, ticks: u64) -> Nanos {
         let hz = self.hz as u64;
         // Whole seconds first: `ticks * SECOND` would overflow after days.
         Nanos((ticks / hz).saturating_mul(SECOND).saturating_add(ticks % hz * SECOND / hz))
     }
 
-    /// Largest number of ticks whose [`Period::span`] is at most `span`.
+    /// Returns the largest number of ticks whose [`Period::span`] is at most `span`.
     pub const fn ticks_in(self, span: Nanos) -> u64 {
         let hz = self.hz as u64;
         let fraction = span.0 % SECOND;
@@ -107,33 +107,33 @@ pub struct Timetable {
 }
 
 impl Timetable {
-    /// Tick 0 is due at `start`, and one more every `period`.
+    /// Returns a timetable by which tick 0 is due at `start`, and one more every `period`.
     pub const fn new(start: Nanos, period: Period) -> Self {
         Self { first: 0, start, period }
     }
 
-    /// The same rate with `tick` due at `due`; earlier ticks are forgotten.
+    /// Returns the same rate with `tick` due at `due`; earlier ticks are forgotten.
     #[must_use]
     pub const fn moved(self, tick: u64, due: Nanos) -> Self {
         Self { first: tick, start: due, period: self.period }
     }
 
-    /// The time between ticks.
+    /// Returns the time between ticks.
     pub const fn period(self) -> Period {
         self.period
     }
 
-    /// When `tick` should start.
+    /// Returns when `tick` should start.
     pub const fn due(self, tick: u64) -> Nanos {
         self.start.after(self.period.span(tick.saturating_sub(self.first)))
     }
 
-    /// When the forces of `tick` must be out: as the next one is due.
+    /// Returns when the forces of `tick` must be out: as the next one is due.
     pub const fn deadline(self, tick: u64) -> Nanos {
         self.due(tick.saturating_add(1))
     }
 
-    /// The newest tick that is due at `now`; none before the start.
+    /// Returns the newest tick that is due at `now`; none before the start.
     pub fn newest(self, now: Nanos) -> Option<u64> {
         let elapsed = || now.since(self.start);
         (self.start <= now).then(|| self.first.saturating_add(self.period.ticks_in(elapsed())))

@@ -1,7 +1,7 @@
 //! One key's running simulation, as the scheduler sees it.
 
-use crate::look::{ModelSnapshot, Switches};
 use crate::motion::{KeyEvent, KeySample, KeySlope, Moment};
+use crate::observation::VoiceObservation;
 use crate::values::ModelValues;
 
 /// Key events that one voice can report in one tick; more are counted, not kept.
@@ -9,21 +9,23 @@ pub const MAX_EVENTS_PER_TURN: usize = 8;
 
 /// A voice: sample in, force out, once a tick.
 pub trait Voice {
-    /// Runs one tick.
+    /// Runs one tick and writes what it did to `turn`, in which nothing has happened yet.
     ///
     /// `tick` is absolute. It usually grows by one, but a tick that the host skipped is never
     /// run, so it may jump: a voice measures elapsed time by the difference of tick numbers.
     ///
     /// # Real-time
     /// Bounded by the voice's own declared work; no heap, lock or clock.
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput;
+    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput);
 
-    /// The same, written where it is needed.
+    /// Writes what the model is like after the last tick, and its changes of mode in that tick.
     ///
-    /// A turn is large, so a voice at rest does better with [`VoiceOutput::rest_at`] than with a new
-    /// one. Whatever `turn` holds before must not show in what it holds after.
-    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
-        *turn = self.tick(tick, sample);
+    /// A voice that shows nothing leaves `seen` as it is.
+    ///
+    /// # Real-time
+    /// Copies numbers.
+    fn observe(&self, seen: &mut VoiceObservation) {
+        let _ = seen;
     }
 
     /// Puts the voice at rest at `sample`: before its first tick, and after a fault.
@@ -39,12 +41,12 @@ pub trait Voice {
     }
 }
 
-/// What one voice did in one tick.
+/// A voice's turn: what it did in one tick, and how far that can be trusted.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct VoiceOutput {
     /// Force on the finger, up positive (N).
     pub force: f64,
-    /// How the force goes on until the next tick; of itself it is held.
+    /// How the force goes on until the next tick; by default it is held.
     pub slope: KeySlope,
     /// What happened to the note.
     pub events: Events,
@@ -53,50 +55,47 @@ pub struct VoiceOutput {
     pub fault: Option<VoiceFault>,
     /// The voice was at rest and skipped its equations.
     pub idle: bool,
-    /// The lane did not finish: this is the previous tick's turn.
+    /// The lane did not finish, so the last force is held.
     pub late: bool,
-    /// First turn after the voice was put in, reset or retuned: its force knows nothing of the
+    /// First turn after the voice was put in, reset or retuned: its force is unrelated to the
     /// last one.
     pub fresh: bool,
-    /// What the model is like at the end, for those who watch; means nothing if it was not run.
-    pub look: ModelSnapshot,
-    pub switches: Switches,
-    /// In which of the last ticks the voice was run: this one is bit 0.
-    pub ran: u32,
 }
 
 impl VoiceOutput {
-    /// Becomes a turn in which nothing has happened yet; what the model is like stays what it was
-    /// in these words, and is for whoever runs it to say.
-    ///
-    /// Touches a few words only: the lists are long.
+    /// Becomes a turn in which nothing has happened yet.
     pub const fn begin(&mut self) {
         (self.force, self.slope) = (0.0, KeySlope::HELD);
         self.events.clear();
         self.work = VoiceWork { derivatives: 0, guards: 0, events: 0 };
         self.fault = None;
         (self.idle, self.late, self.fresh) = (false, false, false);
-        self.switches.clear();
-        self.ran = 0;
     }
 
-    /// A turn without a trusted force.
-    pub fn faulty(fault: VoiceFault) -> Self {
-        Self { fault: Some(fault), ..Self::default() }
-    }
-
-    /// Becomes the turn of a voice at rest that presses with `force`, up positive (N).
-    pub const fn rest_at(&mut self, force: f64) {
+    /// Becomes a turn without a trusted force.
+    pub const fn fail(&mut self, fault: VoiceFault) {
         self.begin();
-        (self.force, self.idle) = (force, true);
+        self.fault = Some(fault);
     }
 
-    /// What stands in for the next turn when the lane is not done: the force, marked late.
+    /// Becomes what stands in for the next turn when the lane is not done: the same force, marked
+    /// late.
     ///
     /// Events and work are left behind, since they have been counted once already.
-    #[must_use]
-    pub fn held(&self) -> Self {
-        Self { force: self.force, idle: self.idle, late: true, ..Self::default() }
+    pub const fn hold(&mut self) {
+        let (force, idle) = (self.force, self.idle);
+        self.begin();
+        (self.force, self.idle, self.late) = (force, idle, true);
+    }
+
+    /// Returns whether the voice ran its equations: it did not rest, its lane was in time, and
+    /// nothing kept it from being called.
+    pub const fn was_run(&self) -> bool {
+        let is_kept = matches!(
+            self.fault,
+            Some(VoiceFault::BadSample | VoiceFault::Panicked | VoiceFault::Muted)
+        );
+        !(self.idle || self.late || is_kept)
     }
 }
 
@@ -110,7 +109,7 @@ pub struct VoiceWork {
 }
 
 impl VoiceWork {
-    /// Both together.
+    /// Returns the sum of both.
     #[must_use]
     #[inline]
     pub const fn plus(self, other: Self) -> Self {
@@ -121,7 +120,7 @@ impl VoiceWork {
         }
     }
 
-    /// The larger of each count.
+    /// Returns the larger of each count.
     #[must_use]
     #[inline]
     pub fn largest(self, other: Self) -> Self {
@@ -201,17 +200,17 @@ impl Events {
         self.dropped += later.dropped;
     }
 
-    /// Nothing happened, and nothing was dropped.
+    /// Returns whether nothing happened and nothing was dropped.
     pub const fn is_empty(&self) -> bool {
         self.n == 0 && self.dropped == 0
     }
 
-    /// The events in the order in which they happened.
+    /// Returns the events in the order in which they happened.
     pub fn as_slice(&self) -> &[(Moment, KeyEvent)] {
         &self.list[..self.n]
     }
 
-    /// How many did not fit.
+    /// Returns how many did not fit.
     pub const fn dropped(&self) -> u32 {
         self.dropped
     }

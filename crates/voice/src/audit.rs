@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use pode::EnergyAudit;
 use serde::Serialize;
 
-/// Four numbers that one voice writes and anybody reads, without waiting.
+/// Four numbers that one voice writes and any thread reads, without waiting.
 ///
 /// Readers may see sums of two neighbouring ticks; they are read when the run is over.
 #[derive(Debug, Default)]

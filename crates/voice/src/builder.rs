@@ -21,13 +21,10 @@ pub type AnyVoice = Box<dyn RehearsableVoice>;
 /// Why a scene's values make no voice.
 #[derive(Debug, thiserror::Error)]
 pub enum BuildError {
-    /// A model that the scene names is not in the catalogue any more.
     #[error("model `{0}` is not in the catalogue; `letoff instruments` lists those that are")]
     NoSuchModel(&'static str),
-    /// The force limits do not make sense.
     #[error("the scene's force limits cannot be kept: {0}")]
     Limits(#[from] haptics::LimitError),
-    /// The rate is out of range.
     #[error("no tick can have {0} Hz")]
     Rate(u32),
 }
@@ -41,7 +38,7 @@ pub struct VoiceBuilder<'a> {
 }
 
 impl<'a> VoiceBuilder<'a> {
-    /// For `scene`, on the simulated keybed's default rig.
+    /// Returns a builder for `scene`, on the simulated keybed's default rig.
     ///
     /// # Errors
     /// If the scene's rate cannot be kept.
@@ -50,22 +47,22 @@ impl<'a> VoiceBuilder<'a> {
         Ok(Self { scene, period, rig: RigParameters::default() })
     }
 
-    /// The tick.
+    /// Returns the period of ticks.
     pub const fn period(&self) -> Period {
         self.period
     }
 
-    /// What every key of the simulated keybed is made of.
+    /// Returns what every key of the simulated keybed is made of.
     pub const fn rig(&self) -> RigParameters {
         self.rig
     }
 
-    /// The keys that have a voice.
+    /// Returns the keys that have a voice, each with what the scene says of it.
     pub fn keys(&self) -> impl Iterator<Item = (usize, &'a KeyVoice)> {
         self.scene.keys.iter().enumerate().filter_map(|(key, voice)| Some((key, voice.as_ref()?)))
     }
 
-    /// Slew limit of all forces (N/s).
+    /// Returns the slew limit of all forces (N/s).
     pub const fn slew_limit(&self) -> f64 {
         self.scene.render.slew_limit
     }
@@ -78,7 +75,7 @@ impl<'a> VoiceBuilder<'a> {
         self.numbered(voice, cell, 0)
     }
 
-    /// The same, whose turns say that they are of `revision`.
+    /// Returns the same voice with the number `revision`, which its observations show.
     ///
     /// # Errors
     /// If its model or limits are refused.
@@ -174,6 +171,7 @@ impl Builder<'_> {
 mod tests {
     use scheduler::motion::KeySample;
     use scheduler::values::ModelValues;
+    use scheduler::voice::VoiceOutput;
 
     use super::*;
 
@@ -181,7 +179,11 @@ mod tests {
     fn forces(voice: &mut AnyVoice) -> Vec<u64> {
         voice.reset(&KeySample::fresh(0.0));
         let position = |tick: u64| 1e-4 * (100.0 - (tick as f64 - 100.0).abs()).max(0.0);
-        let force = |tick| voice.tick(tick, &KeySample::fresh(position(tick))).force.to_bits();
+        let force = |tick| {
+            let mut turn = VoiceOutput::default();
+            voice.tick(tick, &KeySample::fresh(position(tick)), &mut turn);
+            turn.force.to_bits()
+        };
         (0..300).map(force).collect()
     }
 

@@ -1,34 +1,30 @@
 //! When a key's damper leaves the string and falls back on it.
 //!
-//! Models A and B have no damper; the key itself lifts it, at half stroke, where the
-//! hammer of a grand is at half blow (piano-facts).
+//! The key itself lifts it, at a height that the model says.
 
+use models::Damper;
 use scheduler::motion::{KeyEvent, Moment};
 
-/// Key-front travel at which the damper leaves the string [m]: half of the dip (S).
-const LIFT: f64 = 5.0e-3;
-
-/// Travel at which it is back on the string (m). The hysteresis is hundreds of encoder
-/// counts, so that a key held at the threshold does not chatter.
-const FALL: f64 = 4.6e-3;
-
-/// A damper.
+/// A damper that follows its key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DamperTracker {
+    damper: Damper,
     lifted: bool,
     position: f64,
 }
 
 impl DamperTracker {
-    /// On the string or off it, by the key's position (m).
-    pub const fn new(position: f64) -> Self {
-        Self { lifted: position > LIFT, position }
+    /// Puts `damper` on the string or off it, by the key's position (m).
+    pub const fn new(damper: Damper, position: f64) -> Self {
+        Self { damper, lifted: position > damper.lift, position }
     }
 
-    /// Follows the key to `position` (m) at the start of `tick`; `period` in (s).
+    /// Follows the key to `position` (m) at the start of `tick`, in ticks of `period` (s); returns
+    /// when it left the string or fell back on it since the tick before.
     pub fn follow(&mut self, tick: u64, position: f64, period: f64) -> Option<(Moment, KeyEvent)> {
         let before = std::mem::replace(&mut self.position, position);
-        let threshold = if self.lifted { FALL } else { LIFT };
+        let Damper { lift, fall } = self.damper;
+        let threshold = if self.lifted { fall } else { lift };
         let crossed = if self.lifted { position <= threshold } else { position > threshold };
         if !crossed {
             return None;
@@ -49,9 +45,11 @@ impl DamperTracker {
 mod tests {
     use super::*;
 
+    const DAMPER: Damper = Damper { lift: 5.0e-3, fall: 4.6e-3 };
+
     #[test]
     fn it_lifts_and_falls_between_the_samples() {
-        let mut damper = DamperTracker::new(0.0);
+        let mut damper = DamperTracker::new(DAMPER, 0.0);
         assert_eq!(damper.follow(1, 4.9e-3, 1e-3), None);
         let (at, event) = damper.follow(2, 5.1e-3, 1e-3).expect("a lift");
         assert_eq!((at.tick, event), (1, KeyEvent::DamperLift));
@@ -65,7 +63,7 @@ mod tests {
 
     #[test]
     fn a_key_held_at_the_threshold_does_not_chatter() {
-        let mut damper = DamperTracker::new(0.0);
+        let mut damper = DamperTracker::new(DAMPER, 0.0);
         let events = (0..1000)
             .zip(0_usize..)
             .filter_map(|(tick, n)| damper.follow(tick, 5.0e-3 + [0.0, 1e-5, -1e-5][n % 3], 1e-3));

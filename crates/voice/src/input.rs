@@ -75,7 +75,7 @@ const MOST_AHEAD: f64 = 1.0;
 const FORGOTTEN: f64 = 10e-3;
 
 impl InputPath {
-    /// A path with ticks of `h` (s) for a model whose input is `scale` per metre.
+    /// Returns a path with ticks of `h` (s) for a model whose input is `scale` per metre.
     pub fn new(
         estimator: AnyEstimator,
         reconstruction: Option<Reconstruction>,
@@ -89,7 +89,7 @@ impl InputPath {
         Self { estimator, continuation, scale, h, last, tick: None, since: 0.0 }
     }
 
-    /// At rest at `position` (m) since the next tick; returns the input there.
+    /// Puts the key at rest at `position` (m) from the next tick on; returns the input there.
     pub fn reset(&mut self, position: f64) -> pode::Motion {
         self.estimator.reset(position);
         if let Continuation::Samples(kind, reconstructor) = &mut self.continuation {
@@ -129,7 +129,7 @@ impl InputPath {
         };
     }
 
-    /// The input over `tick`, at whose start `sample` is the newest.
+    /// Returns the input over `tick`, at whose start `sample` is the newest.
     pub fn follow(&mut self, tick: u64, sample: &KeySample) -> Followed {
         if let Some(elapsed) = self.go_on(tick, sample) {
             self.learn(sample.position, elapsed * self.h);

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use haptics::{EnergyBound, ForceGate, PassivityObserver};
 use models::Playable;
+use pode::input::Cubic;
 use pode::{
     Advance, Auditor, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch,
 };
-use scheduler::look::{MAX_STATES, ModelSnapshot, Switch, Switches};
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
+use scheduler::observation::{MAX_STATES, Switch, Switches, VoiceObservation};
 use scheduler::values::{MAX_VALUES, ModelValues};
 use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
 
@@ -37,13 +38,11 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     h: f64,
     slopes: SlopeOutput,
     revision: u32,
+    /// The model's input over the tick that was run last.
+    signal: Cubic,
+    /// Changes of mode in that tick.
+    switches: Switches,
 }
-
-/// Hammer speed below which a string is touched but does not sound (m/s).
-///
-/// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so
-/// that the limit lies below the softest MIDI velocity of the Disklavier's curve.
-const SOFTEST_TONE: f64 = 0.15;
 
 /// Farther than a key moves in a tick [m]: twice its dip.
 const LONGEST_WAY: f64 = 0.02;
@@ -53,9 +52,7 @@ const LONGEST_WAY: f64 = 0.02;
 pub struct VoiceSettings {
     /// From samples to the model's input.
     pub input: InputPath,
-    /// Force and slew limits.
     pub gate: ForceGate,
-    /// Work limits and step.
     pub limits: Limits,
     /// Where the energy audit is published.
     pub cell: Arc<AuditCell>,
@@ -70,24 +67,25 @@ pub struct VoiceSettings {
 /// Whether a voice works out how its force goes on between two ticks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum SlopeOutput {
-    /// Nobody would use it.
+    /// The boards hold their forces.
     #[default]
     Unused,
-    /// The boards render it.
+    /// The boards render slopes.
     Rendered,
 }
 
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
-    /// A voice at rest with its key up.
+    /// Returns a voice at rest with its key up.
     pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
         let VoiceSettings { input, gate, limits, cell, h, slopes, revision } = fittings;
         let (mode, state) = model.at_rest(&Motion::default());
+        let damper = DamperTracker::new(M::DAMPER, 0.0);
         let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit()), h);
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
             input,
             gate,
-            damper: DamperTracker::new(0.0),
+            damper,
             rest: RestDetector::new(h),
             auditor: Auditor::default(),
             passivity,
@@ -95,24 +93,13 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             h,
             slopes,
             revision,
+            signal: Cubic::ballistic(0.0, 0.0, 0.0, h),
+            switches: Switches::default(),
         }
     }
 
-    /// What the model is like under `input`.
-    fn look(&self, input: &Motion) -> ModelSnapshot {
-        const { assert!(M::STATES.len() <= MAX_STATES, "raise MAX_STATES of scheduler::look") }
-        let mut look = ModelSnapshot {
-            revision: self.revision,
-            mode: number::<M>(self.simulator.mode()),
-            input: [input.position, input.rate, input.acceleration, input.jerk],
-            ..ModelSnapshot::default()
-        };
-        look.show(pode::State::entries(self.simulator.state()));
-        look
-    }
-
-    /// How the mean force of a tick without events goes on around the middle of that tick, at
-    /// whose start the newest sample was `late` (s).
+    /// Returns how the mean force of a tick without events goes on around the middle of that
+    /// tick, at whose start the newest sample was `late` (s).
     ///
     /// # Real-time
     /// At most four readouts.
@@ -129,8 +116,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
-    /// Whether the model accounts for the energy that it gained or lost since `before`, but for
-    /// less than the strongest force does over [`LONGEST_WAY`].
+    /// Returns whether the model accounts for the energy that it gained or lost since `before`, but
+    /// for less than the strongest force does over [`LONGEST_WAY`].
     ///
     /// Energies are the same at the finger and in the model, whatever its input is measured in.
     fn is_explained(&self, before: &EnergyAudit) -> bool {
@@ -139,19 +126,18 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     }
 
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
-        turn.begin();
         let is_passive = self.passivity.is_passive(tick, sample.position);
-        let Followed { ref signal, position, late } = self.input.follow(tick, sample);
+        let Followed { signal, position, late } = self.input.follow(tick, sample);
         let damped = self.damper.follow(tick, position, self.h);
         if let Some((at, event)) = damped {
             turn.events.push(at, event);
         }
         let (before, sums) = (*self.simulator.state(), self.auditor.sums);
-        let VoiceOutput { events, switches, .. } = turn;
-        let mut strikes = Strikes { tick, events, switches };
+        let events = &mut turn.events;
+        let mut strikes = Strikes { tick, events, switches: &mut self.switches };
         let mut watch = (&mut self.auditor, &mut strikes);
-        let done = self.simulator.advance(self.h, signal, &mut watch);
-        turn.look = self.look(&signal.at(1.0));
+        let done = self.simulator.advance(self.h, &signal, &mut watch);
+        self.signal = signal;
         let per_metre = self.simulator.model().input_per_metre();
         let gated = self.gate.apply(done.mean_readout * per_metre, self.h);
         turn.force = gated.force;
@@ -186,20 +172,28 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
 }
 
 impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
-        let mut turn = VoiceOutput::default();
-        self.tick_into(tick, sample, &mut turn);
-        turn
-    }
-
-    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        self.switches.clear();
         if let Some(force) = self.rest.force_at(sample.position) {
             self.input.go_on(tick, sample);
-            turn.rest_at(force);
+            (turn.force, turn.idle) = (force, true);
         } else if sample.position.is_finite() && sample.taken.is_finite() {
             self.advance(tick, sample, turn);
         } else {
-            *turn = VoiceOutput::faulty(VoiceFault::BadSample);
+            turn.fault = Some(VoiceFault::BadSample);
+        }
+    }
+
+    fn observe(&self, seen: &mut VoiceObservation) {
+        const { assert!(M::STATES.len() <= MAX_STATES, "raise MAX_STATES of scheduler") }
+        let Motion { position, rate, acceleration, jerk } = self.signal.at(1.0);
+        let snapshot = &mut seen.snapshot;
+        snapshot.revision = self.revision;
+        snapshot.mode = number::<M>(self.simulator.mode());
+        snapshot.show(pode::State::entries(self.simulator.state()));
+        snapshot.input = [position, rate, acceleration, jerk];
+        if !self.switches.is_empty() {
+            seen.switches = self.switches;
         }
     }
 
@@ -207,7 +201,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         let input = self.input.reset(sample.position);
         let (mode, state) = self.simulator.model().at_rest(&input);
         self.simulator.place(mode, state);
-        self.damper = DamperTracker::new(sample.position);
+        self.damper = DamperTracker::new(M::DAMPER, sample.position);
         self.passivity.reset();
         self.rest = RestDetector::new(self.h);
     }
@@ -322,7 +316,7 @@ impl<M: Playable> Watch<M> for Strikes<'_> {
         });
         let pode::EventCause::Guard(spec) = event.cause else { return };
         let sounding = model.sounding(spec.id, &event.before.1);
-        if let Some(sounding) = sounding.filter(|it| it.speed >= SOFTEST_TONE) {
+        if let Some(sounding) = sounding.filter(|it| it.speed >= M::SOFTEST_TONE) {
             let at = Moment { tick: self.tick, theta: event.theta };
             self.events.push(at, KeyEvent::Strike { speed: sounding.speed });
         }
@@ -382,7 +376,11 @@ mod tests {
         for hz in [1000_u32, 10_000] {
             let h = 1.0 / f64::from(hz);
             let idle = |voice: &mut RenderedKey<_, _>| {
-                (0..u64::from(hz)).find(|tick| voice.tick(*tick, &KeySample::fresh(0.0)).idle)
+                (0..u64::from(hz)).find(|tick| {
+                    let mut turn = VoiceOutput::default();
+                    voice.tick(*tick, &KeySample::fresh(0.0), &mut turn);
+                    turn.idle
+                })
             };
             assert_eq!(idle(&mut weightless(h)), Some(u64::from(hz) / 50), "{hz} Hz");
             let mut drifting = weightless(h);

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use firmware_protocol::key::KeyIndex;
 use links::pause;
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
 use super::{Balance, CalibrationFault, Next, RestMeasurement, Rested, Travelled, TripMeasurement};
@@ -245,7 +245,7 @@ impl Bench {
         // When they came matters here, and not what a board's clock says of it, which is not
         // well known in the first seconds.
         self.samples = *self.keybed.newest();
-        self.keybed.send(self.tick, &self.forces);
+        self.keybed.send(self.tick, &self.forces, &[KeySlope::HELD; KEYS]);
     }
 
     /// Returns where `key` is, if that is known (m).

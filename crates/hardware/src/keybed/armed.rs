@@ -386,15 +386,11 @@ impl KeyBus for Keybed<Armed> {
         }
     }
 
-    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
-        self.send_sloped(tick, forces, &[KeySlope::HELD; KEYS]);
-    }
-
     /// Sends each board its forces.
     ///
     /// # Real-time
     /// One frame for each board; no heap.
-    fn send_sloped(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
+    fn send(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
         let now_us = (self.clock)();
         let Self { lines, stage: Armed { bus, .. }, .. } = self;
         for (index, NamedLink { link, .. }) in lines.iter_mut().enumerate() {

@@ -230,15 +230,11 @@ impl KeyBus for SimulatedKeybed {
         }
     }
 
-    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
-        self.send_sloped(tick, forces, &[KeySlope::HELD; KEYS]);
-    }
-
     /// Puts one frame of forces on each wire, which ends the exchange.
     ///
     /// # Real-time
     /// Eight frames; no heap.
-    fn send_sloped(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
+    fn send(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
         for (index, SimulatedLine { wire, faults, framing, .. }) in
             self.lines.iter_mut().enumerate()
         {

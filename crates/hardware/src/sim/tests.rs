@@ -15,7 +15,7 @@ use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use haptics::plant::RigParameters;
 use links::Link as _;
 use links::loopback::Loopback;
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
 use super::board::{BoardMake, SimulatedBoard};
@@ -247,7 +247,7 @@ fn boards_that_a_stall_of_the_host_made_safe_are_armed_again() {
     let mut samples = [KeySample::default(); KEYS];
     for tick in (0..10).chain(100..110) {
         keybed.receive(tick, &mut samples);
-        keybed.send(tick, &[0.5; KEYS]);
+        keybed.send(tick, &[0.5; KEYS], &[KeySlope::HELD; KEYS]);
     }
     assert_eq!(keybed.rearmed(), 1, "90 ms of silence trip every watchdog once");
     assert!(BoardId::all().all(|board| !keybed.is_safe(board)));

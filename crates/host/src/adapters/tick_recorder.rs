@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use rtrb::{Consumer, Producer, RingBuffer};
-use scheduler::look::{ModelSnapshot, Switch};
 use scheduler::motion::{KEYS, KeyEvent, KeySample, Moment};
+use scheduler::observation::{FollowedKeys, ModelSnapshot, Switch};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::{VoiceFault, VoiceOutput};
 
@@ -17,21 +17,19 @@ const TICKS: usize = 256;
 pub struct KeyRow {
     pub tick: u64,
     pub key: u8,
-    /// What its sensor said.
     pub sample: KeySample,
     /// The voice's force (N).
     pub force: f64,
     /// The force sent (N).
     pub sent: f64,
-    /// The model at the end; as it was if it was not run.
+    /// The model when it was run last; nothing if the key is not followed.
     pub look: ModelSnapshot,
     /// Why the force could not be trusted.
     pub fault: Option<VoiceFault>,
-    /// How the turn stands.
     pub stands: RowFlags,
     /// In which of the last ticks the voice was run: this one is bit 0.
     pub ran: u32,
-    /// Key events that the turn told of.
+    /// Number of key events of the turn.
     pub events: u8,
 }
 
@@ -42,11 +40,13 @@ pub struct RowFlags {
     pub idle: bool,
     /// Its lane was not done.
     pub late: bool,
-    /// Its force knows nothing of the one before.
+    /// Its force is unrelated to the one before.
     pub fresh: bool,
+    /// Its model is shown.
+    pub followed: bool,
 }
 
-/// What the tap says.
+/// A row of a tick.
 #[derive(Clone, Copy, Debug)]
 pub enum RecorderRow {
     Key(KeyRow),
@@ -54,7 +54,7 @@ pub enum RecorderRow {
     Tick(TickRow),
 }
 
-/// A tick that was run.
+/// A tick in numbers, without its keys.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TickRow {
     pub tick: u64,
@@ -82,6 +82,25 @@ pub enum EventKind {
     Note(Moment, KeyEvent),
 }
 
+/// The keys that are followed, as the telemetry thread tells the tick.
+#[derive(Debug, Default)]
+pub struct FollowedSet([AtomicU64; 2]);
+
+impl FollowedSet {
+    /// Has `keys` followed from one of the next ticks on: bit n is key n.
+    pub fn store(&self, keys: u128) {
+        const LOW: u128 = u64::MAX as u128;
+        for (word, bits) in self.0.iter().zip([keys & LOW, keys >> 64]) {
+            word.store(u64::try_from(bits).unwrap_or_default(), Ordering::Relaxed);
+        }
+    }
+
+    fn load(&self) -> u128 {
+        let [low, high] = [0, 1].map(|word| u128::from(self.0[word].load(Ordering::Relaxed)));
+        low | high << 64
+    }
+}
+
 /// The rings' other ends.
 #[derive(Debug)]
 pub struct TickRecorderRings {
@@ -89,6 +108,8 @@ pub struct TickRecorderRings {
     pub happenings: Consumer<TickEvent>,
     /// How much found no room.
     pub dropped: Arc<AtomicU64>,
+    /// The keys to be followed; none at first.
+    pub followed: Arc<FollowedSet>,
 }
 
 /// Watches ticks for telemetry.
@@ -97,36 +118,49 @@ pub struct TickRecorder {
     rows: Producer<RecorderRow>,
     happenings: Producer<TickEvent>,
     dropped: Arc<AtomicU64>,
+    followed: Arc<FollowedSet>,
+    /// Followed keys that were seen since they are followed: bit n is key n.
+    seen: u128,
     known: Box<[LastRow; KEYS]>,
 }
 
-/// A key as it was told of last.
-#[derive(Clone, Copy, PartialEq, Debug, Default)]
-struct LastRow {
-    /// Position, force and force sent, if it lay still under a voice at rest.
-    still: Option<[u64; 3]>,
-    look: ModelSnapshot,
-}
+/// Position, force and force sent in a key's last row, if it lay still under a voice at rest.
+type LastRow = Option<[u64; 3]>;
 
 impl TickRecorder {
-    /// A tap, and where it leads.
+    /// Returns a recorder and where its rows go.
     pub fn new() -> (Self, TickRecorderRings) {
         let (rows, rows_out) = RingBuffer::new(TICKS * (KEYS + 1));
         let (happenings, happenings_out) = RingBuffer::new(TICKS * KEYS);
-        let dropped = Arc::new(AtomicU64::new(0));
-        let known = vec![LastRow::default(); KEYS].into_boxed_slice().try_into();
-        let known = known.unwrap_or_else(|_| unreachable!("KEYS long"));
+        let (dropped, followed) = (Arc::<AtomicU64>::default(), Arc::<FollowedSet>::default());
         let tapped = TickRecorderRings {
             rows: rows_out,
             happenings: happenings_out,
             dropped: Arc::clone(&dropped),
+            followed: Arc::clone(&followed),
         };
-        (Self { rows, happenings, dropped, known }, tapped)
+        let known = Box::new([None; KEYS]);
+        (Self { rows, happenings, dropped, followed, seen: 0, known }, tapped)
     }
 
-    fn push(&mut self, row: RecorderRow) {
-        if self.rows.push(row).is_err() {
-            self.dropped.fetch_add(1, Ordering::Relaxed);
+    /// Writes a row for each key of which anything is new, and one for the tick.
+    ///
+    /// # Real-time
+    /// One write of at most as many rows as there are keys, and one more.
+    fn write_rows(&mut self, seen: &FinishedTick<'_>) {
+        let Self { rows, known, dropped, .. } = self;
+        let news = known.iter_mut().enumerate().filter_map(|(key, known)| {
+            is_news(key, seen, known).then(|| RecorderRow::Key(row(key, seen)))
+        });
+        let tick = TickRow { tick: seen.tick, skipped: seen.skipped, armed: seen.armed };
+        let mut wanted = news.chain(std::iter::once(RecorderRow::Tick(tick)));
+        let room = rows.slots().min(KEYS + 1);
+        if let Ok(chunk) = rows.write_chunk_uninit(room) {
+            chunk.fill_from_iter(&mut wanted);
+        }
+        let lost = wanted.count() as u64;
+        if 0 < lost {
+            dropped.fetch_add(lost, Ordering::Relaxed);
         }
     }
 
@@ -136,54 +170,60 @@ impl TickRecorder {
         }
     }
 
-    /// Whether anything of `key` is not as it was; notes how it is.
-    fn is_news(&mut self, key: usize, seen: &FinishedTick<'_>) -> bool {
-        let (turn, sample) = (&seen.turns[key], &seen.samples[key]);
-        let still = is_still(turn, sample)
-            .then(|| [sample.position, turn.force, seen.forces[key]].map(f64::to_bits));
-        let known = &mut self.known[key];
-        let is_news = still.is_none() || still != known.still;
-        known.still = still;
-        is_news
-    }
-
-    /// What the model of `key` was like when it was run last.
-    ///
-    /// A lane's words may be those of an earlier tick, if the voice was not run in this one.
-    fn look(&mut self, key: usize, turn: &VoiceOutput) -> ModelSnapshot {
-        if turn.idle || turn.look.revision == 0 {
-            return self.known[key].look;
-        }
-        self.known[key].look = turn.look;
-        turn.look
-    }
-
-    fn row(&mut self, key: usize, seen: &FinishedTick<'_>) -> KeyRow {
-        let turn = &seen.turns[key];
-        KeyRow {
-            tick: seen.tick,
-            key: u8::try_from(key).unwrap_or(u8::MAX),
-            sample: seen.samples[key],
-            force: turn.force,
-            sent: seen.forces[key],
-            look: self.look(key, turn),
-            fault: turn.fault,
-            stands: RowFlags { idle: turn.idle, late: turn.late, fresh: turn.fresh },
-            ran: turn.ran,
-            events: u8::try_from(turn.events.as_slice().len()).unwrap_or(u8::MAX),
+    /// Tells what happened to each key, and notes that it was seen.
+    fn tell_of_keys(&mut self, seen: &FinishedTick<'_>) {
+        for (key, turn) in seen.turns.iter().enumerate() {
+            if seen.followed.contains(key) {
+                self.tell_of_switches(key, seen);
+                self.seen |= u128::from(!turn.late) << key;
+            }
+            for (at, event) in turn.events.as_slice() {
+                let what = EventKind::Note(*at, *event);
+                self.tell(TickEvent { tick: seen.tick, key: number(key), what });
+            }
         }
     }
 
-    /// Tells what happened to a key whose voice has this revision.
-    fn tell_of(&mut self, key: usize, revision: u32, tick: u64, turn: &VoiceOutput) {
-        let key = u8::try_from(key).unwrap_or(u8::MAX);
-        for switch in turn.switches.as_slice() {
-            let what = EventKind::Switch(revision, *switch);
-            self.tell(TickEvent { tick, key, what });
+    fn tell_of_switches(&mut self, key: usize, seen: &FinishedTick<'_>) {
+        let observed = &seen.observed[key];
+        for switch in observed.switches.as_slice() {
+            let what = EventKind::Switch(observed.snapshot.revision, *switch);
+            self.tell(TickEvent { tick: seen.tick, key: number(key), what });
         }
-        for (at, event) in turn.events.as_slice() {
-            self.tell(TickEvent { tick, key, what: EventKind::Note(*at, *event) });
-        }
+    }
+}
+
+/// A key's number.
+fn number(key: usize) -> u8 {
+    u8::try_from(key).unwrap_or(u8::MAX)
+}
+
+/// Returns whether anything of `key` is not as it was in its last row; notes how it is.
+fn is_news(key: usize, seen: &FinishedTick<'_>, known: &mut LastRow) -> bool {
+    let (turn, sample) = (&seen.turns[key], &seen.samples[key]);
+    let still = is_still(turn, sample)
+        .then(|| [sample.position, turn.force, seen.forces[key]].map(f64::to_bits));
+    let is_news = still.is_none() || still != *known || seen.followed.is_new(key);
+    *known = still;
+    is_news
+}
+
+fn row(key: usize, seen: &FinishedTick<'_>) -> KeyRow {
+    let (turn, observed) = (&seen.turns[key], &seen.observed[key]);
+    let followed = seen.followed.contains(key);
+    let (look, ran) =
+        if followed { (observed.snapshot, observed.ran) } else { (ModelSnapshot::default(), 0) };
+    KeyRow {
+        tick: seen.tick,
+        key: number(key),
+        sample: seen.samples[key],
+        force: turn.force,
+        sent: seen.forces[key],
+        look,
+        fault: turn.fault,
+        stands: RowFlags { idle: turn.idle, late: turn.late, fresh: turn.fresh, followed },
+        ran,
+        events: u8::try_from(turn.events.as_slice().len()).unwrap_or(u8::MAX),
     }
 }
 
@@ -199,41 +239,64 @@ fn is_still(turn: &VoiceOutput, sample: &KeySample) -> bool {
 }
 
 impl TickObserver for TickRecorder {
+    fn followed(&mut self) -> FollowedKeys {
+        let followed = self.followed.load();
+        self.seen &= followed;
+        FollowedKeys::new(followed, !self.seen)
+    }
+
     fn observe(&mut self, seen: &FinishedTick<'_>) {
-        for (key, turn) in seen.turns.iter().enumerate() {
-            if self.is_news(key, seen) {
-                let row = self.row(key, seen);
-                self.tell_of(key, row.look.revision, seen.tick, turn);
-                self.push(RecorderRow::Key(row));
-            }
-        }
-        let FinishedTick { tick, skipped, armed, .. } = *seen;
-        self.push(RecorderRow::Tick(TickRow { tick, skipped, armed }));
+        // First, so that they are there with the row that ends the tick.
+        self.tell_of_keys(seen);
+        self.write_rows(seen);
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use scheduler::observation::VoiceObservation;
+
     use super::*;
 
-    /// A tap, and what it saw of `ticks` with these positions (mm), asleep or not.
-    fn tapped(ticks: &[(f64, bool)]) -> Vec<RecorderRow> {
-        let (mut tap, mut tapped) = TickRecorder::new();
-        let mut samples = [KeySample::default(); KEYS];
-        let mut turns = vec![VoiceOutput { idle: true, ran: 1, ..VoiceOutput::default() }; KEYS];
-        let forces = [0.0; KEYS];
-        for (tick, (position, idle)) in (0..).zip(ticks) {
-            samples[5] = KeySample::fresh(position * 1e-3);
-            turns[5] = VoiceOutput { idle: *idle, ..VoiceOutput::default() };
-            let turns = turns.as_slice().try_into().expect("all turns");
+    /// All keys at rest in the places that they are made with.
+    struct Keys {
+        samples: [KeySample; KEYS],
+        turns: Vec<VoiceOutput>,
+        observed: Vec<VoiceObservation>,
+    }
+
+    impl Keys {
+        fn at_rest() -> Self {
+            Self {
+                samples: [KeySample::default(); KEYS],
+                turns: vec![VoiceOutput { idle: true, ..VoiceOutput::default() }; KEYS],
+                observed: vec![VoiceObservation { ran: 1, ..VoiceObservation::default() }; KEYS],
+            }
+        }
+
+        fn show(&self, tap: &mut TickRecorder, tick: u64) {
+            let followed = tap.followed();
             tap.observe(&FinishedTick {
                 tick,
                 skipped: 0,
                 armed: true,
-                samples: &samples,
-                turns,
-                forces: &forces,
+                samples: &self.samples,
+                turns: self.turns.as_slice().try_into().expect("all turns"),
+                forces: &[0.0; KEYS],
+                followed,
+                observed: self.observed.as_slice().try_into().expect("all keys"),
             });
+        }
+    }
+
+    /// What a tap sees of `ticks` with these positions (mm), asleep or not.
+    fn tapped(ticks: &[(f64, bool)]) -> Vec<RecorderRow> {
+        let (mut tap, mut tapped) = TickRecorder::new();
+        let mut keys = Keys::at_rest();
+        for (tick, (position, idle)) in (0..).zip(ticks) {
+            keys.samples[5] = KeySample::fresh(position * 1e-3);
+            keys.turns[5].idle = *idle;
+            keys.show(&mut tap, tick);
         }
         std::iter::from_fn(|| tapped.rows.pop().ok()).collect()
     }
@@ -254,54 +317,75 @@ mod tests {
         assert_eq!(ticks, 5, "each tick is told of");
     }
 
-    #[test]
-    fn a_key_at_rest_is_shown_as_it_was_when_it_was_run_last() {
-        let (mut tap, mut tapped) = TickRecorder::new();
-        let run = VoiceOutput {
-            look: ModelSnapshot { revision: 7, mode: 2, ..ModelSnapshot::default() },
-            ..VoiceOutput::default()
-        };
-        // A lane has several lists of turns: that of a voice at rest may never have been shown.
-        let rest = VoiceOutput { idle: true, ..VoiceOutput::default() };
-        for (tick, turn) in (0..).zip([run, run.held(), rest, rest.held(), rest]) {
-            let mut turns = vec![VoiceOutput::default(); KEYS];
-            turns[5] = turn;
-            let turns = turns.as_slice().try_into().expect("all turns");
-            tap.observe(&FinishedTick {
-                tick,
-                skipped: 0,
-                armed: true,
-                samples: &[KeySample::fresh(0.0); KEYS],
-                turns,
-                forces: &[0.0; KEYS],
-            });
-        }
-        let mut seen = Vec::new();
-        while let Ok(row) = tapped.rows.pop() {
-            if let RecorderRow::Key(row) = row
-                && row.key == 5
-            {
-                seen.push((row.tick, row.look.revision, row.look.mode));
+    /// Rows of key 5 that wait: tick, revision of the model shown, whether it is followed.
+    fn rows_of_5(tapped: &mut TickRecorderRings) -> Vec<(u64, u32, bool)> {
+        let rows = std::iter::from_fn(|| tapped.rows.pop().ok());
+        let row = |row| match row {
+            RecorderRow::Key(row) if row.key == 5 => {
+                Some((row.tick, row.look.revision, row.stands.followed))
             }
+            RecorderRow::Key(_) | RecorderRow::Tick(_) => None,
+        };
+        rows.filter_map(row).collect()
+    }
+
+    #[test]
+    fn a_key_that_is_followed_from_now_on_is_told_of_though_it_lies_still() {
+        let (mut tap, mut tapped) = TickRecorder::new();
+        let mut keys = Keys::at_rest();
+        keys.observed[5].snapshot.revision = 7;
+        for tick in 0..10 {
+            match tick {
+                3 => tapped.followed.store(1 << 5 | 1 << 87),
+                4 => keys.turns[5].late = true,
+                5 => keys.turns[5].late = false,
+                8 => tapped.followed.store(1 << 87),
+                _ => {}
+            }
+            keys.show(&mut tap, tick);
         }
-        assert_eq!(seen, [(0, 7, 2), (1, 7, 2), (2, 7, 2), (3, 7, 2), (4, 7, 2)]);
+        let rows = rows_of_5(&mut tapped);
+        assert_eq!(rows, [(0, 0, false), (3, 7, true), (4, 7, true), (5, 7, true)]);
+    }
+
+    #[test]
+    fn a_key_stays_new_until_its_lane_is_in_time() {
+        let (mut tap, mut tapped) = TickRecorder::new();
+        let mut keys = Keys::at_rest();
+        tapped.followed.store(1 << 5);
+        keys.turns[5].late = true;
+        for tick in 0..3 {
+            assert!(tap.followed().is_new(5), "tick {tick}");
+            keys.show(&mut tap, tick);
+        }
+        keys.turns[5].late = false;
+        keys.show(&mut tap, 3);
+        assert!(tap.followed().contains(5) && !tap.followed().is_new(5));
+        assert_eq!(rows_of_5(&mut tapped).len(), 4);
+    }
+
+    #[test]
+    fn changes_of_mode_are_told_of_followed_keys() {
+        let (mut tap, mut tapped) = TickRecorder::new();
+        let mut keys = Keys::at_rest();
+        tapped.followed.store(1 << 5);
+        for key in 4..7 {
+            keys.observed[key].switches.push(Switch::default());
+        }
+        keys.show(&mut tap, 0);
+        let told: Vec<u8> =
+            std::iter::from_fn(|| tapped.happenings.pop().ok()).map(|it| it.key).collect();
+        assert_eq!(told, [5]);
     }
 
     #[test]
     fn what_finds_no_room_is_counted() {
         let (mut tap, tapped) = TickRecorder::new();
-        let samples = [KeySample::fresh(1.0); KEYS];
-        let turns = vec![VoiceOutput::default(); KEYS];
-        let turns = turns.as_slice().try_into().expect("all turns");
+        let mut keys = Keys::at_rest();
+        keys.samples = [KeySample::fresh(1.0); KEYS];
+        keys.turns = vec![VoiceOutput::default(); KEYS];
         for tick in 0..TICKS as u64 + 2 {
-            tap.observe(&FinishedTick {
-                tick,
-                skipped: 0,
-                armed: true,
-                samples: &samples,
-                turns,
-                forces: &[0.0; KEYS],
-            });
+            keys.show(&mut tap, tick);
         }
         assert_eq!(tapped.dropped.load(Ordering::Relaxed), 2 * (KEYS as u64 + 1));
         assert_eq!(tapped.rows.slots(), TICKS * (KEYS + 1));

@@ -1,7 +1,7 @@
 //! What happened, as messages.
 
-use scheduler::look::Switch;
 use scheduler::motion::{KeyEvent, Moment};
+use scheduler::observation::Switch;
 use scheduler::voice::VoiceFault;
 use telemetry::{Event, event::Kind};
 

@@ -135,6 +135,11 @@ impl MessageSink for LogSink {
         wanted.contains(&topic)
     }
 
+    fn followed_keys(&self) -> u128 {
+        // Changes of mode are no lines.
+        0
+    }
+
     fn attend(&mut self, now: u64) -> Attention {
         if !self.changed.is_empty() && self.since.saturating_add(CHANGES) <= now {
             self.flush_changes(now);

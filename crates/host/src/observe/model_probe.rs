@@ -1,12 +1,12 @@
 //! What a model gives to look at: its names, and its signals at any moment.
 //!
-//! Off the tick: a turn shows mode, state and input; guards and outputs follow from them.
+//! Off the tick: a snapshot has mode, state and input; guards and outputs follow from them.
 
 use models::Playable;
 use models::catalogue::{self, Visitor};
 use models::draw::{Body, Coil, Ends, Follow, Material, Sketch};
 use pode::Motion;
-use scheduler::look::{MAX_STATES, ModelSnapshot};
+use scheduler::observation::{MAX_STATES, ModelSnapshot};
 use telemetry::{Drawing, Follower, Outline, Signal, outline, signal};
 
 use super::short;
@@ -46,7 +46,7 @@ impl Visitor for Opened<'_> {
 
     fn visit<M: Playable>(self) -> Self::Output {
         const {
-            assert!(M::STATES.len() <= MAX_STATES, "raise MAX_STATES of scheduler::look");
+            assert!(M::STATES.len() <= MAX_STATES, "raise MAX_STATES of scheduler");
             assert!(M::OUTPUTS.len() <= MOST_OUTPUTS, "raise MOST_OUTPUTS");
         }
         let model = M::with_values(self.0);

@@ -29,6 +29,19 @@ pub trait MessageSink: Send {
     /// Whether messages of `topic` are of use to it.
     fn wants(&self, topic: Topic) -> bool;
 
+    /// Returns the keys whose models are to be observed for it: bit n is key n.
+    ///
+    /// Those whose rows it wants; all, if it wants what is made of the rows of all.
+    fn followed_keys(&self) -> u128 {
+        let wants_all = [Topic::Overview, Topic::Events].map(|topic| self.wants(topic));
+        let keys = (0..=u8::MAX).take(KEYS).filter(|key| {
+            wants_all != [false; 2]
+                || self.wants(Topic::Block(*key))
+                || self.wants(Topic::State(*key))
+        });
+        keys.fold(0, |followed, key| followed | 1 << key)
+    }
+
     /// Whether somebody is there who was not when this was asked last: they are told how the keys
     /// are of which it wants rows.
     fn has_newcomers(&mut self) -> bool {
@@ -65,7 +78,7 @@ pub enum TelemetryMessage {
 impl std::fmt::Debug for TelemetryMessage {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Voice(voice, _eye) => f.debug_tuple("Voice").field(voice).finish(),
+            Self::Voice(voice, _probe) => f.debug_tuple("Voice").field(voice).finish(),
             Self::Update(update) => f.debug_tuple("Update").field(update).finish(),
             Self::Links(links) => f.debug_tuple("Links").field(links).finish(),
             Self::Sink(_sink) => f.write_str("Sink(..)"),
@@ -118,6 +131,20 @@ struct KeyTelemetry {
     mark: u8,
 }
 
+impl KeyTelemetry {
+    /// Notes the newest row.
+    fn note(&mut self, row: &KeyRow) {
+        if row.stands.followed {
+            self.revision = row.look.revision;
+        }
+        self.last = Some(*row);
+    }
+}
+
+/// Voices of a key that may be known at once while it is not followed; a slider makes some in a
+/// tick.
+const MOST_PROBES: usize = 128;
+
 /// Time between two overviews (ns).
 const LOOK: u64 = 33_000_000;
 
@@ -166,6 +193,13 @@ impl TelemetryThread {
         // Before anybody is welcome: what is told of voices means nothing without it.
         self.latched.insert(None, Update::Catalogue(catalogue));
         self.hear();
+        self.follow();
+    }
+
+    /// Tells the tick which keys are followed.
+    fn follow(&self) {
+        let followed = self.sinks.iter().fold(0, |keys, sink| keys | sink.followed_keys());
+        self.tapped.followed.store(followed);
     }
 
     /// Moves all that is there.
@@ -194,9 +228,10 @@ impl TelemetryThread {
         }
         self.sum_up();
         self.tell_newcomers();
-        self.forget_eyes();
+        self.forget_probes();
         let now = self.at(self.now);
         self.sinks.retain_mut(|sink| sink.attend(now) == Attention::Goes);
+        self.follow();
     }
 
     /// Nobody wants to know: what is there is passed over, and costs next to nothing.
@@ -204,8 +239,7 @@ impl TelemetryThread {
         for _ in 0..rows {
             match self.tapped.rows.pop() {
                 Ok(RecorderRow::Key(row)) => {
-                    let key = &mut self.keys[usize::from(row.key)];
-                    (key.revision, key.last) = (row.look.revision, Some(row));
+                    self.keys[usize::from(row.key)].note(&row);
                 }
                 Ok(RecorderRow::Tick(row)) => (self.now, self.armed) = (row.tick, row.armed),
                 Err(_empty) => break,
@@ -215,16 +249,24 @@ impl TelemetryThread {
         while self.pulses.pop().is_ok() {}
         // Whoever comes will want the newest, and the ring holds the oldest.
         let _unseen = self.links.as_mut().and_then(|links| links.look());
-        self.forget_eyes();
+        self.forget_probes();
     }
 
     /// Drops what saw voices that do not play any more: a slider makes many in a second.
-    fn forget_eyes(&mut self) {
+    fn forget_probes(&mut self) {
         let keys = &self.keys;
         let playing = |key: u32| usize::try_from(key).ok().and_then(|key| keys.get(key));
-        self.probes.retain(|revision, (key, _eye)| {
+        self.probes.retain(|revision, (key, _probe)| {
             playing(*key).is_none_or(|key| key.revision <= *revision)
         });
+    }
+
+    /// Drops what saw the oldest voices of a key, of which no row says whether they play.
+    fn limit_probes(&mut self, key: u32) {
+        let of_key = self.probes.iter().filter(|(_revision, (of, _probe))| *of == key);
+        if let Some(oldest) = of_key.map(|(revision, _probe)| *revision).rev().nth(MOST_PROBES) {
+            self.probes.remove(&oldest);
+        }
     }
 
     /// Rows of ticks that are there as a whole.
@@ -242,8 +284,9 @@ impl TelemetryThread {
         while let Ok(told) = self.told.try_recv() {
             match told {
                 TelemetryMessage::Voice(voice, probe) => {
-                    self.probes.extend(probe.map(|probe| (voice.revision, (voice.key, probe))));
                     let key = voice.key;
+                    self.probes.extend(probe.map(|probe| (voice.revision, (key, probe))));
+                    self.limit_probes(key);
                     let voice = Update::Voice(*voice);
                     self.give(&voice);
                     self.latched.insert(Some(key), voice);
@@ -289,7 +332,9 @@ impl TelemetryThread {
 
     /// Tells how each key is that a sink wants: as in its last row, however long it lies still.
     fn tell_keys(&self, sink: &mut dyn MessageSink) {
-        for last in self.keys.iter().filter_map(|key| key.last.as_ref()) {
+        // Of others the next tick tells.
+        let last = self.keys.iter().filter_map(|key| key.last.as_ref());
+        for last in last.filter(|row| row.stands.followed) {
             let wants = [Topic::Block(last.key), Topic::State(last.key)].map(|it| sink.wants(it));
             if wants == [false; 2] {
                 continue;
@@ -326,9 +371,12 @@ impl TelemetryThread {
         }
         let probe = self.probes.get(&row.look.revision).map(|(_key, probe)| probe.as_ref());
         let Some(key) = self.keys.get_mut(usize::from(row.key)) else { return };
-        (key.revision, key.last) = (row.look.revision, Some(*row));
-        let flags = flags(row.stands) | std::mem::take(&mut key.mark);
-        key.builder.push(row, flags, probe);
+        key.note(row);
+        let flags = flags(row.stands) | key.mark;
+        if row.stands.followed {
+            key.mark = 0;
+            key.builder.push(row, flags, probe);
+        }
         self.overview.push(row, flags, if probe.is_some() { row.look.mode } else { u8::MAX });
         let event = events::trust(row, key.fault);
         key.fault = row.fault;
@@ -467,6 +515,7 @@ mod tests {
     use std::sync::{Arc, Mutex};
 
     use scheduler::motion::KeySample;
+    use scheduler::observation::VoiceObservation;
     use scheduler::port::{FinishedTick as SeenTick, TickObserver as _};
     use scheduler::voice::VoiceOutput;
 
@@ -504,11 +553,13 @@ mod tests {
         assert!(told.send(TelemetryMessage::Sink(Box::new(window.clone()))).is_ok());
         let mut samples = [KeySample::default(); KEYS];
         samples[5] = KeySample::fresh(0.004);
-        let turns = [VoiceOutput { idle: true, ran: u32::MAX, ..VoiceOutput::default() }; KEYS];
+        let turns = [VoiceOutput { idle: true, ..VoiceOutput::default() }; KEYS];
+        let observed = [VoiceObservation { ran: u32::MAX, ..VoiceObservation::default() }; KEYS];
         for tick in 0..50 {
             if tick == 40 {
                 window.0.lock().expect("nobody panics with it").0 = true;
             }
+            let followed = tap.followed();
             tap.observe(&SeenTick {
                 tick,
                 skipped: 0,
@@ -516,11 +567,14 @@ mod tests {
                 samples: &samples,
                 turns: &turns,
                 forces: &[0.0; KEYS],
+                followed,
+                observed: &observed,
             });
             pump.pump();
         }
         let told = window.0.lock().expect("nobody panics with it").1.clone();
         let [Update::Block(block)] = told.as_slice() else { panic!("{told:?}") };
-        assert_eq!((block.key, block.tick, block.position.as_slice()), (5, 40, &[0.004][..]));
+        // With the first tick that knows that somebody follows it.
+        assert_eq!((block.key, block.tick, block.position.as_slice()), (5, 41, &[0.004][..]));
     }
 }

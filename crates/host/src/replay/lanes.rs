@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use scheduler::motion::{KEYS, KeySample};
-use scheduler::port::{KeyBus, Lanes};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
+use scheduler::observation::{FollowedKeys, VoiceObservation};
+use scheduler::port::{KeyBus, Lanes, TickInput, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::values::ModelValues;
 use scheduler::voice::VoiceOutput;
@@ -124,10 +125,17 @@ impl ReplaySlot {
         Ok(())
     }
 
-    fn run(&mut self, tick: u64, fed: &KeyTick, turn: &mut VoiceOutput) {
+    fn run(
+        &mut self,
+        (tick, followed): (u64, FollowedKeys),
+        fed: &KeyTick,
+        turn: &mut VoiceOutput,
+        seen: &mut VoiceObservation,
+    ) {
         match fed.lane {
             LaneStatus::Late => {
-                *turn = turn.held();
+                turn.hold();
+                seen.pass(0);
                 if 0 < fed.events {
                     self.catch_up(|_late| true);
                     self.late.hand_over(turn);
@@ -137,6 +145,7 @@ impl ReplaySlot {
             LaneStatus::Done { unrun } => {
                 self.catch_up(|late| was_run(unrun, tick - late));
                 self.slot.tick(tick, &fed.sample, turn);
+                self.slot.observe(followed, turn, seen);
                 self.late.hand_over(turn);
             }
         }
@@ -160,15 +169,17 @@ fn was_run(unrun: u32, before: u64) -> bool {
 }
 
 impl Lanes for ReplayLanes {
-    fn run(&mut self, tick: u64, _samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
-        for ((slot, fed), turn) in self.slots.iter_mut().zip(&self.fed).zip(turns) {
+    fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
+        let keys = self.slots.iter_mut().zip(&self.fed);
+        let keys = keys.zip(output.turns.iter_mut().zip(output.observed.iter_mut()));
+        for ((slot, fed), (turn, seen)) in keys {
             let Some(slot) = slot else { continue };
             if fed.lane != LaneStatus::Late
                 && let Err(error) = slot.change(fed.revision, &self.voices, &self.scene)
             {
                 self.failed.get_or_insert(error);
             }
-            slot.run(tick, fed, turn);
+            slot.run((input.tick, input.followed), fed, turn, seen);
         }
     }
 }
@@ -184,5 +195,5 @@ impl KeyBus for ReplayBus {
         *samples = self.samples;
     }
 
-    fn send(&mut self, _tick: u64, _forces: &[f64; KEYS]) {}
+    fn send(&mut self, _tick: u64, _forces: &[f64; KEYS], _slopes: &[KeySlope; KEYS]) {}
 }

@@ -169,10 +169,11 @@ impl Replay {
             clock::from_seconds(period.as_secs_f64()).as_u64(),
         );
         let mut pump = pump.map_err(|error| system(error.to_string()))?;
-        pump.begin(catalogue.began, catalogue.clone());
         let said = Said::default();
-        // Whoever hears is there as long as this is.
+        // Before it begins, so that all keys are followed from the first tick on; whoever hears is
+        // there as long as this is.
         let _heard = told.send(TelemetryMessage::Sink(Box::new(said.clone())));
+        pump.begin(catalogue.began, catalogue.clone());
         let (ring, events) = rtrb::RingBuffer::new(RING);
         let bell = WakeFd::new().map_err(|error| system(error.to_string()))?;
         let counters = std::sync::Arc::<LiveCounters>::default();

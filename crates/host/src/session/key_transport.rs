@@ -111,17 +111,10 @@ impl KeyBus for KeyTransport {
         }
     }
 
-    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
         match self {
-            Self::Simulated(keybed) => keybed.send(tick, forces),
-            Self::Boards(keybed, ..) => keybed.send(tick, forces),
-        }
-    }
-
-    fn send_sloped(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
-        match self {
-            Self::Simulated(keybed) => keybed.send(tick, forces),
-            Self::Boards(keybed, ..) => keybed.send_sloped(tick, forces, slopes),
+            Self::Simulated(keybed) => keybed.send(tick, forces, slopes),
+            Self::Boards(keybed, ..) => keybed.send(tick, forces, slopes),
         }
     }
 }

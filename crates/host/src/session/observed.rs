@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc;
 use std::time::Duration;
 
+use scheduler::observation::FollowedKeys;
 use scheduler::port::{FinishedTick, TickObserver};
 use telemetry::Catalogue;
 
@@ -26,6 +27,10 @@ pub(crate) struct Watchers {
 }
 
 impl TickObserver for Watchers {
+    fn followed(&mut self) -> FollowedKeys {
+        self.recorder.followed()
+    }
+
     fn observe(&mut self, seen: &FinishedTick<'_>) {
         self.publisher.observe(seen);
         self.recorder.observe(seen);

@@ -5,7 +5,10 @@ mod equations;
 
 use pode::{GuardId, Motion};
 
-use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::describe::{
+    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
+    write,
+};
 use crate::draw::Sketch;
 
 /// A ball above a floor (`flight`) or on it (`rest`).
@@ -86,6 +89,9 @@ impl Described for BouncingBall {
 }
 
 impl Playable for BouncingBall {
+    const DAMPER: Damper = Damper::GRAND;
+    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
+
     fn input_per_metre(&self) -> f64 {
         self.scale
     }

@@ -5,7 +5,10 @@ mod equations;
 
 use pode::{GuardId, Motion};
 
-use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::describe::{
+    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
+    write,
+};
 use crate::draw::Sketch;
 
 /// The cart between the walls (`free`) or held against one (`left`, `right`).
@@ -115,6 +118,9 @@ impl Described for CartPendulum {
 }
 
 impl Playable for CartPendulum {
+    const DAMPER: Damper = Damper::GRAND;
+    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
+
     fn input_per_metre(&self) -> f64 {
         self.scale
     }

@@ -5,7 +5,10 @@ mod equations;
 
 use pode::{GuardId, Motion};
 
-use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::describe::{
+    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
+    write,
+};
 use crate::draw::Sketch;
 use crate::key_hammer::{KeyHammerValues, PARAMETERS, PRESETS};
 
@@ -88,6 +91,9 @@ impl Described for KeyHammerSprings {
 }
 
 impl Playable for KeyHammerSprings {
+    const DAMPER: Damper = Damper::GRAND;
+    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
+
     fn input_per_metre(&self) -> f64 {
         1.0 / self.values.r
     }

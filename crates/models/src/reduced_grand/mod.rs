@@ -17,7 +17,10 @@ pub use parameters::ReducedGrandValues;
 
 use pode::{GuardId, Motion};
 
-use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::describe::{
+    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
+    write,
+};
 use crate::draw::Sketch;
 use geometry::LetOff;
 use steps::LongestSteps;
@@ -114,6 +117,9 @@ impl Described for ReducedGrand {
 }
 
 impl Playable for ReducedGrand {
+    const DAMPER: Damper = Damper::GRAND;
+    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
+
     fn input_per_metre(&self) -> f64 {
         1.0
     }

@@ -5,7 +5,10 @@ mod equations;
 
 use pode::{GuardId, Motion};
 
-use crate::describe::{Described, Parameter, Playable, Preset, Sounding, filled, write};
+use crate::describe::{
+    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
+    write,
+};
 use crate::draw::Sketch;
 
 /// Nothing before the wall (`free`), a spring and a damper behind it (`contact`).
@@ -69,6 +72,9 @@ impl Described for SpringWall {
 }
 
 impl Playable for SpringWall {
+    const DAMPER: Damper = Damper::GRAND;
+    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
+
     fn input_per_metre(&self) -> f64 {
         1.0
     }

@@ -1,9 +1,10 @@
-//! A voice behind a fence: if it panics, only its own key is lost.
+//! A voice whose panic is caught: only its own key is lost.
 
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use scheduler::motion::KeySample;
+use scheduler::observation::VoiceObservation;
 use scheduler::values::ModelValues;
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
 
@@ -20,27 +21,27 @@ pub struct PanicGuard {
 }
 
 impl PanicGuard {
-    /// Around `voice`.
+    /// Guards the lane against `voice`.
     pub fn new(voice: BoxedVoice) -> Self {
         Self { voice, panicked: false }
     }
 }
 
 impl Voice for PanicGuard {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
-        let mut turn = VoiceOutput::default();
-        self.tick_into(tick, sample, &mut turn);
-        turn
-    }
-
-    fn tick_into(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         if !self.panicked {
             // The voice's state may be broken after unwinding, and is never used again.
-            let run = AssertUnwindSafe(|| self.voice.tick_into(tick, sample, turn));
+            let run = AssertUnwindSafe(|| self.voice.tick(tick, sample, turn));
             self.panicked = catch_unwind(run).is_err();
         }
         if self.panicked {
-            *turn = VoiceOutput::faulty(VoiceFault::Panicked);
+            turn.fail(VoiceFault::Panicked);
+        }
+    }
+
+    fn observe(&self, seen: &mut VoiceObservation) {
+        if !self.panicked {
+            self.voice.observe(seen);
         }
     }
 
@@ -65,6 +66,6 @@ impl Voice for PanicGuard {
 
 impl fmt::Debug for PanicGuard {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Fenced").field("panicked", &self.panicked).finish_non_exhaustive()
+        f.debug_struct("PanicGuard").field("panicked", &self.panicked).finish_non_exhaustive()
     }
 }

@@ -29,8 +29,8 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::thread;
 
-use scheduler::motion::{KEYS, KeySample};
-use scheduler::port::Lanes;
+use scheduler::motion::KEYS;
+use scheduler::port::{Lanes, TickInput, TickOutput};
 use scheduler::slot::{Slot, lane_of};
 use scheduler::time::Nanos;
 use scheduler::voice::{VoiceFault, VoiceOutput};
@@ -70,7 +70,7 @@ impl WaitLimit {
     }
 }
 
-/// Fills the scheduler's `Lanes` port with threads.
+/// Runs voices on threads.
 ///
 /// # Real-time
 /// A tick allocates, locks and frees nothing, unless a voice panics, and ends by its patience.
@@ -176,19 +176,19 @@ impl ThreadedLanes {
         self.remotes.iter().map(|lane| &lane.remote.standing)
     }
 
-    fn give(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
-        self.shared.current.store(tick, Ordering::Release);
+    fn give(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
+        self.shared.current.store(input.tick, Ordering::Release);
         for lane in &mut self.remotes {
             lane.stands = LaneState::Behind;
-            lane.take_back(tick, turns, &mut self.latecomers);
-            lane.give(tick, samples, self.patience);
+            lane.take_back(input.tick, output, &mut self.latecomers);
+            lane.give(input, self.patience);
         }
     }
 
     /// Spins until all lanes are done or the time for it is over.
-    fn collect(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
+    fn collect(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
         for look in 1_u64.. {
-            let waiting = self.look(tick, samples, turns);
+            let waiting = self.look(input, output);
             if !waiting || self.patience.is_over() {
                 return;
             }
@@ -204,17 +204,12 @@ impl ThreadedLanes {
     /// Takes what is there; says whether a lane is still worth waiting for.
     ///
     /// One that is behind with earlier ticks is, only if there is no limit.
-    fn look(
-        &mut self,
-        tick: u64,
-        samples: &[KeySample; KEYS],
-        turns: &mut [VoiceOutput; KEYS],
-    ) -> bool {
+    fn look(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) -> bool {
         let mut waiting = false;
         for lane in &mut self.remotes {
-            lane.take_back(tick, turns, &mut self.latecomers);
+            lane.take_back(input.tick, output, &mut self.latecomers);
             if lane.stands == LaneState::Behind && self.patience == WaitLimit::Endless {
-                lane.give(tick, samples, self.patience);
+                lane.give(input, self.patience);
                 waiting = true;
             }
             waiting |= lane.stands == LaneState::Running;
@@ -222,69 +217,65 @@ impl ThreadedLanes {
         waiting
     }
 
-    /// Holds the turns of lanes that are not done.
-    fn hold_late(&mut self, turns: &mut [VoiceOutput; KEYS]) {
+    /// Holds the forces of lanes that are not done.
+    fn hold_late(&mut self, output: &mut TickOutput<'_>) {
         for lane in &self.remotes {
-            let instead: fn(&VoiceOutput) -> VoiceOutput = match lane.stands {
+            let instead: fn(&mut VoiceOutput) = match lane.stands {
                 LaneState::Done { cpu } => {
                     self.times.slowest = self.times.slowest.max(cpu);
                     continue;
                 }
                 LaneState::Running | LaneState::Behind => {
                     self.latecomers.counters.late += 1;
-                    VoiceOutput::held
+                    VoiceOutput::hold
                 }
-                LaneState::Lost => |_turn| VoiceOutput::faulty(VoiceFault::Panicked),
+                LaneState::Lost => |turn| turn.fail(VoiceFault::Panicked),
             };
             for &key in &lane.remote.keys {
-                turns[key] = instead(&turns[key]);
+                instead(&mut output.turns[key]);
+                output.observed[key].pass(0);
             }
         }
     }
 }
 
 impl Lanes for ThreadedLanes {
-    fn run(&mut self, tick: u64, samples: &[KeySample; KEYS], turns: &mut [VoiceOutput; KEYS]) {
+    fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
         if self.remotes.is_empty() {
-            self.inline.run(tick, samples, turns);
+            self.inline.run(input, output);
             return;
         }
         self.times = LaneTimes::default();
-        self.give(tick, samples, turns);
+        self.give(input, output);
 
         let before = clock::thread_cpu();
-        self.inline.run(tick, samples, turns);
+        self.inline.run(input, output);
         let between = clock::thread_cpu();
-        self.collect(tick, samples, turns);
+        self.collect(input, output);
         let after = clock::thread_cpu();
 
         self.times.inline = between.since(before);
         self.times.waiting = after.since(between);
-        self.hold_late(turns);
-        self.latecomers.hand_over(turns);
+        self.hold_late(output);
+        self.latecomers.hand_over(output.turns);
     }
 }
 
 impl RemoteLane {
     /// Gives the lane this tick, if it has a batch free; it is behind until then.
-    fn give(&mut self, tick: u64, samples: &[KeySample; KEYS], patience: WaitLimit) {
-        if self.remote.give(tick, samples, patience) {
+    fn give(&mut self, input: &TickInput<'_>, patience: WaitLimit) {
+        if self.remote.give(input, patience) {
             self.stands = LaneState::Running;
         }
     }
 
     /// Takes back what the lane has finished.
-    fn take_back(
-        &mut self,
-        tick: u64,
-        turns: &mut [VoiceOutput; KEYS],
-        latecomers: &mut LateResults,
-    ) {
+    fn take_back(&mut self, tick: u64, output: &mut TickOutput<'_>, latecomers: &mut LateResults) {
         // Bounded by the lane's batches.
         while let Some(batch) = self.remote.take() {
             match batch.ran {
                 Some(cpu) if batch.tick == tick => {
-                    batch.write_turns(&self.remote.keys, turns);
+                    batch.write(&self.remote.keys, output);
                     self.stands = LaneState::Done { cpu };
                 }
                 Some(_) | None => latecomers.keep(&self.remote.keys, &batch),

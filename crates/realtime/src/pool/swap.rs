@@ -126,7 +126,7 @@ impl VoiceSwaps {
     }
 }
 
-/// The lane's end.
+/// The end of a lane's swaps that its thread holds.
 #[derive(Debug)]
 pub(super) struct InnerEnd {
     into: Consumer<QueuedChange>,

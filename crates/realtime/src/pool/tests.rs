@@ -4,7 +4,8 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 use super::worker::boxed_array;
 use super::*;
-use scheduler::motion::{KeyEvent, Moment};
+use scheduler::motion::{KeyEvent, KeySample, Moment};
+use scheduler::observation::{FollowedKeys, VoiceObservation};
 use scheduler::voice::Voice;
 
 /// A force that depends on every sample since the start.
@@ -14,9 +15,13 @@ struct Echo {
 }
 
 impl Voice for Echo {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
+    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.sum = 0.99 * self.sum + sample.position * (1.0 + self.key as f64).sqrt();
-        VoiceOutput { force: self.sum.sin() + tick as f64, ..VoiceOutput::default() }
+        turn.force = self.sum.sin() + tick as f64;
+    }
+
+    fn observe(&self, seen: &mut VoiceObservation) {
+        seen.snapshot.show(&[self.sum]);
     }
 
     fn reset(&mut self, sample: &KeySample) {
@@ -29,18 +34,23 @@ struct Blocking {
     at: u64,
     begun: Sender<()>,
     go_on: Receiver<()>,
+    /// The tick that was run last.
+    last: u64,
 }
 
 impl Voice for Blocking {
-    fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
-        let mut turn = VoiceOutput { force: 100.0 + tick as f64, ..VoiceOutput::default() };
+    fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
+        (self.last, turn.force) = (tick, 100.0 + tick as f64);
         if tick == self.at {
             self.begun.send(()).unwrap();
             self.go_on.recv().unwrap();
             let moment = Moment { tick, theta: 0.5 };
             turn.events.push(moment, KeyEvent::Strike { speed: 2.0 });
         }
-        turn
+    }
+
+    fn observe(&self, seen: &mut VoiceObservation) {
+        seen.snapshot.show(&[self.last as f64]);
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
@@ -50,9 +60,9 @@ impl Voice for Blocking {
 struct Panicking;
 
 impl Voice for Panicking {
-    fn tick(&mut self, tick: u64, _sample: &KeySample) -> VoiceOutput {
+    fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
         assert_ne!(tick, 3, "a bug");
-        VoiceOutput { force: 5.0, ..VoiceOutput::default() }
+        turn.force = 5.0;
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
@@ -62,8 +72,8 @@ impl Voice for Panicking {
 struct Dropping(Sender<()>);
 
 impl Voice for Dropping {
-    fn tick(&mut self, _tick: u64, _sample: &KeySample) -> VoiceOutput {
-        VoiceOutput { force: 7.0, ..VoiceOutput::default() }
+    fn tick(&mut self, _tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
+        turn.force = 7.0;
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
@@ -95,18 +105,28 @@ fn start(voices: Vec<(usize, BoxedVoice)>, n_lanes: usize) -> (ThreadedLanes, Vo
 struct Run {
     lanes: ThreadedLanes,
     turns: Box<[VoiceOutput; KEYS]>,
+    observed: Box<[VoiceObservation; KEYS]>,
+    followed: FollowedKeys,
 }
 
 impl Run {
     fn new(lanes: ThreadedLanes) -> Self {
-        Self { lanes, turns: boxed_array() }
+        let followed = FollowedKeys::ALL;
+        Self { lanes, turns: boxed_array(), observed: boxed_array(), followed }
     }
 
     fn tick(&mut self, tick: u64) -> &[VoiceOutput; KEYS] {
         let position = |key: usize| 0.01 * ((tick as f64) * 0.3 + key as f64).sin();
         let samples = std::array::from_fn(|key| KeySample::fresh(position(key)));
-        self.lanes.run(tick, &samples, &mut self.turns);
+        let Self { lanes, turns, observed, followed } = self;
+        let input = TickInput { tick, samples: &samples, followed: *followed };
+        lanes.run(&input, &mut TickOutput { turns, observed });
         &self.turns
+    }
+
+    /// What is seen of `key`: in which of the last ticks it was run, and its first state.
+    fn seen(&self, key: usize) -> (u32, f64) {
+        (self.observed[key].ran, self.observed[key].snapshot.state[0])
     }
 
     fn force_bits(&mut self, tick: u64) -> Vec<u64> {
@@ -123,6 +143,8 @@ fn any_number_of_lanes_gives_the_same_bits() {
         let expected = one.force_bits(tick);
         assert_eq!(two.force_bits(tick), expected, "tick {tick}");
         assert_eq!(three.force_bits(tick), expected, "tick {tick}");
+        assert_eq!(two.observed, one.observed, "tick {tick}");
+        assert_eq!(three.observed, one.observed, "tick {tick}");
     }
     assert_eq!(three.lanes.counters(), LaneCounters::default());
 }
@@ -143,7 +165,7 @@ fn the_keys_of_these_tests_are_on_the_lanes_they_say() {
 fn a_late_lane_holds_its_forces_and_its_notes_arrive_with_the_next_tick() {
     let (begun, has_begun) = channel();
     let (go, go_on) = channel();
-    let voice = Blocking { at: 1, begun, go_on };
+    let voice = Blocking { at: 1, begun, go_on, last: 0 };
     let (lanes, _swaps) = start(echoes_but(ELSEWHERE, voice), 2);
     let mut run = Run::new(lanes);
     run.tick(0);
@@ -169,7 +191,8 @@ fn a_late_lane_holds_its_forces_and_its_notes_arrive_with_the_next_tick() {
 fn a_lane_that_was_held_up_joins_the_present() {
     let (begun, has_begun) = channel();
     let (go, go_on) = channel();
-    let (lanes, _swaps) = start(echoes_but(ELSEWHERE, Blocking { at: 1, begun, go_on }), 2);
+    let (lanes, _swaps) =
+        start(echoes_but(ELSEWHERE, Blocking { at: 1, begun, go_on, last: 0 }), 2);
     let mut run = Run::new(lanes);
     run.tick(0);
     run.lanes.set_patience(NONE);
@@ -185,6 +208,42 @@ fn a_lane_that_was_held_up_joins_the_present() {
     assert!(!turn.late && (turn.force - 110.0).abs() == 0.0, "{turn:?}");
     assert_eq!(turn.events.as_slice().len(), 1, "the strike of tick 1");
     assert_eq!(run.lanes.counters().passed, 1, "tick 2 had passed");
+}
+
+#[test]
+fn a_late_lane_is_seen_as_it_was_and_then_tells_which_ticks_it_ran() {
+    let (begun, has_begun) = channel();
+    let (go, go_on) = channel();
+    let (lanes, _swaps) =
+        start(echoes_but(ELSEWHERE, Blocking { at: 1, begun, go_on, last: 0 }), 2);
+    let mut run = Run::new(lanes);
+    run.tick(0);
+    assert_eq!(run.seen(ELSEWHERE), (0b1, 0.0));
+    run.lanes.set_patience(NONE);
+    run.tick(1);
+    assert_eq!(run.seen(ELSEWHERE), (0, 0.0));
+    has_begun.recv().unwrap();
+    for tick in 2..4 {
+        run.tick(tick);
+        assert_eq!(run.seen(ELSEWHERE), (0, 0.0), "tick {tick}");
+    }
+    go.send(()).unwrap();
+    run.lanes.set_patience(WaitLimit::Endless);
+    run.tick(4);
+    // Tick 1 was run, too late; 2 had passed when it was over, and 3 was not given.
+    assert_eq!(run.seen(ELSEWHERE), (0b1_1001, 4.0));
+}
+
+#[test]
+fn a_key_that_is_not_followed_is_not_looked_at() {
+    for n_lanes in 1..=2 {
+        let mut run = Run::new(start(echoes(), n_lanes).0);
+        run.followed = FollowedKeys::new(1 << ELSEWHERE, 0);
+        run.tick(3);
+        let nothing = VoiceObservation::default();
+        let shown = (0..KEYS).filter(|key| run.observed[*key] != nothing);
+        assert_eq!(shown.collect::<Vec<_>>(), [ELSEWHERE], "{n_lanes} lanes");
+    }
 }
 
 #[test]

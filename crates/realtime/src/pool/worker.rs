@@ -14,6 +14,8 @@ use std::thread::{self, JoinHandle};
 use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::lane::run_slots;
 use scheduler::motion::{KEYS, KeySample};
+use scheduler::observation::{FollowedKeys, VoiceObservation};
+use scheduler::port::{TickInput, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::time::Nanos;
 use scheduler::voice::VoiceOutput;
@@ -39,14 +41,9 @@ pub(super) struct Lane {
 
 impl Lane {
     /// Runs the lane's share of `tick`.
-    pub(super) fn run(
-        &mut self,
-        tick: u64,
-        samples: &[KeySample; KEYS],
-        turns: &mut [VoiceOutput; KEYS],
-    ) {
+    pub(super) fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
         self.swaps.apply(&mut self.slots);
-        run_slots(&mut self.slots, tick, samples, turns);
+        run_slots(&mut self.slots, input, output);
     }
 }
 
@@ -54,9 +51,12 @@ impl Lane {
 #[derive(Debug)]
 pub(super) struct Batch {
     pub(super) tick: u64,
-    pub(super) samples: [KeySample; KEYS],
+    samples: [KeySample; KEYS],
+    followed: FollowedKeys,
     /// Valid for the lane's keys if the batch was run.
     pub(super) turns: Box<[VoiceOutput; KEYS]>,
+    /// Valid for those keys that were looked at in this tick.
+    observed: Box<[VoiceObservation; KEYS]>,
     /// CPU time that the lane took; none if the batch came too late to be run.
     pub(super) ran: Option<Nanos>,
     /// How long it was waited for.
@@ -64,10 +64,26 @@ pub(super) struct Batch {
 }
 
 impl Batch {
-    /// Copies the turns of `keys`, which must be those of the lane that ran it.
-    pub(super) fn write_turns(&self, keys: &[usize], turns: &mut [VoiceOutput; KEYS]) {
+    /// Runs the batch on `lane`.
+    fn run(&mut self, lane: &mut Lane) {
+        let Self { tick, samples, followed, turns, observed, .. } = self;
+        lane.run(
+            &TickInput { tick: *tick, samples, followed: *followed },
+            &mut TickOutput { turns, observed },
+        );
+    }
+
+    /// Copies what voices of `keys` did, which must be those of the lane that ran them, and what
+    /// is new of what is seen of them.
+    pub(super) fn write(&self, keys: &[usize], output: &mut TickOutput<'_>) {
         for &key in keys {
-            turns[key] = self.turns[key];
+            let (turn, seen) = (&self.turns[key], &self.observed[key]);
+            output.turns[key] = *turn;
+            if self.followed.wants(key, turn) {
+                output.observed[key] = *seen;
+            } else {
+                output.observed[key].pass(seen.ran);
+            }
         }
     }
 }
@@ -112,7 +128,7 @@ impl Remote {
         let thread = builder.stack_size(STACK_BYTES).spawn(move || {
             let standing = ask_for_fifo(priority);
             memory::prefault_stack();
-            // Whoever asked has given up; then `shared` says stop as well.
+            // If the other end is gone, `shared` says stop as well.
             say.send(standing).unwrap_or_default();
             work(lane, received, finished, &shared);
         })?;
@@ -122,15 +138,9 @@ impl Remote {
     }
 
     /// Sends the lane its share of `tick`; it has none if it still holds both batches.
-    pub(super) fn give(
-        &mut self,
-        tick: u64,
-        samples: &[KeySample; KEYS],
-        patience: WaitLimit,
-    ) -> bool {
+    pub(super) fn give(&mut self, input: &TickInput<'_>, patience: WaitLimit) -> bool {
         let Some(mut batch) = self.spare.pop() else { return false };
-        batch.tick = tick;
-        batch.samples = *samples;
+        (batch.tick, batch.samples, batch.followed) = (input.tick, *input.samples, input.followed);
         batch.patience = patience;
         // The ring has room for all batches there are; a lane that ended takes none back.
         let given = self.todo.push(batch).is_ok();
@@ -176,7 +186,7 @@ fn work(
         };
         batch.ran = (batch.tick == shared.current.load(Ordering::Acquire)).then(|| {
             let before = clock::thread_cpu();
-            lane.run(batch.tick, &batch.samples, &mut batch.turns);
+            batch.run(&mut lane);
             clock::thread_cpu().since(before)
         });
         let sent = done.push(batch);
@@ -188,13 +198,15 @@ fn empty_batch() -> Batch {
     Batch {
         tick: 0,
         samples: [KeySample::default(); KEYS],
+        followed: FollowedKeys::NONE,
         turns: boxed_array(),
+        observed: boxed_array(),
         ran: None,
         patience: WaitLimit::Endless,
     }
 }
 
-/// An array of defaults that never was on the stack.
+/// Returns an array of defaults that never was on the stack.
 pub(super) fn boxed_array<T: Clone + Default>() -> Box<[T; KEYS]> {
     vec![T::default(); KEYS]
         .into_boxed_slice()

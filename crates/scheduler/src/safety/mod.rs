@@ -235,23 +235,23 @@ pub struct KeyGate {
 }
 
 impl KeyGate {
-    /// A silent, armed key, for ticks of `period`, whose force changes by at most `slew` (N/s).
+    /// Returns the gate of a silent, armed key, for ticks of `period`, whose force changes by at most `slew` (N/s).
     pub fn new(period: Period, slew: f64) -> Self {
         Self { safety: KeySafety::SILENT, ramps: Ramps::new(period, slew) }
     }
 
-    /// What is sent to the key (N), after a tick without a gap.
+    /// Returns what is sent to the key (N), after a tick without a gap.
     pub fn apply(&mut self, turn: &VoiceOutput, sample: &KeySample) -> f64 {
         self.safety.step(Trust::of(turn, sample), turn.force, self.ramps, 1.0)
     }
 
-    /// How what was sent last goes on.
+    /// Returns how the force sent last goes on.
     pub fn slope(&self, turn: &VoiceOutput) -> KeySlope {
         self.safety.slope(turn)
     }
 }
 
-/// How many keys do not simply feel their voice.
+/// The numbers of keys that do not feel their voice as it is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SafetyReport {
     /// Keys that hold, fade or are silent.
@@ -279,7 +279,7 @@ pub struct Safety {
 }
 
 impl Safety {
-    /// All keys silent and armed, for ticks of `period`, whose forces change by at most `slew`
+    /// Returns the gate of all keys, silent and armed, for ticks of `period`, whose forces change by at most `slew`
     /// (N/s) on their way to a voice.
     pub fn new(period: Period, slew: f64) -> Self {
         Self { keys: [KeySafety::SILENT; KEYS], ramps: Ramps::new(period, slew), armed: true }
@@ -295,7 +295,7 @@ impl Safety {
         self.armed = false;
     }
 
-    /// Whether voices may be felt.
+    /// Returns whether voices may be felt.
     pub const fn is_armed(&self) -> bool {
         self.armed
     }

@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test may stop here")]
 
 use scheduler::lane::Inline;
-use scheduler::motion::{KEYS, KeySample};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::slot::Slot;
 use scheduler::tick::{Scheduler, TickReport};
@@ -31,16 +31,16 @@ pub enum Failure {
 }
 
 impl Voice for Spring {
-    fn tick(&mut self, tick: u64, sample: &KeySample) -> VoiceOutput {
+    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.anchor += 0.1 * (sample.position - self.anchor);
-        let force = self.rate * (sample.position - self.anchor);
-        let work = VoiceWork { derivatives: 4, guards: 1, events: 0 };
+        turn.force = self.rate * (sample.position - self.anchor);
+        turn.work = VoiceWork { derivatives: 4, guards: 1, events: 0 };
         match self.fails {
             Some((from, until, failure)) if (from..until).contains(&tick) => match failure {
-                Failure::Reported => VoiceOutput::faulty(VoiceFault::Capped { handled: 9 }),
-                Failure::Unnoticed => VoiceOutput { force: f64::NAN, ..VoiceOutput::default() },
+                Failure::Reported => turn.fail(VoiceFault::Capped { handled: 9 }),
+                Failure::Unnoticed => turn.force = f64::NAN,
             },
-            Some(_) | None => VoiceOutput { force, work, ..VoiceOutput::default() },
+            Some(_) | None => {}
         }
     }
 
@@ -90,7 +90,7 @@ impl KeyBus for MemoryBus {
         }
     }
 
-    fn send(&mut self, tick: u64, forces: &[f64; KEYS]) {
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS], _slopes: &[KeySlope; KEYS]) {
         self.sent = Some((tick, *forces));
     }
 }
