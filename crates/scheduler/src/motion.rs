@@ -3,8 +3,7 @@
 //! Signs, stated once for the whole workspace: key-front displacement is positive
 //! **down**; the force on the finger is positive **up**.
 
-/// Keys of a full compass: A0 to C8.
-pub const KEYS: usize = 88;
+pub use keyboard::KEYS;
 
 /// A point in model time: a whole tick and the fraction of it that has passed.
 ///

@@ -14,6 +14,7 @@ pub enum AnyEstimator {
 }
 
 impl AnyEstimator {
+    #[inline]
     fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion {
         match self {
             Self::BackwardDifference(it) => it.update(position, elapsed),

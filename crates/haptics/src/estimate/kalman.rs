@@ -99,23 +99,32 @@ impl Kalman {
     }
 
     /// Returns the gain for a sample `elapsed` (s) after the last one.
+    #[inline]
     fn next_gain(&mut self, elapsed: f64) -> [f64; 3] {
         let periods = (elapsed / self.period).min(FORGOTTEN);
-        let is_regular = (periods - 1.0).abs() < STEADY;
-        if is_regular && self.unsteady.is_none() {
+        if is_regular(periods) && self.unsteady.is_none() {
             return self.gain;
         }
+        self.unsteady_gain(periods)
+    }
+
+    /// Returns the gain for a sample this many `periods` after the last one, and follows the
+    /// covariance.
+    #[inline(never)]
+    fn unsteady_gain(&mut self, periods: f64) -> [f64; 3] {
         let before = self.unsteady.as_ref().unwrap_or(&self.steady);
         let predicted = predicted(before, self.ratio, periods);
         let gain = gain_of(&predicted);
         let after = corrected(&predicted, &gain);
         let gain = per_seconds(&gain, self.period);
         let is_steady = gain.iter().zip(self.gain).all(|(a, b)| (a - b).abs() < STEADY * b);
-        self.unsteady = (!is_regular || !is_steady).then_some(0.5 * (after + after.transpose()));
+        self.unsteady =
+            (!is_regular(periods) || !is_steady).then_some(0.5 * (after + after.transpose()));
         gain
     }
 
     /// Moves the state to the next sample, `h` (s) later, whose position is `measured` (m).
+    #[inline]
     fn predict(&mut self, measured: f64, h: f64) {
         self.offset += h * (self.velocity + 0.5 * h * self.acceleration);
         self.offset += self.measured - measured;
@@ -124,6 +133,7 @@ impl Kalman {
     }
 
     /// Draws the state towards the measurement.
+    #[inline]
     fn correct(&mut self, [position, velocity, acceleration]: [f64; 3]) {
         let innovation = -self.offset;
         self.offset += position * innovation;
@@ -132,6 +142,7 @@ impl Kalman {
     }
 
     /// Ends the exponential decay before it reaches denormal numbers.
+    #[inline]
     fn settle(&mut self) {
         let h = self.period;
         let moves = self.offset.abs().max((h * self.velocity).abs());
@@ -144,6 +155,7 @@ impl Kalman {
 }
 
 impl Estimator for Kalman {
+    #[inline]
     fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion {
         let gain = self.next_gain(elapsed);
         self.predict(position, elapsed);
@@ -163,6 +175,12 @@ impl Estimator for Kalman {
         self.acceleration = 0.0;
         self.unsteady = None;
     }
+}
+
+/// Whether a sample came one period after the last one.
+#[inline]
+fn is_regular(periods: f64) -> bool {
+    (periods - 1.0).abs() < STEADY
 }
 
 /// A gain in units of the period in those of the second (1, 1/s, 1/s²).

@@ -37,18 +37,18 @@ impl CrossingTime {
 }
 
 /// The guards that may cross in a step, by their place among the mode's guards.
-pub(super) type Suspects = [Option<GuardSpan<'static>>; MAX_GUARDS];
+pub(super) type Candidates = [Option<GuardSpan<'static>>; MAX_GUARDS];
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Evaluates the guards at the end of a step, and says whether any of them may have crossed:
-    /// these are the `suspects`.
+    /// these are the `candidates`.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     pub(super) fn may_cross<S: Signal<M::Input>, W>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
         taken: &TakenStep<M, T>,
-        suspects: &mut Suspects,
+        candidates: &mut Candidates,
     ) -> Result<bool, Fault> {
         let (mut any, mut verdict) = (false, StepCertainty::Certified);
         let uncertain = self.uncertain(taken.h);
@@ -62,7 +62,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             verdict =
                 verdict.max(if span.is_certain() { StepCertainty::Certified } else { uncertain });
             if !span.is_quiet && span.may_cross() {
-                suspects[index] = Some(span);
+                candidates[index] = Some(span);
                 any = true;
             }
         }
@@ -70,17 +70,17 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Ok(any)
     }
 
-    /// The earliest crossing of the suspects within the step; ties go to the lower priority
+    /// The earliest crossing of the candidates within the step; ties go to the lower priority
     /// number.
     pub(super) fn first_crossing<S: Signal<M::Input>, W>(
         &self,
         run: &mut TickRun<'_, S, W>,
         taken: &mut TakenStep<M, T>,
-        suspects: &Suspects,
+        candidates: &Candidates,
     ) -> Result<Option<First>, Fault> {
         self.refine(run, taken);
         let mut places = [CrossingTime::NOWHERE; MAX_GUARDS];
-        for (place, span) in places.iter_mut().zip(suspects) {
+        for (place, span) in places.iter_mut().zip(candidates) {
             if let Some(span) = span {
                 *place = self.crossing_place(run, taken, span)?;
             }

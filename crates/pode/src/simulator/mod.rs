@@ -9,7 +9,7 @@ mod field;
 mod step_end;
 mod transition;
 
-use detect::{First, Suspects};
+use detect::{Candidates, First};
 use field::ModeField;
 
 use crate::dense::Dense as _;
@@ -206,8 +206,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
         run.work.pieces += 1;
         let Some(mut taken) = self.take_step(run) else { return };
-        let mut suspects = [None; MAX_GUARDS];
-        match self.may_cross(run, &taken, &mut suspects) {
+        let mut candidates = [None; MAX_GUARDS];
+        match self.may_cross(run, &taken, &mut candidates) {
             Err(fault) => run.fail(fault),
             Ok(_) if !run.is_going() => {}
             Ok(false) => {
@@ -215,7 +215,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
                 *input = taken.input;
             }
             // By value, so that a step that is kept never has to be in memory.
-            Ok(true) => *input = self.cross(run, taken, &suspects, *input),
+            Ok(true) => *input = self.cross(run, taken, &candidates, *input),
         }
     }
 
@@ -227,10 +227,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         &mut self,
         run: &mut TickRun<'_, S, W>,
         mut taken: TakenStep<M, T>,
-        suspects: &Suspects,
+        candidates: &Candidates,
         input: M::Input,
     ) -> M::Input {
-        match self.first_crossing(run, &mut taken, suspects) {
+        match self.first_crossing(run, &mut taken, candidates) {
             Err(fault) => run.fail(fault),
             Ok(_) if !run.is_going() => {}
             Ok(None) => self.keep(run, &mut taken, &input),
