@@ -2,7 +2,6 @@
 //! run. Nothing in the tick depends on it, and it is taken of followed keys only.
 
 use crate::motion::KEYS;
-use crate::voice::VoiceOutput;
 
 /// Most entries that a state may have, or it could not be shown.
 ///
@@ -44,13 +43,6 @@ impl FollowedKeys {
     #[inline]
     pub const fn is_new(self, key: usize) -> bool {
         self.new >> key & 1 == 1
-    }
-
-    /// Returns whether the voice of `key` is to be looked at after `turn`: if it was run, so that it is
-    /// not as it was, or if it was not seen yet.
-    #[inline]
-    pub const fn wants(self, key: usize, turn: &VoiceOutput) -> bool {
-        self.contains(key) && (turn.was_run() || self.is_new(key))
     }
 }
 
@@ -126,7 +118,7 @@ impl PartialEq for Switches {
 }
 
 impl Switches {
-    /// Forgets all changes.
+    /// Removes every change of mode.
     pub const fn clear(&mut self) {
         (self.n, self.dropped) = (0, 0);
     }
@@ -189,18 +181,5 @@ mod tests {
     #[should_panic(expected = "a state of 12 entries is cut")]
     fn a_state_is_not_cut_without_a_word() {
         ModelSnapshot::default().show(&[3.0; 12]);
-    }
-
-    #[test]
-    fn a_voice_is_looked_at_when_it_was_run_and_when_it_is_new() {
-        let run = VoiceOutput::default();
-        let rest = VoiceOutput { idle: true, ..run };
-        let followed = FollowedKeys::new(0b110, 0b101);
-        let wanted = |turn: &VoiceOutput| [0, 1, 2, 87].map(|key| followed.wants(key, turn));
-        assert_eq!(wanted(&run), [false, true, true, false]);
-        assert_eq!(wanted(&rest), [false, false, true, false]);
-        assert!(followed.is_new(2) && !followed.is_new(0) && !followed.is_new(1));
-        assert!((0..KEYS).all(|key| FollowedKeys::ALL.contains(key)));
-        assert!((0..KEYS).all(|key| !FollowedKeys::NONE.contains(key)));
     }
 }

@@ -147,7 +147,7 @@ impl<V: Voice> Slot<V> {
     #[inline]
     pub fn observe(&self, followed: FollowedKeys, turn: &VoiceOutput, seen: &mut VoiceObservation) {
         seen.pass(self.ran);
-        if followed.wants(self.key, turn) {
+        if turn.is_seen(self.key, followed) {
             self.voice.observe(seen);
             if !turn.was_run() {
                 // What the voice remembers of changes is of an earlier tick.

@@ -1,7 +1,7 @@
 //! One key's running simulation, as the scheduler sees it.
 
 use crate::motion::{KeyEvent, KeySample, KeySlope, Moment};
-use crate::observation::VoiceObservation;
+use crate::observation::{FollowedKeys, VoiceObservation};
 use crate::values::ModelValues;
 
 /// Key events that one voice can report in one tick; more are counted, not kept.
@@ -97,6 +97,13 @@ impl VoiceOutput {
         );
         !(self.idle || self.late || is_kept)
     }
+
+    /// Returns whether the voice of `key` is to be looked at after this turn: if it was run, so
+    /// that it is not as it was, or if it was not seen yet.
+    #[inline]
+    pub const fn is_seen(&self, key: usize, followed: FollowedKeys) -> bool {
+        followed.contains(key) && (self.was_run() || followed.is_new(key))
+    }
 }
 
 /// Evaluations that one tick of one voice took; independent of the machine.
@@ -177,7 +184,7 @@ impl PartialEq for Events {
 }
 
 impl Events {
-    /// Forgets all events.
+    /// Removes every event of the list.
     pub const fn clear(&mut self) {
         (self.n, self.dropped) = (0, 0);
     }
@@ -213,5 +220,24 @@ impl Events {
     /// Returns how many did not fit.
     pub const fn dropped(&self) -> u32 {
         self.dropped
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::KEYS;
+
+    #[test]
+    fn a_voice_is_looked_at_when_it_was_run_and_when_it_is_new() {
+        let run = VoiceOutput::default();
+        let rest = VoiceOutput { idle: true, ..run };
+        let followed = FollowedKeys::new(0b110, 0b101);
+        let wanted = |turn: &VoiceOutput| [0, 1, 2, 87].map(|key| turn.is_seen(key, followed));
+        assert_eq!(wanted(&run), [false, true, true, false]);
+        assert_eq!(wanted(&rest), [false, false, true, false]);
+        assert!(followed.is_new(2) && !followed.is_new(0) && !followed.is_new(1));
+        assert!((0..KEYS).all(|key| FollowedKeys::ALL.contains(key)));
+        assert!((0..KEYS).all(|key| !FollowedKeys::NONE.contains(key)));
     }
 }

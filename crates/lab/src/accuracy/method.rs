@@ -13,7 +13,7 @@ use crate::scenario::Plan;
 pub struct NamedMethod {
     /// Name on the command line and in reports.
     pub name: &'static str,
-    /// Order of convergence.
+    /// Order of convergence as its authors state it.
     pub order: u32,
     pub kind: MethodKind,
     stepper: Any,

@@ -40,7 +40,7 @@ struct ContactRecord {
     ticks: &'static [f64],
 }
 
-/// 1e5 N/m^1.5.
+/// A felt of 1e5 N/m^1.5 at the head.
 pub(super) fn soft() -> FeltScenario {
     const TICKS: &[f64] =
         &[MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS, 0.005 * MS];
@@ -52,7 +52,7 @@ pub(super) fn soft() -> FeltScenario {
     })
 }
 
-/// 1e7 N/m^1.5.
+/// A felt of 1e7 N/m^1.5 at the head.
 pub(super) fn hard() -> FeltScenario {
     const TICKS: &[f64] =
         &[0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS, 0.005 * MS, 0.001 * MS];

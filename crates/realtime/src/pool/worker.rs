@@ -79,7 +79,7 @@ impl Batch {
         for &key in keys {
             let (turn, seen) = (&self.turns[key], &self.observed[key]);
             output.turns[key] = *turn;
-            if self.followed.wants(key, turn) {
+            if turn.is_seen(key, self.followed) {
                 output.observed[key] = *seen;
             } else {
                 output.observed[key].pass(seen.ran);
