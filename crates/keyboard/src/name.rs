@@ -65,7 +65,7 @@ fn note_number(name: &str) -> Option<i64> {
 
 #[cfg(test)]
 mod tests {
-    use std::string::ToString;
+    use std::string::ToString as _;
 
     use super::*;
 

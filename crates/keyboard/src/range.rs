@@ -97,7 +97,7 @@ impl core::error::Error for RangeError<'_> {}
 
 #[cfg(test)]
 mod tests {
-    use std::string::ToString;
+    use std::string::ToString as _;
 
     use super::*;
 

@@ -371,17 +371,21 @@ mod tests {
         voice
     }
 
+    /// The first of `ticks` in which `voice` sleeps.
+    fn first_idle(voice: &mut impl Voice, ticks: u32) -> Option<u64> {
+        let mut turn = VoiceOutput::default();
+        (0..u64::from(ticks)).find(|tick| {
+            turn.begin();
+            voice.tick(*tick, &KeySample::fresh(0.0), &mut turn);
+            turn.idle
+        })
+    }
+
     #[test]
     fn a_ball_that_hovers_sleeps_after_20_ms_and_one_that_drifts_never_does() {
         for hz in [1000_u32, 10_000] {
             let h = 1.0 / f64::from(hz);
-            let idle = |voice: &mut RenderedKey<_, _>| {
-                (0..u64::from(hz)).find(|tick| {
-                    let mut turn = VoiceOutput::default();
-                    voice.tick(*tick, &KeySample::fresh(0.0), &mut turn);
-                    turn.idle
-                })
-            };
+            let idle = |voice: &mut _| first_idle(voice, hz);
             assert_eq!(idle(&mut weightless(h)), Some(u64::from(hz) / 50), "{hz} Hz");
             let mut drifting = weightless(h);
             let mode = drifting.simulator.mode();

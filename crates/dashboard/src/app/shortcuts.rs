@@ -100,7 +100,7 @@ fn perform(action: ShortcutAction, app: &mut App) {
         ShortcutAction::Next => state.select(selected.saturating_add(1)),
         ShortcutAction::Open(pane) => layout::open(&mut app.layout, pane),
         ShortcutAction::Rearm => {
-            state.view.scopes.values_mut().for_each(|scope| scope.armed.rearm())
+            state.view.scopes.values_mut().for_each(|scope| scope.armed.rearm());
         }
         ShortcutAction::Cursors => {
             let now = state.now();

@@ -29,7 +29,7 @@ impl super::View for View {
         let area = ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             let mut chosen = None;
             for instrument in &catalogue.instruments {
-                if instrument_ui(ui, instrument, range.is_some()) {
+                if instrument_ui(ui, instrument, range.as_ref()) {
                     chosen = Some(instrument.name.clone());
                 }
             }
@@ -80,11 +80,11 @@ impl View {
 }
 
 /// Draws an instrument; returns whether it was chosen.
-fn instrument_ui(ui: &mut Ui, instrument: &Instrument, has_range: bool) -> bool {
+fn instrument_ui(ui: &mut Ui, instrument: &Instrument, range: Option<&RangeInclusive<u8>>) -> bool {
     let row = ui.horizontal_wrapped(|ui| {
         let name = RichText::new(&instrument.name).strong();
         let button = Button::new(name).min_size(vec2(120.0, 0.0));
-        let is_chosen = ui.add_enabled(has_range, button).clicked();
+        let is_chosen = ui.add_enabled(range.is_some(), button).clicked();
         ui.weak(&instrument.model);
         is_chosen
     });

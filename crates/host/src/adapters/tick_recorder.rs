@@ -35,6 +35,7 @@ pub struct KeyRow {
 
 /// How a turn stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "flags that have nothing to do with each other")]
 pub struct RowFlags {
     /// The voice was at rest.
     pub idle: bool,

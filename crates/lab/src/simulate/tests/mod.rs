@@ -91,7 +91,7 @@ impl Columns {
 fn the_help_shows_an_example_and_units() {
     let help = SimulateArgs::try_parse_from(["simulate", "--help"]).expect_err("help").to_string();
     for wanted in
-        ["letoff simulate key-hammer-springs", "[s]", "Exit codes: 0 done", "[default: rk4]"]
+        ["letoff simulate key-hammer-springs", "(s)", "Exit codes: 0 done", "[default: rk4]"]
     {
         assert!(help.contains(wanted), "{wanted} is not in\n{help}");
     }
