@@ -78,6 +78,7 @@ fn is_for_tests(attributes: &[Attribute]) -> bool {
 }
 
 /// The attributes of an item that can have some.
+#[expect(clippy::wildcard_enum_match_arm, reason = "the enum of items is open")]
 pub(crate) fn attributes(item: &Item) -> &[Attribute] {
     match item {
         Item::Const(it) => &it.attrs,
