@@ -15,6 +15,7 @@
 
 mod describe;
 mod impact;
+mod parameters;
 mod shapes;
 
 pub mod bouncing_ball;
