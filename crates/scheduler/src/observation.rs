@@ -7,7 +7,7 @@ use crate::motion::KEYS;
 ///
 /// Guards and outputs are worked out from what is shown, so a state is never cut: a
 /// [`ModelSnapshot`] of a model that has more does not compile.
-pub const MAX_STATES: usize = 4;
+pub const MAX_STATES: usize = 8;
 
 /// Changes of mode of one tick that can be shown; more are counted, not kept.
 pub const MAX_SWITCHES: usize = 6;
