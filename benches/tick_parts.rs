@@ -31,7 +31,7 @@ use setting::{TICKS, swing};
 use voice::input::{AnyEstimator, InputPath};
 use voice::{AnyVoice, VoiceBuilder};
 
-/// Tick [s].
+/// Tick (s).
 const H: f64 = 1e-3;
 
 fn main() {

@@ -31,7 +31,7 @@ use firmware_protocol::{MAX_FRAME, Nothing, Record as _, schema};
 use random::Random;
 use tools::say;
 
-/// Where the key lies on its felt with no force and with 2 N down [um]: 10.16 mm, and 33 um.
+/// Where the key lies on its felt with no force and with 2 N down (um): 10.16 mm, and 33 um.
 const BOTTOM: i32 = 10_160;
 const PRESSED: i32 = BOTTOM + 33;
 

@@ -25,7 +25,7 @@ fn playing(folder: &Path, links: &[String]) -> Child {
     host
 }
 
-/// What a board may answer at most [us]: as long as forces are valid, and a tick.
+/// What a board may answer at most (us): as long as forces are valid, and a tick.
 const VALID_US: f64 = 21e3;
 
 #[test]

@@ -68,7 +68,7 @@ pub fn stroke(start: f64, release: f64, touch: Touch, speed: f64) -> Gesture {
     Gesture { start, release, touch, speed, hold: Gesture::HOLD }
 }
 
-/// Plays every key about twice a second until `end` [s]: pressed and struck, soft and loud,
+/// Plays every key about twice a second until `end` (s): pressed and struck, soft and loud,
 /// no two neighbours at once.
 pub fn play_all(keybed: &mut SimulatedKeybed, end: f64) {
     for number in 0..KEYS {

@@ -45,6 +45,6 @@ pub(crate) fn tolerances(last: i32) -> impl Iterator<Item = f64> {
     (8..=2 * last).map(|half| 10_f64.powf(-0.5 * f64::from(half)))
 }
 
-/// Fixed steps of a sweep [s]: 4 ms to 25 µs, the next about 0.6 of the one before.
+/// Fixed steps of a sweep (s): 4 ms to 25 µs, the next about 0.6 of the one before.
 pub(crate) const STEPS: [f64; 12] =
     [4e-3, 2.5e-3, 2e-3, 1e-3, 6e-4, 4e-4, 2.5e-4, 1.5e-4, 1e-4, 6e-5, 4e-5, 2.5e-5];

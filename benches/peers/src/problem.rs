@@ -21,7 +21,7 @@ pub(crate) trait Problem<const N: usize, const G: usize>: Copy + 'static {
     /// The guards, positive while the mode is valid.
     fn guards(&self, mode: Self::Mode, x: &[f64; N]) -> [f64; G];
 
-    /// Rates of the guards along the motion [1/s]: the states hold the speeds.
+    /// Rates of the guards along the motion (1/s): the states hold the speeds.
     fn guard_rates(&self, mode: Self::Mode, x: &[f64; N]) -> [f64; G];
 
     /// Mode and state after guard `guard` has fired.

@@ -10,7 +10,7 @@ use crate::problems::ModelB;
 /// Distance of the rows of a trajectory (s).
 const ROW: f64 = 0.01;
 
-/// States are compared at least this far from any event [s]: an event time that is off by
+/// States are compared at least this far from any event (s): an event time that is off by
 /// δ makes the state wrong by δ times the jump, which is another error and measured as such.
 const AWAY: f64 = 0.005;
 

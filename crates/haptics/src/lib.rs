@@ -22,7 +22,6 @@
 //! | gesture | what a finger's muscle commands over time: one stroke and its release |
 
 #![forbid(unsafe_code)]
-#![expect(rustdoc::broken_intra_doc_links, reason = "units in brackets, [m], are not links")]
 
 pub mod estimate;
 pub mod limits;

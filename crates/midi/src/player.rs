@@ -56,7 +56,7 @@ enum DamperState {
 struct NoteState {
     sounding: bool,
     damper: DamperState,
-    /// When it falls silent by itself [s]: it was struck with its damper down.
+    /// When it falls silent by itself (s): it was struck with its damper down.
     until: Option<f64>,
 }
 

@@ -1,6 +1,6 @@
 //! Newton's law of impact, and when the impacts that follow are over.
 
-/// A rebound slower than this is none [m/s]: under gravity it would last 20 ps.
+/// A rebound slower than this is none (m/s): under gravity it would last 20 ps.
 const STILL: f64 = 1e-10;
 
 /// Bodies that part slower than this (m/s) while their guard fires all the same: their hop

@@ -11,7 +11,6 @@
 //! finger. A model's input and readout are in its own generalised coordinate.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 #![forbid(unsafe_code)]
-#![expect(rustdoc::broken_intra_doc_links, reason = "units in brackets, [m], are not links")]
 
 mod describe;
 mod impact;

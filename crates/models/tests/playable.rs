@@ -8,7 +8,7 @@ use pode::{Advance, Limits, Model as _, Motion, Simulator};
 use crate::random::Random;
 use crate::stroke::{Books, preset, run, still};
 
-/// Key dip (m) and lever arm of the finger [m]: piano-facts.
+/// Key dip (m) and lever arm of the finger (m): piano-facts.
 const DIP: f64 = 0.010_16;
 const FRONT: f64 = 0.2595;
 

@@ -58,7 +58,7 @@ fn model_a_throws_and_catches_twice() {
     check_events::<KeyHammerRigid>("model-a-two-throws");
 }
 
-/// The forte of model C, with ticks of `h` [s]: the largest error of an event's time.
+/// The forte of model C, with ticks of `h` (s): the largest error of an event's time.
 fn forte_error(h: f64) -> f64 {
     let case = Case::load::<ReducedGrand>("model-c-forte");
     event_error(&case, &run::<ReducedGrand, _>(&case, Rk4, h), h)

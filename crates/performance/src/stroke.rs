@@ -13,7 +13,7 @@ pub struct Technique {
     ///
     /// A pressed touch reaches about 4 m/s and gets heavy long before.
     pub struck_above: f64,
-    /// A key that is wanted again within this time is struck [s]: a press would take too long.
+    /// A key that is wanted again within this time is struck (s): a press would take too long.
     pub quick: f64,
     /// Least time from a damper's fall to the next onset of its key (s), for the key to come up.
     pub gap: f64,

@@ -16,7 +16,7 @@ const STEP: f64 = 1e-4;
 /// Mass that the finger feels (kg).
 const MASS: f64 = 0.25;
 
-/// What lifts the key [N]: it comes up in 50 ms, a little slower than a grand's.
+/// What lifts the key (N): it comes up in 50 ms, a little slower than a grand's.
 const RETURN: f64 = 2.0;
 
 /// Dip of the key (m).

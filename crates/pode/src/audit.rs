@@ -10,11 +10,11 @@ use crate::watch::{Event, Piece, Watch};
 /// Energy and powers of a model at one instant, or a part of them.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct EnergyBalance {
-    /// Energy stored [J].
+    /// Energy stored (J).
     pub energy: f64,
-    /// Power that the input's driver puts in [W].
+    /// Power that the input's driver puts in (W).
     pub supplied: f64,
-    /// Power that dampers and friction take [W].
+    /// Power that dampers and friction take (W).
     pub dissipated: f64,
 }
 

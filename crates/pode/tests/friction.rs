@@ -194,7 +194,7 @@ fn a_slip_that_starts_from_the_limit_is_a_plain_oscillation() {
     });
 }
 
-/// Friction that falls as 1 + 0.5/(1 + s/0.05) [N]: 1 kg, 100 N/m, a belt at 0.1 m/s.
+/// Friction that falls as 1 + 0.5/(1 + s/0.05) (N): 1 kg, 100 N/m, a belt at 0.1 m/s.
 /// Slip and stick times from Taylor series of 30 digits.
 #[test]
 fn stribeck_friction_has_its_limit_cycle() {

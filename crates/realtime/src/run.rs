@@ -100,7 +100,7 @@ impl Timings {
     }
 }
 
-/// Returns a histogram of fixed size from a nanosecond to [`LONGEST`].
+/// Returns a histogram of fixed size from a nanosecond to a second.
 ///
 /// # Errors
 /// Never for these bounds.

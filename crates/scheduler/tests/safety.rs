@@ -18,10 +18,10 @@ fn the_fade_of_these_tests_is_the_fade() {
     assert_eq!(Period::from_hz(HZ).unwrap().ticks_in(FADE), u64::from(FADE_TICKS));
 }
 
-/// Largest force of the springs [N]: 10 mm of travel at the stiffest rate.
+/// Largest force of the springs (N): 10 mm of travel at the stiffest rate.
 const LIMIT: f64 = 0.010 * 800.0;
 
-/// Fastest change of a spring's force [N]: the key moves at most 0.1 mm a tick.
+/// Fastest change of a spring's force (N): the key moves at most 0.1 mm a tick.
 const SLEW: f64 = 0.000_1 * 800.0;
 
 /// Runs 200 ticks and returns what key 40 felt (N).

@@ -72,7 +72,7 @@ const NEWS: f64 = 1e-3;
 /// How far motion is continued from a sample, or taken back from one that was early (ticks).
 const MOST_AHEAD: f64 = 1.0;
 
-/// After so long without a sample nothing is known of a key's motion [s]: a stroke takes as long.
+/// After so long without a sample nothing is known of a key's motion (s): a stroke takes as long.
 const FORGOTTEN: f64 = 10e-3;
 
 impl InputPath {

@@ -44,7 +44,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     switches: Switches,
 }
 
-/// Farther than a key moves in a tick [m]: twice its dip.
+/// Farther than a key moves in a tick (m): twice its dip.
 const LONGEST_WAY: f64 = 0.02;
 
 /// What a voice is built from, besides its model.
@@ -267,12 +267,12 @@ impl RestDetector {
     }
 }
 
-/// Speed of a coordinate that counts as none [m/s or rad/s]: a millimetre takes two seconds.
+/// Speed of a coordinate that counts as none (m/s or rad/s): a millimetre takes two seconds.
 ///
 /// A part that swings at 5 Hz is this fast where its acceleration is [`STILL_ACCELERATION`].
 const STILL_SPEED: f64 = 5e-4;
 
-/// Rate of a speed that counts as none [m/s² or rad/s²]: of a hammer it means 0.1 mN at the
+/// Rate of a speed that counts as none (m/s² or rad/s²): of a hammer it means 0.1 mN at the
 /// finger, a tenth of what the wire resolves.
 const STILL_ACCELERATION: f64 = 2e-2;
 

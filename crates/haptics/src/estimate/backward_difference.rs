@@ -53,7 +53,7 @@ impl Estimator for BackwardDifference {
 mod tests {
     use super::*;
 
-    /// The paper's encoder [rad per count]: 50 lines per inch, ×4, 3 in over 45°.
+    /// The paper's encoder (rad per count): 50 lines per inch, ×4, 3 in over 45°.
     const PAPER_COUNT: f64 = core::f64::consts::FRAC_PI_4 / (50.0 * 4.0 * 3.0);
 
     /// One rounding in each of four operations.

@@ -61,7 +61,7 @@ pub struct Kalman {
 }
 
 impl Kalman {
-    /// Jerk density of a played key [m²/s⁵]: 3e3 m/s³ that change every 10 ms (estimate).
+    /// Jerk density of a played key (m²/s⁵): 3e3 m/s³ that change every 10 ms (estimate).
     pub const KEY_JERK_DENSITY: f64 = 1e5;
 
     /// Creates a filter at rest at zero. Not for the tick: iterates the Riccati recursion.

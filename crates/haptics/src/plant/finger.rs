@@ -2,7 +2,7 @@
 
 use super::gesture::MuscleCommand;
 
-/// Height of a finger that is away [m]: well above any key.
+/// Height of a finger that is away (m): well above any key.
 const AWAY: f64 = 20e-3;
 
 /// Constants of a finger.

@@ -7,7 +7,7 @@ use super::gesture::Gesture;
 use super::key::{KeyFront, KeyParameters};
 use super::motor::{Motor, MotorParameters};
 
-/// Longest substep [s]: a hundredth of the fastest oscillation's period, 45 g on a felt.
+/// Longest substep (s): a hundredth of the fastest oscillation's period, 45 g on a felt.
 pub const MAX_SUBSTEP: f64 = 50e-6;
 
 /// Most substeps of one tick: ticks up to 20 ms keep to [`MAX_SUBSTEP`].

@@ -23,7 +23,7 @@ use super::keybed::SimulatedKeybed;
 
 /// Length of a tick (us).
 const TICK_US: u64 = 1_000;
-/// What it is given [mN]: keys are held on their felts.
+/// What it is given (mN): keys are held on their felts.
 const DOWN: i32 = -2_000;
 
 /// A board, the host's end of its wire, and the tick that has come.

@@ -11,7 +11,7 @@ use midly::{Format, Header, MetaMessage, MidiMessage, Timing, TrackEvent, TrackE
 use super::{MidiSendError, Output};
 use crate::message::Message;
 
-/// Length of a quarter note [µs]: 120 a minute, what players assume by default.
+/// Length of a quarter note (µs): 120 a minute, what players assume by default.
 const QUARTER_US: u32 = 500_000;
 
 /// Ticks per quarter note: a tick is 20 µs, so a time is off by at most 10 µs.

@@ -15,7 +15,7 @@ const FLIGHT: [GuardSpec; 1] = [GuardSpec::new(0, "floor")];
 const REST: [GuardSpec; 1] = [GuardSpec::new(1, "lift").scaled(10.0)];
 
 impl BouncingBall {
-    /// Force of the ball on the floor, downwards [N]: m (g + s'') at rest.
+    /// Force of the ball on the floor, downwards (N): m (g + s'') at rest.
     pub(super) fn contact(&self, mode: Mode, s: &Motion) -> f64 {
         match mode {
             Mode::Flight => 0.0,

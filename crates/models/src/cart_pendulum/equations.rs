@@ -132,7 +132,7 @@ impl CartPendulum {
         [x[0], x[1], speed, x[3] + kept * (x[2] - speed)]
     }
 
-    /// Held in `mode` after `after` [s]: the cart at the wall, the pendulum moved on.
+    /// Held in `mode` after `after` (s): the cart at the wall, the pendulum moved on.
     fn settling(&self, mode: Mode, stopped: &[f64; 4], after: f64) -> Settling<Self> {
         let (sin, _) = sin_cos(stopped[1]);
         let swing = -self.bob_mass * self.length * self.g * sin / self.about_pivot();

@@ -17,7 +17,7 @@ const TRAVEL: f64 = 0.012;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DrawingDimensions<'a> {
     p: &'a KeyHammerValues,
-    /// Half the thickness of a key stick [m]: 11 mm on a real key.
+    /// Half the thickness of a key stick (m): 11 mm on a real key.
     pub(crate) unit: f64,
     /// From the key's axis down to the top of its stick (m).
     pub(crate) depth: f64,

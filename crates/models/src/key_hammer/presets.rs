@@ -102,7 +102,7 @@ const HEAD_RADIUS: f64 = 0.13;
 const KNUCKLE: f64 = 0.0137;
 /// Half of the capstan's rise, so that the hammer is level at half stroke (m) (C).
 const HALF_RISE: f64 = 0.0027;
-/// How far the key bottom leaves the head short of the string [m]: let-off, 1–3 mm (S).
+/// How far the key bottom leaves the head short of the string (m): let-off, 1–3 mm (S).
 /// Model B's springs sag by another 0.7–0.9 mm.
 const SHORT: f64 = 0.002_05;
 
@@ -117,7 +117,7 @@ fn balance(head: f64) -> f64 {
     (BALANCE * FRONT / 9.81 - hammer) / KEY_MASS
 }
 
-/// Hammer mass over the compass [kg]: Chabassier & Duruflé, Steinway D (S).
+/// Hammer mass over the compass (kg): Chabassier & Duruflé, Steinway D (S).
 pub(crate) fn hammer_mass(key: u8) -> f64 {
     0.0112 - 6.2348e-5 * f64::from(key + 1)
 }

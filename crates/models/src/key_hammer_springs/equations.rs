@@ -207,7 +207,7 @@ pub(super) fn longest_steps(p: &KeyHammerValues) -> [f64; 2] {
     oscillations(p).map(|rate| RADIANS / rate)
 }
 
-/// The fastest rates in B1 and in B2 [rad/s]: an oscillation's, with its damper's on top.
+/// The fastest rates in B1 and in B2 (rad/s): an oscillation's, with its damper's on top.
 pub(super) fn rates(p: &KeyHammerValues) -> [f64; 2] {
     oscillations(p).map(|rate| rate + p.b1 / p.jk)
 }

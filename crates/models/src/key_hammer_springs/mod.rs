@@ -18,15 +18,15 @@ use crate::key_hammer::{KeyHammerValues, PARAMETERS, PRESETS};
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeyHammerSprings {
     values: KeyHammerValues,
-    /// Longest steps in B1 and B2 [s]: asked for in every tick, so found once.
+    /// Longest steps in B1 and B2 (s): asked for in every tick, so found once.
     longest_steps: [f64; 2],
     /// Fastest rates in B1 and B2 (rad/s).
     rates: [f64; 2],
-    /// 1/JH and 1/JK [1/(kg·m²)]: a product takes a third of a division's time.
+    /// 1/JH and 1/JK (1/(kg·m²)): a product takes a third of a division's time.
     per_inertia: [f64; 2],
     /// Angular accelerations by the weight of hammer and key, lying level (rad/s²).
     weights: [f64; 2],
-    /// Moments of the weight of hammer and key, lying level [N·m].
+    /// Moments of the weight of hammer and key, lying level (N·m).
     moments: [f64; 2],
 }
 

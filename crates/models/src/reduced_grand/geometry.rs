@@ -12,7 +12,7 @@ pub(super) struct CarriedHead {
     /// ζ (m).
     pub(super) height: f64,
     pub(super) ratio: f64,
-    /// ζ'' [1/m]: constant in every mode.
+    /// ζ'' (1/m): constant in every mode.
     pub(super) bend: f64,
     /// Force on the key over force on the hammer: ζ' and what friction adds.
     pub(super) transmission: f64,

@@ -14,11 +14,11 @@ const RADIANS: f64 = 0.25;
 const BLOW: f64 = 5.0;
 /// Force of a finger in it (N).
 const FORCE: f64 = 50.0;
-/// Force of a jack that rubs on its button while the key turns round [N]: five hammers'
+/// Force of a jack that rubs on its button while the key turns round (N): five hammers'
 /// weights. A faster key does not turn round there.
 const RUBBING: f64 = 0.5;
 
-/// Longest steps [s]: asked for in every tick, so found once.
+/// Longest steps (s): asked for in every tick, so found once.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct LongestSteps {
     /// ACC: key and hammer as one.

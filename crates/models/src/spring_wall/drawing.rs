@@ -9,7 +9,7 @@ const TRAVEL: f64 = 0.012;
 /// Modes before the wall and in it.
 const FREE: &[u8] = &[Mode::Free as u8];
 const CONTACT: &[u8] = &[Mode::Contact as u8];
-/// Half the width of the key [m]: a real one's, 23 mm in all.
+/// Half the width of the key (m): a real one's, 23 mm in all.
 const HALF: f64 = 0.0115;
 /// Length of the spring with the pad up (m).
 const SPRING: f64 = 0.030;

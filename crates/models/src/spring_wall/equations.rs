@@ -18,7 +18,7 @@ impl SpringWall {
         s.position - self.wall
     }
 
-    /// K (s − wall) + B s' [N]: never pulls.
+    /// K (s − wall) + B s' (N): never pulls.
     pub(super) fn force(&self, mode: Mode, s: &Motion) -> f64 {
         match mode {
             Mode::Free => 0.0,

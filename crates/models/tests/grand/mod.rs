@@ -20,7 +20,7 @@ pub fn lever(p: &ReducedGrandValues, y: f64) -> f64 {
     p.lever_offset + p.ratio * (y - p.drop_width * softplus((y - p.drop) / p.drop_width))
 }
 
-/// The head that the key carries [m]: on the jack along a line, through the let-off along the
+/// The head that the key carries (m): on the jack along a line, through the let-off along the
 /// parabola that leaves the button in the line's direction and ends flat by `rho` at `zt`.
 pub fn carried(p: &ReducedGrandValues, mode: Mode, y: f64) -> Option<f64> {
     match mode {

@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::token::{QUARTER, Token};
 
-/// Pause between lifting the pedal and pressing it again [ticks]: the new harmony is there.
+/// Pause between lifting the pedal and pressing it again (ticks): the new harmony is there.
 const PEDAL_PAUSE: u32 = QUARTER / 4;
 
 /// How much louder the first beat of a bar is than a weak beat, in MIDI units.

@@ -19,7 +19,7 @@ impl<R: Rehearsal> PlannedKey<R> {
         Self { instrument, now: 0.0, script: Vec::new() }
     }
 
-    /// Present time of the key [s]: no gesture can begin or end earlier any more.
+    /// Present time of the key (s): no gesture can begin or end earlier any more.
     pub(super) fn now(&self) -> f64 {
         self.now
     }

@@ -55,7 +55,7 @@ pub(super) fn choose<R: Rehearsal>(
     }
 }
 
-/// When the key may be released first [s]: after its strike.
+/// When the key may be released first (s): after its strike.
 pub(super) fn earliest(wanted: &PlannedStroke, found: &Try) -> f64 {
     found.strike.map_or(wanted.onset, |strike| strike.at) + SHORTEST_HOLD
 }

@@ -8,10 +8,10 @@ use crate::stroke::Technique;
 /// Slowest finger that presses (m/s).
 const SLOWEST_PRESS: f64 = 0.02;
 
-/// Slowest finger that strikes [m/s]: in a slower stroke the swing after its impact decides.
+/// Slowest finger that strikes (m/s): in a slower stroke the swing after its impact decides.
 const SLOWEST_STRIKE: f64 = 0.1;
 
-/// Fastest finger [m/s]: what gestures are meant for.
+/// Fastest finger (m/s): what gestures are meant for.
 pub(super) const FASTEST: f64 = 3.0;
 
 /// Speeds that are tried, in geometric progression.
@@ -20,7 +20,7 @@ const N_SPEEDS: u32 = 24;
 /// Way of a finger until its strike is certain (m), for the length of a trial.
 const WAY: f64 = 0.02;
 
-/// Time that a trial has beyond that [s]: finger and key must gather speed.
+/// Time that a trial has beyond that (s): finger and key must gather speed.
 const PATIENCE: f64 = 0.2;
 
 /// Guess where a table is empty: hammer speed over finger speed.

@@ -2,7 +2,7 @@
 
 use midly::{Fps, MetaMessage, Timing, TrackEventKind};
 
-/// Length of a quarter note until a tempo is given [s]: 120 a minute.
+/// Length of a quarter note until a tempo is given (s): 120 a minute.
 const DEFAULT_QUARTER: f64 = 0.5;
 
 /// The time of a tick, followed from the start of a file to its end.

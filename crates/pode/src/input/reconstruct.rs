@@ -25,7 +25,7 @@ pub enum Reconstruction {
     LateHermite,
 }
 
-/// A cubic motion over one tick of `h` [s]: s(θ) = c0 + θ (c1 + θ (c2 + θ c3)).
+/// A cubic motion over one tick of `h` (s): s(θ) = c0 + θ (c1 + θ (c2 + θ c3)).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cubic {
     /// Coefficients by power of θ.

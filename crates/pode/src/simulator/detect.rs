@@ -144,7 +144,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         reset.mode != self.mode || after.rate >= 0.0
     }
 
-    /// What is known of a step of `h` [s] over which a guard is not positive for certain.
+    /// What is known of a step of `h` (s) over which a guard is not positive for certain.
     #[inline]
     fn uncertain(&self, h: f64) -> StepCertainty {
         let nature = self.model.nature(self.mode);

@@ -142,7 +142,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Advances one tick of `h` (s) under the input `signal`.
     ///
     /// # Real-time
-    /// Bounded by [`SurfaceLimits`]; at a maximum, or when something is not finite, the last
+    /// Bounded by [`Limits`]; at a maximum, or when something is not finite, the last
     /// good state is held for the rest of the tick and the tick says so.
     pub fn advance<S, W>(&mut self, h: f64, signal: &S, watch: &mut W) -> Tick
     where

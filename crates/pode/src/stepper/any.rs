@@ -351,7 +351,7 @@ impl Any {
     pub const TOLERANT: &[&str] =
         &[ByNeed::NAME, BogackiShampine::NAME, Tsitouras5::NAME, Dop853::NAME];
 
-    /// The same method as precise as `tolerance` says, in ticks of `tick` [s]: see [`ByNeed`]
+    /// The same method as precise as `tolerance` says, in ticks of `tick` (s): see [`ByNeed`]
     /// and [`Controlled`]. `None` for a method that has no say in its error.
     #[must_use]
     pub fn with_tolerance(self, tolerance: f64, tick: f64) -> Option<Self> {

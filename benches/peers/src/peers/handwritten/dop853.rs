@@ -9,7 +9,7 @@ use super::stages::{Dense, Stages, error, step};
 use crate::log::Log;
 use crate::problem::{Problem, armed};
 
-/// First step [s]: the motion starts from rest, and six times longer each is soon enough.
+/// First step (s): the motion starts from rest, and six times longer each is soon enough.
 const FIRST: f64 = 1e-3;
 
 /// Steps in one run, after which something is wrong.

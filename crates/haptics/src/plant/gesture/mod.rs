@@ -48,7 +48,7 @@ pub struct Gesture {
 }
 
 impl Gesture {
-    /// Hold depth for the default key and finger [m]: dip and 2 N at 400 N/m.
+    /// Hold depth for the default key and finger (m): dip and 2 N at 400 N/m.
     pub const HOLD: f64 = 10.16e-3 + 2.0 / 400.0;
 
     /// Returns the commanded position at `t` (s), in metres, down positive.
@@ -91,7 +91,7 @@ impl Gesture {
         self.release.max(self.start)
     }
 
-    /// Position and velocity at `t` [s]: the stroke, blended into the lifted finger.
+    /// Position and velocity at `t` (s): the stroke, blended into the lifted finger.
     pub(super) fn command(&self, t: f64) -> MuscleCommand {
         let down = StrokeProfile::of(self).command(t - self.start);
         let x = (t - self.lift_off()) / LIFT_TIME;

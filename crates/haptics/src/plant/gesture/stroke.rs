@@ -15,7 +15,7 @@
 use super::{Gesture, Touch};
 use crate::plant::smooth::{cubic, cubic_integral, quintic, quintic_slope};
 
-/// Speeds that a stroke keeps to [m/s]: slower never arrives, faster is no finger.
+/// Speeds that a stroke keeps to (m/s): slower never arrives, faster is no finger.
 const SPEEDS: (f64, f64) = (1e-3, 20.0);
 
 /// Shallowest hold depth (m), so that a stroke always has a way to go.
@@ -33,7 +33,7 @@ const PRESSED_RUN_UP: f64 = 0.5;
 /// Part of the way to the key within which a struck gesture gains its speed.
 const STRUCK_RUN_UP: f64 = 0.75;
 
-/// Overshoot of an infinitely fast stroke [m]: 20 N at 400 N/m.
+/// Overshoot of an infinitely fast stroke (m): 20 N at 400 N/m.
 const OVERSHOOT: f64 = 50e-3;
 
 /// Speed at which half of the overshoot is reached (m/s).

@@ -11,7 +11,7 @@ use super::bytes::Bytes;
 enum Field {
     /// Free fall over a floor.
     Falls,
-    /// Linear with this rate [1/s]: dies out, or grows.
+    /// Linear with this rate (1/s): dies out, or grows.
     Linear(f64),
     /// An oscillator (rad/s).
     Swings(f64),
