@@ -120,7 +120,8 @@ pub struct TickRecorder {
     happenings: Producer<TickEvent>,
     dropped: Arc<AtomicU64>,
     followed: Arc<FollowedSet>,
-    /// Followed keys that were seen since they are followed: bit n is key n.
+    /// Keys of which a row was written since they are followed, while their lane was in time: bit
+    /// n is key n.
     seen: u128,
     known: Box<[LastRow; KEYS]>,
 }
@@ -144,24 +145,9 @@ impl TickRecorder {
         (Self { rows, happenings, dropped, followed, seen: 0, known }, tapped)
     }
 
-    /// Writes a row for each key of which anything is new, and one for the tick.
-    ///
-    /// # Real-time
-    /// One write of at most as many rows as there are keys, and one more.
-    fn write_rows(&mut self, seen: &FinishedTick<'_>) {
-        let Self { rows, known, dropped, .. } = self;
-        let news = known.iter_mut().enumerate().filter_map(|(key, known)| {
-            is_news(key, seen, known).then(|| RecorderRow::Key(row(key, seen)))
-        });
-        let tick = TickRow { tick: seen.tick, skipped: seen.skipped, armed: seen.armed };
-        let mut wanted = news.chain(std::iter::once(RecorderRow::Tick(tick)));
-        let room = rows.slots().min(KEYS + 1);
-        if let Ok(chunk) = rows.write_chunk_uninit(room) {
-            chunk.fill_from_iter(&mut wanted);
-        }
-        let lost = wanted.count() as u64;
-        if 0 < lost {
-            dropped.fetch_add(lost, Ordering::Relaxed);
+    fn push(&mut self, row: RecorderRow) {
+        if self.rows.push(row).is_err() {
+            self.dropped.fetch_add(1, Ordering::Relaxed);
         }
     }
 
@@ -171,24 +157,18 @@ impl TickRecorder {
         }
     }
 
-    /// Tells what happened to each key, and notes that it was seen.
-    fn tell_of_keys(&mut self, seen: &FinishedTick<'_>) {
-        for (key, turn) in seen.turns.iter().enumerate() {
-            if seen.followed.contains(key) {
-                self.tell_of_switches(key, seen);
-                self.seen |= u128::from(!turn.late) << key;
-            }
-            for (at, event) in turn.events.as_slice() {
-                let what = EventKind::Note(*at, *event);
+    /// Tells what happened to `key`, if anything did.
+    #[inline]
+    fn tell_of(&mut self, key: usize, seen: &FinishedTick<'_>) {
+        let (turn, observed) = (&seen.turns[key], &seen.observed[key]);
+        if seen.followed.contains(key) && !observed.switches.is_empty() {
+            for switch in observed.switches.as_slice() {
+                let what = EventKind::Switch(observed.snapshot.revision, *switch);
                 self.tell(TickEvent { tick: seen.tick, key: number(key), what });
             }
         }
-    }
-
-    fn tell_of_switches(&mut self, key: usize, seen: &FinishedTick<'_>) {
-        let observed = &seen.observed[key];
-        for switch in observed.switches.as_slice() {
-            let what = EventKind::Switch(observed.snapshot.revision, *switch);
+        for (at, event) in turn.events.as_slice() {
+            let what = EventKind::Note(*at, *event);
             self.tell(TickEvent { tick: seen.tick, key: number(key), what });
         }
     }
@@ -200,6 +180,7 @@ fn number(key: usize) -> u8 {
 }
 
 /// Returns whether anything of `key` is not as it was in its last row; notes how it is.
+#[inline]
 fn is_news(key: usize, seen: &FinishedTick<'_>, known: &mut LastRow) -> bool {
     let (turn, sample) = (&seen.turns[key], &seen.samples[key]);
     let still = is_still(turn, sample)
@@ -209,6 +190,7 @@ fn is_news(key: usize, seen: &FinishedTick<'_>, known: &mut LastRow) -> bool {
     is_news
 }
 
+#[inline]
 fn row(key: usize, seen: &FinishedTick<'_>) -> KeyRow {
     let (turn, observed) = (&seen.turns[key], &seen.observed[key]);
     let followed = seen.followed.contains(key);
@@ -247,9 +229,17 @@ impl TickObserver for TickRecorder {
     }
 
     fn observe(&mut self, seen: &FinishedTick<'_>) {
-        // First, so that they are there with the row that ends the tick.
-        self.tell_of_keys(seen);
-        self.write_rows(seen);
+        for (key, turn) in seen.turns.iter().enumerate() {
+            if is_news(key, seen, &mut self.known[key]) {
+                let is_seen = seen.followed.contains(key) && !turn.late;
+                self.seen |= u128::from(is_seen) << key;
+                self.tell_of(key, seen);
+                self.push(RecorderRow::Key(row(key, seen)));
+            }
+        }
+        // Behind all that happened in its tick, so that what is told of a tick is whole.
+        let FinishedTick { tick, skipped, armed, .. } = *seen;
+        self.push(RecorderRow::Tick(TickRow { tick, skipped, armed }));
     }
 }
 
