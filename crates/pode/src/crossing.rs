@@ -6,24 +6,23 @@
 
 use crate::cubic::{Cubic, Turns};
 use crate::dip::Dip;
+use crate::enclosure::least;
 use crate::epoch::Stand;
-use crate::forecast::is_certain;
 use crate::guard::{GuardSpec, GuardValue};
+use crate::isolate::{self, Isolated, isolate};
 use crate::locate::Bracket;
 
 /// One guard over one step: its stand and its values at both ends.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct GuardSpan<'a> {
-    pub(crate) spec: &'a GuardSpec,
+pub(crate) struct GuardSpan {
+    pub(crate) spec: GuardSpec,
     pub(crate) stand: Stand,
     pub(crate) start: GuardValue,
     pub(crate) end: GuardValue,
     /// Length of the step (s).
     pub(crate) h: f64,
-    /// Bound on the guard's curvature (1/s²).
-    pub(crate) bound: f64,
-    /// It is positive for certain; what it was at the start may not be known.
-    pub(crate) is_quiet: bool,
+    /// Bound of the guard's second derivative (per step²).
+    pub(crate) bend: f64,
 }
 
 /// What a step holds for a guard.
@@ -41,14 +40,21 @@ pub(crate) enum Crossing {
     },
 }
 
-impl GuardSpan<'_> {
+impl GuardSpan {
     /// Most evaluations of the true guard that [`Self::crossing`] takes.
-    pub(crate) const LOOKS: u32 = Dip::LOOKS + TRIES;
+    pub(crate) const LOOKS: u32 = isolate::LOOKS + Dip::LOOKS + TRIES;
 
-    /// Whether the step hides no pair of the guard's roots for certain.
+    /// Whether the guard is positive all over the step for certain.
     #[inline]
-    pub(crate) fn is_certain(&self) -> bool {
-        self.is_quiet || is_certain(self.spec.band(), self.start, self.end, self.bound, self.h)
+    pub(crate) fn is_clear(&self) -> bool {
+        let [start, end] = [self.start, self.end].map(|it| it.value - self.spec.band());
+        self.stand == Stand::Armed && least(start, end, self.bend) > 0.0
+    }
+
+    /// Whether the first root up to a crossing at `tau`, if that is one, cannot have been missed:
+    /// from a positive start the guard lies above a parabola that first vanishes there.
+    pub(crate) fn is_first(&self, tau: f64) -> bool {
+        self.stand == Stand::Armed && self.start.value > 0.5 * self.bend * tau * tau
     }
 
     /// Whether the values at both ends leave room for a crossing.
@@ -62,19 +68,54 @@ impl GuardSpan<'_> {
             Stand::Resting => self.end.value < -self.spec.band(),
             Stand::Disarmed | Stand::Spent if self.ends_below() => self.may_turn(-1.0),
             Stand::Disarmed | Stand::Spent => self.may_dip(),
+            // A bound that leaves room for a root is looked into, whatever the cubic says.
+            Stand::Armed if self.bend < f64::INFINITY => true,
             Stand::Armed => self.ends_below() || self.may_turn(1.0),
+            Stand::Unwatched => false,
         }
     }
 
-    /// Looks for the first crossing; `guard` evaluates the true guard inside the step.
+    /// Looks for the first crossing, and tells whether none before it can have been missed;
+    /// `guard` evaluates the true guard inside the step.
     #[inline]
-    pub(crate) fn crossing(&self, guard: impl FnMut(f64) -> f64) -> Crossing {
-        match self.stand {
+    pub(crate) fn crossing(&self, mut guard: impl FnMut(f64) -> f64) -> (Crossing, bool) {
+        let crossing = match self.stand {
+            Stand::Armed if self.bend < f64::INFINITY => return self.isolated(&mut guard),
             Stand::Leaving => Crossing::AtStart,
             Stand::Resting => self.falls_from_rest(guard),
             Stand::Sinking => self.leaves_zero(),
             Stand::Disarmed | Stand::Spent => self.rises_and_falls(guard),
             Stand::Armed | Stand::Departing => self.falls(guard),
+            Stand::Unwatched => Crossing::None,
+        };
+        (crossing, false)
+    }
+
+    /// The first crossing by what the guard's bend allows, and otherwise by its cubic.
+    fn isolated(&self, guard: &mut impl FnMut(f64) -> f64) -> (Crossing, bool) {
+        let ends = (self.start.value, self.end.value);
+        match isolate(ends, self.bend, self.spec.band(), &mut *guard) {
+            Isolated::Free => (Crossing::None, true),
+            Isolated::Root { lo, hi } => {
+                let cubic = self.cubic();
+                (shut_in((&cubic, cubic.turns()), lo.0, lo.1, hi.0, hi.1), true)
+            }
+            Isolated::Open { low } => {
+                let found = self.falls(guard);
+                (low.map_or(found, |(hi, at_hi)| self.no_later(found, hi, at_hi)), false)
+            }
+        }
+    }
+
+    /// What was `found`, or the crossing before `hi` where the guard was seen to be negative.
+    fn no_later(&self, found: Crossing, hi: f64, at_hi: f64) -> Crossing {
+        match found {
+            Crossing::Within { bracket, .. } if bracket.hi <= hi => found,
+            Crossing::AtStart => found,
+            Crossing::Within { .. } | Crossing::None => {
+                let cubic = self.cubic();
+                shut_in((&cubic, cubic.turns()), 0.0, self.start.value, hi, at_hi)
+            }
         }
     }
 
@@ -229,13 +270,12 @@ mod tests {
     fn a_dip_before_the_top_is_no_fall() {
         // The guard's cubic rises to 5/8 and falls to 2/3; the guard itself does otherwise.
         let span = GuardSpan {
-            spec: &GuardSpec::new(0, "g"),
+            spec: GuardSpec::new(0, "g"),
             stand: Stand::Disarmed,
             start: GuardValue::new(-0.45, 5.0),
             end: GuardValue::new(0.8, 1.5),
             h: 1.0,
-            bound: f64::INFINITY,
-            is_quiet: false,
+            bend: f64::INFINITY,
         };
         assert!(span.may_cross());
         let (mut looks, mut lowest) = (0, 1.0_f64);
@@ -249,7 +289,7 @@ mod tests {
                 0.0
             }
         });
-        assert_eq!((crossing, looks), (Crossing::None, 3));
+        assert_eq!((crossing, looks), ((Crossing::None, false), 3));
         assert!(lowest < 0.5, "the dip was not seen: {lowest}");
     }
 }

@@ -40,6 +40,8 @@ pub(crate) enum Stand {
     /// Spent, but its reset map would turn it back: it fires where it leaves zero.
     Sinking,
     Leaving,
+    /// Not watched in this mode.
+    Unwatched,
 }
 
 /// How a guard stands by its value and rate, over the `h` (s) ahead.
@@ -94,7 +96,7 @@ pub(crate) fn stand_after(before: Stand, spec: &GuardSpec, end: GuardValue, h: f
     }
     match before {
         Stand::Armed | Stand::Departing if end.value > 0.0 => Stand::Armed,
-        Stand::Disarmed | Stand::Spent => before,
+        Stand::Disarmed | Stand::Spent | Stand::Unwatched => before,
         Stand::Departing if end.rate > 0.0 => Stand::Departing,
         Stand::Armed | Stand::Departing | Stand::Resting | Stand::Leaving | Stand::Sinking => {
             if end.rate * h > spec.band() { Stand::Departing } else { Stand::Resting }

@@ -3,7 +3,7 @@
 use core::ops::Neg;
 
 /// Guards that one mode can have.
-pub const MAX_GUARDS: usize = 8;
+pub const MAX_GUARDS: usize = 32;
 
 /// A guard's name within its model, stable over modes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -103,6 +103,14 @@ impl GuardValue {
     #[inline]
     pub const fn new(value: f64, rate: f64) -> Self {
         Self { value, rate }
+    }
+}
+
+impl GuardValue {
+    /// Whether value and rate are finite numbers.
+    #[inline]
+    pub(crate) const fn is_finite(&self) -> bool {
+        self.value.is_finite() && self.rate.is_finite()
     }
 }
 

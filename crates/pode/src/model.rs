@@ -2,6 +2,7 @@
 
 use core::fmt::Debug;
 
+use crate::enclosure::{Enclosure, GuardBound};
 use crate::guard::{GuardId, GuardSpec, GuardValue};
 use crate::nature::Nature;
 use crate::state::State;
@@ -61,15 +62,30 @@ pub trait Model {
 /// Conditions under which a mode stops being valid.
 pub trait Guarded: Model {
     /// The guards of `mode`, at most [`MAX_GUARDS`](crate::MAX_GUARDS), in any order.
-    fn guards(&self, mode: Self::Mode) -> &'static [GuardSpec];
-
-    /// Bound on the magnitude of the guard's second derivative along any motion in `mode`
-    /// (1/s²); infinite where the model states none.
     ///
-    /// With a bound a far guard is left alone until it could be reached, and a step is
-    /// certified to hide no pair of roots. One that is too low hides crossings.
-    fn curvature_bound(&self, _mode: Self::Mode, _guard: GuardId) -> f64 {
-        f64::INFINITY
+    /// The model may keep the list among its own values: their number and their scales then
+    /// follow from its parameters.
+    fn guards(&self, mode: Self::Mode) -> &[GuardSpec];
+
+    /// Whether a guard of the list is watched in `mode`; one that is not is never evaluated
+    /// there.
+    fn is_watched(&self, _mode: Self::Mode, _guard: GuardId) -> bool {
+        true
+    }
+
+    /// Bounds what the guard does along a computed orbit, with the enclosure of one step.
+    ///
+    /// With a bound a far guard is left alone until the orbit can have reached it, and a step is
+    /// certain where no guard can have come to zero. The bound is about the guard as a function
+    /// of state and input: how fast the orbit goes is seen, step by step. One that is too low
+    /// hides crossings.
+    fn guard_bound(
+        &self,
+        _mode: Self::Mode,
+        _guard: GuardId,
+        _over: &Enclosure<Self::State, Self::Input>,
+    ) -> GuardBound {
+        GuardBound::UNKNOWN
     }
 
     /// Returns the guard and its rate along the motion in `mode`. `[GC93]` eq. 8.

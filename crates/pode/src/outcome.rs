@@ -53,35 +53,27 @@ pub struct Work {
     /// Evaluations of the readout.
     pub readouts: u32,
     pub events: u32,
-    /// Steps of which it is certain that they hide no pair of roots, see [`StepCertainty`].
-    pub certified: u32,
-    /// Steps of which it is likely.
-    pub likely: u32,
-    /// Steps of which nothing is known.
+    /// Steps in which no root of a guard can have been missed: each guard is bounded, and the
+    /// bound leaves no room for one on the orbit as it was computed.
+    pub certain: u32,
+    /// Steps of which that is not known.
     pub unknown: u32,
 }
 
-/// Whether a step can hide a pair of roots of one guard: two crossings, of which the values at
-/// the step's ends show nothing.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum StepCertainty {
-    /// No: every guard has a bound on its curvature, and stays positive within it.
-    Certified,
-    /// Hardly: the step resolves the mode's fastest motion, so each guard is close to its
-    /// cubic, and the true guard was looked at where the cubic is lowest.
-    Likely,
-    /// The mode's rates are not known, or the step is longer than they are.
+/// Whether a root of a guard can have been missed in a step.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Certainty {
+    Certain,
     Unknown,
 }
 
 impl Work {
-    /// Counts a step with this verdict.
+    /// Counts a step that was kept, whole or up to its first event.
     #[inline]
-    pub(crate) const fn judge(&mut self, verdict: StepCertainty) {
-        match verdict {
-            StepCertainty::Certified => self.certified += 1,
-            StepCertainty::Likely => self.likely += 1,
-            StepCertainty::Unknown => self.unknown += 1,
+    pub(crate) const fn judge(&mut self, certainty: Certainty) {
+        match certainty {
+            Certainty::Certain => self.certain += 1,
+            Certainty::Unknown => self.unknown += 1,
         }
     }
 
@@ -95,8 +87,7 @@ impl Work {
             guards: self.guards + other.guards,
             readouts: self.readouts + other.readouts,
             events: self.events + other.events,
-            certified: self.certified + other.certified,
-            likely: self.likely + other.likely,
+            certain: self.certain + other.certain,
             unknown: self.unknown + other.unknown,
         }
     }

@@ -2,8 +2,8 @@
 
 use pode::stepper::{Controlled, Dop853, Heun, Rk4};
 use pode::{
-    Advance, Bracket, Cap, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Piece,
-    Reset, Resets, Signal, Silent, Simulator, Stepper, Watch, locate,
+    Advance, Bracket, Cap, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, MAX_GUARDS,
+    Model, Piece, Reset, Resets, Signal, Silent, Simulator, Stepper, Watch, locate,
 };
 
 /// x' = rate, with what a careless modeller may say of it.
@@ -53,10 +53,6 @@ impl Model for Careless {
 impl Guarded for Careless {
     fn guards(&self, (): ()) -> &'static [GuardSpec] {
         self.guards
-    }
-
-    fn curvature_bound(&self, (): (), _: GuardId) -> f64 {
-        1.0
     }
 
     fn guard(&self, (): (), _: GuardId, x: &[f64; 1], (): &()) -> GuardValue {
@@ -130,11 +126,11 @@ fn steps_that_were_refused_down_to_nothing_grow_again() {
 
 #[test]
 fn a_mode_with_too_many_guards_is_a_fault() {
-    static NINE: [GuardSpec; 9] = [ONE[0]; 9];
-    let nine = Careless { guards: &NINE, ..SOUND };
-    assert_eq!(end(nine, Rk4), Advance::Faulty(Fault::Guard));
-    let eight = Careless { guards: &NINE[..8], ..SOUND };
-    assert_eq!(end(eight, Rk4), Advance::Completed);
+    static MANY: [GuardSpec; MAX_GUARDS + 1] = [ONE[0]; MAX_GUARDS + 1];
+    let too_many = Careless { guards: &MANY, ..SOUND };
+    assert_eq!(end(too_many, Rk4), Advance::Faulty(Fault::Guard));
+    let most = Careless { guards: &MANY[1..], ..SOUND };
+    assert_eq!(end(most, Rk4), Advance::Completed);
 }
 
 #[test]

@@ -72,7 +72,7 @@ fn work_of_typical_ticks() {
         guards,
         readouts,
         events,
-        likely: pieces,
+        unknown: pieces,
         ..Work::default()
     };
     // The first tick takes the guards; then a look at the end of each.

@@ -54,17 +54,17 @@ fn sessions_end_in_every_way_that_there_is() {
         (Advance::Faulty(Fault::Guard), 0),
         (Advance::Faulty(Fault::Readout), 0),
     ];
-    let (mut moves, mut certified) = (0, 0);
+    let (mut moves, mut certain) = (0, 0);
     let mut runner = TestRunner::deterministic();
     for _ in 0..1000 {
         let bytes = vec(any::<u8>(), SESSION).new_tree(&mut runner).expect("bytes").current();
         for report in check::<Rk4>(&bytes, Rk4, heap::calls) {
             moves += report.moves;
-            certified += report.tick.work.certified;
+            certain += report.tick.work.certain;
             ways.iter_mut().filter(|it| it.0 == report.tick.advance).for_each(|it| it.1 += 1);
         }
     }
     // A hundredth of 8000 ticks, or the sessions prove nothing.
     assert!(ways.iter().all(|(_, times)| *times > 80), "{ways:?}");
-    assert!(moves > 80 && certified > 80, "{moves} moves, {certified} certified steps");
+    assert!(moves > 80 && certain > 80, "{moves} moves, {certain} certain steps");
 }

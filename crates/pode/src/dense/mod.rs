@@ -15,6 +15,20 @@ pub trait Dense<S>: Debug {
 
     /// The state at the end of the step.
     fn end(&self) -> &S;
+
+    /// How far and how fast the solution moves over the step; `None` where that is not known.
+    fn bounds(&self) -> Option<DenseBounds<S>>;
+}
+
+/// Bounds of a dense output over the whole step, entry by entry.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct DenseBounds<S> {
+    /// Bound of |x(τ) − x(0)|.
+    pub moves: S,
+    /// Bound of |dx/dτ|.
+    pub speeds: S,
+    /// Bound of |d²x/dτ²|.
+    pub bends: S,
 }
 
 /// A cubic per entry.

@@ -1,6 +1,6 @@
 //! A polynomial per entry, of any degree up to `N − 1`.
 
-use crate::dense::Dense;
+use crate::dense::{Dense, DenseBounds};
 use crate::state::State;
 
 /// x(τ) = c0 + τ (c1 + τ (c2 + …)) for τ in 0 ..= 1 of a step, with at most `N` terms.
@@ -12,6 +12,9 @@ pub struct Polynomial<S, const N: usize> {
     used: usize,
     end: S,
 }
+
+/// As short as this it is summed up whole: a branch takes longer than a term.
+const SHORT: usize = 5;
 
 impl<S: State, const N: usize> Polynomial<S, N> {
     /// The polynomial with coefficients `terms` by power of τ; `end` is its value at 1.
@@ -31,8 +34,6 @@ impl<S: State, const N: usize> Polynomial<S, N> {
 impl<S: State, const N: usize> Dense<S> for Polynomial<S, N> {
     #[inline]
     fn at(&self, tau: f64) -> S {
-        /// As short as this it is summed up whole: a branch takes longer than a term.
-        const SHORT: usize = 5;
         if tau >= 1.0 {
             return self.end;
         }
@@ -48,5 +49,19 @@ impl<S: State, const N: usize> Dense<S> for Polynomial<S, N> {
     #[inline]
     fn end(&self) -> &S {
         &self.end
+    }
+
+    /// Sums of the coefficients' magnitudes.
+    #[inline]
+    fn bounds(&self) -> Option<DenseBounds<S>> {
+        let used = if N <= SHORT { N } else { self.used.min(N) };
+        let (mut moves, mut speeds, mut bends) = (S::ZERO, S::ZERO, S::ZERO);
+        for power in 1..used {
+            let (size, n) = (self.terms[power].magnitudes(), power as f64);
+            moves = moves.plus(1.0, &size);
+            speeds = speeds.plus(n, &size);
+            bends = bends.plus(n * (n - 1.0), &size);
+        }
+        Some(DenseBounds { moves, speeds, bends })
     }
 }

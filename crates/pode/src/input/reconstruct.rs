@@ -65,6 +65,11 @@ impl Signal<Motion> for Cubic {
             jerk: 6.0 * c3 * r * r * r,
         }
     }
+
+    #[inline]
+    fn bound(&self, from: f64, to: f64) -> Option<Motion> {
+        Some(self.at(from).bound_over((to - from) / self.per_second))
+    }
 }
 
 /// Turns one sample per tick into a motion over each tick.

@@ -5,14 +5,14 @@ use core::cell::Cell;
 use super::field::ModeField;
 use super::{Simulator, TakenStep};
 use crate::crossing::{Crossing, GuardSpan};
-use crate::dense::Dense as _;
+use crate::dense::{Dense as _, DenseBounds};
+use crate::enclosure::{Enclosure, GuardBound};
 use crate::epoch::Stand;
-use crate::forecast::GuardSlot;
 use crate::guard::{GuardSet, GuardSpec, GuardValue, MAX_GUARDS};
 use crate::input::Signal;
 use crate::locate::{locate, most_evaluations};
 use crate::model::Resets;
-use crate::outcome::{Cap, Fault, StepCertainty};
+use crate::outcome::{Cap, Certainty, Fault};
 use crate::run::TickRun;
 use crate::stepper::Stepper;
 
@@ -36,126 +36,151 @@ impl CrossingTime {
     const NOWHERE: Self = Self { tau: f64::INFINITY, radius: 0.0 };
 }
 
-/// The guards that may cross in a step, by their place among the mode's guards.
-pub(super) type Candidates = [Option<GuardSpan<'static>>; MAX_GUARDS];
+/// What the ends of a step tell of its guards.
+#[derive(Clone, Copy)]
+pub(super) struct Suspicion {
+    /// The guards that may cross in it: a bit for the place of each among the mode's guards.
+    pub(super) candidates: u32,
+    /// Whether all the others have no root in it for certain.
+    pub(super) certainty: Certainty,
+}
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
-    /// Evaluates the guards at the end of a step, and says whether any of them may have crossed:
-    /// these are the `candidates`.
+    /// Evaluates the guards at the end of a step as far as they can have come to zero, and says
+    /// which of them may have crossed.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
-    pub(super) fn may_cross<S: Signal<M::Input>, W>(
+    pub(super) fn suspicion<S: Signal<M::Input>, W>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
         taken: &TakenStep<M, T>,
-        candidates: &mut Candidates,
-    ) -> Result<bool, Fault> {
-        let (mut any, mut verdict) = (false, StepCertainty::Certified);
-        let uncertain = self.uncertain(taken.h);
-        for (index, spec) in self.model.guards(self.mode).iter().enumerate().take(MAX_GUARDS) {
+    ) -> Result<Suspicion, Fault> {
+        let mut found = Suspicion { candidates: 0, certainty: Certainty::Certain };
+        let enclosure = self.enclosure(run, taken);
+        let aims = self.stepper.aims(&self.model.nature(self.mode));
+        for index in 0..self.model.guards(self.mode).len().min(MAX_GUARDS) {
+            let spec = self.model.guards(self.mode)[index];
             let slot = &mut self.guards[index];
-            if run.limits.forecast && slot.is_asleep(taken.h) {
-                slot.later(taken.h);
+            let bound = match &enclosure {
+                Some(over) if !slot.is_doubted => self.model.guard_bound(self.mode, spec.id, over),
+                _ => GuardBound::UNKNOWN,
+            };
+            if slot.stand == Stand::Unwatched {
                 continue;
             }
-            let Some(span) = self.span(run, taken, index, spec)? else { return Ok(false) };
-            verdict =
-                verdict.max(if span.is_certain() { StepCertainty::Certified } else { uncertain });
-            if !span.is_quiet && span.may_cross() {
-                candidates[index] = Some(span);
-                any = true;
+            if run.limits.forecast && slot.is_asleep(&bound) {
+                slot.pass(&bound);
+                continue;
+            }
+            let Some(span) = self.look(run, taken, (index, spec), &bound)? else { continue };
+            if !aims {
+                self.guards[index].curvature = f64::INFINITY;
+            }
+            if span.may_cross() || span.stand == Stand::Spent {
+                found.candidates |= 1 << index;
+            } else {
+                found.certainty = Certainty::Unknown;
             }
         }
-        run.work.judge(verdict);
-        Ok(any)
+        Ok(found)
     }
 
-    /// The earliest crossing of the candidates within the step; ties go to the lower priority
-    /// number.
+    /// Evaluates a guard at the end of a step that moves it within `bound`; returns it if it may
+    /// have come to zero in the step.
+    #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
+    #[inline(always)]
+    fn look<S: Signal<M::Input>, W>(
+        &mut self,
+        run: &mut TickRun<'_, S, W>,
+        taken: &TakenStep<M, T>,
+        (index, spec): (usize, GuardSpec),
+        bound: &GuardBound,
+    ) -> Result<Option<GuardSpan>, Fault> {
+        let mut slot = self.guards[index];
+        let is_clear = slot.is_clear_of(bound);
+        let needs_start = !slot.is_fresh && !is_clear;
+        if !run.spend_guards(1 + u32::from(needs_start)) {
+            return Ok(None);
+        }
+        let guard = |x: &M::State, input: &M::Input| self.model.guard(self.mode, spec.id, x, input);
+        if needs_start {
+            slot.value = guard(&self.state, &run.input());
+            slot.is_fresh = true;
+        }
+        let is_doubted = slot.step_to(guard(&taken.end, &taken.input), bound, taken.h, &spec);
+        if ![slot.value, slot.start].iter().all(GuardValue::is_finite) {
+            return Err(Fault::Guard);
+        }
+        self.guards[index] = slot;
+        let span = slot.span(spec, taken.h);
+        let is_clear = (is_clear && !is_doubted) || span.is_clear();
+        Ok((!is_clear).then_some(span))
+    }
+
+    /// How far the orbit and the input move over the step, if the method and the signal tell.
+    #[inline]
+    fn enclosure<S: Signal<M::Input>, W>(
+        &self,
+        run: &TickRun<'_, S, W>,
+        taken: &TakenStep<M, T>,
+    ) -> Option<Enclosure<M::State, M::Input>> {
+        let DenseBounds { moves, speeds, bends } = taken.step.dense.bounds()?;
+        let input = run.signal.bound(run.theta, taken.theta_end);
+        Some(Enclosure { h: taken.h, start: self.state, moves, speeds, bends, input })
+    }
+
+    /// The earliest crossing of the candidates within the step, and whether none before it can
+    /// have been missed; ties go to the lower priority number.
     pub(super) fn first_crossing<S: Signal<M::Input>, W>(
         &self,
         run: &mut TickRun<'_, S, W>,
         taken: &mut TakenStep<M, T>,
-        candidates: &Candidates,
-    ) -> Result<Option<First>, Fault> {
+        found: Suspicion,
+    ) -> Result<(Option<First>, Certainty), Fault> {
         self.refine(run, taken);
         let mut places = [CrossingTime::NOWHERE; MAX_GUARDS];
-        for (place, span) in places.iter_mut().zip(candidates) {
-            if let Some(span) = span {
-                *place = self.crossing_place(run, taken, span)?;
+        let mut certainty = found.certainty;
+        let specs = self.model.guards(self.mode);
+        for (index, spec) in specs.iter().enumerate().take(MAX_GUARDS) {
+            if found.candidates & (1 << index) == 0 {
+                continue;
+            }
+            let mut span = self.guards[index].span(*spec, taken.h);
+            if self.would_turn(run, (taken.end, taken.input), &span) {
+                span.stand = Stand::Sinking;
+            }
+            let (place, is_sure) = if span.may_cross() {
+                self.crossing_place(run, taken, &span)?
+            } else {
+                (CrossingTime::NOWHERE, false)
+            };
+            places[index] = place;
+            if !is_sure && !span.is_first(place.tau) {
+                certainty = Certainty::Unknown;
             }
         }
-        Ok(match self.model.guards(self.mode) {
+        let first = match specs {
             [only] => alone(only, places[0]),
             specs => earliest(specs, &places),
-        })
+        };
+        Ok((first, certainty))
     }
 
-    /// A guard's values at both ends of a step, and from there what it will do next; `None` if
-    /// the tick has no more evaluations.
-    #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
-    #[inline(always)]
-    fn span<S: Signal<M::Input>, W>(
-        &mut self,
-        run: &mut TickRun<'_, S, W>,
-        taken: &TakenStep<M, T>,
-        index: usize,
-        spec: &'static GuardSpec,
-    ) -> Result<Option<GuardSpan<'static>>, Fault> {
-        let slot = self.guards[index];
-        let is_quiet = run.limits.forecast && slot.is_quiet(taken.h);
-        if !run.spend_guards(1 + u32::from(!slot.is_fresh && !is_quiet)) {
-            return Ok(None);
-        }
-        let guard = |x: &M::State, input: &M::Input| self.model.guard(self.mode, spec.id, x, input);
-        let end = guard(&taken.end, &taken.input);
-        // After a sleep the value at the start is not known, and not needed either.
-        let is_enough = slot.is_fresh || is_quiet;
-        let start = if is_enough { slot.value } else { guard(&self.state, &run.input()) };
-        if ![end.value, end.rate, start.value, start.rate].iter().all(|it| it.is_finite()) {
-            return Err(Fault::Guard);
-        }
-        let bound = self.model.curvature_bound(self.mode, spec.id);
-        let mut next = GuardSlot::new(slot.stand, spec, end, bound);
-        if self.stepper.aims() {
-            next.curvature = (end.rate - start.rate) / taken.h;
-        }
-        self.guards[index] = next;
-        let sinks =
-            slot.stand == Stand::Spent && self.would_turn(run, (taken.end, taken.input), spec, end);
-        let stand = if sinks { Stand::Sinking } else { slot.stand };
-        Ok(Some(GuardSpan { spec, stand, start, end, h: taken.h, bound, is_quiet }))
-    }
-
-    /// Whether the reset map of a guard that has sunk to `end` would bring it back up.
-    #[cold]
+    /// Whether the reset map of a spent guard that sinks would bring it back up from the step's
+    /// end, at `x` and `input`.
     fn would_turn<S, W>(
         &self,
         run: &mut TickRun<'_, S, W>,
         (x, input): (M::State, M::Input),
-        spec: &GuardSpec,
-        end: GuardValue,
+        span: &GuardSpan,
     ) -> bool {
-        if end.value >= -spec.band() || end.rate >= 0.0 || !run.spend_guards(1) {
+        let sinks = span.end.value < -span.spec.band() && span.end.rate < 0.0;
+        if span.stand != Stand::Spent || !sinks || !run.spend_guards(1) {
             return false;
         }
-        let reset = self.model.reset(self.mode, spec.id, &x, &input);
-        let after = self.model.guard(self.mode, spec.id, &reset.state, &input);
+        let reset = self.model.reset(self.mode, span.spec.id, &x, &input);
+        let after = self.model.guard(self.mode, span.spec.id, &reset.state, &input);
         reset.mode != self.mode || after.rate >= 0.0
-    }
-
-    /// What is known of a step of `h` (s) over which a guard is not positive for certain.
-    #[inline]
-    fn uncertain(&self, h: f64) -> StepCertainty {
-        let nature = self.model.nature(self.mode);
-        // Without a rate a linear mode is a polynomial in the time; others then go by their step.
-        let is_resolved = if nature.is_linear() || nature.rate > 0.0 {
-            nature.rate * h <= 1.0
-        } else {
-            let own = self.model.longest_step(self.mode);
-            h <= own && own < f64::INFINITY
-        };
-        if is_resolved { StepCertainty::Likely } else { StepCertainty::Unknown }
     }
 
     /// Has the stepper bring the step's dense output to its full order.
@@ -181,14 +206,14 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         &self,
         run: &mut TickRun<'_, S, W>,
         taken: &TakenStep<M, T>,
-        span: &GuardSpan<'_>,
-    ) -> Result<CrossingTime, Fault> {
+        span: &GuardSpan,
+    ) -> Result<(CrossingTime, bool), Fault> {
         let (dense, theta_end) = (&taken.step.dense, taken.theta_end);
         // The tolerance is a fraction of the tick; the step is a part of it.
         let tolerance = (run.limits.event_tolerance / (theta_end - run.theta)).min(0.5);
         if !run.affords_guards(GuardSpan::LOOKS + most_evaluations(tolerance)) {
             run.cap(Cap::Guards);
-            return Ok(CrossingTime::NOWHERE);
+            return Ok((CrossingTime::NOWHERE, false));
         }
         let (model, mode, signal, start) = (&self.model, self.mode, run.signal, run.theta);
         let (looks, is_finite) = (Cell::new(0), Cell::new(true));
@@ -203,7 +228,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             is_finite.set(is_finite.get() && value.is_finite());
             value
         };
-        let place = match span.crossing(counted) {
+        let (crossing, is_sure) = span.crossing(counted);
+        let place = match crossing {
             Crossing::None => CrossingTime::NOWHERE,
             Crossing::AtStart => CrossingTime { tau: 0.0, radius: 0.5 * tolerance },
             Crossing::Within { bracket, level, seed } => {
@@ -211,12 +237,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
                 looks.set(looks.get() + located.evaluations);
                 is_finite.set(is_finite.get() && !located.not_finite);
                 let slope = seed.map_or(bracket.at_hi - bracket.at_lo, |(_, slope)| slope);
-                let radius = 0.5 * tolerance + slack(span.spec, slope);
+                let radius = 0.5 * tolerance + slack(&span.spec, slope);
                 CrossingTime { tau: located.tau, radius }
             }
         };
         run.work.guards += looks.get();
-        if is_finite.get() { Ok(place) } else { Err(Fault::Guard) }
+        if is_finite.get() { Ok((place, is_sure)) } else { Err(Fault::Guard) }
     }
 }
 

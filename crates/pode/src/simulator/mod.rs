@@ -9,7 +9,7 @@ mod field;
 mod step_end;
 mod transition;
 
-use detect::{Candidates, First};
+use detect::{First, Suspicion};
 use field::ModeField;
 
 use crate::dense::Dense as _;
@@ -206,16 +206,19 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
         run.work.pieces += 1;
         let Some(mut taken) = self.take_step(run) else { return };
-        let mut candidates = [None; MAX_GUARDS];
-        match self.may_cross(run, &taken, &mut candidates) {
+        if self.is_read || W::LOOKS_INSIDE {
+            self.refine(run, &mut taken);
+        }
+        match self.suspicion(run, &taken) {
             Err(fault) => run.fail(fault),
             Ok(_) if !run.is_going() => {}
-            Ok(false) => {
-                self.keep(run, &mut taken, input);
+            Ok(Suspicion { candidates: 0, certainty }) => {
+                run.work.judge(certainty);
+                self.keep(run, &taken, input);
                 *input = taken.input;
             }
             // By value, so that a step that is kept never has to be in memory.
-            Ok(true) => *input = self.cross(run, taken, &candidates, *input),
+            Ok(found) => *input = self.cross(run, taken, found, *input),
         }
     }
 
@@ -227,14 +230,19 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         &mut self,
         run: &mut TickRun<'_, S, W>,
         mut taken: TakenStep<M, T>,
-        candidates: &Candidates,
+        found: Suspicion,
         input: M::Input,
     ) -> M::Input {
-        match self.first_crossing(run, &mut taken, candidates) {
+        match self.first_crossing(run, &mut taken, found) {
             Err(fault) => run.fail(fault),
             Ok(_) if !run.is_going() => {}
-            Ok(None) => self.keep(run, &mut taken, &input),
-            Ok(Some(first)) => self.leave(run, &taken, &first, &input),
+            Ok((first, certainty)) => {
+                run.work.judge(certainty);
+                match first {
+                    None => self.keep(run, &taken, &input),
+                    Some(first) => self.leave(run, &taken, &first, &input),
+                }
+            }
         }
         run.input()
     }
@@ -269,16 +277,14 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     fn keep<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
-        taken: &mut TakenStep<M, T>,
+        taken: &TakenStep<M, T>,
         input: &M::Input,
     ) {
-        if self.is_read || W::LOOKS_INSIDE {
-            self.refine(run, taken);
-        }
         self.accept(run, taken, (1.0, taken.end), [*input, taken.input]);
         for (slot, spec) in self.guards.iter_mut().zip(self.model.guards(self.mode)) {
             if slot.is_fresh {
                 slot.stand = stand_after(slot.stand, spec, slot.value, taken.h);
+                slot.room = slot.room_of(spec);
             }
         }
         run.move_to(taken.theta_end);

@@ -14,7 +14,9 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     pub(super) fn step_end<S, W>(&self, run: &mut TickRun<'_, S, W>) -> f64 {
         let end = self.line(run);
         // Where the dense output is as good as the end there is nothing to gain.
-        let may_aim = self.stepper.aims() && run.limits.forecast && !run.has_aimed;
+        let may_aim = run.limits.forecast
+            && !run.has_aimed
+            && self.stepper.aims(&self.model.nature(self.mode));
         if may_aim { self.aimed(run, end) } else { end }
     }
 

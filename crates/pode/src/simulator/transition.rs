@@ -44,7 +44,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             run.cap(Cap::Events);
             return false;
         }
-        let Some(spec) = self.model.guards(self.mode).get(index) else {
+        let Some(spec) = self.model.guards(self.mode).get(index).copied() else {
             run.fail(Fault::Guard);
             return false;
         };
@@ -57,7 +57,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let input = run.input();
         let reset = self.model.reset(self.mode, spec.id, &self.state, &input);
         let from = self.mode;
-        if !self.land(run, EventCause::Guard(spec), &reset, &input) {
+        if !self.land(run, EventCause::Guard(&spec), &reset, &input) {
             return false;
         }
         if !self.take_guards(run, Some(from)) {
@@ -140,6 +140,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             return false;
         }
         for (slot, spec) in self.guards.iter_mut().zip(specs) {
+            if !self.model.is_watched(self.mode, spec.id) {
+                *slot = GuardSlot::UNWATCHED;
+                continue;
+            }
             if !run.spend_guards(1) {
                 return false;
             }
@@ -155,8 +159,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
                 Some(mode) if mode == self.mode => now.again(slot.stand),
                 _ => now,
             };
-            *slot =
-                GuardSlot::new(stands, spec, value, self.model.curvature_bound(self.mode, spec.id));
+            *slot = GuardSlot::new(stands, spec, value);
             if stands != Stand::Leaving {
                 run.due.remove(spec.id);
             }

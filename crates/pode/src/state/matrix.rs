@@ -2,9 +2,7 @@
 
 use core::fmt::Debug;
 
-use nalgebra::{ArrayStorage, Const, DimMin, LU, SMatrix, SVector};
-
-use crate::state::State;
+use nalgebra::{ArrayStorage, SMatrix};
 
 /// A square matrix that maps states of type `S` to states.
 pub trait Matrix<S>: Copy + PartialEq + Debug + Send + 'static {
@@ -38,12 +36,63 @@ pub trait Matrix<S>: Copy + PartialEq + Debug + Send + 'static {
     fn solve(factored: &Self::Factored, b: &S) -> Option<S>;
 }
 
-impl<const N: usize> Matrix<[f64; N]> for SMatrix<f64, N, N>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-    [f64; N]: State,
-{
-    type Factored = LU<f64, Const<N>, Const<N>>;
+/// A square matrix as the product of a lower and an upper triangle, its rows interchanged.
+///
+/// nalgebra's own takes a bound on every size, which each generic model would have to repeat.
+#[derive(Clone, Copy, Debug)]
+pub struct Factors<const N: usize> {
+    /// Row by row: the upper triangle with the diagonal, and below it the factors of elimination.
+    rows: [[f64; N]; N],
+    /// Which row of the matrix stands in each place.
+    order: [usize; N],
+}
+
+impl<const N: usize> Factors<N> {
+    /// Factors `rows`, with partial pivoting.
+    #[inline]
+    fn new(mut rows: [[f64; N]; N]) -> Self {
+        let mut order = core::array::from_fn(|index| index);
+        for step in 0..N {
+            let size = |row: usize| rows[row][step].abs();
+            let pivot =
+                (step..N).fold(step, |best, row| if size(row) > size(best) { row } else { best });
+            rows.swap(step, pivot);
+            order.swap(step, pivot);
+            let top = rows[step];
+            for row in rows.iter_mut().skip(step + 1) {
+                let factor = row[step] / top[step];
+                row[step] = factor;
+                row.iter_mut()
+                    .zip(&top)
+                    .skip(step + 1)
+                    .for_each(|(it, upper)| *it -= factor * upper);
+            }
+        }
+        Self { rows, order }
+    }
+
+    /// Solves for `b`; `None` if the matrix is singular.
+    #[inline]
+    fn solve(&self, b: &[f64; N]) -> Option<[f64; N]> {
+        let mut x = self.order.map(|row| b[row]);
+        for index in 0..N {
+            let known: f64 = self.rows[index].iter().zip(&x).take(index).map(|(a, x)| a * x).sum();
+            x[index] -= known;
+        }
+        for index in (0..N).rev() {
+            let (row, pivot) = (&self.rows[index], self.rows[index][index]);
+            let known: f64 = row.iter().zip(&x).skip(index + 1).map(|(a, x)| a * x).sum();
+            x[index] = (x[index] - known) / pivot;
+            if pivot == 0.0 {
+                return None;
+            }
+        }
+        Some(x)
+    }
+}
+
+impl<const N: usize> Matrix<[f64; N]> for SMatrix<f64, N, N> {
+    type Factored = Factors<N>;
 
     const ONE: Self = unit();
 
@@ -80,16 +129,15 @@ where
     }
 
     #[inline]
-    fn factor(&self, a: f64) -> Self::Factored {
-        (Self::identity() - self * a).lu()
+    fn factor(&self, a: f64) -> Factors<N> {
+        let unit = |row, column| if row == column { 1.0 } else { 0.0 };
+        let entry = |row, column| unit(row, column) - a * self[(row, column)];
+        Factors::new(core::array::from_fn(|row| core::array::from_fn(|column| entry(row, column))))
     }
 
     #[inline]
-    fn solve(factored: &Self::Factored, b: &[f64; N]) -> Option<[f64; N]> {
-        let mut x = SVector::<f64, N>::from(*b);
-        // Written out: without std nothing but the bounds on this impl tells the shapes.
-        let is_regular = factored.solve_mut::<Const<N>, Const<1>, ArrayStorage<f64, N, 1>>(&mut x);
-        is_regular.then(|| x.into())
+    fn solve(factored: &Factors<N>, b: &[f64; N]) -> Option<[f64; N]> {
+        factored.solve(b)
     }
 }
 

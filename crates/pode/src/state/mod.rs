@@ -4,9 +4,9 @@ mod matrix;
 
 use core::fmt::Debug;
 
-use nalgebra::{Const, DimMin, SMatrix};
+use nalgebra::SMatrix;
 
-pub use matrix::Matrix;
+pub use matrix::{Factors, Matrix};
 
 /// A state vector of fixed size: coordinates first, speeds after.
 pub trait State: Copy + PartialEq + Debug + Send + 'static {
@@ -24,6 +24,10 @@ pub trait State: Copy + PartialEq + Debug + Send + 'static {
     #[must_use]
     fn times(&self, a: f64) -> Self;
 
+    /// Returns the magnitude of each entry.
+    #[must_use]
+    fn magnitudes(&self) -> Self;
+
     /// Returns the first `n` entries of `self` followed by the rest of `tail`.
     #[must_use]
     fn head_of(&self, n: usize, tail: &Self) -> Self;
@@ -36,10 +40,7 @@ pub trait State: Copy + PartialEq + Debug + Send + 'static {
     fn entries(&self) -> &[f64];
 }
 
-impl<const N: usize> State for [f64; N]
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+impl<const N: usize> State for [f64; N] {
     type Matrix = SMatrix<f64, N, N>;
 
     const ZERO: Self = [0.0; N];
@@ -52,6 +53,11 @@ where
     #[inline]
     fn times(&self, a: f64) -> Self {
         core::array::from_fn(|i| a * self[i])
+    }
+
+    #[inline]
+    fn magnitudes(&self) -> Self {
+        self.map(f64::abs)
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! Any of the methods, chosen at run time.
 
-use crate::dense::{Cubic, Dense, Polynomial};
+use crate::dense::{Cubic, Dense, DenseBounds, Polynomial};
 use crate::nature::Nature;
 use crate::state::State;
 use crate::stepper::{
@@ -37,6 +37,15 @@ impl<S: State> Dense<S> for AnyDense<S> {
             Self::Quartic(dense) => dense.end(),
             Self::Flow(dense) => dense.end(),
             Self::Eighth(dense) => dense.end(),
+        }
+    }
+
+    fn bounds(&self) -> Option<DenseBounds<S>> {
+        match self {
+            Self::Cubic(dense) => dense.bounds(),
+            Self::Quartic(dense) => dense.bounds(),
+            Self::Flow(dense) => dense.bounds(),
+            Self::Eighth(dense) => dense.bounds(),
         }
     }
 }
@@ -243,9 +252,9 @@ macro_rules! any {
                 }
             }
 
-            fn aims(&self) -> bool {
+            fn aims(&self, nature: &Nature) -> bool {
                 match self {
-                    $(Self::$name(stepper) => stepper.aims()),+
+                    $(Self::$name(stepper) => stepper.aims(nature)),+
                 }
             }
 

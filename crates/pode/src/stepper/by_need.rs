@@ -196,6 +196,11 @@ impl Stepper for ByNeed {
     }
 
     #[inline]
+    fn aims(&self, nature: &Nature) -> bool {
+        self.choice(nature, f64::INFINITY).method == NeededMethod::Rk4
+    }
+
+    #[inline]
     fn longest_step(&self, nature: &Nature, own: f64) -> f64 {
         self.choice(nature, own).step
     }

@@ -2,6 +2,7 @@
 
 use crate::dense::Dense as _;
 use crate::math::{powf, sqrt};
+use crate::nature::Nature;
 use crate::state::State;
 use crate::stepper::{Field, Memory, Step, Stepper};
 
@@ -139,8 +140,8 @@ impl<T: Stepper> Stepper for Controlled<T> {
         step
     }
 
-    fn aims(&self) -> bool {
-        self.method.aims()
+    fn aims(&self, nature: &Nature) -> bool {
+        self.method.aims(nature)
     }
 
     fn is_smooth_inside(&self) -> bool {

@@ -1,6 +1,6 @@
 //! The exact flow of linear modes.
 
-use crate::dense::{Dense, Polynomial};
+use crate::dense::{Dense, DenseBounds, Polynomial};
 use crate::nature::{EquationKind, Nature};
 use crate::state::Matrix as _;
 use crate::state::State;
@@ -81,6 +81,11 @@ impl<T: Stepper> Stepper for Exact<T> {
         if let Either::Right(dense) = dense {
             self.other.refine(field, &memory.other, dense, h);
         }
+    }
+
+    #[inline]
+    fn aims(&self, nature: &Nature) -> bool {
+        !nature.is_linear() && self.other.aims(nature)
     }
 
     #[inline]
@@ -216,6 +221,14 @@ impl<S, A: Dense<S>, B: Dense<S>> Dense<S> for Either<A, B> {
         match self {
             Self::Left(dense) => dense.end(),
             Self::Right(dense) => dense.end(),
+        }
+    }
+
+    #[inline]
+    fn bounds(&self) -> Option<DenseBounds<S>> {
+        match self {
+            Self::Left(dense) => dense.bounds(),
+            Self::Right(dense) => dense.bounds(),
         }
     }
 }

@@ -135,10 +135,10 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     ) {
     }
 
-    /// Whether a step is made to end behind an expected event: the end is of a higher order than
-    /// the dense output.
+    /// Whether a step in a mode of this `nature` is made to end behind an expected event: its end
+    /// is of a higher order than the dense output.
     #[inline]
-    fn aims(&self) -> bool {
+    fn aims(&self, _nature: &Nature) -> bool {
         Self::DENSE < Self::ORDER
     }
 

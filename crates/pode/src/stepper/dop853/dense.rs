@@ -3,7 +3,7 @@
 use super::moved;
 use super::tableau::{A13, A14, A15, D0, D1, D2, D3, NODES};
 use super::weighed;
-use crate::dense::Dense;
+use crate::dense::{Dense, DenseBounds};
 use crate::state::State;
 use crate::stepper::Field;
 
@@ -59,5 +59,33 @@ impl<S: State> Dense<S> for Dense8<S> {
 
     fn end(&self) -> &S {
         &self.end
+    }
+
+    /// Sums of the coefficients' magnitudes, each times the most that its product of τ and σ and
+    /// the derivatives of that product reach; not before it is refined.
+    fn bounds(&self) -> Option<DenseBounds<S>> {
+        /// Of τ, τσ, τ²σ, τ²σ², τ³σ², τ³σ³ and τ⁴σ³: most of each, of its first and its second
+        /// derivative, rounded up.
+        const MOST: [[f64; 3]; 7] = [
+            [1.0, 1.0, 0.0],
+            [0.25, 1.0, 2.0],
+            [0.1482, 1.0, 4.0],
+            [0.0625, 0.1925, 2.0],
+            [0.0346, 0.1356, 2.0],
+            [0.0157, 0.0537, 0.3751],
+            [0.0084, 0.0336, 0.2427],
+        ];
+        if self.used < 8 {
+            return None;
+        }
+        let zero = DenseBounds { moves: S::ZERO, speeds: S::ZERO, bends: S::ZERO };
+        Some(self.terms[1..].iter().zip(MOST).fold(zero, |sum, (term, [move_, speed, bend])| {
+            let size = term.magnitudes();
+            DenseBounds {
+                moves: sum.moves.plus(move_, &size),
+                speeds: sum.speeds.plus(speed, &size),
+                bends: sum.bends.plus(bend, &size),
+            }
+        }))
     }
 }

@@ -18,8 +18,8 @@ use bytes::Bytes;
 use effect::Effect;
 use motion::ModePart;
 use pode::{
-    GuardId, GuardSpec, GuardValue, Guarded, MAX_GUARDS, Model, Motion, Nature, Reset, Resets,
-    State,
+    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, MAX_GUARDS, Model, Motion,
+    Nature, Reset, Resets, State,
 };
 use trouble::Trouble;
 
@@ -164,8 +164,13 @@ impl Guarded for Adversary<'_> {
         if is_forgotten { &[] } else { self.lists[usize::from(mode % MODES)] }
     }
 
-    fn curvature_bound(&self, _: u8, guard: GuardId) -> f64 {
-        self.part(guard).bound
+    fn guard_bound(
+        &self,
+        _: u8,
+        guard: GuardId,
+        over: &Enclosure<[f64; STATE], Motion>,
+    ) -> GuardBound {
+        over.entry(usize::from(guard.0) % STATE).plus(over.position()).times(self.part(guard).bound)
     }
 
     fn guard(&self, mode: u8, id: GuardId, x: &[f64; STATE], input: &Motion) -> GuardValue {

@@ -79,7 +79,7 @@ fn work_is_bounded<T: Stepper>(tick: &Tick, limits: &Limits) {
     assert!(work.derivatives <= limits.most_derivatives::<T>(), "{tick:?}");
     assert!(work.jacobians <= limits.most_jacobians::<T>(), "{tick:?}");
     assert!(work.readouts <= limits.most_readouts::<T>(), "{tick:?}");
-    assert!(work.certified + work.likely + work.unknown <= work.pieces, "{tick:?}");
+    assert!(work.certain + work.unknown <= work.pieces, "{tick:?}");
 }
 
 /// The counts are those of the calls that the model really got.
