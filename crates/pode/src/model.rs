@@ -53,6 +53,13 @@ pub trait Model {
         f64::INFINITY
     }
 
+    /// Longest step (s) from `x` on, where that depends on the state: a felt that is pressed hard
+    /// is stiffer than the mode's usual motion shows. At most [`longest_step`](Self::longest_step).
+    #[inline]
+    fn longest_step_at(&self, mode: Self::Mode, _x: &Self::State, _input: &Self::Input) -> f64 {
+        self.longest_step(mode)
+    }
+
     /// Returns `x` with the coordinates that `mode` slaves to the input put in place.
     fn constrain(&self, _mode: Self::Mode, x: &Self::State, _input: &Self::Input) -> Self::State {
         *x

@@ -140,14 +140,19 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// Whether a measured sequence is known well enough to be taken in one move to `resting`:
     /// to a part of the tick, or as well as the tick's last events allow.
-    fn is_sure<S, W>(&self, run: &TickRun<'_, S, W>, resting: M::Mode, end: &Accumulation) -> bool {
+    fn is_sure<S: Signal<M::Input>, W>(
+        &self,
+        run: &TickRun<'_, S, W>,
+        resting: M::Mode,
+        end: &Accumulation,
+    ) -> bool {
         /// 1 ns at 1 ms.
         const PART: f64 = 1.0 / 1_048_576.0;
         /// Events kept back for what comes after the impacts.
         const SPARE: u32 = 2;
         let is_exact = end.error <= PART * run.h;
         let is_last = run.work.events + SPARE >= run.limits.events;
-        let own = self.model.longest_step(resting);
+        let own = self.model.longest_step_at(resting, &self.state, &run.input());
         let longest = self.stepper.longest_step(&self.model.nature(resting), own);
         let has_piece = run.work.pieces < run.limits.pieces;
         (is_exact || is_last) && has_piece && end.after.min(run.rest()) <= longest

@@ -3,6 +3,7 @@
 
 use super::Simulator;
 use crate::epoch::Stand;
+use crate::input::Signal;
 use crate::math;
 use crate::model::Resets;
 use crate::run::TickRun;
@@ -11,7 +12,7 @@ use crate::stepper::{Memory as _, Stepper};
 impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Where the step that begins now ends.
     #[inline]
-    pub(super) fn step_end<S, W>(&self, run: &mut TickRun<'_, S, W>) -> f64 {
+    pub(super) fn step_end<S: Signal<M::Input>, W>(&self, run: &mut TickRun<'_, S, W>) -> f64 {
         let end = self.line(run);
         // Where the dense output is as good as the end there is nothing to gain.
         let may_aim = run.limits.forecast
@@ -41,12 +42,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// The next line of the mode's grid, or as far as the method reaches.
     #[inline]
-    fn line<S, W>(&self, run: &TickRun<'_, S, W>) -> f64 {
+    fn line<S: Signal<M::Input>, W>(&self, run: &TickRun<'_, S, W>) -> f64 {
         /// A rest shorter than this part of a step joins the next one.
         const CRUMB: f64 = 1e-9;
         /// More lines than any tick can have pieces.
         const MOST_LINES: f64 = 1e12;
-        let own = self.model.longest_step(self.mode);
+        let own = self.model.longest_step_at(self.mode, &self.state, &run.input());
         let longest = self
             .stepper
             .longest_step(&self.model.nature(self.mode), own)
