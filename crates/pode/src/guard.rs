@@ -13,6 +13,11 @@ pub struct GuardId(pub u8);
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fires {
     /// Whenever it is negative: a mode entered with the wrong sign is left at once.
+    ///
+    /// Once for each time that it becomes so: where its own reset map stays in the mode and leaves
+    /// it negative, it has fired and fires again only after it has been positive, or where it sinks
+    /// further and the reset map would turn it. [`Work::ineffective`](crate::Work::ineffective)
+    /// counts such resets.
     WhileNegative,
     /// On a crossing from above only: a mode may be entered with it negative.
     OnCrossing,

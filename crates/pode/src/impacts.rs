@@ -1,19 +1,19 @@
-//! Impacts of one guard, as they come: whether they accumulate, where, and with what impulse.
+//! Impacts that would come to rest in one mode, as they come: whether they accumulate, where, and with what impulse.
 //!
 //! A bouncing thing meets its floor at ever shorter intervals. If these shrink like a geometric
 //! sequence, or ever more like one, infinitely many of them fit into a finite time (Zeno); if
 //! they tend to a constant, they do not, however much they shrink at first: a pendulum against
 //! a wall keeps its period. Aitken's Δ² tells the two apart: it is the limit of the intervals.
 
-use crate::guard::GuardId;
-
 /// Changes of a ratio below this may be rounding: an interval is known to some 1e-9 of it.
 const NOISE: f64 = 1e-6;
 
-/// The latest impacts of one guard.
+/// The latest impacts that would come to rest in one mode, whichever guards fired.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Impacts {
-    guard: Option<GuardId>,
+pub(crate) struct Impacts<M> {
+    resting: Option<M>,
+    /// Time from the latest one (s) to the end that was declared then; infinite if none was.
+    declared: f64,
     /// Time since the latest one (s).
     since: f64,
     /// Times between them (s), newest first; 0 where there was none yet.
@@ -35,9 +35,14 @@ pub(crate) struct Accumulation {
     pub(crate) impulse: f64,
 }
 
-impl Impacts {
-    pub(crate) const NONE: Self =
-        Self { guard: None, since: 0.0, intervals: [0.0; 4], impulses: [0.0; 4] };
+impl<M: Copy + PartialEq> Impacts<M> {
+    pub(crate) const NONE: Self = Self {
+        resting: None,
+        declared: f64::INFINITY,
+        since: 0.0,
+        intervals: [0.0; 4],
+        impulses: [0.0; 4],
+    };
 
     /// Time passes (s).
     #[inline]
@@ -45,15 +50,26 @@ impl Impacts {
         self.since += dt;
     }
 
-    /// The guard has thrown something back, with this impulse.
-    pub(crate) fn strike(&mut self, guard: GuardId, impulse: f64) {
-        if self.guard == Some(guard) {
+    /// Something was thrown back with this impulse that would come to rest in the mode `resting`.
+    pub(crate) fn strike(&mut self, resting: M, impulse: f64) {
+        if self.resting == Some(resting) {
             self.intervals = pushed(self.intervals, self.since);
         } else {
-            *self = Self { guard: Some(guard), ..Self::NONE };
+            *self = Self { resting: Some(resting), ..Self::NONE };
         }
         self.impulses = pushed(self.impulses, impulse);
         self.since = 0.0;
+    }
+
+    /// The end of all impacts is declared to come `after` (s) the one that has just happened, each
+    /// interval `ratio` times the one before; returns how far that may be wrong (s), by how far
+    /// the declaration at the impact before was. Infinite at the first one.
+    pub(crate) fn declare(&mut self, resting: M, after: f64, ratio: f64) -> f64 {
+        let is_known = self.resting == Some(resting);
+        let before = if is_known { self.declared - self.since } else { f64::INFINITY };
+        *self = Self { resting: Some(resting), declared: after, ..Self::NONE };
+        // Whatever moves the end from impact to impact shrinks with their speed at least.
+        (after - before).abs() * ratio / (1.0 - ratio)
     }
 
     /// Where the impacts accumulate, if they do.
@@ -118,10 +134,10 @@ mod tests {
     /// What is made of impacts at these intervals, each with this impulse.
     fn after(intervals: &[f64], impulses: &[f64]) -> Option<Accumulation> {
         let mut impacts = Impacts::NONE;
-        impacts.strike(GuardId(0), impulses[0]);
+        impacts.strike((), impulses[0]);
         for (interval, impulse) in intervals.iter().zip(&impulses[1..]) {
             impacts.pass(*interval);
-            impacts.strike(GuardId(0), *impulse);
+            impacts.strike((), *impulse);
         }
         impacts.accumulation()
     }
@@ -169,5 +185,17 @@ mod tests {
         }
         assert_eq!(after(&[1.0; 4], &[1.0; 5]), None);
         assert_eq!(after(&[1.0, 1.1, 1.2, 1.3], &[1.0; 5]), None, "they grow");
+    }
+
+    #[test]
+    fn a_declared_end_is_as_wrong_as_the_declaration_before_was() {
+        let mut impacts = Impacts::NONE;
+        assert!(impacts.declare((), 1.0, 0.5).is_infinite(), "the first one");
+        impacts.pass(0.5);
+        // Half a second later half a second is left, and a hundredth more is said now.
+        let error = impacts.declare((), 0.51, 0.5);
+        assert!((error - 0.01).abs() < 1e-15, "{error}");
+        impacts.pass(0.255);
+        assert!(impacts.declare((), 0.255, 0.5) < 1e-16, "as it was said");
     }
 }

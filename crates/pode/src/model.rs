@@ -5,6 +5,7 @@ use core::fmt::Debug;
 use crate::enclosure::{Enclosure, GuardBound};
 use crate::guard::{GuardId, GuardSpec, GuardValue};
 use crate::nature::Nature;
+use crate::part::Part;
 use crate::state::State;
 use crate::stepper::{differences, unit_differences};
 
@@ -24,6 +25,29 @@ pub trait Model {
 
     /// Returns the derivative of `x` in `mode`. `[GC93]` eq. 6.
     fn derivative(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> Self::State;
+
+    /// Parts of the state that move by equations in `mode` and do not touch each other, at most
+    /// [`MAX_PARTS`](crate::MAX_PARTS).
+    ///
+    /// What is in no part is slaved: [`constrain`](Self::constrain) puts it in place, and no method
+    /// integrates it. A mode without parts has no degree of freedom, and takes no derivative.
+    #[inline]
+    fn parts(&self, _mode: Self::Mode) -> &[Part] {
+        &[Part::WHOLE]
+    }
+
+    /// Returns the derivative of the entries of the part `index` in `mode`; the others may be
+    /// anything.
+    #[inline]
+    fn derivative_of(
+        &self,
+        mode: Self::Mode,
+        _index: usize,
+        x: &Self::State,
+        input: &Self::Input,
+    ) -> Self::State {
+        self.derivative(mode, x, input)
+    }
 
     /// Returns the readout in `mode`: the generalised force on what drives the input.
     /// `[GC93]` eq. 7.
@@ -63,6 +87,13 @@ pub trait Model {
     /// Returns `x` with the coordinates that `mode` slaves to the input put in place.
     fn constrain(&self, _mode: Self::Mode, x: &Self::State, _input: &Self::Input) -> Self::State {
         *x
+    }
+
+    /// How far an event that leads to `mode` may move a coordinate onto a constraint, in the unit
+    /// of that coordinate; farther is a fault. Switching to a constraint that the state does not
+    /// meet is where rigid models become unstable. `[GC93]` §6
+    fn longest_projection(&self, _mode: Self::Mode) -> f64 {
+        f64::INFINITY
     }
 }
 

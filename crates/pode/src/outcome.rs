@@ -37,6 +37,9 @@ pub enum Fault {
     Guard,
     /// The readout or an impulse left the set of finite numbers.
     Readout,
+    /// An event moved a coordinate onto its constraint by more than
+    /// [`Model::longest_projection`](crate::Model::longest_projection).
+    Projection,
 }
 
 /// Evaluations that a tick took; independent of the machine.
@@ -44,8 +47,10 @@ pub enum Fault {
 pub struct Work {
     /// Steps and parts of steps.
     pub pieces: u32,
-    /// Evaluations of the derivative, those for a Jacobian apart.
+    /// Evaluations of the derivative, of each part on its own, those for a Jacobian apart.
     pub derivatives: u32,
+    /// Rates of the state's entries in these evaluations: of a part only its own entries count.
+    pub rates: u32,
     /// Evaluations of the Jacobian.
     pub jacobians: u32,
     /// Evaluations of one guard each.
@@ -53,6 +58,10 @@ pub struct Work {
     /// Evaluations of the readout.
     pub readouts: u32,
     pub events: u32,
+    /// Events whose reset map left the guard that had fired below zero or falling from it, in the
+    /// same mode: it does not fire again until it has been positive. A reset map with a wrong sign
+    /// does so.
+    pub ineffective: u32,
     /// Steps in which no root of a guard can have been missed: each guard is bounded, and the
     /// bound leaves no room for one on the orbit as it was computed.
     pub certain: u32,
@@ -83,10 +92,12 @@ impl Work {
         Self {
             pieces: self.pieces + other.pieces,
             derivatives: self.derivatives + other.derivatives,
+            rates: self.rates + other.rates,
             jacobians: self.jacobians + other.jacobians,
             guards: self.guards + other.guards,
             readouts: self.readouts + other.readouts,
             events: self.events + other.events,
+            ineffective: self.ineffective + other.ineffective,
             certain: self.certain + other.certain,
             unknown: self.unknown + other.unknown,
         }
@@ -105,5 +116,8 @@ pub struct Tick {
     pub impulse: f64,
     /// Largest local error that the stepper estimated; 0 if it has no estimate.
     pub local_error: f64,
+    /// How far an event moved a coordinate onto the constraint of the mode that it led to, at
+    /// most, in the unit of that coordinate; 0 where nothing is slaved.
+    pub projection: f64,
     pub work: Work,
 }

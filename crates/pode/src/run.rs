@@ -29,6 +29,8 @@ pub(crate) struct TickRun<'a, S, W> {
     pub(crate) impulse: f64,
     pub(crate) readout: Option<f64>,
     pub(crate) local_error: f64,
+    /// How far a coordinate was moved onto a constraint at an event, at most.
+    pub(crate) projection: f64,
     pub(crate) advance: Advance,
 }
 
@@ -49,6 +51,7 @@ impl<'a, S, W> TickRun<'a, S, W> {
             impulse: 0.0,
             readout: None,
             local_error: 0.0,
+            projection: 0.0,
             advance: Advance::Completed,
         }
     }
@@ -89,6 +92,17 @@ impl<'a, S, W> TickRun<'a, S, W> {
         self.advance = Advance::Capped(cap);
     }
 
+    /// The maximum that one more event would exceed.
+    pub(crate) const fn most_events(&self) -> Option<Cap> {
+        if self.cascade >= self.limits.cascade {
+            Some(Cap::Cascade)
+        } else if self.work.events >= self.limits.events {
+            Some(Cap::Events)
+        } else {
+            None
+        }
+    }
+
     pub(crate) fn fail(&mut self, fault: Fault) {
         self.advance = Advance::Faulty(fault);
     }
@@ -125,6 +139,7 @@ impl<'a, S, W> TickRun<'a, S, W> {
             end_readout,
             impulse: self.impulse,
             local_error: self.local_error,
+            projection: self.projection,
             work: self.work,
         }
     }

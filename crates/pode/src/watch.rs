@@ -112,6 +112,11 @@ pub struct Event<'a, M: Model> {
     pub input: M::Input,
     /// Impulse on what drives the input (readout × s).
     pub impulse: f64,
+    /// How far its time may be wrong on the orbit as it was computed (s): the width to which it
+    /// was located, or what the impacts of a sequence leave open.
+    pub error: f64,
+    /// How far a coordinate was moved onto the constraint of the mode after it, at most.
+    pub projection: f64,
 }
 
 /// Follows a simulation; everything is optional.

@@ -32,7 +32,7 @@ fn chosen_by_name_a_method_is_itself_to_the_last_bit() {
     check(Tsitouras5, named("tsitouras5"));
     check(Dop853, named("dop853"));
     check(Rodas4, named("rodas4"));
-    check(Exact::<Rk4>::default(), named("exact"));
+    check(Exact, named("exact"));
     check(ByNeed::default(), named("by-need"));
 }
 

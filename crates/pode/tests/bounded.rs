@@ -69,6 +69,7 @@ fn work_of_typical_ticks() {
     let tick = |pieces, derivatives, guards, readouts, events| Work {
         pieces,
         derivatives,
+        rates: 2 * derivatives,
         guards,
         readouts,
         events,

@@ -6,7 +6,7 @@
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
-use pode::stepper::{Exact, Rk4};
+use pode::stepper::Exact;
 use pode::{
     EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset, Resets,
     Simulator,
@@ -90,7 +90,7 @@ fn check<M: Resets<Input = ()> + Copy>(what: &str, start: Simulator<M, Exact>) {
 #[test]
 fn a_contact_does_not_depend_on_how_ticks_cut_it() {
     for [k, ..] in CONTACTS {
-        check(&format!("k {k}"), Head { k }.dropped(Exact::<Rk4>::default()));
+        check(&format!("k {k}"), Head { k }.dropped(Exact));
     }
 }
 
@@ -98,7 +98,7 @@ fn a_contact_does_not_depend_on_how_ticks_cut_it() {
 fn a_bouncing_mass_does_not_either() {
     for (omega, wall) in [(3.0, 0.0), (20.0, -0.4), (50.0, 0.0)] {
         let model = Springy { omega, wall, restitution: 0.9 };
-        let exact = Exact::<Rk4>::default();
+        let exact = Exact;
         let start = Simulator::new(model, exact, Limits::default(), (), [1.0, 0.5]);
         check(&format!("{model:?}"), start);
     }

@@ -3,7 +3,7 @@
 //! What counts in a Taylor series is counted against the series, not against its sum: an
 //! entry that comes to zero within rounding would have terms that count for ever.
 
-use pode::stepper::{Exact, Rk4};
+use pode::stepper::Exact;
 use pode::{
     Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
     Resets, Silent, Simulator,
@@ -58,7 +58,7 @@ fn a_step_that_ends_at_zero_ends() {
         // Place, or speed, at zero after h; and within a few roundings of it.
         for (x, v) in [(-h.sin(), h.cos()), (h.cos(), h.sin())] {
             for x in [x, x.next_up(), x.next_down()] {
-                let exact = Exact::<Rk4>::default();
+                let exact = Exact;
                 let mut it = Simulator::new(Swing, exact, Limits::default(), (), [x, v]);
                 let tick = it.advance(h, &|_| (), &mut Silent);
                 assert_eq!(tick.advance, Advance::Completed, "h {h}, from {x}, {v}");
@@ -73,7 +73,7 @@ fn a_step_that_ends_at_zero_ends() {
 #[test]
 fn millions_of_steps_end_at_any_stiffness() {
     for [k, ..] in CONTACTS {
-        let mut head = Head { k }.dropped(Exact::<Rk4>::default());
+        let mut head = Head { k }.dropped(Exact);
         for n in 0..1_500_000_u32 {
             let advance = head.advance(7e-3, &|_| (), &mut Silent).advance;
             assert_eq!(advance, Advance::Completed, "k {k}, tick {n}");

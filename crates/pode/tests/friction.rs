@@ -287,7 +287,7 @@ fn a_block_at_the_very_end_of_its_dead_band_stays_there() {
 
 #[test]
 fn on_the_exact_flow_sticks_and_slips_are_known_to_rounding() {
-    let exact = Exact::<Rk4>::default();
+    let exact = Exact;
     let block = Block { limit: 2.0, ..Block::coulomb(0.5, 80.0, 1.2) };
     let (speed, omega) = (0.15, block.omega());
     let a = (block.limit - block.kinetic) / block.k;

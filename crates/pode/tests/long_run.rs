@@ -63,7 +63,7 @@ fn drift([x, v]: [f64; 2]) -> f64 {
 #[test]
 fn c9_ten_thousand_seconds_on_the_exact_flow_keep_energy_and_time() {
     let ([k, _, _, period], h) = (CONTACTS[1], 7e-3);
-    let mut head = Head { k }.dropped(Exact::<Rk4>::default());
+    let mut head = Head { k }.dropped(Exact);
     let mut count = Count::of("touch", h);
     run_for(&mut head, &mut count, 1e4, |mode| mode == Mode::Flight);
     close("energy", drift(*head.state()), 0.0, 1e-9);
@@ -79,7 +79,7 @@ fn c9_ten_thousand_seconds_on_the_exact_flow_keep_energy_and_time() {
 fn c9_at_every_step_for_a_thousand_seconds() {
     let [k, _, _, period] = CONTACTS[1];
     for h in STEPS {
-        let mut head = Head { k }.dropped(Exact::<Rk4>::default());
+        let mut head = Head { k }.dropped(Exact);
         let mut count = Count::of("touch", h);
         run_for(&mut head, &mut count, 1e3, |mode| mode == Mode::Flight);
         // A step adds g h to the speed: half an ulp of 0.5 m/s at worst, in one direction.
@@ -113,7 +113,7 @@ fn an_hour_of_stick_and_slip_keeps_its_period() {
     for h in [1e-3, 7e-3] {
         let model = Filippov(StickSlip { nature: Nature::new(EquationKind::Affine, 10.0) });
         let (mode, state) = model.start(&[0.0, 0.1], &());
-        let exact = Exact::<Rk4>::default();
+        let exact = Exact;
         let mut it = Simulator::new(model, exact, Limits::default(), mode, state);
         let mut count = Count::of("leaves downwards", h);
         run_for(&mut it, &mut count, 3600.0, |mode| mode == filippov::Mode::Sliding);

@@ -119,7 +119,7 @@ fn short_steps_reach_the_most_pieces_derivatives_and_jacobians() {
     check_steps(LinearImplicitMidpoint, stiff);
     check_steps(ExponentialRosenbrock, smooth);
     check_steps(Exprb32, smooth);
-    check_steps(Exact::<Rk4>::default(), linear);
+    check_steps(Exact, linear);
     check_steps(ByNeed::default(), stiff);
     assert_eq!(LIMITS.most_derivatives::<Rk4>(), 4096);
 }

@@ -188,6 +188,7 @@ fn a_step_takes_its_stated_evaluations() {
             let expected = Work {
                 pieces: steps,
                 derivatives,
+                rates: 3 * derivatives,
                 jacobians: jacobians * steps,
                 guards: steps,
                 readouts: 2 * steps + 1,

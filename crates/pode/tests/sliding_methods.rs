@@ -63,7 +63,7 @@ methods! {
     linear_implicit_midpoint: LinearImplicitMidpoint;
     exponential_rosenbrock: ExponentialRosenbrock;
     exprb32: Exprb32;
-    exact: Exact<Rk4>;
+    exact: Exact;
     dop853: Dop853;
     controlled: Controlled<Tsitouras5>;
     by_need: ByNeed;

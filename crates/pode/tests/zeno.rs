@@ -132,8 +132,7 @@ fn hundreds_of_bounces_in_one_tick_are_a_handful_of_events() {
     // e = 0.99: a second of bouncing once they are 1 ms apart, in ticks of 0.1 s.
     let ball = Soft { e0: 0.99, v0: f64::INFINITY };
     let start = [0.0, 0.5 * G * 1e-3];
-    let mut simulator =
-        Simulator::new(ball, Exact::<Rk4>::default(), Limits::default(), Mode::Flight, start);
+    let mut simulator = Simulator::new(ball, Exact, Limits::default(), Mode::Flight, start);
     let (recorder, ticks) = run(&mut simulator, 0.1, 0.0, 0.3);
     all_completed(&ticks);
     let last = recorder.seen.last().expect("an event");
@@ -197,7 +196,7 @@ fn impacts_whose_interval_tends_to_a_constant_are_never_settled() {
             // A wall at rest, and one just short of it, from which the spring pulls away.
             for wall in [0.0, -1e-3] {
                 let limits = Limits { longest_step: 0.1, followed: 0, ..Limits::default() };
-                let exact = Exact::<Rk4>::default();
+                let exact = Exact;
                 let start = [1.0, 0.0];
                 let mut it =
                     Simulator::new(Springy { e, wall }, exact, limits, Mode::Flight, start);
@@ -212,7 +211,7 @@ fn impacts_whose_interval_tends_to_a_constant_are_never_settled() {
 #[test]
 fn a_spring_that_presses_comes_to_rest_on_its_wall() {
     for e in [0.3, 0.8] {
-        let exact = Exact::<Rk4>::default();
+        let exact = Exact;
         let model = Springy { e, wall: 0.5 };
         // The same impacts, each arc in closed form: x = A cos(t + φ) above the wall.
         let mut v = (1.0_f64 - 0.25).sqrt();

@@ -1,8 +1,8 @@
 //! The bouncing ball's equations, by hand, in the form that generated ones will take.
 
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Reset,
-    Resets, Settling, Sloped,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Part,
+    Reset, Resets, Settling, Sloped,
 };
 
 use super::{BouncingBall, Mode};
@@ -62,11 +62,16 @@ impl Model for BouncingBall {
     type Input = Motion;
     const COORDS: usize = 1;
 
-    fn derivative(&self, mode: Mode, x: &[f64; 2], s: &Motion) -> [f64; 2] {
+    /// At rest the ball goes where the floor goes.
+    fn parts(&self, mode: Mode) -> &[Part] {
         match mode {
-            Mode::Flight => [x[1], -self.g],
-            Mode::Rest => [s.rate, s.acceleration],
+            Mode::Flight => &[Part::WHOLE],
+            Mode::Rest => &[],
         }
+    }
+
+    fn derivative(&self, _mode: Mode, x: &[f64; 2], _s: &Motion) -> [f64; 2] {
+        [x[1], -self.g]
     }
 
     /// A parabola in flight; the floor's own motion on it.

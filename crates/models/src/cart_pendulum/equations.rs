@@ -2,7 +2,7 @@
 
 use pode::math::{sin_cos, sqrt};
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Part,
     ReadoutSlopes, Reset, Resets, Settling, Sloped,
 };
 
@@ -165,6 +165,14 @@ impl Model for CartPendulum {
     type State = [f64; 4];
     type Input = Motion;
     const COORDS: usize = 2;
+
+    /// A wall that holds the cart leaves the pendulum.
+    fn parts(&self, mode: Mode) -> &[Part] {
+        match mode {
+            Mode::Free => &[Part::WHOLE],
+            Mode::Left | Mode::Right => const { &[Part::of(&[1, 3])] },
+        }
+    }
 
     fn derivative(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> [f64; 4] {
         let dynamics = self.dynamics(x, s);

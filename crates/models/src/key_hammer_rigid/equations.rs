@@ -2,7 +2,7 @@
 
 use pode::math::{cos, sin, sqrt};
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Reset,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Part, Reset,
     Resets, Sloped,
 };
 
@@ -59,17 +59,19 @@ impl Model for KeyHammerRigid {
     type Input = Motion;
     const COORDS: usize = 1;
 
-    fn derivative(&self, mode: Mode, x: &[f64; 2], s: &Motion) -> [f64; 2] {
+    /// On the key the hammer goes where the key goes: nothing moves by itself (`[GC93]` table 1).
+    fn parts(&self, mode: Mode) -> &[Part] {
         match mode {
-            Mode::A1 => {
-                let hammer = Coupled::on_key(&self.values, s);
-                [hammer.rate, hammer.acceleration]
-            }
-            Mode::A2 => [x[1], -self.weight(x[0]) / self.values.jh],
+            Mode::A1 => &[],
+            Mode::A2 => &[Part::WHOLE],
         }
     }
 
-    /// On the key the hammer goes where the key goes; apart it is a pendulum upside down.
+    /// The hammer apart from the key: a pendulum upside down.
+    fn derivative(&self, _mode: Mode, x: &[f64; 2], _s: &Motion) -> [f64; 2] {
+        [x[1], -self.weight(x[0]) / self.values.jh]
+    }
+
     fn nature(&self, mode: Mode) -> Nature {
         let p = &self.values;
         match mode {

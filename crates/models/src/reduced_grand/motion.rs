@@ -1,6 +1,6 @@
 //! The equations of motion: the model's derivative in each mode.
 
-use pode::{EquationKind, GuardValue, Model, Motion, Nature, ReadoutSlopes, Sloped};
+use pode::{EquationKind, GuardValue, Model, Motion, Nature, Part, ReadoutSlopes, Sloped};
 
 use super::geometry::CarriedHead;
 use super::{Mode, ReducedGrand};
@@ -108,6 +108,22 @@ impl Model for ReducedGrand {
     type State = [f64; 4];
     type Input = Motion;
     const COORDS: usize = 2;
+
+    /// A head that the key carries goes where the key puts it: the key alone moves by equations.
+    #[inline]
+    fn parts(&self, mode: Mode) -> &[Part] {
+        match mode {
+            Mode::Acc | Mode::Lo | Mode::Chk => const { &[Part::of(&[0, 2])] },
+            Mode::Fla
+            | Mode::Fll
+            | Mode::Flt
+            | Mode::Stu
+            | Mode::Stt
+            | Mode::RepH
+            | Mode::RepL
+            | Mode::Rep0 => &[Part::WHOLE],
+        }
+    }
 
     #[inline]
     fn derivative(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> [f64; 4] {

@@ -1,7 +1,7 @@
 //! The spring wall's equations, by hand, in the form that generated ones will take.
 
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature,
+    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Part,
     ReadoutSlopes, Reset, Resets, Sloped,
 };
 
@@ -33,11 +33,15 @@ impl Model for SpringWall {
     type Input = Motion;
     const COORDS: usize = 0;
 
+    /// Nothing moves but the key.
+    fn parts(&self, _mode: Mode) -> &[Part] {
+        &[]
+    }
+
     fn derivative(&self, _mode: Mode, _x: &[f64; 0], _s: &Motion) -> [f64; 0] {
         []
     }
 
-    /// Nothing moves but the key.
     fn nature(&self, _mode: Mode) -> Nature {
         Nature::new(EquationKind::Affine, 0.0)
     }

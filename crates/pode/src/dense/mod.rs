@@ -6,10 +6,22 @@ pub use polynomial::Polynomial;
 
 use core::fmt::Debug;
 
+use crate::part::Part;
 use crate::state::State;
 
 /// Dense output: the solution at any fraction of a step.
 pub trait Dense<S>: Debug {
+    /// The solution of what does not move: `x` all over the step.
+    fn still(x: &S) -> Self
+    where
+        Self: Sized;
+
+    /// The same with the entries of `part` from `other`, over the same step.
+    #[must_use]
+    fn merged(&self, other: &Self, part: &Part) -> Self
+    where
+        Self: Sized;
+
     /// The state at the fraction `tau` of the step, 0 ..= 1.
     fn at(&self, tau: f64) -> S;
 

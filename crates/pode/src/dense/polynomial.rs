@@ -1,6 +1,7 @@
 //! A polynomial per entry, of any degree up to `N − 1`.
 
 use crate::dense::{Dense, DenseBounds};
+use crate::part::Part;
 use crate::state::State;
 
 /// x(τ) = c0 + τ (c1 + τ (c2 + …)) for τ in 0 ..= 1 of a step, with at most `N` terms.
@@ -23,6 +24,15 @@ impl<S: State, const N: usize> Polynomial<S, N> {
         Self { terms, used: N, end }
     }
 
+    /// The polynomial with more terms, all zero; `M` is at least `N`.
+    pub(crate) fn lengthened<const M: usize>(&self) -> Polynomial<S, M> {
+        let mut terms = [S::ZERO; M];
+        for (term, known) in terms.iter_mut().zip(&self.terms) {
+            *term = *known;
+        }
+        Polynomial { terms, used: self.used.min(N), end: self.end }
+    }
+
     /// The same where only the first `used` terms are not zero.
     #[inline]
     #[must_use]
@@ -32,6 +42,26 @@ impl<S: State, const N: usize> Polynomial<S, N> {
 }
 
 impl<S: State, const N: usize> Dense<S> for Polynomial<S, N> {
+    #[inline]
+    fn still(x: &S) -> Self {
+        let mut terms = [S::ZERO; N];
+        if let Some(first) = terms.first_mut() {
+            *first = *x;
+        }
+        Self { terms, used: 1, end: *x }
+    }
+
+    #[inline]
+    fn merged(&self, other: &Self, part: &Part) -> Self {
+        let mut merged = *self;
+        for (term, new) in merged.terms.iter_mut().zip(&other.terms) {
+            *term = term.with_entries(new, part);
+        }
+        merged.used = self.used.max(other.used);
+        merged.end = self.end.with_entries(&other.end, part);
+        merged
+    }
+
     #[inline]
     fn at(&self, tau: f64) -> S {
         if tau >= 1.0 {

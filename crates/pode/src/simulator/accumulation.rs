@@ -5,7 +5,8 @@
 //! its impacts would come to rest ([`Reset::rests`]) and the intervals tell the rest.
 
 use super::Simulator;
-use super::field::ModeField;
+use super::parts::{Memories, ModeStep};
+use super::transition::EventReport;
 use crate::dense::Dense as _;
 use crate::guard::GuardId;
 use crate::impacts::{Accumulation, Impacts};
@@ -31,17 +32,19 @@ struct Move {
     /// Which part of the motion is left after it.
     left: f64,
     cause: EventCause<'static>,
+    /// How far the end of the sequence may be wrong (s).
+    error: f64,
 }
 
 impl Move {
     /// To the end if that lies within `rest` (s), otherwise over the impacts that do.
-    fn within(rest: f64, after: f64, ratio: f64) -> Self {
+    fn within(rest: f64, (after, ratio): (f64, f64), error: f64) -> Self {
         if after <= rest {
-            return Self { part: 1.0, left: 0.0, cause: EventCause::Settled };
+            return Self { part: 1.0, left: 0.0, cause: EventCause::Settled, error };
         }
         let n = impacts_within(rest, after, ratio);
         let left = math::powf(ratio, n);
-        Self { part: 1.0 - left, left, cause: EventCause::Impacts(n) }
+        Self { part: 1.0 - left, left, cause: EventCause::Impacts(n), error }
     }
 }
 
@@ -61,11 +64,15 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         fired: GuardId,
     ) -> Option<bool> {
         if let Some(settling) = &reset.settles {
-            let is_due = self.is_worth_it(run, (settling.after, settling.ratio), (fired, SEEN));
-            return is_due.then(|| self.accumulate(run, settling));
+            let Settling { after, ratio, mode, .. } = *settling;
+            let error = self.impacts.declare(mode, after, ratio);
+            let is_due = self.is_worth_it(run, (after, ratio), (fired, SEEN));
+            let is_last = is_near_the_last(run) || self.is_flat((after, ratio), (fired, SEEN));
+            let is_sure = is_last || after <= run.resolution() || is_exact(error, run.h);
+            return (is_due && is_sure).then(|| self.accumulate(run, settling, error));
         }
         let rest = reset.rests?;
-        self.impacts.strike(fired, reset.impulse);
+        self.impacts.strike(rest.0, reset.impulse);
         let end = self.impacts.accumulation()?;
         let is_due = self.is_worth_it(run, (end.after, end.ratio), (fired, MEASURED));
         let is_sure = is_due && self.is_sure(run, rest.0, &end);
@@ -77,13 +84,14 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         &mut self,
         run: &mut TickRun<'_, S, W>,
         settling: &Settling<M>,
+        error: f64,
     ) -> bool {
-        let it = Move::within(run.rest(), settling.after, settling.ratio);
+        let it = Move::within(run.rest(), (settling.after, settling.ratio), error);
         let mode = if it.left > 0.0 { self.mode } else { settling.mode };
         let way = settling.state.plus(-1.0, &self.state);
         let reset = Reset::to(mode, self.state.plus(it.part, &way))
             .with_impulse(it.part * settling.impulse);
-        self.jump(run, it.part * settling.after, it.cause, &reset)
+        self.jump(run, it.part * settling.after, &it, &reset)
     }
 
     /// Takes a measured sequence in one move: the resting mode's own motion goes on, and what
@@ -95,14 +103,19 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         (resting, at_rest): (M::Mode, M::State),
         end: &Accumulation,
     ) -> Option<bool> {
-        let it = Move::within(run.rest(), end.after, end.ratio);
+        let it = Move::within(run.rest(), (end.after, end.ratio), end.error);
         let mode = if it.left > 0.0 { self.mode } else { resting };
         let time = it.part * end.after;
-        let part = (run.theta, time / run.h);
-        let mut field = ModeField::new(&self.model, resting, run.signal, part);
-        let mut memory = T::Memory::default();
-        let step = self.stepper.step(&mut field, &at_rest, &mut memory, time);
-        field.count(&mut run.work);
+        let mode_step = ModeStep {
+            model: &self.model,
+            stepper: &self.stepper,
+            mode: resting,
+            signal: run.signal,
+            span: (run.theta, time / run.h),
+            h: time,
+        };
+        let mut memory: Memories<M, T> = core::array::from_fn(|_| T::Memory::default());
+        let step = mode_step.take(&at_rest, &mut memory, &mut run.work);
         run.work.pieces += 1;
         if !step.is_accepted {
             return None;
@@ -110,7 +123,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let bouncing = self.state.plus(-1.0, &at_rest);
         let reset = Reset::to(mode, step.dense.end().plus(it.left, &bouncing))
             .with_impulse(it.part * end.impulse);
-        Some(self.jump(run, time, it.cause, &reset))
+        Some(self.jump(run, time, &it, &reset))
     }
 
     /// Lands `time` (s) from now, with the readout going its way between the impacts, nearly
@@ -119,7 +132,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         &mut self,
         run: &mut TickRun<'_, S, W>,
         time: f64,
-        cause: EventCause<'_>,
+        taken: &Move,
         reset: &Reset<M>,
     ) -> bool {
         let theta = (run.theta + time / run.h).max(run.theta).min(1.0);
@@ -135,7 +148,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             run.work.readouts += 2;
         }
         self.impacts = Impacts::NONE;
-        self.land(run, cause, reset, &to)
+        let Move { cause, error, .. } = *taken;
+        self.land(run, EventReport { cause, error, projection: 0.0 }, reset, &to)
     }
 
     /// Whether a measured sequence is known well enough to be taken in one move to `resting`:
@@ -146,16 +160,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         resting: M::Mode,
         end: &Accumulation,
     ) -> bool {
-        /// 1 ns at 1 ms.
-        const PART: f64 = 1.0 / 1_048_576.0;
-        /// Events kept back for what comes after the impacts.
-        const SPARE: u32 = 2;
-        let is_exact = end.error <= PART * run.h;
-        let is_last = run.work.events + SPARE >= run.limits.events;
+        let is_known = is_exact(end.error, run.h) || is_near_the_last(run);
         let own = self.model.longest_step_at(resting, &self.state, &run.input());
         let longest = self.stepper.longest_step(&self.model.nature(resting), own);
         let has_piece = run.work.pieces < run.limits.pieces;
-        (is_exact || is_last) && has_piece && end.after.min(run.rest()) <= longest
+        is_known && has_piece && end.after.min(run.rest()) <= longest
     }
 
     /// Whether enough impacts were followed one by one in this tick, or they are too close to
@@ -166,15 +175,32 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         (after, ratio): (f64, f64),
         (fired, bands): (GuardId, f64),
     ) -> bool {
-        // A hop rises to a quarter of its first rate times the time that it takes.
-        let is_flat = self.guards.iter().zip(self.model.guards(self.mode)).any(|(slot, spec)| {
-            let rise = 0.25 * slot.value.rate * after * (1.0 - ratio);
-            spec.id == fired && rise <= bands * spec.band()
-        });
+        let is_flat = self.is_flat((after, ratio), (fired, bands));
         let is_soon = is_flat || run.work.events >= run.limits.followed;
         (is_soon || after <= run.resolution())
             && run.work.events < run.limits.events
             && run.cascade < run.limits.cascade
             && (after <= run.rest() || impacts_within(run.rest(), after, ratio) >= 1.0)
     }
+
+    /// Whether a hop is lost in the rounding of its guard.
+    fn is_flat(&self, (after, ratio): (f64, f64), (fired, bands): (GuardId, f64)) -> bool {
+        // A hop rises to a quarter of its first rate times the time that it takes.
+        self.guards.iter().zip(self.model.guards(self.mode)).any(|(slot, spec)| {
+            let rise = 0.25 * slot.value.rate * after * (1.0 - ratio);
+            spec.id == fired && rise <= bands * spec.band()
+        })
+    }
+}
+
+/// Whether the tick has only the events left that are kept back for what comes after impacts.
+fn is_near_the_last<S, W>(run: &TickRun<'_, S, W>) -> bool {
+    const SPARE: u32 = 2;
+    run.work.events + SPARE >= run.limits.events
+}
+
+/// Whether an error (s) is lost in a tick of `h` (s): 1 ns at 1 ms.
+fn is_exact(error: f64, h: f64) -> bool {
+    const PART: f64 = 1.0 / 1_048_576.0;
+    error <= PART * h
 }

@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use super::field::ModeField;
+use super::parts::ModeStep;
 use super::{Simulator, TakenStep};
 use crate::crossing::{Crossing, GuardSpan};
 use crate::dense::{Dense as _, DenseBounds};
@@ -194,10 +194,15 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             return;
         }
         taken.is_refined = true;
-        let part = (run.theta, taken.theta_end - run.theta);
-        let mut field = ModeField::new(&self.model, self.mode, run.signal, part);
-        self.stepper.refine(&mut field, &self.memory, &mut taken.step.dense, taken.h);
-        field.count(&mut run.work);
+        let mode_step = ModeStep {
+            model: &self.model,
+            stepper: &self.stepper,
+            mode: self.mode,
+            signal: run.signal,
+            span: (run.theta, taken.theta_end - run.theta),
+            h: taken.h,
+        };
+        mode_step.refine(&self.memory, &mut taken.step.dense, &mut run.work);
     }
 
     /// Where in the step one guard crosses, if it does.

@@ -6,11 +6,12 @@
 mod accumulation;
 mod detect;
 mod field;
+mod parts;
 mod step_end;
 mod transition;
 
 use detect::{First, Suspicion};
-use field::ModeField;
+use parts::{Memories, ModeStep};
 
 use crate::dense::Dense as _;
 use crate::epoch::stand_after;
@@ -24,7 +25,7 @@ use crate::outcome::{Advance, Cap, Fault, Tick};
 use crate::quadrature::{LOBATTO, SIMPSON};
 use crate::run::TickRun;
 use crate::state::{is_finite, largest};
-use crate::stepper::{Memory as _, Step, Stepper};
+use crate::stepper::{Memory, Step, Stepper};
 use crate::watch::{Piece, Watch};
 
 /// A model in motion.
@@ -42,9 +43,9 @@ pub struct Simulator<M: Resets, T: Stepper> {
     /// Width (s) to which an event at the very end of the last tick was located, or 0.
     since_event: f64,
     /// What the stepper carries from one step to the next.
-    memory: T::Memory<M::State>,
+    memory: Memories<M, T>,
     /// The latest impacts, to see whether they accumulate.
-    impacts: Impacts,
+    impacts: Impacts<M::Mode>,
     /// Whether anybody needs the readout.
     is_read: bool,
 }
@@ -84,7 +85,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             guards: [GuardSlot::EMPTY; MAX_GUARDS],
             last_input: None,
             since_event: 0.0,
-            memory: T::Memory::default(),
+            memory: core::array::from_fn(|_| T::Memory::default()),
             impacts: Impacts::NONE,
             is_read: true,
         }
@@ -112,8 +113,13 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     pub fn set_model(&mut self, model: M) {
         self.model = model;
         self.last_input = None;
-        self.memory.restart();
+        self.restart();
         self.impacts = Impacts::NONE;
+    }
+
+    /// Forgets what the method carries: the state has jumped, or the mode has changed.
+    fn restart(&mut self) {
+        self.memory.iter_mut().for_each(Memory::restart);
     }
 
     /// Returns the mode that holds now.
@@ -135,7 +141,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     pub fn place(&mut self, mode: M::Mode, state: M::State) {
         (self.mode, self.state) = (mode, state);
         self.last_input = None;
-        self.memory.restart();
+        self.restart();
         self.impacts = Impacts::NONE;
     }
 
@@ -169,7 +175,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run: &mut TickRun<'_, S, W>,
         input: &mut M::Input,
     ) {
-        self.memory.begin_tick();
+        self.memory.iter_mut().for_each(Memory::begin_tick);
         if self.last_input == Some(*input) {
             return;
         }
@@ -257,9 +263,15 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let theta_end = self.step_end(run);
         let span = theta_end - run.theta;
         let h = span * run.h;
-        let mut field = ModeField::new(&self.model, self.mode, run.signal, (run.theta, span));
-        let step = self.stepper.step(&mut field, &self.state, &mut self.memory, h);
-        field.count(&mut run.work);
+        let mode_step = ModeStep {
+            model: &self.model,
+            stepper: &self.stepper,
+            mode: self.mode,
+            signal: run.signal,
+            span: (run.theta, span),
+            h,
+        };
+        let step = mode_step.take(&self.state, &mut self.memory, &mut run.work);
         if !step.is_accepted {
             return None;
         }
@@ -307,7 +319,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
                 return run.fail(Fault::State);
             };
             self.accept(run, taken, (first.tau, end), [*from, input]);
-            self.memory.restart();
+            self.restart();
             run.move_to(theta);
             run.since_event = run.resolution();
         }
@@ -400,7 +412,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         if !is_complete {
             // Held: the rest of the tick keeps the last good state.
             self.state = self.constrained(self.mode, &self.state, &input).unwrap_or(self.state);
-            self.memory.restart();
+            self.restart();
             self.impacts = Impacts::NONE;
             run.readout = None;
         }

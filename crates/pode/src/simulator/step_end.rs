@@ -7,7 +7,7 @@ use crate::input::Signal;
 use crate::math;
 use crate::model::Resets;
 use crate::run::TickRun;
-use crate::stepper::{Memory as _, Stepper};
+use crate::stepper::{Memory, Stepper};
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Where the step that begins now ends.
@@ -54,7 +54,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             .min(run.limits.longest_step);
         // What is no length at all asks for more pieces than there are.
         let longest = if longest > 0.0 { longest } else { 0.0 };
-        let reach = self.memory.reach() / run.h;
+        let reach = self.memory.iter().map(Memory::reach).fold(f64::INFINITY, f64::min) / run.h;
         if reach < 1.0 - run.theta {
             return reached(run, reach, longest / run.h);
         }

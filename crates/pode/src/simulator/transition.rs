@@ -6,10 +6,20 @@ use crate::forecast::GuardSlot;
 use crate::guard::MAX_GUARDS;
 use crate::input::Signal;
 use crate::model::{Reset, Resets};
-use crate::outcome::{Cap, Fault};
+use crate::outcome::Fault;
 use crate::run::TickRun;
-use crate::stepper::{Memory as _, Stepper};
+use crate::state::State as _;
+use crate::stepper::Stepper;
 use crate::watch::{Event, EventCause, Watch};
+
+/// What an event tells besides its reset map.
+pub(super) struct EventReport<'a> {
+    pub(super) cause: EventCause<'a>,
+    /// How far its time may be wrong (s).
+    pub(super) error: f64,
+    /// How far it moves a coordinate onto a constraint.
+    pub(super) projection: f64,
+}
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Fires guards until none must leave at this instant; at most `limits.cascade`.
@@ -36,12 +46,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         S: Signal<M::Input>,
         W: Watch<M>,
     {
-        if run.cascade >= run.limits.cascade {
-            run.cap(Cap::Cascade);
-            return false;
-        }
-        if run.work.events >= run.limits.events {
-            run.cap(Cap::Events);
+        if let Some(cap) = run.most_events() {
+            run.cap(cap);
             return false;
         }
         let Some(spec) = self.model.guards(self.mode).get(index).copied() else {
@@ -57,7 +63,15 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let input = run.input();
         let reset = self.model.reset(self.mode, spec.id, &self.state, &input);
         let from = self.mode;
-        if !self.land(run, EventCause::Guard(&spec), &reset, &input) {
+        let projection = self.projection(reset.mode, &input);
+        run.projection = run.projection.max(projection);
+        if projection > self.model.longest_projection(reset.mode) {
+            run.fail(Fault::Projection);
+            return false;
+        }
+        let cause = EventCause::Guard(&spec);
+        let told = EventReport { cause, error: run.resolution(), projection };
+        if !self.land(run, told, &reset, &input) {
             return false;
         }
         if !self.take_guards(run, Some(from)) {
@@ -66,6 +80,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         match self.accumulates(run, &reset, fired) {
             None => {
                 if from == self.mode {
+                    run.work.ineffective += u32::from(self.guards[index].stand == Stand::Leaving);
                     self.disarm_if_spent(index);
                 }
                 true
@@ -78,7 +93,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     pub(super) fn land<S, W>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
-        cause: EventCause<'_>,
+        EventReport { cause, error, projection }: EventReport<'_>,
         reset: &Reset<M>,
         input: &M::Input,
     ) -> bool
@@ -102,14 +117,23 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             after: (reset.mode, state),
             input: *input,
             impulse: reset.impulse,
+            error,
+            projection,
         };
         run.watch.event(&self.model, &event);
         run.work.events += 1;
         run.impulse += reset.impulse;
         run.readout = None;
         (self.mode, self.state) = (reset.mode, state);
-        self.memory.restart();
+        self.restart();
         true
+    }
+
+    /// How far a coordinate of the present state is from where `mode` constrains it to be, at most.
+    fn projection(&self, mode: M::Mode, input: &M::Input) -> f64 {
+        let constrained = self.model.constrain(mode, &self.state, input);
+        let pairs = self.state.entries().iter().zip(constrained.entries()).take(M::COORDS);
+        pairs.map(|(is, should_be)| (should_be - is).abs()).fold(0.0, f64::max)
     }
 
     /// Notes that every guard that was positive crosses if the input's jump makes it negative.

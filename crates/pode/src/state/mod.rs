@@ -6,6 +6,8 @@ use core::fmt::Debug;
 
 use nalgebra::SMatrix;
 
+use crate::part::Part;
+
 pub use matrix::{Factors, Matrix};
 
 /// A state vector of fixed size: coordinates first, speeds after.
@@ -35,6 +37,10 @@ pub trait State: Copy + PartialEq + Debug + Send + 'static {
     /// Returns `self` with `value` for the entry `index`.
     #[must_use]
     fn with_entry(&self, index: usize, value: f64) -> Self;
+
+    /// Returns `self` with the entries of `part` from `other`.
+    #[must_use]
+    fn with_entries(&self, other: &Self, part: &Part) -> Self;
 
     /// Returns the entries as a slice.
     fn entries(&self) -> &[f64];
@@ -68,6 +74,11 @@ impl<const N: usize> State for [f64; N] {
     #[inline]
     fn with_entry(&self, index: usize, value: f64) -> Self {
         core::array::from_fn(|i| if i == index { value } else { self[i] })
+    }
+
+    #[inline]
+    fn with_entries(&self, other: &Self, part: &Part) -> Self {
+        core::array::from_fn(|i| if part.has(i) { other[i] } else { self[i] })
     }
 
     #[inline]

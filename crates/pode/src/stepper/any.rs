@@ -2,12 +2,13 @@
 
 use crate::dense::{Cubic, Dense, DenseBounds, Polynomial};
 use crate::nature::Nature;
+use crate::part::Part;
 use crate::state::State;
 use crate::stepper::{
     AdamsBashforth2, AdamsBashforth3, BogackiShampine, ByNeed, Controlled, Dense8, Dop853, Exact,
-    ExplicitEuler, ExponentialRosenbrock, Exprb32, Field, Flow, Heun, LinearImplicitMidpoint,
-    Memory, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler, Step, Stepper, Tolerance, Tsitouras5,
-    VelocityVerlet,
+    ExplicitEuler, ExponentialRosenbrock, Exprb32, Field, Flow, FlowOrCubic, Heun,
+    LinearImplicitMidpoint, Memory, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler, Step, Stepper,
+    Tolerance, Tsitouras5, VelocityVerlet,
 };
 
 /// Dense output of any method.
@@ -21,7 +22,39 @@ pub enum AnyDense<S> {
     Eighth(Dense8<S>),
 }
 
+impl<S: State> AnyDense<S> {
+    /// A polynomial solution as a series; `None` for one that is none.
+    fn series(&self) -> Option<Flow<S>> {
+        match self {
+            Self::Cubic(dense) => Some(dense.lengthened()),
+            Self::Quartic(dense) => Some(dense.lengthened()),
+            Self::Flow(dense) => Some(*dense),
+            Self::Eighth(_) => None,
+        }
+    }
+}
+
 impl<S: State> Dense<S> for AnyDense<S> {
+    fn still(x: &S) -> Self {
+        Self::Cubic(Cubic::still(x))
+    }
+
+    fn merged(&self, other: &Self, part: &Part) -> Self {
+        match (self, other) {
+            (Self::Cubic(mine), Self::Cubic(other)) => Self::Cubic(mine.merged(other, part)),
+            (Self::Quartic(mine), Self::Quartic(other)) => Self::Quartic(mine.merged(other, part)),
+            (Self::Eighth(mine), Self::Eighth(other)) => Self::Eighth(mine.merged(other, part)),
+            // What does not move is a cubic, whatever the method.
+            (_, Self::Eighth(other)) => {
+                Self::Eighth(Dense8::still(&self.at(0.0)).merged(other, part))
+            }
+            _ => self
+                .series()
+                .zip(other.series())
+                .map_or(*self, |(mine, other)| Self::Flow(mine.merged(&other, part))),
+        }
+    }
+
     fn at(&self, tau: f64) -> S {
         match self {
             Self::Cubic(dense) => dense.at(tau),
@@ -75,11 +108,11 @@ macro_rules! fits {
 
 fits!(Cubic(Cubic<S>), Quartic(Polynomial<S, 5>), Flow(Flow<S>), Eighth(Dense8<S>));
 
-impl<S: State> Fits<S> for super::Either<Flow<S>, Cubic<S>> {
+impl<S: State> Fits<S> for FlowOrCubic<S> {
     fn wide(self) -> AnyDense<S> {
         match self {
-            Self::Left(dense) => AnyDense::Flow(dense),
-            Self::Right(dense) => AnyDense::Cubic(dense),
+            Self::Flow(dense) => AnyDense::Flow(dense),
+            Self::Cubic(dense) => AnyDense::Cubic(dense),
         }
     }
 
@@ -258,6 +291,12 @@ macro_rules! any {
                 }
             }
 
+            fn name_in(&self, nature: &Nature) -> &'static str {
+                match self {
+                    $(Self::$name(stepper) => stepper.name_in(nature)),+
+                }
+            }
+
             fn is_smooth_inside(&self) -> bool {
                 match self {
                     $(Self::$name(stepper) => stepper.is_smooth_inside()),+
@@ -343,7 +382,7 @@ any! {
         /// [`Exprb32`].
         Exprb32(Exprb32),
         /// [`Exact`].
-        Exact(Exact<Rk4>),
+        Exact(Exact),
     }
     controlled {
         /// [`BogackiShampine`] in steps as long as a tolerance allows.

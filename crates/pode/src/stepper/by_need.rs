@@ -1,10 +1,9 @@
 //! The cheapest method that meets an error budget, mode by mode.
 
-use crate::dense::Cubic;
 use crate::math::{ceil, powf};
 use crate::nature::{EquationKind, Nature};
 use crate::state::State;
-use crate::stepper::exact::{Either, Exact, Flow, RoundingCarry};
+use crate::stepper::exact::{Exact, FlowOrCubic, RoundingCarry};
 use crate::stepper::{Field, Heun, Rk4, Rodas3, Step, Stepper, VelocityVerlet};
 
 /// Chooses for each mode, by what the model says of it, the method and the step that meet an
@@ -41,7 +40,7 @@ impl NeededMethod {
     /// Its name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::Exact => Exact::<Rk4>::NAME,
+            Self::Exact => Exact::NAME,
             Self::Heun => Heun::NAME,
             Self::VelocityVerlet => VelocityVerlet::NAME,
             Self::Rk4 => Rk4::NAME,
@@ -124,7 +123,7 @@ impl ByNeed {
     pub fn choice(&self, nature: &Nature, own: f64) -> Choice {
         match nature.kind {
             EquationKind::Affine | EquationKind::Linear => {
-                let step = Exact::<Rk4>::default().longest_step(nature, own);
+                let step = Exact.longest_step(nature, own);
                 Choice { method: NeededMethod::Exact, step, error: 0.0 }
             }
             EquationKind::Stiff => {
@@ -172,8 +171,8 @@ impl Stepper for ByNeed {
     const JACOBIANS: u32 = Rodas3::JACOBIANS;
     const NAME: &'static str = "by-need";
 
-    type Memory<S: State> = RoundingCarry<S, ()>;
-    type Dense<S: State> = Either<Flow<S>, Cubic<S>>;
+    type Memory<S: State> = RoundingCarry<S>;
+    type Dense<S: State> = FlowOrCubic<S>;
 
     #[inline]
     fn step<S: State>(
@@ -185,19 +184,23 @@ impl Stepper for ByNeed {
     ) -> Step<S, Self::Dense<S>> {
         let none = &mut ();
         match self.choice(&field.nature(), h).method {
-            NeededMethod::Exact => Exact::<Rk4>::default().step(field, x0, memory, h),
-            NeededMethod::Heun => Heun.step(field, x0, none, h).map(Either::Right),
+            NeededMethod::Exact => Exact.step(field, x0, memory, h),
+            NeededMethod::Heun => Heun.step(field, x0, none, h).map(FlowOrCubic::Cubic),
             NeededMethod::VelocityVerlet => {
-                VelocityVerlet.step(field, x0, none, h).map(Either::Right)
+                VelocityVerlet.step(field, x0, none, h).map(FlowOrCubic::Cubic)
             }
-            NeededMethod::Rk4 => Rk4.step(field, x0, none, h).map(Either::Right),
-            NeededMethod::Rodas3 => Rodas3.step(field, x0, none, h).map(Either::Right),
+            NeededMethod::Rk4 => Rk4.step(field, x0, none, h).map(FlowOrCubic::Cubic),
+            NeededMethod::Rodas3 => Rodas3.step(field, x0, none, h).map(FlowOrCubic::Cubic),
         }
     }
 
     #[inline]
     fn aims(&self, nature: &Nature) -> bool {
         self.choice(nature, f64::INFINITY).method == NeededMethod::Rk4
+    }
+
+    fn name_in(&self, nature: &Nature) -> &'static str {
+        self.choice(nature, f64::INFINITY).method.name()
     }
 
     #[inline]

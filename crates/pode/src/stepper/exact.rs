@@ -1,12 +1,13 @@
 //! The exact flow of linear modes.
 
-use crate::dense::{Dense, DenseBounds, Polynomial};
+use crate::dense::{Cubic, Dense, DenseBounds, Polynomial};
 use crate::nature::{EquationKind, Nature};
+use crate::part::Part;
 use crate::state::Matrix as _;
 use crate::state::State;
 use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 
-/// The exact flow where a mode is linear, the method `T` where it is not.
+/// The exact flow where a mode is linear, [`Rk4`] where it is not.
 ///
 /// x' = A x + r(t) is solved by its Taylor series to the last digit: each term is one product
 /// with A, and the series is the dense output as well, so that an event lies on the exact
@@ -21,10 +22,7 @@ use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 /// # References
 /// `[HNW93]` I.8 (power series), `[HO10]` 2 (variation of constants).
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Exact<T = Rk4> {
-    /// For modes that are not linear.
-    pub other: T,
-}
+pub struct Exact;
 
 /// Terms of the series: (1 rad)²¹/21! is below rounding, and two more show that it is.
 const TERMS: usize = 24;
@@ -38,16 +36,15 @@ const RADIANS: f64 = 1.0;
 /// Places of the step at which the forcing is taken.
 const PLACES: [f64; 4] = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
 
-impl<T: Stepper> Stepper for Exact<T> {
+impl Stepper for Exact {
     const ORDER: u32 = 4;
     const DENSE: u32 = 23;
-    const EVALUATIONS: u32 = if T::EVALUATIONS > 4 { T::EVALUATIONS } else { 4 };
-    const REFINEMENT: u32 = T::REFINEMENT;
-    const JACOBIANS: u32 = if T::JACOBIANS > 1 { T::JACOBIANS } else { 1 };
+    const EVALUATIONS: u32 = 4;
+    const JACOBIANS: u32 = 1;
     const NAME: &'static str = "exact";
 
-    type Memory<S: State> = RoundingCarry<S, T::Memory<S>>;
-    type Dense<S: State> = Either<Flow<S>, T::Dense<S>>;
+    type Memory<S: State> = RoundingCarry<S>;
+    type Dense<S: State> = FlowOrCubic<S>;
 
     #[inline]
     fn step<S: State>(
@@ -66,32 +63,24 @@ impl<T: Stepper> Stepper for Exact<T> {
                 let forcing = PLACES.map(|tau| field.derivative(tau, &S::ZERO));
                 series(&a, &cubic(forcing), x0, h, &mut memory.rounded)
             };
-            return Step::new(Either::Left(flow));
+            return Step::new(FlowOrCubic::Flow(flow));
         }
-        self.other.step(field, x0, &mut memory.other, h).map(Either::Right)
-    }
-
-    fn refine<S: State>(
-        &self,
-        field: &mut impl Field<S>,
-        memory: &Self::Memory<S>,
-        dense: &mut Self::Dense<S>,
-        h: f64,
-    ) {
-        if let Either::Right(dense) = dense {
-            self.other.refine(field, &memory.other, dense, h);
-        }
+        Rk4.step(field, x0, &mut (), h).map(FlowOrCubic::Cubic)
     }
 
     #[inline]
     fn aims(&self, nature: &Nature) -> bool {
-        !nature.is_linear() && self.other.aims(nature)
+        !nature.is_linear() && Rk4.aims(nature)
+    }
+
+    fn name_in(&self, nature: &Nature) -> &'static str {
+        if nature.is_linear() { Self::NAME } else { Rk4::NAME }
     }
 
     #[inline]
     fn longest_step(&self, nature: &Nature, own: f64) -> f64 {
         if !nature.is_linear() {
-            self.other.longest_step(nature, own)
+            Rk4.longest_step(nature, own)
         } else if nature.rate > 0.0 {
             RADIANS / nature.rate
         } else {
@@ -169,66 +158,76 @@ fn counts<S: State>(term: &S, peak: &S) -> bool {
 }
 
 /// What the exact flow carries: what the last step lost in rounding, entry by entry, so that
-/// roundings do not add up; and the other method's own.
+/// roundings do not add up.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct RoundingCarry<S, M> {
+pub struct RoundingCarry<S> {
     rounded: S,
-    other: M,
 }
 
-impl<S: State, M: Memory> Default for RoundingCarry<S, M> {
+impl<S: State> Default for RoundingCarry<S> {
     fn default() -> Self {
-        Self { rounded: S::ZERO, other: M::default() }
+        Self { rounded: S::ZERO }
     }
 }
 
-impl<S: State, M: Memory> Memory for RoundingCarry<S, M> {
+impl<S: State> Memory for RoundingCarry<S> {
     #[inline]
     fn restart(&mut self) {
         self.rounded = S::ZERO;
-        self.other.restart();
-    }
-
-    #[inline]
-    fn begin_tick(&mut self) {
-        self.other.begin_tick();
-    }
-
-    #[inline]
-    fn reach(&self) -> f64 {
-        self.other.reach()
     }
 }
 
-/// One of two dense outputs.
+/// The dense output of a method that is exact in linear modes: the flow's series there, a cubic
+/// elsewhere.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Either<A, B> {
-    Left(A),
-    Right(B),
+pub enum FlowOrCubic<S> {
+    Flow(Flow<S>),
+    Cubic(Cubic<S>),
 }
 
-impl<S, A: Dense<S>, B: Dense<S>> Dense<S> for Either<A, B> {
+impl<S: State> FlowOrCubic<S> {
+    /// The same solution as a series.
+    fn series(&self) -> Flow<S> {
+        match self {
+            Self::Flow(flow) => *flow,
+            Self::Cubic(cubic) => cubic.lengthened(),
+        }
+    }
+}
+
+impl<S: State> Dense<S> for FlowOrCubic<S> {
+    fn still(x: &S) -> Self {
+        Self::Cubic(Cubic::still(x))
+    }
+
+    fn merged(&self, other: &Self, part: &Part) -> Self {
+        match (self, other) {
+            (Self::Cubic(mine), Self::Cubic(other)) => Self::Cubic(mine.merged(other, part)),
+            _ => Self::Flow(self.series().merged(&other.series(), part)),
+        }
+    }
+
     #[inline]
     fn at(&self, tau: f64) -> S {
         match self {
-            Self::Left(dense) => dense.at(tau),
-            Self::Right(dense) => dense.at(tau),
+            Self::Flow(dense) => dense.at(tau),
+            Self::Cubic(dense) => dense.at(tau),
         }
     }
 
     #[inline]
     fn end(&self) -> &S {
         match self {
-            Self::Left(dense) => dense.end(),
-            Self::Right(dense) => dense.end(),
+            Self::Flow(dense) => dense.end(),
+            Self::Cubic(dense) => dense.end(),
         }
     }
 
     #[inline]
     fn bounds(&self) -> Option<DenseBounds<S>> {
         match self {
-            Self::Left(dense) => dense.bounds(),
-            Self::Right(dense) => dense.bounds(),
+            Self::Flow(dense) => dense.bounds(),
+            Self::Cubic(dense) => dense.bounds(),
         }
     }
 }

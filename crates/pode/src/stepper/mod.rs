@@ -36,7 +36,7 @@ pub use bogacki_shampine::BogackiShampine;
 pub use by_need::{ByNeed, Choice, MENU, NeededMethod, Offer};
 pub use controlled::{Control, Controlled, Tolerance};
 pub use dop853::{Dense8, Dop853};
-pub use exact::{Either, Exact, Flow, RoundingCarry};
+pub use exact::{Exact, Flow, FlowOrCubic, RoundingCarry};
 pub use explicit_euler::ExplicitEuler;
 pub use exponential_rosenbrock::ExponentialRosenbrock;
 pub use exprb32::Exprb32;
@@ -146,6 +146,12 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     #[inline]
     fn is_smooth_inside(&self) -> bool {
         Self::DENSE >= HIGH
+    }
+
+    /// The name of the method that it takes in a mode of this `nature`: its own, unless it
+    /// hands some modes on.
+    fn name_in(&self, _nature: &Nature) -> &'static str {
+        Self::NAME
     }
 
     /// Longest step (s) in a mode of this `nature`, where the model itself asks for `own`.

@@ -73,7 +73,7 @@ where
     let mut rows = vec![
         entry("RK4", run(ours, Rk4, limits, h, t_end)),
         entry("Bogacki–Shampine", run(ours, BogackiShampine, limits, h, t_end)),
-        entry("exact flow", run(ours, Exact::<Rk4>::default(), limits, h, t_end)),
+        entry("exact flow", run(ours, Exact, limits, h, t_end)),
     ];
     if (h - 1e-3).abs() < 1e-12 {
         let run = run(ours, Rk4, limits, h, t_end);
@@ -114,7 +114,7 @@ where
         note,
         run,
     };
-    let exact = run(ours, Exact::<Rk4>::default(), offline(), t_end, t_end);
+    let exact = run(ours, Exact, offline(), t_end, t_end);
     let rk4 = run(ours, Rk4, offline(), t_end, t_end);
     let note = "one tick; RK4 in steps of the model's longest where a mode is not linear";
     let longest = "one tick, in steps of the model's longest";

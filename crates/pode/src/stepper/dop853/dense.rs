@@ -4,6 +4,7 @@ use super::moved;
 use super::tableau::{A13, A14, A15, D0, D1, D2, D3, NODES};
 use super::weighed;
 use crate::dense::{Dense, DenseBounds};
+use crate::part::Part;
 use crate::state::State;
 use crate::stepper::Field;
 
@@ -45,6 +46,22 @@ impl<S: State> Dense8<S> {
 }
 
 impl<S: State> Dense<S> for Dense8<S> {
+    fn still(x: &S) -> Self {
+        let mut terms = [S::ZERO; 8];
+        terms[0] = *x;
+        Self { terms, used: 8, end: *x }
+    }
+
+    fn merged(&self, other: &Self, part: &Part) -> Self {
+        let mut merged = *self;
+        for (term, new) in merged.terms.iter_mut().zip(&other.terms) {
+            *term = term.with_entries(new, part);
+        }
+        merged.used = other.used;
+        merged.end = self.end.with_entries(&other.end, part);
+        merged
+    }
+
     fn at(&self, tau: f64) -> S {
         if tau >= 1.0 {
             return self.end;

@@ -21,8 +21,7 @@ macro_rules! every_stepper {
             linear_implicit_midpoint: LinearImplicitMidpoint = LinearImplicitMidpoint,
             exponential_rosenbrock: ExponentialRosenbrock = ExponentialRosenbrock,
             exprb32: Exprb32 = Exprb32,
-            exact_or_rk4: Exact<Rk4> = Exact::default(),
-            exact_or_dop853: Exact<Dop853> = Exact::default(),
+            exact: Exact = Exact,
             by_need: ByNeed = ByNeed::default(),
             controlled_bogacki_shampine: Controlled<BogackiShampine> = Controlled::default(),
             controlled_tsitouras5: Controlled<Tsitouras5> = Controlled::default(),
@@ -32,7 +31,7 @@ macro_rules! every_stepper {
             any_exact: Any = Any::Exact(Exact::default()),
             any_dop853: Any = Any::Dop853(Dop853),
             any_controlled_dop853: Any = Any::ControlledDop853(Controlled::default()),
-            controlled_exact: Controlled<Exact<Dop853>> = Controlled::default(),
+            controlled_exact: Controlled<Exact> = Controlled::default(),
         }
     };
 }

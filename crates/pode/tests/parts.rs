@@ -1,0 +1,150 @@
+//! What a mode does not need is not computed: modes without degrees of freedom, slaved entries,
+//! and parts that do not touch each other.
+
+#![allow(clippy::expect_used, reason = "a test fails aloud")]
+
+use pode::stepper::{Any, Controlled, Dop853, Exact, Rk4};
+use pode::{
+    EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Matrix, Model, Motion, Nature,
+    Part, Reset, Resets, Silent, Simulator, State as _, Stepper, Work,
+};
+
+use crate::common::close;
+
+/// Two oscillators that do not touch each other, slow (1 rad/s) and fast (30 rad/s), the fast one
+/// driven: coordinates, then speeds.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    parts: &'static [Part],
+}
+
+const SLOW: f64 = 1.0;
+const FAST: f64 = 30.0;
+const WHOLE: [Part; 1] = [Part::WHOLE];
+const APART: [Part; 2] =
+    [Part::of(&[0, 2]).with_nature(Nature::new(EquationKind::Linear, SLOW)), Part::of(&[1, 3])];
+
+impl Model for Pair {
+    type Mode = ();
+    type State = [f64; 4];
+    type Input = Motion;
+    const COORDS: usize = 2;
+
+    fn parts(&self, (): ()) -> &[Part] {
+        self.parts
+    }
+
+    fn derivative(&self, (): (), x: &[f64; 4], s: &Motion) -> [f64; 4] {
+        [x[2], x[3], -SLOW * SLOW * x[0], FAST * FAST * (s.position - x[1])]
+    }
+
+    fn readout(&self, (): (), x: &[f64; 4], _: &Motion) -> f64 {
+        x[1]
+    }
+
+    fn nature(&self, (): ()) -> Nature {
+        Nature::new(EquationKind::Smooth, FAST)
+    }
+}
+
+impl Guarded for Pair {
+    fn guards(&self, (): ()) -> &[GuardSpec] {
+        &[]
+    }
+
+    fn guard(&self, (): (), _: GuardId, _: &[f64; 4], _: &Motion) -> GuardValue {
+        GuardValue::default()
+    }
+}
+
+impl Resets for Pair {
+    fn reset(&self, (): (), _: GuardId, x: &[f64; 4], _: &Motion) -> Reset<Self> {
+        Reset::to((), *x)
+    }
+}
+
+/// State and work after 100 ticks of 1 ms, from rest of the fast one.
+fn after<T: Stepper>(parts: &'static [Part], stepper: T) -> ([f64; 4], Work) {
+    let start = [1.0, 0.0, 0.0, 0.0];
+    let mut pair = Simulator::new(Pair { parts }, stepper, Limits::default(), (), start);
+    let mut work = Work::default();
+    for tick in 0..100 {
+        let input = |theta: f64| {
+            let t = (f64::from(tick) + theta) * 1e-3;
+            Motion { position: 10.0 * t, rate: 10.0, ..Motion::default() }
+        };
+        work = work.plus(pair.advance(1e-3, &input, &mut Silent).work);
+    }
+    (*pair.state(), work)
+}
+
+#[test]
+fn parts_apart_go_where_they_go_together() {
+    let methods = Any::NAMES.iter().map(|name| Any::named(name).expect("a method"));
+    let controlled = Any::named("dop853").and_then(|it| it.with_tolerance(1e-9, 1e-3));
+    for method in methods.chain(controlled) {
+        let [(together, _), (apart, work)] = [&WHOLE[..], &APART].map(|it| after(it, method));
+        for (index, (one, other)) in together.iter().zip(&apart).enumerate() {
+            // To rounding with one method for both; `exact` and `by-need` choose part by part,
+            // and what they choose is of the error of the method.
+            let tolerance = match method.name() {
+                "exact" | "by-need" | "exponential-rosenbrock" | "exprb32" => 1e-4,
+                _ => 1e-12,
+            };
+            close(format_args!("{}, entry {index}", method.name()), *other, *one, tolerance);
+        }
+        assert_eq!(work.rates, 2 * work.derivatives, "{}: half of the entries", method.name());
+    }
+}
+
+#[test]
+fn each_part_takes_the_method_that_its_own_nature_asks_for() {
+    let (state, work) = after(&APART, Exact);
+    // The slow one on its exact flow, the fast one by RK4, against closed forms.
+    close("the slow one", state[0], 0.1_f64.cos(), 1e-15);
+    let fast = 10.0 * (0.1 - (FAST * 0.1).sin() / FAST);
+    close("the fast one", state[1], fast, 1e-6);
+    assert!((state[1] - fast).abs() > 1e-12, "RK4 has an error");
+    assert_eq!(work.jacobians, 100, "one for each step of the slow part");
+}
+
+#[test]
+fn what_is_in_no_part_is_not_integrated() {
+    const FAST_ONLY: [Part; 1] = [Part::of(&[1, 3])];
+    let (state, work) = after(&FAST_ONLY, Rk4);
+    close("the slow one", state[0], 1.0, 0.0);
+    close("the fast one", state[1], after(&WHOLE, Rk4).0[1], 1e-14);
+    assert_eq!((work.derivatives, work.rates), (400, 800));
+}
+
+#[test]
+fn a_mode_without_degrees_of_freedom_takes_no_derivative_with_any_method() {
+    for name in Any::NAMES {
+        let method = Any::named(name).expect("a method");
+        let (state, work) = after(&[], method);
+        let zero = (work.derivatives, work.rates, work.jacobians);
+        assert_eq!(zero, (0, 0, 0), "{name}");
+        assert_eq!(state.map(f64::to_bits), [1.0_f64, 0.0, 0.0, 0.0].map(f64::to_bits), "{name}");
+    }
+    let (_, work) = after(&[], Controlled::<Dop853>::default());
+    assert_eq!((work.derivatives, work.pieces), (0, 100));
+}
+
+#[test]
+fn a_matrix_of_any_size_is_factored_with_interchanged_rows() {
+    // 1 − a·A with a zero in the first pivot's place; 40 unknowns, no bound on the size needed.
+    type Unknowns = [f64; 40];
+    type Square = <Unknowns as pode::State>::Matrix;
+    let matrix = <Square as Matrix<Unknowns>>::from_columns(|column| {
+        Unknowns::ZERO.with_entry((column + 1) % 40, 2.0).with_entry(column, 1.0)
+    });
+    let factored = matrix.factor(1.0);
+    let x: Unknowns = core::array::from_fn(|n| (n as f64).sin());
+    let b = x.plus(-1.0, &matrix.apply(&x));
+    let solved = Square::solve(&factored, &b).expect("a regular matrix");
+    for (found, expected) in solved.iter().zip(x) {
+        close("an unknown", *found, expected, 1e-13);
+    }
+    let singular = Square::ONE.factor(1.0);
+    assert!(Square::solve(&singular, &b).is_none());
+}
