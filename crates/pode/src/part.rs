@@ -1,5 +1,7 @@
 //! What of a mode's state moves by equations of its own, and in which independent parts.
 
+use crate::guard::Reads;
+use crate::math;
 use crate::nature::Nature;
 use crate::state::State;
 
@@ -17,11 +19,22 @@ pub struct Part {
     entries: u64,
     /// What its equations are like; the mode's own nature where that is not stated.
     nature: Option<Nature>,
+    /// The longest step that resolves its motion (s); that of the mode where it is not longer.
+    longest_step: f64,
+    /// What its equations depend on beside its own entries.
+    reads: Reads,
 }
+
+/// Most steps of the mode that one step of a part spans.
+///
+/// Its dense output is then looked at inside: four steps of a motion that is ten times slower are
+/// still closer to it than one step of the fast part is to its own.
+const MOST_STEPS: f64 = 4.0;
 
 impl Part {
     /// The whole state as one part.
-    pub const WHOLE: Self = Self { entries: u64::MAX, nature: None };
+    pub const WHOLE: Self =
+        Self { entries: u64::MAX, nature: None, longest_step: 0.0, reads: Reads::StateAndInput };
 
     /// The part with the entries of the state at `indices`, each below 64.
     pub const fn of(indices: &[usize]) -> Self {
@@ -30,13 +43,39 @@ impl Part {
             entries |= 1 << indices[n];
             n += 1;
         }
-        Self { entries, nature: None }
+        Self { entries, ..Self::WHOLE }
     }
 
     /// The same with equations of another nature than the mode as a whole.
     #[must_use]
     pub const fn with_nature(self, nature: Nature) -> Self {
         Self { nature: Some(nature), ..self }
+    }
+
+    /// The same with a longest step (s) of its own: where it is longer than the mode's steps, the
+    /// part takes one step for several of them.
+    #[must_use]
+    pub const fn with_longest_step(self, longest_step: f64) -> Self {
+        Self { longest_step, ..self }
+    }
+
+    /// The same with equations that do not depend on the input: its steps may go beyond the tick.
+    #[must_use]
+    pub const fn of_state(self) -> Self {
+        Self { reads: Reads::State, ..self }
+    }
+
+    /// Length (s) of the part's own step where the mode steps by `h` (s), and `rest` (s) of the
+    /// tick is left: a multiple of `h`.
+    #[inline]
+    pub(crate) fn own_step(&self, h: f64, rest: f64) -> f64 {
+        let known = match self.reads {
+            Reads::State => f64::INFINITY,
+            // The input is known to the end of the tick, and rounding is no step.
+            Reads::StateAndInput => rest * (1.0 + 1e-9),
+        };
+        let most = self.longest_step.min(known) / h;
+        h * math::floor(most.min(MOST_STEPS)).max(1.0)
     }
 
     /// What its equations are like, in a mode of the nature `whole`.
@@ -89,5 +128,18 @@ mod tests {
             [0.0, 2.0, 0.0, 4.0].map(f64::to_bits)
         );
         assert!(Part::WHOLE.has(70) && Part::WHOLE.is_whole());
+    }
+
+    #[test]
+    fn a_slow_part_steps_by_a_multiple_of_the_modes_step() {
+        let part = Part::of(&[0]).with_longest_step(2.5e-3);
+        let close =
+            |found: f64, expected: f64| assert!((found - expected).abs() < 1e-15, "{found}");
+        close(part.of_state().own_step(1e-3, 1e-3), 2e-3);
+        close(part.own_step(1e-3, 1e-3), 1e-3);
+        close(part.own_step(1e-4, 1e-3), 4e-4);
+        close(part.own_step(1e-4, 2e-4), 2e-4);
+        close(part.own_step(4e-3, 1.0), 4e-3);
+        close(Part::WHOLE.own_step(1e-3, 1.0), 1e-3);
     }
 }

@@ -22,6 +22,15 @@ pub trait Dense<S>: Debug {
     where
         Self: Sized;
 
+    /// The same solution over a part of the step, from one fraction of it to another; `None` where
+    /// this form of dense output cannot be cut.
+    fn within(&self, _from: f64, _to: f64) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// The state at the fraction `tau` of the step, 0 ..= 1.
     fn at(&self, tau: f64) -> S;
 

@@ -62,6 +62,23 @@ impl<S: State, const N: usize> Dense<S> for Polynomial<S, N> {
         merged
     }
 
+    /// Taylor's shift: every power of `from + width τ` by repeated Horner.
+    fn within(&self, from: f64, to: f64) -> Option<Self> {
+        let (used, width) = (self.used.clamp(1, N), to - from);
+        let mut terms = self.terms;
+        for lowest in 0..used {
+            for power in (lowest..used - 1).rev() {
+                terms[power] = terms[power].plus(from, &terms[power + 1]);
+            }
+        }
+        let mut scale = 1.0;
+        for term in terms.iter_mut().take(used) {
+            *term = term.times(scale);
+            scale *= width;
+        }
+        Some(Self { terms, used: self.used, end: self.at(to) })
+    }
+
     #[inline]
     fn at(&self, tau: f64) -> S {
         if tau >= 1.0 {
@@ -93,5 +110,21 @@ impl<S: State, const N: usize> Dense<S> for Polynomial<S, N> {
             bends = bends.plus(n * (n - 1.0), &size);
         }
         Some(DenseBounds { moves, speeds, bends })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_of_a_polynomial_is_the_same_polynomial() {
+        let whole = Polynomial::new([[1.0], [-2.0], [0.5], [3.0]], [2.5]);
+        let part = whole.within(0.25, 0.75).expect("a polynomial");
+        for n in 0..=8 {
+            let tau = f64::from(n) / 8.0;
+            let (found, expected) = (part.at(tau)[0], whole.at(0.25 + 0.5 * tau)[0]);
+            assert!((found - expected).abs() < 1e-15, "{tau}: {found} is not {expected}");
+        }
     }
 }

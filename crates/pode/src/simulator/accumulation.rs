@@ -5,7 +5,7 @@
 //! its impacts would come to rest ([`Reset::rests`]) and the intervals tell the rest.
 
 use super::Simulator;
-use super::parts::{Memories, ModeStep};
+use super::parts::{Memories, ModeStep, PartMemory};
 use super::transition::EventReport;
 use crate::dense::Dense as _;
 use crate::guard::GuardId;
@@ -111,11 +111,13 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             stepper: &self.stepper,
             mode: resting,
             signal: run.signal,
-            span: (run.theta, time / run.h),
+            theta: (run.theta, run.theta + time / run.h),
+            input: run.input(),
             h: time,
+            rest: time,
         };
-        let mut memory: Memories<M, T> = core::array::from_fn(|_| T::Memory::default());
-        let step = mode_step.take(&at_rest, &mut memory, &mut run.work);
+        let mut memory: Memories<M, T> = core::array::from_fn(|_| PartMemory::default());
+        let (step, _) = mode_step.take(&at_rest, &mut memory, &mut run.work);
         run.work.pieces += 1;
         if !step.is_accepted {
             return None;

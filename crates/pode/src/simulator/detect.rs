@@ -190,7 +190,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run: &mut TickRun<'_, S, W>,
         taken: &mut TakenStep<M, T>,
     ) {
-        if taken.is_refined {
+        if taken.is_refined || T::REFINEMENT == 0 {
             return;
         }
         taken.is_refined = true;
@@ -199,8 +199,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             stepper: &self.stepper,
             mode: self.mode,
             signal: run.signal,
-            span: (run.theta, taken.theta_end - run.theta),
+            theta: (run.theta, taken.theta_end),
+            input: run.input(),
             h: taken.h,
+            rest: taken.h,
         };
         mode_step.refine(&self.memory, &mut taken.step.dense, &mut run.work);
     }

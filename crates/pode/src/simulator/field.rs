@@ -16,25 +16,45 @@ pub(super) struct ModeField<'a, M: Model, S> {
     part: Part,
     index: usize,
     signal: &'a S,
-    /// Where the step begins in the tick.
-    theta: f64,
-    /// Which part of the tick it is.
-    span: f64,
+    /// Where the step begins and ends in the tick.
+    theta: (f64, f64),
+    /// The place of the step at which the input was taken last, and the input there: stages share
+    /// their instants, and an input may be costly.
+    last: (f64, M::Input),
     derivatives: u32,
     jacobians: u32,
 }
 
 impl<'a, M: Model, S: Signal<M::Input>> ModeField<'a, M, S> {
-    /// The equations of a part of `mode` over the part of the tick that begins at θ and has the
-    /// length.
+    /// The equations of a part of `mode` from one θ of the tick to another, with the `input` at the
+    /// first.
     #[inline]
     pub(super) const fn new(
         model: &'a M,
         (mode, index, part): (M::Mode, usize, Part),
         signal: &'a S,
-        (theta, span): (f64, f64),
+        theta: (f64, f64),
+        input: M::Input,
     ) -> Self {
-        Self { model, mode, part, index, signal, theta, span, derivatives: 0, jacobians: 0 }
+        let last = (0.0, input);
+        Self { model, mode, part, index, signal, theta, last, derivatives: 0, jacobians: 0 }
+    }
+
+    /// The input at the fraction `tau` of the step.
+    #[inline]
+    fn input(&mut self, tau: f64) -> M::Input {
+        if self.last.0.to_bits() != tau.to_bits() {
+            let (start, end) = self.theta;
+            let theta = if tau < 1.0 { start + tau * (end - start) } else { end };
+            self.last = (tau, self.signal.at(theta));
+        }
+        self.last.1
+    }
+
+    /// The input at the end of the step, if it was taken.
+    #[inline]
+    pub(super) fn end_input(&self) -> Option<M::Input> {
+        (self.last.0.to_bits() == 1.0_f64.to_bits()).then_some(self.last.1)
     }
 
     /// Adds the evaluations to the tick's.
@@ -83,13 +103,14 @@ impl<M: Model, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
     #[inline(always)]
     fn derivative(&mut self, tau: f64, x: &M::State) -> M::State {
         self.derivatives += 1;
-        self.rates(x, &self.signal.at(self.theta + tau * self.span))
+        let input = self.input(tau);
+        self.rates(x, &input)
     }
 
     #[inline]
     fn jacobian(&mut self, tau: f64, x: &M::State) -> <M::State as State>::Matrix {
         self.jacobians += 1;
-        let input = self.signal.at(self.theta + tau * self.span);
+        let input = self.input(tau);
         if self.part.is_whole() {
             self.model.jacobian(self.mode, x, &input)
         } else {

@@ -11,7 +11,7 @@ mod step_end;
 mod transition;
 
 use detect::{First, Suspicion};
-use parts::{Memories, ModeStep};
+use parts::{Memories, ModeStep, PartMemory};
 
 use crate::dense::Dense as _;
 use crate::epoch::stand_after;
@@ -25,7 +25,7 @@ use crate::outcome::{Advance, Cap, Fault, Tick};
 use crate::quadrature::{LOBATTO, SIMPSON};
 use crate::run::TickRun;
 use crate::state::{is_finite, largest};
-use crate::stepper::{Memory, Step, Stepper};
+use crate::stepper::{Step, Stepper};
 use crate::watch::{Piece, Watch};
 
 /// A model in motion.
@@ -85,7 +85,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             guards: [GuardSlot::EMPTY; MAX_GUARDS],
             last_input: None,
             since_event: 0.0,
-            memory: core::array::from_fn(|_| T::Memory::default()),
+            memory: core::array::from_fn(|_| PartMemory::default()),
             impacts: Impacts::NONE,
             is_read: true,
         }
@@ -119,7 +119,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// Forgets what the method carries: the state has jumped, or the mode has changed.
     fn restart(&mut self) {
-        self.memory.iter_mut().for_each(Memory::restart);
+        self.memory.iter_mut().for_each(PartMemory::restart);
     }
 
     /// Returns the mode that holds now.
@@ -175,7 +175,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run: &mut TickRun<'_, S, W>,
         input: &mut M::Input,
     ) {
-        self.memory.iter_mut().for_each(Memory::begin_tick);
+        self.memory.iter_mut().for_each(PartMemory::begin_tick);
         if self.last_input == Some(*input) {
             return;
         }
@@ -211,7 +211,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             return run.cap(Cap::Pieces);
         }
         run.work.pieces += 1;
-        let Some(mut taken) = self.take_step(run) else { return };
+        let Some(mut taken) = self.take_step(run, input) else { return };
         if self.is_read || W::LOOKS_INSIDE {
             self.refine(run, &mut taken);
         }
@@ -253,29 +253,30 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.input()
     }
 
-    /// Takes a step; `None` if the method refuses it, or its end is not finite.
+    /// Takes a step that begins with `input`; `None` if the method refuses it, or its end is not finite.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     fn take_step<S: Signal<M::Input>, W>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
+        input: &M::Input,
     ) -> Option<TakenStep<M, T>> {
-        let theta_end = self.step_end(run);
-        let span = theta_end - run.theta;
-        let h = span * run.h;
+        let theta_end = self.step_end(run, input);
+        let h = (theta_end - run.theta) * run.h;
         let mode_step = ModeStep {
             model: &self.model,
             stepper: &self.stepper,
             mode: self.mode,
             signal: run.signal,
-            span: (run.theta, span),
+            theta: (run.theta, theta_end),
+            input: *input,
             h,
+            rest: run.rest(),
         };
-        let step = mode_step.take(&self.state, &mut self.memory, &mut run.work);
+        let (step, input) = mode_step.take(&self.state, &mut self.memory, &mut run.work);
         if !step.is_accepted {
             return None;
         }
-        let input = run.signal.at(theta_end);
         let Some(end) = self.constrained(self.mode, step.dense.end(), &input) else {
             run.fail(Fault::State);
             return None;

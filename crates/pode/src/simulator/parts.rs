@@ -9,8 +9,75 @@ use crate::part::{MAX_PARTS, Part};
 use crate::state::State;
 use crate::stepper::{Memory, Step, Stepper};
 
-/// What a method carries from one step to the next, for each part of the mode.
-pub(super) type Memories<M, T> = [<T as Stepper>::Memory<<M as Model>::State>; MAX_PARTS];
+/// What is carried from one step to the next for each part of the mode.
+pub(super) type Memories<M, T> =
+    [PartMemory<<T as Stepper>::Memory<<M as Model>::State>, DenseOf<M, T>>; MAX_PARTS];
+
+/// The dense output of a method's steps of a model.
+type DenseOf<M, T> = <T as Stepper>::Dense<<M as Model>::State>;
+
+/// What is carried for one part.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct PartMemory<M, D> {
+    /// By the method.
+    method: M,
+    /// A step of the part's own that is longer than the mode's, as far as it is ahead.
+    ahead: Option<Ahead<D>>,
+}
+
+/// A step that a part has taken ahead of the others.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Ahead<D> {
+    dense: D,
+    /// Its length (s).
+    length: f64,
+    /// How much of it the other parts have come after (s).
+    passed: f64,
+}
+
+impl<D> Ahead<D> {
+    /// Its dense output over the next `h` (s), if it reaches so far.
+    fn next<S>(&mut self, h: f64) -> Option<D>
+    where
+        D: Dense<S>,
+    {
+        /// Sums of steps are off by rounding.
+        const ROUNDING: f64 = 1e-9;
+        let (from, to) = (self.passed / self.length, (self.passed + h) / self.length);
+        self.passed += h;
+        if to > 1.0 + ROUNDING { None } else { self.dense.within(from, to.min(1.0)) }
+    }
+}
+
+impl<M: Default, D> Default for PartMemory<M, D> {
+    fn default() -> Self {
+        Self { method: M::default(), ahead: None }
+    }
+}
+
+impl<M: Memory, D> PartMemory<M, D> {
+    /// Forgets the motion.
+    pub(super) fn restart(&mut self) {
+        self.method.restart();
+        self.ahead = None;
+    }
+
+    /// A new tick begins.
+    pub(super) fn begin_tick(&mut self) {
+        self.method.begin_tick();
+    }
+
+    /// The step just taken is refused.
+    fn refuse(&mut self) {
+        self.method.refuse();
+        self.ahead = None;
+    }
+
+    /// Longest step (s) that is worth trying next.
+    pub(super) fn reach(&self) -> f64 {
+        self.method.reach()
+    }
+}
 
 /// A step of one mode over a part of the tick.
 pub(super) struct ModeStep<'a, M: Model, T: Stepper, S> {
@@ -18,10 +85,13 @@ pub(super) struct ModeStep<'a, M: Model, T: Stepper, S> {
     pub(super) stepper: &'a T,
     pub(super) mode: M::Mode,
     pub(super) signal: &'a S,
-    /// Where the step begins in the tick, and which part of the tick it is.
-    pub(super) span: (f64, f64),
-    /// Length of the step (s).
+    /// Where the step begins and ends in the tick.
+    pub(super) theta: (f64, f64),
+    /// The input where it begins.
+    pub(super) input: M::Input,
+    /// Length of the step, and of the rest of the tick from where it begins (s).
     pub(super) h: f64,
+    pub(super) rest: f64,
 }
 
 /// The step that a method takes of a model.
@@ -42,12 +112,14 @@ fn together<S: State, D: Dense<S>>(
 }
 
 impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
-    fn field(&self, index: usize, part: Part) -> ModeField<'_, M, S> {
-        ModeField::new(self.model, (self.mode, index, part), self.signal, self.span)
+    /// The equations of a part up to `end` of the tick.
+    fn field(&self, (index, part): (usize, Part), end: f64) -> ModeField<'_, M, S> {
+        let theta = (self.theta.0, end);
+        ModeField::new(self.model, (self.mode, index, part), self.signal, theta, self.input)
     }
 
     /// Steps all parts from `x0`, one after another, and counts their evaluations; a step that one
-    /// of them refuses is refused by all.
+    /// of them refuses is refused by all. Returns the input at the end as well.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     pub(super) fn take(
@@ -55,20 +127,59 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         x0: &M::State,
         memories: &mut Memories<M, T>,
         work: &mut Work,
-    ) -> Taken<M, T> {
+    ) -> (Taken<M, T>, M::Input) {
+        let mut end = None;
         let parts = self.model.parts(self.mode);
         let mut whole: Option<Taken<M, T>> = None;
         for (index, (part, memory)) in parts.iter().zip(memories.iter_mut()).enumerate() {
-            let mut field = self.field(index, *part);
-            let step = self.stepper.step(&mut field, x0, memory, self.h);
+            let mut field = self.field((index, *part), self.theta.1);
+            let step = match parts {
+                [_] => self.stepper.step(&mut field, x0, &mut memory.method, self.h),
+                _ => self.take_part((index, *part), x0, memory, &mut field, work),
+            };
             field.count(work);
+            end = end.or_else(|| field.end_input());
             whole = Some(whole.map_or(step, |whole| together(&whole, &step, part)));
         }
         let whole = whole.unwrap_or_else(|| Step::new(T::Dense::still(x0)));
         if !whole.is_accepted && parts.len() > 1 {
-            memories.iter_mut().take(parts.len()).for_each(Memory::refuse);
+            memories.iter_mut().take(parts.len()).for_each(PartMemory::refuse);
         }
-        whole
+        (whole, end.unwrap_or_else(|| self.signal.at(self.theta.1)))
+    }
+
+    /// Steps one of several parts: by the step that it has taken ahead, by one that is longer than
+    /// the mode's, or by one as long.
+    fn take_part(
+        &self,
+        (index, part): (usize, Part),
+        x0: &M::State,
+        memory: &mut PartMemory<T::Memory<M::State>, DenseOf<M, T>>,
+        field: &mut ModeField<'_, M, S>,
+        work: &mut Work,
+    ) -> Taken<M, T> {
+        let known = memory.ahead.as_mut().map(|ahead| ahead.next(self.h));
+        if let Some(Some(dense)) = known {
+            return Step::new(dense);
+        }
+        if known.is_some() {
+            // The rest of it is shorter than the step: it was taken for another grid.
+            memory.restart();
+        }
+        let length = part.own_step(self.h, self.rest);
+        if length > self.h && memory.reach().is_infinite() {
+            let theta = self.theta.0 + length / self.h * (self.theta.1 - self.theta.0);
+            let mut own = self.field((index, part), theta);
+            let step = self.stepper.step(&mut own, x0, &mut memory.method, length);
+            let mut ahead = Ahead { dense: step.dense, length, passed: 0.0 };
+            if let Some(dense) = ahead.next(self.h) {
+                own.count(work);
+                memory.ahead = Some(ahead);
+                return Step { dense, ..step };
+            }
+            memory.restart();
+        }
+        self.stepper.step(field, x0, &mut memory.method, self.h)
     }
 
     /// Brings the dense output of the step just taken to its full order.
@@ -81,9 +192,9 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
     ) {
         for (index, (part, memory)) in self.model.parts(self.mode).iter().zip(memories).enumerate()
         {
-            let mut field = self.field(index, *part);
+            let mut field = self.field((index, *part), self.theta.1);
             let mut refined = *dense;
-            self.stepper.refine(&mut field, memory, &mut refined, self.h);
+            self.stepper.refine(&mut field, &memory.method, &mut refined, self.h);
             field.count(work);
             *dense = dense.merged(&refined, part);
         }

@@ -2,18 +2,18 @@
 //! an event that is expected.
 
 use super::Simulator;
+use super::parts::PartMemory;
 use crate::epoch::Stand;
-use crate::input::Signal;
 use crate::math;
 use crate::model::Resets;
 use crate::run::TickRun;
-use crate::stepper::{Memory, Stepper};
+use crate::stepper::Stepper;
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
-    /// Where the step that begins now ends.
+    /// Where the step that begins now under `input` ends.
     #[inline]
-    pub(super) fn step_end<S: Signal<M::Input>, W>(&self, run: &mut TickRun<'_, S, W>) -> f64 {
-        let end = self.line(run);
+    pub(super) fn step_end<S, W>(&self, run: &mut TickRun<'_, S, W>, input: &M::Input) -> f64 {
+        let end = self.line(run, input);
         // Where the dense output is as good as the end there is nothing to gain.
         let may_aim = run.limits.forecast
             && !run.has_aimed
@@ -42,19 +42,19 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
 
     /// The next line of the mode's grid, or as far as the method reaches.
     #[inline]
-    fn line<S: Signal<M::Input>, W>(&self, run: &TickRun<'_, S, W>) -> f64 {
+    fn line<S, W>(&self, run: &TickRun<'_, S, W>, input: &M::Input) -> f64 {
         /// A rest shorter than this part of a step joins the next one.
         const CRUMB: f64 = 1e-9;
         /// More lines than any tick can have pieces.
         const MOST_LINES: f64 = 1e12;
-        let own = self.model.longest_step_at(self.mode, &self.state, &run.input());
+        let own = self.model.longest_step_at(self.mode, &self.state, input);
         let longest = self
             .stepper
             .longest_step(&self.model.nature(self.mode), own)
             .min(run.limits.longest_step);
         // What is no length at all asks for more pieces than there are.
         let longest = if longest > 0.0 { longest } else { 0.0 };
-        let reach = self.memory.iter().map(Memory::reach).fold(f64::INFINITY, f64::min) / run.h;
+        let reach = self.memory.iter().map(PartMemory::reach).fold(f64::INFINITY, f64::min) / run.h;
         if reach < 1.0 - run.theta {
             return reached(run, reach, longest / run.h);
         }

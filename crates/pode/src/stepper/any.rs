@@ -55,6 +55,15 @@ impl<S: State> Dense<S> for AnyDense<S> {
         }
     }
 
+    fn within(&self, from: f64, to: f64) -> Option<Self> {
+        match self {
+            Self::Cubic(dense) => dense.within(from, to).map(Self::Cubic),
+            Self::Quartic(dense) => dense.within(from, to).map(Self::Quartic),
+            Self::Flow(dense) => dense.within(from, to).map(Self::Flow),
+            Self::Eighth(_) => None,
+        }
+    }
+
     fn at(&self, tau: f64) -> S {
         match self {
             Self::Cubic(dense) => dense.at(tau),

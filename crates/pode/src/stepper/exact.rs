@@ -207,6 +207,13 @@ impl<S: State> Dense<S> for FlowOrCubic<S> {
         }
     }
 
+    fn within(&self, from: f64, to: f64) -> Option<Self> {
+        match self {
+            Self::Flow(dense) => dense.within(from, to).map(Self::Flow),
+            Self::Cubic(dense) => dense.within(from, to).map(Self::Cubic),
+        }
+    }
+
     #[inline]
     fn at(&self, tau: f64) -> S {
         match self {
