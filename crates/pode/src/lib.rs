@@ -63,6 +63,7 @@ mod watch;
 pub mod filippov;
 pub mod input;
 pub mod math;
+pub mod restitution;
 pub mod stepper;
 
 pub use audit::{Auditor, Energetic, EnergyAudit, EnergyBalance};
