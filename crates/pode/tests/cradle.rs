@@ -200,3 +200,16 @@ fn a_cradle_in_air_comes_to_rest_under_both_laws() {
         }
     }
 }
+
+#[test]
+fn pairs_that_only_know_each_other_fit_the_default_limits() {
+    for (restitution, lost) in [(1.0, 0.0), (0.9, f64::INFINITY)] {
+        for (lifted, angle) in [(1, 0.5), (2, 0.5), (3, 0.5), (4, 0.5), (1, 1e-3), (2, 1e-3)] {
+            let what = format!("{lifted} lifted to {angle}, e = {restitution}");
+            let mut cradle = Cradle { restitution, drag: 0.0, law: None }.lifted(lifted, angle);
+            let (recorder, ticks) = run(&mut cradle, 1e-3, 0.0, 30.0);
+            all_completed(&ticks);
+            check_impacts(&what, &recorder, lost);
+        }
+    }
+}
