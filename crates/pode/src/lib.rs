@@ -55,6 +55,8 @@ mod outcome;
 mod phi;
 mod quadrature;
 mod reached;
+#[cfg(feature = "std")]
+mod recorder;
 mod run;
 mod simulator;
 mod slopes;
@@ -78,7 +80,9 @@ pub use model::{Guarded, Model, Reset, Resets, Settling};
 pub use nature::{EquationKind, Nature};
 pub use outcome::{Advance, Cap, Fault, StepCertainty, Tick, Work};
 pub use reached::ReachedMaximum;
-pub use simulator::Simulator;
+#[cfg(feature = "std")]
+pub use recorder::{RecordedEvent, Recorder, Sample};
+pub use simulator::{RunReport, Simulator};
 pub use slopes::{ReadoutSlopes, Sloped};
 pub use state::{Matrix, State};
 pub use stepper::{Field, Step, Stepper};

@@ -31,6 +31,7 @@ mod properties;
 mod quantised;
 mod restitution;
 mod rocking_block;
+mod run;
 mod several_roots;
 mod shaker;
 mod simultaneous;

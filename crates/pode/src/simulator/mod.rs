@@ -6,11 +6,14 @@
 mod accumulation;
 mod detect;
 mod field;
+mod run;
 mod step_end;
 mod transition;
 
 use detect::{Candidates, First};
 use field::ModeField;
+
+pub use run::RunReport;
 
 use crate::dense::Dense as _;
 use crate::epoch::stand_after;
