@@ -87,3 +87,8 @@ pub use slopes::{ReadoutSlopes, Sloped};
 pub use state::{Matrix, State};
 pub use stepper::{Field, Step, Stepper};
 pub use watch::{Event, EventCause, Piece, Silent, Watch};
+
+/// The examples of the README, as tests.
+#[cfg(all(doctest, feature = "std"))]
+#[doc = include_str!("../README.md")]
+struct Readme;
