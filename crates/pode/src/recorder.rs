@@ -92,9 +92,9 @@ impl<M: Model> Recorder<M> {
         Self { every: Some(every).filter(|it| *it > 0.0), ..self }
     }
 
-    /// Has ticks last `h` (s) from the beginning of `tick` on; those before keep their times.
-    pub fn change_tick(&mut self, tick: u64, h: f64) {
-        let begin = self.time(tick, 0.0);
+    /// Has `tick` begin at the time `begin` (s), and last `h` (s) as those after it do; what was
+    /// recorded keeps its times.
+    pub fn place_tick(&mut self, tick: u64, begin: f64, h: f64) {
         self.h = h;
         self.origin = begin - tick as f64 * h;
     }
@@ -136,8 +136,8 @@ impl<M: Model> Recorder<M> {
         self.events.iter().map(|event| event.impulse).sum()
     }
 
-    /// The time (s) at `theta` of `tick`.
-    fn time(&self, tick: u64, theta: f64) -> f64 {
+    /// Returns the time (s) at `theta` of `tick`.
+    pub fn time(&self, tick: u64, theta: f64) -> f64 {
         self.origin + (tick as f64 + theta) * self.h
     }
 

@@ -4,9 +4,11 @@
 
 use pode::restitution::{ContactJacobian, Contacts, Resolved};
 use pode::stepper::Rk4;
-use pode::{GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator};
+use pode::{
+    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Recorder, Reset, Resets, Simulator,
+};
 
-use crate::common::{G, Recorder, all_completed, close, run};
+use crate::common::{G, all_completed, close, run};
 
 /// Length of a pendulum (m); its balls have 1 kg.
 const LENGTH: f64 = 0.2;
@@ -109,8 +111,8 @@ impl Resets for Cradle {
 /// What holds at every impact: momentum is kept, and energy does not grow.
 #[track_caller]
 fn check_impacts(what: &str, recorder: &Recorder<Cradle>, lost: f64) {
-    assert!(!recorder.seen.is_empty(), "{what}: nothing has touched");
-    for seen in &recorder.seen {
+    assert!(!recorder.events().is_empty(), "{what}: nothing has touched");
+    for seen in recorder.events() {
         let what = format_args!("{what}, {} s", seen.t).to_string();
         close(&what, momentum(&seen.after), momentum(&seen.before), 1e-13);
         let gained = energy(&seen.after) - energy(&seen.before);
@@ -150,7 +152,7 @@ fn one_ball_in_is_one_ball_out_each_half_period() {
     let (recorder, ticks) = run(&mut cradle.lifted(1, 0.5), 1e-3, 0.0, 30.0);
     all_completed(&ticks);
     let fastest = (2.0 * G * LENGTH * (1.0 - 0.5_f64.cos())).sqrt();
-    for (n, seen) in recorder.seen.iter().enumerate() {
+    for (n, seen) in recorder.events().iter().enumerate() {
         let expected = period(0.5) * (0.25 + 0.5 * n as f64);
         close(format_args!("impact {n}"), seen.t, expected, 1e-7);
         let moves = if n % 2 == 0 { 9 } else { 5 };
@@ -159,7 +161,7 @@ fn one_ball_in_is_one_ball_out_each_half_period() {
         assert!(others.fold(0.0, f64::max) < 1e-12, "impact {n}: {:?}", seen.after);
     }
     let half_periods = 30.0 / (0.5 * period(0.5));
-    close("impacts", recorder.seen.len() as f64, half_periods, 0.5);
+    close("impacts", recorder.events().len() as f64, half_periods, 0.5);
 }
 
 #[test]
@@ -175,7 +177,7 @@ fn a_cradle_with_losses_swings_as_one_after_a_while_under_both_laws() {
                 let mean = momentum(x) / 5.0;
                 (5..10).map(|i| 0.5 * (x[i] - mean).powi(2)).sum::<f64>()
             };
-            let first = apart(&recorder.seen[0].before);
+            let first = apart(&recorder.events()[0].before);
             // Some 66 meetings; each leaves at most e² of the energy of relative motion of those
             // that meet.
             let last = apart(cradle.state());
