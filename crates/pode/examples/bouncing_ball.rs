@@ -3,12 +3,12 @@
 #![allow(clippy::disallowed_macros, clippy::print_stdout, reason = "an example prints")]
 
 use pode::{
-    Event, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Settling,
-    Simulator, Watch, stepper::Rk4,
+    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Recorder, Reset, Resets, Settling,
+    Simulator, stepper::Rk4,
 };
 
-/// Height (m) and speed (m/s) of a ball of 1 kg; each bounce keeps 0.8 of the speed.
-#[derive(Clone, Copy)]
+/// Height (m) and speed (m/s) of a ball; each bounce keeps 0.8 of the speed.
+#[derive(Clone, Copy, Debug)]
 struct Ball;
 
 const G: f64 = 9.81;
@@ -23,10 +23,6 @@ impl Model for Ball {
 
     fn derivative(&self, bounces: bool, x: &[f64; 2], (): &()) -> [f64; 2] {
         if bounces { [x[1], -G] } else { [0.0, 0.0] }
-    }
-
-    fn readout(&self, bounces: bool, _: &[f64; 2], (): &()) -> f64 {
-        if bounces { 0.0 } else { G }
     }
 }
 
@@ -44,31 +40,16 @@ impl Resets for Ball {
     fn reset(&self, _: bool, _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
         let (ratio, up) = (RESTITUTION, -RESTITUTION * x[1]);
         let after = 2.0 * up / (G * (1.0 - ratio));
-        let impulse = up * (1.0 + ratio) / (1.0 - ratio);
-        Reset::to(true, [0.0, up]).with_impulse(up - x[1]).settling(Settling {
-            after,
-            ratio,
-            mode: false,
-            state: [0.0, 0.0],
-            impulse,
-        })
-    }
-}
-
-/// Prints events; ticks last 1 ms.
-struct Printer;
-
-impl Watch<Ball> for Printer {
-    fn event(&mut self, _: &Ball, event: &Event<'_, Ball>) {
-        let t = (event.tick as f64 + event.theta) * 1e-3;
-        println!("{t:.12} s  {:8} at {:.6} m/s", event.cause.name(), event.before.1[1]);
+        let (mode, state, impulse) = (false, [0.0, 0.0], up * (1.0 + ratio) / (1.0 - ratio));
+        let settling = Settling { after, ratio, mode, state, impulse };
+        Reset::to(true, [0.0, up]).with_impulse(up - x[1]).settling(settling)
     }
 }
 
 fn main() {
     let mut ball = Simulator::new(Ball, Rk4, Limits::default(), true, [1.0, 0.0]);
-    for _ in 0..5000 {
-        let tick = ball.advance(1e-3, &|_| (), &mut Printer);
-        assert_eq!(tick.advance, pode::Advance::Completed);
-    }
+    let mut recorder = Recorder::new(1e-3);
+    let report = ball.run(5.0, 1e-3, |_| (), &mut recorder);
+    recorder.events().iter().for_each(|event| println!("{event}"));
+    println!("{:?} after {} ticks, {:?}", report.advance, report.ticks, report.work);
 }

@@ -57,6 +57,9 @@ mod outcome;
 mod part;
 mod phi;
 mod quadrature;
+mod reached;
+#[cfg(feature = "std")]
+mod recorder;
 mod run;
 mod simulator;
 mod slopes;
@@ -66,6 +69,7 @@ mod watch;
 pub mod filippov;
 pub mod input;
 pub mod math;
+pub mod restitution;
 pub mod stepper;
 
 pub use audit::{Auditor, Energetic, EnergyAudit, EnergyBalance};
@@ -80,8 +84,16 @@ pub use model::{Guarded, Model, Reset, Resets, Settling};
 pub use nature::{EquationKind, Nature};
 pub use outcome::{Advance, Cap, Fault, Tick, Work};
 pub use part::{MAX_PARTS, Part};
-pub use simulator::Simulator;
+pub use reached::ReachedMaximum;
+#[cfg(feature = "std")]
+pub use recorder::{RecordedEvent, Recorder, Sample};
+pub use simulator::{RunReport, Simulator};
 pub use slopes::{ReadoutSlopes, Sloped};
 pub use state::{Factors, Matrix, State};
 pub use stepper::{Field, Step, Stepper};
 pub use watch::{Event, EventCause, Piece, Silent, Watch};
+
+/// The examples of the README, as tests.
+#[cfg(all(doctest, feature = "std"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

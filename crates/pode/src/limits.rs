@@ -26,11 +26,14 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// 32 events, 8 at one instant, and work that this allows; 2⁻⁴⁰ of a tick.
+    /// 64 events, 32 at one instant, and work that this allows; 2⁻⁴⁰ of a tick.
+    ///
+    /// A Newton's cradle of five balls whose pairs know nothing of each other fits in.
+    /// [`Limits::reached`] says which limit to raise when a tick is capped.
     fn default() -> Self {
         Self {
-            events: 32,
-            cascade: 8,
+            events: 64,
+            cascade: 32,
             followed: 6,
             guards: 8192,
             pieces: 1024,

@@ -50,8 +50,10 @@ pub trait Model {
     }
 
     /// Returns the readout in `mode`: the generalised force on what drives the input.
-    /// `[GC93]` eq. 7.
-    fn readout(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
+    /// `[GC93]` eq. 7. A model that drives nothing has none.
+    fn readout(&self, _mode: Self::Mode, _x: &Self::State, _input: &Self::Input) -> f64 {
+        0.0
+    }
 
     /// Returns the derivative's derivative by the state; by differences unless a model knows
     /// better. Methods that are linearly implicit ask for it.
@@ -98,12 +100,16 @@ pub trait Model {
 }
 
 /// Conditions under which a mode stops being valid.
+///
+/// A model that is always valid has no guards: `impl Guarded for X {}`.
 pub trait Guarded: Model {
     /// The guards of `mode`, at most [`MAX_GUARDS`](crate::MAX_GUARDS), in any order.
     ///
     /// The model may keep the list among its own values: their number and their scales then
     /// follow from its parameters.
-    fn guards(&self, mode: Self::Mode) -> &[GuardSpec];
+    fn guards(&self, _mode: Self::Mode) -> &[GuardSpec] {
+        &[]
+    }
 
     /// Whether a guard of the list is watched in `mode`; one that is not is never evaluated
     /// there.
@@ -127,25 +133,35 @@ pub trait Guarded: Model {
     }
 
     /// Returns the guard and its rate along the motion in `mode`. `[GC93]` eq. 8.
+    ///
+    /// A guard that is listed and not defined here is no number, which is a fault.
     fn guard(
         &self,
-        mode: Self::Mode,
-        guard: GuardId,
-        x: &Self::State,
-        input: &Self::Input,
-    ) -> GuardValue;
+        _mode: Self::Mode,
+        _guard: GuardId,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> GuardValue {
+        GuardValue::new(f64::NAN, f64::NAN)
+    }
 }
 
 /// Where the state lands, and in which mode, when a guard fires.
+///
+/// A model whose guards only tell when they are crossed needs no more than
+/// `impl Resets for X {}`.
 pub trait Resets: Guarded + Sized {
-    /// Applies the reset map x⁺ = H(x⁻, u). `[GC93]` eq. 12.
+    /// Applies the reset map x⁺ = H(x⁻, u), by default the one that changes nothing.
+    /// `[GC93]` eq. 12.
     fn reset(
         &self,
         mode: Self::Mode,
-        guard: GuardId,
+        _guard: GuardId,
         x: &Self::State,
-        input: &Self::Input,
-    ) -> Reset<Self>;
+        _input: &Self::Input,
+    ) -> Reset<Self> {
+        Reset::to(mode, *x)
+    }
 }
 
 /// What a reset map gives.

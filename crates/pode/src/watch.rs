@@ -4,6 +4,7 @@ use crate::dense::Dense;
 use crate::guard::GuardSpec;
 use crate::input::Signal;
 use crate::model::Model;
+use crate::outcome::Tick;
 
 /// A stretch of one tick in which one mode held, with its dense output.
 #[derive(Debug)]
@@ -64,6 +65,11 @@ impl<M: Model, S: Signal<M::Input>> Piece<'_, M, S> {
         self.tau * self.h
     }
 
+    /// Times (s) at which the piece begins and ends, where all ticks have the length `h` (s).
+    pub fn times(&self, h: f64) -> [f64; 2] {
+        [self.theta.0, self.theta_end()].map(|theta| (self.tick as f64 + theta) * h)
+    }
+
     /// Where the piece ends within its tick, 0 ..= 1.
     pub fn theta_end(&self) -> f64 {
         self.theta_at(self.tau)
@@ -119,6 +125,13 @@ pub struct Event<'a, M: Model> {
     pub projection: f64,
 }
 
+impl<M: Model> Event<'_, M> {
+    /// Time (s) of the event, where all ticks have the length `h` (s).
+    pub fn time(&self, h: f64) -> f64 {
+        (self.tick as f64 + self.theta) * h
+    }
+}
+
 /// Follows a simulation; everything is optional.
 pub trait Watch<M: Model> {
     /// Whether pieces are looked at between their ends: their dense output then has its full
@@ -130,6 +143,9 @@ pub trait Watch<M: Model> {
 
     /// Takes a transition that has happened.
     fn event(&mut self, _model: &M, _event: &Event<'_, M>) {}
+
+    /// Takes what a tick gave; [`Simulator::run`](crate::Simulator::run) calls it after each.
+    fn tick(&mut self, _model: &M, _tick: &Tick) {}
 }
 
 /// A watch that ignores everything.
@@ -154,6 +170,11 @@ impl<M: Model, A: Watch<M>, B: Watch<M>> Watch<M> for (A, B) {
         self.0.event(model, event);
         self.1.event(model, event);
     }
+
+    fn tick(&mut self, model: &M, tick: &Tick) {
+        self.0.tick(model, tick);
+        self.1.tick(model, tick);
+    }
 }
 
 impl<M: Model, W: Watch<M>> Watch<M> for &mut W {
@@ -167,5 +188,9 @@ impl<M: Model, W: Watch<M>> Watch<M> for &mut W {
 
     fn event(&mut self, model: &M, event: &Event<'_, M>) {
         (**self).event(model, event);
+    }
+
+    fn tick(&mut self, model: &M, tick: &Tick) {
+        (**self).tick(model, tick);
     }
 }

@@ -98,11 +98,11 @@ fn rebound_error<T: Stepper>(steps: i32) -> f64 {
     let exact = 7.0 * WALL.acos();
     let h = exact / f64::from(steps);
     let mut simulator = Simulator::new(Rebound, T::default(), Limits::default(), (), [1.0, 0.0]);
-    let mut recorder = crate::common::Recorder::new(h);
-    while recorder.seen.len() < 4 {
+    let mut recorder = pode::Recorder::new(h);
+    while recorder.events().len() < 4 {
         assert_eq!(simulator.advance(h, &|_| (), &mut recorder).advance, Advance::Completed);
     }
-    (recorder.seen[3].t - exact).abs()
+    (recorder.events()[3].t - exact).abs()
 }
 
 /// The method `T` with a memory that does not let go.

@@ -4,9 +4,9 @@
 //! first or second derivative is therefore seen to turn only where tᵖ leaves that band:
 //! (16 ε)^⅓ for t³, which is 1.5e-5. Any other root is located to 2⁻⁴⁰ of the tick.
 
-use pode::{Advance, GuardId, GuardValue};
+use pode::{Advance, GuardId, GuardValue, Recorder};
 
-use crate::common::{ONE, Recorder, Timed, close, count, count_and_flip};
+use crate::common::{ONE, Timed, close, count, count_and_flip};
 
 /// How a unit of time is cut into ticks.
 const TICKS: [u32; 4] = [1, 10, 143, 1000];
@@ -108,7 +108,7 @@ fn a_reset_that_leaves_its_guard_two_ulps_short_does_not_fire_again() {
         for _ in 0..n {
             let _ = timed.advance(1.0 / f64::from(n), &|_| (), &mut recorder);
         }
-        assert_eq!(recorder.seen.len(), 1, "{n} ticks: {:?}", recorder.seen);
+        assert_eq!(recorder.events().len(), 1, "{n} ticks: {:?}", recorder.events());
     }
 }
 
@@ -126,8 +126,8 @@ fn a_guard_entered_below_zero_that_rises_and_dips_within_a_step_fires_at_the_dip
         for _ in 0..n {
             let _ = timed.advance(1.0 / f64::from(n), &|_| (), &mut recorder);
         }
-        assert_eq!(recorder.seen.len(), 1, "{n} ticks: {:?}", recorder.times());
-        close(format_args!("{n} ticks"), recorder.seen[0].t, 0.4, 1e-14);
+        assert_eq!(recorder.events().len(), 1, "{n} ticks: {:?}", recorder.times());
+        close(format_args!("{n} ticks"), recorder.events()[0].t, 0.4, 1e-14);
     }
 }
 
@@ -142,9 +142,9 @@ fn hops_lower_than_rounding_take_time_and_no_cascade() {
     for _ in 0..10 {
         assert_eq!(ball.advance(1e-7, &|_| (), &mut recorder).advance, Advance::Completed);
     }
-    close("the first hop", recorder.seen[0].t, hop, 1e-9 * hop);
+    close("the first hop", recorder.events()[0].t, hop, 1e-9 * hop);
     // Where a tick ends in the air, it ends within rounding of the floor: the fall is then
     // seen at 16 ε below, up to half a hop late.
-    let (number, most) = (recorder.seen.len() as f64, 1e-6 / hop);
+    let (number, most) = (recorder.events().len() as f64, 1e-6 / hop);
     assert!(0.5 * most < number && number <= most, "{number} of {most}");
 }

@@ -33,11 +33,11 @@ fn check_bounces(e: f64, h: f64, phase: f64) {
     let mut ball = Ball::dropped(e, 1.0, Limits::default());
     let settled = T1 * (1.0 + e) / (1.0 - e);
     let (recorder, ticks) = run(&mut ball, h, phase, settled + 1.0);
-    for (n, seen) in (1..=10).zip(&recorder.seen) {
+    for (n, seen) in (1..=10).zip(recorder.events()) {
         close(format_args!("e {e}, h {h}, phase {phase}: bounce {n}"), seen.t, bounce(n, e), 1e-12);
     }
-    let last = &recorder.seen[recorder.seen.len() - 1];
-    assert_eq!((last.guard, last.mode), ("settled", BallMode::Rest), "e {e}, h {h}");
+    let last = &recorder.events()[recorder.events().len() - 1];
+    assert_eq!((last.name, last.to), ("settled", BallMode::Rest), "e {e}, h {h}");
     close("settled", last.t, settled, 1e-9);
     all_completed(&ticks);
     // What the floor gave: every impact, then the weight.

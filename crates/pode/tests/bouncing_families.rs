@@ -66,7 +66,7 @@ fn a_ball_that_does_not_bounce_at_all_rests_at_once() {
         all_completed(&ticks);
         assert_eq!(ball.mode(), BallMode::Rest, "h {h}, phase {phase}");
         let fall = (2.0 / G).sqrt();
-        close("rest", recorder.seen[recorder.seen.len() - 1].t, fall, 1e-12);
+        close("rest", recorder.events()[recorder.events().len() - 1].t, fall, 1e-12);
         let impulse: f64 = ticks.iter().map(|tick| tick.impulse).sum();
         close("impulse", impulse, (2.0 * G).sqrt(), 1e-12);
     });
@@ -130,19 +130,19 @@ proptest! {
         let mut ball = Ball::dropped(e, height, Limits::default());
         let (recorder, ticks) = run(&mut ball, h, phase, rest + 0.05);
         all_completed(&ticks);
-        for (n, seen) in (1..).zip(&recorder.seen).take(10) {
+        for (n, seen) in (1..).zip(recorder.events()).take(10) {
             // Where a tick holds many of them, they are taken in one move.
-            if seen.guard != "floor" {
+            if seen.name != "floor" {
                 break;
             }
             let expected = first * (1.0 + 2.0 * e * (1.0 - e.powi(n - 1)) / (1.0 - e));
             // The sums round the height by some 1e-15, which the speed makes a time; a speed
             // that was lost is lost for all that follows.
             let speed = G * first * e.powi(n - 1);
-            close(format_args!("bounce {n} of {}", recorder.seen.len()), seen.t, expected, 1e-12 + 1e-14 / speed);
+            close(format_args!("bounce {n} of {}", recorder.events().len()), seen.t, expected, 1e-12 + 1e-14 / speed);
         }
-        let last = &recorder.seen[recorder.seen.len() - 1];
-        prop_assert_eq!((last.guard, ball.mode()), ("settled", BallMode::Rest));
+        let last = &recorder.events()[recorder.events().len() - 1];
+        prop_assert_eq!((last.name, ball.mode()), ("settled", BallMode::Rest));
         close("rest", last.t, rest, 1e-9);
         let impulse: f64 = ticks.iter().map(|tick| tick.impulse).sum();
         let expected = G * first * (1.0 + e) / (1.0 - e);
@@ -164,12 +164,12 @@ proptest! {
         let (recorder, ticks) = run(&mut it, h, phase, 0.5);
         all_completed(&ticks);
         let (mut t, mut x, mut v) = (0.0, place * width, speed);
-        for seen in &recorder.seen {
+        for seen in recorder.events() {
             let side = usize::from(v > 0.0);
             let wall = [0.0, width][side];
             t += (wall - x) / v;
             (x, v) = (wall, -restitution[side] * v);
-            prop_assert_eq!(seen.guard, ["left", "right"][side]);
+            prop_assert_eq!(seen.name, ["left", "right"][side]);
             close("meeting", seen.t, t, 1e-12 + 1e-13 / v.abs());
         }
         prop_assert!(t + width / v.abs() > 0.5 - 1e-9 - h, "some walls were not met: {} {}", t, v);

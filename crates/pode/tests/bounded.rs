@@ -57,8 +57,8 @@ fn a_jump_of_a_guard_is_one_event() {
         let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
         let (recorder, ticks) = crate::common::run(&mut timed, h, 0.0, 0.2);
         crate::common::all_completed(&ticks);
-        assert_eq!(recorder.seen.len(), 1, "h {h}: {:?}", recorder.times());
-        crate::common::close("the jump", recorder.seen[0].t, 0.1, 1e-12 * h + 2e-14);
+        assert_eq!(recorder.events().len(), 1, "h {h}: {:?}", recorder.times());
+        crate::common::close("the jump", recorder.events()[0].t, 0.1, 1e-12 * h + 2e-14);
     }
 }
 

@@ -67,7 +67,7 @@ fn events<M: Resets<Input = ()>>(
 ) -> Vec<(&'static str, f64)> {
     let (recorder, ticks) = run(&mut { start }, h, phase, 2.0);
     all_completed(&ticks);
-    recorder.seen.iter().filter(|seen| seen.t < 1.99).map(|seen| (seen.guard, seen.t)).collect()
+    recorder.events().iter().filter(|seen| seen.t < 1.99).map(|seen| (seen.name, seen.t)).collect()
 }
 
 /// Asserts that all cuts of the time line have the same events.

@@ -32,9 +32,9 @@ fn a_contact_has_its_time_depth_and_period() {
             let what = |name: &str| format!("{name}, k {k}, h {h}, phase {phase}");
             let (recorder, ticks) = run(&mut Head { k }.dropped(EXACT), h, phase, 2.0);
             all_completed(&ticks);
-            let seen = &recorder.seen;
+            let seen = recorder.events();
             for bounce in seen.chunks_exact(3).take(8) {
-                let names: Vec<_> = bounce.iter().map(|it| it.guard).collect();
+                let names: Vec<_> = bounce.iter().map(|it| it.name).collect();
                 assert_eq!(names, ["touch", "deepest", "leave"]);
                 close(what("contact"), bounce[2].t - bounce[0].t, contact, 2e-15);
                 close(what("depth"), -bounce[1].before[0], depth, 1e-15);
@@ -54,7 +54,7 @@ fn twenty_seconds_at_the_stiffest_keep_events_and_energy() {
         let mut head = Head { k }.dropped(EXACT);
         let (recorder, ticks) = run(&mut head, 1e-3, phase, 20.0);
         all_completed(&ticks);
-        let touches: Vec<_> = recorder.seen.iter().filter(|it| it.guard == "touch").collect();
+        let touches: Vec<_> = recorder.events().iter().filter(|it| it.name == "touch").collect();
         assert_eq!(touches.len(), 99);
         for (n, touch) in touches.iter().enumerate() {
             close(format_args!("touch {n}"), touch.t - touches[0].t, n as f64 * period, 1e-11);

@@ -119,13 +119,13 @@ fn exit_speed(radians: f64, start: f64, forecast: bool) -> (f64, u32) {
     let (t, v) = (start * h, 1.0 - G * start * h);
     let at = [v * t + 0.5 * G * t * t, -v];
     let mut head = Simulator::new(head, Rk4, limits, crate::common::head::Mode::Flight, at);
-    let mut recorder = crate::common::Recorder::new(h);
+    let mut recorder = pode::Recorder::new(h);
     let mut derivatives = 0;
-    while recorder.seen.len() < 3 {
+    while recorder.events().len() < 3 {
         let tick = head.advance(h, &|_| (), &mut recorder);
         derivatives += tick.work.derivatives;
     }
-    ((recorder.seen[2].before[1] - 1.0).abs(), derivatives)
+    ((recorder.events()[2].before[1] - 1.0).abs(), derivatives)
 }
 
 #[test]
@@ -153,8 +153,8 @@ fn a_bound_that_is_exact_hides_nothing() {
         let mut ball = Simulator::new(Tossed, Rk4, Limits::default(), (), [0.0, 9.81]);
         let (recorder, ticks) = run(&mut ball, h, 0.0, 2.5);
         crate::common::all_completed(&ticks);
-        assert_eq!(recorder.seen.len(), 1, "h {h}");
-        crate::common::close("back on the floor", recorder.seen[0].t, 2.0, 1e-12);
+        assert_eq!(recorder.events().len(), 1, "h {h}");
+        crate::common::close("back on the floor", recorder.events()[0].t, 2.0, 1e-12);
         let guards: u32 = ticks.iter().map(|tick| tick.work.guards).sum();
         assert!(f64::from(guards) < 20.0 + 0.55 / h, "h {h}: {guards} guards");
     }

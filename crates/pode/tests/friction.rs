@@ -7,9 +7,11 @@
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::input::{Reconstruction, Reconstructor};
 use pode::stepper::{Exact, Rk4};
-use pode::{Advance, EquationKind, Limits, Motion, Nature, Silent, Simulator, Stepper};
+use pode::{
+    Advance, EquationKind, Limits, Motion, Nature, RecordedEvent, Silent, Simulator, Stepper,
+};
 
-use crate::common::{Seen, all_completed, close, each_step_and_phase};
+use crate::common::{all_completed, close, each_step_and_phase};
 use crate::driven::run_driven;
 
 /// Part of a radian that one step may take.
@@ -113,8 +115,8 @@ fn ground(_: f64) -> Motion {
     Motion::default()
 }
 
-fn modes(seen: &[Seen<Filippov<Block>>]) -> Vec<Mode> {
-    seen.iter().map(|it| it.mode).collect()
+fn modes(seen: &[RecordedEvent<Filippov<Block>>]) -> Vec<Mode> {
+    seen.iter().map(|it| it.to).collect()
 }
 
 #[test]
@@ -131,7 +133,7 @@ fn static_friction_above_kinetic_makes_a_stick_slip_cycle() {
         let mut it = start(block, [0.0, speed], &steady(speed)(0.0));
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 4.0, steady(speed));
         all_completed(&ticks);
-        let seen = &recorder.seen;
+        let seen = recorder.events();
         assert!(seen.len() >= 12, "h {h}: {:?}", modes(seen));
         for (n, pair) in seen.chunks_exact(2).enumerate() {
             assert_eq!(modes(pair), [Mode::Below, Mode::Sliding], "h {h}, phase {phase}");
@@ -160,7 +162,7 @@ fn coulomb_friction_captures_carries_and_releases() {
         let mut it = start(block, [-0.02, 0.0], &steady(speed)(0.0));
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 1.0, steady(speed));
         all_completed(&ticks);
-        let seen = &recorder.seen;
+        let seen = recorder.events();
         let expected = [Mode::Above, Mode::Sliding, Mode::Below];
         assert_eq!(modes(&seen[..3]), expected, "h {h}, phase {phase}");
         // Above, about −c: x = −c + (x − c') cos + v/ω sin, back at the belt's speed after
@@ -185,8 +187,8 @@ fn a_slip_that_starts_from_the_limit_is_a_plain_oscillation() {
         // 0.1 s carried, and then 0.55 s of a period of 0.63 s.
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 0.65, steady(speed));
         all_completed(&ticks);
-        assert_eq!(modes(&recorder.seen), [Mode::Below], "h {h}, phase {phase}");
-        close("release", recorder.seen[0].t, center / speed, 1e-13);
+        assert_eq!(modes(recorder.events()), [Mode::Below], "h {h}, phase {phase}");
+        close("release", recorder.events()[0].t, center / speed, 1e-13);
         let (sin, cos) = (omega * 0.55_f64).sin_cos();
         let tolerance = RADIANS.powi(4) / 120.0 * 5.5 + LANDING;
         close("x", it.state()[0], center + speed / omega * sin, speed / omega * tolerance);
@@ -206,7 +208,7 @@ fn stribeck_friction_has_its_limit_cycle() {
         let mut it = start(block, [0.0, 0.1], &steady(0.1)(0.0));
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 4.0, steady(0.1));
         all_completed(&ticks);
-        let seen = &recorder.seen;
+        let seen = recorder.events();
         assert!(seen.len() >= 12, "h {h}: {:?}", modes(seen));
         for (n, pair) in seen.chunks_exact(2).enumerate() {
             assert_eq!(modes(pair), [Mode::Below, Mode::Sliding], "h {h}, phase {phase}");
@@ -229,10 +231,10 @@ fn check_rest(block: Block, x0: f64, (h, phase): (f64, f64)) {
     let mut it = start(block, [x0, 0.0], &ground(0.0));
     let (recorder, ticks) = run_driven(&mut it, (h, phase), until, ground);
     all_completed(&ticks);
-    let found = recorder.seen.len() as f64;
+    let found = recorder.events().len() as f64;
     assert!((found - swings).abs() < 0.5, "{found} turns, not {swings}: x0 {x0}, {block:?}");
     let mut x = x0;
-    for (n, seen) in (1_u32..).zip(&recorder.seen) {
+    for (n, seen) in (1_u32..).zip(recorder.events()) {
         // Each swing goes about ±d, and ends 2d nearer.
         x = 2.0 * dead.copysign(x) - x;
         let error = f64::from(n) * x0.abs() * (LANDING + 3.2 * RADIANS.powi(4) / 120.0) + 1e-13;
@@ -267,7 +269,7 @@ fn a_block_let_go_within_its_dead_band_never_moves() {
         let mut it = start(block, [0.0099, 0.0], &ground(0.0));
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 1.0, ground);
         all_completed(&ticks);
-        assert_eq!((recorder.seen.len(), it.state()), (0, &[0.0099, 0.0]), "h {h}");
+        assert_eq!((recorder.events().len(), it.state()), (0, &[0.0099, 0.0]), "h {h}");
     });
 }
 
@@ -279,7 +281,7 @@ fn a_block_at_the_very_end_of_its_dead_band_stays_there() {
         let mut it = start(block, [x, 0.0], &ground(0.0));
         let (recorder, ticks) = run_driven(&mut it, (1e-3, 0.0), 1.0, ground);
         all_completed(&ticks);
-        assert!(recorder.seen.len() <= 1, "{:?}", recorder.seen);
+        assert!(recorder.events().len() <= 1, "{:?}", recorder.events());
         // One rounding of the force moves it by 1e-16 N/k.
         close("x", it.state()[0], x, 1e-15);
     }
@@ -297,8 +299,8 @@ fn on_the_exact_flow_sticks_and_slips_are_known_to_rounding() {
         let mut it = start_with(exact, block, [0.0, speed], &steady(speed)(0.0));
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 4.0, steady(speed));
         all_completed(&ticks);
-        assert!(recorder.seen.len() >= 12, "h {h}");
-        for (n, pair) in recorder.seen.chunks_exact(2).enumerate() {
+        assert!(recorder.events().len() >= 12, "h {h}");
+        for (n, pair) in recorder.events().chunks_exact(2).enumerate() {
             let release = block.limit / (block.k * speed) + n as f64 * period;
             close(format_args!("h {h}, release {n}"), pair[0].t, release, 1e-12);
             close(format_args!("h {h}, capture {n}"), pair[1].t, release + slip, 1e-12);

@@ -198,7 +198,7 @@ proptest! {
         let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
         let (recorder, ticks) = run_driven(&mut it, (h, phase), until, |t| belt.motion(t));
         prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed));
-        let found: Vec<_> = recorder.seen.iter().map(|it| (it.t, it.mode)).collect();
+        let found: Vec<_> = recorder.events().iter().map(|it| (it.t, it.to)).collect();
         let expected: Vec<_> = pieces[1..sure].iter().map(|it| (it.from, it.mode)).collect();
         prop_assert_eq!(found.len(), expected.len(), "{:?} {:?}", &found, &expected);
         // Each landing takes r⁴/69 of a speed of 1 m/s, over the slope with which it lands,

@@ -66,7 +66,7 @@ fn closes(at: (f64, f64), until: f64, gap: impl Fn(f64) -> [f64; 2]) -> Option<f
             Motion { position: -gap, rate: -rate, ..Motion::default() }
         });
         all_completed(&ticks);
-        recorder.seen.first().map(|seen| seen.t)
+        recorder.events().first().map(|seen| seen.t)
     });
     assert_eq!(a.map(f64::to_bits), b.map(f64::to_bits), "at {at:?}");
     a

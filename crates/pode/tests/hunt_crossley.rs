@@ -105,8 +105,8 @@ fn contact(felt: Felt, h: f64, phase: f64, until: f64) -> [f64; 4] {
     let mut it = Simulator::new(felt, method, Limits::default(), false, start);
     let (recorder, ticks) = run(&mut it, h, phase, until);
     all_completed(&ticks);
-    let seen = &recorder.seen;
-    let names: Vec<_> = seen.iter().map(|seen| seen.guard).collect();
+    let seen = recorder.events();
+    let names: Vec<_> = seen.iter().map(|seen| seen.name).collect();
     assert_eq!(names, ["touch", "deepest", "leave"], "{felt:?}, h {h}, phase {phase}");
     let first = if phase > 0.0 { (1.0 - phase) * h } else { h };
     let rest: f64 = ticks[1..].iter().map(|tick| tick.mean_readout).sum();

@@ -148,8 +148,8 @@ fn check_orbit(omega: f64, turns: f64, restitution: f64) {
         let mut sim = it.start([0.0, speed]);
         let (recorder, ticks) = run_driven(&mut sim, (h, at), 8.5 * period, |t| Clock(t0 + t));
         all_completed(&ticks);
-        assert_eq!(recorder.seen.len(), 8, "ω {omega}, r {restitution}, h {h}");
-        for (n, seen) in (1_u32..).zip(&recorder.seen) {
+        assert_eq!(recorder.events().len(), 8, "ω {omega}, r {restitution}, h {h}");
+        for (n, seen) in (1_u32..).zip(recorder.events()) {
             let n = f64::from(n);
             // A stable orbit forgets; each period adds its own error once or a few times.
             let tolerance = 10.0 * (period * RADIANS.powi(4) / 120.0 + RADIANS.powi(4) / 69.0);
@@ -195,13 +195,13 @@ proptest! {
         let until = expected.last().map_or(0.05, |last| last[0] + 1e-6);
         let (recorder, ticks) = run_driven(&mut it.start(x), (h, phase), until, Clock);
         prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed));
-        prop_assert_eq!(recorder.seen.len(), expected.len());
+        prop_assert_eq!(recorder.events().len(), expected.len());
         // An error of the phase meets the wall at this impact's speed, and leaves it as an
         // error of the speed times the acceleration.
         let size = drive / (1.0 - omega * omega).abs() * (1.0 + omega) + height + speed.abs() + 1.0;
         let mut error = 1e-13;
         let mut before = 0.0;
-        for (seen, [t, speed]) in recorder.seen.iter().zip(&expected) {
+        for (seen, [t, speed]) in recorder.events().iter().zip(&expected) {
             let fresh = size * RADIANS.powi(4) * (0.02 + (t - before) / 120.0);
             error = (1.0 + (1.0 + size) / speed.abs()) * (error + fresh);
             prop_assert!((seen.t - t).abs() < error, "{} is not {}: {:e}, {:e}", seen.t, t, seen.t - t, error);

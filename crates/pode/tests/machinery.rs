@@ -4,11 +4,11 @@ use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{
     Advance, Cap, Event, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion,
-    Reset, Resets, Silent, Simulator, Watch,
+    Recorder, Reset, Resets, Silent, Simulator, Watch,
 };
 
 use crate::common::{
-    Ball, BallMode, ONE, Recorder, STEPS, Timed, all_completed, close, count, count_and_flip,
+    Ball, BallMode, ONE, STEPS, Timed, all_completed, close, count, count_and_flip,
     each_step_and_phase, run,
 };
 
@@ -175,9 +175,9 @@ fn a_guard_that_lies_flat_at_zero_fires_where_it_turns_negative() {
         let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
         let (recorder, ticks) = run(&mut timed, h, phase, 0.4);
         all_completed(&ticks);
-        assert_eq!(recorder.seen.len(), 1, "h {h}, phase {phase}: {:?}", recorder.times());
+        assert_eq!(recorder.events().len(), 1, "h {h}, phase {phase}: {:?}", recorder.times());
         // Located to 2⁻⁴⁰ of the tick where the guard has no derivative, and the band.
-        close(format_args!("h {h}"), recorder.seen[0].t, 0.2, 1e-12 * h + 2e-14);
+        close(format_args!("h {h}"), recorder.events()[0].t, 0.2, 1e-12 * h + 2e-14);
     };
     each_step_and_phase(check);
     for h in [0.03, 0.15, 0.4] {
@@ -214,9 +214,13 @@ fn a_reset_that_flips_the_sign_at_once_has_one_effect() {
         let mut timed = Timed { guards: &ONE, guard, effect: jump }.start();
         let (recorder, ticks) = run(&mut timed, h, phase, 0.35);
         all_completed(&ticks);
-        let modes: Vec<_> = recorder.seen.iter().map(|seen| seen.mode).collect();
+        let modes: Vec<_> = recorder.events().iter().map(|seen| seen.to).collect();
         assert_eq!(modes, [false, true], "h {h}, phase {phase}");
-        assert_eq!(recorder.seen[0].t.to_bits(), recorder.seen[1].t.to_bits(), "one instant");
+        assert_eq!(
+            recorder.events()[0].t.to_bits(),
+            recorder.events()[1].t.to_bits(),
+            "one instant"
+        );
     });
 }
 
@@ -274,10 +278,14 @@ fn a_cascade_goes_through_all_its_modes_at_one_instant() {
     each_step_and_phase(|h, phase| {
         let (recorder, ticks) = run(&mut chain(3, End::Stays), h, phase, 0.5);
         all_completed(&ticks);
-        let modes: Vec<_> = recorder.seen.iter().map(|seen| seen.mode).collect();
+        let modes: Vec<_> = recorder.events().iter().map(|seen| seen.to).collect();
         assert_eq!(modes, [1, 2], "h {h}, phase {phase}");
-        close("A to B", recorder.seen[0].t, 0.3, 1e-12);
-        assert_eq!(recorder.seen[0].t.to_bits(), recorder.seen[1].t.to_bits(), "one instant");
+        close("A to B", recorder.events()[0].t, 0.3, 1e-12);
+        assert_eq!(
+            recorder.events()[0].t.to_bits(),
+            recorder.events()[1].t.to_bits(),
+            "one instant"
+        );
     });
 }
 
@@ -293,7 +301,7 @@ fn a_cycle_stops_at_the_cap_and_says_so_in_every_tick() {
             assert_eq!(tick.advance, Advance::Capped(Cap::Cascade));
             assert_eq!(tick.work.events, cap);
         }
-        assert_eq!(recorder.seen.len(), capped.len() * cap as usize);
+        assert_eq!(recorder.events().len(), capped.len() * cap as usize);
         // Held at the guard.
         close("the coordinate", cycle.state()[0], 0.3, 1e-12);
     });
@@ -510,7 +518,7 @@ fn shuffled_guards_give_the_same_bits() {
         let bits = |guards: &'static [GuardSpec]| -> Vec<_> {
             let mut timed = Timed { guards, guard: waves, effect: mix }.start();
             let (recorder, _) = run(&mut timed, h, phase, 1.0);
-            recorder.seen.iter().map(|it| (it.guard, it.t.to_bits(), it.after)).collect()
+            recorder.events().iter().map(|it| (it.name, it.t.to_bits(), it.after)).collect()
         };
         let first = bits(&ORDERS[0]);
         assert!(first.len() > 30, "too few events for a comparison: {}", first.len());

@@ -14,8 +14,8 @@ use pode::{
 use crate::busy::{Busy, Stirred};
 
 const LIMITS: Limits = Limits {
-    events: 32,
-    cascade: 8,
+    events: 64,
+    cascade: 32,
     followed: 6,
     guards: 8192,
     pieces: 1024,
@@ -47,7 +47,7 @@ const SAW: Busy = Busy {
 #[test]
 fn a_guard_that_comes_back_reaches_the_most_events() {
     for tick in ticks(SAW, Rk4) {
-        assert_eq!((tick.advance, tick.work.events), (Advance::Capped(Cap::Events), 32));
+        assert_eq!((tick.advance, tick.work.events), (Advance::Capped(Cap::Events), 64));
     }
 }
 
@@ -55,7 +55,7 @@ fn a_guard_that_comes_back_reaches_the_most_events() {
 fn modes_that_send_each_other_away_reach_the_most_events_at_one_instant() {
     let ring = Busy { guards: &ONE, guard: |_, _| GuardValue::new(-1.0, 0.0), ..Busy::IDLE };
     for tick in ticks(Busy { goes_on: true, ..ring }, Rk4) {
-        assert_eq!((tick.advance, tick.work.events), (Advance::Capped(Cap::Cascade), 8));
+        assert_eq!((tick.advance, tick.work.events), (Advance::Capped(Cap::Cascade), 32));
         assert_eq!(tick.work.pieces, 0, "no time has passed");
     }
 }
@@ -66,7 +66,7 @@ fn impacts_of_no_length_count_at_their_instant() {
     let stuck = Busy { guards: &ONE, guard: |_, _| GuardValue::new(-1.0, 0.0), ..Busy::IDLE };
     for after in [0.0, -1.0, f64::NEG_INFINITY] {
         for tick in ticks(Busy { settles: Some(after), goes_on: true, ..stuck }, Rk4) {
-            assert_eq!((tick.advance, tick.work.events), (Advance::Capped(Cap::Cascade), 8));
+            assert_eq!((tick.advance, tick.work.events), (Advance::Capped(Cap::Cascade), 32));
         }
     }
 }
@@ -150,20 +150,20 @@ fn refused_steps_reach_the_most_derivatives() {
 
 #[test]
 fn events_with_moves_over_short_steps_reach_the_most_readouts() {
-    // Sixteen times an event and a move over a sequence too short to follow, and then steps.
-    let sixteen = Busy {
+    // Thirty-two times an event and a move over a sequence too short to follow, and then steps.
+    let moves = Busy {
         guard: |_, [t, n, _]| {
-            GuardValue::new(if n < 16.0 { (n + 1.0) / 200.0 - t } else { 1.0 }, -1.0)
+            GuardValue::new(if n < 32.0 { (n + 1.0) / 500.0 - t } else { 1.0 }, -1.0)
         },
         settles: Some(0.0),
         longest_step: 1e-4,
         ..SAW
     };
-    let tick = ticks(sixteen, Rk4)[0];
+    let tick = ticks(moves, Rk4)[0];
     let work = tick.work;
-    assert_eq!((tick.advance, work.events), (Advance::Capped(Cap::Pieces), 32));
+    assert_eq!((tick.advance, work.events), (Advance::Capped(Cap::Pieces), 64));
     assert_eq!(work.readouts, LIMITS.most_readouts::<Rk4>());
-    assert_eq!(work.readouts, 2 * 1024 + 32 + 16 + 2);
+    assert_eq!(work.readouts, 2 * 1024 + 64 + 32 + 2);
 }
 
 #[test]

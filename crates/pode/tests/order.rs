@@ -148,11 +148,11 @@ fn event_error<T: Stepper>(n: f64) -> f64 {
         let start = [exact(0.0)[0], exact(0.0)[1], 0.0];
         let (driven, limits) = (Driven { level }, Limits::default());
         let mut simulator = Simulator::new(driven, T::default(), limits, (), start);
-        let mut recorder = crate::common::Recorder::new(h);
-        while recorder.seen.is_empty() {
+        let mut recorder = pode::Recorder::new(h);
+        while recorder.events().is_empty() {
             assert_eq!(simulator.advance(h, &|_| (), &mut recorder).advance, Advance::Completed);
         }
-        (recorder.seen[0].t - t).abs()
+        (recorder.events()[0].t - t).abs()
     };
     [0.3, 0.1, -0.1, -0.3].map(error).iter().sum()
 }

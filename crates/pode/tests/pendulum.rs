@@ -80,7 +80,12 @@ fn impacts_are_at_their_times() {
     each_step_and_phase(|h, phase| {
         let (recorder, ticks) = run(&mut from_rest(), h, phase, 10.0);
         for (n, t) in IMPACTS {
-            close(format_args!("h {h}, impact {n}"), recorder.seen[n - 1].t, t, tolerance(h, t));
+            close(
+                format_args!("h {h}, impact {n}"),
+                recorder.events()[n - 1].t,
+                t,
+                tolerance(h, t),
+            );
         }
         all_completed(&ticks);
     });
@@ -91,7 +96,7 @@ fn the_first_impact_has_the_speed_of_the_fall() {
     each_step_and_phase(|h, phase| {
         let (recorder, _) = run(&mut from_rest(), h, phase, 0.6);
         // A speed errs like a time, times an acceleration of at most ω0² = 9.81.
-        let speed = -recorder.seen[0].before[1];
+        let speed = -recorder.events()[0].before[1];
         close(format_args!("h {h}"), speed, 3.537_024_294_116_124, G * tolerance(h, 0.6));
     });
 }
@@ -100,7 +105,7 @@ fn the_first_impact_has_the_speed_of_the_fall() {
 fn impacts_that_never_accumulate_are_never_settled() {
     let (recorder, ticks) = run(&mut from_rest(), 1e-3, 0.0, 60.0);
     all_completed(&ticks);
-    assert!(recorder.seen.iter().all(|seen| seen.guard == "wall"), "settled");
+    assert!(recorder.events().iter().all(|seen| seen.name == "wall"), "settled");
     let times = recorder.times();
     let last = times[times.len() - 1] - times[times.len() - 2];
     // The swing of amplitude A lasts π/ω0 (1 + A²/16); after n impacts A is below eⁿ⁻¹ 1.2.

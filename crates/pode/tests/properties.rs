@@ -4,12 +4,12 @@
 
 use pode::stepper::Rk4;
 use pode::{
-    Advance, Energetic, EnergyAudit, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset,
-    Resets, Simulator,
+    Advance, Energetic, EnergyAudit, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model,
+    Recorder, Reset, Resets, Simulator,
 };
 use proptest::prelude::*;
 
-use crate::common::{Ball, G, Recorder, close};
+use crate::common::{Ball, G, close};
 
 /// Three balls over one floor: heights, then speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +68,7 @@ fn bits(guards: &'static [GuardSpec], heights: [f64; 3], e: f64, h: f64) -> Vec<
     let mut recorder = Recorder::new(h);
     let readouts: Vec<u64> =
         (0..500).map(|_| balls.advance(h, &|_| (), &mut recorder).mean_readout.to_bits()).collect();
-    let events = recorder.seen.iter().flat_map(|it| it.after.map(f64::to_bits));
+    let events = recorder.events().iter().flat_map(|it| it.after.map(f64::to_bits));
     readouts.into_iter().chain(events).chain(balls.state().map(f64::to_bits)).collect()
 }
 
@@ -123,13 +123,13 @@ proptest! {
             for _ in 0..ticks {
                 let _ = ball.advance(h, &|_| (), &mut recorder);
             }
-            recorder.seen
+            recorder.events().to_vec()
         };
         let whole = events(h, 300);
         let cut = events(h / f64::from(parts), 300 * parts);
         // Up to the first ten: later ones may be taken in one move in one of the two.
         for (n, (a, b)) in whole.iter().zip(&cut).take(10).enumerate() {
-            if a.guard != "floor" || b.guard != "floor" {
+            if a.name != "floor" || b.name != "floor" {
                 break;
             }
             // A parabola is followed exactly: each of some 3600 sums rounds the height by
@@ -164,7 +164,7 @@ proptest! {
             ticks += 1;
         }
         let t = f64::from(ticks) * h;
-        prop_assert_eq!(recorder.seen.len(), bounces(height, e, t));
+        prop_assert_eq!(recorder.events().len(), bounces(height, e, t));
     }
 
     #[test]
@@ -178,7 +178,7 @@ proptest! {
         let turns = 400.0 * h * omega / std::f64::consts::TAU;
         // cos ωt falls at a quarter of each turn.
         let falls = (0_u32..1000).take_while(|n| f64::from(*n) + 0.25 <= turns).count();
-        prop_assert_eq!(recorder.seen.len(), falls);
+        prop_assert_eq!(recorder.events().len(), falls);
     }
 }
 

@@ -130,10 +130,10 @@ fn check(block: Block, angle: f64, n: usize, (h, phase): (f64, f64)) {
     let until = expected[apart][0] + 0.5 * h;
     let (recorder, ticks) = run(&mut block.released(angle), h, phase, until);
     all_completed(&ticks[..ticks.len() - 1]);
-    assert!(recorder.seen.len() > apart, "{block:?}, {angle}: {}", recorder.seen.len());
+    assert!(recorder.events().len() > apart, "{block:?}, {angle}: {}", recorder.events().len());
     let [mut error, mut lost] = [1e-13, 0.0];
     let mut edge = if angle > 0.0 { Edge::Right } else { Edge::Left };
-    for (seen, [t, speed]) in recorder.seen.iter().zip(&expected) {
+    for (seen, [t, speed]) in recorder.events().iter().zip(&expected) {
         // Of the distance 1 to the fall, the angle errs by one part at each impact, which its
         // speed makes a time; the speed errs too, which the next flight takes twice.
         let part = 2.0 * PART.powi(4) / 69.0;
@@ -141,7 +141,7 @@ fn check(block: Block, angle: f64, n: usize, (h, phase): (f64, f64)) {
         lost += part;
         close(format_args!("{block:?}, {angle}, h {h}, phase {phase}"), seen.t, *t, error);
         edge = edge.other();
-        assert_eq!(seen.mode, edge, "it changes its edge");
+        assert_eq!(seen.to, edge, "it changes its edge");
     }
 }
 
@@ -164,7 +164,7 @@ fn a_block_beyond_its_angle_falls_and_never_returns() {
     let (recorder, ticks) =
         run(&mut Block { p: 2.0, restitution: 0.9 }.released(1.01), 1e-3, 0.0, 3.0);
     all_completed(&ticks);
-    assert!(recorder.seen.is_empty());
+    assert!(recorder.events().is_empty());
 }
 
 proptest! {

@@ -95,8 +95,8 @@ fn impacts_of_two_guards_that_come_to_rest_in_one_mode_settle() {
         let mut block = Simulator::new(block, Rk4, Limits::default(), Edge::Right, [0.3, 0.0]);
         let (recorder, ticks) = run(&mut block, 1e-3, 0.0, t + 0.5);
         all_completed(&ticks);
-        let last = recorder.seen.last().expect("an event");
-        assert_eq!((last.guard, last.mode), ("settled", Edge::Both), "r {restitution}");
+        let last = recorder.events().last().expect("an event");
+        assert_eq!((last.name, last.to), ("settled", Edge::Both), "r {restitution}");
         close(format_args!("time of rest, r {restitution}"), last.t, t, 2e-6);
         close("the angle", block.state()[0], 0.0, 0.0);
     }

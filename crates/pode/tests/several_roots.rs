@@ -1,11 +1,11 @@
 //! Cases C6 and C2: several roots within a step, touches, and a ball on a shaker.
 
 use pode::stepper::Rk4;
-use pode::{GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator};
-
-use crate::common::{
-    G, ONE, Recorder, Timed, all_completed, close, count, each_step_and_phase, run,
+use pode::{
+    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Recorder, Reset, Resets, Simulator,
 };
+
+use crate::common::{G, ONE, Timed, all_completed, close, count, each_step_and_phase, run};
 
 /// Fires on each fall; a rise brings it back without a word.
 const FALLS: [GuardSpec; 1] = [ONE[0].on_crossing()];
@@ -97,8 +97,8 @@ fn a_ball_that_peeps_over_a_line_crosses_it_once_upwards() {
         let start = [0.0, (2.0 * G * 1.05).sqrt()];
         let mut ball = Simulator::new(Thrown, Rk4, Limits::default(), (), start);
         let (recorder, _) = run(&mut ball, h, phase, 1.0);
-        assert_eq!(recorder.seen.len(), 1, "h {h}, phase {phase}");
-        close(format_args!("h {h}"), recorder.seen[0].t, 0.361_710_296_415_529_76, 1e-12);
+        assert_eq!(recorder.events().len(), 1, "h {h}, phase {phase}");
+        close(format_args!("h {h}"), recorder.events()[0].t, 0.361_710_296_415_529_76, 1e-12);
     };
     each_step_and_phase(check);
     // Both crossings, 0.2 s apart, in one step of 1 s.
@@ -198,10 +198,10 @@ fn a_ball_leaves_a_shaker_without_gap_speed_or_acceleration_and_lands() {
         let mut ball = Simulator::new(Shaker, Rk4, Limits::default(), true, start);
         let (recorder, ticks) = run(&mut ball, h, phase, 0.055);
         all_completed(&ticks);
-        let names: Vec<_> = recorder.seen.iter().take(2).map(|seen| seen.guard).collect();
+        let names: Vec<_> = recorder.events().iter().take(2).map(|seen| seen.name).collect();
         assert_eq!(names, ["lift-off", "landing"], "h {h}, phase {phase}");
         // Flight is a parabola and the table is known: rounding only.
-        let [lift_off, landing] = [&recorder.seen[0], &recorder.seen[1]];
+        let [lift_off, landing] = [&recorder.events()[0], &recorder.events()[1]];
         close(format_args!("h {h}: lift-off"), lift_off.t, 0.002_513_355_797_052_246, 1e-14);
         close(format_args!("h {h}: landing"), landing.t, 0.051_865_286_988_733_95, 1e-14);
         let relative = landing.before[2] - table(landing.before[0])[1];

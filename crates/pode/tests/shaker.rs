@@ -164,7 +164,7 @@ fn events(table: Table, at: (f64, f64), until: f64) -> (Vec<(&'static str, f64)>
     let state = [start.position, start.rate];
     let mut it = Simulator::new(Ball, Rk4, Limits::default(), Mode::OnTable, state);
     let (recorder, ticks) = run_driven(&mut it, at, until, |t| table.at(t));
-    (recorder.seen.iter().map(|seen| (seen.guard, seen.t)).collect(), ticks)
+    (recorder.events().iter().map(|seen| (seen.name, seen.t)).collect(), ticks)
 }
 
 #[test]

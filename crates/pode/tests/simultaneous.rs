@@ -1,11 +1,12 @@
 //! Case C4: several guards at one instant, and one on a tick's boundary.
 
 use pode::stepper::Rk4;
-use pode::{GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator};
+use pode::{
+    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Recorder, Reset, Resets, Simulator,
+};
 
 use crate::common::{
-    G, ONE, Recorder, STEPS, Timed, all_completed, close, count, count_and_flip,
-    each_step_and_phase, run,
+    G, ONE, STEPS, Timed, all_completed, close, count, count_and_flip, each_step_and_phase, run,
 };
 
 /// Two balls over one floor, e = 0.8: heights, then speeds.
@@ -64,7 +65,7 @@ fn two_balls_that_land_together_both_bounce() {
             let (recorder, ticks) = run(&mut balls, h, phase, 1.5);
             all_completed(&ticks);
             let named = |name: &str| -> Vec<f64> {
-                recorder.seen.iter().filter(|it| it.guard == name).map(|it| it.t).collect()
+                recorder.events().iter().filter(|it| it.name == name).map(|it| it.t).collect()
             };
             let (first, second) = (named("first"), named("second"));
             assert_eq!((first.len(), second.len()), (2, 1), "h {h}, phase {phase}");
@@ -88,7 +89,7 @@ fn identical_guards_have_one_effect_each() {
             let mut timed = Timed { guards, guard: falls_at_0_3, effect: count }.start();
             let (recorder, ticks) = run(&mut timed, h, phase, 0.5);
             all_completed(&ticks);
-            let names: Vec<_> = recorder.seen.iter().map(|seen| seen.guard).collect();
+            let names: Vec<_> = recorder.events().iter().map(|seen| seen.name).collect();
             assert_eq!(names, ["a", "b"], "h {h}, phase {phase}");
         });
     }
@@ -100,7 +101,7 @@ fn an_effect_that_cures_the_other_guard_is_the_only_one() {
     each_step_and_phase(|h, phase| {
         let timed = Timed { guards: &TWICE, guard: falls_at_0_3, effect: count_and_flip };
         let (recorder, _) = run(&mut timed.start(), h, phase, 0.5);
-        assert_eq!(recorder.seen.len(), 1, "h {h}, phase {phase}");
+        assert_eq!(recorder.events().len(), 1, "h {h}, phase {phase}");
     });
 }
 
@@ -130,7 +131,7 @@ fn resets_that_do_not_commute_go_by_priority() {
         each_step_and_phase(|h, phase| {
             let mut timed = Timed { guards, guard: shapes, effect: double_or_add }.start();
             let (recorder, _) = run(&mut timed, h, phase, 0.5);
-            assert_eq!(recorder.seen.len(), 2, "h {h}, phase {phase}");
+            assert_eq!(recorder.events().len(), 2, "h {h}, phase {phase}");
             close(format_args!("h {h}, phase {phase}"), timed.state()[1], expected, 0.0);
         });
     };
@@ -162,6 +163,6 @@ fn a_boundary_that_rounding_has_moved_still_gives_one_event() {
         for _ in 0..5000 {
             let _ = timed.advance(h, &|_| (), &mut recorder);
         }
-        assert_eq!(recorder.seen.len(), 1, "h {h}");
+        assert_eq!(recorder.events().len(), 1, "h {h}");
     }
 }

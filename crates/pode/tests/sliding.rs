@@ -6,9 +6,9 @@
 
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
-use pode::{Limits, Simulator, Tick};
+use pode::{Limits, RecordedEvent, Simulator, Tick};
 
-use crate::common::{Seen, all_completed, close, each_step_and_phase};
+use crate::common::{all_completed, close, each_step_and_phase};
 use crate::driven::{Clock, run_driven};
 
 /// Two fields that depend on the time alone, on either side of x = 0: x' = r₊(t) above and
@@ -60,10 +60,14 @@ fn rounding(h: f64, t: f64) -> f64 {
 }
 
 /// Runs to `until`; every tick must complete.
-fn events(it: &mut Slide, at: (f64, f64), until: f64) -> (Vec<Seen<Filippov<Fields>>>, Vec<Tick>) {
+fn events(
+    it: &mut Slide,
+    at: (f64, f64),
+    until: f64,
+) -> (Vec<RecordedEvent<Filippov<Fields>>>, Vec<Tick>) {
     let (recorder, ticks) = run_driven(it, at, until, Clock);
     all_completed(&ticks);
-    (recorder.seen, ticks)
+    (recorder.events().to_vec(), ticks)
 }
 
 /// Asserts the modes entered and when, from `x` to `until`, at all steps and phases.
@@ -71,7 +75,7 @@ fn events(it: &mut Slide, at: (f64, f64), until: f64) -> (Vec<Seen<Filippov<Fiel
 fn check(above: [f64; 4], below: [f64; 4], x: f64, until: f64, expected: &[(f64, Mode)]) {
     each_step_and_phase(|h, phase| {
         let (seen, _) = events(&mut start(above, below, x), (h, phase), until);
-        let modes: Vec<_> = seen.iter().map(|it| it.mode).collect();
+        let modes: Vec<_> = seen.iter().map(|it| it.to).collect();
         let wanted: Vec<_> = expected.iter().map(|it| it.1).collect();
         assert_eq!(modes, wanted, "h {h}, phase {phase}: {:?}", seen[0].t);
         for (seen, (t, _)) in seen.iter().zip(expected) {
@@ -154,7 +158,7 @@ fn a_touch_of_an_attracting_surface_is_held_and_let_go() {
     each_step_and_phase(|h, phase| {
         let it = &mut start(above, [1.0, 0.0, 0.0, 0.0], 0.5 - 1e-6);
         let (seen, _) = events(it, (h, phase), 2.0);
-        let modes: Vec<_> = seen.iter().map(|it| it.mode).collect();
+        let modes: Vec<_> = seen.iter().map(|it| it.to).collect();
         assert_eq!(modes, [Mode::Sliding, Mode::Above], "h {h}, phase {phase}");
         // It is met at a rate of 1.4e-3.
         close("hit", seen[0].t, hit, rounding(h, 1.0) / 1.4e-3);
@@ -173,7 +177,7 @@ fn a_slide_that_ends_with_a_flat_rate_ends_once() {
         let limits = Limits { longest_step: 1e-4, ..Limits::default() };
         let mut it = Simulator::new(*it.model(), Rk4, limits, it.mode(), *it.state());
         let (seen, _) = events(&mut it, (h, phase), 2.0);
-        let modes: Vec<_> = seen.iter().map(|it| it.mode).collect();
+        let modes: Vec<_> = seen.iter().map(|it| it.to).collect();
         assert_eq!(modes, [Mode::Sliding, Mode::Above], "h {h}, phase {phase}: {seen:?}");
         close("hit", seen[0].t, 1.0 - 0.75_f64.powf(0.25), rounding(1e-4, 1.0));
         // Where the cubic leaves the rounding of its terms, 24 × 16 ε: within ∛1e-14.

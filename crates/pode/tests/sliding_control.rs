@@ -53,12 +53,12 @@ fn a_switched_mass_slides_home_along_its_line() {
         let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
         let (recorder, ticks) = run(&mut it, h, phase, 2.0);
         all_completed(&ticks);
-        let modes: Vec<_> = recorder.seen.iter().map(|seen| seen.mode).collect();
+        let modes: Vec<_> = recorder.events().iter().map(|seen| seen.to).collect();
         assert_eq!(modes, [Mode::Sliding], "h {h}, phase {phase}");
-        close(format_args!("h {h}: hit"), recorder.seen[0].t, hit, 1e-13);
+        close(format_args!("h {h}: hit"), recorder.events()[0].t, hit, 1e-13);
         let [x, v] = *it.state();
         close(format_args!("h {h}: on the line"), v + 3.0 * x, 0.0, 1e-15);
-        let t = recorder.origin + it.tick() as f64 * h;
+        let t = recorder.time(it.tick(), 0.0);
         let home = x_hit * (-3.0 * (t - hit)).exp();
         close(format_args!("h {h}: x"), x, home, home * 3.0 * t * 0.02_f64.powi(4) / 120.0 + 1e-14);
         // The force that holds it there, λ² x, is a mixture of +10 and −10.
@@ -75,11 +75,11 @@ fn a_line_too_steep_for_its_force_is_crossed_before_it_is_slid_along() {
         let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
         let (recorder, ticks) = run(&mut it, h, phase, 4.0);
         all_completed(&ticks);
-        let seen = &recorder.seen;
+        let seen = recorder.events();
         let reference = crossings(4.0, 5.0);
         assert_eq!(seen.len(), reference.len(), "h {h}, phase {phase}");
         for (seen, (t, mode)) in seen.iter().zip(&reference) {
-            assert_eq!(seen.mode, *mode, "h {h}, phase {phase}");
+            assert_eq!(seen.to, *mode, "h {h}, phase {phase}");
             close(format_args!("h {h}"), seen.t, *t, 1e-12);
         }
         close("home", it.state()[0], 0.0, 1e-4);
@@ -157,9 +157,9 @@ fn a_curved_surface_that_moves_is_followed_to_rounding() {
         let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 5.0, Clock);
         all_completed(&ticks);
-        let modes: Vec<_> = recorder.seen.iter().map(|seen| seen.mode).collect();
+        let modes: Vec<_> = recorder.events().iter().map(|seen| seen.to).collect();
         assert_eq!(modes, [Mode::Sliding], "h {h}, phase {phase}");
-        close(format_args!("h {h}: hit"), recorder.seen[0].t, hit, 1e-13 + h.powi(4));
+        close(format_args!("h {h}: hit"), recorder.events()[0].t, hit, 1e-13 + h.powi(4));
         let [x, y] = *it.state();
         close(format_args!("h {h}: radius"), x.hypot(y), radius(5.0)[0], 4e-16);
         // α r − (1 − α) r = −r': what the readout is made of.

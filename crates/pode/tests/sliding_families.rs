@@ -150,7 +150,7 @@ proptest! {
         let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 4.0, Clock);
         prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed));
-        let found: Vec<_> = recorder.seen.iter().map(|it| (it.t, it.mode)).collect();
+        let found: Vec<_> = recorder.events().iter().map(|it| (it.t, it.to)).collect();
         prop_assert_eq!(found.len(), expected.len() - 1, "{:?} {:?}", &found, &expected);
         for ((t, mode), epoch) in found.iter().zip(&expected[1..]) {
             prop_assert_eq!(*mode, epoch.mode);
@@ -182,9 +182,9 @@ proptest! {
         let (mode, state) = model.start(&[0.5 * lines.size * f64::from(x), 0.0], &Clock(0.0));
         let mut it = Simulator::new(model, Rk4, Limits::default(), mode, state);
         let (recorder, ticks) = run_driven(&mut it, (h, phase), 4.0, Clock);
-        prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed), "{:?}", recorder.seen);
+        prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed), "{:?}", recorder.events());
         // A parabola meets its surface twice at most, on either side, and is let go twice.
-        prop_assert!(recorder.seen.len() <= 6, "{:?}", recorder.seen);
+        prop_assert!(recorder.events().len() <= 6, "{:?}", recorder.events());
         let height = model.0.surface(it.state(), &Clock(4.0)).value / lines.size.max(1.0);
         let is_there = match it.mode() {
             Mode::Above => height > -1e-12,

@@ -24,12 +24,12 @@ fn check<T: Stepper>() {
         let mut it = Simulator::new(model, T::default(), Limits::default(), mode, state);
         let (recorder, ticks) = run(&mut it, h, 0.0, 2.5);
         all_completed(&ticks);
-        let modes: Vec<_> = recorder.seen.iter().map(|seen| seen.mode).collect();
+        let modes: Vec<_> = recorder.events().iter().map(|seen| seen.to).collect();
         let cycle = [Mode::Below, Mode::Sliding];
         assert_eq!(modes, cycle.repeat(4)[..modes.len()], "{}, h {h}", T::NAME);
         assert!(modes.len() >= 7, "{}, h {h}: {modes:?}", T::NAME);
         let tolerance = 8.0 * (10.0 * h).powf(f64::from(T::ORDER)) / 10.0 + 1e-12;
-        for (n, seen) in recorder.seen.iter().enumerate() {
+        for (n, seen) in recorder.events().iter().enumerate() {
             let cycles = (n / 2) as f64;
             let expected = 0.15 + cycles * (slip + 0.1) + if n % 2 == 0 { 0.0 } else { slip };
             let what = format_args!("{}, h {h}, event {n}", T::NAME);

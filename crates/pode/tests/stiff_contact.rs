@@ -31,8 +31,8 @@ fn a_contact_has_its_time_depth_and_period() {
         each_step_and_phase(|h, phase| {
             let (recorder, ticks) = run(&mut Head { k }.dropped(Rk4), h, phase, 0.5);
             all_completed(&ticks);
-            let seen = &recorder.seen;
-            let names: Vec<_> = seen.iter().take(4).map(|it| it.guard).collect();
+            let seen = recorder.events();
+            let names: Vec<_> = seen.iter().take(4).map(|it| it.name).collect();
             assert_eq!(
                 names,
                 ["touch", "deepest", "leave", "touch"],
@@ -54,7 +54,7 @@ fn the_head_leaves_as_fast_as_it_came() {
             let (recorder, _) = run(&mut Head { k }.dropped(Rk4), h, phase, 0.5);
             close(
                 format_args!("k {k}, h {h}"),
-                recorder.seen[2].before[1],
+                recorder.events()[2].before[1],
                 1.0,
                 amplitude_error(2.0),
             );
@@ -170,8 +170,8 @@ fn contact(k: f64, lambda: f64, v0: f64, duration: f64, n: f64) -> [f64; 3] {
     let mut head = Simulator::new(felt, Rk4, Limits::default(), true, [0.0, v0]);
     let (recorder, ticks) = run(&mut head, 2.0 * duration, 0.0, 2.0 * duration);
     all_completed(&ticks);
-    assert_eq!(recorder.seen.len(), 2);
-    [recorder.seen[1].before[1], recorder.seen[1].t, recorder.seen[0].before[0]]
+    assert_eq!(recorder.events().len(), 2);
+    [recorder.events()[1].before[1], recorder.events()[1].t, recorder.events()[0].before[0]]
 }
 
 /// Relative error of Hunt–Crossley in `n` steps: the force starts and ends like t^1.5, of

@@ -107,8 +107,8 @@ fn impacts_whose_ratio_tends_to_a_constant_come_to_rest_in_time() {
             let start = Simulator::new(ball, Rk4, Limits::default(), Mode::Flight, [1.0, 0.0]);
             let (recorder, ticks) = run(&mut { start }, h, phase, t + 0.1);
             all_completed(&ticks);
-            let last = recorder.seen.last().expect("an event");
-            assert_eq!((last.guard, last.mode), ("settled", Mode::Rest), "{}", what("end"));
+            let last = recorder.events().last().expect("an event");
+            assert_eq!((last.name, last.to), ("settled", Mode::Rest), "{}", what("end"));
             // Settled as soon as the time is known to 2⁻²⁰ of a tick, or as well as the
             // last events of a tick allow; where hops are lost in rounding, to 1e-5 of their rest.
             close(what("time of rest"), last.t, t, 1e-5 * h + 5e-9);
@@ -135,10 +135,10 @@ fn hundreds_of_bounces_in_one_tick_are_a_handful_of_events() {
     let mut simulator = Simulator::new(ball, Exact, Limits::default(), Mode::Flight, start);
     let (recorder, ticks) = run(&mut simulator, 0.1, 0.0, 0.3);
     all_completed(&ticks);
-    let last = recorder.seen.last().expect("an event");
-    assert_eq!(last.mode, Mode::Rest);
+    let last = recorder.events().last().expect("an event");
+    assert_eq!(last.to, Mode::Rest);
     close("time of rest", last.t, 1e-3 / (1.0 - 0.99), 1e-7);
-    assert!(recorder.seen.len() < 30, "{} events", recorder.seen.len());
+    assert!(recorder.events().len() < 30, "{} events", recorder.events().len());
 }
 
 /// A ball on a spring instead of gravity, x'' = −x, with a wall at 0: its interval tends to π,
@@ -201,7 +201,7 @@ fn impacts_whose_interval_tends_to_a_constant_are_never_settled() {
                 let mut it =
                     Simulator::new(Springy { e, wall }, exact, limits, Mode::Flight, start);
                 let (recorder, _) = run(&mut it, h, 0.0, 40.0);
-                let settled = recorder.seen.iter().any(|seen| seen.mode == Mode::Rest);
+                let settled = recorder.events().iter().any(|seen| seen.to == Mode::Rest);
                 assert!(!settled, "e {e}, h {h}, wall {wall}: {:?}", recorder.times());
             }
         }
@@ -224,8 +224,8 @@ fn a_spring_that_presses_comes_to_rest_on_its_wall() {
             let start = Simulator::new(model, exact, Limits::default(), Mode::Flight, [1.0, 0.0]);
             let (recorder, ticks) = run(&mut { start }, h, phase, t + 0.1);
             all_completed(&ticks);
-            let last = recorder.seen.last().expect("an event");
-            assert_eq!(last.mode, Mode::Rest);
+            let last = recorder.events().last().expect("an event");
+            assert_eq!(last.to, Mode::Rest);
             close(format_args!("e {e}, h {h}, phase {phase}"), last.t, t, 1e-5 * h + 5e-9);
         });
     }

@@ -1,7 +1,7 @@
 //! What happens in a run: events, states at the times of samples, work of each tick.
 
 use pode::stepper::Any;
-use pode::{Advance, Cap, EnergyAudit, Event, Fault, Model, Piece, Signal, Watch, Work};
+use pode::{Advance, EnergyAudit, Event, Fault, Limits, Model, Piece, Signal, Watch, Work};
 
 use super::job::RunJob;
 use super::stepped::Stepped;
@@ -32,7 +32,7 @@ pub(super) struct ObservedRun<M: Model> {
     /// Energy that the audit leaves unexplained (J).
     pub(super) residual: f64,
     /// Where and why the run did not go on as it should (s).
-    pub(super) trouble: Option<(f64, &'static str)>,
+    pub(super) trouble: Option<(f64, String)>,
 }
 
 /// Does the run once, looking on.
@@ -45,7 +45,7 @@ pub(super) fn observe<S: Scenario>(job: &RunJob<'_, S, Any>) -> ObservedRun<S::M
         let done = job.advance(&mut simulator, &mut log);
         samples.add(tick + 1, simulator.state(), [done.mean_readout, done.end_readout]);
         if trouble.is_none() {
-            trouble = failure(done.advance).map(|why| (tick as f64 * job.tick, why));
+            trouble = failure(done.advance, &job.limits).map(|why| (tick as f64 * job.tick, why));
         }
         if matches!(done.advance, Advance::Faulty(_)) {
             break;
@@ -77,17 +77,14 @@ fn work<S: Scenario>(job: &RunJob<'_, S, Any>) -> Vec<Work> {
 }
 
 /// Why a tick did not go as it should.
-const fn failure(advance: Advance) -> Option<&'static str> {
+fn failure(advance: Advance, limits: &Limits) -> Option<String> {
     Some(match advance {
         Advance::Completed => return None,
-        Advance::Capped(Cap::Events) => "too many events in one tick",
-        Advance::Capped(Cap::Cascade) => "too many events at one instant",
-        Advance::Capped(Cap::Guards) => "too many guard evaluations in one tick",
-        Advance::Capped(Cap::Pieces) => "too many steps in one tick",
-        Advance::Faulty(Fault::Period) => "the tick has no length",
-        Advance::Faulty(Fault::State) => "the state is not finite",
-        Advance::Faulty(Fault::Guard) => "a guard is not finite",
-        Advance::Faulty(Fault::Readout) => "the readout is not finite",
+        Advance::Capped(cap) => limits.reached(cap).to_string(),
+        Advance::Faulty(Fault::Period) => "the tick has no length".into(),
+        Advance::Faulty(Fault::State) => "the state is not finite".into(),
+        Advance::Faulty(Fault::Guard) => "a guard is not finite".into(),
+        Advance::Faulty(Fault::Readout) => "the readout is not finite".into(),
     })
 }
 

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use pode::stepper::Choice;
-use pode::{EnergyAudit, Fault};
+use pode::{Cap, EnergyAudit, Fault, Limits};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
@@ -68,6 +68,22 @@ pub(super) struct Capped {
 }
 
 impl Capped {
+    /// The maxima that were reached, and how often, for people.
+    fn told(&self) -> String {
+        let Self { events, cascade, guards, pieces } = *self;
+        let limits = Limits::default();
+        let all = [
+            (Cap::Events, events),
+            (Cap::Cascade, cascade),
+            (Cap::Guards, guards),
+            (Cap::Pieces, pieces),
+        ];
+        let occurred = all.into_iter().filter(|(_, ticks)| *ticks > 0).map(|(cap, ticks)| {
+            format!("{ticks} times {} {}", limits.reached(cap).maximum, cap.unit())
+        });
+        occurred.collect::<Vec<_>>().join(", ")
+    }
+
     /// Kinds with their counts, those that occurred.
     fn occurred(&self) -> Vec<(&'static str, u64)> {
         let Self { events, cascade, guards, pieces } = *self;
@@ -126,7 +142,7 @@ impl SimulationReport {
                 model,
                 capped: capped.iter().map(|(_, ticks)| ticks).sum(),
                 ticks: self.counts.ticks,
-                kinds: list(&capped),
+                kinds: self.capped.told(),
                 tolerance: args.tolerance.is_some(),
             }),
         }

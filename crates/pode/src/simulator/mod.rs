@@ -7,11 +7,14 @@ mod accumulation;
 mod detect;
 mod field;
 mod parts;
+mod run;
 mod step_end;
 mod transition;
 
 use detect::{First, Suspicion};
 use parts::{Memories, ModeStep, PartMemory};
+
+pub use run::RunReport;
 
 use crate::dense::Dense as _;
 use crate::epoch::stand_after;

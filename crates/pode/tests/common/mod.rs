@@ -7,8 +7,8 @@ pub mod stick_slip;
 
 use pode::stepper::Rk4;
 use pode::{
-    Advance, EquationKind, Event, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature,
-    Reset, Resets, Settling, Simulator, Stepper, Tick, Watch,
+    Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature,
+    Recorder, Reset, Resets, Settling, Simulator, Stepper, Tick,
 };
 
 pub const G: f64 = 9.81;
@@ -42,49 +42,6 @@ pub fn all_completed(ticks: &[Tick]) {
     assert_eq!(odd, None, "{:?}", odd.map(|n| ticks[n]));
 }
 
-/// A recorded event: time (s), guard name, state after.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Seen<M: Model> {
-    pub t: f64,
-    pub guard: &'static str,
-    pub mode: M::Mode,
-    pub before: M::State,
-    pub after: M::State,
-    pub impulse: f64,
-}
-
-/// Records every event with its time.
-#[derive(Clone, Debug)]
-pub struct Recorder<M: Model> {
-    pub h: f64,
-    /// Time of tick 0's start (s).
-    pub origin: f64,
-    pub seen: Vec<Seen<M>>,
-}
-
-impl<M: Model> Recorder<M> {
-    pub fn new(h: f64) -> Self {
-        Self { h, origin: 0.0, seen: Vec::new() }
-    }
-
-    pub fn times(&self) -> Vec<f64> {
-        self.seen.iter().map(|seen| seen.t).collect()
-    }
-}
-
-impl<M: Model> Watch<M> for Recorder<M> {
-    fn event(&mut self, _model: &M, event: &Event<'_, M>) {
-        self.seen.push(Seen {
-            t: self.origin + (event.tick as f64 + event.theta) * self.h,
-            guard: event.cause.name(),
-            mode: event.after.0,
-            before: event.before.1,
-            after: event.after.1,
-            impulse: event.impulse,
-        });
-    }
-}
-
 /// Runs a model of no input until `until` (s) with ticks of `h`, the first one cut to
 /// `1 − phase` of a tick; returns the events and every tick.
 pub fn run<M: Resets<Input = ()>, T: Stepper>(
@@ -97,12 +54,11 @@ pub fn run<M: Resets<Input = ()>, T: Stepper>(
     let mut ticks = Vec::new();
     if phase > 0.0 {
         let first = (1.0 - phase) * h;
-        recorder.h = first;
+        recorder.place_tick(0, 0.0, first);
         ticks.push(simulator.advance(first, &|_| (), &mut recorder));
-        recorder.h = h;
-        recorder.origin = first - h;
+        recorder.place_tick(1, first, h);
     }
-    while recorder.origin + (simulator.tick() as f64 + 0.5) * h < until {
+    while recorder.time(simulator.tick(), 0.5) < until {
         ticks.push(simulator.advance(h, &|_| (), &mut recorder));
     }
     (recorder, ticks)

@@ -5,7 +5,7 @@
 use pode::filippov::Continued;
 use pode::{Resets, Simulator, Stepper, Tick};
 
-use crate::common::Recorder;
+use pode::Recorder;
 
 /// The time (s), as an input.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -34,7 +34,7 @@ pub fn run_driven<M: Resets, T: Stepper>(
         // A crumb joins the last tick.
         let end = if line(n + 1) < until - 1e-6 * h { line(n + 1) } else { until };
         let length = end - begin;
-        (recorder.h, recorder.origin) = (length, begin - f64::from(n) * length);
+        recorder.place_tick(n.into(), begin, length);
         // A tick ends at the very time at which the next one begins.
         let signal = |theta: f64| input(if theta < 1.0 { begin + theta * length } else { end });
         ticks.push(simulator.advance(length, &signal, &mut recorder));

@@ -125,7 +125,7 @@ fn a_step_that_no_tick_can_afford_is_refused() {
     check(
         &text,
         &[],
-        "scene.toml:3:16: \"longest_step\" is 2e-6 s, but a tick at 500 Hz may take 992 steps at \
+        "scene.toml:3:16: \"longest_step\" is 2e-6 s, but a tick at 500 Hz may take 960 steps at \
          most; give at least 2.1 us, or a faster tick",
     );
     check(&text.replace("2 us", "2.1 us"), &[], "nothing is wrong");

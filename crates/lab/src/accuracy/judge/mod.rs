@@ -63,13 +63,13 @@ pub(super) fn judge<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M
 
 fn sequence<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> SequenceVerdict {
     if let Some(difference) = difference(reference, &observed.events) {
-        return match observed.trouble {
+        return match &observed.trouble {
             // What happens after a cap or a fault is its consequence.
             Some((t, why)) => SequenceVerdict::Failed(format!("{why} at {t:.4} s")),
             None => SequenceVerdict::Wrong(difference),
         };
     }
-    if let Some((t, why)) = observed.trouble {
+    if let Some((t, why)) = &observed.trouble {
         return SequenceVerdict::Failed(format!("{why} at {t:.4} s"));
     }
     match (reference.rest, observed.entered) {

@@ -129,7 +129,7 @@ fn the_rest_that_events_lead_to_is_judged_like_an_event() {
 #[test]
 fn a_run_that_was_cut_short_has_failed_and_says_when() {
     let mut observed = right();
-    observed.trouble = Some((0.125, "the state is not finite"));
+    observed.trouble = Some((0.125, "the state is not finite".into()));
     let failed = SequenceVerdict::Failed("the state is not finite at 0.1250 s".to_owned());
     assert_eq!(judge(&reference(), &observed).sequence, failed);
 }

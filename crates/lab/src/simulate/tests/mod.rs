@@ -185,21 +185,21 @@ fn the_summary_is_one_json_object() {
 fn capped_ticks_are_a_failure_that_says_what_to_do_and_leaves_its_files() {
     let folder = Folder::new("capped");
     let out = folder.path("traj.csv");
-    let words = ["bouncing-ball", "--set", "restitution=1", "--until", "100", "--step", "50"];
+    let words = ["bouncing-ball", "--set", "restitution=1", "--until", "200", "--step", "100"];
     let words = [&words[..], &["--out", &out, "--json"]].concat();
     let mut printed = Vec::new();
     let error = run(&args(&words), &mut printed).expect_err("capped");
     assert_eq!(error.exit_code(), 1);
     assert_eq!(
         error.to_string(),
-        "bouncing-ball reached a maximum in 2 of 2 ticks (events 2) and held its state for the \
-         rest of each, so what comes after the first of them is not the model's motion: take a \
-         shorter --step"
+        "bouncing-ball reached a maximum in 2 of 2 ticks (2 times 64 events in one tick) and held \
+         its state for the rest of each, so what comes after the first of them is not the model's \
+         motion: take a shorter --step"
     );
     let json: Value = serde_json::from_slice(&printed).expect("JSON");
     assert_eq!(json["outcome"], "capped: events 2");
     assert_eq!(json["capped_ticks"]["events"], 2);
-    assert_eq!(json["final"]["t"], 100.0);
+    assert_eq!(json["final"]["t"], 200.0);
     assert_eq!(fs::read_to_string(&out).expect("the table").lines().count(), 1 + 3);
     let steps = ["--set", "k2=15e6", "--input", "s=0.099*exp(-((t-0.514)/0.079)^2)"];
     let steps = [&["key-hammer-springs"], &steps[..], &["--until", "1", "--step", "1e-2"]].concat();
