@@ -63,6 +63,7 @@ mod slopes;
 mod state;
 mod watch;
 
+pub mod contacts;
 pub mod filippov;
 pub mod input;
 pub mod math;
