@@ -8,7 +8,7 @@ use pode::contacts::{
     FrictionForces, FrictionLimits, FrictionSpec, WithContacts,
 };
 use pode::filippov::Surface;
-use pode::stepper::{Exact, Rk4};
+use pode::stepper::Exact;
 use pode::{
     EnergyAudit, EquationKind, GuardId, GuardSpec, GuardValue, Limits, Motion, Nature, Reset,
     Simulator,
@@ -177,8 +177,7 @@ fn check(it: Block, expected: &[Ends], (h, phase): (f64, f64)) {
     let model = WithContacts::new(it).unwrap();
     let (mode, x) = model.start((), &[0.0, speed], &belt(0.0));
     assert_eq!(mode.contacts.state(0), ContactState::Stick);
-    let exact = Exact::<Rk4>::default();
-    let mut simulator = Simulator::new(model, exact, Limits::default(), mode, x);
+    let mut simulator = Simulator::new(model, Exact, Limits::default(), mode, x);
     let until = pieces[pieces.len() - 1].0 + 1e-3;
     let (recorder, ticks) = run_driven(&mut simulator, (h, phase), until, belt);
     all_completed(&ticks);
@@ -228,7 +227,7 @@ fn belt_friction_and_stop_keep_the_books_of_the_energy() {
     let belt = |t: f64| Motion { position: 0.15 * t, rate: 0.15, ..Motion::default() };
     let model = WithContacts::new(block()).unwrap();
     let (mode, x) = model.start((), &[0.0, 0.15], &belt(0.0));
-    let mut it = Simulator::new(model, Exact::<Rk4>::default(), Limits::default(), mode, x);
+    let mut it = Simulator::new(model, Exact, Limits::default(), mode, x);
     let mut audit = EnergyAudit::default();
     for n in 0..2000 {
         let t = f64::from(n) * 1e-3;

@@ -6,6 +6,7 @@
 
 mod at_once;
 mod belt;
+mod chain;
 mod limits;
 mod single;
 mod stacked;
