@@ -11,7 +11,7 @@ pub struct FrictionForces {
 }
 
 impl FrictionForces {
-    /// No friction acts.
+    /// The forces where no friction acts.
     pub const NONE: Self =
         Self { contacts: [0; MAX_FRICTIONS], forces: [0.0; MAX_FRICTIONS], len: 0 };
 

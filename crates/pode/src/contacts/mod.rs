@@ -84,7 +84,6 @@ mod resets;
 mod set;
 mod solve;
 mod spec;
-mod start;
 mod system;
 
 pub use energy::EnergeticContacts;
@@ -123,7 +122,7 @@ impl<M: ContactSystem> WithContacts<M> {
         Ok(Self { system, guards })
     }
 
-    /// Returns the mechanism.
+    /// Returns the mechanism of which this is the model.
     pub const fn system(&self) -> &M {
         &self.system
     }

@@ -48,7 +48,7 @@ pub struct ContactSet {
 }
 
 impl ContactSet {
-    /// All contacts open.
+    /// The set in which all contacts are open.
     pub const OPEN: Self = Self { closed: 0, stick: 0, up: 0, down: 0 };
 
     /// The same with `contact` in the state `state`; a number that no contact has is ignored.
@@ -87,7 +87,7 @@ impl ContactSet {
         }
     }
 
-    /// Whether `contact` touches.
+    /// Whether the surfaces of `contact` touch.
     #[inline]
     pub const fn is_closed(&self, contact: usize) -> bool {
         self.closed & bit(contact) != 0

@@ -91,12 +91,12 @@ fn gram(it: &Factor, n: usize) -> Factor {
     factor(&gram, it.rank)
 }
 
-/// Bᵀ x.
+/// Returns Bᵀ times x.
 fn transposed(it: &Factor, x: &PerFriction, n: usize) -> PerFriction {
     core::array::from_fn(|j| (0..n).map(|i| it.b[i][j] * x[i]).sum())
 }
 
-/// B y.
+/// Returns B times y.
 fn applied(it: &Factor, y: &PerFriction, n: usize) -> PerFriction {
     core::array::from_fn(
         |i| if i < n { (0..it.rank).map(|j| it.b[i][j] * y[j]).sum() } else { 0.0 },

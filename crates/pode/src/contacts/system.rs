@@ -34,7 +34,7 @@ impl FrictionLimits {
 pub trait ContactSystem: Sized {
     /// What changes besides the contacts: the structural mode.
     type Structure: Copy + Eq + Debug + Send;
-    /// Coordinates, then speeds.
+    /// The vector of coordinates, then speeds.
     type State: State;
     /// What drives the system.
     type Input: Continued;

@@ -118,9 +118,9 @@ fn obeys_coulomb(it: &Simulator<WithContacts<Chain>, Rk4>, t: f64) {
 
 /// Runs for 2 s; returns the events.
 #[track_caller]
-fn check(chain: Chain) -> u32 {
+fn check(chain: &Chain) -> u32 {
     let h = 5e-3;
-    let model = WithContacts::new(chain).unwrap();
+    let model = WithContacts::new(*chain).unwrap();
     let (mode, x) = model.start((), &[0.0; 6], &Clock(0.0));
     let mut it = Simulator::new(model, Rk4, Limits::default(), mode, x).without_readout();
     let (mut audit, mut ticks) = (EnergyAudit::default(), vec![]);
@@ -130,7 +130,7 @@ fn check(chain: Chain) -> u32 {
         obeys_coulomb(&it, t + h);
     }
     all_completed(&ticks);
-    assert!(audit.dissipated >= 0.0 && audit.jumps.abs() < 1e-9, "{audit:?}");
+    assert!(audit.dissipated > -1e-12 && audit.jumps.abs() < 1e-9, "{audit:?}");
     close("residual", audit.residual(), 0.0, 1e-7 * (1.0 + audit.supplied.abs()));
     ticks.iter().map(|tick| tick.work.events).sum()
 }
@@ -149,7 +149,7 @@ fn chain(m: [f64; 3], limits: [f64; 5], ratio: f64, (force, rate): ([f64; 3], [f
 #[test]
 fn a_chain_sticks_and_slips_in_many_ways() {
     let drive = ([6.0, 5.0, 7.0], [7.0, 11.0, 5.0]);
-    let events = check(chain([1.0, 0.7, 1.3], [1.0, 1.5, 0.8, 1.2, 0.6], 0.8, drive));
+    let events = check(&chain([1.0, 0.7, 1.3], [1.0, 1.5, 0.8, 1.2, 0.6], 0.8, drive));
     assert!(events > 20, "{events}");
 }
 
@@ -164,7 +164,7 @@ proptest! {
         force in prop::array::uniform3(0.0..10.0),
         rate in prop::array::uniform3(2.0..20.0),
     ) {
-        check(chain(m, limits, ratio, (force, rate)));
+        check(&chain(m, limits, ratio, (force, rate)));
         prop_assert!(true);
     }
 }
