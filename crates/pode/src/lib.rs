@@ -66,6 +66,7 @@ mod slopes;
 mod state;
 mod watch;
 
+pub mod contacts;
 pub mod filippov;
 pub mod input;
 pub mod math;

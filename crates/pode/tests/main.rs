@@ -10,6 +10,7 @@ mod bounded;
 mod busy;
 mod by_need;
 mod common;
+mod contacts;
 mod cradle;
 mod cut_ticks;
 mod driven;
