@@ -7,29 +7,14 @@
     reason = "a test has the heap, and fails aloud"
 )]
 
-use models::catalogue::{self, Visitor};
+use models::catalogue;
 use models::{Described, Parameter, Playable};
 use pode::stepper::{Given, Rk4, Stepper as _};
 use pode::{Dense as _, EquationKind, GuardId, MAX_GUARDS, Matrix as _, Motion, Nature, State};
 
+use crate::every_model::with_all;
 use crate::random::Random;
 use crate::stroke::{run, still};
-
-/// Does `check` with every model.
-macro_rules! with_all {
-    ($check:ident) => {{
-        struct Check;
-        impl Visitor for Check {
-            type Output = ();
-            fn visit<M: Playable>(self) {
-                $check::<M>();
-            }
-        }
-        for entry in catalogue::ENTRIES {
-            catalogue::visit(entry.name, Check).expect("what is listed can be visited");
-        }
-    }};
-}
 
 /// A word that begins with a letter.
 fn is_word(name: &str, others: &[char]) -> bool {

@@ -1,5 +1,6 @@
 //! A reduced grand action with let-off, check and repetition: model C. See README.md.
 
+mod bounds;
 mod drawing;
 mod energy;
 mod forces;
@@ -102,7 +103,7 @@ impl Described for ReducedGrand {
         let [y, z, u, w] = *x;
         let (mut jack, mut lever, mut string) = (0.0, 0.0, 0.0);
         match mode {
-            Mode::Acc | Mode::Lo => jack = self.jack_force(mode, x, s).value,
+            Mode::Acc | Mode::Lo => jack = self.jack_force(mode, x, s),
             Mode::RepH | Mode::RepL | Mode::Rep0 => lever = self.lever_force(&self.lever(y), x),
             Mode::Stu | Mode::Stt => string = self.string_force(z, w),
             Mode::Chk => lever = self.lever_under_check(y),
