@@ -1,5 +1,6 @@
 //! The models against closed forms, references and what every model promises.
 
+mod certain_steps;
 mod common;
 mod conformance;
 mod drawing;
