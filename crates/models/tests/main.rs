@@ -16,6 +16,7 @@ mod random;
 mod reduced_grand;
 mod reduced_grand_modes;
 mod reduced_grand_playing;
+mod reduced_grand_pressed;
 mod reference;
 mod sketch;
 mod stroke;

@@ -159,6 +159,11 @@ impl Model for ReducedGrand {
         self.longest_steps.of(mode)
     }
 
+    #[inline]
+    fn longest_step_at(&self, mode: Mode, x: &[f64; 4], _s: &Motion) -> f64 {
+        self.longest_steps.from(&self.values, mode, x)
+    }
+
     /// A carried head is where the key puts it.
     #[inline]
     fn constrain(&self, mode: Mode, x: &[f64; 4], _s: &Motion) -> [f64; 4] {
