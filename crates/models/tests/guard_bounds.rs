@@ -31,7 +31,8 @@ struct Motions<S> {
 /// How a step is chosen.
 #[derive(Clone, Copy)]
 enum Steps {
-    /// Anything within the ranges.
+    /// Anything within the ranges; every other term is left out, so that each stands alone at
+    /// times.
     Any,
     /// As a key is played: all entries move, none of them wildly.
     Played,
@@ -44,14 +45,19 @@ fn step<M: Playable>(
     steps: Steps,
     random: &mut Random,
 ) -> (M::State, Motions<M::State>) {
-    let wild = match steps {
-        Steps::Any => 10.0_f64.powf(random.between(-2.0, 0.7)),
-        Steps::Played => 10.0_f64.powf(random.between(-2.0, -0.5)),
+    let (wildest, left_out) = match steps {
+        Steps::Any => (0.7, 0.5),
+        Steps::Played => (-0.5, 0.0),
+    };
+    let wild = 10.0_f64.powf(random.between(-2.0, wildest));
+    let part = |random: &mut Random| {
+        let part = random.between(-0.5, 1.0);
+        if random.between(0.0, 1.0) < left_out { 0.0 } else { part }
     };
     let h = 10.0_f64.powf(random.between(-4.3, -2.7));
     let span = 0.01 * model.input_per_metre();
     let c = [1.0, 100.0 * h * wild, 1e4 * h * h * wild, 1e6 * h * h * h * wild];
-    let input = Cubic::new(c.map(|c| span * c * random.between(-0.5, 1.0)), h);
+    let input = Cubic::new(c.map(|c| span * c * part(random)), h);
     let mut x = model.at_rest(&still(input.at(0.0).position)).1;
     for entry in x.as_mut() {
         *entry += 0.05 * wild * random.between(-1.0, 1.0);
@@ -61,7 +67,7 @@ fn step<M: Playable>(
     for (power, term) in (1..).zip(&mut terms[1..]) {
         for (index, entry) in term.as_mut().iter_mut().enumerate() {
             let fast = if index < M::COORDS { 1.0 } else { 30.0 };
-            *entry = fast * wild * (100.0 * h).powi(power) * 0.01 * random.between(-1.0, 1.0);
+            *entry = fast * wild * (100.0 * h).powi(power) * 0.01 * part(random);
         }
     }
     let end = terms.iter().fold(M::State::ZERO, |sum, term| sum.plus(1.0, term));
@@ -177,10 +183,10 @@ fn bounds_are_not_much_wider_than_what_guards_do() {
 /// Guards that read the input's acceleration: their bend would take its second derivative.
 const WITHOUT_BEND: [&str; 2] = ["key-hammer-rigid A1 release", "bouncing-ball rest lift"];
 
-/// Most of the steps allow less than three times what was seen: sums of magnitudes do not see
+/// Most of the steps allow less than four times what was seen: sums of magnitudes do not see
 /// what cancels, and random motions cancel somewhat.
 fn bounds_are_tight<M: Playable>() {
-    const FACTOR: f64 = 3.0;
+    const FACTOR: f64 = 4.0;
     let mut ratios: Vec<(String, [Vec<f64>; 2])> = Vec::new();
     every_guard::<M>((200, Steps::Played), &[0.0], |label, found| {
         if ratios.last().is_none_or(|it| it.0 != label) {

@@ -1,7 +1,7 @@
 //! What the geometry of models A and B can do over one step.
 
 use pode::GuardBound;
-use pode::math::{atan2, hypot};
+use pode::math::sqrt;
 
 use super::KeyHammerValues;
 use crate::bounds::TermBound;
@@ -31,8 +31,7 @@ pub(crate) fn gap_bound(p: &KeyHammerValues, hammer: TermBound, key: TermBound) 
 /// Bounds of what the slider's place along the hammer makes of the key's angle s, for a hammer
 /// on a rigid key: p = θh' per s', q = −σ' per s' over σ, r = 1/σ.
 ///
-/// With R = |P1 P2| and φ its direction, p = L1 (L1 − R cos(s − φ))/σ² and
-/// q = −L1 R sin(s − φ)/σ², where σ² = L1² + R² − 2 L1 R cos(s − φ).
+/// With R = |P1 P2|, p = L1 (σ² + L1² − R²)/(2 L1 σ²) and q = −L1 (L3 sin s − L4 cos s)/σ².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     /// |p|.
@@ -46,9 +45,8 @@ pub(crate) struct Reach {
 impl Reach {
     /// Over |s| ≤ `most` (rad): p and r are largest where the slider is nearest to P2.
     pub(crate) fn over(p: &KeyHammerValues, most: f64) -> Self {
-        let (distance, direction) = (hypot(p.l3, p.l4), atan2(p.l4, p.l3).abs());
-        let inverse = 1.0 / (p.l1 - distance).abs();
-        let sin = (most + direction).min(1.0);
-        Self { along: p.l1 * inverse, across: p.l1 * distance * inverse * inverse * sin, inverse }
+        let inverse = 1.0 / (p.l1 - sqrt(p.l3 * p.l3 + p.l4 * p.l4)).abs();
+        let across = p.l3.abs() * most.min(1.0) + p.l4.abs();
+        Self { along: p.l1 * inverse, across: p.l1 * across * inverse * inverse, inverse }
     }
 }

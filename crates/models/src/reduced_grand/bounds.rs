@@ -6,33 +6,31 @@ use pode::{Enclosure, GuardBound, GuardId, Motion};
 
 use super::forces::SoftFelt;
 use super::guards::{CHECK, JACK_IN, LAND, LIFT_OFF, REP_OFF, REP_ON, STRING_OFF, STRING_ON};
+use super::parameters::ReducedGrandValues;
+use super::softplus::FAR;
 use super::{Mode, ReducedGrand};
 use crate::bounds::TermBound;
 
 type Over = Enclosure<[f64; 4], Motion>;
 
-/// Bounds of a softplus of x and of its derivatives, for x in `low` ..= `high`.
-#[derive(Clone, Copy, Debug)]
-struct SoftplusBound {
-    value: f64,
-    slope: f64,
-    /// Of 1 − σ.
-    slope_left: f64,
-    bend: f64,
+/// 1/w of what sets in softly (1/m), and 1/vc (s/m): a product takes a third of a division's
+/// time.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct PerWidth {
+    felt: f64,
+    jack: f64,
+    drop: f64,
+    friction_speed: f64,
 }
 
-impl SoftplusBound {
-    #[inline]
-    fn over(low: f64, high: f64) -> Self {
-        let (rising, falling) = (decayed(-high), decayed(low));
-        let value = if high > 0.0 { high + LN_2 } else { rising.min(LN_2) };
-        Self { value, slope: rising, slope_left: falling, bend: rising.min(falling).min(0.25) }
-    }
-
-    /// The bound of ½ d²(sp²)/dx² = σ² + sp σ', which is nowhere above 1.046.
-    #[inline]
-    const fn bend_of_square(&self) -> f64 {
-        1.05_f64.min(2.0 * self.slope * self.slope)
+impl PerWidth {
+    pub(super) fn new(p: &ReducedGrandValues) -> Self {
+        Self {
+            felt: 1.0 / p.felt_width,
+            jack: 1.0 / p.jack_width,
+            drop: 1.0 / p.drop_width,
+            friction_speed: 1.0 / p.friction_speed,
+        }
     }
 }
 
@@ -44,20 +42,31 @@ fn decayed(x: f64) -> f64 {
     1.0 / (fourth * fourth)
 }
 
+/// Bound of a softplus up to `high`, where its slope is at most `slope`.
+#[inline]
+fn softplus_up_to(high: f64, slope: f64) -> f64 {
+    if high > 0.0 { high + LN_2 } else { slope.min(LN_2) }
+}
+
 impl SoftFelt {
     /// Bound of the felt's force over a step that begins `depth` (m) deep at `rate` (m/s), with
-    /// the bounds of both.
+    /// the bounds of both. The slope σ and the softplus are at most e^x, and
+    /// ½ d²(sp²)/dx² = σ² + sp σ' is nowhere above 1.046.
     #[inline]
     fn bound(
         &self,
+        per_width: f64,
         (depth, deep): (f64, &TermBound),
         (rate, fast): (f64, &TermBound),
     ) -> TermBound {
-        let [low, high] = [depth - deep.moves, depth + deep.moves].map(|x| x / self.width);
-        let soft = SoftplusBound::over(low, high);
-        let (height, k) = (self.width * soft.value, self.stiffness);
-        let slope = 2.0 * k * height * soft.slope;
-        let spring = deep.through(k * height * height, slope, 2.0 * k * soft.bend_of_square());
+        let high = (depth + deep.moves) * per_width;
+        if high < -FAR {
+            return TermBound::constant(0.0);
+        }
+        let slope = decayed(-high);
+        let (height, k) = (self.width * softplus_up_to(high, slope), self.stiffness);
+        let bend = 2.0 * k * 1.05_f64.min(2.0 * slope * slope);
+        let spring = deep.through(k * height * height, 2.0 * k * height * slope, bend);
         let factor = 1.0 + self.loss * rate;
         // Where the felt may let go its force has a corner.
         let corner = if factor < self.loss * fast.moves { f64::INFINITY } else { 0.0 };
@@ -74,32 +83,41 @@ impl ReducedGrand {
         let (place, speed) = (TermBound::entry::<0, 4, _>(over), TermBound::entry::<2, 4, _>(over));
         let finger = (TermBound::position(over) + place).times(p.coupling)
             + (TermBound::rate(over) + speed).times(p.coupling_damping);
-        let bed = self.bed().bound((y - p.bed, &place), (u, &speed));
-        let rail = self.rail().bound((-y, &place), (-u, &speed));
+        let felt = self.per_width.felt;
+        let bed = self.bed().bound(felt, (y - p.bed, &place), (u, &speed));
+        let rail = self.rail().bound(felt, (-y, &place), (-u, &speed));
         let own = speed.times(p.key_damping) + TermBound::constant(p.key_weight);
         finger + own + self.rubbing_bound(u, &speed) + self.jack_bound(y, &place) + bed + rail
     }
 
     /// Bound of the key's dry friction: the slope of tanh x is at most 4 e^−2|x|.
+    #[inline]
     fn rubbing_bound(&self, u: f64, speed: &TermBound) -> TermBound {
         /// Largest second derivative of tanh, 4/(3√3).
         const BEND: f64 = 0.77;
-        let p = &self.values;
-        let slowest = ((u.abs() - speed.moves) / p.friction_speed).max(0.0);
+        let (most, per_speed) = (self.values.friction, self.per_width.friction_speed);
+        if most <= 0.0 {
+            return TermBound::constant(0.0);
+        }
+        let slowest = (u.abs() - speed.moves) * per_speed;
         let slope = (4.0 * decayed(2.0 * slowest)).min(1.0);
-        let per_speed = 1.0 / p.friction_speed;
-        let friction = p.friction * per_speed;
-        speed.through(p.friction, friction * slope, friction * per_speed * BEND.min(2.0 * slope))
+        let friction = most * per_speed;
+        speed.through(most, friction * slope, friction * per_speed * BEND.min(2.0 * slope))
     }
 
     /// Bound of the force of jack and button on the key.
+    #[inline]
     fn jack_bound(&self, y: f64, place: &TermBound) -> TermBound {
-        let p = &self.values;
-        let from = |y: f64| (y - p.button) / p.jack_width;
-        let soft = SoftplusBound::over(from(y - place.moves), from(y + place.moves));
-        let bend = p.jack_stiffness / p.jack_width * soft.bend;
-        let most = p.jack_stiffness * p.jack_width * soft.value;
-        place.through(most, p.jack_stiffness * soft.slope, bend)
+        let (p, per_width) = (&self.values, self.per_width.jack);
+        let from = |y: f64| (y - p.button) * per_width;
+        let (low, high) = (from(y - place.moves), from(y + place.moves));
+        if high < -FAR {
+            return TermBound::constant(0.0);
+        }
+        let slope = decayed(-high);
+        let most = p.jack_stiffness * p.jack_width * softplus_up_to(high, slope);
+        let bend = p.jack_stiffness * per_width * slope.min(decayed(low)).min(0.25);
+        place.through(most, p.jack_stiffness * slope, bend)
     }
 
     /// Bound of the head's height ζ at the button over a step, and of its slope ζ'.
@@ -116,25 +134,25 @@ impl ReducedGrand {
     fn lift_off_bound(&self, mode: Mode, over: &Over) -> GuardBound {
         let p = &self.values;
         let speed = TermBound::entry::<2, 4, _>(over);
-        let (ratio, bend) = if mode == Mode::Lo {
-            (self.at_button_bound(over).1, self.let_off.bend)
-        } else {
-            (TermBound::constant(p.ratio), 0.0)
-        };
-        let driven = ratio * self.push_bound(over).times(p.hammer_mass / p.key_mass);
-        let own = speed.square().times(p.hammer_mass * bend);
-        (driven + own + (ratio * speed).times(p.hammer_damping)).as_guard()
+        let push = self.push_bound(over).times(p.hammer_mass / p.key_mass);
+        if mode != Mode::Lo {
+            return (push + speed.times(p.hammer_damping)).times(p.ratio).as_guard();
+        }
+        let ratio = self.at_button_bound(over).1;
+        let own = speed.square().times(p.hammer_mass * self.let_off.bend);
+        (ratio * (push + speed.times(p.hammer_damping)) + own).as_guard()
     }
 
-    /// Bound of the height of the repetition lever.
+    /// Bound of the height of the repetition lever, whose slope R (1 − σ) is at most R e^−x.
+    #[inline]
     fn lever_bound(&self, over: &Over) -> GuardBound {
-        let p = &self.values;
+        let (p, per_width) = (&self.values, self.per_width.drop);
         let place = TermBound::entry::<0, 4, _>(over);
-        let from = |y: f64| (y - p.drop) / p.drop_width;
-        let y = over.start[0];
-        let soft = SoftplusBound::over(from(y - place.moves), from(y + place.moves));
-        let bend = p.ratio / p.drop_width * soft.bend;
-        place.through(0.0, p.ratio * soft.slope_left, bend).as_guard()
+        let from = |y: f64| (y - p.drop) * per_width;
+        let (y, moves) = (over.start[0], place.moves);
+        let slope = decayed(from(y - moves));
+        let bend = slope.min(decayed(-from(y + moves))).min(0.25);
+        place.through(0.0, p.ratio * slope, p.ratio * per_width * bend).as_guard()
     }
 
     /// Bounds what a guard does over one step.

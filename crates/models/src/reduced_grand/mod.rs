@@ -23,6 +23,7 @@ use crate::describe::{
     write,
 };
 use crate::draw::Sketch;
+use bounds::PerWidth;
 use geometry::LetOff;
 use steps::LongestSteps;
 
@@ -35,6 +36,7 @@ pub struct ReducedGrand {
     values: ReducedGrandValues,
     let_off: LetOff,
     longest_steps: LongestSteps,
+    per_width: PerWidth,
 }
 
 impl ReducedGrand {
@@ -96,7 +98,12 @@ impl Described for ReducedGrand {
 
     fn with_values(values: &[f64]) -> Self {
         let values = ReducedGrandValues::from_array(&filled::<_, Self>(values));
-        Self { values, let_off: LetOff::new(&values), longest_steps: LongestSteps::new(&values) }
+        Self {
+            values,
+            let_off: LetOff::new(&values),
+            longest_steps: LongestSteps::new(&values),
+            per_width: PerWidth::new(&values),
+        }
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {
