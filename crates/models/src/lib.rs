@@ -12,6 +12,7 @@
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 #![forbid(unsafe_code)]
 
+mod bounds;
 mod describe;
 mod impact;
 mod parameters;

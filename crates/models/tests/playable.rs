@@ -163,8 +163,8 @@ fn deviation(kind: Reconstruction, quantum: f64, noise: f64) -> f64 {
     const H: f64 = 1e-3;
     let model: KeyHammerSprings = preset("playable", 39, &[]);
     let (mode, x) = model.at_rest(&still(0.0));
-    let start = || Simulator::new(model, Rk4, Limits::default(), mode, x);
-    let (mut exact, mut sampled) = (start(), start());
+    let mut exact = Simulator::new(model, Rk4, Limits::default(), mode, x);
+    let mut sampled = Simulator::new(model, Rk4, Limits::default(), mode, x);
     let mut samples = Reconstructor::new(kind, 0.0, H);
     let mut random = Random::new(13);
     let mut worst: f64 = 0.0;

@@ -1,8 +1,8 @@
 //! The bouncing ball's equations, by hand, in the form that generated ones will take.
 
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Part,
-    Reset, Resets, Settling, Sloped,
+    Enclosure, Energetic, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model,
+    Motion, Nature, Part, Reset, Resets, Settling, Sloped,
 };
 
 use super::{BouncingBall, Mode};
@@ -100,6 +100,19 @@ impl Guarded for BouncingBall {
         match mode {
             Mode::Flight => &FLIGHT,
             Mode::Rest => &REST,
+        }
+    }
+
+    #[inline]
+    fn guard_bound(
+        &self,
+        _mode: Mode,
+        guard: GuardId,
+        over: &Enclosure<[f64; 2], Motion>,
+    ) -> GuardBound {
+        match guard {
+            FLOOR => over.entry(0).plus(over.position()),
+            _ => over.acceleration(),
         }
     }
 

@@ -2,18 +2,20 @@
 
 use pode::math::{sin_cos, sqrt};
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Part,
-    ReadoutSlopes, Reset, Resets, Settling, Sloped,
+    Enclosure, Energetic, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model,
+    Motion, Nature, Part, ReadoutSlopes, Reset, Resets, Settling, Sloped,
 };
 
 use super::{CartPendulum, Mode};
+use crate::bounds::TermBound;
 use crate::impact::{Meeting, Parting};
 
 const LEFT: GuardId = GuardId(0);
 const RIGHT: GuardId = GuardId(1);
 const OFF: GuardId = GuardId(2);
 
-const FREE: [GuardSpec; 2] = [GuardSpec::new(0, "left"), GuardSpec::new(1, "right")];
+const FREE: [GuardSpec; 2] =
+    [GuardSpec::new(0, "left").of_state(), GuardSpec::new(1, "right").of_state()];
 const HELD: [GuardSpec; 1] = [GuardSpec::new(2, "off")];
 
 /// Whether `guard` is a meeting of cart and wall.
@@ -103,6 +105,19 @@ impl CartPendulum {
             + self.b * s.acceleration
             + arm * (cos * (x[3] * x[3] * x[3] - jerk) + 3.0 * sin * x[3] * acceleration);
         GuardValue::new(side.sign * force, side.sign * rate)
+    }
+
+    /// Bound of that force over a step: m l (sin θ θ'² + κ sin θ cos θ) and what pulls, with
+    /// κ = m l g/a22.
+    fn push_bound(&self, over: &Enclosure<[f64; 4], Motion>) -> GuardBound {
+        let arm = self.bob_mass * self.length;
+        let (angle, rate) = (TermBound::entry::<1, 4, _>(over), TermBound::entry::<3, 4, _>(over));
+        let (sin, double) = (angle.size.min(1.0), (2.0 * angle.size).min(1.0));
+        let weight = arm * self.g / self.about_pivot();
+        let swung = angle.through(sin, 1.0, sin) * rate.square();
+        let hung = angle.through(0.5 * weight * double, weight, 2.0 * weight * double);
+        let bob = (swung + hung).times(arm).as_guard();
+        bob.plus(over.position().times(self.k)).plus(over.rate().times(self.b))
     }
 
     /// x'⁺ = −e x'⁻ on the wall's place; θ's momentum a12 x' + a22 θ' is kept.
@@ -212,6 +227,16 @@ impl Guarded for CartPendulum {
             Mode::Free => &FREE,
             Mode::Left | Mode::Right => &HELD,
         }
+    }
+
+    #[inline]
+    fn guard_bound(
+        &self,
+        _mode: Mode,
+        guard: GuardId,
+        over: &Enclosure<[f64; 4], Motion>,
+    ) -> GuardBound {
+        if guard == OFF { self.push_bound(over) } else { over.entry(0) }
     }
 
     fn guard(&self, mode: Mode, guard: GuardId, x: &[f64; 4], s: &Motion) -> GuardValue {

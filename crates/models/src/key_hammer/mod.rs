@@ -4,10 +4,12 @@
 //! P1 = (0, 0), the hammer H at P2 = (L3, L4). The slider pivots on K at the distance L1
 //! from P1 and slides along H. `s` is the key's angle; a pressed key has a larger one.
 
+mod bounds;
 pub(crate) mod drawing;
 mod parameters;
 mod presets;
 
+pub(crate) use bounds::{Reach, gap_bound};
 pub use parameters::{KeyHammerValues, PARAMETERS};
 pub use presets::PRESETS;
 pub(crate) use presets::{BALANCE, hammer_mass};

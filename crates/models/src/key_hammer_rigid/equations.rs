@@ -2,12 +2,13 @@
 
 use pode::math::{cos, sin, sqrt};
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Part, Reset,
-    Resets, Sloped,
+    Enclosure, Energetic, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model,
+    Motion, Nature, Part, Reset, Resets, Sloped,
 };
 
 use super::{KeyHammerRigid, Mode};
-use crate::key_hammer::{Coupled, below_string, gap};
+use crate::bounds::TermBound;
+use crate::key_hammer::{Coupled, Reach, below_string, gap, gap_bound};
 
 const RELEASE: GuardId = GuardId(0);
 const LAND: GuardId = GuardId(1);
@@ -50,6 +51,29 @@ impl KeyHammerRigid {
             - force * hammer.reach_rate)
             / hammer.reach;
         GuardValue::new(force, rate)
+    }
+
+    /// Bound of that force over a step that starts with the hammer at `angle`; its bend would
+    /// take the input's fourth derivative.
+    ///
+    /// F = a s'' + b s'² + c with a = JH p r, b = −JH q r (1 − 2p) and c = W r cos θh, in
+    /// terms of [`Reach`]: their slopes by s are JH q r (3p − 1),
+    /// −JH r (1 − 2p)(4q² + p − p²) and W r (q cos θh − p sin θh).
+    fn contact_bound(&self, angle: f64, over: &Enclosure<[f64; 2], Motion>) -> GuardBound {
+        let Some(most) = over.input else { return GuardBound::UNKNOWN };
+        let values = &self.values;
+        let Reach { along: p, across: q, inverse: r } = Reach::over(values, most.position);
+        let rotation = p * over.h * most.rate;
+        let sin = (angle.abs() + rotation).min(1.0);
+        let turned = 1.0 + 2.0 * p;
+        let a = values.jh * p * r;
+        let a_slope = values.jh * q * r * (3.0 * p + 1.0);
+        let b = values.jh * q * r * turned;
+        let b_slope = values.jh * r * turned * (4.0 * q * q + p + p * p);
+        let c_slope = (values.m2 * values.g * values.l2).abs() * r * (q + p * sin);
+        let by_rate = (a_slope + 2.0 * b) * most.acceleration + b_slope * most.rate * most.rate;
+        let speed = a * most.jerk + (by_rate + c_slope) * most.rate;
+        GuardBound::new(over.h * speed, f64::INFINITY)
     }
 }
 
@@ -100,6 +124,23 @@ impl Guarded for KeyHammerRigid {
         match mode {
             Mode::A1 => &A1,
             Mode::A2 => &A2,
+        }
+    }
+
+    #[inline]
+    fn guard_bound(
+        &self,
+        _mode: Mode,
+        guard: GuardId,
+        over: &Enclosure<[f64; 2], Motion>,
+    ) -> GuardBound {
+        match guard {
+            RELEASE => self.contact_bound(over.start[0], over),
+            LAND => {
+                let hammer = TermBound::entry::<0, 2, _>(over);
+                gap_bound(&self.values, hammer, TermBound::position(over))
+            }
+            _ => over.entry(0),
         }
     }
 

@@ -2,12 +2,13 @@
 
 use pode::math::{sin_cos_of_two, sqrt};
 use pode::{
-    Energetic, EnergyBalance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion,
-    Nature, ReadoutSlopes, Reset, Resets, Sloped,
+    Enclosure, Energetic, EnergyBalance, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue,
+    Guarded, Model, Motion, Nature, ReadoutSlopes, Reset, Resets, Sloped,
 };
 
 use super::{KeyHammerSprings, Mode};
-use crate::key_hammer::{Coupled, KeyHammerValues, below_string, gap};
+use crate::bounds::TermBound;
+use crate::key_hammer::{Coupled, KeyHammerValues, below_string, gap, gap_bound};
 
 const RELEASE: GuardId = GuardId(0);
 const LAND: GuardId = GuardId(1);
@@ -225,6 +226,24 @@ impl Guarded for KeyHammerSprings {
             Mode::B1 => &B1,
             Mode::B2 => &B2,
         }
+    }
+
+    #[expect(clippy::inline_always, reason = "asked for in every step, of every guard")]
+    #[inline(always)]
+    fn guard_bound(
+        &self,
+        _mode: Mode,
+        guard: GuardId,
+        over: &Enclosure<[f64; 4], Motion>,
+    ) -> GuardBound {
+        if guard == STRING {
+            return over.entry(0);
+        }
+        gap_bound(
+            &self.values,
+            TermBound::entry::<0, 4, _>(over),
+            TermBound::entry::<1, 4, _>(over),
+        )
     }
 
     #[expect(clippy::inline_always, reason = "a call takes the state through memory")]

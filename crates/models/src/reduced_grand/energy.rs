@@ -49,7 +49,7 @@ impl ReducedGrand {
         match mode {
             Mode::Lo => {
                 let head = self.at_button(y, u);
-                (head.transmission - head.ratio) * u * self.jack_force(mode, x, s).value
+                (head.transmission - head.ratio) * u * self.jack_force(mode, x, s)
             }
             Mode::Stu | Mode::Stt => (self.string_force(z, w) - self.string_spring(z)) * w,
             Mode::RepH | Mode::RepL | Mode::Rep0 => {

@@ -35,7 +35,7 @@ pub(super) struct LetOff {
     /// R D (m).
     rise: f64,
     /// Z'' = −R (1 − ρ)/D (1/m).
-    bend: f64,
+    pub(super) bend: f64,
     /// yt = yb + D, where the jack trips (m).
     pub(super) trip: f64,
 }
@@ -94,18 +94,6 @@ impl ReducedGrand {
         let hump = xi * (1.0 - xi);
         let rubbing = 16.0 * p.button_friction * hump * hump * tanh(u / p.friction_speed);
         CarriedHead { height, ratio, bend: self.let_off.bend, transmission: ratio + rubbing }
-    }
-
-    /// Rate of [`Self::at_button`]'s transmission while the key accelerates at `acceleration`.
-    pub(super) fn transmission_rate(&self, y: f64, u: f64, acceleration: f64) -> f64 {
-        let p = &self.values;
-        let xi = self.let_off.progress(p, y);
-        let hump = xi * (1.0 - xi);
-        let hump_rate = (1.0 - 2.0 * xi) * self.let_off.per_travel * u;
-        let sign = tanh(u / p.friction_speed);
-        let sign_rate = (1.0 - sign * sign) / p.friction_speed * acceleration;
-        let rubbing_rate = hump * (2.0 * hump_rate * sign + hump * sign_rate);
-        self.let_off.bend * u + 16.0 * p.button_friction * rubbing_rate
     }
 
     /// CHK: z = Zc(y) = zc + Rc (y − ybed).

@@ -1,10 +1,10 @@
 //! What ends each mode.
 
-use pode::{GuardId, GuardSpec, GuardValue, Guarded, Motion};
+use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Motion};
 
 use super::{Mode, ReducedGrand};
 
-/// λ: the head leaves the jack.
+/// The head leaves the jack, which would have to pull it from there on.
 pub(super) const LIFT_OFF: GuardId = GuardId(0);
 /// The jack meets the let-off button.
 pub(super) const BUTTON: GuardId = GuardId(1);
@@ -47,8 +47,8 @@ const fn of_head(id: GuardId, name: &'static str) -> GuardSpec {
     GuardSpec::new(id.0, name).scaled(0.05).of_state()
 }
 
-/// Of the size of what the finger's force gives to the head: mh R/(mk + mh R²) of 100 N.
-const LIFT_OFF_SPEC: GuardSpec = GuardSpec::new(LIFT_OFF.0, "lift-off").scaled(10.0);
+/// Of the size of what the finger's force would give to the head: mh R/mk of 100 N.
+const LIFT_OFF_SPEC: GuardSpec = GuardSpec::new(LIFT_OFF.0, "lift-off").scaled(40.0);
 const BUTTON_SPEC: GuardSpec = of_key(BUTTON, "button");
 const BUTTON_OFF_SPEC: GuardSpec = of_key(BUTTON_OFF, "button-off");
 const TRIP_SPEC: GuardSpec = of_key(TRIP, "trip");
@@ -120,13 +120,23 @@ impl Guarded for ReducedGrand {
     }
 
     #[inline]
+    fn guard_bound(
+        &self,
+        mode: Mode,
+        guard: GuardId,
+        over: &Enclosure<[f64; 4], Motion>,
+    ) -> GuardBound {
+        self.bound_of(mode, guard, over)
+    }
+
+    #[inline]
     fn guard(&self, mode: Mode, guard: GuardId, x: &[f64; 4], s: &Motion) -> GuardValue {
         let p = &self.values;
         let [y, z, u, w] = *x;
         let below = |place: f64| GuardValue::new(place - y, -u);
         let beyond = |place: f64| GuardValue::new(y - place, u);
         match guard {
-            LIFT_OFF => self.jack_force(mode, x, s),
+            LIFT_OFF => self.lift_off(mode, x, s),
             BUTTON => below(p.button),
             BUTTON_OFF => beyond(p.button),
             TRIP => below(self.let_off.trip),

@@ -1,5 +1,6 @@
 //! A reduced grand action with let-off, check and repetition: model C. See README.md.
 
+mod bounds;
 mod drawing;
 mod energy;
 mod forces;
@@ -22,6 +23,7 @@ use crate::describe::{
     write,
 };
 use crate::draw::Sketch;
+use bounds::PerWidth;
 use geometry::LetOff;
 use steps::LongestSteps;
 
@@ -34,6 +36,7 @@ pub struct ReducedGrand {
     values: ReducedGrandValues,
     let_off: LetOff,
     longest_steps: LongestSteps,
+    per_width: PerWidth,
 }
 
 impl ReducedGrand {
@@ -95,14 +98,19 @@ impl Described for ReducedGrand {
 
     fn with_values(values: &[f64]) -> Self {
         let values = ReducedGrandValues::from_array(&filled::<_, Self>(values));
-        Self { values, let_off: LetOff::new(&values), longest_steps: LongestSteps::new(&values) }
+        Self {
+            values,
+            let_off: LetOff::new(&values),
+            longest_steps: LongestSteps::new(&values),
+            per_width: PerWidth::new(&values),
+        }
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {
         let [y, z, u, w] = *x;
         let (mut jack, mut lever, mut string) = (0.0, 0.0, 0.0);
         match mode {
-            Mode::Acc | Mode::Lo => jack = self.jack_force(mode, x, s).value,
+            Mode::Acc | Mode::Lo => jack = self.jack_force(mode, x, s),
             Mode::RepH | Mode::RepL | Mode::Rep0 => lever = self.lever_force(&self.lever(y), x),
             Mode::Stu | Mode::Stt => string = self.string_force(z, w),
             Mode::Chk => lever = self.lever_under_check(y),

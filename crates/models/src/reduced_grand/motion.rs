@@ -51,40 +51,39 @@ impl ReducedGrand {
         (push - head.transmission * self.burden(head, u)) / self.carried_mass(head)
     }
 
-    /// λ, the jack's force on the head in ACC and LO (N), and its rate.
-    pub(super) fn jack_force(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> GuardValue {
-        let [y, _, u, _] = *x;
-        let is_at_button = mode == Mode::Lo;
-        let head = if is_at_button { self.at_button(y, u) } else { self.on_jack(y) };
-        let acceleration = self.with_head(&head, u, self.push(x, s));
-        let burden = self.burden(&head, u);
-        let force = self.values.hammer_mass * head.ratio * acceleration + burden;
-        let turn = if is_at_button { self.transmission_rate(y, u, acceleration) } else { 0.0 };
-        GuardValue::new(force, self.jack_force_rate(&head, turn, acceleration, (x, s)))
+    /// The head on the jack in ACC and LO.
+    #[inline]
+    fn head_on_jack(&self, mode: Mode, y: f64, u: f64) -> CarriedHead {
+        if mode == Mode::Lo { self.at_button(y, u) } else { self.on_jack(y) }
     }
 
-    /// λ', with the transmission changing at the rate `turn` (N/s).
-    fn jack_force_rate(
-        &self,
-        head: &CarriedHead,
-        turn: f64,
-        acceleration: f64,
-        (x, s): (&[f64; 4], &Motion),
-    ) -> f64 {
+    /// λ, the jack's force on the head in ACC and LO (N).
+    pub(super) fn jack_force(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
+        let [y, _, u, _] = *x;
+        let head = self.head_on_jack(mode, y, u);
+        let acceleration = self.with_head(&head, u, self.push(x, s));
+        self.values.hammer_mass * head.ratio * acceleration + self.burden(&head, u)
+    }
+
+    /// The force that would make the head go with a key that does not feel it (N), and its rate:
+    /// mh ζ' (Fu − S)/mk + mh (ζ'' u² + g) + ch ζ' u.
+    ///
+    /// It is λ times (mk + mh t ζ')/mk: it vanishes with λ, and the let-off's friction, which
+    /// is a part of t, is not in it.
+    pub(super) fn lift_off(&self, mode: Mode, x: &[f64; 4], s: &Motion) -> GuardValue {
         let p = &self.values;
         let [y, _, u, _] = *x;
-        let CarriedHead { ratio, bend, transmission, .. } = *head;
-        let burden_rate = 2.0 * p.hammer_mass * bend * u * acceleration
-            + p.hammer_damping * (bend * u * u + ratio * acceleration);
-        let mass_rate = p.hammer_mass * (turn * ratio + transmission * bend * u);
+        let head = self.head_on_jack(mode, y, u);
+        let CarriedHead { ratio, bend, .. } = head;
+        let push = self.push(x, s);
+        let acceleration = self.with_head(&head, u, push);
         let push_rate =
             self.finger_rate(u, acceleration, s) - self.key_load_rate(y, u, acceleration);
-        let jerk = (push_rate
-            - turn * self.burden(head, u)
-            - transmission * burden_rate
-            - mass_rate * acceleration)
-            / self.carried_mass(head);
-        p.hammer_mass * (bend * u * acceleration + ratio * jerk) + burden_rate
+        let driven = p.hammer_mass / p.key_mass;
+        let rate = driven * (bend * u * push + ratio * push_rate)
+            + 2.0 * p.hammer_mass * bend * u * acceleration
+            + p.hammer_damping * (bend * u * u + ratio * acceleration);
+        GuardValue::new(driven * ratio * push + self.burden(&head, u), rate)
     }
 
     /// The derivative with the head carried under a further `push` on the key.
@@ -158,6 +157,11 @@ impl Model for ReducedGrand {
 
     fn longest_step(&self, mode: Mode) -> f64 {
         self.longest_steps.of(mode)
+    }
+
+    #[inline]
+    fn longest_step_at(&self, mode: Mode, x: &[f64; 4], _s: &Motion) -> f64 {
+        self.longest_steps.from(&self.values, mode, x)
     }
 
     /// A carried head is where the key puts it.

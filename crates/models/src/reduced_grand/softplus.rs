@@ -3,7 +3,7 @@
 use pode::math::{exp, ln};
 
 /// Beyond ±40 a softplus is its asymptote to the last bit of 1.
-const FAR: f64 = 40.0;
+pub(super) const FAR: f64 = 40.0;
 
 /// sp(x) = ln(1 + eˣ) and its slope σ(x) = 1/(1 + e⁻ˣ).
 #[derive(Clone, Copy, Debug)]

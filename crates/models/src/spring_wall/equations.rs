@@ -1,8 +1,8 @@
 //! The spring wall's equations, by hand, in the form that generated ones will take.
 
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion, Nature, Part,
-    ReadoutSlopes, Reset, Resets, Sloped,
+    Enclosure, Energetic, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model,
+    Motion, Nature, Part, ReadoutSlopes, Reset, Resets, Sloped,
 };
 
 use super::{Mode, SpringWall};
@@ -57,6 +57,17 @@ impl Guarded for SpringWall {
             Mode::Free => &FREE,
             Mode::Contact => &CONTACT,
         }
+    }
+
+    /// Both guards go as far as the key.
+    #[inline]
+    fn guard_bound(
+        &self,
+        _mode: Mode,
+        _guard: GuardId,
+        over: &Enclosure<[f64; 0], Motion>,
+    ) -> GuardBound {
+        over.position()
     }
 
     fn guard(&self, _mode: Mode, guard: GuardId, _x: &[f64; 0], s: &Motion) -> GuardValue {

@@ -1,0 +1,217 @@
+//! What a model says that its guards can do over a step, against what they do there.
+//!
+//! Steps are random cubics from random places: what holds along them holds along any method's
+//! dense output.
+
+#![expect(
+    clippy::disallowed_methods,
+    clippy::disallowed_macros,
+    clippy::expect_used,
+    reason = "a test has the heap, and fails aloud"
+)]
+
+use models::{Parameter, Playable, Preset};
+use pode::input::Cubic;
+use pode::{Dense as _, DenseBounds, Enclosure, GuardSpec, Polynomial, Signal as _, State as _};
+
+use crate::every_model::with_all;
+use crate::random::Random;
+use crate::stroke::still;
+
+/// Looks at each guard over one step.
+const LOOKS: usize = 64;
+
+/// A motion over one step: the state's cubic and the input's.
+struct Motions<S> {
+    h: f64,
+    orbit: Polynomial<S, 4>,
+    input: Cubic,
+}
+
+/// How a step is chosen.
+#[derive(Clone, Copy)]
+enum Steps {
+    /// Anything within the ranges; every other term is left out, so that each stands alone at
+    /// times.
+    Any,
+    /// As a key is played: all entries move, none of them wildly.
+    Played,
+}
+
+/// A random step of `model` in `mode`, with the state at its start.
+fn step<M: Playable>(
+    model: &M,
+    mode: M::Mode,
+    steps: Steps,
+    random: &mut Random,
+) -> (M::State, Motions<M::State>) {
+    let (wildest, left_out) = match steps {
+        Steps::Any => (0.7, 0.5),
+        Steps::Played => (-0.5, 0.0),
+    };
+    let wild = 10.0_f64.powf(random.between(-2.0, wildest));
+    let part = |random: &mut Random| {
+        let part = random.between(-0.5, 1.0);
+        if random.between(0.0, 1.0) < left_out { 0.0 } else { part }
+    };
+    let h = 10.0_f64.powf(random.between(-4.3, -2.7));
+    let span = 0.01 * model.input_per_metre();
+    let c = [1.0, 100.0 * h * wild, 1e4 * h * h * wild, 1e6 * h * h * h * wild];
+    let input = Cubic::new(c.map(|c| span * c * part(random)), h);
+    let mut x = model.at_rest(&still(input.at(0.0).position)).1;
+    for entry in x.as_mut() {
+        *entry += 0.05 * wild * random.between(-1.0, 1.0);
+    }
+    let x = model.constrain(mode, &x, &input.at(0.0));
+    let mut terms = [x; 4];
+    for (power, term) in (1..).zip(&mut terms[1..]) {
+        for (index, entry) in term.as_mut().iter_mut().enumerate() {
+            let fast = if index < M::COORDS { 1.0 } else { 30.0 };
+            *entry = fast * wild * (100.0 * h).powi(power) * 0.01 * part(random);
+        }
+    }
+    let end = terms.iter().fold(M::State::ZERO, |sum, term| sum.plus(1.0, term));
+    (x, Motions { h, orbit: Polynomial::new(terms, end), input })
+}
+
+/// What a guard did over a step, and what the model allows: moves and bend.
+struct Found {
+    seen: [f64; 2],
+    allowed: [f64; 2],
+    /// What rounding makes of both.
+    rounding: [f64; 2],
+}
+
+/// Follows `guard` over a step.
+fn follow<M: Playable>(
+    (model, mode): (&M, M::Mode),
+    guard: &GuardSpec,
+    start: M::State,
+    step: &Motions<M::State>,
+) -> Found {
+    let DenseBounds { moves, speeds, bends } = step.orbit.bounds().expect("a polynomial's");
+    let input = step.input.bound(0.0, 1.0);
+    let over = Enclosure { h: step.h, start, moves, speeds, bends, input };
+    let bound = model.guard_bound(mode, guard.id, &over);
+    let at = |tau: f64| {
+        let input = step.input.at(tau);
+        let x = model.constrain(mode, &step.orbit.at(tau), &input);
+        model.guard(mode, guard.id, &x, &input).value
+    };
+    let values: Vec<f64> = (0..=LOOKS).map(|i| at(i as f64 / LOOKS as f64)).collect();
+    let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+    let moved = most(&mut values.iter().map(|value| (value - values[0]).abs()));
+    let square = (LOOKS * LOOKS) as f64;
+    let second = |w: &[f64]| square * (w[2] - 2.0 * w[1] + w[0]).abs();
+    let bent = most(&mut values.windows(3).map(second));
+    let size = most(&mut values.iter().map(|value| value.abs())) + guard.scale;
+    Found {
+        seen: [moved, bent],
+        allowed: [bound.moves, bound.bend],
+        rounding: [1e-14 * size, 1e-14 * size * 4.0 * square],
+    }
+}
+
+/// The model with a preset's values of one key, each times a random factor and put back into
+/// its range; a spread of 0 keeps the preset.
+fn varied<M: Playable>(preset: &Preset, key: u8, spread: f64, random: &mut Random) -> M {
+    let value = |(index, parameter): (usize, &Parameter)| {
+        let (low, high) = parameter.range;
+        let value = (preset.value)(index, key) * spread.mul_add(random.between(-0.9, 2.0), 1.0);
+        value.max(low).min(high)
+    };
+    let values: Vec<_> = M::PARAMETERS.iter().enumerate().map(value).collect();
+    M::with_values(&values)
+}
+
+/// Random steps of every guard of every mode of every preset of two keys, each as it is and with
+/// its values varied.
+fn every_guard<M: Playable>(
+    sample: (usize, Steps),
+    spreads: &[f64],
+    mut check: impl FnMut(&str, &Found),
+) {
+    let mut random = Random::new(71);
+    let spreads = |key| spreads.iter().map(move |spread| (key, *spread));
+    let sets = |preset| [0_u8, 87].into_iter().flat_map(spreads).map(move |it| (preset, it));
+    for (preset, (key, spread)) in M::PRESETS.iter().flat_map(sets) {
+        let model: M = varied(preset, key, spread, &mut random);
+        every_step(&model, preset.name, sample, &mut random, &mut check);
+    }
+}
+
+/// `n` random steps of every guard of every mode of `model`.
+fn every_step<M: Playable>(
+    model: &M,
+    preset: &str,
+    (n, steps): (usize, Steps),
+    random: &mut Random,
+    check: &mut impl FnMut(&str, &Found),
+) {
+    let guards = |(mode, name)| model.guards(mode).iter().map(move |guard| (mode, name, guard));
+    for (mode, name, guard) in M::MODES.iter().copied().flat_map(guards) {
+        let label = format!("{} {preset} {name} {}", M::NAME, guard.name);
+        for _ in 0..n {
+            let (start, step) = step(model, mode, steps, random);
+            check(&label, &follow((model, mode), guard, start, &step));
+        }
+    }
+}
+
+#[test]
+fn no_guard_goes_or_bends_further_than_its_bound() {
+    with_all!(bounds_hold);
+}
+
+fn bounds_hold<M: Playable>() {
+    let spreads = [0.0, 0.2, 1.0, 1.0, 1.0];
+    every_guard::<M>((200, Steps::Any), &spreads, |label, found| {
+        for (what, i) in [("moves", 0), ("bend", 1)] {
+            let (seen, allowed) = (found.seen[i], found.allowed[i]);
+            // What is not a number says nothing, and is taken as such.
+            let breaks = seen > allowed * (1.0 + 1e-9) + found.rounding[i];
+            assert!(!breaks, "{label}: {what} {seen:e}, allowed {allowed:e}");
+        }
+    });
+}
+
+#[test]
+fn bounds_are_not_much_wider_than_what_guards_do() {
+    with_all!(bounds_are_tight);
+}
+
+/// Guards that read the input's acceleration: their bend would take its second derivative.
+const WITHOUT_BEND: [&str; 2] = ["key-hammer-rigid A1 release", "bouncing-ball rest lift"];
+
+/// Most of the steps allow less than four times what was seen: sums of magnitudes do not see
+/// what cancels, and random motions cancel somewhat.
+fn bounds_are_tight<M: Playable>() {
+    const FACTOR: f64 = 4.0;
+    let mut ratios: Vec<(String, [Vec<f64>; 2])> = Vec::new();
+    every_guard::<M>((200, Steps::Played), &[0.0], |label, found| {
+        if ratios.last().is_none_or(|it| it.0 != label) {
+            ratios.push((label.to_owned(), [Vec::new(), Vec::new()]));
+        }
+        let (_, lists) = ratios.last_mut().expect("a guard");
+        for (i, list) in lists.iter_mut().enumerate() {
+            if found.seen[i] > found.rounding[i] {
+                list.push(found.allowed[i] / found.seen[i]);
+            }
+        }
+    });
+    for (label, lists) in &mut ratios {
+        let [moves, bend] = lists.each_mut().map(|list| median(list));
+        assert!(moves < FACTOR, "{label}: moves {moves}");
+        let mut parts = label.split(' ');
+        let (model, _, rest) = (parts.next(), parts.next(), parts.collect::<Vec<_>>().join(" "));
+        let named = format!("{} {rest}", model.expect("a name"));
+        let is_free = WITHOUT_BEND.contains(&named.as_str());
+        assert!(is_free || bend < FACTOR, "{label}: bend {bend}");
+    }
+}
+
+/// The middle of a list; 0 if it is empty.
+fn median(list: &mut [f64]) -> f64 {
+    list.sort_by(f64::total_cmp);
+    list.get(list.len() / 2).copied().unwrap_or(0.0)
+}
