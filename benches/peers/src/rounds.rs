@@ -60,7 +60,7 @@ pub(crate) fn run(cases: &[Case], externals: &[External], plan: Plan, folder: &P
 fn time_entries(cases: &[Case], plan: Plan, rows: &mut [Row]) {
     let entries = cases.iter().flat_map(|case| &case.entries);
     let mut log = Log::new(&[]);
-    for (entry, row) in entries.zip(rows).filter(|(_, row)| row.sequence_ok) {
+    for (entry, row) in entries.zip(rows).filter(|(_, row)| row.failure.is_none()) {
         row.times.extend(measure::time(&entry.run, &mut log, plan.budget));
     }
 }
