@@ -21,6 +21,8 @@ pub(crate) struct External {
     pub(crate) code: &'static str,
     /// Program and first arguments.
     pub(crate) command: Vec<PathBuf>,
+    /// In how many rounds it runs at most: a run of soft contacts may take seconds.
+    pub(crate) rounds: u32,
     /// The problems that fit it; all if there are none.
     pub(crate) only: &'static [&'static str],
 }
