@@ -72,7 +72,7 @@ static void guard_values(const Problem *p, const double *x, double *g) {
 }
 
 static const char *guard_name(const Problem *p, int guard) {
-    if (p->is_ball) return "impact";
+    if (p->is_ball) return "floor";
     if (guard == 1) return "string";
     return p->is_coupled ? "release" : "land";
 }

@@ -13,6 +13,7 @@ import json
 import sys
 import time
 
+import numpy as np
 import scipy
 from scipy.integrate import solve_ivp
 
@@ -32,7 +33,7 @@ def run(it, case, method, rtol, atol, max_step, samples):
     while t < case.t_end:
         right, guards, names = modes[mode]
         wanted = [s for s in samples or () if t < s <= case.t_end] or None
-        done = solve_ivp(right, (t, case.t_end), x, method, events=guards, rtol=rtol, atol=atol,
+        done = solve_ivp(right, (t, case.t_end), np.array(x), method, events=guards, rtol=rtol, atol=atol,
                          max_step=max_step, t_eval=wanted)
         evaluations += done.nfev
         if done.status == -1:

@@ -9,8 +9,10 @@ pub(crate) struct Arguments {
     pub(crate) quick: bool,
     /// Where the results go.
     pub(crate) out: PathBuf,
-    /// A Python with SciPy and MuJoCo.
+    /// A Python with SciPy, heyoka, MuJoCo and Drake.
     pub(crate) python: Option<PathBuf>,
+    /// A Python with Siconos.
+    pub(crate) siconos: Option<PathBuf>,
     /// The compiled program around CVODE.
     pub(crate) cvode: Option<PathBuf>,
     /// `code: reason` of what cannot be run here.
@@ -33,6 +35,7 @@ impl Arguments {
             match word.as_str() {
                 "--out" => it.out = value.into(),
                 "--python" => it.python = Some(value.into()),
+                "--siconos" => it.siconos = Some(value.into()),
                 "--cvode" => it.cvode = Some(value.into()),
                 "--skipped" => it.skipped.push(value),
                 _ => return Err(format!("\"{word}\" is not understood")),

@@ -3,13 +3,14 @@
 use std::fs;
 
 use models::{BouncingBall, Described, KeyHammerSprings};
-use pode::Motion;
+use pode::{Motion, Resets};
 use serde_json::Value;
 
 use crate::entry::Entry;
 use crate::peers;
-use crate::peers::Ours;
-use crate::problems::Ball;
+use crate::peers::{Ours, Written};
+use crate::problem::Problem;
+use crate::problems::{Ball, Block, BlockMode, Cradle};
 use crate::reference::{self, Reference};
 
 /// A problem: what is right, and who tries it.
@@ -41,6 +42,9 @@ pub(crate) fn all() -> Result<Vec<Case>, String> {
             "model-b-stiff-10",
             "the same stroke with both springs ten times stiffer",
         )?,
+        cradle("cradle-1", "a cradle of five balls with small gaps, restitution 1: 20 impacts")?,
+        cradle("cradle-0.8", "the same with restitution 0.8: 44 impacts")?,
+        block()?,
     ])
 }
 
@@ -56,9 +60,10 @@ fn ball() -> Case {
         scale: 1.0,
     };
     let input = |_: f64| Motion::default();
-    let ours = Ours::new(model, input, &[("floor", "impact")]);
+    let start = model.at_rest(&input(0.0));
+    let ours = Ours { model, input, start };
     let mut entries = peers::entries::<2, 1, 3, _>(problem, T_END);
-    entries.extend(peers::ours::<2, _, _>(ours, T_END));
+    entries.extend(peers::ours(ours, T_END));
     let Ball { g, e, height } = problem;
     Case {
         name: "ball",
@@ -83,10 +88,55 @@ fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case
         });
         Motion { position, ..Motion::default() }
     };
-    let ours = Ours::new(model(file)?, input, &[]);
+    let model = model(file)?;
+    let ours = Ours { model, input, start: model.at_rest(&input(0.0)) };
     let mut entries = peers::entries::<4, 2, 5, _>(problem, t_end);
-    entries.extend(peers::ours::<4, _, _>(ours, t_end));
+    entries.extend(peers::ours(ours, t_end));
     Ok(Case { name, summary, t_end, reference, entries, parameters: problem.lines(t_end) })
+}
+
+/// A cradle with the parameters of its reference.
+fn cradle(name: &'static str, summary: &'static str) -> Result<Case, String> {
+    contact::<Cradle, 10, 4, 11>(name, "cradle", summary, |of| {
+        let gaps = [of("gap0")?, of("gap1")?, of("gap2")?, of("gap3")?];
+        let (square, e, pulled) = (of("w")?.powi(2), of("e")?, of("pulled")?);
+        Some(Cradle { square, e, pulled, gaps })
+    })
+}
+
+/// The block that rocks, slides and sticks.
+fn block() -> Result<Case, String> {
+    let summary = "a block that falls on a floor with friction: it sticks, rocks and slides";
+    contact::<Block, 4, 3, 5>("block", "block", summary, |of| {
+        #[expect(clippy::cast_possible_truncation, reason = "1, 0 or −1")]
+        let sign = |name: &str| of(name).map(|value| value as i8);
+        let mode = BlockMode { corner: sign("corner")?, slides: sign("slides")? };
+        let start = [of("start0")?, of("start1")?, of("start2")?, of("start3")?];
+        let (half, g, mu) = ([of("a")?, of("b")?], of("g")?, of("mu")?);
+        Some(Block { half, g, mu, start: (mode, start) })
+    })
+}
+
+/// A case whose reference is of this package; `read` makes the problem of its parameters.
+fn contact<P, const N: usize, const G: usize, const M: usize>(
+    name: &'static str,
+    kind: &str,
+    summary: &'static str,
+    read: impl FnOnce(&dyn Fn(&str) -> Option<f64>) -> Option<P>,
+) -> Result<Case, String>
+where
+    P: Problem<N, G>,
+    Written<P, N, G>: Resets<Mode = P::Mode, State = [f64; N], Input = ()>,
+{
+    let (parameters, t_end, reference) = reference::contact(name)?;
+    let problem = read(&|name| parameters.get(name).copied())
+        .ok_or_else(|| format!("{name}: a parameter is missing"))?;
+    let mut entries = peers::entries::<N, G, M, P>(problem, t_end);
+    let ours = Ours { model: Written(problem), input: |_: f64| (), start: problem.start() };
+    entries.extend(peers::ours(ours, t_end));
+    let lines = parameters.iter().map(|(name, value)| format!("{name} {value:?}\n"));
+    let parameters = format!("problem {kind}\nt_end {t_end:?}\n") + &lines.collect::<String>();
+    Ok(Case { name, summary, t_end, reference, entries, parameters })
 }
 
 /// Our model with the parameters of a case.
@@ -106,7 +156,6 @@ fn model(file: &str) -> Result<KeyHammerSprings, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::problem::Problem as _;
     use models::key_hammer_springs::Mode;
     use pode::{GuardId, Guarded as _, Model as _};
 

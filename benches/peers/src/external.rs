@@ -11,7 +11,7 @@ use serde::Deserialize;
 
 use crate::cases::Case;
 use crate::entry::tolerances;
-use crate::judge::judge;
+use crate::judge::{judge, judge_states};
 use crate::row::Row;
 
 /// A program, as it is started.
@@ -21,6 +21,8 @@ pub(crate) struct External {
     pub(crate) code: &'static str,
     /// Program and first arguments.
     pub(crate) command: Vec<PathBuf>,
+    /// In how many rounds it runs at most: a run of soft contacts may take seconds.
+    pub(crate) rounds: u32,
     /// The problems that fit it; all if there are none.
     pub(crate) only: &'static [&'static str],
 }
@@ -33,7 +35,8 @@ struct Line {
     setting: String,
     knob: f64,
     note: String,
-    events: Vec<(f64, String)>,
+    /// `null` of a code that reports no events.
+    events: Option<Vec<(f64, String)>>,
     states: Vec<f64>,
     rhs: Option<u64>,
     ns: Vec<f64>,
@@ -78,9 +81,13 @@ impl External {
     fn row(&self, case: &Case, line: &str) -> Result<Row, String> {
         let line: Line =
             serde_json::from_str(line).map_err(|error| format!("{}: {error}", self.code))?;
-        let events: Vec<_> = line.events.iter().map(|(t, guard)| (*t, guard.as_str())).collect();
         let ended = line.error.map_or(Ok(()), Err);
-        let verdict = judge(&case.reference, &events, &line.states, ended);
+        let verdict = if let Some(events) = line.events {
+            let events: Vec<_> = events.iter().map(|(t, guard)| (*t, guard.as_str())).collect();
+            judge(&case.reference, &events, &line.states, ended)
+        } else {
+            judge_states(&case.reference, &line.states, ended)
+        };
         let row = Row {
             problem: case.name.to_owned(),
             code: self.code.to_owned(),

@@ -5,6 +5,8 @@ use crate::reference::{Expected, Reference};
 /// How a run compares with the reference.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Verdict {
+    /// Whether there were events to judge; else the states are judged alone.
+    pub(crate) has_events: bool,
     pub(crate) events: usize,
     /// What went wrong; `None` if all events happened in their order, and no others.
     pub(crate) failure: Option<String>,
@@ -13,6 +15,19 @@ pub(crate) struct Verdict {
     /// Largest error of the state away from events; each component over its own largest
     /// magnitude.
     pub(crate) state_error: Option<f64>,
+}
+
+/// Judges a code that reports no events by its `states` alone; each must be there.
+pub(crate) fn judge_states(
+    reference: &Reference,
+    states: &[f64],
+    ended: Result<(), String>,
+) -> Verdict {
+    let state_error = state_error(reference, states);
+    let missing = || state_error.is_none().then(|| "states are missing".to_owned());
+    let failure = ended.err().or_else(missing);
+    let state_error = state_error.filter(|_| failure.is_none());
+    Verdict { has_events: false, events: 0, failure, event_error: None, state_error }
 }
 
 /// Judges `events` (time (s), guard) and `states`, or the error with which the run ended.
@@ -30,6 +45,7 @@ pub(crate) fn judge(
     let is_right = failure.is_none();
     let off = reference.events.iter().zip(events).map(|(e, (t, _))| (e.t - t).abs());
     Verdict {
+        has_events: true,
         events: events.len(),
         failure,
         event_error: is_right.then(|| off.fold(0.0, f64::max)),

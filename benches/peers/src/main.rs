@@ -41,7 +41,7 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     let plan = if arguments.quick {
         Plan { rounds: 1, budget: Duration::from_millis(2), last: 10 }
     } else {
-        Plan { rounds: 5, budget: Duration::from_millis(15), last: 13 }
+        Plan { rounds: 3, budget: Duration::from_millis(15), last: 13 }
     };
     let probes = probes::all();
     let cases = cases::all()?;
@@ -61,17 +61,34 @@ fn parameter_folder(out: &Path) -> Result<PathBuf, String> {
     Ok(folder)
 }
 
+/// Where codes for contact are run.
+const CONTACTS: &[&str] = &["cradle-1", "cradle-0.8", "block"];
+
 /// The programs that are not Rust, as far as they are there.
 fn externals(arguments: &Arguments) -> Vec<External> {
     let script = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("external").join(name);
     let mut all = Vec::new();
     if let Some(program) = &arguments.cvode {
-        all.push(External { code: "CVODE", command: vec![program.clone()], only: &[] });
+        let only = &["figure-6", "ball", "stiff-10"];
+        all.push(External {
+            code: "CVODE",
+            command: vec![program.clone()],
+            rounds: u32::MAX,
+            only,
+        });
     }
-    if let Some(python) = &arguments.python {
-        let with = |name: &str| vec![python.clone(), script(name)];
-        all.push(External { code: "SciPy", command: with("scipy_peer.py"), only: &[] });
-        all.push(External { code: "MuJoCo", command: with("mujoco_peer.py"), only: &["ball"] });
-    }
+    let mut with = |python: &Option<PathBuf>, code, name, only: &'static [&'static str]| {
+        let command = python.iter().map(|python| vec![python.clone(), script(name)]);
+        // Runs of soft contacts take seconds: they are timed once.
+        let rounds = if only == CONTACTS { 1 } else { u32::MAX };
+        all.extend(command.map(|command| External { code, command, rounds, only }));
+    };
+    let python = &arguments.python;
+    with(python, "SciPy", "scipy_peer.py", &[]);
+    with(python, "heyoka", "heyoka_peer.py", &[]);
+    with(python, "MuJoCo", "mujoco_peer.py", &["ball"]);
+    with(python, "MuJoCo", "mujoco_contacts.py", CONTACTS);
+    with(python, "Drake", "drake_peer.py", CONTACTS);
+    with(&arguments.siconos, "Siconos", "siconos_peer.py", &["cradle-1", "cradle-0.8"]);
     all
 }

@@ -1,5 +1,7 @@
 //! What every code is given: equations, guards and reset maps, and nothing else.
 
+use pode::Nature;
+
 /// A piecewise-continuous problem with `N` states and `G` guards.
 ///
 /// The events' meaning is the same for everyone: the first guard that falls through zero
@@ -24,6 +26,12 @@ pub(crate) trait Problem<const N: usize, const G: usize>: Copy + 'static {
     /// Rates of the guards along the motion (1/s): the states hold the speeds.
     fn guard_rates(&self, mode: Self::Mode, x: &[f64; N]) -> [f64; G];
 
+    /// The value of one guard, and its rate (1/s), where a code asks for one alone.
+    #[inline]
+    fn guard(&self, mode: Self::Mode, guard: usize, x: &[f64; N]) -> (f64, f64) {
+        (self.guards(mode, x)[guard], self.guard_rates(mode, x)[guard])
+    }
+
     /// Mode and state after guard `guard` has fired.
     fn fire(&self, mode: Self::Mode, guard: usize, x: &[f64; N]) -> (Self::Mode, [f64; N]);
 
@@ -36,6 +44,11 @@ pub(crate) trait Problem<const N: usize, const G: usize>: Copy + 'static {
     /// Longest step (s) with which nothing of the input is jumped over, for codes that can
     /// be given one.
     fn longest_step(&self) -> f64;
+
+    /// What the equations are like, for codes that treat linear ones apart.
+    fn nature(&self) -> Nature {
+        Nature::default()
+    }
 }
 
 /// A guard that is zero within this stands on its threshold, as after its own reset.

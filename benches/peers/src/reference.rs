@@ -1,5 +1,6 @@
 //! What is right: events and states, from a closed form or an independent program.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -76,6 +77,28 @@ pub(crate) fn model_b(name: &str) -> Result<(ModelB, f64, Reference), String> {
     let events: Option<Vec<_>> = events.iter().map(expected).collect();
     let events = events.ok_or_else(|| format!("{name}: an event is incomplete"))?;
     Ok((problem, t_end, Reference::new(events, rows)))
+}
+
+/// A case of this package: its parameters by name, its end (s), and what is right.
+pub(crate) fn contact(name: &str) -> Result<(BTreeMap<String, f64>, f64, Reference), String> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("references");
+    let json = read(&path.join(format!("{name}.json")))?;
+    let json: Value = serde_json::from_str(&json).map_err(|error| format!("{name}: {error}"))?;
+    let parts = || {
+        let parameters = json["parameters"].as_object()?.iter();
+        let parameters = parameters.map(|(name, value)| Some((name.clone(), number(value)?)));
+        let events = json["events"].as_array()?.iter().map(expected).collect::<Option<_>>()?;
+        let row = |row: &Value| {
+            let row: Option<Vec<f64>> = row.as_array()?.iter().map(number).collect();
+            let (t, state) =
+                row.as_deref()?.split_first().map(|(t, state)| (*t, state.to_vec()))?;
+            Some((t, state))
+        };
+        let rows = json["rows"].as_array()?.iter().map(row).collect::<Option<_>>()?;
+        let reference = Reference::new(events, rows);
+        Some((parameters.collect::<Option<_>>()?, number(&json["t_end"])?, reference))
+    };
+    parts().ok_or_else(|| format!("{name}: the reference is incomplete"))
 }
 
 /// Where the references stand.

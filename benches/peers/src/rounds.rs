@@ -47,7 +47,8 @@ pub(crate) fn run(cases: &[Case], externals: &[External], plan: Plan, folder: &P
     for round in 1..=plan.rounds {
         eprintln!("round {round} of {}", plan.rounds);
         time_entries(cases, plan, &mut outcome.rows);
-        run_externals(cases, externals, plan, folder, &mut outcome);
+        let externals: Vec<_> = externals.iter().filter(|it| round <= it.rounds).collect();
+        run_externals(cases, &externals, plan, folder, &mut outcome);
     }
     for row in &mut outcome.rows {
         let t_end = cases.iter().find(|case| case.name == row.problem).map(|case| case.t_end);
@@ -60,7 +61,7 @@ pub(crate) fn run(cases: &[Case], externals: &[External], plan: Plan, folder: &P
 fn time_entries(cases: &[Case], plan: Plan, rows: &mut [Row]) {
     let entries = cases.iter().flat_map(|case| &case.entries);
     let mut log = Log::new(&[]);
-    for (entry, row) in entries.zip(rows).filter(|(_, row)| row.sequence_ok) {
+    for (entry, row) in entries.zip(rows).filter(|(_, row)| row.failure.is_none()) {
         row.times.extend(measure::time(&entry.run, &mut log, plan.budget));
     }
 }
@@ -68,7 +69,7 @@ fn time_entries(cases: &[Case], plan: Plan, rows: &mut [Row]) {
 /// One round over the other programs; what fails is skipped, once, with its reason.
 fn run_externals(
     cases: &[Case],
-    externals: &[External],
+    externals: &[&External],
     plan: Plan,
     folder: &Path,
     outcome: &mut Outcome,

@@ -21,7 +21,8 @@ pub(crate) struct Row {
     /// Relative and absolute tolerance, or step (s).
     pub(crate) tolerance_or_step: f64,
     pub(crate) events: usize,
-    /// Whether all events happened, in their order, and no others.
+    /// Whether all events happened, in their order, and no others; false where a code reports
+    /// no events, and is judged by its states alone.
     pub(crate) sequence_ok: bool,
     /// Largest error of an event's time (s).
     pub(crate) event_error_s: Option<f64>,
@@ -68,7 +69,7 @@ impl Row {
     pub(crate) fn judged(self, verdict: Verdict) -> Self {
         Self {
             events: verdict.events,
-            sequence_ok: verdict.failure.is_none(),
+            sequence_ok: verdict.has_events && verdict.failure.is_none(),
             event_error_s: verdict.event_error,
             state_error: verdict.state_error,
             failure: verdict.failure,
@@ -79,7 +80,7 @@ impl Row {
     /// Sums the times up, of runs over `t_end` (s); a failure has no time.
     pub(crate) fn sum_up(&mut self, t_end: f64) {
         let per_ms = 1.0 / (t_end * 1e3);
-        let found = median_and_minimum(&self.times).filter(|_| self.sequence_ok);
+        let found = median_and_minimum(&self.times).filter(|_| self.failure.is_none());
         self.ns_per_ms_median = found.map(|(median, _)| rounded(median * per_ms));
         self.ns_per_ms_min = found.map(|(_, minimum)| rounded(minimum * per_ms));
         self.event_error_s = self.event_error_s.map(rounded);

@@ -63,6 +63,12 @@ fn problem(case: &Case, rows: &[&Row]) -> String {
         text.push_str("\nNot within 1e-9 s at any setting: the least error of each.\n\n");
         text.push_str(&table(&missed));
     }
+    let is_by_states = |row: &&Row| !row.sequence_ok && row.failure.is_none();
+    let by_states: Vec<_> = rows.iter().copied().filter(is_by_states).collect();
+    if !by_states.is_empty() {
+        text.push_str("\n### Without events: judged by states alone\n\n");
+        text.push_str(&table(&by_states));
+    }
     text.push_str("\n### As they come\n\n");
     let defaults: Vec<_> = rows.iter().copied().filter(|row| row.setting == "default").collect();
     text.push_str(&table(&defaults));
@@ -117,8 +123,11 @@ fn table(rows: &[&Row]) -> String {
         let Row { code, method, setting, .. } = row;
         let version = row.version.trim_matches('-');
         let knob = scientific(Some(row.tolerance_or_step));
-        let error =
-            if row.sequence_ok { scientific(row.event_error_s) } else { "**failed**".to_owned() };
+        let error = if row.failure.is_none() {
+            scientific(row.event_error_s)
+        } else {
+            "**failed**".to_owned()
+        };
         let (median, minimum) = (figure(row.ns_per_ms_median), figure(row.ns_per_ms_min));
         let state = scientific(row.state_error);
         let rhs = row.rhs.map_or_else(|| "–".to_owned(), |count| count.to_string());
@@ -136,7 +145,7 @@ fn table(rows: &[&Row]) -> String {
 /// Who missed what: one line per code, method and kind of failure, with the settings it met.
 fn failures(rows: &[&Row]) -> String {
     let mut by_code: BTreeMap<Key<'_>, Vec<&Row>> = BTreeMap::new();
-    for row in rows.iter().filter(|row| !row.sequence_ok) {
+    for row in rows.iter().filter(|row| row.failure.is_some()) {
         let (code, method, _) = key(row);
         by_code.entry((code, method, &row.setting)).or_default().push(row);
     }

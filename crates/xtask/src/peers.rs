@@ -37,7 +37,8 @@ pub(crate) fn run(options: &PeerOptions) -> Result<(), Error> {
     }
     let obtained = [
         ("--cvode", "CVODE", cvode(root, &work)),
-        ("--python", "SciPy and MuJoCo", python(root, &work)),
+        ("--python", "SciPy, heyoka, MuJoCo and Drake", python(root, &work)),
+        ("--siconos", "Siconos", siconos()),
     ];
     for (flag, code, obtained) in obtained {
         match obtained {
@@ -85,7 +86,16 @@ fn cvode(root: &Path, work: &Path) -> Result<PathBuf, Error> {
     Ok(program)
 }
 
-/// A Python with SciPy and MuJoCo, in the versions that the bench names.
+/// The system's Python with Siconos, which PyPI does not have.
+fn siconos() -> Result<PathBuf, Error> {
+    const PYTHON: &str = "/usr/bin/python3";
+    if !succeeds(PYTHON, &["-c", "import siconos.kernel"]) {
+        apt::install(&["python3-siconos"])?;
+    }
+    Ok(PYTHON.into())
+}
+
+/// A Python with the peers of PyPI, in the versions that the bench names.
 fn python(root: &Path, work: &Path) -> Result<PathBuf, Error> {
     let environment = work.join("venv");
     let python = environment.join("bin/python");

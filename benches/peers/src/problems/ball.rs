@@ -18,7 +18,7 @@ impl Problem<2, 1> for Ball {
     type Mode = ();
 
     fn names((): ()) -> [&'static str; 1] {
-        ["impact"]
+        ["floor"]
     }
 
     fn start(&self) -> ((), [f64; 2]) {
@@ -82,7 +82,7 @@ impl Ball {
             (t, self.state(t, i32::try_from(n).unwrap_or(i32::MAX)).to_vec())
         });
         let rows = rows.collect();
-        let events = times.iter().map(|t| Expected { t: *t, guard: "impact".to_owned() }).collect();
+        let events = times.iter().map(|t| Expected { t: *t, guard: "floor".to_owned() }).collect();
         Reference::new(events, rows)
     }
 }

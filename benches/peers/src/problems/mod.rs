@@ -1,7 +1,11 @@
 //! One file per problem.
 
 mod ball;
+mod block;
+mod cradle;
 mod model_b;
 
 pub(crate) use ball::Ball;
+pub(crate) use block::{Block, Mode as BlockMode};
+pub(crate) use cradle::Cradle;
 pub(crate) use model_b::ModelB;

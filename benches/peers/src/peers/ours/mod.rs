@@ -5,12 +5,14 @@
 //! loop of its own: a file beside this one and a line in [`entries`]. Nothing else changes.
 
 mod ticks;
+mod written;
+
+pub(crate) use written::Written;
 
 use std::hint::black_box;
 
-use models::Described;
 use pode::stepper::{BogackiShampine, Controlled, Dop853, Exact, Rk4, Stepper, Tolerance};
-use pode::{Limits, Motion};
+use pode::{Limits, Model, Resets};
 
 use crate::entry::{Entry, Run, STEPS, Setting, tolerances};
 
@@ -18,48 +20,35 @@ const CODE: &str = "pode";
 
 /// A model of ours on a problem: what the peers get as equations.
 #[derive(Clone, Copy)]
-pub(crate) struct Ours<M, I> {
-    /// The model, with the problem's parameters.
+pub(crate) struct Ours<M: Model, I> {
+    /// The model, with the problem's parameters; its guards have the reference's names.
     pub(crate) model: M,
     /// The input at t (s).
     pub(crate) input: I,
-    /// What the reference calls our guards, by their ids.
-    pub(crate) names: [&'static str; NAMES],
-}
-
-/// More guards than a model here has.
-pub(crate) const NAMES: usize = 8;
-
-impl<const N: usize, M: Described<State = [f64; N]>, I> Ours<M, I> {
-    /// A model under an input; `renamed` has our names for guards with the reference's.
-    pub(crate) fn new(model: M, input: I, renamed: &[(&'static str, &'static str)]) -> Self {
-        let mut names = [""; NAMES];
-        for (mode, _) in M::MODES {
-            for spec in model.guards(*mode) {
-                let theirs = renamed.iter().find(|(ours, _)| *ours == spec.name);
-                names[usize::from(spec.id.0)] = theirs.map_or(spec.name, |it| it.1);
-            }
-        }
-        Self { model, input, names }
-    }
+    /// Mode and state at the start.
+    pub(crate) start: (M::Mode, M::State),
 }
 
 /// All rows.
 pub(crate) fn entries<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> Vec<Entry>
 where
-    M: Described<State = [f64; N]> + 'static,
-    I: Fn(f64) -> Motion + Copy + 'static,
+    M: Resets<State = [f64; N]> + Copy + 'static,
+    I: Fn(f64) -> M::Input + Copy + 'static,
 {
     let ticks = STEPS.into_iter().flat_map(|h| by_tick(ours, t_end, h));
     let tolerances = tolerances(13).flat_map(|tolerance| by_tolerance(ours, t_end, tolerance));
-    ticks.chain(tolerances).chain(one_tick(ours, t_end)).collect()
+    let (mode, _) = ours.start;
+    let longest = ours.model.longest_step(mode);
+    let is_resolved = longest.is_finite() || ours.model.nature(mode).is_linear();
+    let whole = is_resolved.then(|| one_tick(ours, t_end)).into_iter().flatten();
+    ticks.chain(tolerances).chain(whole).collect()
 }
 
 /// Ticks of `h` (s), as a key runs; at 1 ms this is the default.
 fn by_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, h: f64) -> Vec<Entry>
 where
-    M: Described<State = [f64; N]> + 'static,
-    I: Fn(f64) -> Motion + Copy + 'static,
+    M: Resets<State = [f64; N]> + Copy + 'static,
+    I: Fn(f64) -> M::Input + Copy + 'static,
 {
     let entry = |method, run| Entry {
         code: CODE,
@@ -85,8 +74,8 @@ where
 /// One tick from the start to the end, with steps as long as `tolerance` allows.
 fn by_tolerance<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, tolerance: f64) -> Vec<Entry>
 where
-    M: Described<State = [f64; N]> + 'static,
-    I: Fn(f64) -> Motion + Copy + 'static,
+    M: Resets<State = [f64; N]> + Copy + 'static,
+    I: Fn(f64) -> M::Input + Copy + 'static,
 {
     let method = Controlled { method: Dop853, tolerance: Tolerance::both(tolerance) };
     vec![Entry {
@@ -103,8 +92,8 @@ where
 /// RK4, which is exact on parabolas.
 fn one_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> [Entry; 2]
 where
-    M: Described<State = [f64; N]> + 'static,
-    I: Fn(f64) -> Motion + Copy + 'static,
+    M: Resets<State = [f64; N]> + Copy + 'static,
+    I: Fn(f64) -> M::Input + Copy + 'static,
 {
     let entry = |method, note, run| Entry {
         code: CODE,
@@ -141,8 +130,8 @@ fn run<const N: usize, M, I, T>(
     t_end: f64,
 ) -> Run
 where
-    M: Described<State = [f64; N]> + 'static,
-    I: Fn(f64) -> Motion + Copy + 'static,
+    M: Resets<State = [f64; N]> + Copy + 'static,
+    I: Fn(f64) -> M::Input + Copy + 'static,
     T: Stepper + 'static,
 {
     Box::new(move |log| ticks::run(&black_box(ours), (stepper, limits), h, black_box(t_end), log))

@@ -1,28 +1,26 @@
 //! The tick of a key, repeated: `Simulator::advance` with a stepper.
 
-use models::Described;
 use pode::stepper::Stepper;
-use pode::{Advance, Cause, Event, Limits, Motion, Piece, Signal, Simulator, Watch};
+use pode::{Advance, Event, EventCause, Limits, Model, Piece, Resets, Signal, Simulator, Watch};
 
-use super::{NAMES, Ours};
+use super::Ours;
 use crate::log::Log;
 
 /// Writes events into the log, and wanted states if it looks `INSIDE` the steps.
 struct Scribe<'a, const INSIDE: bool> {
     log: &'a mut Log,
     h: f64,
-    names: [&'static str; NAMES],
     failed: Result<(), String>,
 }
 
 impl<const N: usize, const INSIDE: bool, M> Watch<M> for Scribe<'_, INSIDE>
 where
-    M: Described<State = [f64; N]>,
+    M: Model<State = [f64; N]>,
 {
     const LOOKS_INSIDE: bool = INSIDE;
 
     #[inline]
-    fn piece<S: Signal<Motion>>(&mut self, _model: &M, piece: &Piece<'_, M, S>) {
+    fn piece<S: Signal<M::Input>>(&mut self, _model: &M, piece: &Piece<'_, M, S>) {
         let at = |theta: f64| (piece.tick as f64 + theta) * self.h;
         let (start, whole) = (at(piece.theta.0), at(piece.theta.1) - at(piece.theta.0));
         self.log.sample(at(piece.theta_end()), |t| piece.dense.at((t - start) / whole));
@@ -31,7 +29,7 @@ where
     #[inline]
     fn event(&mut self, _model: &M, event: &Event<'_, M>) {
         let name = match event.cause {
-            Cause::Guard(spec) => self.names[usize::from(spec.id.0)],
+            EventCause::Guard(spec) => spec.name,
             cause => cause.name(),
         };
         let t = (event.tick as f64 + event.theta) * self.h;
@@ -51,8 +49,8 @@ pub(super) fn run<const N: usize, M, I, T>(
     log: &mut Log,
 ) -> Result<(), String>
 where
-    M: Described<State = [f64; N]>,
-    I: Fn(f64) -> Motion,
+    M: Resets<State = [f64; N]> + Copy,
+    I: Fn(f64) -> M::Input,
     T: Stepper,
 {
     if log.wants_states() {
@@ -71,14 +69,14 @@ fn follow<const INSIDE: bool, const N: usize, M, I, T>(
     log: &mut Log,
 ) -> Result<(), String>
 where
-    M: Described<State = [f64; N]>,
-    I: Fn(f64) -> Motion,
+    M: Resets<State = [f64; N]> + Copy,
+    I: Fn(f64) -> M::Input,
     T: Stepper,
 {
-    let (mode, state) = ours.model.at_rest(&(ours.input)(0.0));
+    let (mode, state) = ours.start;
     let simulator = Simulator::new(ours.model, stepper, limits, mode, state);
     let mut simulator = simulator.without_readout();
-    let mut scribe = Scribe::<INSIDE> { log, h, names: ours.names, failed: Ok(()) };
+    let mut scribe = Scribe::<INSIDE> { log, h, failed: Ok(()) };
     let mut evaluations = 0;
     let ticks = (0_u32..).map(f64::from).take_while(|tick| (tick + 0.5) * h < t_end);
     for tick in ticks {
