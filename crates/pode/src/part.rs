@@ -27,9 +27,10 @@ pub struct Part {
 
 /// Most steps of the mode that one step of a part spans.
 ///
-/// Its dense output is then looked at inside: four steps of a motion that is ten times slower are
-/// still closer to it than one step of the fast part is to its own.
-const MOST_STEPS: f64 = 4.0;
+/// The dense output of that step is then looked at inside, where a method is less exact than at its
+/// end: three steps of the paper's hammer in flight add 1 % to the error of its events' times, four
+/// add 2 %.
+const MOST_STEPS: f64 = 3.0;
 
 impl Part {
     /// The whole state as one part.
@@ -137,7 +138,7 @@ mod tests {
             |found: f64, expected: f64| assert!((found - expected).abs() < 1e-15, "{found}");
         close(part.of_state().own_step(1e-3, 1e-3), 2e-3);
         close(part.own_step(1e-3, 1e-3), 1e-3);
-        close(part.own_step(1e-4, 1e-3), 4e-4);
+        close(part.own_step(1e-4, 1e-3), 3e-4);
         close(part.own_step(1e-4, 2e-4), 2e-4);
         close(part.own_step(4e-3, 1.0), 4e-3);
         close(Part::WHOLE.own_step(1e-3, 1.0), 1e-3);

@@ -219,6 +219,14 @@ impl Model for CartPendulum {
     fn constrain(&self, mode: Mode, x: &[f64; 4], _s: &Motion) -> [f64; 4] {
         self.side(mode).map_or(*x, |side| [side.place, x[1], 0.0, x[3]])
     }
+
+    /// The walls stand still, so that no input moves a cart onto them.
+    fn longest_projection(&self, mode: Mode) -> f64 {
+        match mode {
+            Mode::Free => f64::INFINITY,
+            Mode::Left | Mode::Right => 1e-4,
+        }
+    }
 }
 
 impl Guarded for CartPendulum {

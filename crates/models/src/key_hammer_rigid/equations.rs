@@ -117,6 +117,14 @@ impl Model for KeyHammerRigid {
             Mode::A2 => *x,
         }
     }
+
+    /// 0.1 rad: five lost samples move the catch by 0.08, noise of 0.1 mm by 0.02.
+    fn longest_projection(&self, mode: Mode) -> f64 {
+        match mode {
+            Mode::A1 => 0.1,
+            Mode::A2 => f64::INFINITY,
+        }
+    }
 }
 
 impl Guarded for KeyHammerRigid {

@@ -1,9 +1,9 @@
 //! Model B's equations, by hand, in the form that generated ones will take.
 
-use pode::math::{sin_cos_of_two, sqrt};
+use pode::math::{cos, sin_cos_of_two, sqrt};
 use pode::{
     Enclosure, Energetic, EnergyBalance, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue,
-    Guarded, Model, Motion, Nature, ReadoutSlopes, Reset, Resets, Sloped,
+    Guarded, Model, Motion, Nature, Part, ReadoutSlopes, Reset, Resets, Sloped,
 };
 
 use super::{KeyHammerSprings, Mode};
@@ -20,6 +20,19 @@ const STRING_SPEC: GuardSpec = GuardSpec::new(2, "string").on_crossing().of_stat
 
 const B1: [GuardSpec; 2] = [GuardSpec::new(0, "release").of_state(), STRING_SPEC];
 const B2: [GuardSpec; 2] = [GuardSpec::new(1, "land").of_state(), STRING_SPEC];
+
+/// The place of the hammer among the parts of B2; the other is the key.
+const HAMMER: usize = 0;
+
+/// Hammer and key as the parts of B2, where the key's equations have this nature.
+pub(super) fn apart(p: &KeyHammerValues, key: Nature) -> [Part; 2] {
+    let rate = sqrt((p.m2 * p.g * p.l2).abs() / p.jh);
+    let hammer = Part::of(&[0, 2])
+        .of_state()
+        .with_nature(Nature::new(EquationKind::Conservative, rate))
+        .with_longest_step(RADIANS / rate);
+    [hammer, Part::of(&[1, 3]).with_nature(key)]
+}
 
 /// The spring k2 and the slider.
 #[derive(Clone, Copy, Debug)]
@@ -182,16 +195,33 @@ impl Model for KeyHammerSprings {
         [x[2], x[3], hammer, key]
     }
 
+    /// Hammer and key apart are two systems of one degree of freedom (`[GC93]` table 1).
+    #[inline]
+    fn parts(&self, mode: Mode) -> &[Part] {
+        match mode {
+            Mode::B1 => &[Part::WHOLE],
+            Mode::B2 => &self.apart,
+        }
+    }
+
+    #[inline]
+    fn derivative_of(&self, _mode: Mode, index: usize, x: &[f64; 4], s: &Motion) -> [f64; 4] {
+        let [hammer, key] = self.weights;
+        if index == HAMMER {
+            [x[2], 0.0, -hammer * cos(x[0]), 0.0]
+        } else {
+            let pushed = self.coupling(x, s) * self.per_inertia[1];
+            [0.0, x[3], 0.0, pushed - key * cos(x[1])]
+        }
+    }
+
     #[inline]
     fn readout(&self, _mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
         self.coupling(x, s)
     }
 
     fn nature(&self, mode: Mode) -> Nature {
-        let p = &self.values;
-        let is_lossless = p.b1 == 0.0 && p.c2 == 0.0;
-        let kind = if is_lossless { EquationKind::Conservative } else { EquationKind::Smooth };
-        Nature::new(kind, self.rates[mode as usize])
+        self.natures[mode as usize]
     }
 
     fn longest_step(&self, mode: Mode) -> f64 {
@@ -202,15 +232,20 @@ impl Model for KeyHammerSprings {
     }
 }
 
+/// A step of the fastest oscillation (rad).
+const RADIANS: f64 = 0.75;
+
 /// Three quarters of a radian of the fastest oscillation in B1 and in B2 (s).
 pub(super) fn longest_steps(p: &KeyHammerValues) -> [f64; 2] {
-    const RADIANS: f64 = 0.75;
     oscillations(p).map(|rate| RADIANS / rate)
 }
 
-/// The fastest rates in B1 and in B2 (rad/s): an oscillation's, with its damper's on top.
-pub(super) fn rates(p: &KeyHammerValues) -> [f64; 2] {
-    oscillations(p).map(|rate| rate + p.b1 / p.jk)
+/// What the equations of B1 and of B2 are like; the fastest rate is an oscillation's, with its
+/// damper's on top.
+pub(super) fn natures(p: &KeyHammerValues) -> [Nature; 2] {
+    let is_lossless = p.b1 == 0.0 && p.c2 == 0.0;
+    let kind = if is_lossless { EquationKind::Conservative } else { EquationKind::Smooth };
+    oscillations(p).map(|rate| Nature::new(kind, rate + p.b1 / p.jk))
 }
 
 /// The fastest oscillation in B1 and in B2 (rad/s).

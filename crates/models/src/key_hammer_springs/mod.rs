@@ -3,7 +3,7 @@
 mod drawing;
 mod equations;
 
-use pode::{GuardId, Motion};
+use pode::{GuardId, Motion, Nature, Part};
 
 use crate::describe::{
     Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
@@ -20,8 +20,10 @@ pub struct KeyHammerSprings {
     values: KeyHammerValues,
     /// Longest steps in B1 and B2 (s): asked for in every tick, so found once.
     longest_steps: [f64; 2],
-    /// Fastest rates in B1 and B2 (rad/s).
-    rates: [f64; 2],
+    /// What the equations of B1 and B2 are like.
+    natures: [Nature; 2],
+    /// Hammer and key, which move apart in B2.
+    apart: [Part; 2],
     /// 1/JH and 1/JK (1/(kg·m²)): a product takes a third of a division's time.
     per_inertia: [f64; 2],
     /// Angular accelerations by the weight of hammer and key, lying level (rad/s²).
@@ -64,10 +66,12 @@ impl Described for KeyHammerSprings {
         let moments = [values.m2 * values.l2, values.m1 * values.ck].map(|it| it * values.g);
         let weights = [0, 1].map(|i| moments[i] * per_inertia[i]);
         let longest_steps = equations::longest_steps(&values);
+        let natures = equations::natures(&values);
         Self {
             values,
             longest_steps,
-            rates: equations::rates(&values),
+            natures,
+            apart: equations::apart(&values, natures[1]),
             per_inertia,
             weights,
             moments,

@@ -5,6 +5,12 @@ use pode::{EquationKind, GuardValue, Model, Motion, Nature, Part, ReadoutSlopes,
 use super::geometry::CarriedHead;
 use super::{Mode, ReducedGrand};
 
+/// The key, with what it carries.
+const KEY: Part = Part::of(&[0, 2]);
+
+/// Longest step of a head in the air (s): its damping takes seconds.
+const FALL: f64 = 0.05;
+
 impl ReducedGrand {
     /// ζ and ζ' of a head that the key carries in `mode`, if it does.
     #[inline]
@@ -97,8 +103,14 @@ impl ReducedGrand {
     #[inline]
     fn move_apart(&self, x: &[f64; 4], push: f64, lift: f64) -> [f64; 4] {
         let p = &self.values;
-        let fall = -p.g - p.hammer_damping / p.hammer_mass * x[3];
-        [x[2], x[3], push / p.key_mass, fall + lift / p.hammer_mass]
+        [x[2], x[3], push / p.key_mass, self.fall(x[3]) + lift / p.hammer_mass]
+    }
+
+    /// z'' of a head in the air that rises at `w` (m/s²).
+    #[inline]
+    fn fall(&self, w: f64) -> f64 {
+        let p = &self.values;
+        -p.g - p.hammer_damping / p.hammer_mass * w
     }
 }
 
@@ -109,18 +121,15 @@ impl Model for ReducedGrand {
     const COORDS: usize = 2;
 
     /// A head that the key carries goes where the key puts it: the key alone moves by equations.
+    /// A head in the air falls by itself, whatever the key does.
     #[inline]
     fn parts(&self, mode: Mode) -> &[Part] {
         match mode {
-            Mode::Acc | Mode::Lo | Mode::Chk => const { &[Part::of(&[0, 2])] },
-            Mode::Fla
-            | Mode::Fll
-            | Mode::Flt
-            | Mode::Stu
-            | Mode::Stt
-            | Mode::RepH
-            | Mode::RepL
-            | Mode::Rep0 => &[Part::WHOLE],
+            Mode::Acc | Mode::Lo | Mode::Chk => &[KEY],
+            Mode::Fla | Mode::Fll | Mode::Flt => {
+                const { &[KEY, Part::of(&[1, 3]).of_state().with_longest_step(FALL)] }
+            }
+            Mode::Stu | Mode::Stt | Mode::RepH | Mode::RepL | Mode::Rep0 => &[Part::WHOLE],
         }
     }
 
@@ -147,6 +156,17 @@ impl Model for ReducedGrand {
     }
 
     #[inline]
+    fn derivative_of(&self, mode: Mode, index: usize, x: &[f64; 4], s: &Motion) -> [f64; 4] {
+        match (mode, index) {
+            (Mode::Fla | Mode::Fll | Mode::Flt, 0) => {
+                [x[2], 0.0, self.push(x, s) / self.values.key_mass, 0.0]
+            }
+            (Mode::Fla | Mode::Fll | Mode::Flt, _) => [0.0, x[3], 0.0, self.fall(x[3])],
+            _ => self.derivative(mode, x, s),
+        }
+    }
+
+    #[inline]
     fn readout(&self, _mode: Mode, x: &[f64; 4], s: &Motion) -> f64 {
         self.finger(x[0], x[2], s)
     }
@@ -169,6 +189,11 @@ impl Model for ReducedGrand {
     fn constrain(&self, mode: Mode, x: &[f64; 4], _s: &Motion) -> [f64; 4] {
         let [y, _, u, _] = *x;
         self.place(mode, y).map_or(*x, |(height, ratio)| [y, height, u, ratio * u])
+    }
+
+    /// 1 µm: what catches the head stands where key and head are, whatever the input.
+    fn longest_projection(&self, _mode: Mode) -> f64 {
+        1e-6
     }
 }
 
