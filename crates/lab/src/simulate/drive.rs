@@ -119,8 +119,7 @@ impl RunTally {
         evaluations.guards += u64::from(tick.work.guards);
         evaluations.readouts += u64::from(tick.work.readouts);
         *events += u64::from(tick.work.events);
-        verdicts.certified += u64::from(tick.work.certified);
-        verdicts.likely += u64::from(tick.work.likely);
+        verdicts.certain += u64::from(tick.work.certain);
         verdicts.unknown += u64::from(tick.work.unknown);
         let Capped { events, cascade, guards, pieces } = &mut self.capped;
         match tick.advance {

@@ -68,9 +68,8 @@ fn a_tolerance_is_heeded_within_long_ticks() {
 fn every_step_has_a_verdict() {
     let json = summary(&PRESS);
     let verdict = |name: &str| json["counts"]["verdicts"][name].as_u64().expect("a count");
-    let judged = verdict("certified") + verdict("likely") + verdict("unknown");
+    let judged = verdict("certain") + verdict("unknown");
     assert_eq!(judged, json["counts"]["steps"].as_u64().expect("a count"));
-    assert_eq!(verdict("unknown"), 0, "model B states its rates");
 }
 
 #[test]
