@@ -3,6 +3,7 @@
 //! ```text
 //! simulate/   one model under one input: trajectory, events, picture, summary
 //! scenario/   problems with known answers: models, inputs, references
+//! certificates/  random systems, and whether a certain step hides a crossing
 //! accuracy/   runs each with every method and step, judges it, times it
 //! report/     what was measured, as CSV, SVG and one HTML page
 //! plot/       pictures as SVG, for simulate and report
@@ -18,6 +19,7 @@
 #![forbid(unsafe_code)]
 
 pub mod accuracy;
+pub mod certificates;
 mod plot;
 pub mod report;
 pub mod scenario;

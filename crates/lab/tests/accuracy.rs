@@ -80,8 +80,8 @@ fn counts_are_those_that_pode_reports() {
     assert!(is_per_ms(counts.readouts_per_ms, sum.readouts), "{counts:?}, {sum:?}");
     assert_eq!(counts.worst_derivatives, worst(|work| work.derivatives));
     assert_eq!(counts.worst_guards, worst(|work| work.guards));
-    let steps = [counts.steps_certified, counts.steps_likely, counts.steps_unknown];
-    assert_eq!(steps, [sum.certified, sum.likely, sum.unknown].map(u64::from));
+    let steps = [counts.steps_certain, counts.steps_unknown];
+    assert_eq!(steps, [sum.certain, sum.unknown].map(u64::from));
     assert_eq!(row.verdict.events, 10);
 }
 

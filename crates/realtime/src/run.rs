@@ -192,7 +192,7 @@ mod tests {
             let deadline = due.after(Nanos::from_millis(1));
             let times =
                 TickTimes { due, deadline, woken: due, finished, work: Nanos::from_micros(work) };
-            let work = VoiceWork { derivatives: 400, guards: 100, events: 0 };
+            let work = VoiceWork { derivatives: 400, guards: 100, events: 0, ..VoiceWork::NONE };
             let voices = LaneReport { work, ..LaneReport::default() };
             let safety = SafetyReport::default();
             let report = TickReport { tick, due, deadline, skipped: 0, voices, safety };

@@ -85,7 +85,7 @@ mod tests {
             }
             turn.idle = sample.position % 2.0 == 0.0;
             let derivatives = if turn.idle { 0 } else { 10 * sample.age };
-            turn.work = VoiceWork { derivatives, guards: 1, events: 0 };
+            turn.work = VoiceWork { derivatives, guards: 1, events: 0, ..VoiceWork::NONE };
         }
 
         fn observe(&self, seen: &mut VoiceObservation) {
@@ -116,8 +116,8 @@ mod tests {
             idle: 1,
             faults: 1,
             late: 0,
-            work: VoiceWork { derivatives: 50, guards: 3, events: 0 },
-            most: VoiceWork { derivatives: 40, guards: 1, events: 0 },
+            work: VoiceWork { derivatives: 50, guards: 3, events: 0, ..VoiceWork::NONE },
+            most: VoiceWork { derivatives: 40, guards: 1, events: 0, ..VoiceWork::NONE },
         };
         assert_eq!(LaneReport::of(&turns), expected);
         let seen = |key: &usize| observed[*key].snapshot.mode == 1;

@@ -67,7 +67,7 @@ impl VoiceOutput {
     pub const fn begin(&mut self) {
         (self.force, self.slope) = (0.0, KeySlope::HELD);
         self.events.clear();
-        self.work = VoiceWork { derivatives: 0, guards: 0, events: 0 };
+        self.work = VoiceWork::NONE;
         self.fault = None;
         (self.idle, self.late, self.fresh) = (false, false, false);
     }
@@ -113,9 +113,16 @@ pub struct VoiceWork {
     pub derivatives: u32,
     pub guards: u32,
     pub events: u32,
+    /// Steps in which no crossing of the computed orbit was missed.
+    pub certain: u32,
+    /// Steps of which that is not known.
+    pub unknown: u32,
 }
 
 impl VoiceWork {
+    /// No work at all.
+    pub const NONE: Self = Self { derivatives: 0, guards: 0, events: 0, certain: 0, unknown: 0 };
+
     /// Returns the sum of both.
     #[must_use]
     #[inline]
@@ -124,6 +131,8 @@ impl VoiceWork {
             derivatives: self.derivatives.saturating_add(other.derivatives),
             guards: self.guards.saturating_add(other.guards),
             events: self.events.saturating_add(other.events),
+            certain: self.certain.saturating_add(other.certain),
+            unknown: self.unknown.saturating_add(other.unknown),
         }
     }
 
@@ -135,6 +144,8 @@ impl VoiceWork {
             derivatives: self.derivatives.max(other.derivatives),
             guards: self.guards.max(other.guards),
             events: self.events.max(other.events),
+            certain: self.certain.max(other.certain),
+            unknown: self.unknown.max(other.unknown),
         }
     }
 }

@@ -149,6 +149,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             derivatives: done.work.derivatives,
             guards: done.work.guards,
             events: done.work.events,
+            certain: done.work.certain,
+            unknown: done.work.unknown,
         };
         turn.fault = fault(done.advance, done.work.events)
             .or_else(|| (!self.is_explained(&sums)).then_some(VoiceFault::Diverged))

@@ -32,6 +32,10 @@ pub struct LiveCounters {
     pub missed: AtomicU64,
     pub derivatives: AtomicU64,
     pub guards: AtomicU64,
+    /// Certain and unknown steps in ticks of a key without an event.
+    pub quiet_steps: [AtomicU64; 2],
+    /// Certain and unknown steps in ticks of a key with events.
+    pub event_steps: [AtomicU64; 2],
 }
 
 impl LiveCounters {
@@ -117,6 +121,9 @@ struct Sums {
     events: u64,
     derivatives: u64,
     guards: u64,
+    /// Certain and unknown steps, in ticks without events and with them.
+    quiet_steps: [u64; 2],
+    event_steps: [u64; 2],
     dropped: u64,
     strikes: u64,
     news: bool,
@@ -139,6 +146,10 @@ impl Sums {
         self.events += u64::from(turn.work.events);
         self.derivatives += u64::from(turn.work.derivatives);
         self.guards += u64::from(turn.work.guards);
+        let steps =
+            if turn.work.events == 0 { &mut self.quiet_steps } else { &mut self.event_steps };
+        steps[0] += u64::from(turn.work.certain);
+        steps[1] += u64::from(turn.work.unknown);
         self.dropped += u64::from(turn.events.dropped());
     }
 }
@@ -161,6 +172,10 @@ impl TickObserver for TickPublisher {
             (&counters.dropped, sums.dropped),
             (&counters.derivatives, sums.derivatives),
             (&counters.guards, sums.guards),
+            (&counters.quiet_steps[0], sums.quiet_steps[0]),
+            (&counters.quiet_steps[1], sums.quiet_steps[1]),
+            (&counters.event_steps[0], sums.event_steps[0]),
+            (&counters.event_steps[1], sums.event_steps[1]),
         ] {
             counter.fetch_add(sum, Ordering::Relaxed);
         }

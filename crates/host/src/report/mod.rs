@@ -10,11 +10,13 @@ use voice::AuditReport;
 
 mod board_line;
 mod link_line;
+mod step_counts;
 
 pub use board_line::BoardLine;
 pub(crate) use board_line::{muted_keys, stage_words};
 pub use link_line::LinkLine;
 pub(crate) use link_line::wire_words;
+pub use step_counts::StepCounts;
 
 /// The report of `letoff run`, as `--json` prints it.
 #[derive(Clone, Debug, Serialize)]
@@ -51,6 +53,8 @@ pub struct RunReport {
     pub dropped: u64,
     /// Counted work of all voices.
     pub work: Evaluations,
+    /// Steps of all voices, by whether a crossing can have been missed in them.
+    pub steps: StepCounts,
     /// Exchange with the boards, summed over them.
     pub links: LinkReport,
     /// Each board, if there are real ones.
@@ -243,6 +247,7 @@ impl fmt::Display for RunReport {
             self.work.derivatives as f64 / self.ticks.max(1) as f64,
             self.work.guards as f64 / self.ticks.max(1) as f64,
         )?;
+        self.steps.fmt_lines(f)?;
         if !self.muted.is_empty() {
             let keys = self.muted.join(", ");
             writeln!(f, "  muted       {keys}: they made energy, or failed again and again")?;

@@ -26,7 +26,8 @@ use crate::control::RunHandle;
 use crate::midi_thread::{MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
-use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, Realtime, RunReport};
+use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, Realtime};
+use crate::report::{RunReport, StepCounts};
 use key_source::KeySource;
 use key_transport::KeyTransport;
 use measured::MeasuredRun;
@@ -342,6 +343,10 @@ impl PreparedRun {
                 derivatives: load(&counters.derivatives),
                 guards: load(&counters.guards),
             },
+            steps: StepCounts::new(
+                counters.quiet_steps.each_ref().map(load),
+                counters.event_steps.each_ref().map(load),
+            ),
             links: bus.links(),
             boards: bus.boards(duration),
             lines: bus.lines(duration),

@@ -38,11 +38,10 @@ pub struct EvaluationCounts {
     pub worst_jacobians: u32,
     /// Evaluations of guards in the worst tick.
     pub worst_guards: u32,
-    /// Steps that certainly hide no pair of roots of a guard, in the whole run.
-    pub steps_certified: u64,
-    /// Steps that hardly hide one.
-    pub steps_likely: u64,
-    /// Steps of which this is not known.
+    /// Steps in which no root of a guard was missed on the orbit as it was computed, in the
+    /// whole run.
+    pub steps_certain: u64,
+    /// Steps of which this is not known, in the whole run.
     pub steps_unknown: u64,
     /// Derivatives per simulated ms, each Jacobian as many as the state has entries.
     pub evaluations_per_ms: f64,
@@ -68,8 +67,7 @@ impl EvaluationCounts {
             worst_derivatives: worst(|work| work.derivatives),
             worst_jacobians: worst(|work| work.jacobians),
             worst_guards: worst(|work| work.guards),
-            steps_certified: sum(|work| work.certified),
-            steps_likely: sum(|work| work.likely),
+            steps_certain: sum(|work| work.certain),
             steps_unknown: sum(|work| work.unknown),
             evaluations_per_ms: derivatives + entries * jacobians,
         }

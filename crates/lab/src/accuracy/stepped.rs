@@ -4,8 +4,8 @@
 //! Everything else is the model's: each method of the traits is passed on, also those that have
 //! a default.
 
-use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets};
-use pode::{Settling, State};
+use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature};
+use pode::{Energetic, Reset, Resets, Settling, State};
 
 /// What cuts a tick into steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -70,13 +70,23 @@ impl<M: Model> Model for Stepped<M> {
 
 impl<M: Guarded> Guarded for Stepped<M> {
     #[inline]
-    fn guards(&self, mode: M::Mode) -> &'static [GuardSpec] {
+    fn guards(&self, mode: M::Mode) -> &[GuardSpec] {
         self.model.guards(mode)
     }
 
     #[inline]
-    fn curvature_bound(&self, mode: M::Mode, guard: GuardId) -> f64 {
-        self.model.curvature_bound(mode, guard)
+    fn is_watched(&self, mode: M::Mode, guard: GuardId) -> bool {
+        self.model.is_watched(mode, guard)
+    }
+
+    #[inline]
+    fn guard_bound(
+        &self,
+        mode: M::Mode,
+        guard: GuardId,
+        over: &Enclosure<M::State, M::Input>,
+    ) -> GuardBound {
+        self.model.guard_bound(mode, guard, over)
     }
 
     #[inline]

@@ -2,7 +2,7 @@
 
 use crate::accuracy::{MeasuredScenario, MethodKind, SequenceVerdict, StudyRow};
 
-const HEADER: [&str; 34] = [
+const HEADER: [&str; 33] = [
     "scenario",
     "method",
     "order",
@@ -30,8 +30,7 @@ const HEADER: [&str; 34] = [
     "worst_derivatives",
     "worst_jacobians",
     "worst_guards",
-    "steps_certified",
-    "steps_likely",
+    "steps_certain",
     "steps_unknown",
     "expected",
     "found",
@@ -85,8 +84,7 @@ fn record(row: &StudyRow, source: &str) -> [String; HEADER.len()] {
         counts.worst_derivatives.to_string(),
         counts.worst_jacobians.to_string(),
         counts.worst_guards.to_string(),
-        counts.steps_certified.to_string(),
-        counts.steps_likely.to_string(),
+        counts.steps_certain.to_string(),
         counts.steps_unknown.to_string(),
         expected,
         found,

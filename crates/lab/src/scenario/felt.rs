@@ -4,7 +4,8 @@
 //! exit speed does not depend on k. Its times are quadratures: references/hunt_crossley.py.
 
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets,
+    Enclosure, Energetic, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model,
+    Nature, Reset, Resets,
 };
 
 use super::{ExpectedEvent, ForceKind as Figure, MS, Plan, Reference, Scenario};
@@ -106,6 +107,16 @@ impl Guarded for FeltPenetration {
         const TOUCHED: [GuardSpec; 2] =
             [GuardSpec::new(0, "leave").scaled(1e-3), GuardSpec::new(1, "deepest").on_crossing()];
         if touched { &TOUCHED } else { &[] }
+    }
+
+    /// The guards are the penetration and its rate.
+    fn guard_bound(
+        &self,
+        _touched: bool,
+        guard: GuardId,
+        over: &Enclosure<[f64; 2], ()>,
+    ) -> GuardBound {
+        over.entry(usize::from(guard.0))
     }
 
     fn guard(&self, touched: bool, guard: GuardId, x: &[f64; 2], (): &()) -> GuardValue {

@@ -4,7 +4,8 @@
 //! middle, and the head leaves as fast as it came.
 
 use pode::{
-    Energetic, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets,
+    Enclosure, Energetic, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model,
+    Nature, Reset, Resets,
 };
 
 use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
@@ -129,12 +130,14 @@ impl Guarded for FallingHead {
         }
     }
 
-    fn curvature_bound(&self, mode: Mode, _guard: GuardId) -> f64 {
-        match mode {
-            Mode::Flight => G,
-            // A contact can be entered at any speed.
-            Mode::Contact => f64::INFINITY,
-        }
+    /// The guards are the height and the speed, with either sign.
+    fn guard_bound(
+        &self,
+        _mode: Mode,
+        guard: GuardId,
+        over: &Enclosure<[f64; 2], ()>,
+    ) -> GuardBound {
+        over.entry(usize::from(guard.0 > 1))
     }
 
     fn guard(&self, mode: Mode, guard: GuardId, x: &[f64; 2], (): &()) -> GuardValue {

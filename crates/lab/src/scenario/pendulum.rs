@@ -4,7 +4,8 @@
 //! k = v/(2 ω0), so that each swing lasts 2 K(k)/ω0.
 
 use pode::EquationKind;
-use pode::{Energetic, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets};
+use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature};
+use pode::{Energetic, Reset, Resets};
 
 use super::elliptic::{quarter_period, sn_cn};
 use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
@@ -51,8 +52,9 @@ impl Guarded for Pendulum {
         &WALL
     }
 
-    fn curvature_bound(&self, (): (), _guard: GuardId) -> f64 {
-        STIFFNESS
+    /// The guard is the angle.
+    fn guard_bound(&self, (): (), _guard: GuardId, over: &Enclosure<[f64; 2], ()>) -> GuardBound {
+        over.entry(0)
     }
 
     fn guard(&self, (): (), _guard: GuardId, x: &[f64; 2], (): &()) -> GuardValue {

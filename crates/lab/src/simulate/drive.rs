@@ -45,7 +45,7 @@ fn drive<M: Playable>(
     let audit = follower.audit;
     follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
     for tick in 0..clock.ticks {
-        let signal = |theta: f64| input.at(clock.time(tick, theta));
+        let signal = TickInput { clock, input, tick };
         let done = simulator.advance(clock.length(tick), &signal, &mut follower);
         tally.add(&done);
         follower.files.check()?;
@@ -62,9 +62,27 @@ fn drive<M: Playable>(
         let (mode, state) = (simulator.mode(), simulator.state());
         follower.last = (t, mode, *state);
         let audit = follower.audit;
-        follower.files.row(simulator.model(), t, (mode, state), &signal(1.0), &audit)?;
+        follower.files.row(simulator.model(), t, (mode, state), &signal.at(1.0), &audit)?;
     }
     Ok(tally.report(clock, &follower))
+}
+
+/// The input over one tick, with its bounds.
+struct TickInput<'a> {
+    clock: &'a TickClock,
+    input: &'a InputSignal,
+    tick: u64,
+}
+
+impl Signal<Motion> for TickInput<'_> {
+    fn at(&self, theta: f64) -> Motion {
+        self.input.at(self.clock.time(self.tick, theta))
+    }
+
+    fn bound(&self, from: f64, to: f64) -> Option<Motion> {
+        let [from, to] = [from, to].map(|theta| self.clock.time(self.tick, theta));
+        self.input.bound(from, to)
+    }
 }
 
 /// Whether the input was finite where a tick failed.
@@ -119,8 +137,7 @@ impl RunTally {
         evaluations.guards += u64::from(tick.work.guards);
         evaluations.readouts += u64::from(tick.work.readouts);
         *events += u64::from(tick.work.events);
-        verdicts.certified += u64::from(tick.work.certified);
-        verdicts.likely += u64::from(tick.work.likely);
+        verdicts.certain += u64::from(tick.work.certain);
         verdicts.unknown += u64::from(tick.work.unknown);
         let Capped { events, cascade, guards, pieces } = &mut self.capped;
         match tick.advance {

@@ -41,11 +41,10 @@ pub(super) struct RunCounts {
     pub(super) verdicts: Verdicts,
 }
 
-/// Steps by whether they can hide a pair of roots of a guard.
+/// Steps by whether a root of a guard can have been missed on the orbit as it was computed.
 #[derive(Clone, Copy, Default, Debug, Serialize)]
 pub(super) struct Verdicts {
-    pub(super) certified: u64,
-    pub(super) likely: u64,
+    pub(super) certain: u64,
     pub(super) unknown: u64,
 }
 
@@ -184,7 +183,7 @@ impl SimulationReport {
 
     fn text(&self) -> String {
         let RunCounts { ticks, steps, evaluations, events, verdicts } = self.counts;
-        let Verdicts { certified, likely, unknown } = verdicts;
+        let Verdicts { certain, unknown } = verdicts;
         let choices: String = self.choices.iter().map(choice_text).collect();
         let state: Vec<_> =
             self.state.iter().map(|(name, value)| format!("{name} = {value:.6e}")).collect();
@@ -194,8 +193,8 @@ impl SimulationReport {
             "{} with {}: {} at t = {:?} s\n\
              work    {ticks} ticks of {:?} s, {steps} steps, {events} events; evaluations: \
              {} derivatives, {} guards, {} readouts\n\
-             missed  no crossing for certain in {certified} steps, likely none in {likely}, \
-             unknown in {unknown}\n{choices}\
+             certain {certain} steps: no crossing of the computed orbit was missed there, however \
+             far it is from the true one; not known of {unknown}\n{choices}\
              final   mode {}, {state}\n\
              energy  supplied {supplied:.6e} J, dissipated {dissipated:.6e} J, jumps {jumps:.6e} J, \
              stored {stored:.6e} J, residual {:.1e} J",

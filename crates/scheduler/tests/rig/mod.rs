@@ -34,7 +34,7 @@ impl Voice for Spring {
     fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.anchor += 0.1 * (sample.position - self.anchor);
         turn.force = self.rate * (sample.position - self.anchor);
-        turn.work = VoiceWork { derivatives: 4, guards: 1, events: 0 };
+        turn.work = VoiceWork { derivatives: 4, guards: 1, events: 0, ..VoiceWork::NONE };
         match self.fails {
             Some((from, until, failure)) if (from..until).contains(&tick) => match failure {
                 Failure::Reported => turn.fail(VoiceFault::Capped { handled: 9 }),

@@ -20,7 +20,7 @@ const OURS: [&str; 16] = [
     "derivatives per ms",
     "guards per ms",
     "worst tick: derivatives, guards",
-    "steps certified, likely, unknown",
+    "steps certain, unknown",
     "energy left over [J]",
 ];
 
@@ -57,10 +57,7 @@ fn row(row: &StudyRow) -> Vec<HtmlCell> {
             "{}{jacobians}, {}",
             counts.worst_derivatives, counts.worst_guards
         )),
-        HtmlCell::Number(format!(
-            "{}, {}, {}",
-            counts.steps_certified, counts.steps_likely, counts.steps_unknown
-        )),
+        HtmlCell::Number(format!("{}, {}", counts.steps_certain, counts.steps_unknown)),
         HtmlCell::Number(error(row.energy_residual)),
     ]);
     cells

@@ -1,12 +1,14 @@
-//! An input given as a formula of t, exact with its first three derivatives.
+//! An input given as a formula of t, exact with its first three derivatives, and bounded.
 
 use std::cell::Cell;
 use std::fmt;
 use std::thread;
 
-use exmex::{Differentiate as _, ExError, ExResult, Express as _, FlatEx};
+use exmex::{DiffDataType, Differentiate as _, MakeOperators};
+use exmex::{ExError, ExResult, Express as _, FlatEx};
 use pode::Motion;
 
+use super::interval::{Interval, IntervalOperators};
 use super::spelling::spelt_out;
 use super::{InputMistake, NAME, is_finite};
 
@@ -19,6 +21,8 @@ const MOST_LENGTH: usize = 12_000;
 pub(in super::super) struct Expression {
     /// s and its first three derivatives, each of t alone.
     derivatives: Vec<FlatEx<f64>>,
+    /// The same over ranges of t; none where exmex knows a function for numbers only.
+    ranges: Vec<FlatEx<Interval, IntervalOperators>>,
     /// The last t and what came out: stages, guards and readouts share their instants.
     last: Cell<(f64, Motion)>,
 }
@@ -34,9 +38,10 @@ impl Expression {
             let column = text[..begin + misspelt.at].chars().count() + 1;
             InputMistake::Spelling { column, problem: misspelt.problem }
         })?;
-        let derivatives =
+        let (derivatives, ranges) =
             with_derivatives(formula).map_err(|cause| InputMistake::NotDerivable { cause })?;
-        let expression = Self { derivatives, last: Cell::new((f64::NAN, Motion::default())) };
+        let last = Cell::new((f64::NAN, Motion::default()));
+        let expression = Self { derivatives, ranges, last };
         if is_finite(&expression.at(0.0)) { Ok(expression) } else { Err(InputMistake::NotFinite) }
     }
 
@@ -54,21 +59,47 @@ impl Expression {
         self.last.set((t, motion));
         motion
     }
+
+    /// Largest magnitudes of s and its rates from `from` to `to` (s); `None` where one of them is
+    /// not defined or not finite all over that time.
+    pub(super) fn bound(&self, from: f64, to: f64) -> Option<Motion> {
+        let time = Interval::new(from, to);
+        let most = |order: usize| {
+            let range = self.ranges.get(order)?.eval(&[time]).ok()?;
+            Some(range.magnitude()).filter(|most| most.is_finite())
+        };
+        Some(Motion { position: most(0)?, rate: most(1)?, acceleration: most(2)?, jerk: most(3)? })
+    }
 }
+
+/// A formula and its first three derivatives, for numbers and for ranges.
+type Derived = (Vec<FlatEx<f64>>, Vec<FlatEx<Interval, IntervalOperators>>);
 
 /// `formula` and its first three derivatives with respect to t.
 ///
 /// exmex goes down into an expression by recursion, tens of kilobytes a level, and a
 /// derivative is some levels deeper than what it is of: hence a thread with room.
-fn with_derivatives(formula: String) -> ExResult<Vec<FlatEx<f64>>> {
+fn with_derivatives(formula: String) -> ExResult<Derived> {
     let failed = |why: &dyn fmt::Display| ExError::new(&why.to_string());
     let thread = thread::Builder::new().name("derive".into()).stack_size(STACK);
-    let derived = thread.spawn(move || derive(&formula)).map_err(|error| failed(&error))?.join();
+    let derived =
+        thread.spawn(move || derive_both(&formula)).map_err(|error| failed(&error))?.join();
     derived.unwrap_or_else(|_panic| Err(failed(&"it gave up on it")))
 }
 
-#[expect(clippy::large_stack_frames, reason = "exmex keeps short expressions inline; once")]
-fn derive(formula: &str) -> ExResult<Vec<FlatEx<f64>>> {
+/// Derives for numbers, and then for ranges, without which there are no bounds.
+fn derive_both(formula: &str) -> ExResult<Derived> {
+    let numbers = derive(formula)?;
+    Ok((numbers, derive(formula).unwrap_or_default()))
+}
+
+/// Derives a formula three times, for whatever is calculated with.
+fn derive<T, O>(formula: &str) -> ExResult<Vec<FlatEx<T, O>>>
+where
+    T: DiffDataType,
+    T::Err: fmt::Debug,
+    O: MakeOperators<T>,
+{
     // The added term makes each of them a function of t, also where t has dropped out.
     let mut derivatives = vec![FlatEx::parse(&format!("({formula})+0*t"))?];
     for _ in 0..3 {
@@ -181,6 +212,73 @@ mod tests {
         check("s=acosh(2+t)", t, [u.acosh(), acosh[0], acosh[1], acosh[2]]);
         let atanh = [1.0 / q, 2.0 * t / q.powi(2), (6.0 * t * t + 2.0) / q.powi(3)];
         check("s=atanh(t)", t, [t.atanh(), atanh[0], atanh[1], atanh[2]]);
+    }
+
+    /// Expressions with where they begin (s), and how they move.
+    const MOVES: [(&str, f64); 12] = [
+        ("0.1*sin(2*pi*3*t)", 0.0),
+        ("1.2*exp(-((t-0.35)/0.01)^2)", 0.3),
+        ("0.5+0.5*tanh((t-0.1)/0.015)", 0.0),
+        ("t^3-2*t^2+t/7", -1.0),
+        ("(t-0.4)^4/(1+t^2)", 0.0),
+        ("exp(-t)*cos(40*t)", 0.0),
+        ("sqrt(1+t)*ln(2+t)", 0.0),
+        ("atan(5*t)-asin(t/9)", 0.0),
+        ("sinh(t)*cosh(2*t)", -0.4),
+        ("(1+t)^1.5", 0.0),
+        ("acosh(2+t)+asinh(t)", 0.0),
+        ("2^t+log2(1+t)", 0.0),
+    ];
+
+    /// Checks the bound of `expression` over 3 ms from `from` (s) against 41 places in it.
+    #[track_caller]
+    fn check_bound(expression: &Expression, from: f64) {
+        let width = 0.003;
+        let most = expression.bound(from, from + width).expect("a bound");
+        for part in 0..=40 {
+            let s = expression.at(from + width * f64::from(part) / 40.0);
+            let lower = s.position.abs() <= most.position && s.rate.abs() <= most.rate;
+            let higher = s.acceleration.abs() <= most.acceleration && s.jerk.abs() <= most.jerk;
+            assert!(lower && higher, "{expression:?} from {from}: {s:?} {most:?}");
+        }
+    }
+
+    #[test]
+    fn bounds_are_never_below_the_rates_themselves() {
+        for (text, begin) in MOVES {
+            let expression = Expression::read(&format!("s={text}"), "s").expect("an expression");
+            for n in 0..50 {
+                check_bound(&expression, begin + 0.01 * f64::from(n));
+            }
+        }
+    }
+
+    #[test]
+    fn bounds_of_a_short_time_are_close_to_the_rates() {
+        for (text, begin) in MOVES {
+            let expression = Expression::read(&format!("s={text}"), "s").expect("an expression");
+            let at = begin + 0.123;
+            let (s, most) = (expression.at(at), expression.bound(at, at + 1e-9).expect("a bound"));
+            for (now, most) in [
+                (s.position, most.position),
+                (s.rate, most.rate),
+                (s.acceleration, most.acceleration),
+                (s.jerk, most.jerk),
+            ] {
+                assert!(most <= now.abs() + 1e-4 * (1.0 + now.abs()), "{text}: {now} {most}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_time_with_a_pole_has_no_bound() {
+        for text in ["1/(t-0.5)", "tan(pi*t)", "sqrt(t-0.5)", "ln(t-0.5)", "tanh(1/(t-0.5))"] {
+            // Where it begins it has to be finite; these are, with t² for the shifted t.
+            let text = format!("s={}", text.replace("(t-0.5)", "(0.25-t^2)"));
+            let expression = Expression::read(&text, "s").expect("an expression");
+            assert!(expression.bound(0.49, 0.51).is_none(), "{text}");
+            assert!(expression.bound(0.1, 0.101).is_some(), "{text}");
+        }
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The input s(t) of a simulation, with its first three derivatives.
 
 mod expression;
+mod interval;
 mod mistake;
 mod spelling;
 mod table;
@@ -58,6 +59,16 @@ impl InputSignal {
             Self::Rest => Motion::default(),
             Self::Expression(expression) => expression.at(t),
             Self::Table(table) => table.at(t),
+        }
+    }
+
+    /// Largest magnitudes of s and its rates from `from` to `to` (s); `None` where they are not
+    /// known.
+    pub(super) fn bound(&self, from: f64, to: f64) -> Option<Motion> {
+        match self {
+            Self::Rest => Some(Motion::default()),
+            Self::Expression(expression) => expression.bound(from, to),
+            Self::Table(table) => table.bound(from, to),
         }
     }
 }

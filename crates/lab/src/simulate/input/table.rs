@@ -22,6 +22,8 @@ pub(in super::super) struct InputTable {
     pieces: Vec<(f64, [f64; 4])>,
     /// First and last sample: (t, s).
     ends: [(f64, f64); 2],
+    /// Times of the samples (s).
+    samples: Vec<f64>,
 }
 
 impl InputTable {
@@ -54,29 +56,100 @@ impl InputTable {
         };
         pieces.shrink_to_fit();
         let ends = [samples[0], samples[samples.len() - 1]];
-        Self { pieces, ends }
+        Self { pieces, ends, samples: samples.iter().map(|(t, _)| *t).collect() }
     }
 
     /// s and its rates at `t` (s).
     pub(super) fn at(&self, t: f64) -> Motion {
+        let (start, piece) = self.piece_at(t);
+        motion(piece, t - start)
+    }
+
+    /// The interval that holds at `t` (s): its start (s) and coefficients.
+    fn piece_at(&self, t: f64) -> (f64, [f64; 4]) {
         let [first, last] = self.ends;
-        let held = |position| Motion { position, ..Motion::default() };
+        let held = |(start, position)| (start, [position, 0.0, 0.0, 0.0]);
         if t < first.0 {
-            return held(first.1);
+            return held(first);
         }
         if t > last.0 {
-            return held(last.1);
+            return held(last);
         }
         let next = self.pieces.partition_point(|(start, _)| *start <= t);
-        let Some((start, [c0, c1, c2, c3])) = self.pieces.get(next.saturating_sub(1)) else {
-            return held(f64::NAN);
-        };
-        let d = t - start;
+        self.pieces.get(next.saturating_sub(1)).copied().unwrap_or_else(|| held((t, f64::NAN)))
+    }
+
+    /// Largest magnitudes of s and its rates from `from` to `to` (s); `None` where a sample lies
+    /// between them.
+    ///
+    /// What jumps at one of the two, where a sample is, has a rate without a bound.
+    pub(super) fn bound(&self, from: f64, to: f64) -> Option<Motion> {
+        let crumb = CRUMB * (to - from);
+        let later = self.samples.partition_point(|t| *t <= from + crumb);
+        if self.samples.get(later).is_some_and(|t| *t < to - crumb) {
+            return None;
+        }
+        let (start, piece) = self.piece_at(0.5 * (from + to));
+        let size = self.size(later, piece, (from - start).abs().max((to - start).abs()));
+        let most = motion(piece, from - start).bound_over(to - from);
+        Some([from, to].into_iter().fold(most, |most, end| {
+            let jump = Jump::between(&motion(piece, end - start), &self.at(end), &size);
+            jump.within(most)
+        }))
+    }
+}
+
+impl InputTable {
+    /// The size of the terms of a motion up to `d` (s) into the interval before the sample
+    /// `later`: an interval's rates are differences over its length.
+    fn size(&self, later: usize, piece: [f64; 4], d: f64) -> Motion {
+        let size = motion(piece.map(f64::abs), d);
+        let ends = later.checked_sub(1).and_then(|it| self.samples.get(it..=later));
+        let per_second = ends.map_or(0.0, |ends| 1.0 / (ends[1] - ends[0]));
+        let rate = size.rate + size.position * per_second;
+        Motion { rate, acceleration: size.acceleration + rate * per_second, ..size }
+    }
+}
+
+/// A sample so near to the end of a time, as a part of it, is at its end but for rounding.
+const CRUMB: f64 = 1e-9;
+
+/// The motion `d` (s) after the start of an interval.
+const fn motion([c0, c1, c2, c3]: [f64; 4], d: f64) -> Motion {
+    Motion {
+        position: c0 + d * (c1 + d * (c2 + d * c3)),
+        rate: c1 + d * (2.0 * c2 + d * 3.0 * c3),
+        acceleration: 2.0 * c2 + d * 6.0 * c3,
+        jerk: 6.0 * c3,
+    }
+}
+
+/// Which entries of a motion are not continuous at an instant.
+struct Jump {
+    position: bool,
+    rate: bool,
+    acceleration: bool,
+}
+
+impl Jump {
+    /// Between the two sides `a` and `b`, whose terms are of the size `size`.
+    fn between(a: &Motion, b: &Motion, size: &Motion) -> Self {
+        let jumps = |a: f64, b: f64, size: f64| (a - b).abs() > 16.0 * f64::EPSILON * size;
+        Self {
+            position: jumps(a.position, b.position, size.position),
+            rate: jumps(a.rate, b.rate, size.rate),
+            acceleration: jumps(a.acceleration, b.acceleration, size.acceleration),
+        }
+    }
+
+    /// The bounds `most` with this jump in them.
+    fn within(&self, most: Motion) -> Motion {
+        let or = |jumps: bool, most: f64| if jumps { f64::INFINITY } else { most };
         Motion {
-            position: c0 + d * (c1 + d * (c2 + d * c3)),
-            rate: c1 + d * (2.0 * c2 + d * 3.0 * c3),
-            acceleration: 2.0 * c2 + d * 6.0 * c3,
-            jerk: 6.0 * c3,
+            position: most.position,
+            rate: or(self.position, most.rate),
+            acceleration: or(self.position || self.rate, most.acceleration),
+            jerk: or(self.position || self.rate || self.acceleration, most.jerk),
         }
     }
 }
@@ -352,6 +425,45 @@ mod tests {
             assert_eq!(table.at(last.0 + 0.1), held(last.1));
             assert!((table.at(last.0).position - last.1).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn bounds_hold_between_samples_and_not_across_them() {
+        for how in [Reconstruct::Quadratic, Reconstruct::Hermite, Reconstruct::Spline] {
+            let table = InputTable::through(&sine(0.1), how);
+            let (from, to) = (table.samples[7], table.samples[8]);
+            let most = table.bound(from, to).expect("no sample inside");
+            for part in 0..100 {
+                let s = table.at(from + (to - from) * f64::from(part) / 100.0);
+                assert!(s.position.abs() <= most.position && s.rate.abs() <= most.rate, "{how:?}");
+                let higher = (s.acceleration.abs(), s.jerk.abs());
+                assert!(higher.0 <= most.acceleration && higher.1 <= most.jerk, "{how:?}");
+            }
+            assert_eq!(table.bound(from, table.samples[9]), None, "{how:?}: a sample inside");
+        }
+    }
+
+    #[test]
+    fn what_jumps_at_a_sample_has_a_rate_without_a_bound() {
+        let bound = |how| {
+            let table = InputTable::through(&sine(0.1), how);
+            table.bound(table.samples[7], table.samples[8]).expect("no sample inside")
+        };
+        assert!(bound(Reconstruct::Hold).rate.is_infinite());
+        let linear = bound(Reconstruct::Linear);
+        assert!(linear.rate < 1.0 && linear.acceleration.is_infinite());
+        let hermite = bound(Reconstruct::Hermite);
+        assert!(hermite.acceleration < 2.0 && hermite.jerk.is_infinite());
+        assert!(bound(Reconstruct::Spline).jerk < 2.0);
+    }
+
+    #[test]
+    fn outside_the_table_nothing_moves() {
+        let table = InputTable::through(&sine(0.1), Reconstruct::Linear);
+        let last = table.ends[1];
+        let most = table.bound(last.0 + 0.1, last.0 + 0.2);
+        assert_eq!(most, Some(Motion { position: last.1.abs(), ..Motion::default() }));
+        assert_eq!(table.bound(last.0 - 0.05, last.0 + 0.2), None);
     }
 
     #[test]

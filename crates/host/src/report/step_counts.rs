@@ -1,0 +1,63 @@
+//! How many steps were certain.
+
+use std::fmt;
+
+use serde::Serialize;
+
+/// Steps of all voices, by whether a crossing of the computed orbit can have been missed.
+///
+/// A tick of one key is one step, or several where an event or the model cuts it.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
+pub struct StepCounts {
+    /// Steps in which no crossing of the orbit as it was computed was missed.
+    pub certain: u64,
+    /// Steps of which that is not known.
+    pub unknown: u64,
+    /// Those of both that belong to a tick of their key in which an event happened.
+    pub in_ticks_with_events: u64,
+    /// Share of certain steps in the other ticks, 0 to 1; `None` if there are none.
+    pub certain_share_without_event: Option<f64>,
+}
+
+impl StepCounts {
+    /// From the certain and the unknown steps in ticks without events, and in those with events.
+    pub fn new(quiet: [u64; 2], with_event: [u64; 2]) -> Self {
+        let n_quiet: u64 = quiet.iter().sum();
+        Self {
+            certain: quiet[0] + with_event[0],
+            unknown: quiet[1] + with_event[1],
+            in_ticks_with_events: with_event.iter().sum(),
+            certain_share_without_event: (n_quiet > 0).then(|| quiet[0] as f64 / n_quiet as f64),
+        }
+    }
+
+    /// The counts in a sentence, and what certain means.
+    pub(super) fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "  steps       {} certain, {} unknown; {} of them in ticks with an event",
+            self.certain, self.unknown, self.in_ticks_with_events
+        )?;
+        if let Some(share) = self.certain_share_without_event {
+            writeln!(
+                f,
+                "              without an event {:.1} % are certain: no crossing of the orbit as it was computed is missed",
+                100.0 * share
+            )?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_share_is_of_the_ticks_without_an_event() {
+        let counts = StepCounts::new([90, 10], [1, 7]);
+        assert_eq!((counts.certain, counts.unknown, counts.in_ticks_with_events), (91, 17, 8));
+        assert_eq!(counts.certain_share_without_event, Some(0.9));
+        assert_eq!(StepCounts::new([0, 0], [1, 1]).certain_share_without_event, None);
+    }
+}

@@ -1,0 +1,43 @@
+//! Random numbers that a seed repeats on every machine.
+
+/// The generator `SplitMix64`.
+#[derive(Clone, Debug)]
+pub(super) struct Random(u64);
+
+impl Random {
+    /// The numbers of one system.
+    pub(super) const fn new(seed: u64, system: u64) -> Self {
+        let mut random = Self(seed ^ system.wrapping_mul(0xD134_2543_DE82_EF95));
+        random.next();
+        random
+    }
+
+    const fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+
+    /// A number from `lo` to `hi`.
+    pub(super) fn between(&mut self, lo: f64, hi: f64) -> f64 {
+        let part = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
+        lo + part * (hi - lo)
+    }
+
+    /// A number from `lo` to `hi`, both positive, whose logarithm is spread evenly.
+    pub(super) fn spread(&mut self, lo: f64, hi: f64) -> f64 {
+        self.between(lo.ln(), hi.ln()).exp()
+    }
+
+    /// A whole number below `n`.
+    #[expect(clippy::cast_possible_truncation, reason = "below n")]
+    pub(super) const fn below(&mut self, n: usize) -> usize {
+        (self.next() % n as u64) as usize
+    }
+
+    /// True once in `n` times.
+    pub(super) const fn once_in(&mut self, n: usize) -> bool {
+        self.below(n) == 0
+    }
+}
