@@ -85,6 +85,7 @@ fn failure(advance: Advance, limits: &Limits) -> Option<String> {
         Advance::Faulty(Fault::State) => "the state is not finite".into(),
         Advance::Faulty(Fault::Guard) => "a guard is not finite".into(),
         Advance::Faulty(Fault::Readout) => "the readout is not finite".into(),
+        Advance::Faulty(Fault::Projection) => "an event moved the state too far".into(),
     })
 }
 

@@ -20,16 +20,20 @@ const TOLERANCES: (f64, f64) = (1e-16, 0.5);
 /// The highest key, C8.
 const LAST_KEY: u8 = 87;
 
+/// The tick (s) for which `by-need` chooses, whatever the step: a shorter step that checks a result
+/// is taken by the same method.
+const USUAL_TICK: f64 = 1e-3;
+
 /// The method called for, with its tolerance; RK4 where there is a mistake.
 fn method(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> Any {
     let Some(method) = Any::named(&args.method) else {
         mistakes.push(SimulateMistake::unknown("method", &args.method, Any::NAMES));
         return Any::default();
     };
-    // `by-need` has to know the tick even where nobody said how precise it should be.
+    // `by-need` has a budget even where nobody said how precise it should be.
     let by_default = matches!(method, Any::ByNeed(_)).then_some(ByNeed::BUDGET);
     let Some(tolerance) = args.tolerance.or(by_default) else { return method };
-    method.with_tolerance(tolerance, args.step).unwrap_or_else(|| {
+    method.with_tolerance(tolerance, USUAL_TICK).unwrap_or_else(|| {
         mistakes.push(SimulateMistake::NoTolerance {
             method: args.method.clone(),
             known: Any::TOLERANT,

@@ -3,7 +3,7 @@
 use models::{Described, Playable};
 use pode::stepper::{Any, ByNeed, Choice};
 use pode::{Advance, Cap, EnergyAudit, Event, Motion, Piece, Signal, Simulator};
-use pode::{State as _, Tick, Watch};
+use pode::{State as _, Stepper as _, Tick, Watch};
 
 use super::check::{Start, TickClock};
 use super::error::SimulateError;
@@ -20,8 +20,19 @@ pub(super) fn run<M: Playable>(
 ) -> Result<SimulationReport, SimulateError> {
     let TickClock { method, step, .. } = *plan.0;
     let report = drive(start, plan, files)?;
-    let Any::ByNeed(by_need) = method else { return Ok(report) };
-    Ok(SimulationReport { choices: choices(&by_need, &start.model, step), ..report })
+    Ok(match method {
+        Any::ByNeed(by_need) => {
+            SimulationReport { choices: choices(&by_need, &start.model, step), ..report }
+        }
+        other => SimulationReport { handed_on: handed_on(&other, &start.model), ..report },
+    })
+}
+
+/// Modes with equations that `method` hands on to another, by its name.
+fn handed_on<M: Playable>(method: &Any, model: &M) -> Vec<(&'static str, &'static str)> {
+    let moves = M::MODES.iter().filter(|(mode, _)| !model.parts(*mode).is_empty());
+    let taken = moves.map(|(mode, name)| (*name, method.name_in(&model.nature(*mode))));
+    taken.filter(|(_, taken)| *taken != method.name()).collect()
 }
 
 /// What is taken in each mode, by its name.
@@ -124,12 +135,17 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
 struct RunTally {
     counts: RunCounts,
     capped: Capped,
+    projection: f64,
     failure: Option<RunFailure>,
 }
 
 impl RunTally {
     fn add(&mut self, tick: &Tick) {
-        let RunCounts { ticks, steps, evaluations, events, verdicts } = &mut self.counts;
+        self.projection = self.projection.max(tick.projection);
+        let RunCounts { ticks, steps, evaluations, events, ineffective_events, verdicts } =
+            &mut self.counts;
+        *ineffective_events += u64::from(tick.work.ineffective);
+        evaluations.rates += u64::from(tick.work.rates);
         *ticks += 1;
         *steps += u64::from(tick.work.pieces);
         evaluations.derivatives += u64::from(tick.work.derivatives);
@@ -166,6 +182,8 @@ impl RunTally {
             t: *t,
             mode: mode_name::<M>(*mode),
             choices: Vec::new(),
+            handed_on: Vec::new(),
+            projection: self.projection,
             state,
             audit: follower.audit,
             failure: self.failure,

@@ -117,7 +117,7 @@ impl OutputFiles {
         sheet.text(mode_name::<M>(*to));
         sheet.numbers(before.entries());
         sheet.numbers(after.entries());
-        sheet.number(event.impulse);
+        sheet.numbers(&[event.impulse, event.error, event.projection]);
         if let Err(failure) = sheet.end() {
             self.failure.get_or_insert(failure);
         }
@@ -166,7 +166,7 @@ fn event_header<M: Described>() -> Vec<String> {
     let states = |when: &'static str| M::STATES.iter().map(move |name| format!("{name}_{when}"));
     let mut header: Vec<String> = ["t", "guard", "from", "to"].map(String::from).to_vec();
     header.extend(states("before").chain(states("after")));
-    header.push("impulse".to_owned());
+    header.extend(["impulse", "error", "projection"].map(String::from));
     header
 }
 

@@ -26,6 +26,10 @@ pub(super) struct SimulationReport {
     pub(super) mode: &'static str,
     /// What `by-need` takes in each mode; empty with any other method.
     pub(super) choices: Vec<(&'static str, Choice)>,
+    /// Modes that the method hands on, each with the name of the method that takes it.
+    pub(super) handed_on: Vec<(&'static str, &'static str)>,
+    /// How far an event moved a coordinate onto a constraint, at most.
+    pub(super) projection: f64,
     pub(super) state: Vec<(&'static str, f64)>,
     pub(super) audit: EnergyAudit,
     pub(super) failure: Option<RunFailure>,
@@ -38,6 +42,8 @@ pub(super) struct RunCounts {
     pub(super) steps: u64,
     pub(super) evaluations: ModelEvaluations,
     pub(super) events: u64,
+    /// Events whose reset map left its own guard below zero or falling.
+    pub(super) ineffective_events: u64,
     pub(super) verdicts: Verdicts,
 }
 
@@ -52,6 +58,8 @@ pub(super) struct Verdicts {
 #[derive(Clone, Copy, Default, Debug, Serialize)]
 pub(super) struct ModelEvaluations {
     pub(super) derivatives: u64,
+    /// Rates of the state's entries in these.
+    pub(super) rates: u64,
     pub(super) jacobians: u64,
     pub(super) guards: u64,
     pub(super) readouts: u64,
@@ -110,6 +118,7 @@ impl RunFailure {
             Self::Model(Fault::State) => "state",
             Self::Model(Fault::Guard) => "guard",
             Self::Model(Fault::Readout) => "readout",
+            Self::Model(Fault::Projection) => "projection",
         }
     }
 
@@ -124,6 +133,10 @@ impl RunFailure {
             }
             Self::Model(Fault::Readout) => {
                 "the force is not finite; the last rows of --out show how it came there"
+            }
+            Self::Model(Fault::Projection) => {
+                "an event moved a coordinate onto its constraint by more than the model allows; \
+                 take a shorter --step, or an input that does not jump"
             }
         }
     }
@@ -175,14 +188,39 @@ impl SimulationReport {
                 "stored": stored,
                 "residual": self.audit.residual(),
             },
+            "projection": self.projection,
+            "handed_on": self.handed_on,
             "choices": self.choices.iter().map(choice_json).collect::<Vec<_>>(),
             "outcome": self.outcome(),
             "capped_ticks": self.capped,
         })
     }
 
+    /// Lines about what a reader might not expect.
+    fn remarks(&self) -> String {
+        let mut lines: Vec<_> = self
+            .handed_on
+            .iter()
+            .map(|(mode, taken)| {
+                format!("mode    {mode}: {taken}, since {} is not for it\n", self.method)
+            })
+            .collect();
+        if self.projection > 1e-9 {
+            let moved = self.projection;
+            lines.push(format!("moved   by {moved:.1e} onto a constraint, by an event, at most\n"));
+        }
+        let ineffective = self.counts.ineffective_events;
+        if ineffective > 0 {
+            lines.push(format!(
+                "events  {ineffective} of them left their own guard below zero or falling: a reset \
+                 map may have a wrong sign\n"
+            ));
+        }
+        lines.concat()
+    }
+
     fn text(&self) -> String {
-        let RunCounts { ticks, steps, evaluations, events, verdicts } = self.counts;
+        let RunCounts { ticks, steps, evaluations, events, verdicts, .. } = self.counts;
         let Verdicts { certain, unknown } = verdicts;
         let choices: String = self.choices.iter().map(choice_text).collect();
         let state: Vec<_> =
@@ -194,7 +232,7 @@ impl SimulationReport {
              work    {ticks} ticks of {:?} s, {steps} steps, {events} events; evaluations: \
              {} derivatives, {} guards, {} readouts\n\
              certain {certain} steps: no crossing of the computed orbit was missed there, however \
-             far it is from the true one; not known of {unknown}\n{choices}\
+             far it is from the true one; not known of {unknown}\n{choices}{}\
              final   mode {}, {state}\n\
              energy  supplied {supplied:.6e} J, dissipated {dissipated:.6e} J, jumps {jumps:.6e} J, \
              stored {stored:.6e} J, residual {:.1e} J",
@@ -206,6 +244,7 @@ impl SimulationReport {
             evaluations.derivatives,
             evaluations.guards,
             evaluations.readouts,
+            self.remarks(),
             self.mode,
             self.audit.residual(),
         )

@@ -140,21 +140,33 @@ impl ByNeed {
 
     /// The line of the menu that meets the budget with the fewest evaluations per tick; of two
     /// that cost the same, the one with the smaller error.
+    ///
+    /// Neither the model's own step nor the one that is taken has a say in which line it is: who
+    /// takes shorter steps to check a result gets the same method, with a smaller error.
     #[inline]
     fn cheapest(&self, nature: &Nature, own: f64) -> Choice {
         let radians = nature.rate * self.tick;
         let may_be = |it: &Offer| it.is_for_damped || nature.kind == EquationKind::Conservative;
-        let mut best = (f64::INFINITY, f64::INFINITY, &MENU[MENU.len() - 1], own);
+        let mut best = (f64::INFINITY, f64::INFINITY, &MENU[MENU.len() - 1], 0.0);
         for (offer, reach) in MENU.iter().zip(self.reaches).filter(|(it, _)| may_be(it)) {
-            let steps = ceil(radians / reach.min(nature.rate * own)).max(1.0);
-            let error = offer.constant * powi(radians / steps, offer.order);
+            let steps = ceil(radians / reach).max(1.0);
+            let error = offer.error(radians / steps);
             let cost = steps * offer.evaluations;
             if cost < best.0 || (cost <= best.0 && error < best.1) {
                 best = (cost, error, offer, reach / nature.rate);
             }
         }
-        let (_, error, offer, step) = best;
-        Choice { method: offer.method, step: step.min(own), error }
+        let (_, _, offer, step) = best;
+        let step = step.min(own);
+        let steps = ceil(self.tick / step).max(1.0);
+        Choice { method: offer.method, step, error: offer.error(radians / steps) }
+    }
+}
+
+impl Offer {
+    /// The relative error per radian in steps of `radians`.
+    fn error(&self, radians: f64) -> f64 {
+        self.constant * powi(radians, self.order)
     }
 }
 

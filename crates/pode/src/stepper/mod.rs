@@ -112,7 +112,7 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     /// What it carries from one step to the next.
     type Memory<S: State>: Memory;
     /// Its dense output.
-    type Dense<S: State>: Dense<S> + Copy + PartialEq;
+    type Dense<S: State>: Dense<S> + Copy + PartialEq + Send;
 
     /// Steps from `x0` by `h` (s).
     fn step<S: State>(
