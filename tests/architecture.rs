@@ -11,7 +11,7 @@ use toml_edit::{Document, Item};
 ///
 /// Crates that design.md names but that are not there yet are listed too, so that
 /// their first commit is held to the same rule.
-const MAY_KNOW: [(&str, &[&str]); 22] = [
+const MAY_KNOW: [(&str, &[&str]); 23] = [
     ("keyboard", &[]),
     ("diagnostics", &[]),
     ("pode", &[]),
@@ -21,8 +21,9 @@ const MAY_KNOW: [(&str, &[&str]); 22] = [
     ("midi", &["keyboard"]),
     ("scheduler", &["keyboard"]),
     ("telemetry", &["keyboard"]),
-    ("models", &["pode"]),
-    ("kane", &["diagnostics", "pode"]),
+    ("contacts", &["pode"]),
+    ("models", &["contacts", "pode"]),
+    ("kane", &["contacts", "diagnostics", "pode"]),
     ("links", &["firmware-protocol", "keyboard"]),
     ("hardware", &["firmware-protocol", "haptics", "keyboard", "links", "scheduler"]),
     ("performance", &["haptics", "keyboard", "midi"]),
@@ -68,8 +69,9 @@ const HOST_MAY_KNOW: [&str; 16] = [
     "voice",
 ];
 
-const EVERYONE: [&str; 22] = [
+const EVERYONE: [&str; 23] = [
     "cli",
+    "contacts",
     "dashboard",
     "diagnostics",
     "firmware-protocol",

@@ -1,10 +1,15 @@
 //! How much a tick computes, in counted evaluations: the same on every machine.
 
+use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
 use haptics::Touch;
 use host::session::{RunOptions, RunSession};
-use pode::Limits;
+use models::catalogue::{ENTRIES, Visitor, visit};
+use models::{Described as _, KeyHammerRigid, KeyHammerSprings, Playable};
+use pode::input::Cubic;
+use pode::stepper::Rk4;
+use pode::{Auditor, Limits, Motion, Silent, Simulator, Watch, Work};
 use scheduler::motion::KEYS;
 use scheduler::voice::VoiceWork;
 
@@ -143,4 +148,135 @@ fn most_of_a_key(name: &str, overrides: &[(&str, &str)]) -> VoiceWork {
     let mut stage = Stage::new(&scene, bus);
     let ticks = 2 * scene.tick_hz;
     (0..ticks).fold(VoiceWork::default(), |most, _| most.largest(stage.tick().voices.most))
+}
+
+/// Ticks of 1 ms that are counted.
+const COUNTED: u32 = 1000;
+
+/// Derivatives, rates of entries, guards and readouts of [`COUNTED`] ticks of one key of each model
+/// with its first preset: at rest, and while the key goes 3 mm down and up again twice.
+///
+/// To update: as for [`GOLDEN`].
+const COUNTS: [(&str, [u32; 4], [u32; 4]); 6] = [
+    ("key-hammer-springs", [0; 4], [0; 4]),
+    ("key-hammer-rigid", [0; 4], [0; 4]),
+    ("reduced-grand", [0; 4], [0; 4]),
+    ("bouncing-ball", [0; 4], [0; 4]),
+    ("cart-pendulum", [0; 4], [0; 4]),
+    ("spring-wall", [0; 4], [0; 4]),
+];
+
+/// The first preset of a model for the middle key.
+fn first<M: Playable>() -> M {
+    let preset = &M::PRESETS[0];
+    let values: Vec<_> = (0..M::PARAMETERS.len()).map(|it| (preset.value)(it, 39)).collect();
+    M::with_values(&values)
+}
+
+/// The work of [`COUNTED`] ticks of 1 ms from `start`, the key swinging `depth` (m) down and up.
+fn counted<M: Playable, W: Watch<M>>(
+    mut simulator: Simulator<M, Rk4>,
+    depth: f64,
+    watch: &mut W,
+) -> Work {
+    const H: f64 = 1e-3;
+    let scale = simulator.model().input_per_metre() * depth;
+    let mut sum = Work::default();
+    for tick in 0..COUNTED {
+        let w = 2.0 * TAU;
+        let (sin, cos) = (w * f64::from(tick) * H).sin_cos();
+        let [s, v, a] = [0.5 * (1.0 - cos), 0.5 * w * sin, 0.5 * w * w * cos].map(|it| scale * it);
+        sum = sum.plus(simulator.advance(H, &Cubic::ballistic(s, v, a, H), watch).work);
+    }
+    sum
+}
+
+/// Its first preset at rest, the key up.
+fn at_rest<M: Playable>() -> Simulator<M, Rk4> {
+    let model: M = first();
+    let (mode, state) = model.at_rest(&Motion::default());
+    Simulator::new(model, Rk4, Limits::default(), mode, state)
+}
+
+/// Derivatives, rates, guards and readouts at rest and moving.
+struct Counts;
+
+impl Visitor for Counts {
+    type Output = [[u32; 4]; 2];
+
+    fn visit<M: Playable>(self) -> [[u32; 4]; 2] {
+        [0.0, 3e-3].map(|depth| {
+            let Work { derivatives, rates, guards, readouts, .. } =
+                counted::<M, _>(at_rest(), depth, &mut Silent);
+            [derivatives, rates, guards, readouts]
+        })
+    }
+}
+
+#[test]
+fn every_model_computes_what_is_committed_at_rest_and_moving() {
+    let found: Vec<_> = ENTRIES
+        .iter()
+        .map(|it| (it.name, visit(it.name, Counts).expect("a model")))
+        .map(|(name, [rest, moving])| (name, rest, moving))
+        .collect();
+    assert_eq!(found, COUNTS);
+}
+
+#[test]
+fn what_nobody_asked_for_is_not_evaluated() {
+    for entry in ENTRIES {
+        struct Unread;
+        impl Visitor for Unread {
+            type Output = (Work, Work);
+            fn visit<M: Playable>(self) -> (Work, Work) {
+                let unread = counted::<M, _>(at_rest().without_readout(), 3e-3, &mut Silent);
+                (unread, counted::<M, _>(at_rest(), 3e-3, &mut Silent))
+            }
+        }
+        let (unread, read) = visit(entry.name, Unread).expect("a model");
+        assert_eq!(unread.readouts, 0, "{}", entry.name);
+        assert!(COUNTED <= read.readouts, "{}", entry.name);
+        assert_eq!(unread, Work { readouts: 0, ..read }, "{}: nothing else", entry.name);
+    }
+}
+
+#[test]
+fn an_energy_audit_counts_what_it_evaluates() {
+    let mut audit = Auditor::<KeyHammerSprings>::default();
+    let work = counted(at_rest(), 3e-3, &mut audit);
+    // Five a piece, two an event, and one where an event has left the state unknown.
+    let least = u64::from(5 * work.pieces + 2 * work.events);
+    let most = least + 1 + u64::from(work.events);
+    assert!((least..=most).contains(&audit.evaluations), "{} of {work:?}", audit.evaluations);
+}
+
+/// The work of 100 ticks in which nothing happens, from `mode` and `state`.
+fn quiet<M: Playable>(model: M, mode: M::Mode, state: M::State) -> Work {
+    let mut simulator =
+        Simulator::new(model, Rk4, Limits::default(), mode, state).without_readout();
+    let mut sum = Work::default();
+    for _ in 0..100 {
+        let still = Cubic::ballistic(0.0, 0.0, 0.0, 1e-4);
+        sum = sum.plus(simulator.advance(1e-4, &still, &mut Silent).work);
+        assert_eq!((sum.events, simulator.mode()), (0, mode), "nothing happens");
+    }
+    sum
+}
+
+#[test]
+fn modes_compute_their_own_degrees_of_freedom_and_no_others() {
+    // `[GC93]` table 1: A1 has none, A2 and each half of B2 have one, B1 has two.
+    let rigid: KeyHammerRigid = first();
+    let (mode, on_key) = rigid.at_rest(&Motion::default());
+    let none = quiet(rigid, mode, on_key);
+    assert_eq!((none.derivatives, none.rates, none.jacobians), (0, 0, 0), "A1");
+    let springs: KeyHammerSprings = first();
+    let (b1, rest) = springs.at_rest(&Motion::default());
+    let together = quiet(springs, b1, rest);
+    assert_eq!((together.derivatives, together.rates), (400, 1600), "B1");
+    // The hammer in the air, rising: it takes one step for three of the key's.
+    let above = [rest[0] + 0.15, rest[1], 0.5, 0.0];
+    let apart = quiet(springs, models::key_hammer_springs::Mode::B2, above);
+    assert_eq!(apart.rates, 2 * (400 + 4 * 34), "B2: {apart:?}");
 }

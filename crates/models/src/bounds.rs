@@ -11,7 +11,7 @@ use pode::{Enclosure, GuardBound, Motion, State};
 /// Bounds of a term over one step, as the fraction τ of the step goes from 0 to 1.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct TermBound {
-    /// Bound of |f|.
+    /// Bound of the magnitude |f| over the step.
     pub(crate) size: f64,
     /// Bound of |f(τ) − f(0)|.
     pub(crate) moves: f64,

@@ -3,7 +3,7 @@
 #![allow(clippy::disallowed_macros, clippy::print_stdout, reason = "an example prints")]
 
 use pode::{
-    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Recorder, Reset, Resets, Settling,
+    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, RunRecorder, Settling,
     Simulator, stepper::Rk4,
 };
 
@@ -48,7 +48,7 @@ impl Resets for Ball {
 
 fn main() {
     let mut ball = Simulator::new(Ball, Rk4, Limits::default(), true, [1.0, 0.0]);
-    let mut recorder = Recorder::new(1e-3);
+    let mut recorder = RunRecorder::new(1e-3);
     let report = ball.run(5.0, 1e-3, |_| (), &mut recorder);
     recorder.events().iter().for_each(|event| println!("{event}"));
     println!("{:?} after {} ticks, {:?}", report.advance, report.ticks, report.work);

@@ -98,9 +98,7 @@ impl EnergyAudit {
         self.jumps += other.jumps;
         self.stored += other.stored;
     }
-}
 
-impl EnergyAudit {
     /// Adds a piece, where the state alone gives the balances `start` and `end` at its ends.
     #[expect(clippy::inline_always, reason = "a call takes the piece through memory")]
     #[inline(always)]
@@ -155,6 +153,9 @@ impl<M: Energetic> Watch<M> for EnergyAudit {
 pub struct Auditor<M: Energetic> {
     /// The sums so far.
     pub sums: EnergyAudit,
+    /// Evaluations of the balance so far, of the state's part and of the input's, and of the
+    /// energy at events.
+    pub evaluations: u64,
     /// Mode and state at the end of the last piece, and the balance of that state.
     mode: Option<M::Mode>,
     state: M::State,
@@ -165,6 +166,7 @@ impl<M: Energetic> Default for Auditor<M> {
     fn default() -> Self {
         Self {
             sums: EnergyAudit::default(),
+            evaluations: 0,
             mode: None,
             state: M::State::ZERO,
             balance: EnergyBalance::default(),
@@ -194,11 +196,14 @@ impl<M: Energetic> Watch<M> for Auditor<M> {
         let start =
             if is_known { self.balance } else { balance_anew(model, piece.mode, piece.start) };
         let end = model.balance_of_state(piece.mode, &piece.end);
+        // Three of the input, and of the state in the middle, at the end and where it is unknown.
+        self.evaluations += 5 + u64::from(!is_known);
         self.sums.add_piece(model, piece, (start, end));
         (self.mode, self.state, self.balance) = (Some(piece.mode), piece.end, end);
     }
 
     fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        self.evaluations += 2;
         self.sums.add_event(model, event);
     }
 }

@@ -87,7 +87,7 @@ impl GuardSpec {
     }
 
     /// Width of the band around zero that rounding alone can fill.
-    pub(crate) const fn band(&self) -> f64 {
+    pub const fn band(&self) -> f64 {
         /// Rounding steps at the guard's size that may add up in one evaluation.
         const ROUNDINGS: f64 = 16.0;
         ROUNDINGS * f64::EPSILON * self.scale

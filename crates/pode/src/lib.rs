@@ -66,11 +66,9 @@ mod slopes;
 mod state;
 mod watch;
 
-pub mod contacts;
 pub mod filippov;
 pub mod input;
 pub mod math;
-pub mod restitution;
 pub mod stepper;
 
 pub use audit::{Auditor, Energetic, EnergyAudit, EnergyBalance};
@@ -87,8 +85,8 @@ pub use outcome::{Advance, Cap, Fault, Tick, Work};
 pub use part::{MAX_PARTS, Part};
 pub use reached::ReachedMaximum;
 #[cfg(feature = "std")]
-pub use recorder::{RecordedEvent, Recorder, Sample};
-pub use simulator::{RunReport, Simulator};
+pub use recorder::{RecordedEvent, RunRecorder, Sample};
+pub use simulator::{RunOutcome, Simulator};
 pub use slopes::{ReadoutSlopes, Sloped};
 pub use state::{Factors, Matrix, State};
 pub use stepper::{Field, Step, Stepper};

@@ -3,7 +3,6 @@
 use crate::guard::Reads;
 use crate::math;
 use crate::nature::Nature;
-use crate::state::State;
 
 /// Most parts that one mode can have.
 pub const MAX_PARTS: usize = 4;
@@ -107,12 +106,6 @@ impl Part {
         let among = if length < 64 { (1_u64 << length) - 1 } else { u64::MAX };
         (self.entries & among).count_ones()
     }
-
-    /// The entries of `x` that belong to the part; zero for the others.
-    #[inline]
-    pub(crate) fn only<S: State>(&self, x: &S) -> S {
-        if self.is_whole() { *x } else { S::ZERO.with_entries(x, self) }
-    }
 }
 
 #[cfg(test)]
@@ -124,10 +117,6 @@ mod tests {
         const KEY: Part = Part::of(&[1, 3]);
         assert_eq!([0, 1, 2, 3, 70].map(|index| KEY.has(index)), [false, true, false, true, false]);
         assert_eq!((KEY.count(4), KEY.count(2), Part::WHOLE.count(4)), (2, 1, 4));
-        assert_eq!(
-            KEY.only(&[1.0, 2.0, 3.0, 4.0]).map(f64::to_bits),
-            [0.0, 2.0, 0.0, 4.0].map(f64::to_bits)
-        );
         assert!(Part::WHOLE.has(70) && Part::WHOLE.is_whole());
     }
 

@@ -55,7 +55,7 @@ pub struct Sample<M: Model> {
 ///
 /// See `examples/bouncing_ball.rs` and [`Simulator::run`](crate::Simulator::run).
 #[derive(Clone, Debug)]
-pub struct Recorder<M: Model> {
+pub struct RunRecorder<M: Model> {
     /// Length of a tick (s).
     h: f64,
     /// Time (s) at which tick 0 would have begun, had all ticks had this length.
@@ -68,7 +68,7 @@ pub struct Recorder<M: Model> {
     ticks: Vec<Tick>,
 }
 
-impl<M: Model> Recorder<M> {
+impl<M: Model> RunRecorder<M> {
     /// A recorder of events for ticks of `h` (s), of which tick 0 begins at the time 0.
     pub const fn new(h: f64) -> Self {
         Self {
@@ -169,7 +169,7 @@ impl<M: Model> Recorder<M> {
     }
 }
 
-impl<M: Model> Watch<M> for Recorder<M> {
+impl<M: Model> Watch<M> for RunRecorder<M> {
     fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
         if let Some(every) = self.every {
             self.sample(every, model, piece);

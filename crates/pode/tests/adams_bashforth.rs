@@ -98,7 +98,7 @@ fn rebound_error<T: Stepper>(steps: i32) -> f64 {
     let exact = 7.0 * WALL.acos();
     let h = exact / f64::from(steps);
     let mut simulator = Simulator::new(Rebound, T::default(), Limits::default(), (), [1.0, 0.0]);
-    let mut recorder = pode::Recorder::new(h);
+    let mut recorder = pode::RunRecorder::new(h);
     while recorder.events().len() < 4 {
         assert_eq!(simulator.advance(h, &|_| (), &mut recorder).advance, Advance::Completed);
     }

@@ -4,7 +4,7 @@
 //! first or second derivative is therefore seen to turn only where tᵖ leaves that band:
 //! (16 ε)^⅓ for t³, which is 1.5e-5. Any other root is located to 2⁻⁴⁰ of the tick.
 
-use pode::{Advance, GuardId, GuardValue, Recorder};
+use pode::{Advance, GuardId, GuardValue, RunRecorder};
 
 use crate::common::{ONE, Timed, close, count, count_and_flip};
 
@@ -29,7 +29,7 @@ fn check(guard: fn(GuardId, f64) -> GuardValue, expected: &[f64], tolerance: f64
 fn fired(guard: fn(GuardId, f64) -> GuardValue, n: u32) -> Vec<f64> {
     let h = 1.0 / f64::from(n);
     let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
-    let mut recorder = Recorder::new(h);
+    let mut recorder = RunRecorder::new(h);
     for _ in 0..n {
         let tick = timed.advance(h, &|_| (), &mut recorder);
         assert_eq!(tick.advance, Advance::Completed);
@@ -104,7 +104,7 @@ fn a_reset_that_leaves_its_guard_two_ulps_short_does_not_fire_again() {
     for n in TICKS {
         let guard = |_: GuardId, t: f64| GuardValue::new(0.5 - t, -1.0);
         let mut timed = Timed { guards: &ONE, guard, effect: land_short }.start();
-        let mut recorder = Recorder::new(1.0 / f64::from(n));
+        let mut recorder = RunRecorder::new(1.0 / f64::from(n));
         for _ in 0..n {
             let _ = timed.advance(1.0 / f64::from(n), &|_| (), &mut recorder);
         }
@@ -122,7 +122,7 @@ fn a_guard_entered_below_zero_that_rises_and_dips_within_a_step_fires_at_the_dip
     };
     for n in TICKS {
         let mut timed = Timed { guards: &FALLS, guard, effect: count }.start();
-        let mut recorder = Recorder::new(1.0 / f64::from(n));
+        let mut recorder = RunRecorder::new(1.0 / f64::from(n));
         for _ in 0..n {
             let _ = timed.advance(1.0 / f64::from(n), &|_| (), &mut recorder);
         }
@@ -138,7 +138,7 @@ fn hops_lower_than_rounding_take_time_and_no_cascade() {
     let hop = 2.0 * speed / crate::common::G;
     let mut ball = crate::common::Ball::dropped(1.0, 0.0, pode::Limits::default());
     ball.place(crate::common::BallMode::Flight, [0.0, speed]);
-    let mut recorder = Recorder::new(1e-7);
+    let mut recorder = RunRecorder::new(1e-7);
     for _ in 0..10 {
         assert_eq!(ball.advance(1e-7, &|_| (), &mut recorder).advance, Advance::Completed);
     }

@@ -119,7 +119,7 @@ fn exit_speed(radians: f64, start: f64, forecast: bool) -> (f64, u32) {
     let (t, v) = (start * h, 1.0 - G * start * h);
     let at = [v * t + 0.5 * G * t * t, -v];
     let mut head = Simulator::new(head, Rk4, limits, crate::common::head::Mode::Flight, at);
-    let mut recorder = pode::Recorder::new(h);
+    let mut recorder = pode::RunRecorder::new(h);
     let mut derivatives = 0;
     while recorder.events().len() < 3 {
         let tick = head.advance(h, &|_| (), &mut recorder);

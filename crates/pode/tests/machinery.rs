@@ -4,7 +4,7 @@ use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{
     Advance, Cap, Event, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion,
-    Recorder, Reset, Resets, Silent, Simulator, Watch,
+    Reset, Resets, RunRecorder, Silent, Simulator, Watch,
 };
 
 use crate::common::{
@@ -557,7 +557,7 @@ fn a_model_that_was_changed_moves_as_changed_from_the_next_tick() {
 fn a_recorder_and_a_silent_watch_see_the_same_motion() {
     let mut watched = Ball::dropped(0.8, 1.0, Limits::default());
     let mut alone = watched;
-    let mut recorder = Recorder::new(1e-3);
+    let mut recorder = RunRecorder::new(1e-3);
     for _ in 0..2000 {
         let with = watched.advance(1e-3, &|_| (), &mut recorder);
         assert_eq!(with, alone.advance(1e-3, &|_| (), &mut Silent));

@@ -148,7 +148,7 @@ fn event_error<T: Stepper>(n: f64) -> f64 {
         let start = [exact(0.0)[0], exact(0.0)[1], 0.0];
         let (driven, limits) = (Driven { level }, Limits::default());
         let mut simulator = Simulator::new(driven, T::default(), limits, (), start);
-        let mut recorder = pode::Recorder::new(h);
+        let mut recorder = pode::RunRecorder::new(h);
         while recorder.events().is_empty() {
             assert_eq!(simulator.advance(h, &|_| (), &mut recorder).advance, Advance::Completed);
         }

@@ -4,8 +4,8 @@
 
 use pode::stepper::Rk4;
 use pode::{
-    Advance, Energetic, EnergyAudit, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model,
-    Recorder, Reset, Resets, Simulator,
+    Advance, Energetic, EnergyAudit, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset,
+    Resets, RunRecorder, Simulator,
 };
 use proptest::prelude::*;
 
@@ -65,7 +65,7 @@ fn bits(guards: &'static [GuardSpec], heights: [f64; 3], e: f64, h: f64) -> Vec<
     let model = Balls { guards, restitution: e };
     let start = [a, b, c, 0.0, 0.0, 0.0];
     let mut balls = Simulator::new(model, Rk4, Limits::default(), (), start);
-    let mut recorder = Recorder::new(h);
+    let mut recorder = RunRecorder::new(h);
     let readouts: Vec<u64> =
         (0..500).map(|_| balls.advance(h, &|_| (), &mut recorder).mean_readout.to_bits()).collect();
     let events = recorder.events().iter().flat_map(|it| it.after.map(f64::to_bits));
@@ -119,7 +119,7 @@ proptest! {
     ) {
         let events = |h: f64, ticks: u32| {
             let mut ball = Ball::dropped(e, height, Limits::default());
-            let mut recorder = Recorder::new(h);
+            let mut recorder = RunRecorder::new(h);
             for _ in 0..ticks {
                 let _ = ball.advance(h, &|_| (), &mut recorder);
             }
@@ -156,7 +156,7 @@ proptest! {
     #[test]
     fn a_ball_bounces_as_often_as_it_should(height in 0.1..3.0, e in 0.5..0.9, h in 1e-4..7e-3) {
         let mut ball = Ball::dropped(e, height, Limits::default());
-        let mut recorder = Recorder::new(h);
+        let mut recorder = RunRecorder::new(h);
         let end = 1.5 * (2.0 * height / G).sqrt() * (1.0 + e);
         let mut ticks = 0_u32;
         while f64::from(ticks) * h < end {
@@ -171,7 +171,7 @@ proptest! {
     fn a_wave_fires_once_per_fall(omega in 1.0..400.0, h in 1e-4..7e-3) {
         // ω h stays below 3: one fall per step at most, wherever the step lies.
         let mut wave = Simulator::new(Wave { omega }, Rk4, Limits::default(), (), [0.0]);
-        let mut recorder = Recorder::new(h);
+        let mut recorder = RunRecorder::new(h);
         for _ in 0..400 {
             let _ = wave.advance(h, &|_| (), &mut recorder);
         }

@@ -287,3 +287,39 @@ fn whether_a_step_aims_at_an_event_is_a_question_of_the_mode() {
     let heun = Any::named("heun").expect("a method");
     assert_eq!(heun.name_in(&smooth), "heun");
 }
+
+/// x'' = −100 x, of which only the rate is declared.
+#[derive(Clone, Copy, Debug)]
+struct Swing;
+
+impl Model for Swing {
+    type Mode = ();
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], -100.0 * x[0]]
+    }
+
+    fn nature(&self, (): ()) -> Nature {
+        Nature::new(EquationKind::Smooth, 10.0)
+    }
+}
+
+impl Guarded for Swing {}
+impl Resets for Swing {}
+
+#[test]
+fn by_need_gets_more_exact_with_a_shorter_step() {
+    for budget in [1e-3, 1e-4, 1e-6, 1e-9] {
+        let errors = [4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4].map(|h| {
+            let by_need = ByNeed::new(budget, 1e-3);
+            let mut swing = Simulator::new(Swing, by_need, Limits::default(), (), [1.0, 0.0]);
+            assert!(swing.run(1.0, h, |_| (), &mut Silent).is_completed());
+            (swing.state()[0] - 10.0_f64.cos()).abs()
+        });
+        let shrinks = errors.windows(2).all(|pair| pair[1] < pair[0] || pair[1] < 1e-13);
+        assert!(shrinks, "budget {budget}: {errors:?}");
+    }
+}

@@ -2,7 +2,7 @@
 
 use pode::stepper::{Dop853, Rk4};
 use pode::{
-    Advance, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Recorder, Resets,
+    Advance, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Resets, RunRecorder,
     Silent, Simulator, Work,
 };
 
@@ -66,7 +66,7 @@ impl Resets for Undefined {}
 fn a_driven_model_follows_the_integral_of_its_input() {
     let model = Integral { guards: &PASSES };
     let mut simulator = Simulator::new(model, Rk4, Limits::default(), (), [0.0]);
-    let mut recorder = Recorder::new(0.01).sampled(0.25);
+    let mut recorder = RunRecorder::new(0.01).sampled(0.25);
     let report = simulator.run(2.0, 0.01, |t| 3.0 * t * t, &mut recorder);
     assert_eq!((report.advance, report.ticks), (Advance::Completed, 200));
     assert_eq!((report.work, report.work.events), (recorder.work(), 1));
@@ -134,7 +134,7 @@ fn samples_inside_long_ticks_are_those_of_the_dense_output() {
         BallMode::Flight,
         [1.0, 0.0],
     );
-    let mut recorder = Recorder::new(0.25).sampled(0.01);
+    let mut recorder = RunRecorder::new(0.25).sampled(0.01);
     let report = ball.run(1.5, 0.25, |_| (), &mut recorder);
     assert!(report.is_completed());
     let impact = (2.0 / G).sqrt();

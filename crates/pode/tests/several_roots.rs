@@ -2,7 +2,7 @@
 
 use pode::stepper::Rk4;
 use pode::{
-    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Recorder, Reset, Resets, Simulator,
+    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, RunRecorder, Simulator,
 };
 
 use crate::common::{G, ONE, Timed, all_completed, close, count, each_step_and_phase, run};
@@ -16,7 +16,7 @@ fn check(guard: fn(GuardId, f64) -> GuardValue, effect: Effect, expected: &[f64]
     for n in [1_u32, 3, 10, 1000] {
         let h = 1.0 / f64::from(n);
         let mut timed = Timed { guards: &FALLS, guard, effect }.start();
-        let mut recorder = Recorder::new(h);
+        let mut recorder = RunRecorder::new(h);
         for _ in 0..n {
             let _ = timed.advance(h, &|_| (), &mut recorder);
         }

@@ -2,7 +2,7 @@
 
 use pode::stepper::Rk4;
 use pode::{
-    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Recorder, Reset, Resets, Simulator,
+    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, RunRecorder, Simulator,
 };
 
 use crate::common::{
@@ -159,7 +159,7 @@ fn a_boundary_that_rounding_has_moved_still_gives_one_event() {
     // 0.3 is a multiple of no step in binary; at 300 steps the sum is off by some ulps.
     for h in STEPS {
         let mut timed = Timed { guards: &ONE, guard: falls_at_0_3, effect: count }.start();
-        let mut recorder = Recorder::new(h);
+        let mut recorder = RunRecorder::new(h);
         for _ in 0..5000 {
             let _ = timed.advance(h, &|_| (), &mut recorder);
         }

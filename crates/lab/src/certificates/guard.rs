@@ -2,21 +2,21 @@
 
 use pode::{Enclosure, GuardBound, GuardValue, Motion};
 
-use super::random::Random;
+use super::random::SeededRandom;
 
 /// Entries of a state: four places, and their rates.
 pub(super) const ENTRIES: usize = 8;
 
 /// The state of up to four oscillators.
-pub(super) type State = [f64; ENTRIES];
+pub(super) type OscillatorState = [f64; ENTRIES];
 
-type Orbit = Enclosure<State, Motion>;
+type Orbit = Enclosure<OscillatorState, Motion>;
 
 /// What a guard adds to its level.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum GuardTerm {
     /// Σ wᵢ xᵢ
-    Linear { weights: State },
+    Linear { weights: OscillatorState },
     /// −w x²
     Square { entry: usize, weight: f64 },
     /// −a sin(k x), as fast as k is large.
@@ -33,12 +33,12 @@ pub(super) enum GuardTerm {
 
 impl GuardTerm {
     /// One of a system whose first `entries` have motion, under ticks of `h` (s).
-    pub(super) fn random(random: &mut Random, moving: &[usize], h: f64) -> Self {
+    pub(super) fn random(random: &mut SeededRandom, moving: &[usize], h: f64) -> Self {
         let entry = moving[random.below(moving.len())];
         let weight = random.between(-1.0, 1.0);
         match random.below(8) {
             0 | 1 => {
-                let mut weights = State::default();
+                let mut weights = OscillatorState::default();
                 for entry in moving {
                     weights[*entry] = random.between(-1.0, 1.0);
                 }
@@ -54,10 +54,10 @@ impl GuardTerm {
     }
 
     /// Value and rate at `x`, which moves by `dx` (1/s), under the input `s`.
-    pub(super) fn at(&self, x: &State, dx: &State, s: &Motion) -> GuardValue {
+    pub(super) fn at(&self, x: &OscillatorState, dx: &OscillatorState, s: &Motion) -> GuardValue {
         match *self {
             Self::Linear { weights } => {
-                let sum = |x: &State| weights.iter().zip(x).map(|(w, x)| w * x).sum();
+                let sum = |x: &OscillatorState| weights.iter().zip(x).map(|(w, x)| w * x).sum();
                 GuardValue::new(sum(x), sum(dx))
             }
             Self::Square { entry, weight } => {
@@ -80,7 +80,7 @@ impl GuardTerm {
     }
 
     /// The size of its terms at `x` and `s`, for rounding.
-    pub(super) fn size(&self, x: &State, s: &Motion) -> f64 {
+    pub(super) fn size(&self, x: &OscillatorState, s: &Motion) -> f64 {
         match *self {
             Self::Linear { weights } => weights.iter().zip(x).map(|(w, x)| (w * x).abs()).sum(),
             Self::Square { entry, weight } => weight.abs() * x[entry].powi(2),

@@ -3,7 +3,7 @@
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 use pode::{Motion, Signal};
 
-use super::random::Random;
+use super::random::SeededRandom;
 
 /// How the input moves.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -34,7 +34,7 @@ pub(super) enum InputKind {
 
 impl InputKind {
     /// One for ticks of `h` (s): slow, or faster than the tick.
-    pub(super) fn random(random: &mut Random, h: f64) -> Self {
+    pub(super) fn random(random: &mut SeededRandom, h: f64) -> Self {
         let amplitude = random.spread(0.05, 2.0);
         match random.below(6) {
             0 => Self::Rest,
@@ -66,14 +66,14 @@ impl InputKind {
 #[derive(Clone, Debug)]
 pub(super) struct Input {
     kind: InputKind,
-    random: Random,
+    random: SeededRandom,
     reconstructor: Reconstructor,
     cubic: Cubic,
 }
 
 impl Input {
     /// The input with its samples, one for each tick of `h` (s).
-    pub(super) fn new(kind: InputKind, random: Random, h: f64) -> Self {
+    pub(super) fn new(kind: InputKind, random: SeededRandom, h: f64) -> Self {
         let how = match kind {
             InputKind::Samples { how, .. } => how,
             InputKind::Rest
@@ -204,10 +204,10 @@ mod tests {
 
     #[test]
     fn bounds_are_never_below_the_input() {
-        let mut random = Random::new(7, 0);
+        let mut random = SeededRandom::new(7, 0);
         for n in 0..400_u64 {
             let kind = InputKind::random(&mut random, 1.0);
-            let mut input = Input::new(kind, Random::new(8, n), 1.0);
+            let mut input = Input::new(kind, SeededRandom::new(8, n), 1.0);
             input.next();
             let part = input.part(random.between(0.0, 50.0), 1.0, random.between(0.0, 0.9));
             let from = random.between(0.0, 0.9);

@@ -33,7 +33,7 @@ use trial::Trial;
 /// Violations that are described in a report; all are counted.
 const MOST_DESCRIBED: usize = 10;
 
-/// What is tried.
+/// Which random systems are tried, and with which bounds.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CertificateChoice {
     /// The seed of all random numbers.

@@ -2,7 +2,7 @@
 
 use pode::{Event, GuardId, Guarded as _, Motion, Piece, Signal, Watch};
 
-use super::guard::State;
+use super::guard::OscillatorState;
 use super::system::{MOST_GUARDS, OscillatorSystem};
 
 /// Places of a piece in which each guard is looked at.
@@ -110,12 +110,12 @@ impl<'a> GuardLook<'a> {
     fn size<S: Signal<Motion>>(
         &self,
         piece: &Piece<'_, OscillatorSystem, S>,
-        x: &State,
+        x: &OscillatorState,
         input: &Motion,
     ) -> f64 {
         let Some((level, term)) = self.model.guard_at(self.index) else { return self.scale };
         let moves = piece.dense.bounds().map_or(*x, |bounds| bounds.moves);
-        let moved: State = std::array::from_fn(|entry| x[entry].abs() + moves[entry]);
+        let moved: OscillatorState = std::array::from_fn(|entry| x[entry].abs() + moves[entry]);
         let late = Motion {
             position: input.rate * self.until,
             rate: input.acceleration * self.until,

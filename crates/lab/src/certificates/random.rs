@@ -1,10 +1,10 @@
-//! Random numbers that a seed repeats on every machine.
+//! SeededRandom numbers that a seed repeats on every machine.
 
 /// The generator `SplitMix64`.
 #[derive(Clone, Debug)]
-pub(super) struct Random(u64);
+pub(super) struct SeededRandom(u64);
 
-impl Random {
+impl SeededRandom {
     /// The numbers of one system.
     pub(super) const fn new(seed: u64, system: u64) -> Self {
         let mut random = Self(seed ^ system.wrapping_mul(0xD134_2543_DE82_EF95));

@@ -3,8 +3,8 @@
 use pode::{Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded};
 use pode::{Model, Motion, Nature, Reset, Resets};
 
-use super::guard::{GuardTerm, State};
-use super::random::Random;
+use super::guard::{GuardTerm, OscillatorState};
+use super::random::SeededRandom;
 
 /// Most oscillators of a system.
 const MOST_OSCILLATORS: usize = 4;
@@ -34,7 +34,7 @@ pub(super) struct OscillatorSystem {
     guards: [(f64, GuardTerm); MOST_GUARDS],
     count: usize,
     /// Where it begins, and where an event puts it, if it puts it anywhere.
-    start: State,
+    start: OscillatorState,
     restarts: bool,
     /// Factor on every bound: 1 is right.
     bound_factor: f64,
@@ -42,9 +42,9 @@ pub(super) struct OscillatorSystem {
 
 impl OscillatorSystem {
     /// One for ticks of `h` (s), with bounds that are right times `bound_factor`.
-    pub(super) fn random(random: &mut Random, h: f64, bound_factor: f64) -> Self {
+    pub(super) fn random(random: &mut SeededRandom, h: f64, bound_factor: f64) -> Self {
         let mut oscillators = [Oscillator::default(); MOST_OSCILLATORS];
-        let mut start = State::default();
+        let mut start = OscillatorState::default();
         let mut moving = Vec::new();
         let (mut fastest, n) = (0.0_f64, 1 + random.below(MOST_OSCILLATORS));
         for (index, oscillator) in oscillators.iter_mut().enumerate().take(n) {
@@ -78,10 +78,10 @@ impl OscillatorSystem {
 
     /// x' = 1 with the guard 0.999 − sin 200 x: a right bound, and a declared rate of 0.
     pub(super) fn fast_wave(bound_factor: f64) -> Self {
-        let mut system = Self::random(&mut Random::new(0, 0), 0.05, bound_factor);
+        let mut system = Self::random(&mut SeededRandom::new(0, 0), 0.05, bound_factor);
         system.oscillators = [Oscillator::default(); MOST_OSCILLATORS];
         (system.is_pendulum, system.rate, system.count) = (false, 0.0, 1);
-        system.start = State::default();
+        system.start = OscillatorState::default();
         system.start[MOST_OSCILLATORS] = 1.0;
         system.put_guard(0, GuardTerm::Wave { entry: 0, amplitude: 1.0, k: 200.0 }, 0.999);
         system
@@ -90,14 +90,14 @@ impl OscillatorSystem {
     /// Puts a guard in its place that is `room` of its size above zero at the start.
     fn put_guard(&mut self, index: usize, term: GuardTerm, room: f64) {
         let still = Motion::default();
-        let value = term.at(&self.start, &State::default(), &still).value;
+        let value = term.at(&self.start, &OscillatorState::default(), &still).value;
         let size = term.size(&self.start, &still).max(1.0);
         self.specs[index].scale = 4.0 * size;
         self.guards[index] = (room - value, term);
     }
 
-    /// Where it begins.
-    pub(super) const fn start(&self) -> State {
+    /// State at the start of the run.
+    pub(super) const fn start(&self) -> OscillatorState {
         self.start
     }
 
@@ -115,12 +115,12 @@ impl OscillatorSystem {
 
 impl Model for OscillatorSystem {
     type Mode = ();
-    type State = State;
+    type State = OscillatorState;
     type Input = Motion;
     const COORDS: usize = MOST_OSCILLATORS;
 
-    fn derivative(&self, (): (), x: &State, s: &Motion) -> State {
-        let mut derivative = State::default();
+    fn derivative(&self, (): (), x: &OscillatorState, s: &Motion) -> OscillatorState {
+        let mut derivative = OscillatorState::default();
         for (index, oscillator) in self.oscillators.iter().enumerate() {
             let (place, rate) = (x[index], x[index + MOST_OSCILLATORS]);
             let bent = if self.is_pendulum { place.sin() } else { place };
@@ -132,7 +132,7 @@ impl Model for OscillatorSystem {
         derivative
     }
 
-    fn readout(&self, (): (), _x: &State, _s: &Motion) -> f64 {
+    fn readout(&self, (): (), _x: &OscillatorState, _s: &Motion) -> f64 {
         0.0
     }
 
@@ -152,12 +152,17 @@ impl Guarded for OscillatorSystem {
         &self.specs[..self.count]
     }
 
-    fn guard_bound(&self, (): (), guard: GuardId, over: &Enclosure<State, Motion>) -> GuardBound {
+    fn guard_bound(
+        &self,
+        (): (),
+        guard: GuardId,
+        over: &Enclosure<OscillatorState, Motion>,
+    ) -> GuardBound {
         let known = self.guard_at(usize::from(guard.0));
         known.map_or(GuardBound::UNKNOWN, |(_, term)| term.bound(over).times(self.bound_factor))
     }
 
-    fn guard(&self, (): (), guard: GuardId, x: &State, s: &Motion) -> GuardValue {
+    fn guard(&self, (): (), guard: GuardId, x: &OscillatorState, s: &Motion) -> GuardValue {
         let Some((level, term)) = self.guard_at(usize::from(guard.0)) else {
             return GuardValue::default();
         };
@@ -167,7 +172,7 @@ impl Guarded for OscillatorSystem {
 }
 
 impl Resets for OscillatorSystem {
-    fn reset(&self, (): (), _guard: GuardId, x: &State, _s: &Motion) -> Reset<Self> {
+    fn reset(&self, (): (), _guard: GuardId, x: &OscillatorState, _s: &Motion) -> Reset<Self> {
         Reset::to((), if self.restarts { self.start } else { *x })
     }
 }

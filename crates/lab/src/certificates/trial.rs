@@ -5,7 +5,7 @@ use pode::{Advance, Cap, Limits, Simulator, Tick};
 
 use super::input::{Input, InputKind};
 use super::orbit::{NegativePlace, OrbitWatch, SeenPiece};
-use super::random::Random;
+use super::random::SeededRandom;
 use super::system::OscillatorSystem;
 use super::{CertificateChoice, CertificateReport, CertificateViolation, MOST_DESCRIBED};
 
@@ -33,7 +33,7 @@ pub(super) struct Trial {
 impl Trial {
     /// The system of this `number`.
     pub(super) fn new(choice: &CertificateChoice, number: u64) -> Self {
-        let mut random = Random::new(choice.seed, number);
+        let mut random = SeededRandom::new(choice.seed, number);
         let h = random.spread(1e-3, 1.0);
         let name = Any::NAMES[random.below(Any::NAMES.len())];
         let named = Any::named(name).unwrap_or_default();

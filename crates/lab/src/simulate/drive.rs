@@ -56,7 +56,7 @@ fn drive<M: Playable>(
     let audit = follower.audit;
     follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
     for tick in 0..clock.ticks {
-        let signal = TickInput { clock, input, tick };
+        let signal = TickSignal { clock, input, tick };
         let done = simulator.advance(clock.length(tick), &signal, &mut follower);
         tally.add(&done);
         follower.files.check()?;
@@ -79,13 +79,13 @@ fn drive<M: Playable>(
 }
 
 /// The input over one tick, with its bounds.
-struct TickInput<'a> {
+struct TickSignal<'a> {
     clock: &'a TickClock,
     input: &'a InputSignal,
     tick: u64,
 }
 
-impl Signal<Motion> for TickInput<'_> {
+impl Signal<Motion> for TickSignal<'_> {
     fn at(&self, theta: f64) -> Motion {
         self.input.at(self.clock.time(self.tick, theta))
     }

@@ -34,9 +34,9 @@ pub(crate) fn gap_bound(p: &KeyHammerValues, hammer: TermBound, key: TermBound) 
 /// With R = |P1 P2|, p = L1 (σ² + L1² − R²)/(2 L1 σ²) and q = −L1 (L3 sin s − L4 cos s)/σ².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
-    /// |p|.
+    /// Bound of |p|, rad of the hammer per rad of the key.
     pub(crate) along: f64,
-    /// |q|.
+    /// Bound of |q|, the part of its reach per rad of the key.
     pub(crate) across: f64,
     /// r (1/m).
     pub(crate) inverse: f64,

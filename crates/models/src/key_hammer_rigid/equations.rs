@@ -118,10 +118,11 @@ impl Model for KeyHammerRigid {
         }
     }
 
-    /// 0.1 rad: five lost samples move the catch by 0.08, noise of 0.1 mm by 0.02.
+    /// A little more than half a turn (rad): a hammer that the key has pushed through the string
+    /// may come round and land from behind. Noise of 0.1 mm moves a catch by 0.02 rad.
     fn longest_projection(&self, mode: Mode) -> f64 {
         match mode {
-            Mode::A1 => 0.1,
+            Mode::A1 => 4.0,
             Mode::A2 => f64::INFINITY,
         }
     }

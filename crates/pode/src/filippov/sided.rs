@@ -48,12 +48,12 @@ pub struct Surface<S> {
 
 impl<S: State> Surface<S> {
     /// The rate of h along the derivative `flow` (1/s).
-    pub(crate) fn rate(&self, flow: &S) -> f64 {
+    pub fn rate(&self, flow: &S) -> f64 {
         self.slope(flow) + self.drift
     }
 
     /// The rate of h along `direction` at a fixed time.
-    pub(crate) fn slope(&self, direction: &S) -> f64 {
+    pub fn slope(&self, direction: &S) -> f64 {
         let pairs = self.gradient.entries().iter().zip(direction.entries());
         pairs.map(|(a, b)| a * b).sum()
     }

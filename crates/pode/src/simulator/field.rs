@@ -72,7 +72,8 @@ impl<'a, M: Model, S: Signal<M::Input>> ModeField<'a, M, S> {
         if self.part.is_whole() {
             self.model.derivative(self.mode, x, input)
         } else {
-            self.part.only(&self.model.derivative_of(self.mode, self.index, x, input))
+            let rates = self.model.derivative_of(self.mode, self.index, x, input);
+            M::State::ZERO.with_entries(&rates, &self.part)
         }
     }
 

@@ -14,7 +14,7 @@ mod transition;
 use detect::{First, Suspicion};
 use parts::{Memories, ModeStep, PartMemory};
 
-pub use run::RunReport;
+pub use run::RunOutcome;
 
 use crate::dense::Dense as _;
 use crate::epoch::stand_after;

@@ -19,7 +19,7 @@ type DenseOf<M, T> = <T as Stepper>::Dense<<M as Model>::State>;
 /// What is carried for one part.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct PartMemory<M, D> {
-    /// By the method.
+    /// What the method itself carries.
     method: M,
     /// A step of the part's own that is longer than the mode's, as far as it is ahead.
     ahead: Option<Ahead<D>>,
@@ -56,7 +56,7 @@ impl<M: Default, D> Default for PartMemory<M, D> {
 }
 
 impl<M: Memory, D> PartMemory<M, D> {
-    /// Forgets the motion.
+    /// Forgets the motion up to now.
     pub(super) fn restart(&mut self) {
         self.method.restart();
         self.ahead = None;

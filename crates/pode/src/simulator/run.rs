@@ -10,7 +10,7 @@ use crate::watch::Watch;
 /// What a run of many ticks gave.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[must_use]
-pub struct RunReport {
+pub struct RunOutcome {
     /// How the last tick ended: the run stops at the first one that is not completed.
     pub advance: Advance,
     /// Ticks that were advanced in this run, the last one included.
@@ -19,7 +19,7 @@ pub struct RunReport {
     pub work: Work,
 }
 
-impl RunReport {
+impl RunOutcome {
     /// Returns whether every tick was advanced to its end.
     pub fn is_completed(&self) -> bool {
         self.advance == Advance::Completed
@@ -63,12 +63,13 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// assert!(report.is_completed() && report.ticks == 100);
     /// assert!((lag.state()[0] - 2.0 * (-1.0_f64).exp()).abs() < 1e-9);
     /// ```
-    pub fn run<F, W>(&mut self, until: f64, h: f64, input: F, watch: &mut W) -> RunReport
+    pub fn run<F, W>(&mut self, until: f64, h: f64, input: F, watch: &mut W) -> RunOutcome
     where
         F: Fn(f64) -> M::Input,
         W: Watch<M>,
     {
-        let mut report = RunReport { advance: Advance::Completed, ticks: 0, work: Work::default() };
+        let mut report =
+            RunOutcome { advance: Advance::Completed, ticks: 0, work: Work::default() };
         let lines = math::floor(until / h + 0.5);
         // What is no length is told by the tick itself.
         let is_length = h > 0.0 && h < f64::INFINITY;

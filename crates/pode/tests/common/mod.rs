@@ -7,8 +7,8 @@ pub mod stick_slip;
 
 use pode::stepper::Rk4;
 use pode::{
-    Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature,
-    Recorder, Reset, Resets, Settling, Simulator, Stepper, Tick,
+    Advance, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
+    Resets, RunRecorder, Settling, Simulator, Stepper, Tick,
 };
 
 pub const G: f64 = 9.81;
@@ -49,8 +49,8 @@ pub fn run<M: Resets<Input = ()>, T: Stepper>(
     h: f64,
     phase: f64,
     until: f64,
-) -> (Recorder<M>, Vec<Tick>) {
-    let mut recorder = Recorder::new(h);
+) -> (RunRecorder<M>, Vec<Tick>) {
+    let mut recorder = RunRecorder::new(h);
     let mut ticks = Vec::new();
     if phase > 0.0 {
         let first = (1.0 - phase) * h;

@@ -5,7 +5,7 @@
 use pode::filippov::Continued;
 use pode::{Resets, Simulator, Stepper, Tick};
 
-use pode::Recorder;
+use pode::RunRecorder;
 
 /// The time (s), as an input.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -25,8 +25,8 @@ pub fn run_driven<M: Resets, T: Stepper>(
     (h, phase): (f64, f64),
     until: f64,
     input: impl Fn(f64) -> M::Input,
-) -> (Recorder<M>, Vec<Tick>) {
-    let mut recorder = Recorder::new(h);
+) -> (RunRecorder<M>, Vec<Tick>) {
+    let mut recorder = RunRecorder::new(h);
     let mut ticks = Vec::new();
     let line = |n: u32| (f64::from(n) - phase) * h;
     for n in 0_u32.. {

@@ -78,11 +78,13 @@ fn of_peer(peer: &Peer, peers: &[&Peer]) -> CurveStyle {
     }
     let code = codes.iter().position(|code| *code == peer.code);
     let way = ways.iter().position(|way| *way == peer.curve()).unwrap_or(0);
+    // Codes that share a colour have other shapes, as far as there are any.
+    let turn = code.map_or(0, |code| code / CURVES.len() * (MarkerShape::ALL.len() / 2));
     let stroke = code.map_or(Stroke::new(BLACK, 2.2), |code| {
         let stroke = Stroke::new(CURVES[code % CURVES.len()], 1.2);
         Stroke { is_dashed: true, ..stroke }
     });
-    CurveStyle { shape: MarkerShape::ALL[way % MarkerShape::ALL.len()], stroke }
+    CurveStyle { shape: MarkerShape::ALL[(way + turn) % MarkerShape::ALL.len()], stroke }
 }
 
 #[cfg(test)]

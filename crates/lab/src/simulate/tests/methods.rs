@@ -105,3 +105,12 @@ fn an_input_faster_than_the_tick_leaves_no_certainty_without_the_impact() {
     assert!(events > 0 || unknown > 0, "the impact is missed, and every step certain");
     assert!(run("1e-5").0 > 0, "there is an impact");
 }
+
+#[test]
+fn a_method_that_hands_a_mode_on_says_which_takes_it() {
+    let press = |method: &str| summary(&[&PRESS[..], &["--method", method]].concat());
+    let exact = press("exact");
+    let names: Vec<_> = exact["handed_on"].as_array().expect("a list").iter().collect();
+    assert_eq!(names, [&serde_json::json!(["B1", "rk4"]), &serde_json::json!(["B2", "rk4"])]);
+    assert_eq!(press("rk4")["handed_on"], serde_json::json!([]));
+}

@@ -123,7 +123,7 @@ fn a_fault_leaves_the_plot_up_to_there() {
 #[test]
 fn extreme_numbers_are_drawn_too() {
     let springs = ["key-hammer-springs", "--until", "0.01", "--step", "1e-3"];
-    plot("huge", &[&springs[..], &["--initial", "theta_h_dot=1e150"]].concat());
+    plot("huge", &["bouncing-ball", "--until", "0.01", "--step", "1e-3", "--initial", "v=1e150"]);
     plot("largest", &[&springs[..], &["--initial", "theta_h=1e308"]].concat());
     plot("tiny", &["bouncing-ball", "--until", "1e-12", "--step", "1e-12"]);
     plot("slow", &["bouncing-ball", "--until", "1e12", "--step", "1e9"]);
