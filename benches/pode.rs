@@ -111,6 +111,7 @@ impl<M: Model> Watch<M> for Fired {
 }
 
 /// The first tick of a stroke whose only event is `guard`: what was before, and its input.
+#[expect(clippy::large_stack_frames, reason = "simulators are copied, once for each bench")]
 fn just_before(guard: &str) -> (Simulator<KeyHammerSprings, Rk4>, Cubic) {
     let mut simulator = simulator(Rk4);
     for tick in 0..1000 {

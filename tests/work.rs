@@ -77,14 +77,17 @@ fn no_tick_of_one_key_exceeds_what_its_limits_declare() {
     assert!(0 < most.events, "there were events");
 }
 
+/// Values of a scene by their names.
+type SceneValues = &'static [(&'static str, &'static str)];
+
 /// What some instruments need to be stable.
-const STABLE: &[(&str, &str)] = &[("tick_hz", "4000"), ("render.jerk_density", "10")];
+const STABLE: SceneValues = &[("tick_hz", "4000"), ("render.jerk_density", "10")];
 
 /// The costliest tick of any key of an instrument, all keys being played: derivatives, guards and
 /// events, each by itself.
 ///
 /// To update: as for [`GOLDEN`].
-const MOST: [(&str, &[(&str, &str)], [u32; 3]); 6] = [
+const MOST: [(&str, SceneValues, [u32; 3]); 6] = [
     ("grand-springs", &[], [28, 81, 3]),
     ("grand-rigid", STABLE, [28, 53, 11]),
     ("grand-reduced", &[], [108, 70, 2]),

@@ -319,7 +319,9 @@ fn by_need_gets_more_exact_with_a_shorter_step() {
             assert!(swing.run(1.0, h, |_| (), &mut Silent).is_completed());
             (swing.state()[0] - 10.0_f64.cos()).abs()
         });
-        let shrinks = errors.windows(2).all(|pair| pair[1] < pair[0] || pair[1] < 1e-13);
+        // At 4 ms the method takes two steps of its own.
+        let shrinks =
+            errors.windows(2).all(|pair| pair[1] <= pair[0]) && errors[4] < 0.1 * errors[1];
         assert!(shrinks, "budget {budget}: {errors:?}");
     }
 }

@@ -54,6 +54,10 @@ impl Trial {
     }
 
     /// Runs it, and adds what it gave to `report`.
+    #[expect(
+        clippy::large_stack_frames,
+        reason = "a simulator of any method has room for the largest dense output; offline"
+    )]
     pub(super) fn run(mut self, report: &mut CertificateReport) {
         let limits = Limits::default();
         let limits = if self.is_single { Limits { pieces: 1, ..limits } } else { limits };

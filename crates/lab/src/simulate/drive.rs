@@ -20,11 +20,10 @@ pub(super) fn run<M: Playable>(
 ) -> Result<SimulationReport, SimulateError> {
     let TickClock { method, step, .. } = *plan.0;
     let report = drive(start, plan, files)?;
-    Ok(match method {
-        Any::ByNeed(by_need) => {
-            SimulationReport { choices: choices(&by_need, &start.model, step), ..report }
-        }
-        other => SimulationReport { handed_on: handed_on(&other, &start.model), ..report },
+    Ok(if let Any::ByNeed(by_need) = method {
+        SimulationReport { choices: choices(&by_need, &start.model, step), ..report }
+    } else {
+        SimulationReport { handed_on: handed_on(&method, &start.model), ..report }
     })
 }
 
