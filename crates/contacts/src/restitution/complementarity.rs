@@ -2,7 +2,7 @@
 //! w = q + G p ≥ 0 and one of each pair is zero.
 //!
 //! It is the dual of a strictly convex quadratic program, the least change of speeds that meets
-//! all bounds, and is solved by its dual active-set method [GI83]: bounds that are violated
+//! all bounds, and is solved by its dual active-set method `[GI83]`: bounds that are violated
 //! become active one at a time, and those whose impulse would turn negative are dropped on the
 //! way. Bounds that depend on active ones, as in overdetermined contacts, are met by dropping, or
 //! cannot be met at all; so the matrix of the active ones is always regular. The objective rises

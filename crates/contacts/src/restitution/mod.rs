@@ -10,7 +10,7 @@
 //! | [`Contacts::simultaneous`] | all at once: `v⁺ + e v ≥ 0`, `p ≥ 0`, one of both zero | the first bounces back from all others |
 //!
 //! The first is the limit of contacts with small gaps between them, the second Newton's law as
-//! Moreau wrote it for many contacts [Mor88], a linear complementarity problem [PG96], [Bro16].
+//! Moreau wrote it for many contacts `[Mor88]`, a linear complementarity problem `[PG96]`, `[Bro16]`.
 //! Under both no contact closes afterwards, no impulse pulls, and no energy is made.
 //!
 //! # Where a law alone has no end
@@ -21,7 +21,7 @@
 //!   closing has fallen below 2⁻⁴⁰ of the first one, or after [`MOST_IMPACTS`] impacts, what is
 //!   left ends by the plastic law, `v⁺ ≥ 0`, `p ≥ 0`, one of both zero, which loses the most
 //!   energy and always has a solution.
-//! - Newton's law with coefficients that differ may have no solution, or make energy [Bro16]; the
+//! - Newton's law with coefficients that differ may have no solution, or make energy `[Bro16]`; the
 //!   smallest of them then holds for all contacts, and it has one, and makes none.
 //! - Newton's law may leave a contact closing that was opening before. That ends by the plastic
 //!   law too.

@@ -4,7 +4,7 @@ use super::{Contacts, ImpactEnding, ROUNDING, Resolved};
 
 /// Impacts of one instant that are followed one by one before the plastic law ends the rest.
 ///
-/// A hundred times the mass between a wall and a ball take 31, ten thousand times 314 [Gal03].
+/// A hundred times the mass between a wall and a ball take 31, ten thousand times 314 `[Gal03]`.
 pub const MOST_IMPACTS: u32 = 1024;
 
 /// A closing slower than this part of the first one is left to the plastic law.
