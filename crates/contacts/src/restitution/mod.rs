@@ -29,7 +29,7 @@
 //! # Examples
 //!
 //! ```
-//! use pode::restitution::{ContactJacobian, ImpactEnding};
+//! use contacts::restitution::{ContactJacobian, ImpactEnding};
 //!
 //! // Three balls of 1 kg that touch; the first one arrives with 1 m/s.
 //! let row = ContactJacobian {
