@@ -118,6 +118,21 @@ fn what_is_in_no_part_is_not_integrated() {
 }
 
 #[test]
+fn a_slow_part_takes_one_step_for_three_of_the_others() {
+    const SLOWLY: [Part; 2] =
+        [Part::of(&[0, 2]).of_state().with_longest_step(1.0), Part::of(&[1, 3])];
+    let (state, work) = after(&SLOWLY, Rk4);
+    // 34 of its own steps beside 100: 4 derivatives each.
+    assert_eq!((work.derivatives, work.pieces), (4 * (100 + 34), 100));
+    close("the slow one", state[0], 0.1_f64.cos(), 1e-12);
+    close("the fast one", state[1], after(&WHOLE, Rk4).0[1], 1e-14);
+    // A dense output that cannot be cut is tried once.
+    let (state, work) = after(&SLOWLY, Dop853);
+    assert_eq!(work.derivatives, 2 * 100 * (13 + 3) + 13, "with what refines it for the readout");
+    close("the slow one", state[0], 0.1_f64.cos(), 1e-14);
+}
+
+#[test]
 fn a_mode_without_degrees_of_freedom_takes_no_derivative_with_any_method() {
     for name in Any::NAMES {
         let method = Any::named(name).expect("a method");

@@ -61,13 +61,13 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         for index in 0..self.model.guards(self.mode).len().min(MAX_GUARDS) {
             let spec = self.model.guards(self.mode)[index];
             let slot = &mut self.guards[index];
+            if slot.stand == Stand::Unwatched {
+                continue;
+            }
             let bound = match &enclosure {
                 Some(over) if !slot.is_doubted => self.model.guard_bound(self.mode, spec.id, over),
                 _ => GuardBound::UNKNOWN,
             };
-            if slot.stand == Stand::Unwatched {
-                continue;
-            }
             if run.limits.forecast && slot.is_asleep(&bound) {
                 slot.pass(&bound);
                 continue;

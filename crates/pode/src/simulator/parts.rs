@@ -23,6 +23,8 @@ pub(super) struct PartMemory<M, D> {
     method: M,
     /// A step of the part's own that is longer than the mode's, as far as it is ahead.
     ahead: Option<Ahead<D>>,
+    /// The method's dense output cannot be cut, so that no step of it can be ahead.
+    is_uncut: bool,
 }
 
 /// A step that a part has taken ahead of the others.
@@ -51,7 +53,7 @@ impl<D> Ahead<D> {
 
 impl<M: Default, D> Default for PartMemory<M, D> {
     fn default() -> Self {
-        Self { method: M::default(), ahead: None }
+        Self { method: M::default(), ahead: None, is_uncut: false }
     }
 }
 
@@ -95,7 +97,7 @@ pub(super) struct ModeStep<'a, M: Model, T: Stepper, S> {
 }
 
 /// The step that a method takes of a model.
-type Taken<M, T> = Step<<M as Model>::State, <T as Stepper>::Dense<<M as Model>::State>>;
+type Taken<M, T> = Step<<M as Model>::State, DenseOf<M, T>>;
 
 /// The step of several parts with that of one more.
 #[inline]
@@ -167,17 +169,18 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
             memory.restart();
         }
         let length = part.own_step(self.h, self.rest);
-        if length > self.h && memory.reach().is_infinite() {
+        if length > self.h && memory.reach().is_infinite() && !memory.is_uncut {
             let theta = self.theta.0 + length / self.h * (self.theta.1 - self.theta.0);
             let mut own = self.field((index, part), theta);
             let step = self.stepper.step(&mut own, x0, &mut memory.method, length);
+            own.count(work);
             let mut ahead = Ahead { dense: step.dense, length, passed: 0.0 };
             if let Some(dense) = ahead.next(self.h) {
-                own.count(work);
                 memory.ahead = Some(ahead);
                 return Step { dense, ..step };
             }
             memory.restart();
+            memory.is_uncut = true;
         }
         self.stepper.step(field, x0, &mut memory.method, self.h)
     }
