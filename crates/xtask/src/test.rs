@@ -125,8 +125,8 @@ mod tests {
     fn the_no_std_build_names_each_crate() {
         assert_eq!(
             no_std(&[]).join(" "),
-            "check --no-default-features --package pode --package models --package scheduler \
-             --package firmware-protocol"
+            "check --no-default-features --package pode --package contacts --package models \
+             --package scheduler --package firmware-protocol"
         );
     }
 }
