@@ -7,9 +7,9 @@ use pode::{Enclosure, GuardBound, GuardId, Motion};
 use super::forces::SoftFelt;
 use super::guards::{CHECK, JACK_IN, LAND, LIFT_OFF, REP_OFF, REP_ON, STRING_OFF, STRING_ON};
 use super::parameters::ReducedGrandValues;
-use super::softplus::FAR;
 use super::{Mode, ReducedGrand};
 use crate::bounds::TermBound;
+use equations::FAR_SOFTPLUS as FAR;
 
 type Over = Enclosure<[f64; 4], Motion>;
 

@@ -7,7 +7,7 @@ use pode::math::{powf, tanh};
 
 use super::ReducedGrand;
 use super::geometry::Lever;
-use super::softplus::Softplus;
+use equations::Softplus;
 
 /// A felt that sets in softly: k w² sp(x/w)² (1 + a x'), x how far one is in it.
 #[derive(Clone, Copy, Debug)]

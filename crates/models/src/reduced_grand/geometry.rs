@@ -4,7 +4,7 @@ use pode::math::tanh;
 
 use super::ReducedGrand;
 use super::parameters::ReducedGrandValues;
-use super::softplus::Softplus;
+use equations::Softplus;
 
 /// The hammer's head as the key carries it: z = ζ(y).
 #[derive(Clone, Copy, Debug)]

@@ -11,7 +11,6 @@ mod parameters;
 mod presets;
 mod resets;
 mod rest;
-mod softplus;
 mod steps;
 
 pub use parameters::ReducedGrandValues;

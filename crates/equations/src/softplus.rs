@@ -3,23 +3,23 @@
 use pode::math::{exp, ln};
 
 /// Beyond ±40 a softplus is its asymptote to the last bit of 1.
-pub(super) const FAR: f64 = 40.0;
+pub const FAR_SOFTPLUS: f64 = 40.0;
 
 /// sp(x) = ln(1 + eˣ) and its slope σ(x) = 1/(1 + e⁻ˣ).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Softplus {
-    pub(super) value: f64,
-    pub(super) slope: f64,
+pub struct Softplus {
+    pub value: f64,
+    pub slope: f64,
 }
 
 impl Softplus {
     /// At `x`, from e^−|x|, which never overflows.
     #[inline]
-    pub(super) fn at(x: f64) -> Self {
-        if x > FAR {
+    pub fn at(x: f64) -> Self {
+        if x > FAR_SOFTPLUS {
             return Self { value: x, slope: 1.0 };
         }
-        if x < -FAR {
+        if x < -FAR_SOFTPLUS {
             return Self { value: 0.0, slope: 0.0 };
         }
         let e = exp(-x.abs());
@@ -34,13 +34,13 @@ impl Softplus {
     /// ∫ sp from −∞ to x: the energy of a softened linear spring.
     ///
     /// With L = sp(x), dx = dL/(1 − e^−L): the integral of L/(1 − e^−L).
-    pub(super) fn area(&self) -> f64 {
+    pub fn area(&self) -> f64 {
         let l = self.value;
         if l < NEAR { series(l, 1) } else { 0.5 * l * l + ZETA_2 - tail(l, |k| (l + 1.0 / k) / k) }
     }
 
     /// ∫ sp² from −∞ to x: the energy of a softened square law.
-    pub(super) fn area_of_square(&self) -> f64 {
+    pub fn area_of_square(&self) -> f64 {
         let l = self.value;
         if l < NEAR {
             series(l, 2)

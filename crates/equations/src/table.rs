@@ -1,0 +1,341 @@
+//! All of a model but its arithmetic: names, sizes, and the number of each function.
+//!
+//! A table is constant. Emitted Rust has it as a `static`; of a description that is loaded while
+//! the program runs it is made once and kept.
+
+use pode::{EquationKind, Fires, Reads};
+
+/// The number of a function of a model.
+pub type FunctionId = u16;
+
+/// What the functions of a model are given.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Arguments<'a> {
+    /// The parameters, then what follows from them alone.
+    pub constants: &'a [f64],
+    pub state: &'a [f64],
+    /// The input s and its rates s', s'', s'''.
+    pub input: &'a [f64; 4],
+    /// What else the function asks for.
+    pub extra: &'a [f64],
+}
+
+/// The arithmetic of a model: pure functions, by number.
+///
+/// Each is a straight line of operations, with no loop and no memory of its own.
+pub trait Functions: Send + Sync {
+    /// Writes the values of `function` to `out`, which has at least as many places; a number that
+    /// no function has writes nothing.
+    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]);
+}
+
+impl<F: Functions + ?Sized> Functions for &F {
+    #[inline]
+    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        (**self).call(function, arguments, out);
+    }
+}
+
+/// All of a model but its arithmetic.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ModelTable {
+    /// Name in scenes and on the command line.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub summary: &'static str,
+    pub parameters: &'static [ParameterTable],
+    /// Named values; the first is the default.
+    pub presets: &'static [PresetTable],
+    /// What must be positive for the values to be possible.
+    pub requirements: &'static [RequirementTable],
+    pub states: &'static [Quantity],
+    /// How many leading states are coordinates.
+    pub coordinates: usize,
+    /// How many constants there are, the parameters included.
+    pub constants: usize,
+    /// From the parameters, `constants[..parameters.len()]`, to the constants after them.
+    pub derive_constants: FunctionId,
+    pub input: Quantity,
+    /// From constants to the input per metre of key-front travel.
+    pub input_per_metre: FunctionId,
+    pub modes: &'static [ModeTable],
+    pub contacts: &'static [ContactTable],
+    pub outputs: &'static [Quantity],
+    pub rest: RestTable,
+    pub damper: Option<DamperTable>,
+    pub drawing: DrawingTable,
+}
+
+/// A named quantity.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Quantity {
+    pub name: &'static str,
+    /// SI unit; `"1"` for a ratio.
+    pub unit: &'static str,
+}
+
+/// A parameter with its unit and range.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ParameterTable {
+    pub name: &'static str,
+    /// Name for people.
+    pub title: &'static str,
+    pub unit: &'static str,
+    pub range: (f64, f64),
+    pub doc: &'static str,
+}
+
+/// A preset: its values come from a function of the key alone (`extra[0]`, 0 to 87).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct PresetTable {
+    pub name: &'static str,
+    pub doc: &'static str,
+    /// From the key to one value per parameter.
+    pub values: FunctionId,
+}
+
+/// A condition on the parameters.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RequirementTable {
+    /// As people read it: `string > trip`.
+    pub text: &'static str,
+    /// From constants to a number that is positive where it is met.
+    pub margin: FunctionId,
+}
+
+/// A structural mode.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ModeTable {
+    pub name: &'static str,
+    /// To the derivative of the whole state, without contacts.
+    pub derivative: FunctionId,
+    /// What moves by equations; none in a mode without degrees of freedom.
+    pub parts: &'static [PartTable],
+    /// To the whole state with slaved entries in place; none if nothing is slaved.
+    pub slaved: Option<FunctionId>,
+    /// To the state after one Newton step towards the constraints, and behind it how far each was
+    /// from zero.
+    pub projection: Option<FunctionId>,
+    /// How many constraints those are.
+    pub projected: usize,
+    /// How far an event may move a coordinate onto the mode's constraints; farther is a fault.
+    pub longest_projection: f64,
+    pub readout: FunctionId,
+    /// To the readout's slopes by the input's position and by its rate, along the constraints.
+    pub slopes: FunctionId,
+    /// To all outputs.
+    pub outputs: FunctionId,
+    /// To energy (J), supplied and dissipated power (W), without contacts.
+    pub balance: FunctionId,
+    /// To the derivative's derivative by the state, row by row.
+    pub jacobian: FunctionId,
+    /// What its equations are like; the fastest rate is found from the Jacobian at the rest pose.
+    pub kind: EquationKind,
+    pub guards: &'static [GuardTable],
+    /// What each contact does here; one that cannot close here has no entry.
+    pub contacts: &'static [ContactModeTable],
+    /// Degrees of freedom p, coordinates n and constraints m, in the paper's letters.
+    pub freedom: Freedom,
+}
+
+/// Degrees of freedom of a mode. `[GC93]` table 1.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Freedom {
+    /// Generalised coordinates of its mechanics.
+    pub n: u8,
+    /// Constraints among them.
+    pub m: u8,
+    /// Independent speeds, n − m.
+    pub p: u8,
+}
+
+/// A part of a mode that moves apart from the others.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct PartTable {
+    /// Its entries of the state, as bits.
+    pub entries: u64,
+    /// To the derivative of the whole state, where only its entries count.
+    pub derivative: FunctionId,
+    pub kind: EquationKind,
+    pub reads: Reads,
+}
+
+/// A guard in one mode.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct GuardTable {
+    /// Its number in the model; guards of several modes with one name have one number.
+    pub id: u8,
+    pub name: &'static str,
+    pub priority: u8,
+    pub scale: f64,
+    pub fires: Fires,
+    pub reads: Reads,
+    /// To the guard and its rate.
+    pub value: FunctionId,
+    /// From an enclosure in `extra` (see [`EnclosureLayout`]) to bounds of its move and bend.
+    pub bound: Option<FunctionId>,
+    /// Where it leads, the first way whose condition is positive.
+    pub ways: &'static [WayTable],
+    /// To the speed of what strikes (m/s), before the reset.
+    pub sounds: Option<FunctionId>,
+}
+
+/// A way out of a mode.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct WayTable {
+    /// To a number that is positive where this way is taken; none is always.
+    pub when: Option<FunctionId>,
+    /// The next mode.
+    pub to: u8,
+    /// To the state after it, and behind it the impulse on the input; none keeps the state.
+    pub reset: Option<FunctionId>,
+}
+
+/// A contact or bearing.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ContactTable {
+    pub name: &'static str,
+    /// Typical size of the gap (m); none for a bearing.
+    pub gap: Option<f64>,
+    /// Name of its friction, and typical sizes of its force (N) and slip speed (m/s).
+    pub friction: Option<(&'static str, f64, f64)>,
+}
+
+/// A contact in one mode.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ContactModeTable {
+    /// Its number in the model.
+    pub contact: u8,
+    /// To the gap and its rate.
+    pub gap: Option<FunctionId>,
+    /// From an enclosure to bounds of the gap's move and bend.
+    pub bound: Option<FunctionId>,
+    /// To what the closed contact adds to the derivative.
+    pub normal: Option<FunctionId>,
+    /// To what it adds to readout, energy (J), supplied and dissipated power (W).
+    pub balance: Option<FunctionId>,
+    /// To the slip speed, its rate by time alone, and its gradient by the state.
+    pub slip: Option<FunctionId>,
+    /// To stiction and kinetic friction.
+    pub limits: Option<FunctionId>,
+    /// To what 1 N of friction adds to the derivative, and behind it to the readout.
+    pub response: Option<FunctionId>,
+}
+
+/// Where a model rests.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RestTable {
+    pub mode: u8,
+    /// To the state to start from.
+    pub state: FunctionId,
+    /// Whether that is improved to the equilibrium.
+    pub is_improved: bool,
+}
+
+/// A damper that the key lifts, and what sounds at all.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct DamperTable {
+    /// Key-front travel at which it leaves the string, and at which it is back (m).
+    pub lift: f64,
+    pub fall: f64,
+    /// Speed below which what strikes does not sound (m/s).
+    pub softest_tone: f64,
+}
+
+/// How a model looks from the side; numbers come from one function of the constants.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct DrawingTable {
+    /// To left, bottom, right and top of the view (m), then the coordinates of all points.
+    pub numbers: FunctionId,
+    /// How many numbers that gives; 0 without a drawing.
+    pub count: usize,
+    pub bodies: &'static [BodyTable],
+    pub springs: &'static [SpringTable],
+}
+
+/// A frame that is drawn: the three outputs from `output` on are its origin (m) and angle (rad).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct BodyTable {
+    pub name: &'static str,
+    /// Number of the first of its outputs; none for the ground.
+    pub output: Option<usize>,
+    pub outlines: &'static [OutlineTable],
+}
+
+/// A line of a body.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct OutlineTable {
+    pub material: Material,
+    pub is_closed: bool,
+    /// Number of its first coordinate among the drawing's numbers, and of its points.
+    pub points: (usize, usize),
+    /// Modes in which it is shown; all if there are none.
+    pub modes: &'static [u8],
+}
+
+/// What a line is made of.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Material {
+    Wood,
+    Felt,
+    Metal,
+    String,
+    Ground,
+    Finger,
+}
+
+/// A spring between points of two drawn bodies.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SpringTable {
+    pub name: &'static str,
+    /// A body, and the number of the point's first coordinate.
+    pub from: (usize, usize),
+    pub to: (usize, usize),
+    pub modes: &'static [u8],
+}
+
+/// Where an enclosure's numbers stand in `extra`, for a state of n entries.
+///
+/// The state at the start of the step is the function's state; the input there its input.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct EnclosureLayout {
+    /// Entries of the state.
+    pub n: usize,
+}
+
+impl EnclosureLayout {
+    /// Bound of |x(τ) − x(0)| of an entry.
+    pub const fn moves(self, entry: usize) -> usize {
+        entry
+    }
+
+    /// Bound of |dx/dτ| of an entry.
+    pub const fn speed(self, entry: usize) -> usize {
+        self.n + entry
+    }
+
+    /// Bound of |d²x/dτ²| of an entry.
+    pub const fn bend(self, entry: usize) -> usize {
+        2 * self.n + entry
+    }
+
+    /// Largest magnitude over the step of the input (0) or a rate of it (1, 2, 3).
+    pub const fn input(self, rate: usize) -> usize {
+        3 * self.n + rate
+    }
+
+    /// Length of the step (s).
+    pub const fn step(self) -> usize {
+        3 * self.n + 4
+    }
+
+    /// How many numbers there are.
+    pub const fn len(self) -> usize {
+        3 * self.n + 5
+    }
+
+    /// Whether there are none, which is never so.
+    pub const fn is_empty(self) -> bool {
+        false
+    }
+}

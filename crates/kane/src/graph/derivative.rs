@@ -1,0 +1,183 @@
+//! Exact derivatives.
+
+use std::collections::HashMap;
+
+use super::{BinaryFunction, Graph, Node, Operation, Place, Terms, UnaryFunction};
+
+/// Derivatives of nodes along one direction, each found once.
+#[derive(Debug)]
+pub struct Tangent {
+    /// Rates of symbols; one that is not listed stands still.
+    seeds: HashMap<Place, Node>,
+    known: HashMap<Node, Node>,
+}
+
+impl Tangent {
+    /// Returns the direction in which each listed symbol goes at its rate.
+    pub fn new(seeds: impl IntoIterator<Item = (Place, Node)>) -> Self {
+        Self { seeds: seeds.into_iter().collect(), known: HashMap::new() }
+    }
+
+    /// Returns the derivative of `node` along the direction.
+    pub fn of(&mut self, graph: &mut Graph, node: Node) -> Node {
+        if let Some(known) = self.known.get(&node) {
+            return *known;
+        }
+        // Operands first, so that nothing here is deeper than a loop.
+        for reached in graph.reached(&[node]) {
+            if !self.known.contains_key(&reached) {
+                let derivative = self.one(graph, reached);
+                self.known.insert(reached, derivative);
+            }
+        }
+        self.known[&node]
+    }
+
+    /// The derivative of a node whose operands' derivatives are known.
+    fn one(&self, graph: &mut Graph, node: Node) -> Node {
+        match graph.operation(node).clone() {
+            Operation::Number(_) => graph.constant(0.0),
+            Operation::Symbol(place) => {
+                self.seeds.get(&place).copied().unwrap_or_else(|| graph.constant(0.0))
+            }
+            Operation::Sum(_, terms) => self.of_sum(graph, &terms),
+            Operation::Product(factors) => self.of_product(graph, &factors),
+            Operation::Unary(function, x) => {
+                let rate = self.known[&x];
+                if graph.is_zero(rate) {
+                    return rate;
+                }
+                let slope = slope(graph, function, x, node);
+                graph.multiply(slope, rate)
+            }
+            Operation::Binary(function, x, y) => self.of_binary(graph, function, [x, y], node),
+            Operation::Select([condition, positive, other]) => {
+                let (positive, other) = (self.known[&positive], self.known[&other]);
+                graph.select(condition, positive, other)
+            }
+        }
+    }
+
+    fn of_sum(&self, graph: &mut Graph, terms: &Terms) -> Node {
+        let terms: Vec<_> = terms
+            .iter()
+            .map(|(node, factor)| (self.known[node], f64::from_bits(*factor)))
+            .collect();
+        graph.sum(&terms)
+    }
+
+    fn of_product(&self, graph: &mut Graph, factors: &[(Node, i32)]) -> Node {
+        let mut terms = Vec::new();
+        for (at, (node, exponent)) in factors.iter().enumerate() {
+            let rate = self.known[node];
+            if graph.is_zero(rate) {
+                continue;
+            }
+            let mut others = factors.to_vec();
+            others[at].1 -= 1;
+            others.push((rate, 1));
+            terms.push((graph.product(&others), f64::from(*exponent)));
+        }
+        graph.sum(&terms)
+    }
+
+    fn of_binary(
+        &self,
+        graph: &mut Graph,
+        function: BinaryFunction,
+        [x, y]: [Node; 2],
+        node: Node,
+    ) -> Node {
+        let (dx, dy) = (self.known[&x], self.known[&y]);
+        if graph.is_zero(dx) && graph.is_zero(dy) {
+            return dx;
+        }
+        match function {
+            BinaryFunction::Min | BinaryFunction::Max => {
+                let first_is_larger = graph.subtract(x, y);
+                let (above, below) =
+                    if function == BinaryFunction::Max { (dx, dy) } else { (dy, dx) };
+                graph.select(first_is_larger, above, below)
+            }
+            BinaryFunction::Hypot => {
+                let (a, b) = (graph.multiply(x, dx), graph.multiply(y, dy));
+                let sum = graph.add(a, b);
+                graph.divide(sum, node)
+            }
+            BinaryFunction::Atan2 => {
+                // Written atan2(x, y): its derivative is (y dx − x dy)/(x² + y²).
+                let (a, b) = (graph.multiply(y, dx), graph.multiply(x, dy));
+                let turn = graph.subtract(a, b);
+                let (xx, yy) = (graph.power(x, 2), graph.power(y, 2));
+                let square = graph.add(xx, yy);
+                graph.divide(turn, square)
+            }
+            BinaryFunction::Power => self.of_power(graph, [x, y], node),
+        }
+    }
+
+    /// The derivative of xʸ: y xʸ⁻¹ dx + xʸ ln x dy.
+    fn of_power(&self, graph: &mut Graph, [x, y]: [Node; 2], node: Node) -> Node {
+        let (dx, dy) = (self.known[&x], self.known[&y]);
+        let minus_one = graph.constant(-1.0);
+        let less = graph.add(y, minus_one);
+        let lower = graph.binary(BinaryFunction::Power, x, less);
+        let first = graph.product(&[(y, 1), (lower, 1), (dx, 1)]);
+        if graph.is_zero(dy) {
+            return first;
+        }
+        let log = graph.unary(UnaryFunction::Ln, x);
+        let second = graph.product(&[(node, 1), (log, 1), (dy, 1)]);
+        graph.add(first, second)
+    }
+}
+
+/// The slope of `function` at `x`, where its value is `value`.
+fn slope(graph: &mut Graph, function: UnaryFunction, x: Node, value: Node) -> Node {
+    match function {
+        UnaryFunction::Sin => graph.unary(UnaryFunction::Cos, x),
+        UnaryFunction::Cos => {
+            let sine = graph.unary(UnaryFunction::Sin, x);
+            graph.negate(sine)
+        }
+        UnaryFunction::Tanh => one_less_square(graph, value),
+        UnaryFunction::Exp => value,
+        UnaryFunction::Ln => graph.power(x, -1),
+        UnaryFunction::Sqrt => {
+            let inverse = graph.power(value, -1);
+            graph.scale(inverse, 0.5)
+        }
+        UnaryFunction::Abs => graph.unary(UnaryFunction::Sign, x),
+        UnaryFunction::Sign => graph.constant(0.0),
+        UnaryFunction::Softplus => graph.unary(UnaryFunction::Logistic, x),
+        UnaryFunction::Logistic => {
+            let square = graph.power(value, 2);
+            graph.subtract(value, square)
+        }
+        UnaryFunction::SoftplusArea => graph.unary(UnaryFunction::Softplus, x),
+        UnaryFunction::SoftplusSquareArea => {
+            let softplus = graph.unary(UnaryFunction::Softplus, x);
+            graph.power(softplus, 2)
+        }
+        UnaryFunction::Asin | UnaryFunction::Acos => {
+            let square = one_less_square(graph, x);
+            let root = graph.sqrt(square);
+            let inverse = graph.power(root, -1);
+            if function == UnaryFunction::Asin { inverse } else { graph.negate(inverse) }
+        }
+    }
+}
+
+/// 1 − x².
+fn one_less_square(graph: &mut Graph, x: Node) -> Node {
+    let (one, square) = (graph.constant(1.0), graph.power(x, 2));
+    graph.subtract(one, square)
+}
+
+impl Graph {
+    /// Returns the partial derivative of `node` by the symbol at `place`.
+    pub fn partial(&mut self, node: Node, place: Place) -> Node {
+        let one = self.constant(1.0);
+        Tangent::new([(place, one)]).of(self, node)
+    }
+}

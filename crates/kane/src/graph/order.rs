@@ -1,0 +1,80 @@
+//! Sums and products in one order, with equal terms collected.
+
+use std::collections::BTreeMap;
+
+use super::{Graph, Node, Operation};
+
+/// A sum that is being collected.
+#[derive(Default)]
+pub(super) struct Sum {
+    number: f64,
+    terms: BTreeMap<Node, f64>,
+}
+
+impl Sum {
+    /// Adds `node` times `factor`; a sum's terms one by one.
+    pub(super) fn add(&mut self, graph: &Graph, node: Node, factor: f64) {
+        match graph.operation(node) {
+            Operation::Number(bits) => self.number += factor * f64::from_bits(*bits),
+            Operation::Sum(number, terms) => {
+                self.number += factor * f64::from_bits(*number);
+                for (term, inner) in terms {
+                    self.enter(*term, factor * f64::from_bits(*inner));
+                }
+            }
+            _ => self.enter(node, factor),
+        }
+    }
+
+    fn enter(&mut self, node: Node, factor: f64) {
+        *self.terms.entry(node).or_insert(0.0) += factor;
+    }
+
+    /// Returns the number and the terms that are left.
+    pub(super) fn finish(self, _graph: &Graph) -> (f64, Vec<(Node, f64)>) {
+        let terms = self.terms.into_iter().filter(|(_, factor)| *factor != 0.0).collect();
+        (self.number, terms)
+    }
+}
+
+/// A product that is being collected.
+pub(super) struct Product {
+    number: f64,
+    factors: BTreeMap<Node, i32>,
+}
+
+impl Product {
+    pub(super) const fn new() -> Self {
+        Self { number: 1.0, factors: BTreeMap::new() }
+    }
+
+    /// Multiplies by `node` to `exponent`; a product's factors one by one, a multiple's number
+    /// apart.
+    pub(super) fn multiply(&mut self, graph: &Graph, node: Node, exponent: i32) {
+        match graph.operation(node) {
+            Operation::Number(bits) => self.number *= f64::from_bits(*bits).powi(exponent),
+            Operation::Product(factors) => {
+                for (factor, inner) in factors {
+                    self.enter(*factor, exponent.saturating_mul(*inner));
+                }
+            }
+            Operation::Sum(0, terms) if terms.len() == 1 => {
+                let (term, factor) = terms[0];
+                self.number *= f64::from_bits(factor).powi(exponent);
+                self.multiply(graph, term, exponent);
+            }
+            _ => self.enter(node, exponent),
+        }
+    }
+
+    fn enter(&mut self, node: Node, exponent: i32) {
+        let entry = self.factors.entry(node).or_insert(0);
+        *entry = entry.saturating_add(exponent);
+    }
+
+    /// Returns the number and the factors that are left.
+    pub(super) fn finish(self) -> (f64, Vec<(Node, i32)>) {
+        let factors = self.factors.into_iter().filter(|(_, exponent)| *exponent != 0).collect();
+        (self.number, factors)
+    }
+}

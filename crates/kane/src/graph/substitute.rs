@@ -1,0 +1,54 @@
+//! Symbols replaced by expressions.
+
+use std::collections::HashMap;
+
+use super::{Graph, Node, Operation, Place};
+
+/// A replacement of symbols by expressions; each node is rebuilt once.
+#[derive(Debug)]
+pub struct Substitution {
+    by: HashMap<Place, Node>,
+    known: HashMap<Node, Node>,
+}
+
+impl Substitution {
+    /// Returns the replacement of each listed symbol.
+    pub fn new(by: impl IntoIterator<Item = (Place, Node)>) -> Self {
+        Self { by: by.into_iter().collect(), known: HashMap::new() }
+    }
+
+    /// Returns `node` with the symbols replaced; what replaces them stays as it is.
+    pub fn of(&mut self, graph: &mut Graph, node: Node) -> Node {
+        for reached in graph.reached(&[node]) {
+            if !self.known.contains_key(&reached) {
+                let replaced = self.one(graph, reached);
+                self.known.insert(reached, replaced);
+            }
+        }
+        self.known[&node]
+    }
+
+    fn one(&self, graph: &mut Graph, node: Node) -> Node {
+        let new = |old: &Node| self.known[old];
+        match graph.operation(node).clone() {
+            Operation::Number(_) => node,
+            Operation::Symbol(place) => self.by.get(&place).copied().unwrap_or(node),
+            Operation::Sum(number, terms) => {
+                let number = graph.constant(f64::from_bits(number));
+                let mut terms: Vec<_> =
+                    terms.iter().map(|(it, by)| (new(it), f64::from_bits(*by))).collect();
+                terms.push((number, 1.0));
+                graph.sum(&terms)
+            }
+            Operation::Product(factors) => {
+                let factors: Vec<_> = factors.iter().map(|(it, by)| (new(it), *by)).collect();
+                graph.product(&factors)
+            }
+            Operation::Unary(function, x) => graph.unary(function, new(&x)),
+            Operation::Binary(function, x, y) => graph.binary(function, new(&x), new(&y)),
+            Operation::Select([condition, positive, other]) => {
+                graph.select(new(&condition), new(&positive), new(&other))
+            }
+        }
+    }
+}

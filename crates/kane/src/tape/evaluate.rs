@@ -1,0 +1,52 @@
+//! A tape's values, one instruction after another.
+
+use super::{Argument, Instruction, Tape};
+
+/// The arguments of a tape.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Arguments<'a> {
+    pub constants: &'a [f64],
+    pub state: &'a [f64],
+    /// The input and its rates.
+    pub input: [f64; 4],
+    pub extra: &'a [f64],
+}
+
+impl Arguments<'_> {
+    /// The value of `argument`; not a number where there is none.
+    fn value(&self, argument: Argument) -> f64 {
+        let of = |list: &[f64], index: usize| list.get(index).copied().unwrap_or(f64::NAN);
+        match argument {
+            Argument::Constant(index) => of(self.constants, index.into()),
+            Argument::State(index) => of(self.state, index.into()),
+            Argument::Input(index) => of(&self.input, index.into()),
+            Argument::Extra(index) => of(self.extra, index.into()),
+        }
+    }
+}
+
+impl Tape {
+    /// Returns the outputs' values.
+    pub fn evaluate(&self, arguments: &Arguments<'_>) -> Vec<f64> {
+        let mut values = Vec::with_capacity(self.instructions.len());
+        for instruction in &self.instructions {
+            let of = |slot: super::Slot| -> f64 { values[slot.index()] };
+            let value = match *instruction {
+                Instruction::Number(number) => number,
+                Instruction::Argument(argument) => arguments.value(argument),
+                Instruction::Add(x, y) => of(x) + of(y),
+                Instruction::Subtract(x, y) => of(x) - of(y),
+                Instruction::Multiply(x, y) => of(x) * of(y),
+                Instruction::Divide(x, y) => of(x) / of(y),
+                Instruction::Negate(x) => -of(x),
+                Instruction::Unary(function, x) => function.of(of(x)),
+                Instruction::Binary(function, x, y) => function.of(of(x), of(y)),
+                Instruction::Select(condition, positive, other) => {
+                    of(if of(condition) > 0.0 { positive } else { other })
+                }
+            };
+            values.push(value);
+        }
+        self.outputs.iter().map(|slot| values[slot.index()]).collect()
+    }
+}
