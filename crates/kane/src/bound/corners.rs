@@ -1,6 +1,7 @@
 //! Where an expression jumps or has a corner, which its derivatives do not tell.
 
 use super::functions::cut_room;
+use super::magnitude;
 use super::range::{Ranges, room};
 use crate::graph::{BinaryFunction, Graph, Node, Operation, UnaryFunction};
 
@@ -20,6 +21,7 @@ impl Ranges {
                 Operation::Binary(BinaryFunction::Min | BinaryFunction::Max, x, y) => {
                     let apart = graph.subtract(x, y);
                     corners.push(self.at_zero(graph, apart));
+                    jumps.extend([x, y].map(|it| self.without_number(graph, it)));
                 }
                 Operation::Binary(BinaryFunction::Atan2, x, y) => {
                     let ranges = [x, y].map(|it| self.of(graph, it));
@@ -40,6 +42,18 @@ impl Ranges {
         })
     }
 
+    /// Infinity where `node` may be no number, which the smaller and the larger of two leave out.
+    fn without_number(&mut self, graph: &mut Graph, node: Node) -> Node {
+        if !is_partial(graph, node) {
+            return graph.constant(0.0);
+        }
+        let range = self.of(graph, node);
+        let far = magnitude(graph, range.centre);
+        let unknown = graph.constant(f64::INFINITY);
+        let room = graph.sum(&[(unknown, 1.0), (far, -1.0), (range.spread, -1.0)]);
+        infinite_without(graph, room)
+    }
+
     /// Infinity where `node` may come to 0.
     fn at_zero(&mut self, graph: &mut Graph, node: Node) -> Node {
         let range = self.of(graph, node);
@@ -50,6 +64,21 @@ impl Ranges {
         let room = room(graph, range);
         infinite_without(graph, room)
     }
+}
+
+/// Whether some values of what `node` is made of give no number.
+fn is_partial(graph: &Graph, node: Node) -> bool {
+    graph.reached(&[node]).into_iter().any(|it| match graph.operation(it) {
+        Operation::Unary(function, _) => matches!(
+            function,
+            UnaryFunction::Ln | UnaryFunction::Sqrt | UnaryFunction::Asin | UnaryFunction::Acos
+        ),
+        Operation::Binary(function, _, _) => *function == BinaryFunction::Power,
+        Operation::Product(factors) => factors.iter().any(|(_, exponent)| *exponent < 0),
+        Operation::Number(_) | Operation::Symbol(_) | Operation::Sum(..) | Operation::Select(_) => {
+            false
+        }
+    })
 }
 
 /// 0 where `room` is positive, else infinity.

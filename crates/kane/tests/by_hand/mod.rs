@@ -2,6 +2,7 @@
 #![expect(unreachable_pub, reason = "a test's own module")]
 
 pub mod ball;
+pub mod key_hammer;
 pub mod pendulum;
 
 use kane::assemble::{Program, TapeFunctions};
@@ -139,10 +140,11 @@ pub fn guard(name: &str, [value, rate]: [Node; 2], way: Way) -> GuardEquations {
 }
 
 /// The model of a program with its parameters' default values.
-pub type Described<const N: usize> = EquationModel<&'static TapeFunctions, N, 64>;
+pub type Described<const N: usize, const C: usize = 64> =
+    EquationModel<&'static TapeFunctions, N, C>;
 
 /// The model of a program with these values.
-pub fn model<const N: usize>(program: Program, values: &[f64]) -> Described<N> {
+pub fn model<const N: usize, const C: usize>(program: Program, values: &[f64]) -> Described<N, C> {
     let functions: &'static TapeFunctions = Box::leak(Box::new(program.functions));
     EquationModel::new(program.table, functions, values).unwrap()
 }
