@@ -68,7 +68,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
             .filter(|step| step.iter().all(|entry| entry.is_finite()))
     }
 
-    /// The derivative with all contacts whose surfaces overlap, and its derivative by the state.
+    /// The derivative with all contacts whose surfaces touch, and its derivative by the state.
     fn held_up(
         &self,
         table: &ModeTable,
@@ -81,7 +81,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         for contact in table.contacts {
             let Some(gap) = contact.gap else { continue };
             let [gap, _]: [f64; 2] = self.values(gap, x, input);
-            if gap < 0.0 {
+            if gap <= 0.0 {
                 self.add_normal(contact.normal, x, input, &mut rates);
                 add_rows(&mut rows, &self.contact_rows(contact.jacobian, x, input));
             }

@@ -8,8 +8,7 @@ use pode::{Limits, Model, Motion, Resets, RunRecorder, Simulator, Sloped as _, W
 use crate::by_hand::{self, key_hammer, model};
 
 /// s(t) = Σ A exp(−((t − tc)/w)²) of figure 6.
-const BELLS: [[f64; 3]; 3] =
-    [[0.099, 0.514, 0.079], [0.181, 1.095, 0.109], [0.186, 1.573, 0.059]];
+const BELLS: [[f64; 3]; 3] = [[0.099, 0.514, 0.079], [0.181, 1.095, 0.109], [0.186, 1.573, 0.059]];
 
 fn figure_6(scale: f64) -> impl Fn(f64) -> Motion + Copy {
     move |t| {
@@ -52,7 +51,12 @@ fn values(preset: usize, key: u8, changes: &[(&str, f64)]) -> Vec<f64> {
 }
 
 /// Runs both, and compares events, samples and work.
-fn check(label: &str, values: &[f64], (h, until): (f64, f64), input: impl Fn(f64) -> Motion + Copy) {
+fn check(
+    label: &str,
+    values: &[f64],
+    (h, until): (f64, f64),
+    input: impl Fn(f64) -> Motion + Copy,
+) {
     let names: Vec<_> = KeyHammerSprings::PARAMETERS.iter().map(|it| it.name).collect();
     assert_eq!(names, key_hammer::NAMES, "the order of the parameters");
     let described: by_hand::Described<4> = model(key_hammer::program(), values);

@@ -7,14 +7,14 @@ use equations::ModeNumber;
 use kane::graph::{BinaryFunction, Graph, Node, UnaryFunction};
 use pode::input::Cubic;
 use pode::{
-    Dense as _, DenseBounds, Enclosure, GuardBound, GuardId, Guarded, Model, Motion, Polynomial,
+    Dense as _, DenseBounds, Enclosure, GuardBound, GuardId, Guarded, Motion, Polynomial,
     Signal as _,
 };
 use proptest::prelude::*;
 
-use models::{Described as _, KeyHammerSprings};
+use models::{Described as _, KeyHammerSprings, ReducedGrand};
 
-use crate::by_hand::{self, Described, Draft, guard, key_hammer, model};
+use crate::by_hand::{Described, Draft, guard, key_hammer, lift_off, model};
 
 /// Looks at each guard over one step.
 const LOOKS: usize = 64;
@@ -97,8 +97,20 @@ fn one_of(graph: &mut Graph, code: u8, x: Node, number: f64) -> Node {
         SoftplusSquareArea, Sqrt, Tanh,
     };
     let all = [
-        Sin, Cos, Tanh, Exp, Ln, Sqrt, Abs, Sign, Softplus, Logistic, SoftplusArea,
-        SoftplusSquareArea, Asin, Acos,
+        Sin,
+        Cos,
+        Tanh,
+        Exp,
+        Ln,
+        Sqrt,
+        Abs,
+        Sign,
+        Softplus,
+        Logistic,
+        SoftplusArea,
+        SoftplusSquareArea,
+        Asin,
+        Acos,
     ];
     match code {
         0..=13 => graph.unary(all[usize::from(code)], x),
@@ -222,7 +234,7 @@ fn the_bounds_of_model_b_are_as_tight_as_the_hand_written_ones() {
     for preset in [0, 2] {
         let of = |index: usize| (KeyHammerSprings::PRESETS[preset].value)(index, 30);
         let values: Vec<f64> = (0..key_hammer::NAMES.len()).map(of).collect();
-        let described: by_hand::Described<4> = model(key_hammer::program(), &values);
+        let described: Described<4> = model(key_hammer::program(), &values);
         let written = KeyHammerSprings::with_values(&values);
         for ((mode, name), number) in KeyHammerSprings::MODES.iter().zip(0..) {
             let pairs = written.guards(*mode).iter().zip(described.guards(ModeNumber(number)));
@@ -248,4 +260,35 @@ fn the_bounds_of_model_b_are_as_tight_as_the_hand_written_ones() {
             }
         }
     }
+}
+
+#[test]
+fn the_bound_of_a_force_of_felts_is_as_tight_as_the_hand_written_one() {
+    let mut seed = 7;
+    let of = |index: usize| (ReducedGrand::PRESETS[0].value)(index, 40);
+    let values: Vec<f64> = (0..ReducedGrand::PARAMETERS.len()).map(of).collect();
+    let described: Described<4, 256> = model(lift_off::program(), &values);
+    let written = ReducedGrand::with_values(&values);
+    let (mode, _) = written.at_rest(&Motion::default());
+    let mut ratios = [const { Vec::new() }; 4];
+    for place in [-1e-4, 0.004, 0.008, 0.0102] {
+        for _ in 0..2000 {
+            let step = played([place, 0.0, 0.0, 0.0], place, &mut seed);
+            let over = step.enclosure();
+            let [moved, bent, _] = step.seen(&described, ModeNumber(0), GuardId(0)).unwrap();
+            let [same, _, _] = step.seen(&written, mode, GuardId(0)).unwrap();
+            assert!((moved - same).abs() < 1e-9 * (1.0 + same), "{moved} is not {same}");
+            let GuardBound { moves, bend } =
+                described.guard_bound(ModeNumber(0), GuardId(0), &over);
+            let hand = written.guard_bound(mode, GuardId(0), &over);
+            assert!(moved <= moves * (1.0 + 1e-9), "{moved} beyond {moves}");
+            ratios[0].push(moves / hand.moves);
+            ratios[1].push(if bend == hand.bend { 1.0 } else { bend / hand.bend });
+            ratios[2].push(moves / moved);
+            ratios[3].push(bend / bent);
+        }
+    }
+    let found = ratios.map(median);
+    println!("lift-off: {found:.2?}");
+    assert!(found[0] < 1.05 && found[1] < 1.05 && found[2] < 4.0 && found[3] < 6.0, "{found:?}");
 }

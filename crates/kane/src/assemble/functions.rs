@@ -1,6 +1,6 @@
 //! The functions of a program, and their values by interpretation.
 
-use equations::table::{Arguments, FunctionId, Functions};
+use equations::table::{Arguments, EnclosureLayout, FunctionId, Functions};
 
 use super::AssemblyError;
 use super::hoist::Hoisting;
@@ -39,6 +39,9 @@ impl Functions for TapeFunctions {
 #[derive(Debug)]
 pub(super) struct FunctionList {
     layout: Layout,
+    parameters: usize,
+    /// How many constants, parameters included, have a place.
+    placed: usize,
     pub(super) hoisting: Hoisting,
     pub(super) functions: TapeFunctions,
     pub(super) names: Vec<String>,
@@ -46,7 +49,7 @@ pub(super) struct FunctionList {
 
 impl FunctionList {
     /// An empty list for a state with these places.
-    pub(super) fn new(graph: &mut Graph, parameters: usize, state: &[Place]) -> Self {
+    pub(super) fn new(parameters: usize, state: &[Place]) -> Self {
         let mut layout = Layout::default();
         for (index, place) in (0..).zip(state) {
             layout.place(*place, Argument::State(index));
@@ -54,17 +57,19 @@ impl FunctionList {
         for rate in 0..4 {
             layout.place(Place::Input(rate), Argument::Input(rate));
         }
-        // Of constants and further arguments there are as many as there are numbers.
-        for number in 0..u16::MAX {
-            layout.place(Place::Parameter(number), Argument::Constant(number));
+        for entry in 0..state.len() {
+            for number in [EnclosureLayout::moves, EnclosureLayout::speed, EnclosureLayout::bend] {
+                let number = u16::try_from(number(entry)).unwrap_or(u16::MAX);
+                layout.place(Place::Extra(number), Argument::Extra(number));
+            }
         }
-        for number in 0..512 {
-            layout.place(Place::Extra(number), Argument::Extra(number));
-        }
+        let step = u16::try_from(EnclosureLayout::step()).unwrap_or(u16::MAX);
+        layout.place(Place::Extra(step), Argument::Extra(step));
         layout.place(Place::Key, Argument::Extra(0));
-        graph.constant(0.0);
         Self {
             layout,
+            parameters,
+            placed: 0,
             hoisting: Hoisting::new(parameters),
             functions: TapeFunctions::default(),
             names: Vec::new(),
@@ -89,6 +94,11 @@ impl FunctionList {
         name: &str,
         outputs: &[Node],
     ) -> Result<FunctionId, AssemblyError> {
+        for number in self.placed..self.parameters + self.hoisting.constants.len() {
+            let number = u16::try_from(number).unwrap_or(u16::MAX);
+            self.layout.place(Place::Parameter(number), Argument::Constant(number));
+            self.placed += 1;
+        }
         let tape = Tape::lower(graph, &self.layout, outputs)
             .map_err(|place| AssemblyError::UnknownSymbol(name.to_owned(), place))?;
         let tapes = &mut self.functions.tapes;

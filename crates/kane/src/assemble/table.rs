@@ -26,7 +26,7 @@ pub(super) fn assemble(system: System) -> Result<Program, AssemblyError> {
     let mut graph = std::mem::take(&mut mechanism.graph);
     let graph = &mut graph;
     let parameters = mechanism.parameters.len();
-    let mut functions = FunctionList::new(graph, parameters, &state);
+    let mut functions = FunctionList::new(parameters, &state);
     let numbers = GuardNumbers::of(&modes)?;
     let context = ModeContext {
         mechanism: &mechanism,

@@ -8,8 +8,23 @@ use super::{Draft, guard};
 
 /// The parameters that the hand-written model has, in its order.
 pub const NAMES: [&str; 17] = [
-    "L1", "L2", "L3", "L4", "M1", "M2", "k1", "k2", "cK", "JK", "JH", "g", "string_angle",
-    "restitution", "b1", "c2", "r",
+    "L1",
+    "L2",
+    "L3",
+    "L4",
+    "M1",
+    "M2",
+    "k1",
+    "k2",
+    "cK",
+    "JK",
+    "JH",
+    "g",
+    "string_angle",
+    "restitution",
+    "b1",
+    "c2",
+    "r",
 ];
 
 /// The parts of the equations.
@@ -87,8 +102,7 @@ fn terms(draft: &mut Draft) -> Terms {
     let [sin_h, sin_k, sin_d] = [h, k, delta].map(|it| graph.unary(UnaryFunction::Sin, it));
     let [cos_h, cos_k, cos_d] = [h, k, delta].map(|it| graph.unary(UnaryFunction::Cos, it));
     // gap = L4 cos θh − L3 sin θh − L1 sin δ = −q4 cos δ.
-    let [a, b, c] =
-        [(l4, cos_h), (l3, sin_h), (l1, sin_d)].map(|(x, y)| graph.multiply(x, y));
+    let [a, b, c] = [(l4, cos_h), (l3, sin_h), (l1, sin_d)].map(|(x, y)| graph.multiply(x, y));
     let gap = graph.sum(&[(a, 1.0), (b, -1.0), (c, -1.0)]);
     let turned = graph.subtract(wk, wh);
     let rates = [

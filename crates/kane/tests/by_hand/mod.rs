@@ -3,7 +3,9 @@
 
 pub mod ball;
 pub mod key_hammer;
+pub mod lift_off;
 pub mod pendulum;
+pub mod touching;
 
 use kane::assemble::{Program, TapeFunctions};
 use kane::graph::{Graph, Node, Place};
