@@ -101,7 +101,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
             way.reset.map_or((*x, 0.0), |reset| self.state_and_number(reset, x, input));
         let leads = Leads { to: ModeNumber(way.to), state, impulse, rests: None };
         match way.resting {
-            Some(resting) => self.met(&resting, (mode, leads), x, input),
+            Some(resting) => self.met(resting, (mode, leads), x, input),
             None => leads,
         }
     }
@@ -109,7 +109,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     /// An impact with a restitution: a rebound, a rest, or neither where the bodies part already.
     fn met(
         &self,
-        resting: &RestingTable,
+        resting: RestingTable,
         (from, rebound): (ModeNumber, Leads<N>),
         x: &[f64; N],
         input: &Motion,

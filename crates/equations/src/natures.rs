@@ -52,21 +52,34 @@ impl ModeNatures {
             let input = Motion { position, ..Motion::default() };
             (model.at_rest(&input).1, input)
         });
-        for ((number, table), mode) in (0..).zip(model.table().modes).zip(&mut natures.modes) {
+        for (number, table) in (0..).zip(model.table().modes) {
             let rates = Rates::of(model, ModeNumber(number), &poses);
-            mode.nature = Nature::new(model.kind(table.kind, table.loss), rates.whole);
-            mode.longest_step = RADIANS / rates.whole;
-            let end = next + table.parts.len();
-            if table.parts.len() > 1 && end <= MAX_MODE_PARTS {
-                mode.first = next;
-                for (at, part) in table.parts.iter().enumerate() {
-                    let given = table.part_list.get(at).copied().unwrap_or(Part::WHOLE);
-                    natures.parts[next + at] = model.part(given, part, rates.of_part(at));
-                }
-                next = end;
+            let nature = Nature::new(model.kind(table.kind, table.loss), rates.whole);
+            let first = natures.add_parts(model, table, &rates, &mut next);
+            if let Some(mode) = natures.modes.get_mut(usize::from(number)) {
+                *mode = ModeNature { nature, longest_step: RADIANS / rates.whole, first };
             }
         }
         natures
+    }
+
+    /// Adds the parts of a mode that has several, behind those before; returns where they begin.
+    fn add_parts<F: Functions + Copy, const N: usize, const C: usize>(
+        &mut self,
+        model: &EquationModel<F, N, C>,
+        table: &ModeTable,
+        rates: &Rates,
+        next: &mut usize,
+    ) -> usize {
+        let first = *next;
+        let places = self.parts.get_mut(first..first + table.parts.len());
+        let Some(places) = places.filter(|places| places.len() > 1) else { return MAX_MODE_PARTS };
+        for (at, (place, part)) in places.iter_mut().zip(table.parts).enumerate() {
+            let given = table.part_list.get(at).copied().unwrap_or(Part::WHOLE);
+            *place = model.part(given, part, rates.of_part(at));
+        }
+        *next = first + table.parts.len();
+        first
     }
 
     fn mode(&self, mode: ModeNumber) -> &ModeNature {

@@ -56,12 +56,9 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         let (rates, rows) = self.held_up(table, x, input);
         let imbalance = core::array::from_fn(|i| if has(i) { rates[i] } else { 0.0 });
         // 1 − M is minus the Jacobian where something moves, and 1 elsewhere.
-        let shifted = core::array::from_fn(|i| {
-            core::array::from_fn(|j| {
-                let unit = if i == j { 1.0 } else { 0.0 };
-                if has(i) && has(j) { unit + rows[i][j] } else { 0.0 }
-            })
-        });
+        let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
+        let entry = |i, j| if has(i) && has(j) { unit(i, j) + rows[i][j] } else { 0.0 };
+        let shifted = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
         let shifted: <[f64; N] as State>::Matrix = matrix(&shifted);
         let factored = shifted.factor(1.0);
         <[f64; N] as State>::Matrix::solve(&factored, &imbalance)

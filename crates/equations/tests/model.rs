@@ -1,4 +1,9 @@
 //! A model from a table.
+#![expect(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "a test fails aloud, and bits are what is compared"
+)]
 
 use equations::{DoesNotFit, EquationModel, ModeNumber};
 use pode::stepper::Rk4;

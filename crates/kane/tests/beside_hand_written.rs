@@ -1,9 +1,14 @@
 //! The described model B beside the hand-written one, under figure 6's input.
+#![expect(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test fails aloud, and bits are what is compared"
+)]
 
 use equations::ModeNumber;
-use models::{Described, KeyHammerSprings};
+use models::{Described as _, KeyHammerSprings};
 use pode::stepper::Rk4;
-use pode::{Limits, Model, Motion, Resets, RunRecorder, Simulator, Sloped as _, Work};
+use pode::{Limits, Model as _, Motion, Resets, RunRecorder, Simulator, Sloped as _, Work};
 
 use crate::by_hand::{self, key_hammer, model};
 

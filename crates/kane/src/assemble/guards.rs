@@ -25,7 +25,7 @@ impl GuardNumbers {
         let mut numbers = Self::default();
         for guard in modes.iter().flat_map(|mode| &mode.guards) {
             let next = numbers.numbers.len();
-            let number = u8::try_from(next).map_err(|_| AssemblyError::TooManyGuards(next))?;
+            let number = u8::try_from(next).ok().ok_or(AssemblyError::TooManyGuards(next))?;
             numbers.numbers.entry(key(guard)).or_insert(number);
         }
         Ok(numbers)

@@ -36,10 +36,10 @@ impl Hoisting {
             return;
         }
         let mut is_fixed = true;
-        match graph.operation(node) {
-            Operation::Symbol(place) => is_fixed = self.is_parameter(*place),
-            operation => operation.operands(|operand| is_fixed &= self.is_fixed[&operand]),
+        if let Operation::Symbol(place) = graph.operation(node) {
+            is_fixed = self.is_parameter(*place);
         }
+        graph.operation(node).operands(|operand| is_fixed &= self.is_fixed[&operand]);
         self.is_fixed.insert(node, is_fixed);
         if !is_fixed {
             let new = self.one(graph, node);
@@ -56,9 +56,10 @@ impl Hoisting {
         if !self.is_fixed[&node] {
             return self.rewritten[&node];
         }
-        match graph.operation(node) {
-            Operation::Number(_) | Operation::Symbol(_) => node,
-            _ => self.constant(graph, node),
+        if matches!(graph.operation(node), Operation::Number(_) | Operation::Symbol(_)) {
+            node
+        } else {
+            self.constant(graph, node)
         }
     }
 
@@ -109,7 +110,7 @@ impl Hoisting {
         }
         match fixed.as_slice() {
             [] => all.push((graph.constant(number), 1.0)),
-            [(node, factor)] if number == 0.0 && factor.abs() == 1.0 => {
+            [(node, factor @ (1.0 | -1.0))] if number == 0.0 => {
                 all.push((self.used(graph, *node), *factor));
             }
             _ => {

@@ -99,18 +99,7 @@ impl Loss {
     fn of_terms(graph: &mut Graph, terms: &[Node], parameters: u16) -> Self {
         let mut lost = Vec::new();
         for term in terms {
-            let mut factors = Vec::new();
-            for number in 0..parameters {
-                let place = Place::Parameter(number);
-                if !graph.depends(*term, |it| it == place) {
-                    continue;
-                }
-                let zero = graph.constant(0.0);
-                let without = Substitution::new([(place, zero)]).of(graph, *term);
-                if graph.is_zero(without) {
-                    factors.push((graph.symbol(place), 2));
-                }
-            }
+            let factors = vanishing(graph, *term, parameters);
             if factors.is_empty() {
                 return Self::Always;
             }
@@ -133,11 +122,30 @@ impl Loss {
     }
 }
 
+/// The squares of the parameters that make `term` vanish, each by itself.
+fn vanishing(graph: &mut Graph, term: Node, parameters: u16) -> Vec<(Node, i32)> {
+    let zero = graph.constant(0.0);
+    let mut factors = Vec::new();
+    for place in (0..parameters).map(Place::Parameter) {
+        let without = if graph.depends(term, |it| it == place) {
+            Substitution::new([(place, zero)]).of(graph, term)
+        } else {
+            term
+        };
+        if graph.is_zero(without) {
+            factors.push((graph.symbol(place), 2));
+        }
+    }
+    factors
+}
+
 /// The terms of a sum, or the node itself; none of 0.
 fn terms(graph: &Graph, node: Node) -> Vec<Node> {
-    match graph.operation(node) {
-        Operation::Sum(0, terms) => terms.iter().map(|(term, _)| *term).collect(),
-        _ if graph.is_zero(node) => Vec::new(),
-        _ => vec![node],
+    if let Operation::Sum(0, terms) = graph.operation(node) {
+        terms.iter().map(|(term, _)| *term).collect()
+    } else if graph.is_zero(node) {
+        Vec::new()
+    } else {
+        vec![node]
     }
 }

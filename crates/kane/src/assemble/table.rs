@@ -139,11 +139,9 @@ fn rest(
     state: &[Place],
 ) -> Result<RestTable, AssemblyError> {
     let zero = graph.constant(0.0);
-    let guess = |place: &Place| match place {
-        Place::Coordinate(number) => {
-            mechanism.rest.coordinates.get(usize::from(*number)).copied().flatten().unwrap_or(zero)
-        }
-        _ => zero,
+    let guess = |place: &Place| {
+        let Place::Coordinate(number) = place else { return zero };
+        mechanism.rest.coordinates.get(usize::from(*number)).copied().flatten().unwrap_or(zero)
     };
     let guess: Vec<_> = state.iter().map(guess).collect();
     Ok(RestTable {
@@ -160,14 +158,12 @@ fn named<'a>(all: impl Iterator<Item = (&'a String, &'a String)>) -> Vec<Quantit
 
 /// Name and unit of an entry of the state.
 fn quantity(mechanism: &Mechanism, place: Place) -> (&String, &String) {
-    let found = match place {
-        Place::Coordinate(number) => {
-            mechanism.coordinates.get(usize::from(number)).map(|it| (&it.name, &it.unit))
-        }
-        Place::Speed(number) => {
-            mechanism.speeds.get(usize::from(number)).map(|it| (&it.name, &it.unit))
-        }
-        _ => None,
+    let found = if let Place::Coordinate(number) = place {
+        mechanism.coordinates.get(usize::from(number)).map(|it| (&it.name, &it.unit))
+    } else if let Place::Speed(number) = place {
+        mechanism.speeds.get(usize::from(number)).map(|it| (&it.name, &it.unit))
+    } else {
+        None
     };
     found.unwrap_or((&mechanism.input.name, &mechanism.input.unit))
 }

@@ -53,17 +53,15 @@ pub(super) fn unary(graph: &mut Graph, function: UnaryFunction, x: Range, centre
         return around(graph, centre, None);
     }
     let slope = largest_slope(graph, function, x);
-    let spread = match function {
-        UnaryFunction::Sign => {
-            let (room, zero, two) = (room(graph, x), graph.constant(0.0), graph.constant(2.0));
-            graph.select(room, zero, two)
-        }
-        UnaryFunction::Sqrt => {
-            // |√x − √c| ≤ √|x − c| too.
-            let (spread, root) = (graph.multiply(slope, x.spread), graph.sqrt(x.spread));
-            least(graph, spread, root)
-        }
-        _ => graph.multiply(slope, x.spread),
+    let spread = if function == UnaryFunction::Sign {
+        let (room, zero, two) = (room(graph, x), graph.constant(0.0), graph.constant(2.0));
+        graph.select(room, zero, two)
+    } else if function == UnaryFunction::Sqrt {
+        // |√x − √c| ≤ √|x − c| too.
+        let (spread, root) = (graph.multiply(slope, x.spread), graph.sqrt(x.spread));
+        least(graph, spread, root)
+    } else {
+        graph.multiply(slope, x.spread)
     };
     let range = around(graph, centre, Some(spread));
     let size = size(graph, function, x, range.size);

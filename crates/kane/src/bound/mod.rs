@@ -51,14 +51,19 @@ impl<'a> Bounds<'a> {
             let size = self.ranges.size(graph, *slope);
             moves.push((graph.multiply(size, path.moves), 1.0));
             bend.push((graph.multiply(size, path.bend), 1.0));
-            for (with, other) in paths.iter().enumerate().take(index + 1) {
-                let twice = if with == index { 1.0 } else { 2.0 };
-                let second = graph.partial(*slope, other.place);
-                let size = self.ranges.size(graph, second);
-                bend.push((graph.product(&[(size, 1), (path.speed, 1), (other.speed, 1)]), twice));
+            for other in &paths[..index] {
+                bend.push((self.second(graph, *slope, [path, other]), 2.0));
             }
+            bend.push((self.second(graph, *slope, [path, path]), 1.0));
         }
         [graph.sum(&moves), graph.sum(&bend)]
+    }
+
+    /// A second derivative times the speeds of both that it is by.
+    fn second(&mut self, graph: &mut Graph, slope: Node, [path, other]: [&Path; 2]) -> Node {
+        let second = graph.partial(slope, other.place);
+        let size = self.ranges.size(graph, second);
+        graph.product(&[(size, 1), (path.speed, 1), (other.speed, 1)])
     }
 
     /// How all that `value` depends on goes.

@@ -59,10 +59,10 @@ impl Ranges {
     fn one(&mut self, graph: &mut Graph, node: Node) -> Range {
         let centre = self.at_centre.of(graph, node);
         match graph.operation(node).clone() {
-            Operation::Number(_) => self.around(graph, centre, None),
+            Operation::Number(_) => around(graph, centre, None),
             Operation::Symbol(place) => {
                 let spread = self.spreads.get(&place).copied();
-                self.around(graph, centre, spread)
+                around(graph, centre, spread)
             }
             Operation::Sum(_, terms) => {
                 let spreads: Vec<_> = terms
@@ -70,7 +70,7 @@ impl Ranges {
                     .map(|(it, by)| (self.known[it].spread, f64::from_bits(*by).abs()))
                     .collect();
                 let spread = graph.sum(&spreads);
-                self.around(graph, centre, Some(spread))
+                around(graph, centre, Some(spread))
             }
             Operation::Product(factors) => self.product(graph, &factors, centre),
             Operation::Unary(function, x) => {
@@ -83,11 +83,6 @@ impl Ranges {
             }
             Operation::Select(all) => self.select(graph, all, centre),
         }
-    }
-
-    /// A range around a centre, which may be a point.
-    fn around(&self, graph: &mut Graph, centre: Node, spread: Option<Node>) -> Range {
-        around(graph, centre, spread)
     }
 
     /// One factor after the other: |a b − a₀ b₀| ≤ |a − a₀| |b| + |a₀| |b − b₀|.

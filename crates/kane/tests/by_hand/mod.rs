@@ -1,4 +1,5 @@
 //! Systems whose equations are written by hand, as nodes.
+#![expect(clippy::unwrap_used, reason = "a test fails aloud, and bits are what is compared")]
 #![expect(unreachable_pub, reason = "a test's own module")]
 
 pub mod ball;
