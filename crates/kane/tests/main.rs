@@ -4,4 +4,4 @@ mod assembled;
 mod beside_hand_written;
 mod bounds;
 mod by_hand;
-mod contacts;
+mod touching;
