@@ -1,0 +1,10 @@
+//! Tests of what a mechanism's equations are, against closed forms, models written by hand, and
+//! other programs.
+
+mod builder;
+mod closed_forms;
+
+
+mod evaluation;
+
+
