@@ -70,10 +70,8 @@ fn frames_may_hang_on_one_another() {
 /// r'' = r φ'² + g cos φ − k (r − l)/m, φ'' = −(2 r' φ' + g sin φ)/r.
 #[test]
 fn a_spring_pendulum() {
-    let mut m = MechanismBuilder::new(
-        &[("m", 0.4), ("l", 0.5), ("k", 30.0), ("g", 9.81)],
-        &["r", "phi"],
-    );
+    let mut m =
+        MechanismBuilder::new(&[("m", 0.4), ("l", 0.5), ("k", 30.0), ("g", 9.81)], &["r", "phi"]);
     m.gravity(&["0", "-g"]);
     let frame = m.frame(0, &["0", "0"], "phi");
     m.body(frame, "m", &["0", "-r"], "0");
@@ -107,14 +105,12 @@ fn a_rolling_disc() {
     let spin = m.frame_about(lean, &["0", "0", "r"], Some((1, "psi")));
     let across = m.e("m*r^2/4");
     let along = m.e("m*r^2/2");
-    m.body_with(spin, "m", &["0", "0", "0"], [
-        Some(across),
-        Some(along),
-        Some(across),
-        None,
-        None,
-        None,
-    ]);
+    m.body_with(
+        spin,
+        "m",
+        &["0", "0", "0"],
+        [Some(across), Some(along), Some(across), None, None, None],
+    );
     // The point of contact moves on the floor as the rim unrolls: (x, y) is that point.
     m.nonholonomic("roll_x", "x' - r*psi'*cos(phi)");
     m.nonholonomic("roll_y", "y' - r*psi'*sin(phi)");

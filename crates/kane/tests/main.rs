@@ -3,8 +3,7 @@
 
 mod builder;
 mod closed_forms;
-
-
 mod evaluation;
-
-
+mod hand_written;
+mod models_ab;
+mod small_models;

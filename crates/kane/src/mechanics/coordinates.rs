@@ -147,8 +147,26 @@ impl Search<'_> {
             .collect()
     }
 
-    /// Whether the constraints are linear in the chosen coordinates and in this one, and give all
-    /// of them.
+    /// The constraints that are linear in the chosen coordinates, with their slopes; with
+    /// constant ones, if it is asked for.
+    fn usable(
+        &mut self,
+        zeros: &[Node],
+        chosen: &[usize],
+        is_constant: bool,
+    ) -> (Vec<Node>, Vec<Vec<Node>>) {
+        let moves = |place: Place| match place {
+            Place::Coordinate(i) => is_constant || chosen.contains(&usize::from(i)),
+            Place::Input(_) => is_constant,
+            _ => false,
+        };
+        let slopes = self.slopes(zeros, chosen);
+        let both = zeros.iter().copied().zip(slopes);
+        both.filter(|(_, row)| !row.iter().any(|slope| self.graph.depends(*slope, moves))).unzip()
+    }
+
+    /// Whether constraints that are linear in the chosen coordinates and in this one give all of
+    /// them.
     fn fits(
         &mut self,
         zeros: &[Node],
@@ -158,15 +176,7 @@ impl Search<'_> {
     ) -> bool {
         let mut all = chosen.to_vec();
         all.push(coordinate);
-        let slopes = self.slopes(zeros, &all);
-        let moves = |place: Place| match place {
-            Place::Coordinate(i) => is_constant || all.contains(&usize::from(i)),
-            Place::Input(_) => is_constant,
-            _ => false,
-        };
-        if slopes.iter().flatten().any(|slope| self.graph.depends(*slope, moves)) {
-            return false;
-        }
+        let slopes = self.usable(zeros, &all, is_constant).1;
         let values = self.pose.matrix(self.graph, &slopes);
         let last = all.len() - 1;
         let largest = values.iter().fold(0.0_f64, |most, row| most.max(row[last].abs()));
@@ -175,7 +185,7 @@ impl Search<'_> {
     }
 
     fn solve(&mut self, zeros: &[Node], chosen: &[usize]) -> Option<Vec<Node>> {
-        let slopes = self.slopes(zeros, chosen);
+        let (zeros, slopes) = self.usable(zeros, chosen, false);
         let values = self.pose.matrix(self.graph, &slopes);
         let mut rows: Vec<usize> =
             numeric::pivots(values, &[(0..chosen.len()).collect()]).iter().map(|it| it.0).collect();

@@ -11,8 +11,8 @@ use super::numeric::{self, NumericPose};
 use crate::graph::{Graph, Node, Place, Substitution, Tangent};
 use crate::mechanism::{Mechanism, Mode};
 
-/// Below it a slope of a constraint is rounding.
-const ROUNDING: f64 = 1e-9;
+/// Rate of a constraint (per unit of speed) from which on it is not met.
+const UNMET: f64 = 1e-6;
 
 /// A condition that is linear in the speeds: slopes · (speeds, input's rate) + rest = 0.
 #[derive(Clone, Debug)]
@@ -84,12 +84,14 @@ impl SpeedProblem<'_> {
             rows.push(row(self.graph, self.mechanism, Some(*c), rate));
         }
         let own = self.own_rows();
-        let mut open: Vec<VelocityRow> =
+        self.check_rank(&rows)?;
+        let open: Vec<VelocityRow> =
             rows.iter().chain(&own).map(|it| self.without_stated(it, &stated)).collect();
-        self.drop_met(&mut open)?;
-        let chosen = self.choose(&open, &stated)?;
+        let chosen = self.choose(&open, &stated);
         let all_rows = self.reaction_rows(rows, own, &stated);
-        self.assemble(&open, &chosen, &stated, all_rows)
+        let map = self.assemble(&open, &chosen, &stated, all_rows)?;
+        self.check_met(&map)?;
+        Ok(map)
     }
 
     /// The speeds of stated coordinates, by differentiation.
@@ -142,30 +144,46 @@ impl SpeedProblem<'_> {
         new
     }
 
-    /// Leaves out rows that the stated coordinates meet by themselves.
-    fn drop_met(&mut self, rows: &mut Vec<VelocityRow>) -> Result<(), Vec<Obstacle>> {
+    /// Whether each constraint says something that the others do not.
+    fn check_rank(&self, rows: &[VelocityRow]) -> Result<(), Vec<Obstacle>> {
         let n = self.mechanism.speeds.len();
+        let slopes: Vec<Vec<Node>> = rows.iter().map(|row| row.slopes[..n].to_vec()).collect();
+        let values = self.pose.matrix(self.graph, &slopes);
+        let rank = numeric::pivots(values, &[(0..n).collect()]).len();
+        if rank == rows.len() { Ok(()) } else { Err(self.dependent(rows)) }
+    }
+
+    fn dependent(&self, rows: &[VelocityRow]) -> Vec<Obstacle> {
+        let names = rows.iter().filter_map(|row| row.constraint);
+        let constraints = names.map(|c| self.mechanism.constraints[c].name.clone()).collect();
+        vec![Obstacle::DependentConstraints { constraints }]
+    }
+
+    /// Whether the speeds meet every constraint: those that stated coordinates stand for, too.
+    fn check_met(&mut self, map: &SpeedMap) -> Result<(), Vec<Obstacle>> {
         let mut moving = self.nearby.clone();
         moving.set(Place::Input(1), 1.0);
-        let poses = [self.pose, &moving];
-        let mut errors = Vec::new();
-        rows.retain(|row| {
-            let is_still = |pose: &&NumericPose| {
-                pose.all(self.graph, &row.slopes[..n]).iter().all(|it| it.abs() < ROUNDING)
-            };
-            if !poses.iter().all(is_still) {
-                return true;
+        let mut unmet = Vec::new();
+        for row in &map.rows {
+            let Some(constraint) = row.constraint else { continue };
+            let columns = (0..map.independent.len())
+                .map(|k| map.slopes.iter().map(|it| it[k]).collect::<Vec<_>>());
+            let mut left: Vec<Node> = Vec::new();
+            for column in columns {
+                left.push(super::motion::inner(self.graph, &row.slopes, &column));
             }
-            let rest = moving.value(self.graph, row.rest).abs();
-            if let Some(c) = row.constraint
-                && rest.is_nan() | (rest > 1e-6)
-            {
-                let constraint = self.mechanism.constraints[c].name.clone();
-                errors.push(Obstacle::UnmetConstraint { constraint });
+            let moved = super::motion::inner(self.graph, &row.slopes, &map.offset);
+            left.push(self.graph.add(moved, row.rest));
+            let size =
+                moving.all(self.graph, &row.slopes).iter().fold(1.0, |m, it| f64::max(m, it.abs()));
+            let worst =
+                moving.all(self.graph, &left).iter().fold(0.0, |m, it| f64::max(m, it.abs()));
+            if worst.is_nan() || worst > UNMET * size {
+                let constraint = self.mechanism.constraints[constraint].name.clone();
+                unmet.push(Obstacle::UnmetConstraint { constraint });
             }
-            false
-        });
-        if errors.is_empty() { Ok(()) } else { Err(errors) }
+        }
+        if unmet.is_empty() { Ok(()) } else { Err(unmet) }
     }
 
     /// Rows and dependent speeds, one for the other.
@@ -173,7 +191,7 @@ impl SpeedProblem<'_> {
         &self,
         open: &[VelocityRow],
         stated: &BTreeMap<usize, VelocityRow>,
-    ) -> Result<Vec<(usize, usize)>, Vec<Obstacle>> {
+    ) -> Vec<(usize, usize)> {
         let linear: Vec<usize> = (self.solved.linear.keys())
             .filter_map(|i| plain_speed(self.graph, self.mechanism, *i))
             .collect();
@@ -187,13 +205,7 @@ impl SpeedProblem<'_> {
             .filter(|j| !stated.contains_key(j) && !linear.contains(j) && !is_kept(j));
         let groups = [linear.clone(), others.collect()];
         let slopes: Vec<Vec<Node>> = open.iter().map(|row| row.slopes.clone()).collect();
-        let pivots = numeric::pivots(self.pose.matrix(self.graph, &slopes), &groups);
-        if pivots.len() == open.len() {
-            return Ok(pivots);
-        }
-        let names = open.iter().filter_map(|row| row.constraint);
-        let constraints = names.map(|c| self.mechanism.constraints[c].name.clone()).collect();
-        Err(vec![Obstacle::DependentConstraints { constraints }])
+        numeric::pivots(self.pose.matrix(self.graph, &slopes), &groups)
     }
 
     /// The constraints' rows, and as many of solved coordinates as reactions need besides.
@@ -244,9 +256,7 @@ impl SpeedProblem<'_> {
             right.push(columns.map(|it| self.graph.negate(it)).collect());
         }
         let Some(found) = linear::solve(self.graph, self.pose, a.collect(), right) else {
-            let names = open.iter().filter_map(|row| row.constraint);
-            let constraints = names.map(|c| self.mechanism.constraints[c].name.clone()).collect();
-            return Err(vec![Obstacle::DependentConstraints { constraints }]);
+            return Err(self.dependent(open));
         };
         let mut map =
             SpeedMap { independent, dependent, slopes: Vec::new(), offset: Vec::new(), rows };

@@ -151,7 +151,13 @@ impl MechanismBuilder {
     }
 
     /// A force along a deformation; its rate is called `rate` in the tension.
-    pub(crate) fn force(&mut self, name: &str, stretch: &str, tension: &str, energy: &str) -> usize {
+    pub(crate) fn force(
+        &mut self,
+        name: &str,
+        stretch: &str,
+        tension: &str,
+        energy: &str,
+    ) -> usize {
         let stretch = self.e(stretch);
         let stretch_rate = self.rate(stretch);
         self.names.insert("stretch".into(), stretch);
@@ -174,7 +180,13 @@ impl MechanismBuilder {
         self.enter_constraint(name, ConstraintKind::Nonholonomic, zero, zero)
     }
 
-    fn enter_constraint(&mut self, name: &str, kind: ConstraintKind, zero: Node, rate: Node) -> usize {
+    fn enter_constraint(
+        &mut self,
+        name: &str,
+        kind: ConstraintKind,
+        zero: Node,
+        rate: Node,
+    ) -> usize {
         let at = self.it.constraints.len();
         self.symbol(&format!("reaction_{name}"), Place::Reaction(number(at)));
         self.it.constraints.push(Constraint { name: name.to_owned(), kind, zero, rate });
