@@ -3,6 +3,9 @@
 
 mod builder;
 mod closed_forms;
+mod contacts;
+mod energy;
+mod errors;
 mod evaluation;
 mod hand_written;
 mod models_ab;

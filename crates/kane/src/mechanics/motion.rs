@@ -63,6 +63,7 @@ impl ModeMotion {
         super::closing::close(graph, &mut here, mechanism, mode, &solved);
         let mut nearby = here.nearby(mechanism);
         solved.place(graph, &mut nearby);
+        super::closing::close(graph, &mut nearby, mechanism, mode, &solved);
         let problem = SpeedProblem {
             graph: &mut *graph,
             pose: &here,

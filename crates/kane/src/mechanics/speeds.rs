@@ -11,6 +11,9 @@ use super::numeric::{self, NumericPose};
 use crate::graph::{Graph, Node, Place, Substitution, Tangent};
 use crate::mechanism::{Mechanism, Mode};
 
+/// Part of a slope that is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// Rate of a constraint (per unit of speed) from which on it is not met.
 const UNMET: f64 = 1e-6;
 
@@ -87,8 +90,11 @@ impl SpeedProblem<'_> {
         self.check_rank(&rows)?;
         let open: Vec<VelocityRow> =
             rows.iter().chain(&own).map(|it| self.without_stated(it, &stated)).collect();
+        let open = self.without_met(&rows, open);
         let chosen = self.choose(&open, &stated);
+        let count = rows.len();
         let all_rows = self.reaction_rows(rows, own, &stated);
+        self.check_stated(&all_rows, count)?;
         let map = self.assemble(&open, &chosen, &stated, all_rows)?;
         self.check_met(&map)?;
         Ok(map)
@@ -157,6 +163,42 @@ impl SpeedProblem<'_> {
         let names = rows.iter().filter_map(|row| row.constraint);
         let constraints = names.map(|c| self.mechanism.constraints[c].name.clone()).collect();
         vec![Obstacle::DependentConstraints { constraints }]
+    }
+
+    /// Leaves out rows that stated coordinates meet: what is left of their slopes is rounding.
+    fn without_met(&self, rows: &[VelocityRow], mut open: Vec<VelocityRow>) -> Vec<VelocityRow> {
+        let n = self.mechanism.speeds.len();
+        let size = |pose: &NumericPose, row: &VelocityRow| {
+            let values = pose.all(self.graph, &row.slopes[..n]);
+            values.iter().fold(0.0, |most, it| f64::max(most, it.abs()))
+        };
+        let mut at = 0;
+        open.retain(|row| {
+            let before = rows.get(at).unwrap_or(row);
+            at += 1;
+            let is_small = |pose| size(pose, row) <= ROUNDING * size(pose, before);
+            !(is_small(self.pose) && is_small(self.nearby))
+        });
+        open
+    }
+
+    /// Whether stated coordinates that constraints touch follow from these: those that do not
+    /// would be a condition more.
+    fn check_stated(&self, rows: &[VelocityRow], count: usize) -> Result<(), Vec<Obstacle>> {
+        let n = self.mechanism.speeds.len();
+        let mut unmet = Vec::new();
+        for more in &rows[count..] {
+            let own = self.pose.all(self.graph, &more.slopes[..n]);
+            let touching = rows[..count].iter().find(|row| {
+                let slopes = row.slopes[..n].iter().zip(&own);
+                slopes.into_iter().any(|(slope, own)| *own == 1.0 && !self.graph.is_zero(*slope))
+            });
+            if let Some(constraint) = touching.and_then(|row| row.constraint) {
+                let constraint = self.mechanism.constraints[constraint].name.clone();
+                unmet.push(Obstacle::UnmetConstraint { constraint });
+            }
+        }
+        if unmet.is_empty() { Ok(()) } else { Err(unmet) }
     }
 
     /// Whether the speeds meet every constraint: those that stated coordinates stand for, too.
