@@ -15,7 +15,7 @@ use crate::by_hand::{self, key_hammer, model};
 /// s(t) = Σ A exp(−((t − tc)/w)²) of figure 6.
 const BELLS: [[f64; 3]; 3] = [[0.099, 0.514, 0.079], [0.181, 1.095, 0.109], [0.186, 1.573, 0.059]];
 
-fn figure_6(scale: f64) -> impl Fn(f64) -> Motion + Copy {
+pub(crate) fn figure_6(scale: f64) -> impl Fn(f64) -> Motion + Copy {
     move |t| {
         let mut motion = Motion::default();
         for [a, tc, w] in BELLS {
@@ -30,9 +30,9 @@ fn figure_6(scale: f64) -> impl Fn(f64) -> Motion + Copy {
     }
 }
 
-type Run<M> = (RunRecorder<M>, Work, M);
+pub(crate) type Run<M> = (RunRecorder<M>, Work, M);
 
-fn run<M: Resets + Copy>(
+pub(crate) fn run<M: Resets + Copy>(
     model: M,
     (mode, x): (M::Mode, M::State),
     (h, until): (f64, f64),

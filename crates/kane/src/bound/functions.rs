@@ -1,8 +1,8 @@
 //! Ranges of functions of a range.
 
 use super::range::{Range, around, room};
-use super::{least, magnitude, most};
-use crate::graph::{BinaryFunction, Graph, Node, UnaryFunction};
+use super::{above_zero, larger, least, magnitude, most};
+use crate::graph::{BinaryFunction, Graph, Node, Operation, UnaryFunction};
 
 /// The range of an integer power.
 pub(super) fn power(graph: &mut Graph, x: Range, exponent: i32) -> Range {
@@ -12,11 +12,17 @@ pub(super) fn power(graph: &mut Graph, x: Range, exponent: i32) -> Range {
     let n = exponent.unsigned_abs();
     let n = i32::try_from(n).unwrap_or(i32::MAX);
     let whole = if exponent < 0 { inverse(graph, x) } else { x };
-    let slope = graph.power(whole.size, n - 1);
-    let spread = graph.multiply(slope, whole.spread);
+    if n == 1 {
+        return whole;
+    }
+    // |xⁿ − cⁿ| ≤ |x − c| Σ |x|ᵏ |c|ⁿ⁻¹⁻ᵏ, all but one of them with the size in place of |c|.
+    let (own, rest) = (magnitude(graph, whole.centre), graph.power(whole.size, n - 2));
+    let last = graph.multiply(own, rest);
+    let all = graph.power(whole.size, n - 1);
+    let slope = graph.sum(&[(all, f64::from(n - 1)), (last, 1.0)]);
     Range {
         centre: graph.power(x.centre, exponent),
-        spread: graph.scale(spread, f64::from(n)),
+        spread: graph.multiply(slope, whole.spread),
         size: graph.power(whole.size, n),
     }
 }
@@ -87,7 +93,7 @@ fn size(graph: &mut Graph, function: UnaryFunction, x: Range, far: Node) -> Node
     }
 }
 
-/// A bound of |f'| over the range.
+/// A bound of |f(x) − f(c)|/|x − c| over the range.
 fn largest_slope(graph: &mut Graph, function: UnaryFunction, x: Range) -> Node {
     let one = graph.constant(1.0);
     let [low, high] = ends(graph, x);
@@ -130,11 +136,12 @@ fn largest_slope(graph: &mut Graph, function: UnaryFunction, x: Range) -> Node {
     }
 }
 
-/// A bound of a sine or cosine over the range, by its value at the centre.
+/// A bound of the mean slope between the centre and any place, where the slope is this sine or
+/// cosine: |cos x − cos c| ≤ |sin c| |x − c| + |x − c|²/2.
 fn turning(graph: &mut Graph, function: UnaryFunction, x: Range) -> Node {
     let value = graph.unary(function, x.centre);
     let (size, one) = (magnitude(graph, value), graph.constant(1.0));
-    let far = graph.add(size, x.spread);
+    let far = graph.sum(&[(size, 1.0), (x.spread, 0.5)]);
     least(graph, far, one)
 }
 
@@ -157,8 +164,8 @@ pub(super) fn binary(
     match function {
         BinaryFunction::Min | BinaryFunction::Max => Range {
             centre,
-            spread: most(graph, x.spread, y.spread),
-            size: most(graph, x.size, y.size),
+            spread: larger(graph, x.spread, y.spread),
+            size: larger(graph, x.size, y.size),
         },
         BinaryFunction::Hypot => {
             let spread = graph.binary(BinaryFunction::Hypot, x.spread, y.spread);
@@ -197,7 +204,7 @@ fn general_power(graph: &mut Graph, [x, y]: [Range; 2], centre: Node) -> Range {
     if !graph.is_zero(y.spread) {
         return Range { centre, spread: unknown, size: unknown };
     }
-    let [low, high] = ends(graph, x).map(|end| positive(graph, end));
+    let [low, high] = ends(graph, x).map(|end| above_zero(graph, end));
     let largest = |graph: &mut Graph, exponent: Node| {
         let at = |graph: &mut Graph, end| graph.binary(BinaryFunction::Power, end, exponent);
         match graph.number(exponent) {
@@ -205,7 +212,7 @@ fn general_power(graph: &mut Graph, [x, y]: [Range; 2], centre: Node) -> Range {
             Some(_) => at(graph, low),
             None => {
                 let (low, high) = (at(graph, low), at(graph, high));
-                most(graph, low, high)
+                larger(graph, low, high)
             }
         }
     };
@@ -215,4 +222,44 @@ fn general_power(graph: &mut Graph, [x, y]: [Range; 2], centre: Node) -> Range {
     let steep = magnitude(graph, y.centre);
     let spread = graph.product(&[(steep, 1), (slope, 1), (x.spread, 1)]);
     Range { centre, spread, size }
+}
+
+/// Whether a node is 0 or more whatever it is made of, as far as its own operation tells.
+pub(super) fn is_never_negative(graph: &Graph, node: Node) -> bool {
+    let is_number = |node: &Node| graph.number(*node).is_some_and(|number| number >= 0.0);
+    match graph.operation(node) {
+        Operation::Number(bits) => f64::from_bits(*bits) >= 0.0,
+        Operation::Sum(number, terms) => {
+            let is_term = |(node, by): &(Node, u64)| {
+                let is_sum = matches!(graph.operation(*node), Operation::Sum(..));
+                f64::from_bits(*by) >= 0.0 && !is_sum && is_never_negative(graph, *node)
+            };
+            f64::from_bits(*number) >= 0.0 && terms.iter().all(is_term)
+        }
+        Operation::Product(factors) => factors
+            .iter()
+            .all(|(node, exponent)| exponent % 2 == 0 || is_positive_function(graph, *node)),
+        Operation::Binary(BinaryFunction::Max, x, y) => is_number(x) || is_number(y),
+        Operation::Symbol(_)
+        | Operation::Unary(..)
+        | Operation::Binary(..)
+        | Operation::Select(_) => is_positive_function(graph, node),
+    }
+}
+
+/// Whether a node is a function that is nowhere negative.
+fn is_positive_function(graph: &Graph, node: Node) -> bool {
+    let Operation::Unary(function, _) = graph.operation(node) else {
+        return matches!(graph.operation(node), Operation::Binary(BinaryFunction::Hypot, ..));
+    };
+    matches!(
+        function,
+        UnaryFunction::Exp
+            | UnaryFunction::Sqrt
+            | UnaryFunction::Abs
+            | UnaryFunction::Softplus
+            | UnaryFunction::Logistic
+            | UnaryFunction::SoftplusArea
+            | UnaryFunction::SoftplusSquareArea
+    )
 }

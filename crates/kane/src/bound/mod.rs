@@ -127,7 +127,23 @@ fn least(graph: &mut Graph, x: Node, y: Node) -> Node {
     graph.binary(BinaryFunction::Min, x, y)
 }
 
-/// The larger of two nodes.
+/// The larger of two nodes; the other one where one is no number.
 fn most(graph: &mut Graph, x: Node, y: Node) -> Node {
     if x == y { x } else { graph.binary(BinaryFunction::Max, x, y) }
+}
+
+/// The larger of two nodes; no number where one is none, so that nothing unknown is lost.
+fn larger(graph: &mut Graph, x: Node, y: Node) -> Node {
+    if x == y {
+        return x;
+    }
+    let apart = graph.subtract(x, y);
+    let apart = magnitude(graph, apart);
+    graph.sum(&[(x, 0.5), (y, 0.5), (apart, 0.5)])
+}
+
+/// What of a node is above 0; no number where it is none.
+fn above_zero(graph: &mut Graph, x: Node) -> Node {
+    let size = magnitude(graph, x);
+    graph.sum(&[(x, 0.5), (size, 0.5)])
 }

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::{extra, magnitude, most};
-use crate::graph::{Graph, Node, Operation, Place, Substitution};
+use super::functions::is_never_negative;
+use super::{extra, larger, magnitude};
+use crate::graph::{BinaryFunction, Graph, Node, Operation, Place, Substitution, UnaryFunction};
 use equations::table::EnclosureLayout;
 
 /// Where an expression is over a step: within `spread` of `centre`, and nowhere beyond ±`size`.
@@ -74,15 +75,28 @@ impl Ranges {
             }
             Operation::Product(factors) => self.product(graph, &factors, centre),
             Operation::Unary(function, x) => {
-                let x = self.known[&x];
-                super::functions::unary(graph, function, x, centre)
+                let range = super::functions::unary(graph, function, self.known[&x], centre);
+                if function == UnaryFunction::Sqrt { self.rooted(graph, x, range) } else { range }
             }
             Operation::Binary(function, x, y) => {
-                let (x, y) = (self.known[&x], self.known[&y]);
-                super::functions::binary(graph, function, [x, y], centre)
+                let ranges = [x, y].map(|it| self.known[&it]);
+                let range = super::functions::binary(graph, function, ranges, centre);
+                if function == BinaryFunction::Power { self.rooted(graph, x, range) } else { range }
             }
             Operation::Select(all) => self.select(graph, all, centre),
         }
+    }
+
+    /// The range of a root or a power of `x`, which are no numbers where that may be negative.
+    fn rooted(&self, graph: &mut Graph, x: Node, range: Range) -> Range {
+        let own = self.known[&x];
+        if graph.is_zero(own.spread) || is_never_negative(graph, x) {
+            return range;
+        }
+        let low = graph.subtract(own.centre, own.spread);
+        let unknown = graph.constant(f64::INFINITY);
+        let [spread, size] = [range.spread, range.size].map(|it| graph.select(low, it, unknown));
+        Range { spread, size, ..range }
     }
 
     /// One factor after the other: |a b − a₀ b₀| ≤ |a − a₀| |b| + |a₀| |b − b₀|.
@@ -110,7 +124,7 @@ impl Ranges {
         let one = |graph: &mut Graph, of: fn(&Range) -> Node| {
             graph.select(condition.centre, of(&positive), of(&other))
         };
-        let either = most(graph, positive.size, other.size);
+        let either = larger(graph, positive.size, other.size);
         let (size, spread) = (one(graph, |it| it.size), one(graph, |it| it.spread));
         let from_centre = magnitude(graph, centre);
         let far = graph.add(from_centre, either);
