@@ -86,6 +86,7 @@ mod model;
 mod point;
 mod resets;
 mod set;
+mod slopes;
 mod solve;
 mod spec;
 mod system;

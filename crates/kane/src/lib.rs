@@ -1,13 +1,17 @@
 //! Mechanisms described in files, as equations of motion by Kane's method.
 //!
 //! In the order in which a description passes: [`graph`] holds all expressions once, with exact
-//! derivatives; [`mechanism`] is a checked description; [`system`] what was derived from it, mode
-//! by mode; [`tape`] is the straight-line program of some expressions.
+//! derivatives; [`mechanism`] is a checked description; [`mechanics`] derives [`system`] from it,
+//! mode by mode; [`tape`] is the straight-line program of some expressions; [`assemble`] makes the
+//! table and the functions of a model that `equations` runs.
 //!
 //! Not here: time stepping, keys, what an instrument sounds like.
 #![forbid(unsafe_code)]
 
+pub mod assemble;
+mod bound;
 pub mod graph;
+pub mod mechanics;
 pub mod mechanism;
 pub mod system;
 pub mod tape;

@@ -1,0 +1,199 @@
+//! What ends a mode, and where that leads.
+
+use std::collections::HashMap;
+
+use equations::table::{GuardTable, RestingTable, WayTable};
+use pode::{GuardId, GuardSpec, Reads};
+
+use super::functions::FunctionList;
+use super::kinds::is_of_input;
+use super::modes::ModeBuilder;
+use super::{AssemblyError, leak};
+use crate::bound::Bounds;
+use crate::graph::{Graph, Node};
+use crate::mechanism::Fires;
+use crate::system::{GuardEquations, ModeEquations, Way};
+
+/// The number of each guard: one for all guards of one name that are watched alike.
+#[derive(Debug, Default)]
+pub(super) struct GuardNumbers {
+    numbers: HashMap<(String, u64, u8, bool), u8>,
+}
+
+impl GuardNumbers {
+    pub(super) fn of(modes: &[ModeEquations]) -> Result<Self, AssemblyError> {
+        let mut numbers = Self::default();
+        for guard in modes.iter().flat_map(|mode| &mode.guards) {
+            let next = numbers.numbers.len();
+            let number = u8::try_from(next).ok().ok_or(AssemblyError::TooManyGuards(next))?;
+            numbers.numbers.entry(key(guard)).or_insert(number);
+        }
+        Ok(numbers)
+    }
+
+    fn number(&self, guard: &GuardEquations) -> u8 {
+        self.numbers.get(&key(guard)).copied().unwrap_or(u8::MAX)
+    }
+}
+
+/// By what guards are told apart.
+fn key(guard: &GuardEquations) -> (String, u64, u8, bool) {
+    let on_crossing = guard.fires == Fires::OnCrossing;
+    (guard.name.clone(), guard.scale.to_bits(), guard.priority, on_crossing)
+}
+
+/// The guards of a mode, as tables and as they are watched.
+pub(super) fn guards(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+) -> Result<(&'static [GuardTable], Vec<GuardSpec>), AssemblyError> {
+    let (mut tables, mut specs) = (Vec::new(), Vec::new());
+    for guard in &builder.equations.guards {
+        let table = self::guard(graph, functions, builder, guard)?;
+        specs.push(GuardSpec {
+            id: GuardId(table.id),
+            name: table.name,
+            priority: table.priority,
+            scale: table.scale,
+            fires: table.fires,
+            reads: table.reads,
+        });
+        tables.push(table);
+    }
+    Ok((leak::list(tables), specs))
+}
+
+fn guard(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    guard: &GuardEquations,
+) -> Result<GuardTable, AssemblyError> {
+    let name = &guard.name;
+    let values = [guard.value, guard.rate];
+    let mut ways = Vec::new();
+    for (number, way) in guard.ways.iter().enumerate() {
+        ways.push(self::way(graph, functions, builder, (&format!("{name}_{number}"), way))?);
+    }
+    let sounds =
+        guard.sounds.map(|node| builder.add(graph, functions, &format!("{name}_sounds"), &[node]));
+    Ok(GuardTable {
+        id: builder.context.numbers.number(guard),
+        name: leak::text(name),
+        priority: guard.priority,
+        scale: guard.scale,
+        fires: match guard.fires {
+            Fires::WhileNegative => pode::Fires::WhileNegative,
+            Fires::OnCrossing => pode::Fires::OnCrossing,
+        },
+        reads: reads(graph, builder, &values),
+        value: builder.add(graph, functions, &format!("{name}_guard"), &values)?,
+        bound: Some(bound(graph, functions, builder, (name, guard.value))?),
+        ways: leak::list(ways),
+        sounds: sounds.transpose()?,
+    })
+}
+
+/// What a guard is a function of.
+fn reads(graph: &Graph, builder: &ModeBuilder<'_>, values: &[Node]) -> Reads {
+    if builder.follows_input || values.iter().any(|value| is_of_input(graph, *value)) {
+        Reads::StateAndInput
+    } else {
+        Reads::State
+    }
+}
+
+/// The function that bounds what `value` does over a step.
+pub(super) fn bound(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, value): (&str, Node),
+) -> Result<equations::table::FunctionId, AssemblyError> {
+    let value = builder.state.replaced(graph, &[value])[0];
+    let bounds = Bounds::new(graph, builder.context.places).of(graph, value);
+    builder.add(graph, functions, &format!("{name}_bound"), &bounds)
+}
+
+/// One way out of a mode.
+fn way(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, way): (&str, &Way),
+) -> Result<WayTable, AssemblyError> {
+    let when =
+        way.branch.when.map(|when| builder.add(graph, functions, &format!("{name}_when"), &[when]));
+    let places = builder.context.places;
+    let keeps = way.state.iter().zip(places).all(|(node, place)| *node == graph.symbol(*place));
+    let reset = if keeps && graph.is_zero(way.impulse) {
+        None
+    } else {
+        let outputs = [way.state.as_slice(), &[way.impulse]].concat();
+        Some(builder.add(graph, functions, &format!("{name}_reset"), &outputs)?)
+    };
+    Ok(WayTable {
+        when: when.transpose()?,
+        to: u8::try_from(way.branch.to).unwrap_or(u8::MAX),
+        reset,
+        resting: resting(graph, functions, builder, (name, way))?,
+    })
+}
+
+/// How an impact comes to rest: in the mode that has, beside the constraints of the mode after a
+/// rebound, the one whose rate is the separation.
+///
+/// An impulse is proportional to 1 + e, and so is what it does to the speeds: without a rebound
+/// they change by the part 1/(1 + e) of it.
+fn resting(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, way): (&str, &Way),
+) -> Result<Option<RestingTable>, AssemblyError> {
+    let Some(impact) = way.branch.impact else { return Ok(None) };
+    let Some(to) = resting_mode(graph, builder, way.branch.to, impact.separation) else {
+        return Ok(None);
+    };
+    let one = graph.constant(1.0);
+    let part = graph.add(one, impact.restitution);
+    let mut outputs = Vec::new();
+    for (index, (after, place)) in way.state.iter().zip(builder.context.places).enumerate() {
+        let before = graph.symbol(*place);
+        let change = graph.subtract(*after, before);
+        let change = graph.divide(change, part);
+        let is_place = index < builder.context.coordinates;
+        outputs.push(if is_place { *after } else { graph.add(before, change) });
+    }
+    outputs.push(graph.divide(way.impulse, part));
+    let closing = graph.negate(impact.separation);
+    let meeting = [closing, impact.restitution];
+    Ok(Some(RestingTable {
+        to: u8::try_from(to).unwrap_or(u8::MAX),
+        state: builder.add(graph, functions, &format!("{name}_rest"), &outputs)?,
+        meeting: builder.add(graph, functions, &format!("{name}_meeting"), &meeting)?,
+    }))
+}
+
+/// The mode in which what meets stays together.
+fn resting_mode(
+    graph: &mut Graph,
+    builder: &ModeBuilder<'_>,
+    to: usize,
+    separation: Node,
+) -> Option<usize> {
+    let mechanism = builder.context.mechanism;
+    let opposite = graph.negate(separation);
+    let constraint =
+        mechanism.constraints.iter().position(|it| it.rate == separation || it.rate == opposite)?;
+    let mut wanted = mechanism.modes.get(to)?.constraints.clone();
+    wanted.push(constraint);
+    wanted.sort_unstable();
+    wanted.dedup();
+    mechanism.modes.iter().enumerate().position(|(number, mode)| {
+        let mut own = mode.constraints.clone();
+        own.sort_unstable();
+        number != to && own == wanted
+    })
+}

@@ -1,0 +1,68 @@
+//! From a system to what runs: a model's table, and one tape per function.
+//!
+//! Expressions of the parameters alone are found once, when the model is made; everything else is
+//! a function of constants, state and input. The table lives as long as the program: a description
+//! that is loaded while the program runs is kept.
+
+mod contacts;
+mod drawing;
+mod functions;
+mod guards;
+mod hoist;
+mod jacobian;
+mod kinds;
+mod leak;
+mod modes;
+mod parts;
+mod table;
+
+pub use functions::TapeFunctions;
+
+use equations::table::ModelTable;
+
+use crate::graph::Place;
+use crate::system::System;
+use crate::tape::Tape;
+
+/// What runs: all of a model but its arithmetic, and that arithmetic function by function.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// All but the arithmetic; it is never given back.
+    pub table: &'static ModelTable,
+    /// The functions by their numbers in the table.
+    pub functions: TapeFunctions,
+    /// What each function is for: `B1_derivative`.
+    pub names: Vec<String>,
+}
+
+impl Program {
+    /// Returns the tapes by the functions' numbers.
+    pub fn tapes(&self) -> &[Tape] {
+        self.functions.tapes()
+    }
+}
+
+/// What a system has that no model can have.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum AssemblyError {
+    /// An expression of a mode, by its name, reads what is no parameter, state or input.
+    UnknownSymbol(String, Place),
+    /// More entries of the state than a part has bits for.
+    TooManyStates(usize),
+    /// More modes than a number has room for.
+    TooManyModes(usize),
+    /// More guards of different names than a number has room for.
+    TooManyGuards(usize),
+    /// More functions or constants than a number has room for.
+    TooManyFunctions(usize),
+}
+
+impl System {
+    /// Makes the program of the system.
+    ///
+    /// # Errors
+    /// A system that is larger than a model can be, or that is not complete.
+    pub fn assemble(self) -> Result<Program, AssemblyError> {
+        table::assemble(self)
+    }
+}

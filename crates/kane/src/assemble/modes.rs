@@ -1,0 +1,177 @@
+//! The table of one mode.
+
+use equations::table::{Freedom, FunctionId, ModeTable};
+use pode::GuardSpec;
+
+use super::functions::FunctionList;
+use super::guards::GuardNumbers;
+use super::jacobian::StateOfMode;
+use super::kinds::{Loss, is_of_input, is_stiffening, kind_of};
+use super::parts::{Moving, parts};
+use super::{AssemblyError, contacts, drawing, guards, leak};
+use crate::graph::{Graph, Node, Place};
+use crate::mechanism::{ConstraintKind, Mechanism};
+use crate::system::ModeEquations;
+
+/// What all modes of a system share while their tables are made.
+pub(super) struct ModeContext<'a> {
+    pub(super) mechanism: &'a Mechanism,
+    pub(super) places: &'a [Place],
+    pub(super) coordinates: usize,
+    pub(super) modes: &'a [ModeEquations],
+    pub(super) numbers: &'a GuardNumbers,
+}
+
+/// One mode while its table is made.
+pub(super) struct ModeBuilder<'a> {
+    pub(super) context: &'a ModeContext<'a>,
+    pub(super) number: usize,
+    pub(super) name: &'a str,
+    pub(super) equations: &'a ModeEquations,
+    pub(super) state: StateOfMode<'a>,
+    /// Whether it slaves a coordinate to the input.
+    pub(super) follows_input: bool,
+}
+
+impl ModeBuilder<'_> {
+    /// Adds a function of this mode.
+    pub(super) fn add(
+        &self,
+        graph: &mut Graph,
+        functions: &mut FunctionList,
+        what: &str,
+        outputs: &[Node],
+    ) -> Result<FunctionId, AssemblyError> {
+        functions.add(graph, &format!("{}_{what}", self.name), outputs)
+    }
+}
+
+/// Makes the table of the mode `number`.
+pub(super) fn mode(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    context: &ModeContext<'_>,
+    number: usize,
+) -> Result<ModeTable, AssemblyError> {
+    let equations = &context.modes[number];
+    let name = context.mechanism.modes.get(number).map_or("", |mode| mode.name.as_str());
+    let state = StateOfMode::new(graph, context.places, equations);
+    let follows_input = state.slaved.iter().any(|it| is_of_input(graph, *it));
+    let builder = ModeBuilder { context, number, name, equations, state, follows_input };
+    let motion = motion(graph, functions, &builder)?;
+    let forces = forces(graph, functions, &builder)?;
+    let (guards, guard_specs) = guards::guards(graph, functions, &builder)?;
+    let contacts = contacts::contacts(graph, functions, &builder)?;
+    Ok(ModeTable {
+        name: leak::text(name),
+        readout: forces.readout,
+        slopes: forces.slopes,
+        outputs: forces.outputs,
+        balance: forces.balance,
+        guards,
+        guard_specs: leak::list(guard_specs as Vec<GuardSpec>),
+        contacts,
+        freedom: freedom(context.mechanism, number),
+        ..motion
+    })
+}
+
+/// The functions of what a mode does by itself: how it moves.
+fn motion(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+) -> Result<ModeTable, AssemblyError> {
+    let (equations, state) = (builder.equations, &builder.state);
+    let rates = &equations.derivative;
+    let parameters = u16::try_from(builder.context.mechanism.parameters.len()).unwrap_or(u16::MAX);
+    let rows = state.jacobian(graph, rates);
+    let flat: Vec<_> = rows.iter().flatten().copied().collect();
+    let loss = Loss::of(graph, equations.dissipated, parameters);
+    let free: Vec<_> = state.free().map(|index| rates[index]).collect();
+    let free = state.replaced(graph, &free);
+    let entries = state.replaced(graph, &flat);
+    let kind = kind_of(graph, &free, &entries, &loss);
+    let derivative = builder.add(graph, functions, "derivative", rates)?;
+    let moving = Moving {
+        name: builder.name,
+        state,
+        rates,
+        jacobian: &rows,
+        dissipated: equations.dissipated,
+        parameters,
+    };
+    let (parts, part_list) = parts(graph, functions, &moving)?;
+    let is_slaving = state.free().count() < builder.context.places.len();
+    let slaved = is_slaving.then_some(state.slaved.as_slice());
+    let slaved = slaved.map(|slaved| builder.add(graph, functions, "slaved", slaved));
+    Ok(ModeTable {
+        derivative,
+        parts,
+        part_list,
+        slaved: slaved.transpose()?,
+        projection: projection(graph, functions, builder)?,
+        projected: equations.drift.len(),
+        jacobian: builder.add(graph, functions, "jacobian", &flat)?,
+        kind,
+        loss: loss.function(graph, functions, &format!("{}_loss", builder.name))?,
+        is_stiffening: is_stiffening(graph, &rows),
+        ..ModeTable::NOTHING
+    })
+}
+
+/// A Newton step towards the constraints, and behind it how far each is from zero.
+fn projection(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+) -> Result<Option<FunctionId>, AssemblyError> {
+    let equations = builder.equations;
+    if equations.projection.is_empty() {
+        return Ok(None);
+    }
+    let outputs = [equations.projection.as_slice(), &equations.drift].concat();
+    builder.add(graph, functions, "projection", &outputs).map(Some)
+}
+
+/// The functions of what a mode is felt and seen by.
+struct ForceFunctions {
+    readout: FunctionId,
+    slopes: FunctionId,
+    outputs: FunctionId,
+    balance: FunctionId,
+}
+
+fn forces(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+) -> Result<ForceFunctions, AssemblyError> {
+    let equations = builder.equations;
+    let zero = graph.constant(0.0);
+    let readout = equations.readout.unwrap_or(zero);
+    let slopes =
+        [0, 1].map(|rate| builder.state.direction(graph, Place::Input(rate)).of(graph, readout));
+    let balance = [equations.energy, equations.supplied, equations.dissipated]
+        .map(|node| node.unwrap_or(zero));
+    let mut outputs = equations.outputs.clone();
+    outputs.extend(drawing::poses(graph, builder));
+    Ok(ForceFunctions {
+        readout: builder.add(graph, functions, "readout", &[readout])?,
+        slopes: builder.add(graph, functions, "slopes", &slopes)?,
+        outputs: builder.add(graph, functions, "outputs", &outputs)?,
+        balance: builder.add(graph, functions, "balance", &balance)?,
+    })
+}
+
+/// How many coordinates, constraints and independent speeds a mode has.
+fn freedom(mechanism: &Mechanism, number: usize) -> Freedom {
+    let count = |count: usize| u8::try_from(count).unwrap_or(u8::MAX);
+    let Some(mode) = mechanism.modes.get(number) else { return Freedom { n: 0, m: 0, p: 0 } };
+    let in_mechanics = |speed: &usize| !mode.equations.iter().any(|(it, _)| it == speed);
+    let n = (0..mechanism.speeds.len()).filter(in_mechanics).count();
+    let is_tie = |kind| matches!(kind, ConstraintKind::Holonomic | ConstraintKind::Nonholonomic);
+    let known = mode.constraints.iter().filter_map(|it| mechanism.constraints.get(*it));
+    let m = known.filter(|it| is_tie(it.kind)).count();
+    Freedom { n: count(n), m: count(m), p: count(n.saturating_sub(m)) }
+}

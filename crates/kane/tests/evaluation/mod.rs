@@ -1,0 +1,114 @@
+//! Values of derived equations, by their tapes.
+
+use kane::graph::{Node, Place};
+use kane::system::System;
+use kane::tape::{Argument, Arguments, Layout, Tape};
+
+use crate::builder::{MechanismBuilder, number};
+
+/// A derived system with the values of its parameters.
+pub(crate) struct Derived {
+    pub(crate) system: System,
+    pub(crate) values: Vec<f64>,
+}
+
+impl Derived {
+    /// Derives what the builder wrote.
+    pub(crate) fn from(builder: MechanismBuilder) -> Self {
+        let values = builder.values;
+        let system = kane::mechanics::derive(builder.it);
+        let system = system.unwrap_or_else(|errors| {
+            let lines: Vec<_> = errors.iter().map(ToString::to_string).collect();
+            panic!("{}", lines.join("\n"))
+        });
+        Self { system, values }
+    }
+
+    /// The values of `nodes`, which are over state, parameters and input.
+    pub(crate) fn all(&self, nodes: &[Node], state: &[f64], input: [f64; 4]) -> Vec<f64> {
+        assert_eq!(state.len(), self.system.state.len(), "{:?}", self.system.state);
+        let mut layout = Layout::default();
+        for i in 0..self.values.len() {
+            layout.place(Place::Parameter(number(i)), Argument::Constant(number(i)));
+        }
+        for (i, place) in self.system.state.iter().enumerate() {
+            layout.place(*place, Argument::State(number(i)));
+        }
+        for k in 0..4 {
+            layout.place(Place::Input(k), Argument::Input(k));
+        }
+        let tape = Tape::lower(&self.system.mechanism.graph, &layout, nodes).expect("explicit");
+        tape.evaluate(&Arguments { constants: &self.values, state, input, extra: &[] })
+    }
+
+    pub(crate) fn one(&self, node: Node, state: &[f64], input: [f64; 4]) -> f64 {
+        self.all(&[node], state, input)[0]
+    }
+
+    pub(crate) fn derivative(&self, mode: usize, state: &[f64], input: [f64; 4]) -> Vec<f64> {
+        self.all(&self.system.modes[mode].derivative, state, input)
+    }
+
+    /// The state with slaved entries in place, after Newton's steps onto the constraints.
+    pub(crate) fn consistent(&self, mode: usize, state: &[f64], input: [f64; 4]) -> Vec<f64> {
+        let equations = &self.system.modes[mode];
+        let mut state = state.to_vec();
+        if !equations.projection.is_empty() {
+            for _ in 0..30 {
+                state = self.all(&equations.projection, &state, input);
+            }
+            for drift in self.all(&equations.drift, &state, input) {
+                assert!(drift.abs() < 1e-12, "drift {drift} of {state:?}");
+            }
+        }
+        self.all(&equations.slaved, &state, input)
+    }
+}
+
+/// Numbers in −1 ..= 1 that look random: xorshift.
+#[derive(Clone, Debug)]
+pub(crate) struct Numbers(u64);
+
+impl Numbers {
+    pub(crate) const fn new(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
+    }
+
+    pub(crate) fn next(&mut self) -> f64 {
+        for shift in [13, -7, 17_i32] {
+            let by = shift.unsigned_abs();
+            self.0 ^= if shift > 0 { self.0 << by } else { self.0 >> by };
+        }
+        (self.0 >> 11) as f64 / 2_f64.powi(52) - 1.0
+    }
+
+    pub(crate) fn list<const N: usize>(&mut self) -> [f64; N] {
+        std::array::from_fn(|_| self.next())
+    }
+
+    pub(crate) fn below(&mut self, n: usize) -> usize {
+        ((self.next() + 1.0) * 0.5 * n as f64) as usize % n
+    }
+}
+
+#[track_caller]
+pub(crate) fn close(found: f64, expected: f64, relative: f64, what: &str) {
+    let scale = expected.abs().max(1.0);
+    assert!((found - expected).abs() <= relative * scale, "{what}: {found} is not {expected}");
+}
+
+/// dE/dt − supplied + dissipated in a mode, relative to the terms.
+pub(crate) fn imbalance(derived: &mut Derived, mode: usize, state: &[f64], input: [f64; 4]) -> f64 {
+    use kane::graph::Tangent;
+    let equations = derived.system.modes[mode].clone();
+    let graph = &mut derived.system.mechanism.graph;
+    let places = derived.system.state.iter().copied();
+    let mut seeds: Vec<_> = places.zip(equations.derivative.iter().copied()).collect();
+    for k in 0..3 {
+        seeds.push((Place::Input(k), graph.symbol(Place::Input(k + 1))));
+    }
+    let rate = Tangent::new(seeds).of(graph, equations.energy.expect("energy"));
+    let nodes = [rate, equations.supplied.expect("supplied"), equations.dissipated.expect("lost")];
+    let [rate, supplied, lost] = derived.all(&nodes, state, input)[..] else { unreachable!() };
+    (rate - supplied + lost) / (1.0 + rate.abs() + supplied.abs() + lost.abs())
+}

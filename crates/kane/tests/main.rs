@@ -1,0 +1,18 @@
+//! Tests of what a mechanism's equations are, and of the programs that are assembled from them,
+//! against closed forms, models written by hand, and other programs.
+
+mod assembled;
+mod beside_hand_written;
+mod bounds;
+mod builder;
+mod by_hand;
+mod closed_forms;
+mod contacts;
+mod derived;
+mod energy;
+mod errors;
+mod evaluation;
+mod hand_written;
+mod models_ab;
+mod small_models;
+mod touching;
