@@ -1,0 +1,3 @@
+//! Promises of the crate, by subject.
+
+mod description;
