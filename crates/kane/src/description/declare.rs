@@ -106,6 +106,9 @@ impl DescriptionReader {
             }
             let rate = (!has_rate).then(|| {
                 let (name, unit) = (format!("{}'", entry.name), rate_unit(&unit));
+                if self.names.vague.contains(&entry.name) {
+                    self.names.vague.insert(name.clone());
+                }
                 self.enter_speed(name, unit, dimension.over(Dimension::TIME), speed_range)
             });
             self.names.coordinates.push(dimension);
@@ -140,7 +143,8 @@ impl DescriptionReader {
             let message = format!("{} has no unit", quoted(name));
             self.report.miss(keys.place, message, "write unit = \"m\", \"rad\" or \"m/s\"");
         }
-        self.unit(keys, "unit").unwrap_or(("1".to_owned(), Dimension::NONE))
+        let unit = self.unit(keys, "unit");
+        self.or_vague(name, unit)
     }
 
     /// Enters a generalised speed; returns it.

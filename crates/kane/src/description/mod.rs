@@ -18,6 +18,7 @@ mod names;
 mod order;
 mod outputs;
 mod parameters;
+mod reachable;
 mod reader;
 mod report;
 mod resolve;

@@ -51,6 +51,9 @@ impl DescriptionReader {
         let keys = KeyReader::new(&mut self.report, entry);
         if let Some(mut keys) = keys {
             keys.text(&mut self.report, "doc");
+            if keys.is_set(&mut self.report, "final") {
+                self.final_modes.push(number);
+            }
             if let Some(names) = self.name_list(&mut keys, "constraints") {
                 constraints = self.constraint_numbers(&names);
             }

@@ -1,6 +1,6 @@
 //! What every name of a description stands for.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use diagnostics::{choice, quoted};
 
@@ -75,13 +75,16 @@ impl<T: Clone> Catalogue<T> {
 #[derive(Debug, Default)]
 pub(super) struct NameTable {
     pub(super) symbols: BTreeMap<String, (SymbolKind, SourcePlace)>,
+    /// Part of a file is not readable: a name that is missing may stand there.
+    pub(super) is_broken: bool,
+    /// Names whose unit is not known, because it was written wrong.
+    pub(super) vague: BTreeSet<String>,
     pub(super) parameters: Vec<Dimension>,
     pub(super) coordinates: Vec<Dimension>,
     /// The rate of each coordinate.
     pub(super) rates: Vec<Option<Measured>>,
     /// Speeds by the number in the mechanism.
     pub(super) speeds: Vec<Dimension>,
-    /// The coordinate whose rate a speed is, with its name: `theta'`.
     pub(super) input: Dimension,
     pub(super) definitions: Vec<Option<Measured>>,
     pub(super) points: Catalogue<[Node; 3]>,
@@ -279,10 +282,16 @@ impl NameScope for NamesInUse<'_> {
             return Ok(pi(graph));
         }
         let Some((kind, _)) = self.names.symbols.get(name).copied() else {
+            if self.names.is_broken {
+                return Err(None);
+            }
             let known = self.names.symbols.keys().map(String::as_str).chain(["pi"]);
             let help = choice(name, known);
             return Err(Some(NameError { message: format!("there is no {}", quoted(name)), help }));
         };
+        if self.names.vague.contains(name) {
+            return Err(None);
+        }
         if matches!(kind, SymbolKind::Parameter(_)) && primes > 0 {
             let message = format!("{} is a parameter and has no rate", quoted(name));
             let help = format!("use {name} without the prime");
@@ -301,7 +310,8 @@ impl NameScope for NamesInUse<'_> {
         function: &str,
         names: &[&str],
     ) -> Result<Measured, (usize, Option<NameError>)> {
-        self.names.named(graph, function, names)
+        let value = self.names.named(graph, function, names);
+        value.map_err(|(at, error)| (at, error.filter(|_| !self.names.is_broken)))
     }
 
     fn rate(&mut self, graph: &mut Graph, value: Measured) -> Result<Measured, NameError> {

@@ -39,7 +39,8 @@ impl DescriptionReader {
             let message = format!("the parameter {} has no value", quoted(&entry.name));
             self.report.miss(entry.place, message, "write value = \"5 mm\"");
         }
-        let (unit, dimension) = self.parameter_unit(&mut keys, value.as_ref());
+        let unit = self.parameter_unit(&mut keys, value.as_ref());
+        let (unit, dimension) = self.or_vague(&entry.name, unit);
         let range = self.range(&mut keys, "range", &entry.name, dimension);
         let title = keys.text(&mut self.report, "title").map(|(it, _)| it.to_owned());
         let doc = keys.text(&mut self.report, "doc").map(|(it, _)| it.to_owned());
@@ -65,21 +66,34 @@ impl DescriptionReader {
         &mut self,
         keys: &mut KeyReader<'_>,
         value: Option<&FileExpression>,
-    ) -> (String, Dimension) {
+    ) -> Option<(String, Dimension)> {
         if keys.take("unit").is_some() {
-            return self.unit(keys, "unit").unwrap_or(("1".to_owned(), Dimension::NONE));
+            return self.unit(keys, "unit");
         }
-        let Some(value) = value else { return ("1".to_owned(), Dimension::NONE) };
+        let value = value?;
         if !value.expression.is_literal() {
             let help = "write unit = \"m\" beside it; 1 for a ratio";
             self.report.say(value.place, "a value that is a formula needs its unit stated", help);
+            return None;
         }
         let dimension = value.expression.parts.iter().find_map(|part| match part.shape {
             Shape::Number { dimension, .. } => Some(dimension),
             _ => None,
         });
         let unit = value.expression.literal_unit().unwrap_or("1").to_owned();
-        (unit, dimension.unwrap_or_default())
+        Some((unit, dimension.unwrap_or_default()))
+    }
+
+    /// Returns the unit of `name`; without one, what depends on it is not looked at.
+    pub(super) fn or_vague(
+        &mut self,
+        name: &str,
+        unit: Option<(String, Dimension)>,
+    ) -> (String, Dimension) {
+        unit.unwrap_or_else(|| {
+            self.names.vague.insert(name.to_owned());
+            ("1".to_owned(), Dimension::NONE)
+        })
     }
 
     /// Returns the unit called `name`, in SI.
@@ -120,6 +134,9 @@ impl DescriptionReader {
             self.report.miss(keys.place, format!("{} has no {name}", quoted(of)), help);
             return None;
         };
+        if self.names.vague.contains(of) {
+            return None;
+        }
         let TomlKind::List(items) = &entry.node.kind else {
             self.report.say(entry.place, format!("{} is no list", quoted(name)), help);
             return None;
@@ -178,6 +195,9 @@ impl DescriptionReader {
                 *slot = value;
             }
         }
+        let places =
+            written.iter().map(|it| it.as_ref().map_or_else(SourcePlace::default, |it| it.place));
+        self.preset_places.push(places.collect());
         let nodes = self.preset_values(&written);
         let values: Option<Vec<_>> = nodes.iter().map(|it| it.map(|it| it.node)).collect();
         if let Some(values) = values {
@@ -246,6 +266,9 @@ impl DescriptionReader {
         self.weigh(file.place);
         let name = self.mechanism.parameters.get(index)?.name.clone();
         let dimension = self.parameters.get(index)?.dimension;
+        if self.names.vague.contains(&name) {
+            return None;
+        }
         self.fits(&name, file, value, dimension).then_some(value)
     }
 

@@ -69,7 +69,14 @@ pub(super) struct DescriptionReader {
     pub(super) watched: Vec<WatchedNode>,
     /// Place and name of each mode.
     pub(super) modes: Vec<(String, SourcePlace)>,
+    /// Whether all of the modes was understood.
+    pub(super) are_modes_whole: bool,
+    /// Modes that are meant to last.
+    pub(super) final_modes: Vec<usize>,
     pub(super) rest_place: SourcePlace,
+    pub(super) rest_places: Vec<Option<SourcePlace>>,
+    /// Where each parameter's value stands, for each preset.
+    pub(super) preset_places: Vec<Vec<SourcePlace>>,
     pub(super) requirement_places: Vec<SourcePlace>,
     /// Frame and place in it of each point.
     pub(super) point_places: Vec<Option<(usize, [Node; 3])>>,
@@ -93,6 +100,7 @@ impl DescriptionReader {
     ) -> Result<Description, Diagnostics> {
         let mut doc = String::new();
         if let Some(tree) = bases::merged(&mut self.report, source, bases) {
+            self.names.is_broken = self.report.is_broken;
             doc = self.all(&tree);
         }
         let mechanism = Mechanism { graph: self.graph, ..self.mechanism };
@@ -112,9 +120,11 @@ impl DescriptionReader {
         self.declare(&mut root);
         self.resolve();
         self.bodies(&mut root);
+        let before = self.report.len();
         self.modes(&mut root);
-        self.outputs(&mut root);
         self.rest(&mut root);
+        self.are_modes_whole = self.report.len() == before && !self.report.is_broken;
+        self.outputs(&mut root);
         self.damper(&mut root);
         self.drawing(&mut root);
         root.finish(&mut self.report);
@@ -267,7 +277,7 @@ impl DescriptionReader {
         dimension: Dimension,
     ) -> bool {
         let is_plain_zero = value.dimension.is_none() && self.graph.is_zero(value.node);
-        if is_plain_zero || value.dimension.fits(dimension) {
+        if self.names.vague.contains(name) || is_plain_zero || value.dimension.fits(dimension) {
             return true;
         }
         let message = format!("{} is in {}, not in {dimension}", quoted(name), value.dimension);

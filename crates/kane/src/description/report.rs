@@ -78,6 +78,14 @@ impl FindingList {
         }
     }
 
+    pub(super) const fn is_empty(&self) -> bool {
+        self.found.is_empty()
+    }
+
+    pub(super) const fn len(&self) -> usize {
+        self.found.len()
+    }
+
     /// Returns the texts, or all mistakes.
     pub(super) fn verdict(self) -> Result<Vec<DescriptionSource>, Diagnostics> {
         if self.found.is_empty() {

@@ -14,6 +14,7 @@ impl DescriptionReader {
         let mut rest =
             Rest { coordinates: vec![None; self.names.coordinates.len()], ..Rest::default() };
         let entry = root.take("rest");
+        self.rest_places = vec![None; self.names.coordinates.len()];
         self.rest_place = entry.map_or(root.place, |it| it.place);
         if let Some(entry) = entry
             && let Some(mut keys) = KeyReader::new(&mut self.report, entry)
@@ -79,6 +80,9 @@ impl DescriptionReader {
         let dimension = self.names.coordinates.get(index).copied().unwrap_or_default();
         let reach = CONSTANT.and(Reach::INPUT);
         let value = self.node(&entry.name, &file, reach, dimension);
+        if let Some(slot) = self.rest_places.get_mut(index) {
+            *slot = Some(entry.place);
+        }
         if let Some(slot) = rest.coordinates.get_mut(index) {
             *slot = value;
         }
