@@ -1,17 +1,21 @@
 //! Mechanisms described in files, as equations of motion by Kane's method.
 //!
-//! In the order in which a description passes: [`graph`] holds all expressions once, with exact
-//! derivatives; [`mechanism`] is a checked description; [`mechanics`] derives [`system`] from it,
-//! mode by mode; [`tape`] is the straight-line program of some expressions; [`assemble`] makes the
-//! table and the functions of a model that `equations` runs.
+//! In the order in which a description passes: [`text`] reads expressions with units,
+//! [`description`] a whole file with all its mistakes; [`graph`] holds all expressions once, with
+//! exact derivatives; [`mechanism`] is a checked description; [`mechanics`] derives [`system`] from
+//! it, mode by mode; [`tape`] is the straight-line program of some expressions; [`assemble`] makes
+//! the table and the functions of a model that `equations` runs; [`emit`] writes them as Rust, and
+//! [`readable`] for people.
 //!
 //! Not here: time stepping, keys, what an instrument sounds like.
 #![forbid(unsafe_code)]
 
 pub mod assemble;
 mod bound;
+pub mod description;
 pub mod graph;
 pub mod mechanics;
 pub mod mechanism;
 pub mod system;
 pub mod tape;
+pub mod text;

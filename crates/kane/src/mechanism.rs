@@ -277,6 +277,8 @@ pub struct Impact {
     /// Mode whose constraints hold during the impact beside those of the mode before; none for
     /// the mode before alone.
     pub within: Option<usize>,
+    /// The mode in which ever shorter rebounds end, as a ball's do on a floor.
+    pub settles: Option<usize>,
 }
 
 /// A quantity for files and plots.
@@ -292,6 +294,9 @@ pub struct Output {
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Rest {
     pub mode: usize,
+    /// Other modes at rest, each where its condition on the parameters is positive; the first
+    /// counts.
+    pub instead: Vec<(Node, usize)>,
     /// A guess of each coordinate, over the parameters and the input; improved to the equilibrium.
     pub coordinates: Vec<Option<Node>>,
     /// Whether the guess is what is meant: a ball that starts in the air.

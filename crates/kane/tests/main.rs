@@ -9,6 +9,7 @@ mod by_hand;
 mod closed_forms;
 mod contacts;
 mod derived;
+mod description;
 mod energy;
 mod errors;
 mod evaluation;

@@ -62,6 +62,13 @@ impl Graph {
         self.operations.is_empty()
     }
 
+    /// Returns every expression from the number `first` on, operands first.
+    pub fn nodes_from(&self, first: usize) -> impl Iterator<Item = Node> + use<> {
+        let end = u32::try_from(self.operations.len()).unwrap_or(u32::MAX);
+        let first = u32::try_from(first).unwrap_or(u32::MAX);
+        (first..end).map(Node)
+    }
+
     /// Returns the node of `operation`, which is entered if it is new.
     fn intern(&mut self, operation: Operation) -> Node {
         if let Some(node) = self.known.get(&operation) {

@@ -1,0 +1,129 @@
+//! Access to the entries of one table: unknown ones are reported.
+
+use diagnostics::{choice, quoted};
+
+use super::report::FindingList;
+use super::source::SourcePlace;
+use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
+
+/// Reads the entries of one table.
+#[derive(Debug)]
+pub(super) struct KeyReader<'a> {
+    entries: &'a [TomlEntry],
+    /// Place of the table, or of its name.
+    pub(super) place: SourcePlace,
+    known: Vec<&'static str>,
+}
+
+impl<'a> KeyReader<'a> {
+    /// Returns a reader of `entry`; reports what is not a table.
+    pub(super) fn new(report: &mut FindingList, entry: &'a TomlEntry) -> Option<Self> {
+        let Some(entries) = entry.node.entries() else {
+            let help = format!("write it as {} = {{ … }}", entry.name);
+            wrong_kind(report, &entry.name, &entry.node, "a table", &help);
+            return None;
+        };
+        Some(Self { entries, place: entry.place, known: Vec::new() })
+    }
+
+    /// Returns a reader of a table that has no name of its own.
+    pub(super) fn of(report: &mut FindingList, name: &str, node: &'a TomlNode) -> Option<Self> {
+        let Some(entries) = node.entries() else {
+            wrong_kind(report, name, node, "a table", "write it as { … }");
+            return None;
+        };
+        Some(Self { entries, place: node.place, known: Vec::new() })
+    }
+
+    /// Returns the entry called `name`, if it is there.
+    pub(super) fn take(&mut self, name: &'static str) -> Option<&'a TomlEntry> {
+        if !self.known.contains(&name) {
+            self.known.push(name);
+        }
+        self.entries.iter().find(|entry| entry.name == name)
+    }
+
+    /// Returns the text called `name`, if it is there.
+    pub(super) fn text(
+        &mut self,
+        report: &mut FindingList,
+        name: &'static str,
+    ) -> Option<(&'a str, SourcePlace)> {
+        let entry = self.take(name)?;
+        text(report, name, &entry.node)
+    }
+
+    /// Returns the items of the list called `name`; none if it is missing.
+    pub(super) fn list(&mut self, report: &mut FindingList, name: &'static str) -> &'a [TomlNode] {
+        self.take(name).map_or(&[], |entry| list(report, name, &entry.node))
+    }
+
+    /// Returns the entries of the table called `name`, whose names are free.
+    pub(super) fn table(
+        &mut self,
+        report: &mut FindingList,
+        name: &'static str,
+    ) -> &'a [TomlEntry] {
+        let Some(entry) = self.take(name) else { return &[] };
+        entry.node.entries().unwrap_or_else(|| {
+            wrong_kind(report, name, &entry.node, "a table", &format!("write it as [{name}]"));
+            &[]
+        })
+    }
+
+    /// Returns the truth called `name`; false if it is missing.
+    pub(super) fn is_set(&mut self, report: &mut FindingList, name: &'static str) -> bool {
+        let Some(entry) = self.take(name) else { return false };
+        if let TomlKind::Truth(truth) = entry.node.kind {
+            return truth;
+        }
+        wrong_kind(report, name, &entry.node, "true or false", "write it without quotes");
+        false
+    }
+
+    /// Returns the entries that were not asked for: their names are free.
+    pub(super) fn others(&self) -> impl Iterator<Item = &'a TomlEntry> + use<'a, '_> {
+        self.entries.iter().filter(|entry| !self.known.contains(&entry.name.as_str()))
+    }
+
+    /// Reports every entry that was never asked for.
+    pub(super) fn finish(self, report: &mut FindingList) {
+        for entry in self.others() {
+            let message = format!("there is no key {} here", quoted(&entry.name));
+            report.say(entry.place, message, choice(&entry.name, self.known.iter().copied()));
+        }
+    }
+}
+
+/// Reports that `node`, called `name`, should be something else.
+pub(super) fn wrong_kind(
+    report: &mut FindingList,
+    name: &str,
+    node: &TomlNode,
+    expected: &str,
+    help: &str,
+) {
+    let message = format!("{} is {}, not {expected}", quoted(name), node.words());
+    report.say(node.place, message, help);
+}
+
+/// Returns the text of `node`, called `name`.
+pub(super) fn text<'a>(
+    report: &mut FindingList,
+    name: &str,
+    node: &'a TomlNode,
+) -> Option<(&'a str, SourcePlace)> {
+    let Some(text) = node.text() else {
+        wrong_kind(report, name, node, "text", "write it in quotes");
+        return None;
+    };
+    Some((text, node.place))
+}
+
+/// Returns the items of `node`, called `name`.
+pub(super) fn list<'a>(report: &mut FindingList, name: &str, node: &'a TomlNode) -> &'a [TomlNode] {
+    node.items().unwrap_or_else(|| {
+        wrong_kind(report, name, node, "a list", "write it in [ ]");
+        &[]
+    })
+}

@@ -1,0 +1,407 @@
+//! Springs, felts, forces, contacts and frictions.
+
+use diagnostics::quoted;
+
+use super::key_reader::{KeyReader, text};
+use super::names::{LawPlace, distance, number};
+use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, POSE, STATE};
+use super::resolve::{Item, ItemKind, LawKind, Link, LinkKind};
+use super::toml_tree::TomlEntry;
+use crate::graph::{BinaryFunction, Graph, Node, Place, Substitution};
+use crate::mechanism::{Contact, Force, Friction};
+use crate::text::{Dimension, Measured};
+
+/// What a law of felt is made of.
+#[derive(Clone, Copy, Debug)]
+struct FeltParts {
+    /// Compression, and its rate.
+    depth: Measured,
+    rate: Measured,
+    stiffness: Node,
+    exponent: Node,
+    damping: Option<Node>,
+}
+
+/// The friction of a contact or bearing as it was written.
+#[derive(Clone, Debug)]
+pub(super) struct FrictionText {
+    contact: usize,
+    name: String,
+    slip: Option<FileExpression>,
+    stiction: Option<FileExpression>,
+    kinetic: Option<FileExpression>,
+    scales: (f64, f64),
+}
+
+impl DescriptionReader {
+    pub(super) fn declare_laws(&mut self, root: &mut KeyReader<'_>) {
+        let (mut forces, mut contacts) = (0, 0);
+        for table in ["springs", "felts", "forces"] {
+            for entry in root.table(&mut self.report, table) {
+                let kind = match table {
+                    "springs" => LawKind::Spring(forces),
+                    "felts" => LawKind::Felt(forces),
+                    _ => LawKind::Force(forces),
+                };
+                forces += usize::from(self.declare_law(entry, kind));
+            }
+        }
+        for entry in root.table(&mut self.report, "contacts") {
+            contacts += usize::from(self.declare_law(entry, LawKind::Contact(contacts)));
+        }
+        for entry in root.table(&mut self.report, "frictions") {
+            contacts += usize::from(self.declare_law(entry, LawKind::Bearing(contacts)));
+        }
+    }
+
+    fn declare_law(&mut self, entry: &TomlEntry, kind: LawKind) -> bool {
+        let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { return false };
+        let mut fields = Vec::new();
+        for name in law_keys(kind) {
+            if let Some(field) = self.field(&mut keys, name) {
+                fields.push((*name, field));
+            }
+        }
+        let links =
+            if matches!(kind, LawKind::Spring(_)) { self.ends(&mut keys) } else { Vec::new() };
+        if let LawKind::Contact(at) | LawKind::Bearing(at) = kind {
+            self.contact_scale(&mut keys, kind, at);
+            self.friction_text(&mut keys, entry, kind);
+        }
+        for needed in needed_keys(kind) {
+            if keys.take(needed).is_none() {
+                let message = format!("{} has no {needed}", quoted(&entry.name));
+                let help = format!("write {needed} = \"…\"");
+                self.report.miss(entry.place, message, help);
+            }
+        }
+        keys.finish(&mut self.report);
+        match self.names.laws.declare(&entry.name, entry.place) {
+            Ok(index) => {
+                let (name, place) = (entry.name.clone(), entry.place);
+                let kind = ItemKind::Law(index, kind);
+                self.items.push(Item { kind, name, place, fields, links });
+                true
+            }
+            Err(first) => {
+                self.twice(entry, first);
+                false
+            }
+        }
+    }
+
+    /// The two points between which a spring is.
+    fn ends(&mut self, keys: &mut KeyReader<'_>) -> Vec<Link> {
+        let Some(entry) = keys.take("between") else { return Vec::new() };
+        let items = entry.node.items().unwrap_or(&[]);
+        if items.len() != 2 {
+            let help = "write between = [\"P\", \"Q\"]";
+            self.report.say(entry.place, "a spring is between two points", help);
+            return Vec::new();
+        }
+        let mut links = Vec::new();
+        for item in items {
+            let Some((name, place)) = text(&mut self.report, "between", item) else { continue };
+            if self.names.points.index(name).is_none() {
+                let help = self.names.points.choice(name);
+                self.report.say(place, format!("there is no point {}", quoted(name)), help);
+            }
+            links.push(Link { kind: LinkKind::Point, name: name.to_owned(), place });
+        }
+        links
+    }
+
+    fn contact_scale(&mut self, keys: &mut KeyReader<'_>, kind: LawKind, at: usize) {
+        if !matches!(kind, LawKind::Contact(_)) {
+            return;
+        }
+        let scale =
+            keys.take("scale").and_then(|it| self.constant("scale", &it.node, Dimension::LENGTH));
+        self.contact_scales.push((at, scale.unwrap_or(1e-3)));
+    }
+
+    fn friction_text(&mut self, keys: &mut KeyReader<'_>, entry: &TomlEntry, kind: LawKind) {
+        match kind {
+            LawKind::Bearing(contact) => {
+                let text = self.friction_fields(keys, contact, entry.name.clone());
+                self.frictions.push(text);
+            }
+            LawKind::Contact(contact) => {
+                let Some(friction) = keys.take("friction") else { return };
+                let Some(mut keys) = KeyReader::new(&mut self.report, friction) else { return };
+                let name = format!("{}_friction", entry.name);
+                let text = self.friction_fields(&mut keys, contact, name);
+                keys.finish(&mut self.report);
+                self.frictions.push(text);
+            }
+            _ => {}
+        }
+    }
+
+    fn friction_fields(
+        &mut self,
+        keys: &mut KeyReader<'_>,
+        contact: usize,
+        name: String,
+    ) -> FrictionText {
+        let [slip, stiction, kinetic] =
+            ["slip", "stiction", "kinetic"].map(|name| self.field(keys, name));
+        let mut scales = (1.0, 1.0);
+        if let Some(entry) = keys.take("scales") {
+            let numbers = entry.node.items().unwrap_or(&[]);
+            let mut all = [1.0, 1.0];
+            for (slot, node) in all.iter_mut().zip(numbers) {
+                if let Some(file) = self.written("scales", node)
+                    && let Some(value) = self.value(&file, crate::text::Reach::NOTHING)
+                {
+                    *slot = self.graph.number(value.node).unwrap_or(1.0);
+                }
+            }
+            scales = (all[0], all[1]);
+        }
+        FrictionText { contact, name, slip, stiction, kinetic, scales }
+    }
+
+    pub(super) fn build_law(&mut self, item: &Item, index: usize, kind: LawKind) {
+        let built = match kind {
+            LawKind::Spring(at) => self.spring(item).map(|it| (LawPlace::Force(at), it)),
+            LawKind::Felt(at) => self.felt(item, "compression").map(|it| (LawPlace::Force(at), it)),
+            LawKind::Force(at) => self.force(item).map(|it| (LawPlace::Force(at), it)),
+            LawKind::Contact(at) => self.contact(item, at).map(|it| (LawPlace::Contact(at), it)),
+            LawKind::Bearing(at) => return self.bearing(item, index, at),
+        };
+        self.weigh(item.place);
+        let Some((place, (force, dimension))) = built else { return };
+        self.names.laws.set(index, (place, dimension));
+        if let LawPlace::Force(at) = place {
+            self.built_forces.push((at, force));
+        }
+    }
+
+    /// The stretch of an item, and its rate.
+    fn stretch(&mut self, item: &Item, name: &str) -> Option<(Measured, Measured)> {
+        if let Some(file) = item.field(name) {
+            let stretch = self.value(file, POSE)?;
+            self.watch(file, stretch, None);
+            let rate = self.rate_of(file, stretch)?;
+            return Some((stretch, rate));
+        }
+        let [from, to] = item.links.as_slice() else { return None };
+        let [from, to] = [from, to].map(|link| self.names.points.index(&link.name));
+        let (from, to) = (self.names.points.value(from?)?, self.names.points.value(to?)?);
+        let length = match item.field("length") {
+            Some(file) => self.node("length", file, CONSTANT, Dimension::LENGTH)?,
+            None => self.graph.constant(0.0),
+        };
+        let apart = distance(&mut self.graph, from, to);
+        let node = self.graph.subtract(apart, length);
+        let stretch = Measured { node, dimension: Dimension::LENGTH, reach: POSE };
+        let rate = self.names.total_rate(&mut self.graph, stretch).ok()?;
+        Some((stretch, rate))
+    }
+
+    fn spring(&mut self, item: &Item) -> Option<(Force, Dimension)> {
+        if item.field("stretch").is_some() == !item.links.is_empty() {
+            let message = format!("{} needs one of stretch and between", quoted(&item.name));
+            self.report.miss(
+                item.place,
+                message,
+                "write stretch = \"x - x0\" or between = [\"P\", \"Q\"]",
+            );
+            return None;
+        }
+        if item.field("stiffness").is_none() && item.field("damping").is_none() {
+            let message = format!("{} has neither stiffness nor damping", quoted(&item.name));
+            self.report.miss(item.place, message, "write stiffness = \"…\"");
+            return None;
+        }
+        let (stretch, rate) = self.stretch(item, "stretch")?;
+        let tension = Dimension::ENERGY.over(stretch.dimension);
+        let zero = self.graph.constant(0.0);
+        let mut factor = |name: &str, dimension: Dimension| match item.field(name) {
+            Some(file) => self.node(name, file, CONSTANT, dimension),
+            None => Some(zero),
+        };
+        let stiffness = factor("stiffness", tension.over(stretch.dimension));
+        let damping = factor("damping", tension.over(rate.dimension));
+        let (stiffness, damping) = (stiffness?, damping?);
+        let graph = &mut self.graph;
+        let elastic = graph.multiply(stiffness, stretch.node);
+        let viscous = graph.multiply(damping, rate.node);
+        let square = graph.product(&[(stiffness, 1), (stretch.node, 2)]);
+        let force = Force {
+            name: item.name.clone(),
+            stretch: stretch.node,
+            stretch_rate: rate.node,
+            tension: graph.add(elastic, viscous),
+            energy: graph.scale(square, 0.5),
+        };
+        Some((force, tension))
+    }
+
+    /// F = k dⁿ (1 + c d'), never below 0; also the law of a contact.
+    fn felt(&mut self, item: &Item, name: &'static str) -> Option<(Force, Dimension)> {
+        let (mut depth, mut rate) = self.stretch(item, name)?;
+        if name == "gap" {
+            depth.node = self.graph.negate(depth.node);
+            rate.node = self.graph.negate(rate.node);
+        }
+        let tension = Dimension::ENERGY.over(depth.dimension);
+        let exponent = match item.field("exponent") {
+            Some(file) => self.node("exponent", file, CONSTANT, Dimension::NONE)?,
+            None => self.graph.constant(1.0),
+        };
+        // With an exponent that is no number, the stiffness is the force at a depth of 1.
+        let stiffness_unit = match self.graph.number(exponent) {
+            Some(power) => tension.over(depth.dimension.to(power)),
+            None => tension,
+        };
+        let stiffness = self.node("stiffness", item.field("stiffness")?, CONSTANT, stiffness_unit);
+        let per_rate = Dimension::NONE.over(rate.dimension);
+        let damping = match item.field("damping") {
+            Some(file) => Some(self.node("damping", file, CONSTANT, per_rate)?),
+            None => None,
+        };
+        let parts = FeltParts { depth, rate, stiffness: stiffness?, exponent, damping };
+        Some((felt_force(&mut self.graph, &item.name, &parts), tension))
+    }
+
+    fn force(&mut self, item: &Item) -> Option<(Force, Dimension)> {
+        let (stretch, rate) = self.stretch(item, "stretch")?;
+        let tension = Dimension::ENERGY.over(stretch.dimension);
+        let law = item.field("force")?;
+        let force = self.value(law, STATE)?;
+        self.watch(law, force, None);
+        self.fits("force", law, force, tension).then_some(())?;
+        let energy = self.node("energy", item.field("energy")?, POSE, Dimension::ENERGY)?;
+        let force = Force {
+            name: item.name.clone(),
+            stretch: stretch.node,
+            stretch_rate: rate.node,
+            tension: force.node,
+            energy,
+        };
+        Some((force, tension))
+    }
+
+    fn contact(&mut self, item: &Item, at: usize) -> Option<(Force, Dimension)> {
+        let gap = self.value(item.field("gap")?, POSE)?;
+        self.fits("gap", item.field("gap")?, gap, Dimension::LENGTH).then_some(())?;
+        let (force, dimension) = self.felt(item, "gap")?;
+        let scale = self.contact_scales.iter().find(|(contact, _)| *contact == at);
+        let contact = Contact {
+            name: item.name.clone(),
+            gap: Some(gap.node),
+            scale: scale.map_or(1e-3, |(_, scale)| *scale),
+            force: Some(force.clone()),
+            friction: None,
+        };
+        self.built_contacts.push((at, contact));
+        Some((force, dimension))
+    }
+
+    /// A bearing: its friction alone, whose limits are built once every force is.
+    fn bearing(&mut self, item: &Item, index: usize, at: usize) {
+        let text = self.frictions.iter().find(|it| it.contact == at).cloned();
+        let Some(slip) = text.and_then(|it| it.slip) else { return };
+        let Some(slip) = self.value(&slip, STATE) else { return };
+        let dimension = Dimension::POWER.over(slip.dimension);
+        self.names.laws.set(index, (LawPlace::Contact(at), dimension));
+        let name = item.name.clone();
+        let contact = Contact { name, gap: None, scale: 1.0, force: None, friction: None };
+        self.built_contacts.push((at, contact));
+    }
+
+    /// Builds slips and limits, which may have the forces of all springs and contacts in them.
+    pub(super) fn build_frictions(&mut self) {
+        for text in std::mem::take(&mut self.frictions) {
+            let Some(friction) = self.friction(&text) else { continue };
+            let found = self.built_contacts.iter_mut().find(|(at, _)| *at == text.contact);
+            if let Some((_, contact)) = found {
+                contact.friction = Some(friction);
+            }
+        }
+    }
+
+    fn friction(&mut self, text: &FrictionText) -> Option<Friction> {
+        let slip_file = text.slip.as_ref()?;
+        let slip = self.value(slip_file, STATE)?;
+        if !self.is_linear_in_speeds(slip) {
+            let message = format!("the slip of {} is not linear in the speeds", quoted(&text.name));
+            self.report.say(
+                slip_file.place,
+                message,
+                "write the speed of one surface on the other",
+            );
+            return None;
+        }
+        let limit = Dimension::POWER.over(slip.dimension);
+        let stiction_file = text.stiction.as_ref()?;
+        let stiction = self.limit("stiction", stiction_file, limit)?;
+        let kinetic = match &text.kinetic {
+            Some(file) => self.limit("kinetic", file, limit)?,
+            None => stiction,
+        };
+        let (name, scales) = (text.name.clone(), text.scales);
+        Some(Friction { name, slip: slip.node, stiction, kinetic, scales })
+    }
+
+    fn limit(&mut self, name: &str, file: &FileExpression, limit: Dimension) -> Option<Node> {
+        let node = self.node(name, file, MOTION, limit)?;
+        let mut all = self.forces_acting(|_| true);
+        Some(all.of(&mut self.graph, node))
+    }
+
+    /// The tensions of forces in place of their names: 0 for one that does not act.
+    pub(super) fn forces_acting(&mut self, acts: impl Fn(usize) -> bool) -> Substitution {
+        let zero = self.graph.constant(0.0);
+        let tension = |(at, force): &(usize, Force)| {
+            (Place::Extra(number(*at)), if acts(*at) { force.tension } else { zero })
+        };
+        Substitution::new(self.built_forces.iter().map(tension).collect::<Vec<_>>())
+    }
+}
+
+fn felt_force(graph: &mut Graph, name: &str, parts: &FeltParts) -> Force {
+    let FeltParts { depth, rate, stiffness, exponent, damping } = *parts;
+    let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
+    let pressed = graph.binary(BinaryFunction::Max, depth.node, zero);
+    let power = graph.binary(BinaryFunction::Power, pressed, exponent);
+    let elastic = graph.multiply(stiffness, power);
+    let tension = match damping {
+        None => elastic,
+        Some(damping) => {
+            let loss = graph.multiply(damping, rate.node);
+            let factor = graph.add(one, loss);
+            let factor = graph.binary(BinaryFunction::Max, factor, zero);
+            graph.multiply(elastic, factor)
+        }
+    };
+    let above = graph.add(exponent, one);
+    let higher = graph.binary(BinaryFunction::Power, pressed, above);
+    let energy = graph.product(&[(stiffness, 1), (higher, 1), (above, -1)]);
+    let (stretch, stretch_rate) = (depth.node, rate.node);
+    Force { name: name.to_owned(), stretch, stretch_rate, tension, energy }
+}
+
+/// The expressions of a law.
+const fn law_keys(kind: LawKind) -> &'static [&'static str] {
+    match kind {
+        LawKind::Spring(_) => &["stretch", "length", "stiffness", "damping"],
+        LawKind::Felt(_) => &["compression", "stiffness", "exponent", "damping"],
+        LawKind::Force(_) => &["stretch", "force", "energy"],
+        LawKind::Contact(_) => &["gap", "stiffness", "exponent", "damping"],
+        LawKind::Bearing(_) => &[],
+    }
+}
+
+/// Those that it cannot do without.
+const fn needed_keys(kind: LawKind) -> &'static [&'static str] {
+    match kind {
+        LawKind::Spring(_) => &[],
+        LawKind::Felt(_) => &["compression", "stiffness"],
+        LawKind::Force(_) => &["stretch", "force", "energy"],
+        LawKind::Contact(_) => &["gap", "stiffness"],
+        LawKind::Bearing(_) => &["slip", "stiction"],
+    }
+}

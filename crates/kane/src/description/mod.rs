@@ -1,0 +1,99 @@
+//! A description in TOML, read into a [`Mechanism`] with all its mistakes at once.
+//!
+//! [`read`] is the door. In the order in which a file passes: `toml_tree` and `bases` make one
+//! tree, `declare` collects every name with its expressions, `order` sorts what is built from
+//! what, `geometry`, `laws` and `modes` build nodes, `checks` looks at the numbers.
+
+mod bases;
+mod caret;
+mod checks;
+mod declare;
+mod drawing;
+mod geometry;
+mod guards;
+mod key_reader;
+mod laws;
+mod modes;
+mod names;
+mod order;
+mod outputs;
+mod parameters;
+mod reachable;
+mod reader;
+mod report;
+mod resolve;
+mod rest;
+mod source;
+mod toml_tree;
+
+pub use bases::{Bases, NoBases};
+pub use caret::rendered;
+pub use source::DescriptionSource;
+
+use diagnostics::{Diagnostic, Diagnostics};
+
+use crate::mechanism::Mechanism;
+
+/// Longest description that is read (bytes).
+pub const LONGEST: usize = 1 << 20;
+
+/// Most coordinates, and most of every other kind of thing but expressions.
+pub const MOST_OF_A_KIND: usize = 256;
+
+/// Most expressions in a description.
+pub const MOST_EXPRESSIONS: usize = 4_096;
+
+/// A description that was read, and what it was read from.
+#[derive(Clone, Debug)]
+pub struct Description {
+    pub mechanism: Mechanism,
+    /// Paragraphs about it: figure, sources, where it stops being true.
+    pub doc: String,
+    /// The description's text, then its bases', each after the one that starts from it.
+    pub sources: Vec<DescriptionSource>,
+}
+
+/// Reads the description `text`; `name` stands in mistakes and is given to `bases`.
+///
+/// # Errors
+///
+/// All mistakes that can be told.
+pub fn read(name: &str, text: &str, bases: &dyn Bases) -> Result<Description, Diagnostics> {
+    if text.len() > LONGEST {
+        return Err(refused(name, &format!("this is {} bytes long", text.len())));
+    }
+    let source = DescriptionSource { name: name.to_owned(), text: text.to_owned() };
+    reader::DescriptionReader::default().read(source, bases)
+}
+
+/// Reads a description from bytes, whatever they are.
+///
+/// # Errors
+///
+/// As of [`read`]; bytes that are no text.
+pub fn read_bytes(name: &str, bytes: &[u8], bases: &dyn Bases) -> Result<Description, Diagnostics> {
+    if bytes.len() > LONGEST {
+        return Err(refused(name, &format!("this is {} bytes long", bytes.len())));
+    }
+    match str::from_utf8(bytes) {
+        Ok(text) => read(name, text, bases),
+        Err(error) => {
+            let before = bytes.get(..error.valid_up_to()).unwrap_or(&[]);
+            let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
+            let message = format!("this is not UTF-8 text from line {line} on");
+            Err(refused(name, &message))
+        }
+    }
+}
+
+fn refused(name: &str, message: &str) -> Diagnostics {
+    let help = format!("give a description in TOML, up to {LONGEST} bytes");
+    let file = name.to_owned();
+    Diagnostics::new(vec![Diagnostic {
+        file,
+        line: None,
+        column: None,
+        message: message.to_owned(),
+        help,
+    }])
+}

@@ -1,0 +1,377 @@
+//! The reading of one description, from its text to the mechanism.
+
+use diagnostics::{Diagnostics, quoted};
+
+use super::bases::{self, Bases};
+use super::key_reader::{KeyReader, wrong_kind};
+use super::laws::FrictionText;
+use super::names::{NameTable, NamesInUse};
+use super::parameters::ParameterText;
+use super::report::FindingList;
+use super::resolve::Item;
+use super::source::{DescriptionSource, SourcePlace};
+use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
+use super::{Description, MOST_EXPRESSIONS, MOST_OF_A_KIND};
+use crate::graph::{Graph, Node, Substitution};
+use crate::mechanism::{Constraint, Contact, Force, Mechanism};
+use crate::text::{self, Dimension, Expression, Form, Measured, Reach, TextError};
+
+/// Most operands that all expressions of a description may have.
+const HEAVIEST: usize = 100_000;
+
+/// What laws and requirements are over.
+pub(super) const CONSTANT: Reach = Reach::PARAMETERS;
+/// What places are over.
+pub(super) const POSE: Reach = Reach::PARAMETERS.and(Reach::COORDINATES).and(Reach::INPUT);
+/// What forces are over.
+pub(super) const STATE: Reach = POSE.and(Reach::SPEEDS).and(Reach::INPUT_RATES);
+/// What outputs are over.
+pub(super) const MOTION: Reach =
+    STATE.and(Reach::ACCELERATIONS).and(Reach::REACTIONS).and(Reach::FORCES);
+
+/// An expression of a file.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct FileExpression {
+    pub(super) place: SourcePlace,
+    /// Whether its bytes are those of the file from there on.
+    pub(super) is_exact: bool,
+    pub(super) expression: Expression,
+}
+
+impl FileExpression {
+    fn at(&self, offset: usize) -> SourcePlace {
+        if self.is_exact { self.place.after(offset) } else { self.place }
+    }
+}
+
+/// A node whose value is looked at where the mechanism rests.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct WatchedNode {
+    pub(super) node: Node,
+    pub(super) place: SourcePlace,
+    pub(super) text: String,
+    pub(super) reach: Reach,
+    /// The mode in which alone it counts.
+    pub(super) mode: Option<usize>,
+}
+
+/// All that is known while a description is read.
+#[derive(Debug, Default)]
+pub(super) struct DescriptionReader {
+    pub(super) report: FindingList,
+    pub(super) graph: Graph,
+    pub(super) names: NameTable,
+    pub(super) mechanism: Mechanism,
+    pub(super) items: Vec<Item>,
+    pub(super) parameters: Vec<ParameterText>,
+    /// Tensions of forces by name, in each mode; the last is with all of them.
+    pub(super) forces_in_modes: Vec<Substitution>,
+    pub(super) watched: Vec<WatchedNode>,
+    /// Place and name of each mode.
+    pub(super) modes: Vec<(String, SourcePlace)>,
+    /// Whether all of the modes was understood.
+    pub(super) are_modes_whole: bool,
+    /// Modes that are meant to last.
+    pub(super) final_modes: Vec<usize>,
+    pub(super) rest_place: SourcePlace,
+    pub(super) rest_places: Vec<Option<SourcePlace>>,
+    /// Where each parameter's value stands, for each preset.
+    pub(super) preset_places: Vec<Vec<SourcePlace>>,
+    pub(super) requirement_places: Vec<SourcePlace>,
+    /// Frame and place in it of each point.
+    pub(super) point_places: Vec<Option<(usize, [Node; 3])>>,
+    pub(super) contact_scales: Vec<(usize, f64)>,
+    pub(super) frictions: Vec<FrictionText>,
+    /// What was built, with its number in the order of the file.
+    pub(super) built_constraints: Vec<(usize, Constraint)>,
+    pub(super) built_forces: Vec<(usize, Force)>,
+    pub(super) built_contacts: Vec<(usize, Contact)>,
+    expressions: usize,
+    weight: usize,
+    weighed: usize,
+    is_full: bool,
+}
+
+impl DescriptionReader {
+    pub(super) fn read(
+        mut self,
+        source: DescriptionSource,
+        bases: &dyn Bases,
+    ) -> Result<Description, Diagnostics> {
+        let mut doc = String::new();
+        if let Some(tree) = bases::merged(&mut self.report, source, bases) {
+            self.names.is_broken = self.report.is_broken;
+            doc = self.all(&tree);
+        }
+        let mechanism = Mechanism { graph: self.graph, ..self.mechanism };
+        let sources = self.report.verdict()?;
+        Ok(Description { mechanism, doc, sources })
+    }
+
+    /// Reads a whole tree; returns the paragraphs about it.
+    fn all(&mut self, tree: &TomlNode) -> String {
+        let Some(mut root) = KeyReader::of(&mut self.report, "description", tree) else {
+            return String::new();
+        };
+        let doc = self.heading(&mut root);
+        if self.has_too_many(tree) {
+            return doc;
+        }
+        self.declare(&mut root);
+        self.resolve();
+        self.bodies(&mut root);
+        let before = self.report.len();
+        self.modes(&mut root);
+        self.rest(&mut root);
+        self.are_modes_whole = self.report.len() == before && !self.report.is_broken;
+        self.outputs(&mut root);
+        self.damper(&mut root);
+        self.drawing(&mut root);
+        root.finish(&mut self.report);
+        self.check();
+        doc
+    }
+
+    fn heading(&mut self, root: &mut KeyReader<'_>) -> String {
+        match root.text(&mut self.report, "name") {
+            Some((name, place)) => {
+                let is_plain = |it: char| it.is_ascii_alphanumeric() || "-_".contains(it);
+                if name.is_empty() || !name.chars().all(is_plain) {
+                    let message = format!("{} is no name", quoted(name));
+                    self.report.say(place, message, "use letters, digits, - and _");
+                }
+                name.clone_into(&mut self.mechanism.name);
+            }
+            None if root.take("name").is_none() => {
+                let help = "write name = \"my-action\" in the first line";
+                self.report.miss(bases::start(0), "the description has no name", help);
+            }
+            None => {}
+        }
+        if let Some((summary, _)) = root.text(&mut self.report, "summary") {
+            summary.clone_into(&mut self.mechanism.summary);
+        }
+        root.text(&mut self.report, "doc").map(|(doc, _)| doc.trim().to_owned()).unwrap_or_default()
+    }
+
+    /// Whether a table has more entries than anything can have.
+    fn has_too_many(&mut self, tree: &TomlNode) -> bool {
+        let mut is_too_many = false;
+        for entry in tree.entries().unwrap_or(&[]) {
+            let count = match &entry.node.kind {
+                TomlKind::Table(entries) => entries.len(),
+                TomlKind::List(items) => items.len(),
+                _ => 0,
+            };
+            if count > MOST_OF_A_KIND {
+                let message = format!("{} has {count} entries", quoted(&entry.name));
+                let help = format!("there are {MOST_OF_A_KIND} at most");
+                self.report.say(entry.place, message, help);
+                is_too_many = true;
+            }
+        }
+        is_too_many
+    }
+
+    /// Returns the expression of an entry called `name`.
+    pub(super) fn written(&mut self, name: &str, node: &TomlNode) -> Option<FileExpression> {
+        self.written_as(name, node, Form::Value)
+    }
+
+    /// Returns the expression of the key `name`, if it is there.
+    pub(super) fn field(
+        &mut self,
+        keys: &mut KeyReader<'_>,
+        name: &'static str,
+    ) -> Option<FileExpression> {
+        let entry = keys.take(name)?;
+        self.written(name, &entry.node)
+    }
+
+    pub(super) fn written_as(
+        &mut self,
+        name: &str,
+        node: &TomlNode,
+        form: Form,
+    ) -> Option<FileExpression> {
+        self.expressions += 1;
+        if self.expressions > MOST_EXPRESSIONS {
+            self.fill(node.place, &format!("there are more than {MOST_EXPRESSIONS} expressions"));
+            return None;
+        }
+        let (text, is_exact) = match &node.kind {
+            TomlKind::Text(text, is_exact) => (text.clone(), *is_exact),
+            TomlKind::Integer(number) => (number.to_string(), true),
+            TomlKind::Float(number) if number.is_finite() => (format!("{number:e}"), false),
+            _ => {
+                let help = "write an expression in quotes, as \"2 mm\"";
+                wrong_kind(&mut self.report, name, node, "an expression", help);
+                return None;
+            }
+        };
+        match text::parse(&text, form) {
+            Ok(expression) => Some(FileExpression { place: node.place, is_exact, expression }),
+            Err(error) => {
+                self.say(node.place, is_exact, &error);
+                None
+            }
+        }
+    }
+
+    fn say(&mut self, place: SourcePlace, is_exact: bool, error: &TextError) {
+        let at = |offset: usize| if is_exact { place.after(offset) } else { place };
+        let here = at(error.span.start);
+        let message = match &error.other {
+            Some(other) => {
+                let there = self.report.describe(at(other.start), here);
+                format!("{} (at {there})", error.message)
+            }
+            None => error.message.clone(),
+        };
+        self.report.say(here, message, error.help.clone());
+    }
+
+    /// Returns the value of `file`, which may depend on `allowed`.
+    pub(super) fn value(&mut self, file: &FileExpression, allowed: Reach) -> Option<Measured> {
+        if self.is_full {
+            return None;
+        }
+        let mut scope = NamesInUse { names: &mut self.names, allowed };
+        match text::build(&file.expression, &mut self.graph, &mut scope) {
+            Ok(value) => {
+                self.weigh(file.place);
+                Some(value)
+            }
+            Err(errors) => {
+                self.say_all(file, &errors);
+                None
+            }
+        }
+    }
+
+    /// Reports what is wrong with `file`.
+    pub(super) fn say_all(&mut self, file: &FileExpression, errors: &[TextError]) {
+        for error in errors {
+            self.say(file.place, file.is_exact, error);
+        }
+    }
+
+    /// Returns the node of `file`, called `name`, which must be of `dimension`.
+    pub(super) fn node(
+        &mut self,
+        name: &str,
+        file: &FileExpression,
+        allowed: Reach,
+        dimension: Dimension,
+    ) -> Option<Node> {
+        let value = self.value(file, allowed)?;
+        self.fits(name, file, value, dimension).then_some(value.node)
+    }
+
+    /// Whether `value` of `file`, called `name`, is of `dimension`; reports what is not.
+    pub(super) fn fits(
+        &mut self,
+        name: &str,
+        file: &FileExpression,
+        value: Measured,
+        dimension: Dimension,
+    ) -> bool {
+        let is_plain_zero = value.dimension.is_none() && self.graph.is_zero(value.node);
+        if self.names.vague.contains(name) || is_plain_zero || value.dimension.fits(dimension) {
+            return true;
+        }
+        let message = format!("{} is in {}, not in {dimension}", quoted(name), value.dimension);
+        let help = if value.dimension.is_none() && file.expression.is_literal() {
+            format!("write its unit, as \"{} {dimension}\"", file.expression.text.trim())
+        } else {
+            format!("make it a quantity in {dimension}")
+        };
+        self.report.say(file.place, message, help);
+        false
+    }
+
+    /// Returns the constant number of `file`, called `name`.
+    pub(super) fn number(
+        &mut self,
+        name: &str,
+        file: &FileExpression,
+        dimension: Dimension,
+    ) -> Option<f64> {
+        let node = self.node(name, file, Reach::NOTHING, dimension)?;
+        let number = self.graph.number(node);
+        if number.is_none_or(|it| !it.is_finite()) {
+            let message = format!("{} is no finite number", quoted(name));
+            self.report.say(file.place, message, "write a number with its unit");
+            return None;
+        }
+        number
+    }
+
+    /// Returns the number of the key `name`; bare numbers are in SI.
+    pub(super) fn constant(
+        &mut self,
+        name: &str,
+        node: &TomlNode,
+        dimension: Dimension,
+    ) -> Option<f64> {
+        match node.kind {
+            TomlKind::Integer(number) => Some(number as f64),
+            TomlKind::Float(number) if number.is_finite() => Some(number),
+            _ => {
+                let file = self.written(name, node)?;
+                self.number(name, &file, dimension)
+            }
+        }
+    }
+
+    /// Remembers to look at a value where the mechanism rests.
+    pub(super) fn watch(&mut self, file: &FileExpression, value: Measured, mode: Option<usize>) {
+        let Measured { node, reach, .. } = value;
+        let text = file.expression.text.clone();
+        self.watched.push(WatchedNode { node, place: file.at(0), text, reach, mode });
+    }
+
+    /// Counts what was built since the last time.
+    pub(super) fn weigh(&mut self, place: SourcePlace) {
+        let mut count = 0;
+        for node in self.graph.nodes_from(self.weighed) {
+            count += 1;
+            self.graph.operation(node).operands(|_| count += 1);
+        }
+        self.weighed = self.graph.len();
+        self.weight += count;
+        if self.weight > HEAVIEST {
+            self.fill(place, "the expressions are too large together");
+        }
+    }
+
+    fn fill(&mut self, place: SourcePlace, message: &str) {
+        if !self.is_full {
+            self.report.say(place, message, "make the description smaller");
+        }
+        self.is_full = true;
+    }
+
+    /// Reports a name that stands twice.
+    pub(super) fn twice(&mut self, entry: &TomlEntry, first: SourcePlace) {
+        let there = self.report.describe(first, entry.place);
+        let message = format!("{} is a name already (at {there})", quoted(&entry.name));
+        self.report.say(entry.place, message, "give one of the two another name");
+    }
+
+    /// Whether `entry` has a name that expressions can use; reports one that has not.
+    pub(super) fn is_name(&mut self, entry: &TomlEntry) -> bool {
+        let name = entry.name.as_str();
+        let starts = name.starts_with(|it: char| it.is_alphabetic() || it == '_');
+        let goes_on =
+            name.chars().all(|it| (it.is_alphanumeric() && !"²³".contains(it)) || it == '_');
+        let is_free = !matches!(name, "pi" | "key" | "if");
+        if starts && goes_on && is_free {
+            return true;
+        }
+        let message = format!("{} cannot be a name", quoted(name));
+        let help = "use letters, digits and _, a letter first; pi, key and if are taken";
+        self.report.say(entry.place, message, help);
+        false
+    }
+}

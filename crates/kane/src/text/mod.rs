@@ -1,0 +1,42 @@
+//! The language of expressions: text with units, read into the graph.
+//!
+//! [`parse`] makes an [`Expression`] of a text, [`build`] a node of an expression: names are looked
+//! up in a [`NameScope`], and units are checked on the way. Every mistake has its place in the
+//! text.
+
+mod build;
+mod dimension;
+mod expression;
+mod functions;
+mod lexer;
+mod parser;
+mod scope;
+mod units;
+
+pub use build::build;
+pub use dimension::Dimension;
+pub use expression::{Expression, Form, Part, Shape};
+pub use functions::FUNCTIONS;
+pub use parser::{DEEPEST, MOST_PARTS, parse};
+pub use scope::{Measured, NameError, NameScope, Reach};
+pub use units::{PhysicalUnit, unit};
+
+use std::ops::Range;
+
+/// A mistake in a text.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct TextError {
+    /// Bytes of the text that it is about.
+    pub span: Range<usize>,
+    /// Another place that has to do with it.
+    pub other: Option<Range<usize>>,
+    pub message: String,
+    pub help: String,
+}
+
+impl TextError {
+    /// Returns a mistake at `span`.
+    pub fn new(span: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { span, other: None, message: message.into(), help: help.into() }
+    }
+}
