@@ -9,4 +9,5 @@ mod errors;
 mod evaluation;
 mod hand_written;
 mod models_ab;
+mod oracle;
 mod small_models;
