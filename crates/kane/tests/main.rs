@@ -15,5 +15,6 @@ mod errors;
 mod evaluation;
 mod hand_written;
 mod models_ab;
+mod oracle;
 mod small_models;
 mod touching;

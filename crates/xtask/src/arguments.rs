@@ -27,6 +27,9 @@ Chores of this workspace.
                                     and writes results.json and table.md, by default into
                                     benches/peers/results; a quarter of an hour, with
                                     --quick two minutes and into target/peers/results
+  cargo xtask oracle                derives random mechanisms here and with SymPy, which is
+                                    installed from PyPI into target/oracle, and compares
+                                    their accelerations; two minutes
   cargo xtask help                  prints this
 
 Example: cargo xtask demo -- --duration 5
@@ -44,6 +47,8 @@ pub(crate) enum Task {
     GuestMidi,
     /// Play boards over real drivers in a guest.
     GuestBoards(CheckScope),
+    /// Compare derived equations with SymPy's.
+    Oracle,
     /// Measure other people's solvers beside ours.
     Peers(PeerOptions),
     /// Say what there is.
@@ -57,6 +62,7 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
         Some("demo") => return demo(arguments),
         Some("peers") => return peers(arguments),
         Some("test") => Task::Test,
+        Some("oracle") => Task::Oracle,
         Some("guest-midi") => Task::GuestMidi,
         Some("guest-boards") => return guest_boards(arguments),
         Some("help" | "--help" | "-h") => Task::Help,
@@ -143,6 +149,7 @@ mod tests {
     fn each_chore_has_its_name() {
         check("demo", &demo(&[]));
         check("test", &Task::Test);
+        check("oracle", &Task::Oracle);
         check("guest-midi", &Task::GuestMidi);
         check("guest-boards", &Task::GuestBoards(CheckScope::Short));
         check("guest-boards --full", &Task::GuestBoards(CheckScope::Full));

@@ -1,5 +1,6 @@
 //! Chores: install what is missing, play the demo, run every test, play to real MIDI ports
-//! and boards over real drivers, measure other people's solvers beside ours.
+//! and boards over real drivers, measure other people's solvers beside ours,
+//! compare derived equations with other people's.
 //!
 //! `cargo xtask help` lists them. Nothing here is part of the product, and nothing here
 //! needs a system library: it must run on the machine on which they are still missing.
@@ -16,6 +17,7 @@ mod guest_boards;
 mod guest_midi;
 mod needs;
 mod optional;
+mod oracle;
 mod peers;
 mod stage;
 mod test;
@@ -42,6 +44,7 @@ fn perform(task: Task) -> Result<(), Error> {
         Task::Test => test::run(),
         Task::GuestMidi => guest_midi::guest().run().map(drop),
         Task::GuestBoards(form) => guest_boards::guest(form).run().map(drop),
+        Task::Oracle => oracle::run(),
         Task::Peers(options) => peers::run(&options),
         Task::Help => {
             print!("{USAGE}");

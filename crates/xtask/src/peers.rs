@@ -97,6 +97,14 @@ fn siconos() -> Result<PathBuf, Error> {
 
 /// A Python with the peers of PyPI, in the versions that the bench names.
 fn python(root: &Path, work: &Path) -> Result<PathBuf, Error> {
+    python_with(work, &root.join(BENCH).join("external/requirements.txt"))
+}
+
+/// A Python of its own in `work`, with what the file `requirements` names.
+///
+/// # Errors
+/// Names the command that failed.
+pub(crate) fn python_with(work: &Path, requirements: &Path) -> Result<PathBuf, Error> {
     let environment = work.join("venv");
     let python = environment.join("bin/python");
     if !python.exists() {
@@ -107,7 +115,7 @@ fn python(root: &Path, work: &Path) -> Result<PathBuf, Error> {
     }
     let mut pip = Command::new(&python);
     pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement"]);
-    command::run(pip.arg(root.join(BENCH).join("external/requirements.txt")))?;
+    command::run(pip.arg(requirements))?;
     Ok(python)
 }
 

@@ -8,6 +8,7 @@ use crate::command::{cargo, target};
 use crate::error::Error;
 use crate::guest_boards::{self, CheckScope};
 use crate::optional;
+use crate::oracle;
 use crate::stage::{self, Stage, StageWork};
 
 /// Where proptest looks for the seed of its cases.
@@ -62,6 +63,11 @@ fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
         // bench runs once.
         stage("tests, examples and benches", &test(&["--workspace", "--all-targets"])),
         stage("examples in the documentation", &test(&["--workspace", "--doc"])),
+        Stage {
+            name: "equations of motion beside SymPy's",
+            work: StageWork::Chore(oracle::short),
+            skipped: None,
+        },
         Stage {
             name: "boards in a Debian kernel (QEMU)",
             work: StageWork::Chore(|| guest_boards::guest(CheckScope::Short).run()),
@@ -118,7 +124,7 @@ mod tests {
     fn without_the_bare_target_only_that_stage_is_skipped() {
         let stages = stages(Path::new("letoff"), Some("x"));
         let skipped: Vec<_> = stages.iter().map(|stage| stage.skipped).collect();
-        assert_eq!(skipped, [None, Some("x"), None, None, None]);
+        assert_eq!(skipped, [None, Some("x"), None, None, None, None]);
     }
 
     #[test]

@@ -1,0 +1,68 @@
+//! Derived equations of motion beside those of other programs, which are installed for it.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use crate::command::{self, cargo, root};
+use crate::error::Error;
+use crate::peers;
+use crate::stage::Done;
+
+/// Where the tests of `kane` look for a Python with SymPy.
+const PYTHON: &str = "LETOFF_ORACLE_PYTHON";
+
+/// How many mechanisms they compare.
+const COUNT: &str = "LETOFF_ORACLE_MECHANISMS";
+
+/// What the Python needs, from the workspace's root.
+const REQUIREMENTS: &str = "crates/kane/tests/oracle/requirements.txt";
+
+/// How many mechanisms a short run compares: those of two and three bodies among them.
+const SHORT: &str = "6";
+
+/// Compares all mechanisms.
+///
+/// # Errors
+/// Says what could not be installed, or that the equations are others.
+pub(crate) fn run() -> Result<(), Error> {
+    command::run(&mut compare(&python()?))
+}
+
+/// Compares a few; skipped where SymPy cannot be had.
+///
+/// # Errors
+/// Says that the equations are others.
+pub(crate) fn short() -> Result<Done, Error> {
+    match python() {
+        Ok(python) => command::run(compare(&python).env(COUNT, SHORT)).map(|()| Done::All),
+        Err(error) => Ok(Done::Skipped(error.to_string())),
+    }
+}
+
+/// A Python with SymPy.
+fn python() -> Result<PathBuf, Error> {
+    let work = root().join("target/oracle");
+    std::fs::create_dir_all(&work).map_err(|cause| Error::file(&work, cause))?;
+    peers::python_with(&work, &root().join(REQUIREMENTS))
+}
+
+/// The tests that ask for it.
+fn compare(python: &PathBuf) -> Command {
+    let mut command = cargo(["test", "--package", "kane", "--test", "all", "oracle", "--", "--nocapture"]);
+    command.env(PYTHON, python);
+    command
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::command::words;
+
+    #[test]
+    fn the_tests_are_given_a_python() {
+        let command = compare(&PathBuf::from("python"));
+        assert_eq!(words(&command), "cargo test --package kane --test all oracle -- --nocapture");
+        assert!(command.get_envs().any(|(name, value)| name == PYTHON && value.is_some()));
+        assert!(root().join(REQUIREMENTS).exists());
+    }
+}
