@@ -6,7 +6,7 @@ use pode::{Energetic, GuardId, Model, Motion, Resets, Sloped};
 
 use crate::draw::Sketch;
 use crate::entry::ModelEntry;
-use crate::mode_number::ModeNumber;
+use crate::mode_code::ModeCode;
 
 /// A model with a name, parameters, and names for all that it has.
 ///
@@ -31,17 +31,17 @@ pub trait Described:
     fn with_values(&self, values: &[f64]) -> Self;
 
     /// The number of `mode`.
-    fn mode_number(&self, mode: Self::Mode) -> ModeNumber;
+    fn mode_code(&self, mode: Self::Mode) -> ModeCode;
 
     /// The mode with this number, if there is one.
-    fn mode(&self, number: ModeNumber) -> Option<Self::Mode>;
+    fn mode(&self, number: ModeCode) -> Option<Self::Mode>;
 
     /// Writes the name of the mode with this number: the structural mode's, where the model has no
     /// contacts; `?` if there is none.
     ///
     /// # Errors
     /// If `to` takes no text.
-    fn write_mode(&self, number: ModeNumber, to: &mut dyn fmt::Write) -> fmt::Result {
+    fn write_mode(&self, number: ModeCode, to: &mut dyn fmt::Write) -> fmt::Result {
         let mode = self.entry().modes.get(usize::from(number.structure()));
         to.write_str(mode.filter(|_| self.mode(number).is_some()).map_or("?", |mode| mode.name))
     }
@@ -49,7 +49,7 @@ pub trait Described:
     /// Every structural mode with its name, with all contacts open.
     fn modes(&self) -> impl Iterator<Item = (Self::Mode, &'static str)> {
         let named = |(index, mode): (u8, &'static crate::entry::ModeEntry)| {
-            Some((self.mode(ModeNumber::structural(index))?, mode.name))
+            Some((self.mode(ModeCode::structural(index))?, mode.name))
         };
         (0..=u8::MAX).zip(self.entry().modes).filter_map(named)
     }

@@ -124,7 +124,13 @@ impl ModelEntry {
         core::ptr::eq(self, other)
     }
 
-    /// One value per parameter: the default preset's for the lowest key.
+    /// The unit of the guard called `name`; empty if there is none or it is not known.
+    pub fn guard_unit(&self, name: &str) -> &'static str {
+        let mut guards = self.modes.iter().flat_map(|mode| mode.guards);
+        guards.find(|guard| guard.name == name).map_or("", |guard| guard.unit)
+    }
+
+    /// The default preset's value of a parameter for the lowest key.
     pub fn default_value(&self, parameter: usize) -> f64 {
         self.presets.first().map_or(f64::NAN, |preset| (preset.value)(parameter, 0))
     }
@@ -159,13 +165,19 @@ impl ModeEntry {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct GuardEntry {
     pub name: &'static str,
+    /// SI unit; empty if it is not known.
+    pub unit: &'static str,
     /// The modes that may come next.
     pub to: &'static [&'static str],
 }
 
 impl GuardEntry {
     /// A guard that leads to one of the modes `to`.
-    pub(crate) const fn new(name: &'static str, to: &'static [&'static str]) -> Self {
-        Self { name, to }
+    pub(crate) const fn new(
+        name: &'static str,
+        unit: &'static str,
+        to: &'static [&'static str],
+    ) -> Self {
+        Self { name, unit, to }
     }
 }

@@ -16,7 +16,7 @@ mod bounds;
 mod describe;
 mod entry;
 mod impact;
-mod mode_number;
+mod mode_code;
 mod parameters;
 mod shapes;
 
@@ -37,6 +37,6 @@ pub use describe::{Damper, Described, Playable, Sounding};
 pub use entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
 pub use key_hammer_rigid::KeyHammerRigid;
 pub use key_hammer_springs::KeyHammerSprings;
-pub use mode_number::{ModeName, ModeNumber};
+pub use mode_code::{ModeCode, ModeName};
 pub use reduced_grand::ReducedGrand;
 pub use spring_wall::SpringWall;

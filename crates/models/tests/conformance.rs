@@ -8,7 +8,7 @@
 )]
 
 use models::catalogue;
-use models::{Described, ModeName, ModeNumber, ModelEntry, Parameter, Playable};
+use models::{Described, ModeCode, ModeName, ModelEntry, Parameter, Playable};
 use pode::stepper::{Given, Rk4, Stepper as _};
 use pode::{Dense as _, EquationKind, GuardId, MAX_GUARDS, Matrix as _, Motion, Nature, State};
 
@@ -101,8 +101,8 @@ fn entry_is_true<M: Playable>(model: M) {
     let modes: Vec<_> = model.modes().collect();
     assert_eq!(modes.len(), entry.modes.len(), "{label}: modes");
     for (index, ((mode, name), listed)) in (0..).zip(modes.into_iter().zip(entry.modes)) {
-        let number = model.mode_number(mode);
-        assert_eq!((number, model.mode(number)), (ModeNumber::structural(index), Some(mode)));
+        let number = model.mode_code(mode);
+        assert_eq!((number, model.mode(number)), (ModeCode::structural(index), Some(mode)));
         assert_eq!(ModeName::new(&model, number).to_string(), name, "{label}");
         assert_eq!(name.to_lowercase(), format!("{mode:?}").to_lowercase(), "{label}");
         let guards: Vec<_> = model.guards(mode).iter().map(|guard| guard.name).collect();
@@ -113,8 +113,8 @@ fn entry_is_true<M: Playable>(model: M) {
         let free = (0..entry.states.len()).filter(moves).count();
         assert_eq!(free, 2 * usize::from(listed.p), "{label} {name}: coordinates and speeds");
     }
-    assert_eq!(model.mode(ModeNumber::structural(u8::MAX)), None, "{label}");
-    assert_eq!(ModeName::new(&model, ModeNumber::NONE).to_string(), "?", "{label}");
+    assert_eq!(model.mode(ModeCode::structural(u8::MAX)), None, "{label}");
+    assert_eq!(ModeName::new(&model, ModeCode::NONE).to_string(), "?", "{label}");
 }
 
 #[test]
@@ -306,7 +306,7 @@ fn modes_are_complete<M: Playable>(model: M) {
 
 /// Whether the entry of `model` lists `to` among where the guard of a mode leads.
 fn leads<M: Playable>(model: &M, (mode, guard): (M::Mode, GuardId), to: M::Mode) -> bool {
-    let of = |mode| usize::from(model.mode_number(mode).structure());
+    let of = |mode| usize::from(model.mode_code(mode).structure());
     let modes = model.entry().modes;
     let spec = model.guards(mode).iter().find(|it| it.id == guard).expect("a listed guard");
     let listed = modes[of(mode)].guards.iter().find(|it| it.name == spec.name).expect("a guard");

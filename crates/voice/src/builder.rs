@@ -113,8 +113,10 @@ impl<'a> VoiceBuilder<'a> {
 
 /// Refuses a model of which a voice could not show all states or take all parameters.
 fn refuse_large(model: &ModelEntry) -> Result<(), BuildError> {
-    let counts =
-        [("states", model.states.len(), MAX_STATES), ("parameters", model.parameters.len(), MAX_VALUES)];
+    let counts = [
+        ("states", model.states.len(), MAX_STATES),
+        ("parameters", model.parameters.len(), MAX_VALUES),
+    ];
     for (what, found, most) in counts {
         if most < found {
             return Err(BuildError::TooLarge { model: model.name, what, found, most });

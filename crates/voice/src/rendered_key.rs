@@ -6,7 +6,8 @@ use haptics::{EnergyBound, ForceGate, PassivityObserver};
 use models::Playable;
 use pode::input::Cubic;
 use pode::{
-    Advance, Auditor, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, State, Stepper, Watch,
+    Advance, Auditor, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, State, Stepper,
+    Watch,
 };
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
 use scheduler::observation::{Switch, Switches, VoiceObservation};
@@ -194,7 +195,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         let Motion { position, rate, acceleration, jerk } = self.signal.at(1.0);
         let snapshot = &mut seen.snapshot;
         snapshot.revision = self.revision;
-        snapshot.mode = self.simulator.model().mode_number(self.simulator.mode()).0;
+        snapshot.mode = self.simulator.model().mode_code(self.simulator.mode()).0;
         snapshot.show(self.simulator.state().entries());
         snapshot.input = [position, rate, acceleration, jerk];
         if !self.switches.is_empty() {
@@ -308,8 +309,8 @@ impl<M: Playable> Watch<M> for Strikes<'_> {
             if let pode::EventCause::Guard(spec) = event.cause { spec.id.0 } else { u8::MAX };
         self.switches.push(Switch {
             theta: event.theta,
-            from: model.mode_number(event.before.0).structure(),
-            to: model.mode_number(event.after.0).structure(),
+            from: model.mode_code(event.before.0).structure(),
+            to: model.mode_code(event.after.0).structure(),
             guard,
         });
         let pode::EventCause::Guard(spec) = event.cause else { return };

@@ -20,7 +20,7 @@ pub struct Origin<'a> {
 
 /// Returns the message about `voice` on `key`, which is sent before it is put in.
 pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage {
-    let probe = probe(voice.model.name, &voice.values);
+    let probe = probe(voice.model, &voice.values);
     let instrument = origin.instrument.map(str::to_owned);
     let message = Voice {
         key: key.into(),

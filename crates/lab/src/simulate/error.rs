@@ -20,7 +20,7 @@ pub enum SimulateError {
         model: &'static str,
         /// The last instant with a finite state (s).
         t: f64,
-        mode: &'static str,
+        mode: String,
         /// What failed, and what to do.
         why: &'static str,
     },

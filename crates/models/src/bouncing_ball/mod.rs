@@ -8,7 +8,7 @@ use pode::{GuardId, Model as _, Motion};
 use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
 use crate::entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
-use crate::mode_number::ModeNumber;
+use crate::mode_code::ModeCode;
 
 /// A ball above a floor (`flight`) or on it (`rest`).
 ///
@@ -53,8 +53,8 @@ const KEY: [f64; 5] = [9.81, 0.7, 0.01, 0.0, 5.0];
 const MODES: [Mode; 2] = [Mode::Flight, Mode::Rest];
 
 const MODE_ENTRIES: [ModeEntry; 2] = [
-    ModeEntry::new("flight", (1, 0), &[GuardEntry::new("floor", &["flight", "rest"])]),
-    ModeEntry::new("rest", (1, 1), &[GuardEntry::new("lift", &["flight"])]),
+    ModeEntry::new("flight", (1, 0), &[GuardEntry::new("floor", "m", &["flight", "rest"])]),
+    ModeEntry::new("rest", (1, 1), &[GuardEntry::new("lift", "m/s²", &["flight"])]),
 ];
 
 /// What is known of the model without building one.
@@ -109,11 +109,11 @@ impl Described for BouncingBall {
         Self::from_array(&filled(&ENTRY, values))
     }
 
-    fn mode_number(&self, mode: Mode) -> ModeNumber {
-        ModeNumber::structural(mode as u8)
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
     }
 
-    fn mode(&self, number: ModeNumber) -> Option<Mode> {
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
         number.of(&MODES)
     }
 

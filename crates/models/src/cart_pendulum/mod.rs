@@ -8,7 +8,7 @@ use pode::{GuardId, Model as _, Motion};
 use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
 use crate::entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
-use crate::mode_number::ModeNumber;
+use crate::mode_code::ModeCode;
 
 /// The cart between the walls (`free`) or held against one (`left`, `right`).
 ///
@@ -74,13 +74,16 @@ const KEY: [f64; 11] = [0.04, 0.02, 0.1, 0.0, 9.81, 60.0, 0.3, -0.005, 0.04, 0.6
 const MODES: [Mode; 3] = [Mode::Free, Mode::Left, Mode::Right];
 
 /// The wall pulls no more.
-const OFF: GuardEntry = GuardEntry::new("off", &["free"]);
+const OFF: GuardEntry = GuardEntry::new("off", "N", &["free"]);
 
 const MODE_ENTRIES: [ModeEntry; 3] = [
     ModeEntry::new(
         "free",
         (2, 0),
-        &[GuardEntry::new("left", &["free", "left"]), GuardEntry::new("right", &["free", "right"])],
+        &[
+            GuardEntry::new("left", "m", &["free", "left"]),
+            GuardEntry::new("right", "m", &["free", "right"]),
+        ],
     ),
     ModeEntry::new("left", (2, 1), &[OFF]),
     ModeEntry::new("right", (2, 1), &[OFF]),
@@ -139,11 +142,11 @@ impl Described for CartPendulum {
         Self::from_array(&filled(&ENTRY, values))
     }
 
-    fn mode_number(&self, mode: Mode) -> ModeNumber {
-        ModeNumber::structural(mode as u8)
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
     }
 
-    fn mode(&self, number: ModeNumber) -> Option<Mode> {
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
         number.of(&MODES)
     }
 

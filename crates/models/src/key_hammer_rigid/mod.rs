@@ -9,7 +9,7 @@ use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
 use crate::entry::{GuardEntry, ModeEntry, ModelEntry};
 use crate::key_hammer::{COUNT, Coupled, KeyHammerValues, PARAMETERS, PRESETS, gap};
-use crate::mode_number::ModeNumber;
+use crate::mode_code::ModeCode;
 
 /// Key and hammer in rigid contact (A1) or apart (A2).
 ///
@@ -32,11 +32,11 @@ pub enum Mode {
 const MODES: [Mode; 2] = [Mode::A1, Mode::A2];
 
 const MODE_ENTRIES: [ModeEntry; 2] = [
-    ModeEntry::new("A1", (2, 2), &[GuardEntry::new("release", &["A2"])]),
+    ModeEntry::new("A1", (2, 2), &[GuardEntry::new("release", "N", &["A2"])]),
     ModeEntry::new(
         "A2",
         (1, 0),
-        &[GuardEntry::new("land", &["A1"]), GuardEntry::new("string", &["A2"])],
+        &[GuardEntry::new("land", "m", &["A1"]), GuardEntry::new("string", "rad", &["A2"])],
     ),
 ];
 
@@ -80,11 +80,11 @@ impl Described for KeyHammerRigid {
         Self::from_array(&filled(&ENTRY, values))
     }
 
-    fn mode_number(&self, mode: Mode) -> ModeNumber {
-        ModeNumber::structural(mode as u8)
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
     }
 
-    fn mode(&self, number: ModeNumber) -> Option<Mode> {
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
         number.of(&MODES)
     }
 

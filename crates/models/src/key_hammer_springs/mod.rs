@@ -9,7 +9,7 @@ use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
 use crate::entry::{GuardEntry, ModeEntry, ModelEntry};
 use crate::key_hammer::{COUNT, KeyHammerValues, PARAMETERS, PRESETS};
-use crate::mode_number::ModeNumber;
+use crate::mode_code::ModeCode;
 
 /// Key and hammer coupled by springs (B1) or apart (B2).
 ///
@@ -73,12 +73,12 @@ const MODE_ENTRIES: [ModeEntry; 2] = [
     ModeEntry::new(
         "B1",
         (4, 2),
-        &[GuardEntry::new("release", &["B2"]), GuardEntry::new("string", &["B1"])],
+        &[GuardEntry::new("release", "m", &["B2"]), GuardEntry::new("string", "rad", &["B1"])],
     ),
     ModeEntry::new(
         "B2",
         (2, 0),
-        &[GuardEntry::new("land", &["B1"]), GuardEntry::new("string", &["B2"])],
+        &[GuardEntry::new("land", "m", &["B1"]), GuardEntry::new("string", "rad", &["B2"])],
     ),
 ];
 
@@ -115,11 +115,11 @@ impl Described for KeyHammerSprings {
         Self::from_array(&filled(&ENTRY, values))
     }
 
-    fn mode_number(&self, mode: Mode) -> ModeNumber {
-        ModeNumber::structural(mode as u8)
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
     }
 
-    fn mode(&self, number: ModeNumber) -> Option<Mode> {
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
         number.of(&MODES)
     }
 

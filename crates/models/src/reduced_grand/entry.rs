@@ -25,85 +25,92 @@ const CARRIED: (u8, u8) = (2, 1);
 /// Key and head move by themselves.
 const APART: (u8, u8) = (2, 0);
 
-const RESET: GuardEntry = GuardEntry::new("reset", &["FLA", "REP0"]);
+const RESET: GuardEntry = GuardEntry::new("reset", "m", &["FLA", "REP0"]);
 
 const MODE_ENTRIES: [ModeEntry; 11] = [
     ModeEntry::new(
         "ACC",
         CARRIED,
-        &[GuardEntry::new("lift-off", &["FLA"]), GuardEntry::new("button", &["LO"])],
+        &[GuardEntry::new("lift-off", "N", &["FLA"]), GuardEntry::new("button", "m", &["LO"])],
     ),
     ModeEntry::new(
         "LO",
         CARRIED,
         &[
-            GuardEntry::new("lift-off", &["FLL"]),
-            GuardEntry::new("button-off", &["ACC"]),
-            GuardEntry::new("trip", &["FLT"]),
+            GuardEntry::new("lift-off", "N", &["FLL"]),
+            GuardEntry::new("button-off", "m", &["ACC"]),
+            GuardEntry::new("trip", "m", &["FLT"]),
         ],
     ),
     ModeEntry::new(
         "FLA",
         APART,
         &[
-            GuardEntry::new("land", &["ACC"]),
-            GuardEntry::new("button", &["FLL"]),
-            GuardEntry::new("string-on", &["STU"]),
+            GuardEntry::new("land", "m", &["ACC"]),
+            GuardEntry::new("button", "m", &["FLL"]),
+            GuardEntry::new("string-on", "m", &["STU"]),
         ],
     ),
     ModeEntry::new(
         "FLL",
         APART,
         &[
-            GuardEntry::new("land", &["LO"]),
-            GuardEntry::new("button-off", &["FLA"]),
-            GuardEntry::new("trip", &["FLT"]),
-            GuardEntry::new("string-on", &["STU"]),
+            GuardEntry::new("land", "m", &["LO"]),
+            GuardEntry::new("button-off", "m", &["FLA"]),
+            GuardEntry::new("trip", "m", &["FLT"]),
+            GuardEntry::new("string-on", "m", &["STU"]),
         ],
     ),
     ModeEntry::new(
         "FLT",
         APART,
         &[
-            GuardEntry::new("string-on", &["STT"]),
-            GuardEntry::new("rep-on", &["REPH", "REPL"]),
+            GuardEntry::new("string-on", "m", &["STT"]),
+            GuardEntry::new("rep-on", "m", &["REPH", "REPL"]),
             RESET,
         ],
     ),
     ModeEntry::new(
         "STU",
         APART,
-        &[GuardEntry::new("string-off", &["FLA", "FLL"]), GuardEntry::new("trip", &["STT"])],
+        &[
+            GuardEntry::new("string-off", "m", &["FLA", "FLL"]),
+            GuardEntry::new("trip", "m", &["STT"]),
+        ],
     ),
     ModeEntry::new(
         "STT",
         APART,
-        &[GuardEntry::new("string-off", &["FLT"]), GuardEntry::new("reset", &["STU"])],
+        &[GuardEntry::new("string-off", "m", &["FLT"]), GuardEntry::new("reset", "m", &["STU"])],
     ),
     ModeEntry::new(
         "REPH",
         APART,
         &[
-            GuardEntry::new("rep-off", &["FLT"]),
-            GuardEntry::new("check", &["CHK"]),
-            GuardEntry::new("check-far", &["REPL"]),
+            GuardEntry::new("rep-off", "m", &["FLT"]),
+            GuardEntry::new("check", "m", &["CHK"]),
+            GuardEntry::new("check-far", "m", &["REPL"]),
         ],
     ),
     ModeEntry::new(
         "REPL",
         APART,
-        &[GuardEntry::new("rep-off", &["FLT"]), GuardEntry::new("check-near", &["REPH"]), RESET],
+        &[
+            GuardEntry::new("rep-off", "m", &["FLT"]),
+            GuardEntry::new("check-near", "m", &["REPH"]),
+            RESET,
+        ],
     ),
     ModeEntry::new(
         "REP0",
         APART,
         &[
-            GuardEntry::new("rep-off", &["FLA"]),
-            GuardEntry::new("jack-in", &["FLA"]),
-            GuardEntry::new("jack-out", &["REPL"]),
+            GuardEntry::new("rep-off", "m", &["FLA"]),
+            GuardEntry::new("jack-in", "m", &["FLA"]),
+            GuardEntry::new("jack-out", "m", &["REPL"]),
         ],
     ),
-    ModeEntry::new("CHK", CARRIED, &[GuardEntry::new("check-off", &["REPL"])]),
+    ModeEntry::new("CHK", CARRIED, &[GuardEntry::new("check-off", "m", &["REPL"])]),
 ];
 
 /// What is known of the model without building one.

@@ -22,7 +22,7 @@ use pode::{GuardId, Motion};
 use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
 use crate::entry::ModelEntry;
-use crate::mode_number::ModeNumber;
+use crate::mode_code::ModeCode;
 use bounds::PerWidth;
 use entry::MODES;
 use geometry::LetOff;
@@ -100,11 +100,11 @@ impl Described for ReducedGrand {
         Self::from_array(&filled(&ENTRY, values))
     }
 
-    fn mode_number(&self, mode: Mode) -> ModeNumber {
-        ModeNumber::structural(mode as u8)
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
     }
 
-    fn mode(&self, number: ModeNumber) -> Option<Mode> {
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
         number.of(&MODES)
     }
 

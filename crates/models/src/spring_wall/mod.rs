@@ -8,7 +8,7 @@ use pode::{GuardId, Model as _, Motion};
 use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
 use crate::entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
-use crate::mode_number::ModeNumber;
+use crate::mode_code::ModeCode;
 
 /// Nothing before the wall (`free`), a spring and a damper behind it (`contact`).
 ///
@@ -43,8 +43,8 @@ const DEFAULT: [f64; 3] = [1000.0, 0.5, 0.005];
 const MODES: [Mode; 2] = [Mode::Free, Mode::Contact];
 
 const MODE_ENTRIES: [ModeEntry; 2] = [
-    ModeEntry::new("free", (0, 0), &[GuardEntry::new("touch", &["contact"])]),
-    ModeEntry::new("contact", (0, 0), &[GuardEntry::new("leave", &["free"])]),
+    ModeEntry::new("free", (0, 0), &[GuardEntry::new("touch", "m", &["contact"])]),
+    ModeEntry::new("contact", (0, 0), &[GuardEntry::new("leave", "m", &["free"])]),
 ];
 
 /// What is known of the model without building one.
@@ -92,11 +92,11 @@ impl Described for SpringWall {
         Self::from_array(&filled(&ENTRY, values))
     }
 
-    fn mode_number(&self, mode: Mode) -> ModeNumber {
-        ModeNumber::structural(mode as u8)
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
     }
 
-    fn mode(&self, number: ModeNumber) -> Option<Mode> {
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
         number.of(&MODES)
     }
 

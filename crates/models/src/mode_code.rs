@@ -7,9 +7,9 @@ use crate::describe::Described;
 /// A mode of a model as a number: the structural mode in its low 8 bits, and above them what the
 /// contacts of the model do, 0 where all are open or there are none.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
-pub struct ModeNumber(pub u64);
+pub struct ModeCode(pub u64);
 
-impl ModeNumber {
+impl ModeCode {
     /// Bits of the structural mode.
     pub const STRUCTURE_BITS: u32 = 8;
     /// A number that no mode has.
@@ -47,12 +47,12 @@ impl ModeNumber {
 #[derive(Clone, Copy, Debug)]
 pub struct ModeName<'a, M> {
     model: &'a M,
-    mode: ModeNumber,
+    mode: ModeCode,
 }
 
 impl<'a, M: Described> ModeName<'a, M> {
     /// The name of the mode with this number in `model`.
-    pub const fn new(model: &'a M, mode: ModeNumber) -> Self {
+    pub const fn new(model: &'a M, mode: ModeCode) -> Self {
         Self { model, mode }
     }
 }
@@ -69,11 +69,11 @@ mod tests {
 
     #[test]
     fn structure_and_contacts_share_a_number() {
-        let number = ModeNumber::with_contacts(200, 0b101);
+        let number = ModeCode::with_contacts(200, 0b101);
         assert_eq!((number.structure(), number.contacts()), (200, 0b101));
-        assert_eq!(ModeNumber::structural(7).of(b"abcdefgh"), Some(b'h'));
-        assert_eq!(ModeNumber::structural(8).of(b"abcdefgh"), None);
-        assert_eq!(ModeNumber::with_contacts(1, 1).of(b"abcdefgh"), None);
-        assert_eq!(ModeNumber::NONE.of(b"abcdefgh"), None);
+        assert_eq!(ModeCode::structural(7).of(b"abcdefgh"), Some(b'h'));
+        assert_eq!(ModeCode::structural(8).of(b"abcdefgh"), None);
+        assert_eq!(ModeCode::with_contacts(1, 1).of(b"abcdefgh"), None);
+        assert_eq!(ModeCode::NONE.of(b"abcdefgh"), None);
     }
 }
