@@ -2,11 +2,28 @@
 //!
 //! [`table`] is what a model is apart from its arithmetic, and [`table::Functions`] that arithmetic;
 //! [`functions`] has what an expression can apply beyond the elementary functions of `pode`.
+//! [`EquationModel`] is a model of `pode` made of both, and one with contacts is
+//! `WithContacts<EquationModel<..>>`.
+//!
+//! # What is not here
+//! Where the functions come from. Jacobians of friction: a mode that sticks is resolved by its
+//! structure's rates.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 #![forbid(unsafe_code)]
 
+mod about;
+mod balance;
 pub mod functions;
+mod guards;
+mod model;
+mod natures;
+mod rates;
+mod rest;
 mod softplus;
+mod structure;
 pub mod table;
+
+pub use model::{DoesNotFit, EquationModel, ModeNumber};
+pub use natures::MAX_MODES;
 
 pub use softplus::{FAR_SOFTPLUS, Softplus};

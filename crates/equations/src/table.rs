@@ -3,7 +3,8 @@
 //! A table is constant. Emitted Rust has it as a `static`; of a description that is loaded while
 //! the program runs it is made once and kept.
 
-use pode::{EquationKind, Fires, Reads};
+use contacts::ContactSpec;
+use pode::{Enclosure, EquationKind, Fires, GuardSpec, Part, Reads};
 
 /// The number of a function of a model.
 pub type FunctionId = u16;
@@ -60,6 +61,10 @@ pub struct ModelTable {
     pub input_per_metre: FunctionId,
     pub modes: &'static [ModeTable],
     pub contacts: &'static [ContactTable],
+    /// The same contacts as their automata have them.
+    pub contact_specs: &'static [ContactSpec],
+    /// The guards of all modes, each id once, for a model with contacts.
+    pub guard_specs: &'static [GuardSpec],
     pub outputs: &'static [Quantity],
     pub rest: RestTable,
     pub damper: Option<DamperTable>,
@@ -111,6 +116,8 @@ pub struct ModeTable {
     pub derivative: FunctionId,
     /// What moves by equations; none in a mode without degrees of freedom.
     pub parts: &'static [PartTable],
+    /// The same parts without natures of their own.
+    pub part_list: &'static [Part],
     /// To the whole state with slaved entries in place; none if nothing is slaved.
     pub slaved: Option<FunctionId>,
     /// To the state after one Newton step towards the constraints, and behind it how far each was
@@ -131,11 +138,47 @@ pub struct ModeTable {
     pub jacobian: FunctionId,
     /// What its equations are like; the fastest rate is found from the Jacobian at the rest pose.
     pub kind: EquationKind,
+    /// From constants to a number that is 0 where these values let nothing be lost: the mode is
+    /// conservative then. None where it is so always or never.
+    pub loss: Option<FunctionId>,
+    /// Whether its fastest rate is that of the state at hand, as of a felt that is pressed.
+    pub is_stiffening: bool,
     pub guards: &'static [GuardTable],
+    /// The same guards as they are watched.
+    pub guard_specs: &'static [GuardSpec],
     /// What each contact does here; one that cannot close here has no entry.
     pub contacts: &'static [ContactModeTable],
     /// Degrees of freedom p, coordinates n and constraints m, in the paper's letters.
     pub freedom: Freedom,
+}
+
+impl ModeTable {
+    /// A number that no function has.
+    const NO_FUNCTION: FunctionId = FunctionId::MAX;
+
+    /// A mode in which nothing moves and nothing is known.
+    pub const NOTHING: Self = Self {
+        name: "",
+        derivative: Self::NO_FUNCTION,
+        parts: &[],
+        part_list: &[],
+        slaved: None,
+        projection: None,
+        projected: 0,
+        longest_projection: f64::INFINITY,
+        readout: Self::NO_FUNCTION,
+        slopes: Self::NO_FUNCTION,
+        outputs: Self::NO_FUNCTION,
+        balance: Self::NO_FUNCTION,
+        jacobian: Self::NO_FUNCTION,
+        kind: EquationKind::Smooth,
+        loss: None,
+        is_stiffening: false,
+        guards: &[],
+        guard_specs: &[],
+        contacts: &[],
+        freedom: Freedom { n: 0, m: 0, p: 0 },
+    };
 }
 
 /// Degrees of freedom of a mode. `[GC93]` table 1.
@@ -157,6 +200,8 @@ pub struct PartTable {
     /// To the derivative of the whole state, where only its entries count.
     pub derivative: FunctionId,
     pub kind: EquationKind,
+    /// As [`ModeTable::loss`], of what is lost by its entries.
+    pub loss: Option<FunctionId>,
     pub reads: Reads,
 }
 
@@ -189,6 +234,19 @@ pub struct WayTable {
     pub to: u8,
     /// To the state after it, and behind it the impulse on the input; none keeps the state.
     pub reset: Option<FunctionId>,
+    /// Where such impacts come to rest; none where they are no impacts, or never do.
+    pub resting: Option<RestingTable>,
+}
+
+/// How an impact with a restitution comes to rest.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RestingTable {
+    /// The mode in which the surfaces stay together.
+    pub to: u8,
+    /// To the state in it after an impact without rebound, and behind it the impulse.
+    pub state: FunctionId,
+    /// To the speed at which the surfaces approach (m/s or rad/s), and the restitution.
+    pub meeting: FunctionId,
 }
 
 /// A contact or bearing.
@@ -212,6 +270,8 @@ pub struct ContactModeTable {
     pub bound: Option<FunctionId>,
     /// To what the closed contact adds to the derivative.
     pub normal: Option<FunctionId>,
+    /// To what it adds to the derivative's derivative by the state, row by row.
+    pub jacobian: Option<FunctionId>,
     /// To what it adds to readout, energy (J), supplied and dissipated power (W).
     pub balance: Option<FunctionId>,
     /// To the slip speed, its rate by time alone, and its gradient by the state.
@@ -294,48 +354,40 @@ pub struct SpringTable {
     pub modes: &'static [u8],
 }
 
-/// Where an enclosure's numbers stand in `extra`, for a state of n entries.
+/// Where an enclosure's numbers stand in `extra`.
 ///
-/// The state at the start of the step is the function's state; the input there its input.
+/// The state at the start of the step is the function's state. Its input are the largest
+/// magnitudes of the input and its rates over the step; infinite where they are not known.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct EnclosureLayout {
-    /// Entries of the state.
-    pub n: usize,
-}
+pub struct EnclosureLayout;
 
 impl EnclosureLayout {
-    /// Bound of |x(τ) − x(0)| of an entry.
-    pub const fn moves(self, entry: usize) -> usize {
-        entry
+    /// Numbers of each entry of the state.
+    pub const STRIDE: usize = 4;
+
+    /// Returns the place of the bound of |x(τ) − x(0)| of an entry.
+    pub const fn moves(entry: usize) -> usize {
+        Self::STRIDE * entry
     }
 
-    /// Bound of |dx/dτ| of an entry.
-    pub const fn speed(self, entry: usize) -> usize {
-        self.n + entry
+    /// Returns the place of the bound of |dx/dτ| of an entry.
+    pub const fn speed(entry: usize) -> usize {
+        Self::STRIDE * entry + 1
     }
 
-    /// Bound of |d²x/dτ²| of an entry.
-    pub const fn bend(self, entry: usize) -> usize {
-        2 * self.n + entry
+    /// Returns the place of the bound of |d²x/dτ²| of an entry.
+    pub const fn bend(entry: usize) -> usize {
+        Self::STRIDE * entry + 2
     }
 
-    /// Largest magnitude over the step of the input (0) or a rate of it (1, 2, 3).
-    pub const fn input(self, rate: usize) -> usize {
-        3 * self.n + rate
+    /// Returns the place of the step's length (s).
+    pub const fn step() -> usize {
+        3
     }
 
-    /// Length of the step (s).
-    pub const fn step(self) -> usize {
-        3 * self.n + 4
-    }
-
-    /// How many numbers there are.
-    pub const fn len(self) -> usize {
-        3 * self.n + 5
-    }
-
-    /// Whether there are none, which is never so.
-    pub const fn is_empty(self) -> bool {
-        false
+    /// Returns the bounds and the length as they stand in `extra`.
+    #[inline]
+    pub fn numbers<const N: usize, I>(over: &Enclosure<[f64; N], I>) -> [[f64; 4]; N] {
+        core::array::from_fn(|i| [over.moves[i], over.speeds[i], over.bends[i], over.h])
     }
 }

@@ -1,0 +1,285 @@
+//! A model made of a table and of functions by number.
+
+use pode::{Model, Motion, Nature, Part, State};
+
+use crate::natures::{MAX_MODES, ModeNatures};
+use crate::table::{Arguments, FunctionId, Functions, ModeTable, ModelTable};
+
+/// A mode of an [`EquationModel`], by its number in the table.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct ModeNumber(pub u8);
+
+/// A model whose equations are functions by number, with its constants in the object.
+///
+/// The state has N entries, of which those beyond the table's stay 0; there is room for C
+/// constants.
+#[derive(Clone, Copy, Debug)]
+pub struct EquationModel<F, const N: usize, const C: usize> {
+    table: &'static ModelTable,
+    functions: F,
+    constants: [f64; C],
+    natures: ModeNatures,
+}
+
+/// Why a table does not fit into an [`EquationModel`], with how much it would need.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DoesNotFit {
+    /// More entries of the state.
+    States(usize),
+    /// More constants.
+    Constants(usize),
+    /// More than [`MAX_MODES`] modes.
+    Modes(usize),
+}
+
+impl<F, const N: usize, const C: usize> PartialEq for EquationModel<F, N, C> {
+    /// Whether both have one table and the same constants.
+    fn eq(&self, other: &Self) -> bool {
+        core::ptr::eq(self.table, other.table) && self.constants == other.constants
+    }
+}
+
+impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+    /// Makes a model with one value per parameter; a missing one is taken from the default preset.
+    ///
+    /// # Errors
+    /// A table that has more states, constants or modes than there is room for.
+    ///
+    /// # Real-time
+    /// Bounded: Newton's method twice, and for each mode two Jacobians.
+    pub fn new(
+        table: &'static ModelTable,
+        functions: F,
+        parameters: &[f64],
+    ) -> Result<Self, DoesNotFit> {
+        const { assert!(N > 0 && N <= 64, "a part has a bit for each entry") };
+        fits(table, (N, C))?;
+        let natures = ModeNatures::default();
+        let mut model = Self { table, functions, constants: [0.0; C], natures };
+        model.constants = model.derived(parameters);
+        model.natures = ModeNatures::of(&model);
+        Ok(model)
+    }
+
+    /// The parameters, and what follows from them.
+    fn derived(&self, parameters: &[f64]) -> [f64; C] {
+        let count = self.table.parameters.len();
+        let mut constants = [0.0; C];
+        if parameters.len() < count {
+            self.preset(0, 0, &mut constants);
+        }
+        for (constant, value) in constants.iter_mut().zip(parameters).take(count) {
+            *constant = *value;
+        }
+        let mut derived = [0.0; C];
+        let arguments = Arguments {
+            constants: constants.get(..count).unwrap_or(&constants),
+            state: &[],
+            input: &[0.0; 4],
+            extra: &[],
+        };
+        self.functions.call(self.table.derive_constants, &arguments, &mut derived);
+        for (constant, value) in constants.iter_mut().skip(count).zip(derived) {
+            *constant = value;
+        }
+        constants
+    }
+
+    /// Writes the values of the parameters in the preset `index` for a key, 0 (A0) to 87 (C8).
+    pub fn preset(&self, index: usize, key: u8, values: &mut [f64]) {
+        let Some(preset) = self.table.presets.get(index) else { return };
+        let extra = [f64::from(key)];
+        let arguments =
+            Arguments { constants: &[], state: &[], input: &[0.0; 4], extra: &extra };
+        self.functions.call(preset.values, &arguments, values);
+    }
+
+    /// Returns all of the model but its arithmetic.
+    pub const fn table(&self) -> &'static ModelTable {
+        self.table
+    }
+
+    /// Returns the values of the parameters.
+    pub fn parameters(&self) -> &[f64] {
+        self.constants.get(..self.table.parameters.len()).unwrap_or(&self.constants)
+    }
+
+    /// What is known of the mode beyond its equations.
+    pub(crate) const fn natures(&self) -> &ModeNatures {
+        &self.natures
+    }
+
+    /// The table of a mode; that of nothing for a number that no mode has.
+    #[inline]
+    pub(crate) fn mode(&self, mode: ModeNumber) -> &'static ModeTable {
+        self.table.modes.get(usize::from(mode.0)).unwrap_or(&ModeTable::NOTHING)
+    }
+
+    /// Calls `function` with the state and the input.
+    #[inline]
+    pub(crate) fn call(
+        &self,
+        function: FunctionId,
+        x: &[f64; N],
+        input: &Motion,
+        out: &mut [f64],
+    ) {
+        let Motion { position, rate, acceleration, jerk } = *input;
+        let input = [position, rate, acceleration, jerk];
+        self.call_with(function, (x, &input), &[], out);
+    }
+
+    /// The same with further arguments.
+    #[inline]
+    pub(crate) fn call_with(
+        &self,
+        function: FunctionId,
+        (state, input): (&[f64], &[f64; 4]),
+        extra: &[f64],
+        out: &mut [f64],
+    ) {
+        let arguments = Arguments { constants: &self.constants, state, input, extra };
+        self.functions.call(function, &arguments, out);
+    }
+
+    /// The values of a function that gives K numbers; none is a number if there is no function.
+    #[inline]
+    pub(crate) fn values<const K: usize>(
+        &self,
+        function: FunctionId,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> [f64; K] {
+        let mut out = [f64::NAN; K];
+        self.call(function, x, input, &mut out);
+        out
+    }
+
+    /// The values of a function that gives a whole state and one number behind it.
+    pub(crate) fn state_and_number(
+        &self,
+        function: FunctionId,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> ([f64; N], f64) {
+        let mut out = [[0.0; N]; 2];
+        self.call(function, x, input, out.as_flattened_mut());
+        let count = self.table.states.len();
+        let number = out.as_flattened().get(count).copied().unwrap_or(0.0);
+        (core::array::from_fn(|i| if i < count { out[0][i] } else { 0.0 }), number)
+    }
+
+    /// The derivative's derivative by the state, row by row.
+    pub(crate) fn jacobian_rows(
+        &self,
+        function: FunctionId,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> [[f64; N]; N] {
+        let mut out = [[0.0; N]; N];
+        self.call(function, x, input, out.as_flattened_mut());
+        let count = self.table.states.len();
+        if count == N {
+            return out;
+        }
+        let flat = out.as_flattened();
+        let entry = |row: usize, column: usize| {
+            if row < count && column < count { flat[row * count + column] } else { 0.0 }
+        };
+        core::array::from_fn(|row| core::array::from_fn(|column| entry(row, column)))
+    }
+}
+
+/// Whether the table has room in a state of `room.0` entries and with `room.1` constants.
+fn fits(table: &ModelTable, room: (usize, usize)) -> Result<(), DoesNotFit> {
+    let (states, constants, modes) = (table.states.len(), table.constants, table.modes.len());
+    if states > room.0 {
+        Err(DoesNotFit::States(states))
+    } else if constants > room.1 || table.parameters.len() > room.1 {
+        Err(DoesNotFit::Constants(constants.max(table.parameters.len())))
+    } else if modes > MAX_MODES {
+        Err(DoesNotFit::Modes(modes))
+    } else {
+        Ok(())
+    }
+}
+
+impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationModel<F, N, C> {
+    type Mode = ModeNumber;
+    type State = [f64; N];
+    type Input = Motion;
+    /// Which entries are coordinates is the table's to say; no method that asks for it is meant.
+    const COORDS: usize = N / 2;
+
+    #[inline]
+    fn derivative(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
+        let mut out = [0.0; N];
+        self.call(self.mode(mode).derivative, x, input, &mut out);
+        out
+    }
+
+    #[inline]
+    fn parts(&self, mode: ModeNumber) -> &[Part] {
+        self.natures.parts(mode, self.mode(mode))
+    }
+
+    #[inline]
+    fn derivative_of(
+        &self,
+        mode: ModeNumber,
+        index: usize,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> [f64; N] {
+        let mode = self.mode(mode);
+        let mut out = [0.0; N];
+        let function = mode.parts.get(index).map_or(mode.derivative, |part| part.derivative);
+        self.call(function, x, input, &mut out);
+        out
+    }
+
+    #[inline]
+    fn readout(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
+        let [readout] = self.values(self.mode(mode).readout, x, input);
+        readout
+    }
+
+    fn jacobian(
+        &self,
+        mode: ModeNumber,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> <[f64; N] as State>::Matrix {
+        crate::rates::matrix(&self.jacobian_rows(self.mode(mode).jacobian, x, input))
+    }
+
+    #[inline]
+    fn nature(&self, mode: ModeNumber) -> Nature {
+        self.natures.nature(mode)
+    }
+
+    #[inline]
+    fn longest_step(&self, mode: ModeNumber) -> f64 {
+        self.natures.longest_step(mode)
+    }
+
+    #[inline]
+    fn longest_step_at(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
+        let longest = self.natures.longest_step(mode);
+        if self.mode(mode).is_stiffening { self.step_at(mode, longest, x, input) } else { longest }
+    }
+
+    fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
+        let mode = self.mode(mode);
+        let mut x = *x;
+        if let Some(slaved) = mode.slaved {
+            let before = x;
+            self.call(slaved, &before, input, &mut x);
+        }
+        mode.projection.map_or(x, |projection| self.projected(projection, mode, x, input))
+    }
+
+    fn longest_projection(&self, mode: ModeNumber) -> f64 {
+        self.mode(mode).longest_projection
+    }
+}
