@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use haptics::Touch;
 use host::session::{RunOptions, RunSession};
-use models::catalogue::{ENTRIES, Visitor, visit};
+use models::catalogue::{ENTRIES, Visitor, visit_built_in};
 use models::{KeyHammerRigid, KeyHammerSprings, Playable};
 use pode::input::Cubic;
 use pode::stepper::Rk4;
@@ -200,7 +200,7 @@ impl Visitor for Counts {
 fn every_model_computes_what_is_committed_at_rest_and_moving() {
     let found: Vec<_> = ENTRIES
         .iter()
-        .map(|it| (it.name, visit(it, Counts).expect("a model")))
+        .map(|it| (it.name, visit_built_in(it, Counts).expect("a model")))
         .map(|(name, [rest, moving])| (name, rest, moving))
         .collect();
     assert_eq!(found, COUNTS);
@@ -217,7 +217,7 @@ fn what_nobody_asked_for_is_not_evaluated() {
                 (unread, counted(at_rest(&model), 3e-3, &mut Silent))
             }
         }
-        let (unread, read) = visit(entry, Unread).expect("a model");
+        let (unread, read) = visit_built_in(entry, Unread).expect("a model");
         assert_eq!(unread.readouts, 0, "{}", entry.name);
         assert!(COUNTED <= read.readouts, "{}", entry.name);
         assert_eq!(unread, Work { readouts: 0, ..read }, "{}: nothing else", entry.name);

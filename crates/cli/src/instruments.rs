@@ -1,8 +1,10 @@
 //! `letoff instruments`: what there is to play.
 
 use std::io::Write;
+use std::path::Path;
 
 use clap::{Args, Subcommand};
+use descriptions::{MissingModel, find_model};
 use models::catalogue;
 use serde::Serialize;
 
@@ -22,7 +24,7 @@ pub struct InstrumentsArgs {
     /// What to do besides listing.
     #[command(subcommand)]
     pub action: Option<Action>,
-    /// A model, to see its modes and guards, parameters and presets.
+    /// A model or the path of its description, to see modes and guards, parameters and presets.
     pub model: Option<String>,
     /// Prints the list as JSON.
     #[arg(long)]
@@ -182,9 +184,13 @@ fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {
     let Some(name) = model else {
         return Ok(catalogue::ENTRIES.iter().copied().map(ModelInfo::from).collect());
     };
-    let entry = catalogue::find(name).ok_or_else(|| {
-        let names: Vec<_> = catalogue::ENTRIES.iter().map(|it| it.name).collect();
-        Failure::Usage(format!("there is no model `{name}`: choose one of {}", names.join(", ")))
+    let entry = find_model(name, Path::new("")).map_err(|missing| match missing {
+        MissingModel::Unknown { .. } => {
+            let names: Vec<_> = catalogue::ENTRIES.iter().map(|it| it.name).collect();
+            let names = names.join(", ");
+            Failure::Usage(format!("there is no model `{name}`: choose one of {names}"))
+        }
+        MissingModel::Wrong(diagnostics) => Failure::Usage(diagnostics.to_string()),
     })?;
     Ok(vec![entry.into()])
 }

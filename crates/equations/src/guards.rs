@@ -1,8 +1,6 @@
 //! The guards of a mode, and where each leads.
 
-use pode::{
-    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Motion, Reset, Resets,
-};
+use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Motion, Reset, Resets};
 
 use crate::model::{EquationModel, ModeNumber};
 use crate::table::{EnclosureLayout, FunctionId, Functions, GuardTable, RestingTable, WayTable};
@@ -31,13 +29,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Guarded for EquationMo
     }
 
     #[inline]
-    fn guard(
-        &self,
-        mode: ModeNumber,
-        guard: GuardId,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> GuardValue {
+    fn guard(&self, mode: ModeNumber, guard: GuardId, x: &[f64; N], input: &Motion) -> GuardValue {
         let [value, rate] = match self.guard_table(mode, guard) {
             Some(guard) => self.values(guard.value, x, input),
             None => [f64::NAN; 2],
@@ -47,13 +39,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Guarded for EquationMo
 }
 
 impl<F: Functions + Copy, const N: usize, const C: usize> Resets for EquationModel<F, N, C> {
-    fn reset(
-        &self,
-        mode: ModeNumber,
-        guard: GuardId,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> Reset<Self> {
+    fn reset(&self, mode: ModeNumber, guard: GuardId, x: &[f64; N], input: &Motion) -> Reset<Self> {
         let leads = self.leads(mode, guard, x, input);
         let reset = Reset::to(leads.to, leads.state).with_impulse(leads.impulse);
         leads.rests.map_or(reset, |(to, state)| reset.resting(to, state))

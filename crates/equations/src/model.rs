@@ -89,14 +89,18 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     pub fn preset(&self, index: usize, key: u8, values: &mut [f64]) {
         let Some(preset) = self.table.presets.get(index) else { return };
         let extra = [f64::from(key)];
-        let arguments =
-            Arguments { constants: &[], state: &[], input: &[0.0; 4], extra: &extra };
+        let arguments = Arguments { constants: &[], state: &[], input: &[0.0; 4], extra: &extra };
         self.functions.call(preset.values, &arguments, values);
     }
 
     /// Returns all of the model but its arithmetic.
     pub const fn table(&self) -> &'static ModelTable {
         self.table
+    }
+
+    /// Returns the arithmetic of the model.
+    pub const fn functions(&self) -> &F {
+        &self.functions
     }
 
     /// Returns the values of the parameters.
@@ -117,13 +121,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
 
     /// Calls `function` with the state and the input.
     #[inline]
-    pub(crate) fn call(
-        &self,
-        function: FunctionId,
-        x: &[f64; N],
-        input: &Motion,
-        out: &mut [f64],
-    ) {
+    pub(crate) fn call(&self, function: FunctionId, x: &[f64; N], input: &Motion, out: &mut [f64]) {
         let Motion { position, rate, acceleration, jerk } = *input;
         let input = [position, rate, acceleration, jerk];
         self.call_with(function, (x, &input), &[], out);

@@ -35,8 +35,7 @@ struct ModeNature {
 impl Default for ModeNatures {
     fn default() -> Self {
         let nature = Nature::new(EquationKind::Smooth, 0.0);
-        let mode =
-            ModeNature { nature, longest_step: f64::INFINITY, first: MAX_MODE_PARTS };
+        let mode = ModeNature { nature, longest_step: f64::INFINITY, first: MAX_MODE_PARTS };
         Self { modes: [mode; MAX_MODES], parts: [Part::WHOLE; MAX_MODE_PARTS] }
     }
 }
@@ -88,7 +87,9 @@ impl ModeNatures {
     #[inline]
     pub(crate) fn parts(&self, mode: ModeNumber, table: &'static ModeTable) -> &[Part] {
         let first = self.mode(mode).first;
-        self.parts.get(first..first + table.parts.len()).filter(|_| first < MAX_MODE_PARTS)
+        self.parts
+            .get(first..first + table.parts.len())
+            .filter(|_| first < MAX_MODE_PARTS)
             .unwrap_or(table.part_list)
     }
 }

@@ -59,9 +59,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     }
 }
 
-impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem
-    for EquationModel<F, N, C>
-{
+impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for EquationModel<F, N, C> {
     type Structure = ModeNumber;
     type State = [f64; N];
     type Input = Motion;
@@ -111,13 +109,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem
         Surface { value: at(0), drift: at(1), gradient }
     }
 
-    fn response(
-        &self,
-        mode: ModeNumber,
-        contact: usize,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> [f64; N] {
+    fn response(&self, mode: ModeNumber, contact: usize, x: &[f64; N], input: &Motion) -> [f64; N] {
         let response = self.contact(mode, contact).and_then(|contact| contact.response);
         response.map_or([0.0; N], |response| self.state_and_number(response, x, input).0)
     }

@@ -26,12 +26,13 @@ macro_rules! catalogue {
         /// Every model that is part of the program.
         pub static ENTRIES: &[&ModelEntry] = &[$(&crate::$module::ENTRY),+];
 
-        /// Does something with the model of `entry`; none if it is a copy of an entry.
-        pub fn visit<V: Visitor>(entry: &ModelEntry, visitor: V) -> Option<V::Output> {
+        /// Does something with the model of `entry`, which is part of the program; none if it is
+        /// not.
+        pub fn visit_built_in<V: Visitor>(entry: &ModelEntry, visitor: V) -> Option<V::Output> {
             $(if entry.is(&crate::$module::ENTRY) {
                 return Some(visitor.visit(crate::$module::$model::default()));
             })+
-            registry::visit(entry, visitor)
+            None
         }
     };
 }
@@ -44,6 +45,17 @@ catalogue!(
     cart_pendulum::CartPendulum,
     spring_wall::SpringWall,
 );
+
+/// Does something with the model of `entry`; none if it is a copy of an entry.
+///
+/// It is compiled for the types of all models, those of files included: what is done with models
+/// of the program alone asks [`visit_built_in`].
+pub fn visit<V: Visitor>(entry: &ModelEntry, visitor: V) -> Option<V::Output> {
+    if ENTRIES.iter().any(|known| entry.is(known)) {
+        return visit_built_in(entry, visitor);
+    }
+    registry::visit(entry, visitor)
+}
 
 /// Every model: those of the program, then the newest version of each that was read from a file,
 /// in the order in which they were read first.

@@ -71,7 +71,7 @@ pub trait Playable: Described {
 
     /// Speed below which what strikes touches the string but does not sound (m/s).
     fn softest_tone(&self) -> f64 {
-        SOFTEST_TONE_OF_A_GRAND
+        Damper::SOFTEST_TONE_OF_A_GRAND
     }
 
     /// Input per metre of key-front travel (unit of the input / m); a force at the
@@ -100,13 +100,13 @@ impl Damper {
     /// A grand's: it is lifted at half of the key's dip (S), where the hammer is at half blow
     /// (piano-facts).
     pub const GRAND: Self = Self { lift: 5.0e-3, fall: 4.6e-3 };
-}
 
-/// [`Playable::softest_tone`] of a grand (m/s).
-///
-/// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so that the
-/// limit lies below the softest MIDI velocity of the Disklavier's curve.
-const SOFTEST_TONE_OF_A_GRAND: f64 = 0.15;
+    /// [`Playable::softest_tone`] of a grand (m/s).
+    ///
+    /// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so that
+    /// the limit lies below the softest MIDI velocity of the Disklavier's curve.
+    pub const SOFTEST_TONE_OF_A_GRAND: f64 = 0.15;
+}
 
 /// A guard's firing that is heard.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -9,27 +9,129 @@
 //!
 //! Without `std` nothing is read from files, and the list is empty.
 
+use contacts::{TooManyGuards, WithContacts};
+use equations::table::ModelTable;
+use equations::{DoesNotFit, EquationModel};
+
 use crate::catalogue::Visitor;
+use crate::describe::Described as _;
 use crate::entry::ModelEntry;
+use crate::equation_model::LoadedFunctions;
 
-/// A model that was read from a file, of one of a few types, with the values of its default
-/// preset.
-///
-/// The types differ by what their arrays hold, so that a model needs no heap and a new model no
-/// new type.
-#[derive(Clone, Copy, Debug)]
-#[non_exhaustive]
-pub enum LoadedModel {}
+pub use crate::equation_model::MAX_CODED_CONTACTS;
 
-impl LoadedModel {
-    /// The entry of the model.
-    const fn entry(&self) -> &'static ModelEntry {
-        match *self {}
+/// Most states, and most parameters and numbers that follow from them, of a model.
+pub const LARGEST: (usize, usize) = (32, 512);
+
+/// A model without contacts, with N states and C constants.
+type Loaded<const N: usize, const C: usize> = EquationModel<LoadedFunctions, N, C>;
+
+/// Why a model cannot be loaded, with how many there are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DoesNotLoad {
+    /// More states than [`LARGEST`] has.
+    States(usize),
+    /// More constants than [`LARGEST`] has.
+    Constants(usize),
+    /// More modes than a model can have.
+    Modes(usize),
+    /// More contacts than [`MAX_CODED_CONTACTS`].
+    Contacts(usize),
+    /// More guards, contacts and frictions than can be followed.
+    Guards,
+}
+
+impl From<DoesNotFit> for DoesNotLoad {
+    fn from(why: DoesNotFit) -> Self {
+        match why {
+            DoesNotFit::States(n) => Self::States(n),
+            DoesNotFit::Constants(n) => Self::Constants(n),
+            DoesNotFit::Modes(n) => Self::Modes(n),
+        }
     }
+}
 
-    fn visit<V: Visitor>(&self, _visitor: V) -> V::Output {
-        match *self {}
+impl From<TooManyGuards> for DoesNotLoad {
+    fn from(why: TooManyGuards) -> Self {
+        match why {
+            TooManyGuards::Contacts(n) => Self::Contacts(n),
+            TooManyGuards::Frictions | TooManyGuards::Guards | TooManyGuards::Id(_) => Self::Guards,
+        }
     }
+}
+
+macro_rules! loaded_models {
+    ($($variant:ident $with_contacts:ident: $n:literal, $c:literal;)+) => {
+        /// A model that was read from a file, of one of a few types, with the values of its
+        /// default preset.
+        ///
+        /// The types differ by what their arrays hold, so that a model needs no heap and a new
+        /// model no new type.
+        #[derive(Clone, Copy, Debug)]
+        #[non_exhaustive]
+        #[expect(clippy::large_enum_variant, reason = "one for each description that was read")]
+        pub enum LoadedModel {
+            $(
+                #[doc = concat!("Up to ", $n, " states and ", $c, " constants.")]
+                $variant(Loaded<$n, $c>),
+                #[doc = concat!("Up to ", $n, " states and ", $c, " constants, with contacts.")]
+                $with_contacts(WithContacts<Loaded<$n, $c>>),
+            )+
+        }
+
+        impl LoadedModel {
+            /// The smallest type into which the model of `table` fits.
+            ///
+            /// # Errors
+            /// A model that fits into none.
+            pub fn new(
+                table: &'static ModelTable,
+                functions: LoadedFunctions,
+            ) -> Result<Self, DoesNotLoad> {
+                if table.contacts.len() > MAX_CODED_CONTACTS {
+                    return Err(DoesNotLoad::Contacts(table.contacts.len()));
+                }
+                let (states, constants) =
+                    (table.states.len(), table.constants.max(table.parameters.len()));
+                $(
+                    if ($n, $c) == LARGEST || (states <= $n && constants <= $c) {
+                        let model = Loaded::<$n, $c>::new(table, functions, &[])?;
+                        return Ok(if table.contacts.is_empty() {
+                            Self::$variant(model)
+                        } else {
+                            Self::$with_contacts(WithContacts::new(model)?)
+                        });
+                    }
+                )+
+                Err(DoesNotLoad::States(states))
+            }
+
+            /// The entry of the model.
+            fn entry(&self) -> &'static ModelEntry {
+                match self {
+                    $(
+                        Self::$variant(model) => model.entry(),
+                        Self::$with_contacts(model) => model.entry(),
+                    )+
+                }
+            }
+
+            fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
+                match self {
+                    $(
+                        Self::$variant(model) => visitor.visit_loaded(*model),
+                        Self::$with_contacts(model) => visitor.visit_loaded(*model),
+                    )+
+                }
+            }
+        }
+    };
+}
+
+loaded_models! {
+    Small SmallWithContacts: 4, 96;
+    Medium MediumWithContacts: 12, 256;
+    Large LargeWithContacts: 32, 512;
 }
 
 #[cfg(feature = "std")]

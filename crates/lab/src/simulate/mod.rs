@@ -18,7 +18,9 @@ mod summary;
 mod tests;
 
 use std::io::Write;
+use std::path::Path;
 
+use descriptions::find_model;
 use models::Playable;
 use models::catalogue::{self, Visitor};
 
@@ -41,10 +43,12 @@ pub fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), SimulateError
     let input = InputSignal::read(args, &mut input_mistakes);
     mistakes.extend(input_mistakes.into_iter().map(SimulateMistake::Input));
     check::rest(args, &mut mistakes);
-    let Some(model) = catalogue::find(&args.model) else {
-        let known = catalogue::ENTRIES.iter().map(|entry| entry.name).collect();
-        mistakes.insert(0, SimulateMistake::model(&args.model, known));
-        return Err(SimulateError::Usage(mistakes));
+    let model = match find_model(&args.model, Path::new("")) {
+        Ok(model) => model,
+        Err(missing) => {
+            mistakes.insert(0, SimulateMistake::model(&args.model, missing));
+            return Err(SimulateError::Usage(mistakes));
+        }
     };
     let job = SimulationJob { args, clock, input, mistakes, out };
     catalogue::visit(model, job).unwrap_or_else(|| Err(SimulateError::Usage(Vec::new())))
