@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::Criterion;
-use models::{Described as _, KeyHammerSprings, Playable as _};
+use models::{Described as _, KeyHammerSprings, Playable as _, key_hammer_springs};
 use pode::input::Cubic;
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, BogackiShampine, ExponentialRosenbrock, Exprb32, Heun,
@@ -48,10 +48,11 @@ fn main() {
 
 /// Model B of the middle key.
 fn model() -> KeyHammerSprings {
-    let preset = KeyHammerSprings::PRESETS.iter().find(|preset| preset.name == "playable");
+    let entry = &key_hammer_springs::ENTRY;
+    let preset = entry.presets.iter().find(|preset| preset.name == "playable");
     let value = preset.expect("the preset").value;
-    let values: Vec<_> = (0..KeyHammerSprings::PARAMETERS.len()).map(|it| value(it, 39)).collect();
-    KeyHammerSprings::with_values(&values)
+    let values: Vec<_> = (0..entry.parameters.len()).map(|it| value(it, 39)).collect();
+    KeyHammerSprings::default().with_values(&values)
 }
 
 fn simulator<T: Stepper>(stepper: T) -> Simulator<KeyHammerSprings, T> {

@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 use criterion::Criterion;
 use haptics::{Kalman, RigParameters};
-use models::{Described as _, KeyHammerSprings, Playable as _};
+use models::{Described as _, KeyHammerSprings, Playable as _, key_hammer_springs};
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Auditor, Limits, Signal as _, Silent, Simulator};
@@ -63,12 +63,12 @@ struct Key {
 impl Key {
     #[expect(clippy::large_stack_frames, reason = "once, at set-up")]
     fn new(number: u8) -> Self {
-        let preset = KeyHammerSprings::PRESETS.iter().find(|preset| preset.name == "playable");
+        let entry = &key_hammer_springs::ENTRY;
+        let preset = entry.presets.iter().find(|preset| preset.name == "playable");
         let value = preset.expect("the preset").value;
-        let indices = 0..KeyHammerSprings::PARAMETERS.len();
-        let model = KeyHammerSprings::with_values(
-            &indices.map(|index| value(index, number)).collect::<Vec<_>>(),
-        );
+        let indices = 0..entry.parameters.len();
+        let model = KeyHammerSprings::default()
+            .with_values(&indices.map(|index| value(index, number)).collect::<Vec<_>>());
         let positions = swing_of(number.into());
         let kalman = Kalman::new(H, RigParameters::default().quantum, Kalman::KEY_JERK_DENSITY);
         let scale = model.input_per_metre();

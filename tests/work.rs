@@ -5,8 +5,8 @@ use std::sync::atomic::AtomicBool;
 
 use haptics::Touch;
 use host::session::{RunOptions, RunSession};
-use models::catalogue::{ENTRIES, Visitor, visit};
-use models::{Described as _, KeyHammerRigid, KeyHammerSprings, Playable};
+use models::catalogue::{ENTRIES, Visitor, visit_built_in};
+use models::{KeyHammerRigid, KeyHammerSprings, Playable};
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Auditor, Limits, Motion, Silent, Simulator, Watch, Work};
@@ -149,10 +149,11 @@ const COUNTS: [(&str, [u32; 4], [u32; 4]); 6] = [
 ];
 
 /// The first preset of a model for the middle key.
-fn first<M: Playable>() -> M {
-    let preset = &M::PRESETS[0];
-    let values: Vec<_> = (0..M::PARAMETERS.len()).map(|it| (preset.value)(it, 39)).collect();
-    M::with_values(&values)
+fn first<M: Playable>(model: &M) -> M {
+    let entry = model.entry();
+    let preset = &entry.presets[0];
+    let values: Vec<_> = (0..entry.parameters.len()).map(|it| (preset.value)(it, 39)).collect();
+    model.with_values(&values)
 }
 
 /// The work of [`COUNTED`] ticks of 1 ms from `start`, the key swinging `depth` (m) down and up.
@@ -174,8 +175,8 @@ fn counted<M: Playable, W: Watch<M>>(
 }
 
 /// Its first preset at rest, the key up.
-fn at_rest<M: Playable>() -> Simulator<M, Rk4> {
-    let model: M = first();
+fn at_rest<M: Playable>(model: &M) -> Simulator<M, Rk4> {
+    let model = first(model);
     let (mode, state) = model.at_rest(&Motion::default());
     Simulator::new(model, Rk4, Limits::default(), mode, state)
 }
@@ -186,10 +187,10 @@ struct Counts;
 impl Visitor for Counts {
     type Output = [[u32; 4]; 2];
 
-    fn visit<M: Playable>(self) -> [[u32; 4]; 2] {
+    fn visit<M: Playable>(self, model: M) -> [[u32; 4]; 2] {
         [0.0, 3e-3].map(|depth| {
             let Work { derivatives, rates, guards, readouts, .. } =
-                counted::<M, _>(at_rest(), depth, &mut Silent);
+                counted(at_rest(&model), depth, &mut Silent);
             [derivatives, rates, guards, readouts]
         })
     }
@@ -199,7 +200,7 @@ impl Visitor for Counts {
 fn every_model_computes_what_is_committed_at_rest_and_moving() {
     let found: Vec<_> = ENTRIES
         .iter()
-        .map(|it| (it.name, visit(it.name, Counts).expect("a model")))
+        .map(|it| (it.name, visit_built_in(it, Counts).expect("a model")))
         .map(|(name, [rest, moving])| (name, rest, moving))
         .collect();
     assert_eq!(found, COUNTS);
@@ -211,12 +212,12 @@ fn what_nobody_asked_for_is_not_evaluated() {
         struct Unread;
         impl Visitor for Unread {
             type Output = (Work, Work);
-            fn visit<M: Playable>(self) -> (Work, Work) {
-                let unread = counted::<M, _>(at_rest().without_readout(), 3e-3, &mut Silent);
-                (unread, counted::<M, _>(at_rest(), 3e-3, &mut Silent))
+            fn visit<M: Playable>(self, model: M) -> (Work, Work) {
+                let unread = counted(at_rest(&model).without_readout(), 3e-3, &mut Silent);
+                (unread, counted(at_rest(&model), 3e-3, &mut Silent))
             }
         }
-        let (unread, read) = visit(entry.name, Unread).expect("a model");
+        let (unread, read) = visit_built_in(entry, Unread).expect("a model");
         assert_eq!(unread.readouts, 0, "{}", entry.name);
         assert!(COUNTED <= read.readouts, "{}", entry.name);
         assert_eq!(unread, Work { readouts: 0, ..read }, "{}: nothing else", entry.name);
@@ -226,7 +227,7 @@ fn what_nobody_asked_for_is_not_evaluated() {
 #[test]
 fn an_energy_audit_counts_what_it_evaluates() {
     let mut audit = Auditor::<KeyHammerSprings>::default();
-    let work = counted(at_rest(), 3e-3, &mut audit);
+    let work = counted(at_rest(&KeyHammerSprings::default()), 3e-3, &mut audit);
     // Five a piece, two an event, and one where an event has left the state unknown.
     let least = u64::from(5 * work.pieces + 2 * work.events);
     let most = least + 1 + u64::from(work.events);
@@ -249,11 +250,11 @@ fn quiet<M: Playable>(model: M, mode: M::Mode, state: M::State) -> Work {
 #[test]
 fn modes_compute_their_own_degrees_of_freedom_and_no_others() {
     // `[GC93]` table 1: A1 has none, A2 and each half of B2 have one, B1 has two.
-    let rigid: KeyHammerRigid = first();
+    let rigid = first(&KeyHammerRigid::default());
     let (mode, on_key) = rigid.at_rest(&Motion::default());
     let none = quiet(rigid, mode, on_key);
     assert_eq!((none.derivatives, none.rates, none.jacobians), (0, 0, 0), "A1");
-    let springs: KeyHammerSprings = first();
+    let springs = first(&KeyHammerSprings::default());
     let (b1, rest) = springs.at_rest(&Motion::default());
     let together = quiet(springs, b1, rest);
     assert_eq!((together.derivatives, together.rates), (400, 1600), "B1");

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use models::{BouncingBall, Described, KeyHammerSprings};
+use models::{BouncingBall, Described, KeyHammerSprings, key_hammer_springs};
 use pode::{Motion, Resets};
 use serde_json::Value;
 
@@ -145,12 +145,12 @@ fn model(file: &str) -> Result<KeyHammerSprings, String> {
     let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     let json: Value = serde_json::from_str(&text).map_err(|error| format!("{file}: {error}"))?;
     let given = |name: &str| reference::number(&json["parameters"][name]);
-    let preset = KeyHammerSprings::PRESETS.first().ok_or("the model has no preset")?;
-    let parameters = KeyHammerSprings::PARAMETERS.iter().enumerate();
+    let entry = &key_hammer_springs::ENTRY;
+    let parameters = entry.parameters.iter().enumerate();
     let values: Vec<f64> = parameters
-        .map(|(index, it)| given(it.name).unwrap_or_else(|| (preset.value)(index, 0)))
+        .map(|(index, it)| given(it.name).unwrap_or_else(|| entry.default_value(index)))
         .collect();
-    Ok(KeyHammerSprings::with_values(&values))
+    Ok(KeyHammerSprings::default().with_values(&values))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! `letoff check FILE`: is this scene or instrument right?
+//! `letoff check FILE`: is this scene, instrument or description of a model right?
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -11,9 +11,9 @@ use scene::check_file;
 /// What `letoff check` takes.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "Example:
-  letoff check my-scene.toml")]
+  letoff check my-scene.toml my-action.toml")]
 pub struct CheckArgs {
-    /// The scenes or instruments to check.
+    /// The scenes, instruments or descriptions of models to check.
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
     /// Prints the mistakes as JSON.

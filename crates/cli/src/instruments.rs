@@ -1,8 +1,10 @@
 //! `letoff instruments`: what there is to play.
 
 use std::io::Write;
+use std::path::Path;
 
 use clap::{Args, Subcommand};
+use descriptions::{MissingModel, find_model};
 use models::catalogue;
 use serde::Serialize;
 
@@ -15,14 +17,14 @@ use scene::{InstrumentInfo, instruments};
 #[command(
     args_conflicts_with_subcommands = true,
     after_help = "Examples:
-  letoff instruments key-hammer-springs          its parameters and presets
+  letoff instruments key-hammer-springs          its modes, parameters and presets
   letoff instruments use spring-wall --keys C4..B4   on the host that is running"
 )]
 pub struct InstrumentsArgs {
     /// What to do besides listing.
     #[command(subcommand)]
     pub action: Option<Action>,
-    /// A model, to see its parameters and presets.
+    /// A model or the path of its description, to see modes and guards, parameters and presets.
     pub model: Option<String>,
     /// Prints the list as JSON.
     #[arg(long)]
@@ -52,13 +54,43 @@ struct InstrumentListing {
 struct ModelInfo {
     name: &'static str,
     summary: &'static str,
+    /// The file of its description; null of one that is part of the program.
+    file: Option<&'static str>,
+    input: SignalInfo,
+    states: Vec<SignalInfo>,
+    outputs: Vec<SignalInfo>,
+    modes: Vec<ModeInfo>,
     parameters: Vec<ParameterInfo>,
     presets: Vec<PresetInfo>,
 }
 
 #[derive(Serialize)]
+struct SignalInfo {
+    name: &'static str,
+    unit: &'static str,
+}
+
+/// Degrees of freedom in the paper's letters: n coordinates, m constraints, p = n − m.
+#[derive(Serialize)]
+struct ModeInfo {
+    name: &'static str,
+    n: u8,
+    m: u8,
+    p: u8,
+    guards: Vec<GuardInfo>,
+}
+
+#[derive(Serialize)]
+struct GuardInfo {
+    name: &'static str,
+    unit: &'static str,
+    to: &'static [&'static str],
+}
+
+#[derive(Serialize)]
 struct ParameterInfo {
     name: &'static str,
+    title: &'static str,
     unit: &'static str,
     range: (f64, f64),
     default: f64,
@@ -75,14 +107,20 @@ impl From<&catalogue::ModelEntry> for ModelInfo {
     fn from(entry: &catalogue::ModelEntry) -> Self {
         let parameter = |(index, it): (usize, &models::Parameter)| ParameterInfo {
             name: it.name,
+            title: it.title,
             unit: it.unit,
             range: it.range,
-            default: (entry.presets[0].value)(index, 0),
+            default: entry.default_value(index),
             doc: it.doc,
         };
         Self {
             name: entry.name,
             summary: entry.summary,
+            file: entry.file,
+            input: SignalInfo { name: entry.input, unit: entry.input_unit },
+            states: signals(entry.states, entry.state_units),
+            outputs: signals(entry.outputs, entry.output_units),
+            modes: entry.modes.iter().map(ModeInfo::from).collect(),
             parameters: entry.parameters.iter().enumerate().map(parameter).collect(),
             presets: entry
                 .presets
@@ -90,6 +128,18 @@ impl From<&catalogue::ModelEntry> for ModelInfo {
                 .map(|it| PresetInfo { name: it.name, doc: it.doc })
                 .collect(),
         }
+    }
+}
+
+fn signals(names: &[&'static str], units: &[&'static str]) -> Vec<SignalInfo> {
+    names.iter().zip(units).map(|(name, unit)| SignalInfo { name, unit }).collect()
+}
+
+impl From<&models::ModeEntry> for ModeInfo {
+    fn from(mode: &models::ModeEntry) -> Self {
+        let guard = |it: &models::GuardEntry| GuardInfo { name: it.name, unit: it.unit, to: it.to };
+        let models::ModeEntry { name, n, m, p, guards } = *mode;
+        Self { name, n, m, p, guards: guards.iter().map(guard).collect() }
     }
 }
 
@@ -132,16 +182,23 @@ fn switch(instrument: &str, keys: Option<String>, out: &mut dyn Write) -> Result
 
 fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {
     let Some(name) = model else {
-        return Ok(catalogue::ENTRIES.iter().map(ModelInfo::from).collect());
+        return Ok(catalogue::ENTRIES.iter().copied().map(ModelInfo::from).collect());
     };
-    let entry = catalogue::find(name).ok_or_else(|| {
-        let names: Vec<_> = catalogue::ENTRIES.iter().map(|it| it.name).collect();
-        Failure::Usage(format!("there is no model `{name}`: choose one of {}", names.join(", ")))
+    let entry = find_model(name, Path::new("")).map_err(|missing| match missing {
+        MissingModel::Unknown { .. } => {
+            let names: Vec<_> = catalogue::ENTRIES.iter().map(|it| it.name).collect();
+            let names = names.join(", ");
+            Failure::Usage(format!("there is no model `{name}`: choose one of {names}"))
+        }
+        MissingModel::Wrong(diagnostics) => Failure::Usage(diagnostics.to_string()),
     })?;
     Ok(vec![entry.into()])
 }
 
 fn print_model(model: &ModelInfo, out: &mut dyn Write) -> Result<(), Failure> {
+    for mode in &model.modes {
+        print_mode(mode, out)?;
+    }
     for preset in &model.presets {
         writeln!(out, "    preset {:12} {}", preset.name, preset.doc)?;
     }
@@ -154,4 +211,28 @@ fn print_model(model: &ModelInfo, out: &mut dyn Write) -> Result<(), Failure> {
         )?;
     }
     Ok(())
+}
+
+/// Prints what moves in a mode, and where its guards lead.
+fn print_mode(mode: &ModeInfo, out: &mut dyn Write) -> Result<(), Failure> {
+    let ModeInfo { name, n, m, p, guards } = mode;
+    let degrees = counted(*p, "degree of freedom", "degrees of freedom");
+    let coordinates = counted(*n, "coordinate", "coordinates");
+    let constraints = counted(*m, "constraint", "constraints");
+    writeln!(
+        out,
+        "    mode {name:10} {degrees} (p = {p}; {coordinates}, n = {n}; {constraints}, m = {m})"
+    )?;
+    for guard in guards {
+        writeln!(out, "      guard {:14} leads to {}", guard.name, guard.to.join(" or "))?;
+    }
+    Ok(())
+}
+
+fn counted(n: u8, one: &str, many: &str) -> String {
+    match n {
+        0 => format!("no {many}"),
+        1 => format!("1 {one}"),
+        _ => format!("{n} {many}"),
+    }
 }

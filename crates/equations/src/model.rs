@@ -98,6 +98,11 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         self.table
     }
 
+    /// Returns the arithmetic of the model.
+    pub const fn functions(&self) -> &F {
+        &self.functions
+    }
+
     /// Returns the values of the parameters.
     pub fn parameters(&self) -> &[f64] {
         self.constants.get(..self.table.parameters.len()).unwrap_or(&self.constants)

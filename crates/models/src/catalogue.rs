@@ -1,69 +1,75 @@
-//! From a name to a model: the only file that knows all models.
+//! From a name to a model: the only file that knows all models that are part of the program.
 
-use crate::describe::{Parameter, Playable, Preset};
-use crate::{
-    BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, ReducedGrand, SpringWall,
-};
+pub use crate::entry::ModelEntry;
 
-/// Something to be done with a model whose type is known by name only.
-pub trait Visitor {
+use crate::describe::Playable;
+use crate::registry;
+
+/// Something to be done with a model whose type is known by its entry only.
+pub trait Visitor: Sized {
     /// What comes out.
     type Output;
 
-    /// Does it with the model type `M`.
-    fn visit<M: Playable>(self) -> Self::Output;
-}
+    /// Does it with `model`, which has the values of its default preset.
+    fn visit<M: Playable>(self, model: M) -> Self::Output;
 
-/// What is known of a model without building one.
-#[derive(Clone, Copy, Debug)]
-pub struct ModelEntry {
-    pub name: &'static str,
-    /// What it is, in one line.
-    pub summary: &'static str,
-    pub parameters: &'static [Parameter],
-    /// Its presets; the first is the default.
-    pub presets: &'static [Preset],
-    /// Names of its state's entries.
-    pub states: &'static [&'static str],
-    /// SI unit of each of them.
-    pub state_units: &'static [&'static str],
-    /// Names of its outputs.
-    pub outputs: &'static [&'static str],
-    /// SI unit of each of them.
-    pub output_units: &'static [&'static str],
+    /// Does it with a model that was read from a file: of one type, there are many of them.
+    ///
+    /// What is compiled for several methods where it matters can be compiled once for these.
+    fn visit_loaded<M: Playable>(self, model: M) -> Self::Output {
+        self.visit(model)
+    }
 }
 
 macro_rules! catalogue {
-    ($($model:ty),+ $(,)?) => {
-        /// Every model.
-        pub const ENTRIES: &[ModelEntry] = &[$(entry::<$model>()),+];
+    ($($module:ident::$model:ident),+ $(,)?) => {
+        /// Every model that is part of the program.
+        pub static ENTRIES: &[&ModelEntry] = &[$(&crate::$module::ENTRY),+];
 
-        /// Does something with the model called `name`, if there is one.
-        pub fn visit<V: Visitor>(name: &str, visitor: V) -> Option<V::Output> {
-            $(if name == <$model as crate::Described>::NAME {
-                return Some(visitor.visit::<$model>());
+        /// Does something with the model of `entry`, which is part of the program; none if it is
+        /// not.
+        pub fn visit_built_in<V: Visitor>(entry: &ModelEntry, visitor: V) -> Option<V::Output> {
+            $(if entry.is(&crate::$module::ENTRY) {
+                return Some(visitor.visit(crate::$module::$model::default()));
             })+
             None
         }
     };
 }
 
-catalogue!(KeyHammerSprings, KeyHammerRigid, ReducedGrand, BouncingBall, CartPendulum, SpringWall);
+catalogue!(
+    key_hammer_springs::KeyHammerSprings,
+    key_hammer_rigid::KeyHammerRigid,
+    reduced_grand::ReducedGrand,
+    bouncing_ball::BouncingBall,
+    cart_pendulum::CartPendulum,
+    spring_wall::SpringWall,
+);
 
-const fn entry<M: Playable>() -> ModelEntry {
-    ModelEntry {
-        name: M::NAME,
-        summary: M::SUMMARY,
-        parameters: M::PARAMETERS,
-        presets: M::PRESETS,
-        states: M::STATES,
-        state_units: M::STATE_UNITS,
-        outputs: M::OUTPUTS,
-        output_units: M::OUTPUT_UNITS,
+/// Does something with the model of `entry`; none if it is a copy of an entry.
+///
+/// It is compiled for the types of all models, those of files included: what is done with models
+/// of the program alone asks [`visit_built_in`].
+pub fn visit<V: Visitor>(entry: &ModelEntry, visitor: V) -> Option<V::Output> {
+    if ENTRIES.iter().any(|known| entry.is(known)) {
+        return visit_built_in(entry, visitor);
     }
+    registry::visit(entry, visitor)
 }
 
-/// The entry called `name`, if there is one.
+/// Every model: those of the program, then the newest version of each that was read from a file,
+/// in the order in which they were read first.
+pub fn entries() -> impl Iterator<Item = &'static ModelEntry> {
+    ENTRIES.iter().copied().chain(registry::newest())
+}
+
+/// The model called `name` that is part of the program, if there is one.
+pub fn built_in(name: &str) -> Option<&'static ModelEntry> {
+    ENTRIES.iter().copied().find(|entry| entry.name == name)
+}
+
+/// The newest version of the model called `name`: that of the file that was read last, else the
+/// one that is part of the program, if there is one.
 pub fn find(name: &str) -> Option<&'static ModelEntry> {
-    ENTRIES.iter().find(|entry| entry.name == name)
+    registry::find(name).or_else(|| built_in(name))
 }

@@ -4,8 +4,8 @@
 //! `equations.rs` (the equations themselves, in the form that generated ones will take),
 //! `drawing.rs` (what it looks like from the side, to scale)
 //! and `README.md` (coordinates, modes and guards, source, where it stops being true).
-//! [`catalogue`] is the only file that knows all models; to add one, copy
-//! `bouncing_ball/` and add a line there.
+//! [`catalogue`] is the only file that knows all of them; to add one, copy
+//! `bouncing_ball/` and add a line there. Models that are read from files are in [`registry`].
 //!
 //! Not here: time stepping, estimation of the key's motion, forces in newtons at the
 //! finger. A model's input and readout are in its own generalised coordinate.
@@ -14,7 +14,9 @@
 
 mod bounds;
 mod describe;
+mod entry;
 mod impact;
+mod mode_code;
 mod parameters;
 mod shapes;
 
@@ -22,16 +24,21 @@ pub mod bouncing_ball;
 pub mod cart_pendulum;
 pub mod catalogue;
 pub mod draw;
+mod equation_model;
 pub mod key_hammer;
 pub mod key_hammer_rigid;
 pub mod key_hammer_springs;
 pub mod reduced_grand;
+pub mod registry;
 pub mod spring_wall;
 
 pub use bouncing_ball::BouncingBall;
 pub use cart_pendulum::CartPendulum;
-pub use describe::{Damper, Described, Parameter, Playable, Preset, Sounding};
+pub use describe::{Damper, Described, Playable, Sounding};
+pub use entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
+pub use equation_model::{CataloguedFunctions, LoadedFunctions};
 pub use key_hammer_rigid::KeyHammerRigid;
 pub use key_hammer_springs::KeyHammerSprings;
+pub use mode_code::{ModeCode, ModeName};
 pub use reduced_grand::ReducedGrand;
 pub use spring_wall::SpringWall;

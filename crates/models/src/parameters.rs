@@ -18,7 +18,7 @@ macro_rules! parameters {
         $count_vis const $count: usize = [$(stringify!($field)),+].len();
 
         /// The parameters with unit, range and meaning.
-        $list_vis const $list: [crate::describe::Parameter; $count] = [$($parameter),+];
+        $list_vis const $list: [crate::entry::Parameter; $count] = [$($parameter),+];
 
         impl $values {
             /// Returns the values in the order of the list.

@@ -15,7 +15,7 @@ use pode::{Advance, Limits, Motion, Silent, Simulator, Work};
 
 use crate::common::Case;
 use crate::every_model::with_all;
-use crate::stroke::{presses, still};
+use crate::stroke::{presses, still, values};
 
 /// Certain steps over all.
 fn share(work: &Work) -> f64 {
@@ -58,16 +58,16 @@ fn most_steps_of_a_played_stroke_are_certain() {
     with_all!(strokes_are_certain);
 }
 
-fn strokes_are_certain<M: Playable>() {
-    let preset = M::PRESETS.last().expect("a preset");
-    let values: Vec<_> = (0..M::PARAMETERS.len()).map(|index| (preset.value)(index, 40)).collect();
-    let model = M::with_values(&values);
+fn strokes_are_certain<M: Playable>(model: M) {
+    let entry = model.entry();
+    let preset = entry.presets.last().expect("a preset");
+    let model = model.with_values(&values(preset, entry.parameters.len(), 40));
     let scale = model.input_per_metre();
     let press = [[0.0098 * scale, 0.15, 0.02], [-0.0098 * scale, 0.5, 0.02]];
     for h in [1e-3, 2.5e-4] {
         let start = model.at_rest(&presses(&press, 0.0));
         let quiet = count(model, start, (h, 1.0), |t| presses(&press, t));
-        check(&format!("{} stroke {h}", M::NAME), &quiet);
+        check(&format!("{} stroke {h}", entry.name), &quiet);
     }
 }
 
@@ -79,7 +79,7 @@ fn most_steps_of_the_references_are_certain() {
     references_are_certain::<ReducedGrand>("model-c-forte");
 }
 
-fn references_are_certain<M: Playable>(name: &str) {
+fn references_are_certain<M: Playable + Default>(name: &str) {
     let case = Case::load::<M>(name);
     let model: M = case.model();
     for h in [1e-3, 2.5e-4] {
@@ -93,15 +93,17 @@ fn all_steps_at_rest_are_certain() {
     with_all!(rest_is_certain);
 }
 
-fn rest_is_certain<M: Playable>() {
-    for preset in M::PRESETS {
-        let values: Vec<_> = (0..M::PARAMETERS.len())
-            .map(|i| if M::PARAMETERS[i].name == "y0" { 0.0 } else { (preset.value)(i, 40) })
-            .collect();
-        let model = M::with_values(&values);
+fn rest_is_certain<M: Playable>(model: M) {
+    let entry = model.entry();
+    for preset in entry.presets {
+        let mut values = values(preset, entry.parameters.len(), 40);
+        if let Some(drop) = entry.parameters.iter().position(|it| it.name == "y0") {
+            values[drop] = 0.0;
+        }
+        let model = model.with_values(&values);
         let input = still(0.004 * model.input_per_metre());
         let quiet = count(model, model.at_rest(&input), (1e-3, 0.1), |_| input);
-        check(&format!("{} {}", M::NAME, preset.name), &quiet);
-        assert_eq!(quiet.unknown, 0, "{} {}", M::NAME, preset.name);
+        check(&format!("{} {}", entry.name, preset.name), &quiet);
+        assert_eq!(quiet.unknown, 0, "{} {}", entry.name, preset.name);
     }
 }

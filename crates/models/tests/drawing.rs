@@ -7,12 +7,12 @@
 )]
 
 use models::catalogue::{self, Visitor};
-use models::{Described as _, Playable, Preset, ReducedGrand, SpringWall};
+use models::{Described as _, ModeEntry, ModelEntry, Playable, Preset, ReducedGrand, SpringWall};
 
 use crate::sketch::play::{Moment, film};
 use crate::sketch::svg::picture;
 use crate::sketch::{Drawing, Part, Point};
-use crate::stroke::preset;
+use crate::stroke::{tuned, values};
 
 /// Does `check` with every preset of every model, for the lowest and the highest key.
 macro_rules! with_all {
@@ -20,19 +20,18 @@ macro_rules! with_all {
         struct Check;
         impl Visitor for Check {
             type Output = ();
-            fn visit<M: Playable>(self) {
-                for Preset { name, .. } in M::PRESETS {
+            fn visit<M: Playable>(self, model: M) {
+                let ModelEntry { name: known, presets, .. } = model.entry();
+                for Preset { name, .. } in *presets {
                     for key in [0, 87] {
-                        $check(
-                            &format!("{} {name} key {key}", M::NAME),
-                            preset::<M>(name, key, &[]),
-                        );
+                        let label = format!("{known} {name} key {key}");
+                        $check(&label, tuned(&model, name, key, &[]));
                     }
                 }
             }
         }
         for entry in catalogue::ENTRIES {
-            catalogue::visit(entry.name, Check).expect("what is listed can be visited");
+            catalogue::visit_built_in(entry, Check).expect("what is listed can be visited");
         }
     }};
 }
@@ -42,6 +41,8 @@ fn every_signal_has_a_unit() {
     for entry in catalogue::ENTRIES {
         assert_eq!(entry.states.len(), entry.state_units.len(), "{}: states", entry.name);
         assert_eq!(entry.outputs.len(), entry.output_units.len(), "{}: outputs", entry.name);
+        let guards = entry.modes.iter().flat_map(|mode| mode.guards);
+        assert!(guards.map(|it| it.unit).all(|it| ["m", "rad", "N", "m/s²"].contains(&it)));
         let units = ["m", "m/s", "rad", "rad/s", "N", "N·m"];
         let all = entry.state_units.iter().chain(entry.output_units);
         assert!(all.into_iter().all(|unit| units.contains(unit)), "{}: a new unit", entry.name);
@@ -63,8 +64,9 @@ fn names_are_known<M: Playable>(label: &str, model: M) {
     let drawing = Drawing::of(&model);
     assert_eq!(drawing.views.len(), 1, "{label}: views");
     assert!(drawing.parts.len() > 2, "{label}: parts");
+    let ModelEntry { states, outputs, modes: listed, .. } = model.entry();
     let known =
-        |name: &str| name == "position" || M::STATES.contains(&name) || M::OUTPUTS.contains(&name);
+        |name: &str| name == "position" || states.contains(&name) || outputs.contains(&name);
     for part in &drawing.parts {
         assert!(!part.outlines.is_empty(), "{label}: {} has no shape", part.name);
         assert!(part.outlines.iter().all(|it| it.points.len() > 1), "{label}: {}", part.name);
@@ -80,7 +82,7 @@ fn names_are_known<M: Playable>(label: &str, model: M) {
     }
     let modes = drawing.parts.iter().map(|it| &it.modes);
     let mut modes = modes.chain(drawing.springs.iter().map(|it| &it.modes)).flatten();
-    assert!(modes.all(|mode| usize::from(*mode) < M::MODES.len()), "{label}: modes");
+    assert!(modes.all(|mode| usize::from(*mode) < listed.len()), "{label}: modes");
     let mut moves = drawing.parts.iter().flat_map(|it| it.pose).filter_map(|it| it.signal);
     assert!(moves.any(|name| name == "position"), "{label}: no finger");
 }
@@ -90,14 +92,14 @@ fn a_drawing_is_finite_whatever_the_values() {
     with_all!(is_finite);
 }
 
-fn is_finite<M: Playable>(label: &str, _model: M) {
-    let values: Vec<f64> =
-        (0..M::PARAMETERS.len()).map(|index| (M::PRESETS[0].value)(index, 0)).collect();
-    for (index, parameter) in M::PARAMETERS.iter().enumerate() {
+fn is_finite<M: Playable>(label: &str, model: M) {
+    let ModelEntry { parameters, presets, .. } = model.entry();
+    let values = values(&presets[0], parameters.len(), 0);
+    for (index, parameter) in parameters.iter().enumerate() {
         for value in [parameter.range.0, 0.0_f64.max(parameter.range.0), parameter.range.1] {
             let mut values = values.clone();
             values[index] = value;
-            let drawing = Drawing::of(&M::with_values(&values));
+            let drawing = Drawing::of(&model.with_values(&values));
             let what = format!("{label}, {} = {value}", parameter.name);
             let [left, bottom, right, top] = drawing.views[0];
             assert!(left < right && bottom < top, "{what}: {:?}", drawing.views[0]);
@@ -119,7 +121,7 @@ fn each_part_is_shown_once_in_every_mode() {
 fn parts_are_single<M: Playable>(label: &str, model: M) {
     let drawing = Drawing::of(&model);
     let mut moment = Moment::at_rest(&model, 0.0);
-    for mode in 0..M::MODES.len() {
+    for mode in 0..model.entry().modes.len() {
         moment.mode = mode;
         for part in &drawing.parts {
             let twins = drawing.parts.iter().filter(|it| it.name == part.name);
@@ -201,10 +203,8 @@ fn front(key: &Part, moment: &Moment) -> f64 {
 
 #[test]
 fn modes_are_numbered_as_they_are_listed() {
-    let grand = ReducedGrand::MODES.iter().map(|it| it.0 as usize);
-    assert!(grand.eq(0..ReducedGrand::MODES.len()));
-    let wall = SpringWall::MODES.iter().map(|it| it.0 as usize);
-    assert!(wall.eq(0..SpringWall::MODES.len()));
+    assert!(ReducedGrand::default().modes().map(|it| it.0 as usize).eq(0..11));
+    assert!(SpringWall::default().modes().map(|it| it.0 as usize).eq(0..2));
 }
 
 #[test]
@@ -214,16 +214,17 @@ fn pictures_are_written_to_be_looked_at() {
 
 fn is_pictured<M: Playable>(label: &str, model: M) {
     let drawing = Drawing::of(&model);
+    let modes = model.entry().modes;
     let film = film(model);
     let half = film.iter().position(|it| it.1.signal("position") > 0.005).expect("half way");
     let strike = film.iter().position(|it| it.0.starts_with("string")).unwrap_or(160);
     let named = [("rest", 0), ("half", half), ("strike", strike), ("held", 320)];
-    let of_mode = |(mode, (_, name)): (usize, &(M::Mode, &'static str))| {
-        film.iter().position(|it| it.1.mode == mode).map(|index| (*name, index))
+    let of_mode = |(mode, entry): (usize, &ModeEntry)| {
+        film.iter().position(|it| it.1.mode == mode).map(|index| (entry.name, index))
     };
-    for (what, index) in named.into_iter().chain(M::MODES.iter().enumerate().filter_map(of_mode)) {
+    for (what, index) in named.into_iter().chain(modes.iter().enumerate().filter_map(of_mode)) {
         let (event, moment) = &film[index.min(film.len() - 1)];
-        let mode = M::MODES[moment.mode].1;
+        let mode = modes[moment.mode].name;
         let text = picture(&drawing, moment, &format!("{label}, {what}: {event} {mode}"));
         assert!(text.ends_with("</svg>") && !text.contains("NaN"), "{label}: {what}");
         let name = format!("{}-{what}.svg", label.replace(' ', "-"));

@@ -47,10 +47,10 @@ fn check_string<M: Playable>(model: M, guard: &str) {
     let drawing = Drawing::of(&model);
     let film = film(model);
     let hits: Vec<_> = film.iter().filter(|it| it.0 == guard).collect();
-    assert!(!hits.is_empty(), "{}: the stroke meets no string", M::NAME);
+    assert!(!hits.is_empty(), "{}: the stroke meets no string", model.entry().name);
     for (_, moment) in hits {
         let gap = below_string(&drawing, moment);
-        assert!(gap.abs() < 1e-6, "{}: {gap} m from the string", M::NAME);
+        assert!(gap.abs() < 1e-6, "{}: {gap} m from the string", model.entry().name);
     }
 }
 

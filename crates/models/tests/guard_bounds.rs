@@ -114,19 +114,25 @@ fn follow<M: Playable>(
 
 /// The model with a preset's values of one key, each times a random factor and put back into
 /// its range; a spread of 0 keeps the preset.
-fn varied<M: Playable>(preset: &Preset, key: u8, spread: f64, random: &mut Random) -> M {
+fn varied<M: Playable>(
+    model: &M,
+    preset: &Preset,
+    (key, spread): (u8, f64),
+    random: &mut Random,
+) -> M {
     let value = |(index, parameter): (usize, &Parameter)| {
         let (low, high) = parameter.range;
         let value = (preset.value)(index, key) * spread.mul_add(random.between(-0.9, 2.0), 1.0);
         value.max(low).min(high)
     };
-    let values: Vec<_> = M::PARAMETERS.iter().enumerate().map(value).collect();
-    M::with_values(&values)
+    let values: Vec<_> = model.entry().parameters.iter().enumerate().map(value).collect();
+    model.with_values(&values)
 }
 
 /// Random steps of every guard of every mode of every preset of two keys, each as it is and with
 /// its values varied.
 fn every_guard<M: Playable>(
+    model: &M,
     sample: (usize, Steps),
     spreads: &[f64],
     mut check: impl FnMut(&str, &Found),
@@ -134,8 +140,8 @@ fn every_guard<M: Playable>(
     let mut random = Random::new(71);
     let spreads = |key| spreads.iter().map(move |spread| (key, *spread));
     let sets = |preset| [0_u8, 87].into_iter().flat_map(spreads).map(move |it| (preset, it));
-    for (preset, (key, spread)) in M::PRESETS.iter().flat_map(sets) {
-        let model: M = varied(preset, key, spread, &mut random);
+    for (preset, (key, spread)) in model.entry().presets.iter().flat_map(sets) {
+        let model = varied(model, preset, (key, spread), &mut random);
         every_step(&model, preset.name, sample, &mut random, &mut check);
     }
 }
@@ -149,8 +155,8 @@ fn every_step<M: Playable>(
     check: &mut impl FnMut(&str, &Found),
 ) {
     let guards = |(mode, name)| model.guards(mode).iter().map(move |guard| (mode, name, guard));
-    for (mode, name, guard) in M::MODES.iter().copied().flat_map(guards) {
-        let label = format!("{} {preset} {name} {}", M::NAME, guard.name);
+    for (mode, name, guard) in model.modes().flat_map(guards) {
+        let label = format!("{} {preset} {name} {}", model.entry().name, guard.name);
         for _ in 0..n {
             let (start, step) = step(model, mode, steps, random);
             check(&label, &follow((model, mode), guard, start, &step));
@@ -163,9 +169,9 @@ fn no_guard_goes_or_bends_further_than_its_bound() {
     with_all!(bounds_hold);
 }
 
-fn bounds_hold<M: Playable>() {
+fn bounds_hold<M: Playable>(model: M) {
     let spreads = [0.0, 0.2, 1.0, 1.0, 1.0];
-    every_guard::<M>((200, Steps::Any), &spreads, |label, found| {
+    every_guard(&model, (200, Steps::Any), &spreads, |label, found| {
         for (what, i) in [("moves", 0), ("bend", 1)] {
             let (seen, allowed) = (found.seen[i], found.allowed[i]);
             // What is not a number says nothing, and is taken as such.
@@ -185,10 +191,10 @@ const WITHOUT_BEND: [&str; 2] = ["key-hammer-rigid A1 release", "bouncing-ball r
 
 /// Most of the steps allow less than four times what was seen: sums of magnitudes do not see
 /// what cancels, and random motions cancel somewhat.
-fn bounds_are_tight<M: Playable>() {
+fn bounds_are_tight<M: Playable>(model: M) {
     const FACTOR: f64 = 4.0;
     let mut ratios: Vec<(String, [Vec<f64>; 2])> = Vec::new();
-    every_guard::<M>((200, Steps::Played), &[0.0], |label, found| {
+    every_guard(&model, (200, Steps::Played), &[0.0], |label, found| {
         if ratios.last().is_none_or(|it| it.0 != label) {
             ratios.push((label.to_owned(), [Vec::new(), Vec::new()]));
         }

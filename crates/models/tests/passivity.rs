@@ -26,19 +26,19 @@ const ROUNDING: f64 = 1e-12;
 /// What a book leaves unexplained, against `bound` of the energy that went through.
 #[track_caller]
 fn check_books<M: Described>(books: &Books<M>, bound: f64) {
+    let label = std::any::type_name::<M>();
     let audit = &books.audit;
     let scale = books.throughput + books.energies.0.abs().max(books.energies.1.abs());
     let residual = audit.residual().abs();
     assert!(
         residual <= bound * scale + ROUNDING,
-        "{}: {residual:e} J unexplained of {scale:e} J",
-        M::NAME
+        "{label}: {residual:e} J unexplained of {scale:e} J"
     );
-    assert!(audit.dissipated >= -ROUNDING, "{}: dampers gave {:e} J", M::NAME, audit.dissipated);
-    assert!(books.made <= ROUNDING, "{}: an event made {:e} J", M::NAME, books.made);
+    assert!(audit.dissipated >= -ROUNDING, "{label}: dampers gave {:e} J", audit.dissipated);
+    assert!(books.made <= ROUNDING, "{label}: an event made {:e} J", books.made);
     // Stored beyond what was put in: nothing but the integration error.
     let made = audit.stored - audit.supplied - books.impulsive;
-    assert!(made <= bound * scale + ROUNDING, "{}: {made:e} J from nowhere", M::NAME);
+    assert!(made <= bound * scale + ROUNDING, "{label}: {made:e} J from nowhere");
 }
 
 /// (h ω)⁴/120 per radian, for ω of the model's longest step and `radians` of motion.

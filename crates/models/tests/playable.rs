@@ -13,7 +13,7 @@ const DIP: f64 = 0.010_16;
 const FRONT: f64 = 0.2595;
 
 /// The model of every key.
-fn compass<M: Described>() -> impl Iterator<Item = (u8, M)> {
+fn compass<M: Described + Default>() -> impl Iterator<Item = (u8, M)> {
     (0..88).map(|key| (key, preset("playable", key, &[])))
 }
 

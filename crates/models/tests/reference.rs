@@ -7,7 +7,7 @@
     reason = "a test fails aloud; counts of rows are small"
 )]
 
-use models::{Described, KeyHammerRigid, KeyHammerSprings, ReducedGrand};
+use models::{Described, KeyHammerRigid, KeyHammerSprings, ReducedGrand, reduced_grand};
 use pode::State as _;
 use pode::stepper::Rk4;
 
@@ -15,7 +15,7 @@ use crate::common::{Case, Trace, mode_name, run};
 
 /// Largest event-time error of a run (s); panics unless the mode sequence is the same.
 #[track_caller]
-fn event_error<M: Described>(case: &Case, trace: &Trace<M>, h: f64) -> f64 {
+fn event_error<M: Described + Default>(case: &Case, trace: &Trace<M>, h: f64) -> f64 {
     let seen: Vec<_> = trace
         .events
         .iter()
@@ -33,7 +33,7 @@ fn event_error<M: Described>(case: &Case, trace: &Trace<M>, h: f64) -> f64 {
 }
 
 #[track_caller]
-fn check_events<M: Described>(name: &str) {
+fn check_events<M: Described + Default>(name: &str) {
     let case = Case::load::<M>(name);
     let error = |h: f64| event_error(&case, &run::<M, _>(&case, Rk4, h), h);
     let (coarse, middle, fine, finest) = (error(1e-3), error(5e-4), error(2.5e-4), error(5e-5));
@@ -96,7 +96,7 @@ fn states_at_events_are_the_references() {
 
 /// Checks the states before and after each event.
 #[track_caller]
-fn check_states<M: Described>(name: &str, h: f64, tolerance: f64) {
+fn check_states<M: Described + Default>(name: &str, h: f64, tolerance: f64) {
     let case = Case::load::<M>(name);
     let trace = run::<M, _>(&case, Rk4, h);
     for ((before, after), event) in trace.before.iter().zip(&trace.after).zip(&case.events) {
@@ -114,18 +114,19 @@ fn the_start_is_the_equilibrium() {
 }
 
 #[track_caller]
-fn check_start<M: Described>(name: &str) {
+fn check_start<M: Described + Default>(name: &str) {
     let case = Case::load::<M>(name);
-    let (mode, state) = case.start(&case.model::<M>());
+    let model: M = case.model();
+    let (mode, state) = case.start(&model);
     assert_eq!(mode_name::<M>(mode), case.rows[0][1]);
-    for (name, value) in M::STATES.iter().zip(state.entries()) {
+    for (name, value) in model.entry().states.iter().zip(state.entries()) {
         assert!((value - case.value(0, name)).abs() < 1e-15, "{name} = {value}");
     }
 }
 
 /// Checks a model's outputs against the trajectory's columns, away from events.
 #[track_caller]
-fn check_outputs<M: Described>(name: &str, columns: &[&str], h: f64, tolerance: f64) {
+fn check_outputs<M: Described + Default>(name: &str, columns: &[&str], h: f64, tolerance: f64) {
     let case = Case::load::<M>(name);
     let trace = run::<M, _>(&case, Rk4, h);
     let model: M = case.model();
@@ -137,7 +138,8 @@ fn check_outputs<M: Described>(name: &str, columns: &[&str], h: f64, tolerance: 
         assert_eq!(mode_name::<M>(*mode), case.rows[row][1], "mode at {t}");
         model.outputs(*mode, state, &case.input(t), &mut out);
         for column in columns {
-            let index = M::OUTPUTS.iter().position(|name| name == column).expect("an output");
+            let index =
+                model.entry().outputs.iter().position(|name| name == column).expect("an output");
             let expected = case.value(row, column);
             let scale = expected.abs().max(1.0);
             let error = (out[index] - expected).abs();
@@ -164,7 +166,7 @@ fn trajectory_and_force_of_model_c_follow_the_reference() {
     let trace = run::<ReducedGrand, _>(&case, Rk4, 1e-5);
     for row in 0..case.rows.len() {
         let (_, state) = &trace.ends[row * 500];
-        for (name, value) in ReducedGrand::STATES.iter().zip(state) {
+        for (name, value) in reduced_grand::ENTRY.states.iter().zip(state) {
             let error = (value - case.value(row, name)).abs();
             assert!(error < 1e-7, "{name} in row {row} is off by {error:e}");
         }

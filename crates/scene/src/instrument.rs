@@ -112,7 +112,7 @@ impl Instrument {
 /// What is known of an instrument's stability is known of its model, too.
 pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<&'static Instrument> {
     let all = || Instrument::embedded().iter();
-    let of_model = |it: &Instrument| it.voicing.model.name == model.name;
+    let of_model = |it: &Instrument| it.voicing.model.is(model);
     let same = |it: &Instrument| preset.is_some_and(|preset| it.voicing.preset.name == preset.name);
     all().find(|it| of_model(it) && same(it)).or_else(|| all().find(|it| of_model(it)))
 }

@@ -44,15 +44,31 @@ pub(super) fn read(
         report.miss(entry.place, "the scene has no keys", help);
     }
     let mut taken = Vec::new();
+    let mut models: Vec<&ModelEntry> = Vec::new();
     for node in ranges {
         let read = read_range(report, node, &mut taken, in_loop);
         let Some((range, voicing)) = read else { continue };
+        refuse_namesake(report, node.place, voicing.model, &models);
+        models.push(voicing.model);
         for key in range.numbers() {
             let voice = KeyVoice { model: voicing.model, values: voicing.values(key) };
             voices[usize::from(key)] = Some(voice);
         }
     }
     voices
+}
+
+/// Refuses a model at `place` that is called like another one of the scene.
+fn refuse_namesake(
+    report: &mut MistakeList<'_>,
+    place: Location,
+    model: &ModelEntry,
+    others: &[&ModelEntry],
+) {
+    if others.iter().any(|other| other.name == model.name && !other.is(model)) {
+        let message = format!("two models of the scene are called {}", quoted(model.name));
+        report.say(place, message, "give the description of one of them another name");
+    }
 }
 
 /// A range that was read, and where.

@@ -1,4 +1,4 @@
-//! Tells scenes from instruments by the names in the file.
+//! Tells scenes, instruments and descriptions of models by the names in the file.
 
 use std::path::Path;
 
@@ -9,6 +9,7 @@ use super::instrument::Instrument;
 use super::report::{Location, MistakeList};
 use super::scene::Scene;
 use super::source::SourceText;
+use descriptions::load_model;
 use diagnostics::Diagnostics;
 
 /// Names that only a scene has.
@@ -17,12 +18,41 @@ const SCENE: [&str; 7] = ["tick_hz", "lanes", "render", "keys", "links", "midi",
 /// Names that only an instrument has.
 const INSTRUMENT: [&str; 6] = ["doc", "model", "preset", "offline", "stable", "parameters"];
 
+/// Names that only the description of a model has.
+const DESCRIPTION: [&str; 23] = [
+    "base",
+    "bodies",
+    "constraints",
+    "contacts",
+    "coordinates",
+    "damper",
+    "definitions",
+    "drawing",
+    "felts",
+    "forces",
+    "frames",
+    "frictions",
+    "gravity",
+    "input",
+    "modes",
+    "outputs",
+    "points",
+    "presets",
+    "rates",
+    "remove",
+    "rest",
+    "speeds",
+    "springs",
+];
+
 /// The kind of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FileKind {
     Scene,
     Instrument,
+    /// The description of a model.
+    Model,
 }
 
 impl FileKind {
@@ -31,17 +61,23 @@ impl FileKind {
         match self {
             Self::Scene => "scene",
             Self::Instrument => "instrument",
+            Self::Model => "model",
         }
     }
 }
 
-/// Checks the scene or instrument at `path`, whichever it is by what stands in it.
+/// Checks the scene, the instrument or the description of a model at `path`, whichever it is by
+/// what stands in it.
 ///
 /// # Errors
 ///
 /// All that is wrong with it, or that it is neither.
 pub fn check_file(path: &Path) -> Result<FileKind, Diagnostics> {
-    check(&SourceText::read(path)?)
+    let source = SourceText::read(path)?;
+    if kind_of(&source) == Ok(FileKind::Model) {
+        return load_model(path).map(|_model| FileKind::Model);
+    }
+    check(&source)
 }
 
 /// Checks a text as [`check_file`] does.
@@ -50,6 +86,8 @@ pub(super) fn check(source: &SourceText) -> Result<FileKind, Diagnostics> {
     match kind {
         FileKind::Scene => Scene::check(source, &[]).map(|_scene| kind),
         FileKind::Instrument => Instrument::check(source).map(|_instrument| kind),
+        // What only a text is has no place from which it could be loaded.
+        FileKind::Model => Ok(kind),
     }
 }
 
@@ -61,13 +99,15 @@ fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
     let count = |names: &[&str]| {
         entries.iter().filter(|entry| names.contains(&entry.name.as_str())).count()
     };
-    let kind = match (count(&SCENE), count(&INSTRUMENT)) {
-        (0, 0) => {
-            let help = "a scene has [[keys]], an instrument has a model";
-            report.miss(Location::At(0), "this is neither a scene nor an instrument", help);
+    let kind = match (count(&SCENE), count(&INSTRUMENT), count(&DESCRIPTION)) {
+        (0, 0, 0) => {
+            let help = "a scene has [[keys]], an instrument a model, a description [modes]";
+            let message = "this is neither a scene nor an instrument nor a model";
+            report.miss(Location::At(0), message, help);
             None
         }
-        (scene, instrument) if instrument <= scene => Some(FileKind::Scene),
+        (scene, instrument, model) if scene.max(instrument) < model => Some(FileKind::Model),
+        (scene, instrument, _) if instrument <= scene => Some(FileKind::Scene),
         _ => Some(FileKind::Instrument),
     };
     // The check of the file reports again what is no TOML.

@@ -18,7 +18,7 @@
 //! A value that comes out is within its range; a name that comes out exists. Not here: whether
 //! the machine has the ports and boards that a scene asks for.
 //!
-//! Relative paths of instruments and performances are relative to the file that names them, or
+//! Relative paths of models, instruments and performances are relative to the file that names them, or
 //! to the working directory where an override or an embedded scene does.
 
 mod document;

@@ -115,8 +115,7 @@ pub(super) enum SourceError {
 
 /// Returns whether `text` is meant as a path rather than as a name.
 fn is_path(text: &str) -> bool {
-    let has_ending = Path::new(text).extension().is_some();
-    text.contains(['/', '\\']) || has_ending
+    descriptions::is_path(text)
 }
 
 /// Returns the message and the help for a file that is not there.

@@ -1,7 +1,8 @@
 //! The voices of a range of keys: a model, a preset, and the parameters that differ from it.
 
+use descriptions::{MissingModel, find_model};
 use keyboard::KeyIndex;
-use models::catalogue::{self, ModelEntry};
+use models::catalogue::ModelEntry;
 use models::{Parameter, Preset};
 
 use super::document::{Node, TomlValue};
@@ -59,10 +60,16 @@ impl Voicing {
         let model = reader.text(report, "model");
         let preset = reader.text(report, "preset");
         let (name, place) = model?;
-        let Some(model) = catalogue::find(&name) else {
-            let known = catalogue::ENTRIES.iter().map(|entry| entry.name);
-            unknown(report, place, "there is no model", &name, known);
-            return None;
+        let model = match find_model(&name, report.folder(place)) {
+            Ok(model) => model,
+            Err(MissingModel::Unknown { message, help }) => {
+                report.say(place, message, help);
+                return None;
+            }
+            Err(MissingModel::Wrong(diagnostics)) => {
+                report.absorb(diagnostics);
+                return None;
+            }
         };
         let preset = match preset {
             None => model.presets.first(),
@@ -155,7 +162,7 @@ mod tests {
 
     #[test]
     fn every_preset_stays_within_its_model_s_ranges() {
-        let entries = catalogue::ENTRIES.iter();
+        let entries = models::catalogue::ENTRIES.iter();
         for (model, preset) in entries.flat_map(|m| m.presets.iter().map(move |p| (m, p))) {
             for (index, parameter) in model.parameters.iter().enumerate() {
                 let quantity = Quantity { unit: parameter.unit, range: parameter.range };

@@ -125,7 +125,7 @@ fn is_alike(a: Option<&KeyVoice>, b: Option<&KeyVoice>) -> bool {
         (Some(a), Some(b)) => {
             let bits =
                 |it: &KeyVoice| -> Vec<u64> { it.values.iter().map(|v| v.to_bits()).collect() };
-            a.model.name == b.model.name && bits(a) == bits(b)
+            a.model.is(b.model) && bits(a) == bits(b)
         }
         (None, None) => true,
         (Some(_), None) | (None, Some(_)) => false,
@@ -136,7 +136,7 @@ fn entry(voice: &KeyVoice, first: usize, last: usize) -> Table {
     let name = |index: usize| key(u8::try_from(index).unwrap_or(u8::MAX));
     let mut table = Table::new();
     table["range"] = value(format!("{}..{}", name(first), name(last)));
-    table["model"] = value(voice.model.name);
+    table["model"] = value(voice.model.file.unwrap_or(voice.model.name));
     table["parameters"] = value(parameters(voice.model, &voice.values));
     table
 }

@@ -5,9 +5,9 @@ use crate::motion::KEYS;
 
 /// Most entries that a state may have, or it could not be shown.
 ///
-/// Guards and outputs are worked out from what is shown, so a state is never cut: a
-/// [`ModelSnapshot`] of a model that has more does not compile.
-pub const MAX_STATES: usize = 8;
+/// Guards and outputs are worked out from what is shown, so a state is never cut: whoever builds
+/// a voice refuses a model that has more.
+pub const MAX_STATES: usize = 32;
 
 /// Changes of mode of one tick that can be shown; more are counted, not kept.
 pub const MAX_SWITCHES: usize = 6;
@@ -73,8 +73,9 @@ impl VoiceObservation {
 pub struct ModelSnapshot {
     /// The voice's number among all voices of a run; 0 of a key that has none.
     pub revision: u32,
-    /// An index into the model's list of modes.
-    pub mode: u8,
+    /// The mode: the structural one, an index into the model's list, in the low 8 bits, and above
+    /// them what its contacts do.
+    pub mode: u64,
     /// The state, in the model's order; 0 behind its end.
     pub state: [f64; MAX_STATES],
     /// The input and its first three derivatives, in the model's unit.
@@ -82,6 +83,11 @@ pub struct ModelSnapshot {
 }
 
 impl ModelSnapshot {
+    /// Returns the structural mode, an index into the model's list.
+    pub const fn structure(&self) -> u8 {
+        self.mode.to_le_bytes()[0]
+    }
+
     /// Shows `state`, of at most [`MAX_STATES`] entries.
     pub fn show(&mut self, state: &[f64]) {
         debug_assert!(state.len() <= MAX_STATES, "a state of {} entries is cut", state.len());
@@ -174,12 +180,14 @@ mod tests {
         snapshot.show(&[3.0; MAX_STATES]);
         assert!(is(&snapshot, [3.0; MAX_STATES]));
         snapshot.show(&[1.0, 2.0]);
-        assert!(is(&snapshot, [1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]));
+        let mut wanted = [0.0; MAX_STATES];
+        wanted[..2].copy_from_slice(&[1.0, 2.0]);
+        assert!(is(&snapshot, wanted));
     }
 
     #[test]
-    #[should_panic(expected = "a state of 12 entries is cut")]
+    #[should_panic(expected = "a state of 33 entries is cut")]
     fn a_state_is_not_cut_without_a_word() {
-        ModelSnapshot::default().show(&[3.0; 12]);
+        ModelSnapshot::default().show(&[3.0; MAX_STATES + 1]);
     }
 }

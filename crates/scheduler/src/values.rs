@@ -1,7 +1,7 @@
 //! The values of a model's parameters, on their way to a voice that plays.
 
-/// Most parameters of a voice's model; a voice of a model with more does not compile.
-pub const MAX_VALUES: usize = 48;
+/// Most parameters of a voice's model; whoever builds a voice refuses a model with more.
+pub const MAX_VALUES: usize = 128;
 
 /// One value per parameter of a model, in the unit of each.
 ///
@@ -17,6 +17,9 @@ pub struct ModelValues {
 impl ModelValues {
     /// Returns `values` for voices of `model`, which are of `revision` from then on; none if
     /// there are more than [`MAX_VALUES`].
+    ///
+    /// `model` is the name that stands in the model's entry, not a copy of it: versions of a model
+    /// that was read from a file twice have the same name in two places.
     pub fn new(model: &'static str, revision: u32, values: &[f64]) -> Option<Self> {
         let mut all = [0.0; MAX_VALUES];
         all.get_mut(..values.len())?.copy_from_slice(values);
@@ -26,6 +29,12 @@ impl ModelValues {
     /// Returns the name of the model that has these parameters.
     pub const fn model(&self) -> &'static str {
         self.model
+    }
+
+    /// Returns whether these are values of the version of a model whose entry has this `name`, at
+    /// this place in memory.
+    pub fn are_of(&self, name: &'static str) -> bool {
+        core::ptr::eq(self.model, name)
     }
 
     /// Returns the number that the voice has among all voices of a run once it has the values.

@@ -5,10 +5,12 @@ use std::sync::Arc;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use haptics::{BackwardDifference, ForceGate, Kalman, RigParameters};
 use models::Playable;
-use models::catalogue::{self, Visitor};
+use models::catalogue::{self, ModelEntry, Visitor};
 use pode::Limits;
 use pode::stepper::{self, Any};
+use scheduler::observation::MAX_STATES;
 use scheduler::time::Period;
+use scheduler::values::MAX_VALUES;
 
 use crate::audit::AuditCell;
 use crate::input::{AnyEstimator, InputPath};
@@ -23,6 +25,14 @@ pub type AnyVoice = Box<dyn RehearsableVoice>;
 pub enum BuildError {
     #[error("model `{0}` is not in the catalogue; `letoff instruments` lists those that are")]
     NoSuchModel(&'static str),
+    #[error("model `{model}` has {found} {what}, more than the {most} that a voice can have")]
+    TooLarge {
+        model: &'static str,
+        /// Of what there are too many.
+        what: &'static str,
+        found: usize,
+        most: usize,
+    },
     #[error("the scene's force limits cannot be kept: {0}")]
     Limits(#[from] haptics::LimitError),
     #[error("no tick can have {0} Hz")]
@@ -86,6 +96,7 @@ impl<'a> VoiceBuilder<'a> {
         revision: u32,
     ) -> Result<AnyVoice, BuildError> {
         let name = voice.model.name;
+        refuse_large(voice.model)?;
         let h = self.period.as_secs_f64();
         let builder = Builder {
             render: &self.scene.render,
@@ -96,8 +107,22 @@ impl<'a> VoiceBuilder<'a> {
             slopes: slopes(&self.scene.links),
             revision,
         };
-        catalogue::visit(name, builder).ok_or(BuildError::NoSuchModel(name))?
+        catalogue::visit(voice.model, builder).ok_or(BuildError::NoSuchModel(name))?
     }
+}
+
+/// Refuses a model of which a voice could not show all states or take all parameters.
+fn refuse_large(model: &ModelEntry) -> Result<(), BuildError> {
+    let counts = [
+        ("states", model.states.len(), MAX_STATES),
+        ("parameters", model.parameters.len(), MAX_VALUES),
+    ];
+    for (what, found, most) in counts {
+        if most < found {
+            return Err(BuildError::TooLarge { model: model.name, what, found, most });
+        }
+    }
+    Ok(())
 }
 
 /// Whether the boards of `links` render slopes.
@@ -125,8 +150,8 @@ struct Builder<'a> {
 impl Visitor for Builder<'_> {
     type Output = Result<AnyVoice, BuildError>;
 
-    fn visit<M: Playable>(self) -> Self::Output {
-        let model = M::with_values(self.values);
+    fn visit<M: Playable>(self, model: M) -> Self::Output {
+        let model = model.with_values(self.values);
         let stepper = self.render.stepper;
         let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
         let fittings = self.fittings(model.input_per_metre())?;
@@ -138,6 +163,19 @@ impl Visitor for Builder<'_> {
         } else {
             Box::new(RenderedKey::new(model, stepper, fittings))
         })
+    }
+
+    /// One voice type for all models of a size, whatever their method: a model that is read from a
+    /// file compiles nothing.
+    fn visit_loaded<M: Playable>(self, model: M) -> Self::Output {
+        let model = model.with_values(self.values);
+        let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
+        let stepper = match self.render.stepper {
+            Any::ByNeed(_) => Any::ByNeed(by_need),
+            other => other,
+        };
+        let fittings = self.fittings(model.input_per_metre())?;
+        Ok(Box::new(RenderedKey::new(model, stepper, fittings)))
     }
 }
 

@@ -6,11 +6,12 @@ use haptics::{EnergyBound, ForceGate, PassivityObserver};
 use models::Playable;
 use pode::input::Cubic;
 use pode::{
-    Advance, Auditor, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, Stepper, Watch,
+    Advance, Auditor, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, State, Stepper,
+    Watch,
 };
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
-use scheduler::observation::{MAX_STATES, Switch, Switches, VoiceObservation};
-use scheduler::values::{MAX_VALUES, ModelValues};
+use scheduler::observation::{Switch, Switches, VoiceObservation};
+use scheduler::values::ModelValues;
 use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
 
 use crate::audit::AuditCell;
@@ -36,6 +37,8 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     cell: Arc<AuditCell>,
     /// Tick (s).
     h: f64,
+    /// How many leading entries of the state are coordinates.
+    coordinates: usize,
     slopes: SlopeOutput,
     revision: u32,
     /// The model's input over the tick that was run last.
@@ -79,8 +82,9 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
         let VoiceSettings { input, gate, limits, cell, h, slopes, revision } = fittings;
         let (mode, state) = model.at_rest(&Motion::default());
-        let damper = DamperTracker::new(M::DAMPER, 0.0);
+        let damper = DamperTracker::new(model.damper(), 0.0);
         let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit()), h);
+        let coordinates = model.entry().coordinates;
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
             input,
@@ -91,6 +95,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             passivity,
             cell,
             h,
+            coordinates,
             slopes,
             revision,
             signal: Cubic::ballistic(0.0, 0.0, 0.0, h),
@@ -167,7 +172,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             }
         }
         self.rest.observe(sample.position, turn.force);
-        if moves::<M>(&before, self.simulator.state(), self.h) {
+        if moves(self.coordinates, (&before, self.simulator.state()), self.h) {
             self.rest.still = 0;
         }
     }
@@ -187,12 +192,11 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
     }
 
     fn observe(&self, seen: &mut VoiceObservation) {
-        const { assert!(M::STATES.len() <= MAX_STATES, "raise MAX_STATES of scheduler") }
         let Motion { position, rate, acceleration, jerk } = self.signal.at(1.0);
         let snapshot = &mut seen.snapshot;
         snapshot.revision = self.revision;
-        snapshot.mode = number::<M>(self.simulator.mode());
-        snapshot.show(pode::State::entries(self.simulator.state()));
+        snapshot.mode = self.simulator.model().mode_code(self.simulator.mode()).0;
+        snapshot.show(self.simulator.state().entries());
         snapshot.input = [position, rate, acceleration, jerk];
         if !self.switches.is_empty() {
             seen.switches = self.switches;
@@ -203,17 +207,17 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         let input = self.input.reset(sample.position);
         let (mode, state) = self.simulator.model().at_rest(&input);
         self.simulator.place(mode, state);
-        self.damper = DamperTracker::new(M::DAMPER, sample.position);
+        self.damper = DamperTracker::new(self.simulator.model().damper(), sample.position);
         self.passivity.reset();
         self.rest = RestDetector::new(self.h);
     }
 
     fn retune(&mut self, values: &ModelValues) -> bool {
-        const { assert!(M::PARAMETERS.len() <= MAX_VALUES, "raise MAX_VALUES of scheduler::values") }
-        if values.model() != M::NAME {
+        let model = *self.simulator.model();
+        if !values.are_of(model.entry().name) {
             return false;
         }
-        self.simulator.set_model(M::with_values(values.as_slice()));
+        self.simulator.set_model(model.with_values(values.as_slice()));
         self.auditor.forget();
         self.revision = values.revision();
         // What was at rest may not be any more, and what was stored is another amount.
@@ -283,18 +287,11 @@ const STILL_ACCELERATION: f64 = 2e-2;
 ///
 /// Both are asked by their rate: how far something moves in a tick says nothing of how fast it
 /// moves. One that is at the end of a swing has no speed, and one in the middle no acceleration.
-fn moves<M: Playable>(before: &M::State, after: &M::State, h: f64) -> bool {
-    use pode::State as _;
+fn moves<S: State>(coordinates: usize, (before, after): (&S, &S), h: f64) -> bool {
     let pairs = before.entries().iter().zip(after.entries()).enumerate();
-    let limit = |index| if index < M::COORDS { STILL_SPEED } else { STILL_ACCELERATION };
+    let limit = |index| if index < coordinates { STILL_SPEED } else { STILL_ACCELERATION };
     // What is no number counts as motion.
     pairs.map(|(index, (a, b))| (b - a).abs() <= limit(index) * h).any(|is_still| !is_still)
-}
-
-/// The number of `mode` among the model's; 255 if it is not among them.
-fn number<M: Playable>(mode: M::Mode) -> u8 {
-    let index = M::MODES.iter().position(|(other, _name)| *other == mode);
-    index.and_then(|index| u8::try_from(index).ok()).unwrap_or(u8::MAX)
 }
 
 /// Turns the guard that sounds into a strike, and notes changes of mode.
@@ -312,13 +309,13 @@ impl<M: Playable> Watch<M> for Strikes<'_> {
             if let pode::EventCause::Guard(spec) = event.cause { spec.id.0 } else { u8::MAX };
         self.switches.push(Switch {
             theta: event.theta,
-            from: number::<M>(event.before.0),
-            to: number::<M>(event.after.0),
+            from: model.mode_code(event.before.0).structure(),
+            to: model.mode_code(event.after.0).structure(),
             guard,
         });
         let pode::EventCause::Guard(spec) = event.cause else { return };
         let sounding = model.sounding(spec.id, &event.before.1);
-        if let Some(sounding) = sounding.filter(|it| it.speed >= M::SOFTEST_TONE) {
+        if let Some(sounding) = sounding.filter(|it| it.speed >= model.softest_tone()) {
             let at = Moment { tick: self.tick, theta: event.theta };
             self.events.push(at, KeyEvent::Strike { speed: sounding.speed });
         }
@@ -345,7 +342,7 @@ mod tests {
     fn slow_motion_is_no_rest_at_any_rate() {
         for h in [1e-2, 1e-3, 1e-4] {
             let after = |speed: f64, acceleration: f64| {
-                moves::<BouncingBall>(&[0.0, speed], &[speed * h, speed + acceleration * h], h)
+                moves(1, (&[0.0, speed], &[speed * h, speed + acceleration * h]), h)
             };
             assert!(after(20e-3, 0.0), "20 mm/s in ticks of {h} s");
             assert!(after(1e-3, 0.0), "1 mm/s in ticks of {h} s");

@@ -54,7 +54,7 @@ impl BlockBuilder {
         block.taken.push(row.sample.taken);
         block.force.push(row.force);
         block.sent.push(row.sent);
-        block.mode.push(if probe.is_some() { row.look.mode } else { u8::MAX });
+        block.mode.push(if probe.is_some() { row.look.structure() } else { u8::MAX });
         block.flags.push(flags);
         block.fault.push(fault_number(row.fault));
         block.revision.push(row.look.revision);

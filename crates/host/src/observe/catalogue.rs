@@ -1,6 +1,6 @@
 //! The catalogue of signals and parameters, as a message.
 
-use models::catalogue::{ENTRIES, ModelEntry};
+use models::catalogue::{self, ModelEntry};
 use scheduler::motion::KEYS;
 use telemetry::{Catalogue, Instrument, Model, Parameter};
 
@@ -15,7 +15,7 @@ pub fn catalogue(scene: &Scene) -> Catalogue {
         tick_hz: scene.tick_hz,
         force_limit: scene.render.force_limit,
         slew_limit: scene.render.slew_limit,
-        models: ENTRIES.iter().map(model).collect(),
+        models: catalogue::entries().map(model).collect(),
         instruments: instruments(),
         fingers: scene.links == LinksConfig::Simulated,
         scene_text: scene::written(scene),
@@ -27,8 +27,8 @@ fn model(entry: &ModelEntry) -> Model {
     Model {
         name: entry.name.to_owned(),
         summary: entry.summary.to_owned(),
-        modes: modes(entry.name),
-        signals: signals(entry.name),
+        modes: modes(entry),
+        signals: signals(entry),
         parameters: entry.parameters.iter().map(parameter).collect(),
     }
 }

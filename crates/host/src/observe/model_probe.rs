@@ -2,11 +2,11 @@
 //!
 //! Off the tick: a snapshot has mode, state and input; guards and outputs follow from them.
 
-use models::Playable;
 use models::catalogue::{self, Visitor};
 use models::draw::{Body, Coil, Ends, Follow, Material, Sketch};
+use models::{ModeCode, ModelEntry, Playable};
 use pode::Motion;
-use scheduler::observation::{MAX_STATES, ModelSnapshot};
+use scheduler::observation::ModelSnapshot;
 use telemetry::{Drawing, Follower, Outline, Signal, outline, signal};
 
 use super::short;
@@ -24,19 +24,33 @@ pub trait ModelProbe: Send {
     fn drawing(&self) -> Drawing;
 }
 
-/// An probe for the model called `name` with one value per parameter.
-pub fn probe(name: &str, values: &[f64]) -> Option<Box<dyn ModelProbe>> {
-    catalogue::visit(name, Opened(values))
+/// A probe for the model of `entry` with one value per parameter.
+pub fn probe(entry: &ModelEntry, values: &[f64]) -> Option<Box<dyn ModelProbe>> {
+    catalogue::visit(entry, Opened(values))
 }
 
-/// Names of what an probe for the model called `name` sees, in its order.
-pub fn signals(name: &str) -> Vec<Signal> {
-    catalogue::visit(name, Named).unwrap_or_default()
+/// Names of what a probe for the model of `entry` sees, in its order.
+pub fn signals(entry: &ModelEntry) -> Vec<Signal> {
+    let of = |name: &str, unit: &str, kind: signal::Kind| Signal {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        kind: kind.into(),
+        modes: Vec::new(),
+    };
+    let states = entry.states.iter().zip(entry.state_units);
+    let states = states.map(|(name, unit)| of(name, unit, signal::Kind::State));
+    let guards = guards(entry).into_iter().map(|guard| Signal {
+        modes: guard.modes.iter().map(|mode| u32::from(*mode)).collect(),
+        ..of(guard.name, "", signal::Kind::Guard)
+    });
+    let outputs = entry.outputs.iter().zip(entry.output_units);
+    let outputs = outputs.map(|(name, unit)| of(name, unit, signal::Kind::Output));
+    states.chain(guards).chain(outputs).collect()
 }
 
-/// Names of the modes of the model called `name`.
-pub fn modes(name: &str) -> Vec<String> {
-    catalogue::visit(name, Modes).unwrap_or_default()
+/// Names of the structural modes of the model of `entry`.
+pub fn modes(entry: &ModelEntry) -> Vec<String> {
+    entry.modes.iter().map(|mode| mode.name.to_owned()).collect()
 }
 
 struct Opened<'a>(&'a [f64]);
@@ -44,76 +58,37 @@ struct Opened<'a>(&'a [f64]);
 impl Visitor for Opened<'_> {
     type Output = Box<dyn ModelProbe>;
 
-    fn visit<M: Playable>(self) -> Self::Output {
-        const {
-            assert!(M::STATES.len() <= MAX_STATES, "raise MAX_STATES of scheduler");
-            assert!(M::OUTPUTS.len() <= MOST_OUTPUTS, "raise MOST_OUTPUTS");
-        }
-        let model = M::with_values(self.0);
+    fn visit<M: Playable>(self, model: M) -> Self::Output {
+        let model = model.with_values(self.0);
         // Only its shape counts; to find a rest may cost more than all signals of a row.
         let (_mode, shape) = model.at_rest(&Motion::default());
-        Box::new(ProbedModel { model, shape, guards: guards::<M>() })
+        Box::new(ProbedModel { model, shape, guards: guards(model.entry()) })
     }
 }
 
-struct Named;
-
-impl Visitor for Named {
-    type Output = Vec<Signal>;
-
-    fn visit<M: Playable>(self) -> Self::Output {
-        let of = |name: &str, unit: &str, kind: signal::Kind| Signal {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            kind: kind.into(),
-            modes: Vec::new(),
-        };
-        let states = M::STATES.iter().zip(M::STATE_UNITS);
-        let states = states.map(|(name, unit)| of(name, unit, signal::Kind::State));
-        let watched = guards::<M>();
-        let guards = watched.iter().map(|guard| Signal {
-            modes: guard.modes.iter().map(|mode| u32::from(*mode)).collect(),
-            ..of(guard.name, "", signal::Kind::Guard)
-        });
-        let outputs = M::OUTPUTS.iter().zip(M::OUTPUT_UNITS);
-        let outputs = outputs.map(|(name, unit)| of(name, unit, signal::Kind::Output));
-        states.chain(guards).chain(outputs).collect()
-    }
-}
-
-struct Modes;
-
-impl Visitor for Modes {
-    type Output = Vec<String>;
-
-    fn visit<M: Playable>(self) -> Self::Output {
-        M::MODES.iter().map(|(_mode, name)| (*name).to_owned()).collect()
-    }
-}
-
-/// A guard, and the modes in which it is watched.
+/// A guard, and the structural modes in which it is watched.
+#[derive(Debug)]
 struct WatchedGuard {
-    id: pode::GuardId,
     name: &'static str,
     modes: Vec<u8>,
 }
 
 /// Every guard of a model, in the order in which its modes name them.
-fn guards<M: Playable>() -> Vec<WatchedGuard> {
-    let model = M::with_values(&[]);
+fn guards(entry: &ModelEntry) -> Vec<WatchedGuard> {
     let mut all: Vec<WatchedGuard> = Vec::new();
-    for (number, (mode, _name)) in (0..).zip(M::MODES) {
-        for spec in model.guards(*mode) {
-            match all.iter_mut().find(|guard| guard.id == spec.id) {
-                Some(guard) => guard.modes.push(number),
-                None => {
-                    all.push(WatchedGuard { id: spec.id, name: spec.name, modes: vec![number] });
-                }
+    for (number, mode) in (0..).zip(entry.modes) {
+        for guard in mode.guards {
+            match all.iter_mut().find(|known| known.name == guard.name) {
+                Some(known) => known.modes.push(number),
+                None => all.push(WatchedGuard { name: guard.name, modes: vec![number] }),
             }
         }
     }
     all
 }
+
+/// Most outputs that are shown; of a model that has more, the others are no numbers.
+const MOST_OUTPUTS: usize = 128;
 
 struct ProbedModel<M: Playable> {
     model: M,
@@ -123,19 +98,21 @@ struct ProbedModel<M: Playable> {
 }
 
 impl<M: Playable> ProbedModel<M> {
-    fn mode(look: &ModelSnapshot) -> Option<M::Mode> {
-        M::MODES.get(usize::from(look.mode)).map(|(mode, _name)| *mode)
+    /// The value of the guard called `name`, where it is watched.
+    fn guard(&self, name: &str, mode: M::Mode, state: &M::State, input: &Motion) -> Option<f64> {
+        let spec = self.model.guards(mode).iter().find(|spec| spec.name == name)?;
+        let is_watched = self.model.is_watched(mode, spec.id);
+        is_watched.then(|| self.model.guard(mode, spec.id, state, input).value)
     }
 }
 
-/// Most outputs that a model has.
-const MOST_OUTPUTS: usize = 16;
-
 impl<M: Playable> ModelProbe for ProbedModel<M> {
     fn see(&self, look: &ModelSnapshot, signals: &mut Vec<f32>) {
-        let wanted = signals.len() + M::STATES.len() + self.guards.len() + M::OUTPUTS.len();
-        signals.extend(look.state.iter().take(M::STATES.len()).map(|value| short(*value)));
-        let Some(mode) = Self::mode(look) else {
+        let ModelEntry { states, outputs, .. } = self.model.entry();
+        let (states, n_outputs) = (states.len(), outputs.len());
+        let wanted = signals.len() + states + self.guards.len() + n_outputs;
+        signals.extend(look.state.iter().take(states).map(|value| short(*value)));
+        let Some(mode) = self.model.mode(ModeCode(look.mode)) else {
             return signals.resize(wanted, f32::NAN);
         };
         let [position, rate, acceleration, jerk] = look.input;
@@ -145,19 +122,18 @@ impl<M: Playable> ModelProbe for ProbedModel<M> {
             *entry = shown;
         }
         for guard in &self.guards {
-            let is_watched = guard.modes.contains(&look.mode);
-            let value = || self.model.guard(mode, guard.id, &state, &input).value;
-            signals.push(if is_watched { short(value()) } else { f32::NAN });
+            let value = self.guard(guard.name, mode, &state, &input);
+            signals.push(value.map_or(f32::NAN, short));
         }
         let mut outputs = [0.0; MOST_OUTPUTS];
         self.model.outputs(mode, &state, &input, &mut outputs);
-        signals.extend(outputs.iter().take(M::OUTPUTS.len()).map(|value| short(*value)));
+        signals.extend(outputs.iter().take(n_outputs).map(|value| short(*value)));
         signals.resize(wanted, f32::NAN);
     }
 
     fn guard(&self, mode: u8, guard: u8) -> Option<&'static str> {
-        let is_it = |it: &&WatchedGuard| it.id.0 == guard && it.modes.contains(&mode);
-        self.guards.iter().find(is_it).map(|it| it.name)
+        let mode = self.model.mode(ModeCode::structural(mode))?;
+        self.model.guards(mode).iter().find(|it| it.id.0 == guard).map(|it| it.name)
     }
 
     fn drawing(&self) -> Drawing {
@@ -240,28 +216,28 @@ mod tests {
     #[test]
     fn every_model_gives_as_many_signals_as_it_names() {
         for entry in catalogue::ENTRIES {
-            let probe = probe(entry.name, &[]).expect("an probe");
+            let probe = probe(entry, &[]).expect("a probe");
             let mut signals = Vec::new();
-            for mode in 0..modes(entry.name).len() {
-                let mode = u8::try_from(mode).expect("few modes");
+            for mode in 0..modes(entry).len() {
+                let mode = mode as u64;
                 probe.see(&ModelSnapshot { mode, ..ModelSnapshot::default() }, &mut signals);
                 probe.see(&ModelSnapshot { mode: 255, ..ModelSnapshot::default() }, &mut signals);
             }
-            let names = super::signals(entry.name).len();
-            assert_eq!(signals.len(), 2 * names * modes(entry.name).len(), "{}", entry.name);
+            let names = super::signals(entry).len();
+            assert_eq!(signals.len(), 2 * names * modes(entry).len(), "{}", entry.name);
         }
     }
 
     #[test]
     fn a_guard_is_seen_where_it_is_watched() {
-        let name = "key-hammer-springs";
-        let probe = probe(name, &[]).expect("an probe");
-        let signals = signals(name);
-        for mode in 0..2_u8 {
+        let entry = catalogue::find("key-hammer-springs").expect("a model");
+        let probe = probe(entry, &[]).expect("a probe");
+        let signals = signals(entry);
+        for mode in 0..2_u32 {
             let mut seen = Vec::new();
-            probe.see(&ModelSnapshot { mode, ..ModelSnapshot::default() }, &mut seen);
+            probe.see(&ModelSnapshot { mode: mode.into(), ..ModelSnapshot::default() }, &mut seen);
             for (signal, value) in signals.iter().zip(seen) {
-                let is_watched = signal.modes.is_empty() || signal.modes.contains(&mode.into());
+                let is_watched = signal.modes.is_empty() || signal.modes.contains(&mode);
                 assert_eq!(value.is_finite(), is_watched, "{} in mode {mode}", signal.name);
             }
         }

@@ -316,7 +316,7 @@ impl TelemetryThread {
     fn look_over_keys(&mut self) {
         for row in self.keys.iter().filter_map(|key| key.last.as_ref()) {
             let is_known = self.probes.contains_key(&row.look.revision);
-            let mode = if is_known { row.look.mode } else { u8::MAX };
+            let mode = if is_known { row.look.structure() } else { u8::MAX };
             self.overview.push(row, flags(row.stands), mode);
         }
     }
@@ -377,7 +377,11 @@ impl TelemetryThread {
             key.mark = 0;
             key.builder.push(row, flags, probe);
         }
-        self.overview.push(row, flags, if probe.is_some() { row.look.mode } else { u8::MAX });
+        self.overview.push(
+            row,
+            flags,
+            if probe.is_some() { row.look.structure() } else { u8::MAX },
+        );
         let event = events::trust(row, key.fault);
         key.fault = row.fault;
         if let Some(event) = event {

@@ -20,7 +20,7 @@ pub struct Origin<'a> {
 
 /// Returns the message about `voice` on `key`, which is sent before it is put in.
 pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage {
-    let probe = probe(voice.model.name, &voice.values);
+    let probe = probe(voice.model, &voice.values);
     let instrument = origin.instrument.map(str::to_owned);
     let message = Voice {
         key: key.into(),
@@ -39,7 +39,6 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage 
 pub fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
     let bits = |values: &[f64]| values.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
     let wanted = bits(&voice.values);
-    let of_its_model =
-        Instrument::embedded().iter().filter(|it| it.model().name == voice.model.name);
+    let of_its_model = Instrument::embedded().iter().filter(|it| it.model().is(voice.model));
     of_its_model.filter(|it| bits(&it.values(key)) == wanted).map(|it| it.name.clone()).next()
 }

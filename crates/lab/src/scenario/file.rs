@@ -76,15 +76,17 @@ impl ReferenceCase {
     }
 
     /// The model with the case's parameters, and its first preset's for the others.
-    pub(super) fn model<M: Described>(&self) -> M {
+    pub(super) fn model<M: Described + Default>(&self) -> M {
+        let model = M::default();
+        let entry = model.entry();
         let value = |index: usize, name: &str| {
             let given = self.parameters.get(name).and_then(number);
-            given.unwrap_or_else(|| (M::PRESETS[0].value)(index, 0))
+            given.unwrap_or_else(|| entry.default_value(index))
         };
-        let parameters = M::PARAMETERS.iter().enumerate();
+        let parameters = entry.parameters.iter().enumerate();
         let values: Vec<f64> =
             parameters.map(|(index, parameter)| value(index, parameter.name)).collect();
-        M::with_values(&values)
+        model.with_values(&values)
     }
 
     /// Size, time and width of each term of the input.
@@ -99,7 +101,7 @@ impl ReferenceCase {
         number(&self.t_end).ok_or_else(|| file.wrong("t_end is no number"))
     }
 
-    pub(super) fn events<M: Described>(
+    pub(super) fn events<M: Described + Default>(
         &self,
         file: &ReferenceFile,
     ) -> Result<Vec<ExpectedEvent<M>>, BadFile> {
@@ -111,7 +113,7 @@ impl ReferenceCase {
     }
 
     /// The rows of the trajectory that are away from the events.
-    pub(super) fn samples<M: Described>(
+    pub(super) fn samples<M: Described + Default>(
         &self,
         file: &ReferenceFile,
         readout: &str,
@@ -123,15 +125,15 @@ impl ReferenceCase {
     }
 }
 
-fn mode<M: Described>(file: &ReferenceFile, name: &str) -> Result<M::Mode, BadFile> {
-    let known = M::MODES.iter().find(|(_, known)| *known == name);
-    known.map(|(mode, _)| *mode).ok_or_else(|| file.wrong(format_args!("no mode {name}")))
+fn mode<M: Described + Default>(file: &ReferenceFile, name: &str) -> Result<M::Mode, BadFile> {
+    let known = M::default().modes().find(|(_, known)| *known == name);
+    known.map(|(mode, _)| mode).ok_or_else(|| file.wrong(format_args!("no mode {name}")))
 }
 
 /// Rows of the trajectory file.
 struct TrajectoryRows<M: Described>(Vec<ReferenceSample<M::State>>);
 
-impl<M: Described> TrajectoryRows<M> {
+impl<M: Described + Default> TrajectoryRows<M> {
     fn read(file: &ReferenceFile, readout: &str) -> Result<Self, BadFile> {
         let mut lines = file.csv.lines();
         let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
@@ -139,7 +141,8 @@ impl<M: Described> TrajectoryRows<M> {
             let index = header.iter().position(|known| *known == name);
             index.ok_or_else(|| file.wrong(format_args!("no column {name}")))
         };
-        let states = M::STATES.iter().map(|name| column(name)).collect::<Result<Vec<_>, _>>()?;
+        let names = M::default().entry().states;
+        let states = names.iter().map(|name| column(name)).collect::<Result<Vec<_>, _>>()?;
         let (t, force) = (column("t")?, column(readout)?);
         let row = |line: &str| {
             let fields: Vec<&str> = line.split(',').collect();

@@ -32,7 +32,7 @@ impl StrokeTicks {
     const USUAL: Self = Self { ticks: super::TICKS, offline_tick: 100.0 * MS };
 }
 
-impl<M: Described + Studied, I: TermInput> StrokeScenario<M, I> {
+impl<M: Described + Default + Studied, I: TermInput> StrokeScenario<M, I> {
     /// Reads the case in `file`, whose trajectory has the readout in `column`.
     fn read(file: &ReferenceFile, column: &str, pace: StrokeTicks) -> Result<Self, BadFile> {
         let case = ReferenceCase::read(file)?;
@@ -53,7 +53,7 @@ impl<M: Described + Studied, I: TermInput> StrokeScenario<M, I> {
     }
 }
 
-impl<M: Described + Studied, I: TermInput> Scenario for StrokeScenario<M, I> {
+impl<M: Described + Default + Studied, I: TermInput> Scenario for StrokeScenario<M, I> {
     type Model = M;
 
     fn plan(&self) -> Plan {

@@ -10,6 +10,7 @@ Examples:
   letoff simulate key-hammer-springs --until 3 --step 1e-3 \\
       --input 's=0.1*sin(2*pi*t)' --out traj.csv --events events.csv
   letoff simulate bouncing-ball --until 4 --step 1e-3 --plot ball.svg
+  letoff simulate my-action.toml --until 1 --step 1e-3 --out traj.csv
   letoff simulate key-hammer-springs --until 1 --step 1e-4 --method heun --json \\
       --input stroke.csv --reconstruct hermite --set k1=62 k2=150 --initial theta_h=0.1
 
@@ -27,7 +28,7 @@ Event columns: t, guard, from, to, <state>_before ..., <state>_after ..., impuls
 #[derive(Parser, Clone, PartialEq, Debug)]
 #[command(name = "simulate", after_help = EXAMPLES)]
 pub struct SimulateArgs {
-    /// The model's name; `letoff instruments` lists them.
+    /// The model's name, which `letoff instruments` lists, or the path of its description.
     #[arg(value_name = "MODEL")]
     pub model: String,
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use models::{Described, Parameter, Playable};
+use models::{Described, ModelEntry, Parameter, Playable};
 use pode::stepper::{Any, ByNeed};
 use pode::{Limits, State as _};
 
@@ -166,21 +166,23 @@ pub(super) struct Start<M: Described> {
 impl<M: Playable> Start<M> {
     /// The model with its parameters, at rest except for what is given otherwise.
     pub(super) fn check(
+        model: M,
         args: &SimulateArgs,
         input: &InputSignal,
         mistakes: &mut Vec<SimulateMistake>,
     ) -> Option<Self> {
-        let model = M::with_values(&parameters::<M>(args, mistakes)?);
+        let entry = model.entry();
+        let model = model.with_values(&parameters(entry, args, mistakes)?);
         let s = input.at(0.0);
         let (rest_mode, rest) = model.at_rest(&s);
-        let given = named_values("--initial", "state", &args.initial, M::STATES, mistakes);
+        let given = named_values("--initial", "state", &args.initial, entry.states, mistakes);
         let mode = args.mode.as_deref().map_or(Some(rest_mode), |name| {
-            let found = M::MODES.iter().find(|(_, known)| *known == name);
+            let found = model.modes().find(|(_, known)| *known == name);
             if found.is_none() {
-                let known: Vec<_> = M::MODES.iter().map(|(_, known)| *known).collect();
+                let known: Vec<_> = model.modes().map(|(_, known)| known).collect();
                 mistakes.push(SimulateMistake::unknown("mode", name, &known));
             }
-            found.map(|(mode, _)| *mode)
+            found.map(|(mode, _)| mode)
         })?;
         let state = model.constrain(mode, &with_entries::<M>(rest, &given), &s);
         if !state.entries().iter().all(|entry| entry.is_finite()) {
@@ -191,34 +193,36 @@ impl<M: Playable> Start<M> {
 }
 
 /// One value per parameter: the preset's, then those of `--set`; `None` without a preset.
-fn parameters<M: Described>(
+fn parameters(
+    entry: &ModelEntry,
     args: &SimulateArgs,
     mistakes: &mut Vec<SimulateMistake>,
 ) -> Option<Vec<f64>> {
+    let ModelEntry { presets, parameters, .. } = *entry;
     let preset = match args.preset.as_deref() {
-        None => M::PRESETS.first(),
+        None => presets.first(),
         Some(name) => {
-            let found = M::PRESETS.iter().find(|preset| preset.name == name);
+            let found = presets.iter().find(|preset| preset.name == name);
             if found.is_none() {
-                let known: Vec<_> = M::PRESETS.iter().map(|preset| preset.name).collect();
+                let known: Vec<_> = presets.iter().map(|preset| preset.name).collect();
                 mistakes.push(SimulateMistake::unknown("preset", name, &known));
             }
             // What else is wrong is found with the default.
-            found.or_else(|| M::PRESETS.first())
+            found.or_else(|| presets.first())
         }
     }?;
     let key = args.key.min(LAST_KEY);
-    let mut values: Vec<_> = (0..M::PARAMETERS.len()).map(|i| (preset.value)(i, key)).collect();
-    let names: Vec<_> = M::PARAMETERS.iter().map(|parameter| parameter.name).collect();
+    let mut values: Vec<_> = (0..parameters.len()).map(|i| (preset.value)(i, key)).collect();
+    let names: Vec<_> = parameters.iter().map(|parameter| parameter.name).collect();
     let before = mistakes.len();
     for (index, value) in named_values("--set", "parameter", &args.set, &names, mistakes) {
-        let Parameter { name, unit, range, .. } = M::PARAMETERS[index];
+        let Parameter { name, unit, range, .. } = parameters[index];
         check_range(&format!("parameter `{name}`"), value, range, unit, mistakes);
         values[index] = value;
     }
     // A model is only built of values in their ranges.
     if mistakes.len() > before {
-        values = (0..M::PARAMETERS.len()).map(|i| (preset.value)(i, key)).collect();
+        values = (0..parameters.len()).map(|i| (preset.value)(i, key)).collect();
     }
     Some(values)
 }

@@ -29,8 +29,8 @@ pub(super) fn run<M: Playable>(
 
 /// Modes with equations that `method` hands on to another, by its name.
 fn handed_on<M: Playable>(method: &Any, model: &M) -> Vec<(&'static str, &'static str)> {
-    let moves = M::MODES.iter().filter(|(mode, _)| !model.parts(*mode).is_empty());
-    let taken = moves.map(|(mode, name)| (*name, method.name_in(&model.nature(*mode))));
+    let moves = model.modes().filter(|(mode, _)| !model.parts(*mode).is_empty());
+    let taken = moves.map(|(mode, name)| (name, method.name_in(&model.nature(mode))));
     taken.filter(|(_, taken)| *taken != method.name()).collect()
 }
 
@@ -38,7 +38,7 @@ fn handed_on<M: Playable>(method: &Any, model: &M) -> Vec<(&'static str, &'stati
 fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(&'static str, Choice)> {
     let choice =
         |mode: M::Mode| by_need.choice(&model.nature(mode), model.longest_step(mode).min(step));
-    M::MODES.iter().map(|(mode, name)| (*name, choice(*mode))).collect()
+    model.modes().map(|(mode, name)| (name, choice(mode))).collect()
 }
 
 /// Advances a model from 0 to the clock's end, or to its first fault.
@@ -49,7 +49,7 @@ fn drive<M: Playable>(
 ) -> Result<SimulationReport, SimulateError> {
     let Start { model, mode, state } = *start;
     let mut follower =
-        Follower { clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
+        Follower { model, clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
     let mut tally = RunTally::default();
     let mut simulator = Simulator::new(model, clock.method, clock.limits, mode, state);
     let audit = follower.audit;
@@ -105,6 +105,7 @@ fn is_driven(clock: &TickClock, input: &InputSignal, tick: u64) -> bool {
 
 /// Follows a tick while it runs: audits its energy, and hands on its pieces and events.
 struct Follower<'a, M: Described> {
+    model: M,
     clock: &'a TickClock,
     audit: EnergyAudit,
     /// The last instant known to be good: t (s), mode, state.
@@ -125,7 +126,7 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
         self.audit.event(model, event);
         let t = self.clock.time(event.tick, event.theta);
         self.last = (t, event.after.0, event.after.1);
-        self.files.event(t, event);
+        self.files.event(model, t, event);
     }
 }
 
@@ -170,16 +171,18 @@ impl RunTally {
         follower: &Follower<'_, M>,
     ) -> SimulationReport {
         let (t, mode, state) = &follower.last;
-        let state = M::STATES.iter().copied().zip(state.entries().iter().copied()).collect();
+        let model = follower.model;
+        let entry = model.entry();
+        let state = entry.states.iter().copied().zip(state.entries().iter().copied()).collect();
         SimulationReport {
-            model: M::NAME,
+            model: entry.name,
             method: clock.method.name(),
             step: clock.step,
             until: clock.until,
             counts: self.counts,
             capped: self.capped,
             t: *t,
-            mode: mode_name::<M>(*mode),
+            mode: mode_name(&model, *mode),
             choices: Vec::new(),
             handed_on: Vec::new(),
             projection: self.projection,

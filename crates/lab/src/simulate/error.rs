@@ -2,10 +2,12 @@
 
 use std::fmt::Write as _;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::input::InputMistake;
-use diagnostics::nearest;
+use descriptions::MissingModel;
+use diagnostics::{Diagnostics, nearest};
+use models::catalogue;
 
 /// Why a simulation did not come to its end.
 #[derive(Debug, thiserror::Error)]
@@ -20,7 +22,7 @@ pub enum SimulateError {
         model: &'static str,
         /// The last instant with a finite state (s).
         t: f64,
-        mode: &'static str,
+        mode: String,
         /// What failed, and what to do.
         why: &'static str,
     },
@@ -61,12 +63,9 @@ impl SimulateError {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimulateMistake {
-    /// A path where only a name is known.
-    #[error(
-        "`{path}` looks like a path: MODEL is a built-in name for now, a path to a description \
-         comes later; there are {}", known.join(", ")
-    )]
-    ModelPath { path: String, known: Vec<&'static str> },
+    /// A description with mistakes.
+    #[error(transparent)]
+    Description(Diagnostics),
     /// A name that is not among those that there are.
     #[error("there is no {what} `{name}`{}; there are {}", suggestion(name, known), known.join(", "))]
     Unknown {
@@ -134,12 +133,13 @@ impl SimulateMistake {
         Self::Unknown { what, name: name.to_owned(), known: known.to_vec() }
     }
 
-    pub(super) fn model(name: &str, known: Vec<&'static str>) -> Self {
-        let path = Path::new(name);
-        if path.components().count() > 1 || path.extension().is_some() {
-            Self::ModelPath { path: name.to_owned(), known }
-        } else {
-            Self::Unknown { what: "model", name: name.to_owned(), known }
+    pub(super) fn model(name: &str, missing: MissingModel) -> Self {
+        match missing {
+            MissingModel::Wrong(diagnostics) => Self::Description(diagnostics),
+            MissingModel::Unknown { .. } => {
+                let known = catalogue::ENTRIES.iter().map(|entry| entry.name).collect();
+                Self::Unknown { what: "model", name: name.to_owned(), known }
+            }
         }
     }
 }

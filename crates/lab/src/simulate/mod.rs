@@ -18,7 +18,9 @@ mod summary;
 mod tests;
 
 use std::io::Write;
+use std::path::Path;
 
+use descriptions::find_model;
 use models::Playable;
 use models::catalogue::{self, Visitor};
 
@@ -41,13 +43,15 @@ pub fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), SimulateError
     let input = InputSignal::read(args, &mut input_mistakes);
     mistakes.extend(input_mistakes.into_iter().map(SimulateMistake::Input));
     check::rest(args, &mut mistakes);
-    if catalogue::find(&args.model).is_none() {
-        let known = catalogue::ENTRIES.iter().map(|entry| entry.name).collect();
-        mistakes.insert(0, SimulateMistake::model(&args.model, known));
-        return Err(SimulateError::Usage(mistakes));
-    }
+    let model = match find_model(&args.model, Path::new("")) {
+        Ok(model) => model,
+        Err(missing) => {
+            mistakes.insert(0, SimulateMistake::model(&args.model, missing));
+            return Err(SimulateError::Usage(mistakes));
+        }
+    };
     let job = SimulationJob { args, clock, input, mistakes, out };
-    catalogue::visit(&args.model, job).unwrap_or_else(|| Err(SimulateError::Usage(Vec::new())))
+    catalogue::visit(model, job).unwrap_or_else(|| Err(SimulateError::Usage(Vec::new())))
 }
 
 /// What remains to be done once the model's type is known.
@@ -62,9 +66,9 @@ struct SimulationJob<'a> {
 impl Visitor for SimulationJob<'_> {
     type Output = Result<(), SimulateError>;
 
-    fn visit<M: Playable>(self) -> Self::Output {
+    fn visit<M: Playable>(self, model: M) -> Self::Output {
         let Self { args, clock, input, mut mistakes, out } = self;
-        let start = Start::<M>::check(args, &input, &mut mistakes);
+        let start = Start::check(model, args, &input, &mut mistakes);
         let (Some(start), true) = (start, mistakes.is_empty()) else {
             return Err(SimulateError::Usage(mistakes));
         };

@@ -1,13 +1,13 @@
-//! Modes by their place in the model's list.
+//! Modes by name, and by their place in the model's list.
 
-use models::Described;
+use models::{Described, ModeName};
 
-/// Returns the name of a mode.
-pub(super) fn mode_name<M: Described>(mode: M::Mode) -> &'static str {
-    M::MODES.get(mode_index::<M>(mode)).map_or("?", |(_, name)| name)
+/// Returns the name of a mode: the structural one's, and what the contacts do that are not open.
+pub(super) fn mode_name<M: Described>(model: &M, mode: M::Mode) -> String {
+    ModeName::new(model, model.mode_code(mode)).to_string()
 }
 
-/// Returns which of the model's modes `mode` is.
-pub(super) fn mode_index<M: Described>(mode: M::Mode) -> usize {
-    M::MODES.iter().position(|(known, _)| *known == mode).unwrap_or(0)
+/// Returns which of the model's structural modes `mode` is.
+pub(super) fn mode_index<M: Described>(model: &M, mode: M::Mode) -> usize {
+    model.mode_code(mode).structure().into()
 }

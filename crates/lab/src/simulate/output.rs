@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use models::{Described, Playable};
+use models::{Described, ModelEntry, Playable};
 use pode::{EnergyAudit, Event, GuardSpec, Motion, Piece, Signal, State as _};
 
 use super::args::SimulateArgs;
@@ -53,11 +53,11 @@ impl OutputFiles {
             let sheet = CsvFile::create(path?, &header);
             sheet.map_err(|mistake| mistakes.push(mistake)).ok()
         };
-        let trajectory = create(args.out.as_ref(), trajectory_header::<M>(&guards));
-        let events = create(args.events.as_ref(), event_header::<M>());
+        let trajectory = create(args.out.as_ref(), trajectory_header(&start.model, &guards));
+        let events = create(args.events.as_ref(), event_header(&start.model));
         let plot = args.plot.as_ref().map(|path| Plot::create(path, args, start, &guards));
         let plot = plot.transpose().map_err(|mistake| mistakes.push(mistake)).ok().flatten();
-        let outputs = vec![0.0; M::OUTPUTS.len()];
+        let outputs = vec![0.0; start.model.entry().outputs.len()];
         let files = Self { trajectory, events, plot, guards, outputs, failure: None };
         if mistakes.is_empty() { Ok(files) } else { Err(mistakes) }
     }
@@ -73,7 +73,7 @@ impl OutputFiles {
     ) -> Result<(), SimulateError> {
         let Some(sheet) = &mut self.trajectory else { return Ok(()) };
         sheet.number(t);
-        sheet.text(mode_name::<M>(mode));
+        sheet.text(&mode_name(model, mode));
         sheet.numbers(state.entries());
         sheet.number(input.position);
         let specs = model.guards(mode);
@@ -105,16 +105,16 @@ impl OutputFiles {
     }
 
     /// Marks an event and writes its row; a failure is kept for [`OutputFiles::check`].
-    pub(super) fn event<M: Described>(&mut self, t: f64, event: &Event<'_, M>) {
+    pub(super) fn event<M: Described>(&mut self, model: &M, t: f64, event: &Event<'_, M>) {
         if let Some(plot) = &mut self.plot {
-            plot.event(t, event);
+            plot.event(model, t, event);
         }
         let Some(sheet) = &mut self.events else { return };
         let ((from, before), (to, after)) = (&event.before, &event.after);
         sheet.text(&seventeen_digits(t));
         sheet.text(event.cause.name());
-        sheet.text(mode_name::<M>(*from));
-        sheet.text(mode_name::<M>(*to));
+        sheet.text(&mode_name(model, *from));
+        sheet.text(&mode_name(model, *to));
         sheet.numbers(before.entries());
         sheet.numbers(after.entries());
         sheet.numbers(&[event.impulse, event.error, event.projection]);
@@ -141,7 +141,7 @@ impl OutputFiles {
 /// The names of all modes' guards, in the order in which the modes first have them.
 fn guard_names<M: Described>(model: &M) -> Vec<&'static str> {
     let mut names = Vec::new();
-    for GuardSpec { name, .. } in M::MODES.iter().flat_map(|(mode, _)| model.guards(*mode)) {
+    for GuardSpec { name, .. } in model.modes().flat_map(|(mode, _)| model.guards(mode)) {
         if !names.contains(name) {
             names.push(*name);
         }
@@ -149,12 +149,13 @@ fn guard_names<M: Described>(model: &M) -> Vec<&'static str> {
     names
 }
 
-fn trajectory_header<M: Described>(guards: &[&str]) -> Vec<String> {
+fn trajectory_header<M: Described>(model: &M, guards: &[&str]) -> Vec<String> {
+    let ModelEntry { states, outputs, input, .. } = *model.entry();
     let mut header: Vec<String> = ["t", "mode"].map(String::from).to_vec();
-    header.extend(M::STATES.iter().map(|name| (*name).to_owned()));
-    header.push("s".to_owned());
+    header.extend(states.iter().map(|name| (*name).to_owned()));
+    header.push(input.to_owned());
     header.extend(guards.iter().map(|name| format!("guard_{name}")));
-    for name in M::OUTPUTS {
+    for name in outputs {
         let taken = header.iter().any(|column| column == name);
         header.push(if taken { format!("output_{name}") } else { (*name).to_owned() });
     }
@@ -162,8 +163,9 @@ fn trajectory_header<M: Described>(guards: &[&str]) -> Vec<String> {
     header
 }
 
-fn event_header<M: Described>() -> Vec<String> {
-    let states = |when: &'static str| M::STATES.iter().map(move |name| format!("{name}_{when}"));
+fn event_header<M: Described>(model: &M) -> Vec<String> {
+    let names = model.entry().states;
+    let states = |when: &'static str| names.iter().map(move |name| format!("{name}_{when}"));
     let mut header: Vec<String> = ["t", "guard", "from", "to"].map(String::from).to_vec();
     header.extend(states("before").chain(states("after")));
     header.extend(["impulse", "error", "projection"].map(String::from));

@@ -23,7 +23,7 @@ pub(super) struct SimulationReport {
     pub(super) capped: Capped,
     /// The end that was reached (s).
     pub(super) t: f64,
-    pub(super) mode: &'static str,
+    pub(super) mode: String,
     /// What `by-need` takes in each mode; empty with any other method.
     pub(super) choices: Vec<(&'static str, Choice)>,
     /// Modes that the method hands on, each with the name of the method that takes it.

@@ -3,13 +3,12 @@
 mod drawing;
 mod equations;
 
-use pode::{GuardId, Motion};
+use pode::{GuardId, Model as _, Motion};
 
-use crate::describe::{
-    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
-    write,
-};
+use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
+use crate::entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
+use crate::mode_code::ModeCode;
 
 /// A ball above a floor (`flight`) or on it (`rest`).
 ///
@@ -50,32 +49,72 @@ const DEFAULT: [f64; 5] = [9.81, 0.8, 1.0, 1.0, 1.0];
 /// A ball of 10 g on a paddle: 0.49 N at the finger while it lies there (E).
 const KEY: [f64; 5] = [9.81, 0.7, 0.01, 0.0, 5.0];
 
-impl Described for BouncingBall {
-    const NAME: &'static str = "bouncing-ball";
-    const SUMMARY: &'static str = "a ball bouncing on a floor that the key moves";
-    const STATES: &'static [&'static str] = &["y", "v"];
-    const STATE_UNITS: &'static [&'static str] = &["m", "m/s"];
-    const MODES: &'static [(Mode, &'static str)] =
-        &[(Mode::Flight, "flight"), (Mode::Rest, "rest")];
-    const PARAMETERS: &'static [Parameter] = &PARAMETERS;
-    const PRESETS: &'static [Preset] = &[
+/// All modes, in the order of their numbers.
+const MODES: [Mode; 2] = [Mode::Flight, Mode::Rest];
+
+const MODE_ENTRIES: [ModeEntry; 2] = [
+    ModeEntry::new("flight", (1, 0), &[GuardEntry::new("floor", "m", &["flight", "rest"])]),
+    ModeEntry::new("rest", (1, 1), &[GuardEntry::new("lift", "m/s²", &["flight"])]),
+];
+
+/// What is known of the model without building one.
+pub static ENTRY: ModelEntry = ModelEntry {
+    name: "bouncing-ball",
+    summary: "a ball bouncing on a floor that the key moves",
+    file: None,
+    parameters: &PARAMETERS,
+    presets: &[
         Preset {
             name: "default",
             doc: "1 kg dropped from 1 m, restitution 0.8",
-            value: |parameter, _key| DEFAULT[parameter],
+            value: &|parameter, _key| DEFAULT[parameter],
         },
         Preset {
             name: "key",
             doc: "10 g lying on a paddle that rises 5 times the key's travel",
-            value: |parameter, _key| KEY[parameter],
+            value: &|parameter, _key| KEY[parameter],
         },
-    ];
-    const OUTPUTS: &'static [&'static str] = &["F", "gap"];
-    const OUTPUT_UNITS: &'static [&'static str] = &["N", "m"];
+    ],
+    input: "s",
+    input_unit: "m",
+    states: &["y", "v"],
+    state_units: &["m", "m/s"],
+    coordinates: BouncingBall::COORDS,
+    modes: &MODE_ENTRIES,
+    outputs: &["F", "gap"],
+    output_units: &["N", "m"],
+};
 
-    fn with_values(values: &[f64]) -> Self {
-        let [g, restitution, mass, y0, scale] = filled::<_, Self>(values);
+impl BouncingBall {
+    /// The model with one value per parameter, in their order.
+    fn from_array(values: &[f64; 5]) -> Self {
+        let [g, restitution, mass, y0, scale] = *values;
         Self { g, restitution, mass, y0, scale }
+    }
+}
+
+impl Default for BouncingBall {
+    /// The model with the values of its first preset.
+    fn default() -> Self {
+        Self::from_array(&filled(&ENTRY, &[]))
+    }
+}
+
+impl Described for BouncingBall {
+    fn entry(&self) -> &'static ModelEntry {
+        &ENTRY
+    }
+
+    fn with_values(&self, values: &[f64]) -> Self {
+        Self::from_array(&filled(&ENTRY, values))
+    }
+
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
+    }
+
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
+        number.of(&MODES)
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 2], s: &Motion, out: &mut [f64]) {
@@ -89,9 +128,6 @@ impl Described for BouncingBall {
 }
 
 impl Playable for BouncingBall {
-    const DAMPER: Damper = Damper::GRAND;
-    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
-
     fn input_per_metre(&self) -> f64 {
         self.scale
     }

@@ -3,13 +3,12 @@
 mod drawing;
 mod equations;
 
-use pode::{GuardId, Motion};
+use pode::{GuardId, Model as _, Motion};
 
-use crate::describe::{
-    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
-    write,
-};
+use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
+use crate::entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
+use crate::mode_code::ModeCode;
 
 /// The cart between the walls (`free`) or held against one (`left`, `right`).
 ///
@@ -71,33 +70,84 @@ const DEFAULT: [f64; 11] = [1.0, 0.3, 0.25, 0.0, 9.81, 200.0, 0.0, -0.05, 0.05, 
 /// the key is at its bottom (E).
 const KEY: [f64; 11] = [0.04, 0.02, 0.1, 0.0, 9.81, 60.0, 0.3, -0.005, 0.04, 0.6, 5.0];
 
-impl Described for CartPendulum {
-    const NAME: &'static str = "cart-pendulum";
-    const SUMMARY: &'static str = "a cart with a pendulum between two walls, pulled by a spring";
-    const STATES: &'static [&'static str] = &["x", "theta", "x_dot", "theta_dot"];
-    const STATE_UNITS: &'static [&'static str] = &["m", "rad", "m/s", "rad/s"];
-    const MODES: &'static [(Mode, &'static str)] =
-        &[(Mode::Free, "free"), (Mode::Left, "left"), (Mode::Right, "right")];
-    const PARAMETERS: &'static [Parameter] = &PARAMETERS;
-    const PRESETS: &'static [Preset] = &[
+/// All modes, in the order of their numbers.
+const MODES: [Mode; 3] = [Mode::Free, Mode::Left, Mode::Right];
+
+/// The wall pulls no more.
+const OFF: GuardEntry = GuardEntry::new("off", "N", &["free"]);
+
+const MODE_ENTRIES: [ModeEntry; 3] = [
+    ModeEntry::new(
+        "free",
+        (2, 0),
+        &[
+            GuardEntry::new("left", "m", &["free", "left"]),
+            GuardEntry::new("right", "m", &["free", "right"]),
+        ],
+    ),
+    ModeEntry::new("left", (2, 1), &[OFF]),
+    ModeEntry::new("right", (2, 1), &[OFF]),
+];
+
+/// What is known of the model without building one.
+pub static ENTRY: ModelEntry = ModelEntry {
+    name: "cart-pendulum",
+    summary: "a cart with a pendulum between two walls, pulled by a spring",
+    file: None,
+    parameters: &PARAMETERS,
+    presets: &[
         Preset {
             name: "default",
             doc: "1 kg of cart, 0.3 kg of pendulum, walls at ±5 cm",
-            value: |parameter, _key| DEFAULT[parameter],
+            value: &|parameter, _key| DEFAULT[parameter],
         },
         Preset {
             name: "key",
             doc: "60 g in all on a rubber band, pulled 5 times the key's travel",
-            value: |parameter, _key| KEY[parameter],
+            value: &|parameter, _key| KEY[parameter],
         },
-    ];
-    const OUTPUTS: &'static [&'static str] = &["F", "N"];
-    const OUTPUT_UNITS: &'static [&'static str] = &["N", "N"];
+    ],
+    input: "s",
+    input_unit: "m",
+    states: &["x", "theta", "x_dot", "theta_dot"],
+    state_units: &["m", "rad", "m/s", "rad/s"],
+    coordinates: CartPendulum::COORDS,
+    modes: &MODE_ENTRIES,
+    outputs: &["F", "N"],
+    output_units: &["N", "N"],
+};
 
-    fn with_values(values: &[f64]) -> Self {
+impl CartPendulum {
+    /// The model with one value per parameter, in their order.
+    fn from_array(values: &[f64; 11]) -> Self {
         let [cart_mass, bob_mass, length, inertia, g, k, b, left, right, restitution, scale] =
-            filled::<_, Self>(values);
+            *values;
         Self { cart_mass, bob_mass, length, inertia, g, k, b, left, right, restitution, scale }
+    }
+}
+
+impl Default for CartPendulum {
+    /// The model with the values of its first preset.
+    fn default() -> Self {
+        Self::from_array(&filled(&ENTRY, &[]))
+    }
+}
+
+impl Described for CartPendulum {
+    fn entry(&self) -> &'static ModelEntry {
+        &ENTRY
+    }
+
+    fn with_values(&self, values: &[f64]) -> Self {
+        Self::from_array(&filled(&ENTRY, values))
+    }
+
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
+    }
+
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
+        number.of(&MODES)
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {
@@ -118,9 +168,6 @@ impl Described for CartPendulum {
 }
 
 impl Playable for CartPendulum {
-    const DAMPER: Damper = Damper::GRAND;
-    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
-
     fn input_per_metre(&self) -> f64 {
         self.scale
     }

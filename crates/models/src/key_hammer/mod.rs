@@ -10,6 +10,7 @@ mod parameters;
 mod presets;
 
 pub(crate) use bounds::{Reach, gap_bound};
+pub(crate) use parameters::COUNT;
 pub use parameters::{KeyHammerValues, PARAMETERS};
 pub use presets::PRESETS;
 pub(crate) use presets::{BALANCE, hammer_mass};

@@ -1,11 +1,11 @@
 //! The parameters that models A and B share, one list for both.
 
-use crate::describe::Parameter;
+use crate::entry::Parameter;
 use crate::parameters::parameters;
 
 parameters! {
     /// Values of the parameters.
-    pub struct KeyHammerValues, pub(crate) N, pub PARAMETERS;
+    pub struct KeyHammerValues, pub(crate) COUNT, pub PARAMETERS;
 
     /// P1 to the slider along K (m).
     l1 = Parameter::positive("L1", "m", "key pivot to the slider, along the key");

@@ -2,16 +2,20 @@
 
 use pode::math::atan2;
 
-use crate::describe::Preset;
+use crate::entry::Preset;
 
 /// The sets; the first is the default.
 pub const PRESETS: [Preset; 3] = [
-    Preset { name: "paper", doc: "Table 2 of the paper, lengths read as decimetres", value: paper },
-    Preset { name: "literal", doc: "Table 2 of the paper as printed, in SI", value: literal },
+    Preset {
+        name: "paper",
+        doc: "Table 2 of the paper, lengths read as decimetres",
+        value: &paper,
+    },
+    Preset { name: "literal", doc: "Table 2 of the paper as printed, in SI", value: &literal },
     Preset {
         name: "playable",
         doc: "a real key's size, graded over the compass; the key bottom leaves the hammer 2–3 mm short",
-        value: playable,
+        value: &playable,
     },
 ];
 

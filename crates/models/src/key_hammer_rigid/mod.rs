@@ -3,14 +3,13 @@
 mod drawing;
 mod equations;
 
-use pode::{GuardId, Motion};
+use pode::{GuardId, Model as _, Motion};
 
-use crate::describe::{
-    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
-    write,
-};
+use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
-use crate::key_hammer::{Coupled, KeyHammerValues, PARAMETERS, PRESETS, gap};
+use crate::entry::{GuardEntry, ModeEntry, ModelEntry};
+use crate::key_hammer::{COUNT, Coupled, KeyHammerValues, PARAMETERS, PRESETS, gap};
+use crate::mode_code::ModeCode;
 
 /// Key and hammer in rigid contact (A1) or apart (A2).
 ///
@@ -29,19 +28,64 @@ pub enum Mode {
     A2,
 }
 
-impl Described for KeyHammerRigid {
-    const NAME: &'static str = "key-hammer-rigid";
-    const SUMMARY: &'static str = "the paper's model A: key and hammer in rigid contact";
-    const STATES: &'static [&'static str] = &["theta_h", "theta_h_dot"];
-    const STATE_UNITS: &'static [&'static str] = &["rad", "rad/s"];
-    const MODES: &'static [(Mode, &'static str)] = &[(Mode::A1, "A1"), (Mode::A2, "A2")];
-    const PARAMETERS: &'static [Parameter] = &PARAMETERS;
-    const PRESETS: &'static [Preset] = &PRESETS;
-    const OUTPUTS: &'static [&'static str] = &["F_KH", "T_KU", "gap"];
-    const OUTPUT_UNITS: &'static [&'static str] = &["N", "N·m", "m"];
+/// All modes, in the order of their numbers.
+const MODES: [Mode; 2] = [Mode::A1, Mode::A2];
 
-    fn with_values(values: &[f64]) -> Self {
-        Self { values: KeyHammerValues::from_array(&filled::<_, Self>(values)) }
+const MODE_ENTRIES: [ModeEntry; 2] = [
+    ModeEntry::new("A1", (2, 2), &[GuardEntry::new("release", "N", &["A2"])]),
+    ModeEntry::new(
+        "A2",
+        (1, 0),
+        &[GuardEntry::new("land", "m", &["A1"]), GuardEntry::new("string", "rad", &["A2"])],
+    ),
+];
+
+/// What is known of the model without building one.
+pub static ENTRY: ModelEntry = ModelEntry {
+    name: "key-hammer-rigid",
+    summary: "the paper's model A: key and hammer in rigid contact",
+    file: None,
+    parameters: &PARAMETERS,
+    presets: &PRESETS,
+    input: "s",
+    input_unit: "rad",
+    states: &["theta_h", "theta_h_dot"],
+    state_units: &["rad", "rad/s"],
+    coordinates: KeyHammerRigid::COORDS,
+    modes: &MODE_ENTRIES,
+    outputs: &["F_KH", "T_KU", "gap"],
+    output_units: &["N", "N·m", "m"],
+};
+
+impl KeyHammerRigid {
+    /// The model with one value per parameter, in their order.
+    fn from_array(values: &[f64; COUNT]) -> Self {
+        Self { values: KeyHammerValues::from_array(values) }
+    }
+}
+
+impl Default for KeyHammerRigid {
+    /// The model with the values of its first preset.
+    fn default() -> Self {
+        Self::from_array(&filled(&ENTRY, &[]))
+    }
+}
+
+impl Described for KeyHammerRigid {
+    fn entry(&self) -> &'static ModelEntry {
+        &ENTRY
+    }
+
+    fn with_values(&self, values: &[f64]) -> Self {
+        Self::from_array(&filled(&ENTRY, values))
+    }
+
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
+    }
+
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
+        number.of(&MODES)
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 2], s: &Motion, out: &mut [f64]) {
@@ -57,9 +101,6 @@ impl Described for KeyHammerRigid {
 }
 
 impl Playable for KeyHammerRigid {
-    const DAMPER: Damper = Damper::GRAND;
-    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
-
     fn input_per_metre(&self) -> f64 {
         1.0 / self.values.r
     }

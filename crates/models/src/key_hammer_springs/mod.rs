@@ -3,14 +3,13 @@
 mod drawing;
 mod equations;
 
-use pode::{GuardId, Motion, Nature, Part};
+use pode::{GuardId, Model as _, Motion, Nature, Part};
 
-use crate::describe::{
-    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
-    write,
-};
+use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
-use crate::key_hammer::{KeyHammerValues, PARAMETERS, PRESETS};
+use crate::entry::{GuardEntry, ModeEntry, ModelEntry};
+use crate::key_hammer::{COUNT, KeyHammerValues, PARAMETERS, PRESETS};
+use crate::mode_code::ModeCode;
 
 /// Key and hammer coupled by springs (B1) or apart (B2).
 ///
@@ -37,31 +36,10 @@ impl KeyHammerSprings {
     pub const fn values(&self) -> &KeyHammerValues {
         &self.values
     }
-}
 
-/// Whether the hammer is on the key.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Mode {
-    /// Hammer on the key, through k2.
-    B1,
-    /// Hammer in free flight.
-    B2,
-}
-
-impl Described for KeyHammerSprings {
-    const NAME: &'static str = "key-hammer-springs";
-    const SUMMARY: &'static str =
-        "the paper's model B: key and hammer with springs in the contacts";
-    const STATES: &'static [&'static str] = &["theta_h", "theta_k", "theta_h_dot", "theta_k_dot"];
-    const STATE_UNITS: &'static [&'static str] = &["rad", "rad", "rad/s", "rad/s"];
-    const MODES: &'static [(Mode, &'static str)] = &[(Mode::B1, "B1"), (Mode::B2, "B2")];
-    const PARAMETERS: &'static [Parameter] = &PARAMETERS;
-    const PRESETS: &'static [Preset] = &PRESETS;
-    const OUTPUTS: &'static [&'static str] = &["F_KH", "T_KU", "gap", "q4", "q3"];
-    const OUTPUT_UNITS: &'static [&'static str] = &["N", "N·m", "m", "m", "m"];
-
-    fn with_values(values: &[f64]) -> Self {
-        let values = KeyHammerValues::from_array(&filled::<_, Self>(values));
+    /// The model with one value per parameter, in their order.
+    fn from_array(values: &[f64; COUNT]) -> Self {
+        let values = KeyHammerValues::from_array(values);
         let per_inertia = [1.0 / values.jh, 1.0 / values.jk];
         let moments = [values.m2 * values.l2, values.m1 * values.ck].map(|it| it * values.g);
         let weights = [0, 1].map(|i| moments[i] * per_inertia[i]);
@@ -76,6 +54,73 @@ impl Described for KeyHammerSprings {
             weights,
             moments,
         }
+    }
+}
+
+/// Whether the hammer is on the key.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mode {
+    /// Hammer on the key, through k2.
+    B1,
+    /// Hammer in free flight.
+    B2,
+}
+
+/// All modes, in the order of their numbers.
+const MODES: [Mode; 2] = [Mode::B1, Mode::B2];
+
+const MODE_ENTRIES: [ModeEntry; 2] = [
+    ModeEntry::new(
+        "B1",
+        (4, 2),
+        &[GuardEntry::new("release", "m", &["B2"]), GuardEntry::new("string", "rad", &["B1"])],
+    ),
+    ModeEntry::new(
+        "B2",
+        (2, 0),
+        &[GuardEntry::new("land", "m", &["B1"]), GuardEntry::new("string", "rad", &["B2"])],
+    ),
+];
+
+/// What is known of the model without building one.
+pub static ENTRY: ModelEntry = ModelEntry {
+    name: "key-hammer-springs",
+    summary: "the paper's model B: key and hammer with springs in the contacts",
+    file: None,
+    parameters: &PARAMETERS,
+    presets: &PRESETS,
+    input: "s",
+    input_unit: "rad",
+    states: &["theta_h", "theta_k", "theta_h_dot", "theta_k_dot"],
+    state_units: &["rad", "rad", "rad/s", "rad/s"],
+    coordinates: KeyHammerSprings::COORDS,
+    modes: &MODE_ENTRIES,
+    outputs: &["F_KH", "T_KU", "gap", "q4", "q3"],
+    output_units: &["N", "N·m", "m", "m", "m"],
+};
+
+impl Default for KeyHammerSprings {
+    /// The model with the values of its first preset.
+    fn default() -> Self {
+        Self::from_array(&filled(&ENTRY, &[]))
+    }
+}
+
+impl Described for KeyHammerSprings {
+    fn entry(&self) -> &'static ModelEntry {
+        &ENTRY
+    }
+
+    fn with_values(&self, values: &[f64]) -> Self {
+        Self::from_array(&filled(&ENTRY, values))
+    }
+
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
+    }
+
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
+        number.of(&MODES)
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {
@@ -95,9 +140,6 @@ impl Described for KeyHammerSprings {
 }
 
 impl Playable for KeyHammerSprings {
-    const DAMPER: Damper = Damper::GRAND;
-    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
-
     fn input_per_metre(&self) -> f64 {
         1.0 / self.values.r
     }

@@ -3,6 +3,7 @@
 mod bounds;
 mod drawing;
 mod energy;
+mod entry;
 mod forces;
 mod geometry;
 mod guards;
@@ -13,16 +14,17 @@ mod resets;
 mod rest;
 mod steps;
 
+pub use entry::ENTRY;
 pub use parameters::ReducedGrandValues;
 
 use pode::{GuardId, Motion};
 
-use crate::describe::{
-    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
-    write,
-};
+use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
+use crate::entry::ModelEntry;
+use crate::mode_code::ModeCode;
 use bounds::PerWidth;
+use entry::MODES;
 use geometry::LetOff;
 use steps::LongestSteps;
 
@@ -42,6 +44,17 @@ impl ReducedGrand {
     /// Returns the values in the order of the parameters.
     pub const fn values(&self) -> &ReducedGrandValues {
         &self.values
+    }
+
+    /// The model with one value per parameter, in their order.
+    fn from_array(values: &[f64; parameters::COUNT]) -> Self {
+        let values = ReducedGrandValues::from_array(values);
+        Self {
+            values,
+            let_off: LetOff::new(&values),
+            longest_steps: LongestSteps::new(&values),
+            per_width: PerWidth::new(&values),
+        }
     }
 }
 
@@ -71,38 +84,28 @@ pub enum Mode {
     Chk,
 }
 
-impl Described for ReducedGrand {
-    const NAME: &'static str = "reduced-grand";
-    const SUMMARY: &'static str =
-        "a grand's key and hammer with let-off, check and repetition, reduced to two coordinates";
-    const STATES: &'static [&'static str] = &["y", "z", "u", "w"];
-    const STATE_UNITS: &'static [&'static str] = &["m", "m", "m/s", "m/s"];
-    const MODES: &'static [(Mode, &'static str)] = &[
-        (Mode::Acc, "ACC"),
-        (Mode::Lo, "LO"),
-        (Mode::Fla, "FLA"),
-        (Mode::Fll, "FLL"),
-        (Mode::Flt, "FLT"),
-        (Mode::Stu, "STU"),
-        (Mode::Stt, "STT"),
-        (Mode::RepH, "REPH"),
-        (Mode::RepL, "REPL"),
-        (Mode::Rep0, "REP0"),
-        (Mode::Chk, "CHK"),
-    ];
-    const PARAMETERS: &'static [Parameter] = &parameters::PARAMETERS;
-    const PRESETS: &'static [Preset] = &presets::PRESETS;
-    const OUTPUTS: &'static [&'static str] = &["F_KU", "F_jack", "F_lever", "F_string"];
-    const OUTPUT_UNITS: &'static [&'static str] = &["N", "N", "N", "N"];
+impl Default for ReducedGrand {
+    /// The model with the values of its first preset.
+    fn default() -> Self {
+        Self::from_array(&filled(&ENTRY, &[]))
+    }
+}
 
-    fn with_values(values: &[f64]) -> Self {
-        let values = ReducedGrandValues::from_array(&filled::<_, Self>(values));
-        Self {
-            values,
-            let_off: LetOff::new(&values),
-            longest_steps: LongestSteps::new(&values),
-            per_width: PerWidth::new(&values),
-        }
+impl Described for ReducedGrand {
+    fn entry(&self) -> &'static ModelEntry {
+        &ENTRY
+    }
+
+    fn with_values(&self, values: &[f64]) -> Self {
+        Self::from_array(&filled(&ENTRY, values))
+    }
+
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
+    }
+
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
+        number.of(&MODES)
     }
 
     fn outputs(&self, mode: Mode, x: &[f64; 4], s: &Motion, out: &mut [f64]) {
@@ -124,9 +127,6 @@ impl Described for ReducedGrand {
 }
 
 impl Playable for ReducedGrand {
-    const DAMPER: Damper = Damper::GRAND;
-    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
-
     fn input_per_metre(&self) -> f64 {
         1.0
     }

@@ -1,6 +1,6 @@
 //! The parameters of the reduced grand, one list.
 
-use crate::describe::Parameter;
+use crate::entry::Parameter;
 use crate::parameters::parameters;
 
 parameters! {

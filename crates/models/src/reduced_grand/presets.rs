@@ -1,7 +1,7 @@
 //! Named parameter sets of the reduced grand.
 
 use super::parameters::COUNT;
-use crate::describe::Preset;
+use crate::entry::Preset;
 use crate::key_hammer::{BALANCE, hammer_mass};
 
 /// The sets; the first is the default.
@@ -9,12 +9,12 @@ pub(super) const PRESETS: [Preset; 2] = [
     Preset {
         name: "default",
         doc: "one key of a grand, plausible and not measured",
-        value: |parameter, _key| DEFAULT[parameter],
+        value: &|parameter, _key| DEFAULT[parameter],
     },
     Preset {
         name: "playable",
         doc: "hammers graded over the compass, and a key that comes up by itself from everywhere",
-        value: playable,
+        value: &playable,
     },
 ];
 

@@ -3,13 +3,12 @@
 mod drawing;
 mod equations;
 
-use pode::{GuardId, Motion};
+use pode::{GuardId, Model as _, Motion};
 
-use crate::describe::{
-    Damper, Described, Parameter, Playable, Preset, SOFTEST_TONE_OF_A_GRAND, Sounding, filled,
-    write,
-};
+use crate::describe::{Described, Playable, Sounding, filled, write};
 use crate::draw::Sketch;
+use crate::entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
+use crate::mode_code::ModeCode;
 
 /// Nothing before the wall (`free`), a spring and a damper behind it (`contact`).
 ///
@@ -40,25 +39,65 @@ const PARAMETERS: [Parameter; 3] = [
 /// In the middle of a key's travel, and soft enough for any key at 1 kHz (E).
 const DEFAULT: [f64; 3] = [1000.0, 0.5, 0.005];
 
-impl Described for SpringWall {
-    const NAME: &'static str = "spring-wall";
-    const SUMMARY: &'static str = "a spring and a damper behind a wall: the calibration feel";
-    const STATES: &'static [&'static str] = &[];
-    const STATE_UNITS: &'static [&'static str] = &[];
-    const MODES: &'static [(Mode, &'static str)] =
-        &[(Mode::Free, "free"), (Mode::Contact, "contact")];
-    const PARAMETERS: &'static [Parameter] = &PARAMETERS;
-    const PRESETS: &'static [Preset] = &[Preset {
+/// All modes, in the order of their numbers.
+const MODES: [Mode; 2] = [Mode::Free, Mode::Contact];
+
+const MODE_ENTRIES: [ModeEntry; 2] = [
+    ModeEntry::new("free", (0, 0), &[GuardEntry::new("touch", "m", &["contact"])]),
+    ModeEntry::new("contact", (0, 0), &[GuardEntry::new("leave", "m", &["free"])]),
+];
+
+/// What is known of the model without building one.
+pub static ENTRY: ModelEntry = ModelEntry {
+    name: "spring-wall",
+    summary: "a spring and a damper behind a wall: the calibration feel",
+    file: None,
+    parameters: &PARAMETERS,
+    presets: &[Preset {
         name: "default",
         doc: "1 kN/m and 0.5 N·s/m from 5 mm on",
-        value: |parameter, _key| DEFAULT[parameter],
-    }];
-    const OUTPUTS: &'static [&'static str] = &["F", "depth"];
-    const OUTPUT_UNITS: &'static [&'static str] = &["N", "m"];
+        value: &|parameter, _key| DEFAULT[parameter],
+    }],
+    input: "s",
+    input_unit: "m",
+    states: &[],
+    state_units: &[],
+    coordinates: SpringWall::COORDS,
+    modes: &MODE_ENTRIES,
+    outputs: &["F", "depth"],
+    output_units: &["N", "m"],
+};
 
-    fn with_values(values: &[f64]) -> Self {
-        let [stiffness, damping, wall] = filled::<_, Self>(values);
+impl SpringWall {
+    /// The model with one value per parameter, in their order.
+    fn from_array(values: &[f64; 3]) -> Self {
+        let [stiffness, damping, wall] = *values;
         Self { stiffness, damping, wall }
+    }
+}
+
+impl Default for SpringWall {
+    /// The model with the values of its first preset.
+    fn default() -> Self {
+        Self::from_array(&filled(&ENTRY, &[]))
+    }
+}
+
+impl Described for SpringWall {
+    fn entry(&self) -> &'static ModelEntry {
+        &ENTRY
+    }
+
+    fn with_values(&self, values: &[f64]) -> Self {
+        Self::from_array(&filled(&ENTRY, values))
+    }
+
+    fn mode_code(&self, mode: Mode) -> ModeCode {
+        ModeCode::structural(mode as u8)
+    }
+
+    fn mode(&self, number: ModeCode) -> Option<Mode> {
+        number.of(&MODES)
     }
 
     fn outputs(&self, mode: Mode, _x: &[f64; 0], s: &Motion, out: &mut [f64]) {
@@ -72,9 +111,6 @@ impl Described for SpringWall {
 }
 
 impl Playable for SpringWall {
-    const DAMPER: Damper = Damper::GRAND;
-    const SOFTEST_TONE: f64 = SOFTEST_TONE_OF_A_GRAND;
-
     fn input_per_metre(&self) -> f64 {
         1.0
     }

@@ -58,7 +58,7 @@ pub struct Case {
 }
 
 impl Case {
-    pub fn load<M: Described>(name: &str) -> Self {
+    pub fn load<M: Described + Default>(name: &str) -> Self {
         let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/reference");
         let text = fs::read_to_string(folder.join(format!("{name}.json"))).expect("the case");
         let json: Value = serde_json::from_str(&text).expect("JSON");
@@ -88,16 +88,19 @@ impl Case {
     }
 
     /// The model with the case's parameters.
-    pub fn model<M: Described>(&self) -> M {
-        let values: Vec<f64> = M::PARAMETERS
+    pub fn model<M: Described + Default>(&self) -> M {
+        let model = M::default();
+        let entry = model.entry();
+        let values: Vec<f64> = entry
+            .parameters
             .iter()
             .enumerate()
             .map(|(index, parameter)| {
                 let given = self.parameters.iter().find(|(name, _)| name == parameter.name);
-                given.map_or_else(|| (M::PRESETS[0].value)(index, 0), |(_, value)| *value)
+                given.map_or_else(|| entry.default_value(index), |(_, value)| *value)
             })
             .collect();
-        M::with_values(&values)
+        model.with_values(&values)
     }
 
     /// The exact input at `t` (s).
@@ -131,8 +134,9 @@ fn number(value: &Value) -> f64 {
     }
 }
 
-fn event<M: Described>(json: &Value) -> Expected {
-    let state = |which: &str| M::STATES.iter().map(|name| number(&json[which][name])).collect();
+fn event<M: Described + Default>(json: &Value) -> Expected {
+    let names = M::default().entry().states;
+    let state = |which: &str| names.iter().map(|name| number(&json[which][name])).collect();
     let text = |which: &str| json[which].as_str().expect("a name").to_owned();
     Expected {
         t: number(&json["t"]),
@@ -173,7 +177,7 @@ impl<M: Described> Watch<M> for Trace<M> {
 }
 
 /// Runs `case` with ticks of `h` (s) and the exact input.
-pub fn run<M: Described, T: Stepper>(case: &Case, stepper: T, h: f64) -> Trace<M> {
+pub fn run<M: Described + Default, T: Stepper>(case: &Case, stepper: T, h: f64) -> Trace<M> {
     let model: M = case.model();
     let (mode, state) = case.start(&model);
     let mut simulator = Simulator::new(model, stepper, Limits::default(), mode, state);
@@ -196,6 +200,6 @@ pub fn run<M: Described, T: Stepper>(case: &Case, stepper: T, h: f64) -> Trace<M
 }
 
 /// The name of a mode.
-pub fn mode_name<M: Described>(mode: M::Mode) -> &'static str {
-    M::MODES.iter().find(|(known, _)| *known == mode).expect("a mode").1
+pub fn mode_name<M: Described + Default>(mode: M::Mode) -> &'static str {
+    M::default().modes().find(|(known, _)| *known == mode).expect("a mode").1
 }

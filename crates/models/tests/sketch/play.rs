@@ -17,14 +17,15 @@ pub struct Moment {
 
 impl Moment {
     pub fn of<M: Playable>(model: &M, (mode, state): (M::Mode, M::State), input: &Motion) -> Self {
-        let mut outputs = vec![0.0; M::OUTPUTS.len()];
+        let entry = model.entry();
+        let mut outputs = vec![0.0; entry.outputs.len()];
         model.outputs(mode, &state, input, &mut outputs);
         let mut state = state;
-        let states = M::STATES.iter().copied().zip(state.as_mut().iter().copied());
-        let outputs = M::OUTPUTS.iter().copied().zip(outputs);
+        let states = entry.states.iter().copied().zip(state.as_mut().iter().copied());
+        let outputs = entry.outputs.iter().copied().zip(outputs);
         let position = input.position / model.input_per_metre();
         Self {
-            mode: M::MODES.iter().position(|it| it.0 == mode).expect("a listed mode"),
+            mode: model.modes().position(|it| it.0 == mode).expect("a listed mode"),
             signals: states.chain(outputs).chain([("position", position)]).collect(),
         }
     }

@@ -7,7 +7,7 @@
     reason = "each test file uses its own part, on the heap"
 )]
 
-use models::Described;
+use models::{Described, Preset};
 use pode::stepper::Rk4;
 use pode::{
     Advance, EnergyAudit, Event, EventCause, Limits, Motion, Piece, Signal, Simulator, Watch,
@@ -168,13 +168,24 @@ pub fn run<M: Described>(
 
 /// The model with preset `preset` of `key`, and some values replaced by name.
 #[track_caller]
-pub fn preset<M: Described>(preset: &str, key: u8, changes: &[(&str, f64)]) -> M {
-    let found = M::PRESETS.iter().find(|it| it.name == preset).expect("a preset");
-    let mut values: Vec<f64> =
-        (0..M::PARAMETERS.len()).map(|index| (found.value)(index, key)).collect();
+pub fn preset<M: Described + Default>(preset: &str, key: u8, changes: &[(&str, f64)]) -> M {
+    tuned(&M::default(), preset, key, changes)
+}
+
+/// `model` with preset `preset` of `key`, and some values replaced by name.
+#[track_caller]
+pub fn tuned<M: Described>(model: &M, preset: &str, key: u8, changes: &[(&str, f64)]) -> M {
+    let entry = model.entry();
+    let found = entry.presets.iter().find(|it| it.name == preset).expect("a preset");
+    let mut values = values(found, entry.parameters.len(), key);
     for (name, value) in changes {
-        let index = M::PARAMETERS.iter().position(|it| it.name == *name).expect("a parameter");
+        let index = entry.parameters.iter().position(|it| it.name == *name).expect("a parameter");
         values[index] = *value;
     }
-    M::with_values(&values)
+    model.with_values(&values)
+}
+
+/// One value per parameter of `preset` for `key`.
+pub fn values(preset: &Preset, parameters: usize, key: u8) -> Vec<f64> {
+    (0..parameters).map(|index| (preset.value)(index, key)).collect()
 }

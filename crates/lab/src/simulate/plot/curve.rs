@@ -1,6 +1,6 @@
 //! What is plotted: forces, guards, coordinates and the input.
 
-use models::Described;
+use models::{Described, ModelEntry};
 use pode::{Motion, State as _};
 
 use super::track::{Columns, DecimatedCurve};
@@ -71,16 +71,16 @@ pub(super) struct ModelInstant<'a, M: Described> {
 /// All curves of a model.
 ///
 /// Speeds and other outputs than forces are left out: the figure is about contact.
-pub(super) fn all<M: Described>(guards: &[&'static str], axis: Columns) -> Vec<SignalCurve> {
+pub(super) fn all(entry: &ModelEntry, guards: &[&'static str], axis: Columns) -> Vec<SignalCurve> {
     let indexed = |names: &'static [&'static str], source: fn(usize) -> CurveSource| {
         names.iter().enumerate().map(move |(index, name)| (*name, source(index)))
     };
-    let sources = [("s", CurveSource::Input)].into_iter();
-    let sources = sources.chain(indexed(M::STATES, CurveSource::State));
-    let sources = sources.chain(indexed(M::OUTPUTS, CurveSource::Output));
+    let sources = [(entry.input, CurveSource::Input)].into_iter();
+    let sources = sources.chain(indexed(entry.states, CurveSource::State));
+    let sources = sources.chain(indexed(entry.outputs, CurveSource::Output));
     let sources = sources.chain(guards.iter().map(|name| (*name, CurveSource::Guard(name))));
     let curve = |(name, source): (&'static str, CurveSource)| {
-        let unit = unit::of(M::NAME, name)?;
+        let unit = unit::of(entry, source)?;
         let panel = panel(source, unit)?;
         Some(SignalCurve { source, name, unit, panel, track: DecimatedCurve::new(axis) })
     };

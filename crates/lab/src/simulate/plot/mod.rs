@@ -50,15 +50,21 @@ impl Plot {
         let fail = |cause| SimulateMistake::Create { path: path.to_owned(), cause };
         let file = File::create(path).map_err(fail)?;
         let axis = Columns { n: draw::COLUMNS, until: args.until };
+        let model = &start.model;
+        let entry = model.entry();
         let picture = Picture {
-            title: [M::NAME.to_owned(), args.method.clone(), format!("ticks of {} s", args.step)],
+            title: [
+                entry.name.to_owned(),
+                args.method.clone(),
+                format!("ticks of {} s", args.step),
+            ],
             axis,
-            modes: M::MODES.iter().map(|(_, name)| *name).collect(),
-            curves: curve::all::<M>(guards, axis),
-            epochs: Epochs::new(axis, mode_index::<M>(start.mode)),
+            modes: entry.modes.iter().map(|mode| mode.name).collect(),
+            curves: curve::all(entry, guards, axis),
+            epochs: Epochs::new(axis, mode_index(model, start.mode)),
             marks: EventMarks::new(axis),
         };
-        let outputs = vec![0.0; M::OUTPUTS.len()];
+        let outputs = vec![0.0; entry.outputs.len()];
         Ok(Self { path: path.to_owned(), file, picture, outputs })
     }
 
@@ -84,10 +90,11 @@ impl Plot {
     }
 
     /// Marks an event at `t` (s).
-    pub(super) fn event<M: Described>(&mut self, t: f64, event: &Event<'_, M>) {
+    pub(super) fn event<M: Described>(&mut self, model: &M, t: f64, event: &Event<'_, M>) {
         self.picture.marks.add(t, event.cause.name());
-        if event.before.0 != event.after.0 {
-            self.picture.epochs.begin(t, mode_index::<M>(event.after.0));
+        let [before, after] = [event.before.0, event.after.0].map(|mode| mode_index(model, mode));
+        if before != after {
+            self.picture.epochs.begin(t, after);
         }
     }
 

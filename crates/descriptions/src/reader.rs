@@ -1,0 +1,49 @@
+//! Who makes a table and functions of a description.
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use diagnostics::Diagnostics;
+use equations::table::{Functions, ModelTable};
+
+/// What was read from a description, kept until the program ends.
+#[derive(Clone)]
+pub struct ReadModel {
+    /// All of the model but its arithmetic.
+    pub table: &'static ModelTable,
+    /// Its arithmetic.
+    pub functions: &'static dyn Functions,
+    /// The files that it was read from, the description itself and what it is based on: while none
+    /// of them changes, it is not read again.
+    pub files: Vec<PathBuf>,
+}
+
+impl std::fmt::Debug for ReadModel {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("ReadModel")
+            .field("table", &self.table.name)
+            .field("files", &self.files)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Makes a table and functions of a description.
+pub trait DescriptionReader: Send + Sync {
+    /// Reads the description at `path`, whose contents are `text`.
+    ///
+    /// # Errors
+    /// All that is wrong with it.
+    fn read(&self, path: &Path, text: &str) -> Result<ReadModel, Diagnostics>;
+}
+
+static READER: OnceLock<&'static dyn DescriptionReader> = OnceLock::new();
+
+/// Makes `reader` the one that reads all descriptions of this process; one that is installed stays.
+pub fn install(reader: &'static dyn DescriptionReader) {
+    let _kept = READER.set(reader);
+}
+
+/// The reader of this process, if there is one.
+pub(crate) fn reader() -> Option<&'static dyn DescriptionReader> {
+    READER.get().copied()
+}

@@ -1,0 +1,116 @@
+//! Models made of a table and of functions by number, as models of the catalogue.
+//!
+//! A description that is read while the program runs becomes one of these, and so does Rust that
+//! was emitted from one. One with contacts is a `WithContacts` of the same (`contacts.rs`).
+
+mod contacts;
+mod drawing;
+
+use core::fmt;
+
+use equations::table::{Arguments, FunctionId, Functions, ModelTable};
+use equations::{EquationModel, ModeNumber};
+use pode::{GuardId, Motion};
+
+use crate::describe::{Damper, Described, Playable, Sounding};
+use crate::draw::Sketch;
+use crate::entry::ModelEntry;
+use crate::mode_code::ModeCode;
+
+pub use contacts::MAX_CODED_CONTACTS;
+
+/// The functions of a model that has an entry in the catalogue.
+pub trait CataloguedFunctions: Functions + Copy + Send + 'static {
+    /// Returns what is known of the model without building one.
+    fn entry(&self) -> &'static ModelEntry;
+}
+
+/// The functions of a model that was read from a file.
+#[derive(Clone, Copy)]
+pub struct LoadedFunctions {
+    functions: &'static dyn Functions,
+    entry: &'static ModelEntry,
+}
+
+impl LoadedFunctions {
+    /// The functions of the model that `entry` is about.
+    pub const fn new(functions: &'static dyn Functions, entry: &'static ModelEntry) -> Self {
+        Self { functions, entry }
+    }
+}
+
+impl fmt::Debug for LoadedFunctions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("LoadedFunctions").field(&self.entry.name).finish()
+    }
+}
+
+impl Functions for LoadedFunctions {
+    #[inline]
+    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.functions.call(function, arguments, out);
+    }
+}
+
+impl CataloguedFunctions for LoadedFunctions {
+    fn entry(&self) -> &'static ModelEntry {
+        self.entry
+    }
+}
+
+/// The damper of a table, and the speed below which nothing sounds (m/s); a grand's without one.
+fn damper(table: &ModelTable) -> (Damper, f64) {
+    table.damper.map_or((Damper::GRAND, Damper::SOFTEST_TONE_OF_A_GRAND), |it| {
+        (Damper { lift: it.lift, fall: it.fall }, it.softest_tone)
+    })
+}
+
+impl<F: CataloguedFunctions, const N: usize, const C: usize> Described for EquationModel<F, N, C> {
+    fn entry(&self) -> &'static ModelEntry {
+        self.functions().entry()
+    }
+
+    /// What fitted once fits again.
+    fn with_values(&self, values: &[f64]) -> Self {
+        Self::new(self.table(), *self.functions(), values).unwrap_or(*self)
+    }
+
+    fn mode_code(&self, mode: ModeNumber) -> ModeCode {
+        ModeCode::structural(mode.0)
+    }
+
+    fn mode(&self, code: ModeCode) -> Option<ModeNumber> {
+        let is_one = usize::from(code.structure()) < self.table().modes.len();
+        (is_one && code.contacts() == 0).then_some(ModeNumber(code.structure()))
+    }
+
+    fn outputs(&self, mode: ModeNumber, x: &[f64; N], input: &Motion, out: &mut [f64]) {
+        self.outputs(mode, x, input, out);
+    }
+
+    fn at_rest(&self, input: &Motion) -> (ModeNumber, [f64; N]) {
+        self.at_rest(input)
+    }
+}
+
+impl<F: CataloguedFunctions, const N: usize, const C: usize> Playable for EquationModel<F, N, C> {
+    fn damper(&self) -> Damper {
+        damper(self.table()).0
+    }
+
+    fn softest_tone(&self) -> f64 {
+        damper(self.table()).1
+    }
+
+    fn input_per_metre(&self) -> f64 {
+        self.input_per_metre()
+    }
+
+    fn sounding(&self, guard: GuardId, before: &[f64; N]) -> Option<Sounding> {
+        self.sounding(guard, before).map(|speed| Sounding { speed })
+    }
+
+    fn draw(&self, sketch: &mut dyn Sketch) {
+        drawing::draw(self, sketch);
+    }
+}

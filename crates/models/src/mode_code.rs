@@ -1,0 +1,79 @@
+//! Modes as numbers and as text, for what does not know the type of a model's modes.
+
+use core::fmt;
+
+use crate::describe::Described;
+
+/// A mode of a model as a number: the structural mode in its low 8 bits, and above them what the
+/// contacts of the model do, 0 where all are open or there are none.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
+pub struct ModeCode(pub u64);
+
+impl ModeCode {
+    /// Bits of the structural mode.
+    pub const STRUCTURE_BITS: u32 = 8;
+    /// A number that no mode has.
+    pub const NONE: Self = Self(u64::MAX);
+
+    /// The mode of the structure with this index in the model's list, with all contacts open.
+    pub const fn structural(index: u8) -> Self {
+        Self(index as u64)
+    }
+
+    /// The structural mode with this index, with the contacts in the states that `code` says.
+    #[must_use]
+    pub const fn with_contacts(index: u8, code: u64) -> Self {
+        Self(code << Self::STRUCTURE_BITS | index as u64)
+    }
+
+    /// Index of the structural mode in the model's list.
+    pub const fn structure(self) -> u8 {
+        self.0.to_le_bytes()[0]
+    }
+
+    /// What the contacts do, as the model codes it.
+    pub const fn contacts(self) -> u64 {
+        self.0 >> Self::STRUCTURE_BITS
+    }
+
+    /// The mode with this number among those of a model without contacts.
+    pub(crate) fn of<T: Copy>(self, modes: &[T]) -> Option<T> {
+        if self.contacts() == 0 { modes.get(usize::from(self.structure())).copied() } else { None }
+    }
+}
+
+/// Writes the name of a mode of a model: that of the structural mode, and behind it the contacts
+/// that are not open.
+#[derive(Clone, Copy, Debug)]
+pub struct ModeName<'a, M> {
+    model: &'a M,
+    mode: ModeCode,
+}
+
+impl<'a, M: Described> ModeName<'a, M> {
+    /// The name of the mode with this number in `model`.
+    pub const fn new(model: &'a M, mode: ModeCode) -> Self {
+        Self { model, mode }
+    }
+}
+
+impl<M: Described> fmt::Display for ModeName<'_, M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.model.write_mode(self.mode, f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn structure_and_contacts_share_a_number() {
+        let number = ModeCode::with_contacts(200, 0b101);
+        assert_eq!((number.structure(), number.contacts()), (200, 0b101));
+        assert_eq!(ModeCode::structural(7).of(b"abcdefgh"), Some(b'h'));
+        assert_eq!(ModeCode::structural(8).of(b"abcdefgh"), None);
+        assert_eq!(ModeCode::with_contacts(1, 1).of(b"abcdefgh"), None);
+        assert_eq!(ModeCode::NONE.of(b"abcdefgh"), None);
+    }
+}

@@ -1,0 +1,222 @@
+//! Models that are read from files while the program runs.
+//!
+//! A list that only grows, for the whole process: whoever reads a description leaks a
+//! [`Registration`] on purpose and appends it here. Voices that play a version of a model keep it
+//! when a newer one is registered under its name; a look-up by name finds the newest. A version
+//! takes what its table and its machine code take, some 10 to 500 KiB, and a description that is
+//! saved a hundred times while somebody works on it takes a hundred of them: tens of megabytes at
+//! most, until the program ends.
+//!
+//! Without `std` nothing is read from files, and the list is empty.
+
+use contacts::{TooManyGuards, WithContacts};
+use equations::table::ModelTable;
+use equations::{DoesNotFit, EquationModel};
+
+use crate::catalogue::Visitor;
+use crate::describe::Described as _;
+use crate::entry::ModelEntry;
+use crate::equation_model::LoadedFunctions;
+
+pub use crate::equation_model::MAX_CODED_CONTACTS;
+
+/// Most states, and most parameters and numbers that follow from them, of a model.
+pub const LARGEST: (usize, usize) = (32, 512);
+
+/// A model without contacts, with N states and C constants.
+type Loaded<const N: usize, const C: usize> = EquationModel<LoadedFunctions, N, C>;
+
+/// Why a model cannot be loaded, with how many there are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DoesNotLoad {
+    /// More states than [`LARGEST`] has.
+    States(usize),
+    /// More constants than [`LARGEST`] has.
+    Constants(usize),
+    /// More modes than a model can have.
+    Modes(usize),
+    /// More contacts than [`MAX_CODED_CONTACTS`].
+    Contacts(usize),
+    /// More guards, contacts and frictions than can be followed.
+    Guards,
+}
+
+impl From<DoesNotFit> for DoesNotLoad {
+    fn from(why: DoesNotFit) -> Self {
+        match why {
+            DoesNotFit::States(n) => Self::States(n),
+            DoesNotFit::Constants(n) => Self::Constants(n),
+            DoesNotFit::Modes(n) => Self::Modes(n),
+        }
+    }
+}
+
+impl From<TooManyGuards> for DoesNotLoad {
+    fn from(why: TooManyGuards) -> Self {
+        match why {
+            TooManyGuards::Contacts(n) => Self::Contacts(n),
+            TooManyGuards::Frictions | TooManyGuards::Guards | TooManyGuards::Id(_) => Self::Guards,
+        }
+    }
+}
+
+macro_rules! loaded_models {
+    ($($variant:ident $with_contacts:ident: $n:literal, $c:literal;)+) => {
+        /// A model that was read from a file, of one of a few types, with the values of its
+        /// default preset.
+        ///
+        /// The types differ by what their arrays hold, so that a model needs no heap and a new
+        /// model no new type.
+        #[derive(Clone, Copy, Debug)]
+        #[non_exhaustive]
+        #[expect(clippy::large_enum_variant, reason = "one for each description that was read")]
+        pub enum LoadedModel {
+            $(
+                #[doc = concat!("Up to ", $n, " states and ", $c, " constants.")]
+                $variant(Loaded<$n, $c>),
+                #[doc = concat!("Up to ", $n, " states and ", $c, " constants, with contacts.")]
+                $with_contacts(WithContacts<Loaded<$n, $c>>),
+            )+
+        }
+
+        impl LoadedModel {
+            /// The smallest type into which the model of `table` fits.
+            ///
+            /// # Errors
+            /// A model that fits into none.
+            pub fn new(
+                table: &'static ModelTable,
+                functions: LoadedFunctions,
+            ) -> Result<Self, DoesNotLoad> {
+                if table.contacts.len() > MAX_CODED_CONTACTS {
+                    return Err(DoesNotLoad::Contacts(table.contacts.len()));
+                }
+                let (states, constants) =
+                    (table.states.len(), table.constants.max(table.parameters.len()));
+                $(
+                    if ($n, $c) == LARGEST || (states <= $n && constants <= $c) {
+                        let model = Loaded::<$n, $c>::new(table, functions, &[])?;
+                        return Ok(if table.contacts.is_empty() {
+                            Self::$variant(model)
+                        } else {
+                            Self::$with_contacts(WithContacts::new(model)?)
+                        });
+                    }
+                )+
+                Err(DoesNotLoad::States(states))
+            }
+
+            /// The entry of the model.
+            fn entry(&self) -> &'static ModelEntry {
+                match self {
+                    $(
+                        Self::$variant(model) => model.entry(),
+                        Self::$with_contacts(model) => model.entry(),
+                    )+
+                }
+            }
+
+            fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
+                match self {
+                    $(
+                        Self::$variant(model) => visitor.visit_loaded(*model),
+                        Self::$with_contacts(model) => visitor.visit_loaded(*model),
+                    )+
+                }
+            }
+        }
+    };
+}
+
+loaded_models! {
+    Small SmallWithContacts: 4, 96;
+    Medium MediumWithContacts: 12, 256;
+    Large LargeWithContacts: 32, 512;
+}
+
+#[cfg(feature = "std")]
+use list::all;
+#[cfg(feature = "std")]
+pub use list::{Registration, register};
+
+/// The list where there is a way to publish a reference once.
+#[cfg(feature = "std")]
+mod list {
+    use std::sync::OnceLock;
+
+    use super::LoadedModel;
+
+    /// A version of a model in the list of those that were read from files.
+    #[derive(Debug)]
+    pub struct Registration {
+        pub(super) model: LoadedModel,
+        /// The one that was registered next.
+        next: OnceLock<&'static Self>,
+    }
+
+    impl Registration {
+        /// A version that is not in the list yet.
+        pub const fn new(model: LoadedModel) -> Self {
+            Self { model, next: OnceLock::new() }
+        }
+    }
+
+    /// The oldest registration.
+    static FIRST: OnceLock<&'static Registration> = OnceLock::new();
+
+    /// Appends a version of a model, from which on it is the one that its name finds.
+    ///
+    /// One that is in the list already stays where it is.
+    pub fn register(registration: &'static Registration) {
+        let mut place = &FIRST;
+        // Each turn is one registration further, or ends.
+        while place.set(registration).is_err() {
+            let Some(taken) = place.get() else { return };
+            if core::ptr::eq(*taken, registration) {
+                return;
+            }
+            place = &taken.next;
+        }
+    }
+
+    /// Every registration, the oldest first.
+    pub(super) fn all() -> impl Iterator<Item = &'static Registration> {
+        core::iter::successors(FIRST.get().copied(), |it| it.next.get().copied())
+    }
+}
+
+/// Without `std` there is nothing in the list.
+#[cfg(not(feature = "std"))]
+mod list {
+    /// A version of a model, of which there is none.
+    #[derive(Debug)]
+    pub(super) struct Registration {
+        pub(super) model: super::LoadedModel,
+    }
+
+    pub(super) fn all() -> impl Iterator<Item = &'static Registration> {
+        core::iter::empty()
+    }
+}
+#[cfg(not(feature = "std"))]
+use list::all;
+
+/// The newest version of each model, in the order in which their first versions were registered.
+pub(crate) fn newest() -> impl Iterator<Item = &'static ModelEntry> {
+    let entry = |index: usize| all().nth(index).map(|it| it.model.entry());
+    let is_first =
+        move |index: usize, name: &str| all().take(index).all(|it| it.model.entry().name != name);
+    let names = (0..).map_while(entry).enumerate();
+    names.filter(move |(index, it)| is_first(*index, it.name)).filter_map(|(_, it)| find(it.name))
+}
+
+/// The newest version of the model called `name`.
+pub(crate) fn find(name: &str) -> Option<&'static ModelEntry> {
+    all().map(|it| it.model.entry()).filter(|it| it.name == name).last()
+}
+
+/// Does something with the model of `entry`, if it is in the list.
+pub(crate) fn visit<V: Visitor>(entry: &ModelEntry, visitor: V) -> Option<V::Output> {
+    let found = all().find(|it| it.model.entry().is(entry))?;
+    Some(found.model.visit(visitor))
+}
