@@ -7,6 +7,7 @@
 //! Not here: time stepping, keys, what an instrument sounds like.
 #![forbid(unsafe_code)]
 
+pub mod emit;
 pub mod graph;
 pub mod mechanism;
 pub mod system;

@@ -3,9 +3,11 @@
 //! What stands in the graph as sums and products of many terms becomes operations of two
 //! operands, each value computed once. All ways out go over it: values, emitted Rust, native code.
 
+mod analysis;
 mod evaluate;
 mod lower;
 
+pub use analysis::{AngleGroup, AngleValues, ArgumentCounts};
 pub use evaluate::Arguments;
 
 use crate::graph::{BinaryFunction, Place, UnaryFunction};
