@@ -10,5 +10,6 @@
 pub mod emit;
 pub mod graph;
 pub mod mechanism;
+pub mod readable;
 pub mod system;
 pub mod tape;

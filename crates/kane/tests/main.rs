@@ -5,4 +5,5 @@ mod emit;
 #[path = "emitted/example.rs"]
 mod emitted;
 mod graph;
+mod readable;
 mod tape;
