@@ -5,15 +5,22 @@
 
 mod analysis;
 mod evaluate;
+mod factor;
+mod forms;
 mod lower;
+mod order;
+mod ready;
+mod share;
+mod writer;
 
 pub use analysis::{AngleGroup, AngleValues, ArgumentCounts};
 pub use evaluate::Arguments;
+pub use ready::constant_parts;
 
 use crate::graph::{BinaryFunction, Place, UnaryFunction};
 
 /// The place of a value in a tape: the result of the instruction with that number.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub struct Slot(pub u32);
 
 impl Slot {
