@@ -13,9 +13,11 @@
 pub mod assemble;
 mod bound;
 pub mod description;
+pub mod emit;
 pub mod graph;
 pub mod mechanics;
 pub mod mechanism;
+pub mod readable;
 pub mod system;
 pub mod tape;
 pub mod text;

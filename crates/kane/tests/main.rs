@@ -18,3 +18,10 @@ mod models_ab;
 mod oracle;
 mod small_models;
 mod touching;
+mod common;
+mod emit;
+#[path = "emitted/example.rs"]
+mod emitted;
+mod graph;
+mod readable;
+mod tape;

@@ -30,6 +30,10 @@ door! {
     /// Tangent of `x` (rad).
     tan(x) = tan;
     tanh(x) = tanh;
+    /// Angle whose sine is `x` (rad).
+    asin(x) = asin;
+    /// Angle whose cosine is `x` (rad).
+    acos(x) = acos;
     /// Angle of the point (`x`, `y`) (rad).
     atan2(y, x) = atan2;
     /// Length of (`x`, `y`).

@@ -40,8 +40,8 @@ impl Graph {
         for (node, factor) in terms {
             collected.add(self, *node, *factor);
         }
-        let (number, mut terms) = collected.finish(self);
-        self.without_squares(&mut terms, number)
+        let (number, mut terms) = collected.finish();
+        self.collect_squares(number, &mut terms)
     }
 
     /// Returns the node of a sum in order.

@@ -1,6 +1,8 @@
 //! The functions that an expression can apply, and their values.
 
-use equations::functions::{logistic, sign, softplus, softplus_area, softplus_square_area};
+use equations::functions::{
+    larger, logistic, sign, smaller, softplus, softplus_area, softplus_square_area,
+};
 use pode::math;
 
 /// A function of one argument.
@@ -44,8 +46,8 @@ impl UnaryFunction {
     /// Returns the function's value at `x`.
     pub fn of(self, x: f64) -> f64 {
         match self {
-            Self::Sin => math::sin(x),
-            Self::Cos => math::cos(x),
+            Self::Sin => math::sin_cos(x).0,
+            Self::Cos => math::sin_cos(x).1,
             Self::Tanh => math::tanh(x),
             Self::Exp => math::exp(x),
             Self::Ln => math::ln(x),
@@ -56,8 +58,8 @@ impl UnaryFunction {
             Self::Logistic => logistic(x),
             Self::SoftplusArea => softplus_area(x),
             Self::SoftplusSquareArea => softplus_square_area(x),
-            Self::Asin => x.asin(),
-            Self::Acos => x.acos(),
+            Self::Asin => math::asin(x),
+            Self::Acos => math::acos(x),
         }
     }
 }
@@ -69,8 +71,8 @@ impl BinaryFunction {
             Self::Atan2 => math::atan2(x, y),
             Self::Hypot => math::hypot(x, y),
             Self::Power => math::powf(x, y),
-            Self::Min => x.min(y),
-            Self::Max => x.max(y),
+            Self::Min => smaller(x, y),
+            Self::Max => larger(x, y),
         }
     }
 }

@@ -4,6 +4,10 @@ use std::collections::BTreeMap;
 
 use super::{Graph, Node, Operation};
 
+/// Sums and products of more parts than this stay one part of a larger one: a sum that is written
+/// term by term would else hold all its beginnings in full.
+const MOST_FLATTENED: usize = 48;
+
 /// A sum that is being collected.
 #[derive(Default)]
 pub(super) struct Sum {
@@ -12,11 +16,15 @@ pub(super) struct Sum {
 }
 
 impl Sum {
+    pub(super) fn starting_with(number: f64) -> Self {
+        Self { number, terms: BTreeMap::new() }
+    }
+
     /// Adds `node` times `factor`; a sum's terms one by one.
     pub(super) fn add(&mut self, graph: &Graph, node: Node, factor: f64) {
         match graph.operation(node) {
             Operation::Number(bits) => self.number += factor * f64::from_bits(*bits),
-            Operation::Sum(number, terms) => {
+            Operation::Sum(number, terms) if terms.len() <= MOST_FLATTENED => {
                 self.number += factor * f64::from_bits(*number);
                 for (term, inner) in terms {
                     self.enter(*term, factor * f64::from_bits(*inner));
@@ -31,7 +39,7 @@ impl Sum {
     }
 
     /// Returns the number and the terms that are left.
-    pub(super) fn finish(self, _graph: &Graph) -> (f64, Vec<(Node, f64)>) {
+    pub(super) fn finish(self) -> (f64, Vec<(Node, f64)>) {
         let terms = self.terms.into_iter().filter(|(_, factor)| *factor != 0.0).collect();
         (self.number, terms)
     }
@@ -53,7 +61,7 @@ impl Product {
     pub(super) fn multiply(&mut self, graph: &Graph, node: Node, exponent: i32) {
         match graph.operation(node) {
             Operation::Number(bits) => self.number *= f64::from_bits(*bits).powi(exponent),
-            Operation::Product(factors) => {
+            Operation::Product(factors) if factors.len() <= MOST_FLATTENED => {
                 for (factor, inner) in factors {
                     self.enter(*factor, exponent.saturating_mul(*inner));
                 }

@@ -1,45 +1,77 @@
 //! cos² + sin² = 1, where both stand in one sum with one factor.
 
-use super::{Graph, Node, Operation, UnaryFunction};
+use std::collections::HashMap;
+
+use super::{Graph, Node, Operation, UnaryFunction, order};
+
+/// A square in a sum: the other factors of its product, and the angle.
+type Square = (Box<[(Node, i32)]>, Node);
 
 impl Graph {
     /// Returns the sum with each pair a cos²(x) p + a sin²(x) p put together to a p.
-    pub(super) fn without_squares(&mut self, terms: &mut Vec<(Node, f64)>, number: f64) -> Node {
-        for at in 0..terms.len() {
-            let (node, factor) = terms[at];
-            let Some((rest, partner)) = self.partner(node) else { continue };
-            let found = terms.iter().position(|it| *it == (partner, factor));
-            if let Some(other) = found {
-                let mut left: Vec<_> = terms.clone();
-                left.retain(|(it, _)| *it != node && *it != partner);
-                left.push((rest, factor));
-                if number != 0.0 {
-                    let number = self.constant(number);
-                    left.push((number, 1.0));
-                }
-                debug_assert_ne!(at, other, "a sine is no cosine");
-                return self.sum(&left);
+    pub(super) fn collect_squares(&mut self, number: f64, terms: &mut Vec<(Node, f64)>) -> Node {
+        let mut number = number;
+        // Each round has fewer terms than the one before.
+        while let Some((pairs, left)) = self.pairs(terms) {
+            let mut collected = order::Sum::starting_with(number);
+            for (node, factor) in left {
+                collected.add(self, node, factor);
             }
+            for (rest, factor) in pairs {
+                let rest = self.product(&rest);
+                collected.add(self, rest, factor);
+            }
+            (number, *terms) = collected.finish();
         }
         self.sum_in_order(number, terms)
     }
 
-    /// Of p cos²(x), p and p sin²(x).
-    fn partner(&mut self, node: Node) -> Option<(Node, Node)> {
-        let Operation::Product(factors) = self.operation(node).clone() else { return None };
-        let (at, angle) = factors.iter().enumerate().find_map(|(at, (factor, exponent))| {
-            let Operation::Unary(UnaryFunction::Cos, x) = self.operation(*factor) else {
+    /// The pairs' common factors, and the terms that are left; none without a pair.
+    #[expect(clippy::type_complexity, reason = "two lists of terms")]
+    fn pairs(
+        &self,
+        terms: &[(Node, f64)],
+    ) -> Option<(Vec<(Box<[(Node, i32)]>, f64)>, Vec<(Node, f64)>)> {
+        let mut cosines: HashMap<Square, usize> = HashMap::new();
+        for (at, (node, _)) in terms.iter().enumerate() {
+            cosines.extend(self.squares(*node, UnaryFunction::Cos).map(|square| (square, at)));
+        }
+        if cosines.is_empty() {
+            return None;
+        }
+        let mut is_paired = vec![false; terms.len()];
+        let mut pairs = Vec::new();
+        for (at, (node, factor)) in terms.iter().enumerate() {
+            for square in self.squares(*node, UnaryFunction::Sin) {
+                let Some(partner) = cosines.get(&square).copied() else { continue };
+                let is_free = !is_paired[at] && !is_paired[partner];
+                if is_free && terms[partner].1.to_bits() == factor.to_bits() {
+                    (is_paired[at], is_paired[partner]) = (true, true);
+                    pairs.push((square.0, *factor));
+                }
+            }
+        }
+        if pairs.is_empty() {
+            return None;
+        }
+        let left = terms.iter().zip(is_paired).filter(|(_, is_paired)| !is_paired);
+        Some((pairs, left.map(|(term, _)| *term).collect()))
+    }
+
+    /// The squares of `function` among a product's factors.
+    fn squares(&self, node: Node, function: UnaryFunction) -> impl Iterator<Item = Square> {
+        let factors: &[(Node, i32)] = match self.operation(node) {
+            Operation::Product(factors) => factors,
+            _ => &[],
+        };
+        factors.iter().enumerate().filter_map(move |(at, (factor, exponent))| {
+            let Operation::Unary(found, angle) = self.operation(*factor) else { return None };
+            if *found != function || *exponent != 2 {
                 return None;
-            };
-            (*exponent == 2).then_some((at, *x))
-        })?;
-        let mut others = factors.to_vec();
-        others.remove(at);
-        let rest = self.product(&others);
-        let sine = self.unary(UnaryFunction::Sin, angle);
-        others.push((sine, 2));
-        // A search, not a new node: what nobody has built cannot be in the sum.
-        let partner = self.product(&others);
-        Some((rest, partner))
+            }
+            let mut others = factors.to_vec();
+            others.remove(at);
+            Some((others.into_boxed_slice(), *angle))
+        })
     }
 }

@@ -3,15 +3,24 @@
 //! What stands in the graph as sums and products of many terms becomes operations of two
 //! operands, each value computed once. All ways out go over it: values, emitted Rust, native code.
 
+mod analysis;
 mod evaluate;
+mod factor;
+mod forms;
 mod lower;
+mod order;
+mod ready;
+mod share;
+mod writer;
 
+pub use analysis::{AngleGroup, AngleValues, ArgumentCounts};
 pub use evaluate::Arguments;
+pub use ready::constant_parts;
 
 use crate::graph::{BinaryFunction, Place, UnaryFunction};
 
 /// The place of a value in a tape: the result of the instruction with that number.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub struct Slot(pub u32);
 
 impl Slot {

@@ -1,0 +1,140 @@
+//! The table of a model as a constant expression.
+
+use equations::table::{
+    BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom, GuardTable,
+    Material, ModeTable, ModelTable, OutlineTable, ParameterTable, PartTable, PresetTable,
+    Quantity, RequirementTable, RestTable, SpringTable, WayTable,
+};
+use pode::{EquationKind, Fires, Reads};
+
+use super::layout::Literal;
+use super::number;
+
+/// What can be written as a constant expression.
+pub(super) trait Constant {
+    fn literal(&self) -> Literal;
+}
+
+/// Structures, field by field: one that gets another field does not compile here until it is
+/// written too.
+macro_rules! structures {
+    ($($name:ident { $($field:ident),+ $(,)? })+) => {$(
+        impl Constant for $name {
+            fn literal(&self) -> Literal {
+                let Self { $($field),+ } = self;
+                Literal::Struct(
+                    stringify!($name),
+                    vec![$((stringify!($field), $field.literal())),+],
+                )
+            }
+        }
+    )+};
+}
+
+/// Enumerations, variant by variant.
+macro_rules! enumerations {
+    ($($name:ident { $($variant:ident),+ $(,)? })+) => {$(
+        impl Constant for $name {
+            fn literal(&self) -> Literal {
+                let name = match self {
+                    $(Self::$variant => stringify!($variant)),+
+                };
+                Literal::Word(format!("{}::{name}", stringify!($name)))
+            }
+        }
+    )+};
+}
+
+structures! {
+    ModelTable {
+        name, summary, parameters, presets, requirements, states, coordinates, constants,
+        derive_constants, input, input_per_metre, modes, contacts, outputs, rest, damper, drawing,
+    }
+    Quantity { name, unit }
+    ParameterTable { name, title, unit, range, doc }
+    PresetTable { name, doc, values }
+    RequirementTable { text, margin }
+    ModeTable {
+        name, derivative, parts, slaved, projection, projected, longest_projection, readout,
+        slopes, outputs, balance, jacobian, kind, guards, contacts, freedom,
+    }
+    Freedom { n, m, p }
+    PartTable { entries, derivative, kind, reads }
+    GuardTable { id, name, priority, scale, fires, reads, value, bound, ways, sounds }
+    WayTable { when, to, reset }
+    ContactTable { name, gap, friction }
+    ContactModeTable { contact, gap, bound, normal, balance, slip, limits, response }
+    RestTable { mode, state, is_improved }
+    DamperTable { lift, fall, softest_tone }
+    DrawingTable { numbers, count, bodies, springs }
+    BodyTable { name, output, outlines }
+    OutlineTable { material, is_closed, points, modes }
+    SpringTable { name, from, to, modes }
+}
+
+enumerations! {
+    Material { Wood, Felt, Metal, String, Ground, Finger }
+    EquationKind { Affine, Linear, Smooth, Conservative, Stiff }
+    Fires { WhileNegative, OnCrossing }
+    Reads { StateAndInput, State }
+}
+
+macro_rules! words {
+    ($($name:ty),+) => {$(
+        impl Constant for $name {
+            fn literal(&self) -> Literal {
+                Literal::Word(self.to_string())
+            }
+        }
+    )+};
+}
+
+words!(u8, u16, usize, bool);
+
+impl Constant for u64 {
+    /// In groups of hexadecimal digits: such numbers are bits.
+    fn literal(&self) -> Literal {
+        let digits = format!("{self:x}");
+        let short = digits.len() <= 4;
+        Literal::Word(if short { format!("0x{digits}") } else { number::hexadecimal(*self) })
+    }
+}
+
+impl Constant for f64 {
+    fn literal(&self) -> Literal {
+        Literal::Word(number::literal(*self))
+    }
+}
+
+impl Constant for &str {
+    fn literal(&self) -> Literal {
+        Literal::Text((*self).to_owned())
+    }
+}
+
+impl<T: Constant> Constant for &[T] {
+    fn literal(&self) -> Literal {
+        Literal::Slice(self.iter().map(Constant::literal).collect())
+    }
+}
+
+impl<T: Constant> Constant for Option<T> {
+    fn literal(&self) -> Literal {
+        match self {
+            Some(value) => Literal::Some(Box::new(value.literal())),
+            None => Literal::Word("None".to_owned()),
+        }
+    }
+}
+
+impl<A: Constant, B: Constant> Constant for (A, B) {
+    fn literal(&self) -> Literal {
+        Literal::Tuple(vec![self.0.literal(), self.1.literal()])
+    }
+}
+
+impl<A: Constant, B: Constant, C: Constant> Constant for (A, B, C) {
+    fn literal(&self) -> Literal {
+        Literal::Tuple(vec![self.0.literal(), self.1.literal(), self.2.literal()])
+    }
+}

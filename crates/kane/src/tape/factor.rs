@@ -1,0 +1,124 @@
+//! Common factors of a sum's terms, taken out: a x + b x is (a + b) x.
+
+use std::collections::BTreeMap;
+
+use super::forms::{Form, Forms, Id};
+
+/// Factors within factors are looked for this deep.
+const DEEPEST: u8 = 12;
+
+/// Sums of more terms are left as they are.
+const MOST_TERMS: usize = 256;
+/// Work on all sums of a tape, in terms squared; where there is more, only short sums are looked at.
+const MOST_WORK: usize = 2_000_000;
+const SHORT: usize = 8;
+
+/// A number times forms to whole powers.
+type Monomial = (f64, Vec<(Id, i32)>);
+
+impl Forms {
+    /// Takes common factors out of all sums; only of products that nobody else uses.
+    pub(super) fn factor_sums(&mut self) {
+        let uses = self.uses();
+        let lengths = self.all.iter().map(|form| match form {
+            Form::Sum(_, terms) if terms.len() <= MOST_TERMS => terms.len(),
+            _ => 0,
+        });
+        let work: usize = lengths.map(|it| it * it).sum();
+        let longest = if work <= MOST_WORK { MOST_TERMS } else { SHORT };
+        for id in 0..uses.len() {
+            let Form::Sum(number, terms) = &self.all[id] else { continue };
+            if terms.len() > longest {
+                continue;
+            }
+            let monomials: Vec<Monomial> = terms
+                .iter()
+                .map(|(term, factor)| match &self.all[*term] {
+                    Form::Product(factors) if uses[*term] == 1 => (*factor, factors.clone()),
+                    _ => (*factor, vec![(*term, 1)]),
+                })
+                .collect();
+            if most_common(&monomials).is_some() {
+                let number = *number;
+                let terms = self.factored(monomials, DEEPEST);
+                self.all[id] = Form::Sum(number, terms);
+            }
+        }
+    }
+
+    /// The terms of the sum of `monomials`.
+    fn factored(&mut self, mut monomials: Vec<Monomial>, depth: u8) -> Vec<(Id, f64)> {
+        let mut terms = Vec::new();
+        while depth > 0
+            && let Some((base, is_above)) = most_common(&monomials)
+        {
+            let has = |it: &Monomial| power_of(it, base, is_above) > 0;
+            let (with, without): (Vec<_>, Vec<_>) = monomials.into_iter().partition(has);
+            monomials = without;
+            let taken = with.iter().map(|it| power_of(it, base, is_above)).min().unwrap_or(1);
+            let exponent = if is_above { taken } else { -taken };
+            let inner = with.into_iter().map(|it| divided(it, base, exponent)).collect();
+            terms.push(self.product_of_sum(inner, (base, exponent), depth));
+        }
+        terms.extend(monomials.into_iter().map(|it| self.term(it)));
+        collected(terms)
+    }
+
+    /// Σ `inner` times `outer`, as a term.
+    fn product_of_sum(&mut self, inner: Vec<Monomial>, outer: (Id, i32), depth: u8) -> (Id, f64) {
+        let (numbers, inner): (Vec<_>, Vec<_>) = inner.into_iter().partition(|it| it.1.is_empty());
+        let number = numbers.iter().map(|it| it.0).sum();
+        let inner = self.factored(inner, depth - 1);
+        let sum = self.push(Form::Sum(number, inner));
+        let mut factors = vec![outer, (sum, 1)];
+        factors.sort_unstable();
+        (self.push(Form::Product(factors)), 1.0)
+    }
+
+    fn term(&mut self, (factor, factors): Monomial) -> (Id, f64) {
+        match factors.as_slice() {
+            [(only, 1)] => (*only, factor),
+            _ => (self.push(Form::Product(factors)), factor),
+        }
+    }
+}
+
+/// The base, above or below the fraction line, that is in most monomials; at least in two.
+fn most_common(monomials: &[Monomial]) -> Option<(Id, bool)> {
+    let mut counts: BTreeMap<(Id, bool), usize> = BTreeMap::new();
+    for (_, factors) in monomials {
+        for (base, exponent) in factors {
+            *counts.entry((*base, *exponent > 0)).or_default() += 1;
+        }
+    }
+    let most = counts
+        .into_iter()
+        .filter(|it| it.1 > 1)
+        .max_by_key(|(key, count)| (*count, core::cmp::Reverse(*key)));
+    most.map(|it| it.0)
+}
+
+/// The power of `base` in a monomial, on the wanted side of the fraction line.
+fn power_of(monomial: &Monomial, base: Id, is_above: bool) -> i32 {
+    let found = monomial.1.iter().find(|it| it.0 == base).map_or(0, |it| it.1);
+    if is_above { found } else { -found }
+}
+
+fn divided((factor, mut factors): Monomial, base: Id, exponent: i32) -> Monomial {
+    for it in &mut factors {
+        if it.0 == base {
+            it.1 -= exponent;
+        }
+    }
+    factors.retain(|it| it.1 != 0);
+    (factor, factors)
+}
+
+/// Terms in order; equal ones together.
+fn collected(terms: Vec<(Id, f64)>) -> Vec<(Id, f64)> {
+    let mut collected: BTreeMap<Id, f64> = BTreeMap::new();
+    for (id, factor) in terms {
+        *collected.entry(id).or_default() += factor;
+    }
+    collected.into_iter().collect()
+}

@@ -1,0 +1,125 @@
+//! What a tape computes, while it is put into a shape that takes fewer operations.
+
+use std::collections::{BTreeSet, HashMap};
+
+use super::{Argument, Layout};
+use crate::graph::{BinaryFunction, Graph, Node, Operation, Place, UnaryFunction};
+
+/// The place of a form in [`Forms`].
+pub(super) type Id = usize;
+
+/// One value, made of others.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Form {
+    Number(f64),
+    Argument(Argument),
+    /// A number, and forms times a factor each, in the order of the forms.
+    Sum(f64, Vec<(Id, f64)>),
+    /// Forms to a whole power each, in the order of the forms.
+    Product(Vec<(Id, i32)>),
+    /// 1/x.
+    Inverse(Id),
+    Unary(UnaryFunction, Id),
+    Binary(BinaryFunction, Id, Id),
+    Select([Id; 3]),
+}
+
+impl Form {
+    /// Shows each operand to `see`.
+    pub(super) fn operands(&self, mut see: impl FnMut(Id)) {
+        match self {
+            Self::Number(_) | Self::Argument(_) => {}
+            Self::Sum(_, terms) => terms.iter().for_each(|(id, _)| see(*id)),
+            Self::Product(factors) => factors.iter().for_each(|(id, _)| see(*id)),
+            Self::Inverse(x) | Self::Unary(_, x) => see(*x),
+            Self::Binary(_, x, y) => [*x, *y].into_iter().for_each(see),
+            Self::Select(all) => all.iter().copied().for_each(see),
+        }
+    }
+}
+
+/// All values of a tape.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Forms {
+    pub(super) all: Vec<Form>,
+    pub(super) outputs: Vec<Id>,
+    /// The forms of nodes.
+    pub(super) ids: HashMap<Node, Id>,
+}
+
+impl Forms {
+    /// Returns the forms of `outputs`, one per node that is computed or read.
+    ///
+    /// # Errors
+    /// A symbol that `layout` gives no argument.
+    pub(super) fn new(graph: &Graph, layout: &Layout, outputs: &[Node]) -> Result<Self, Place> {
+        let mut forms = Self::default();
+        for node in needed(graph, layout, outputs) {
+            let form = match layout.ready.get(&node) {
+                Some(argument) => Form::Argument(*argument),
+                None => form(graph, layout, &forms.ids, node)?,
+            };
+            let id = forms.push(form);
+            forms.ids.insert(node, id);
+        }
+        forms.outputs = outputs.iter().map(|node| forms.ids[node]).collect();
+        Ok(forms)
+    }
+
+    pub(super) fn push(&mut self, form: Form) -> Id {
+        self.all.push(form);
+        self.all.len() - 1
+    }
+
+    /// Returns how often each form is an operand or an output.
+    pub(super) fn uses(&self) -> Vec<u32> {
+        let mut uses = vec![0_u32; self.all.len()];
+        for form in &self.all {
+            form.operands(|id| uses[id] += 1);
+        }
+        for output in &self.outputs {
+            uses[*output] += 1;
+        }
+        uses
+    }
+}
+
+/// The nodes that are computed or read, operands first; what is given ready hides what it is made
+/// of.
+fn needed(graph: &Graph, layout: &Layout, outputs: &[Node]) -> Vec<Node> {
+    let mut wanted: BTreeSet<Node> = outputs.iter().copied().collect();
+    let mut all = Vec::new();
+    while let Some(node) = wanted.pop_last() {
+        all.push(node);
+        if !layout.ready.contains_key(&node) {
+            graph.operation(node).operands(|operand| {
+                wanted.insert(operand);
+            });
+        }
+    }
+    all.reverse();
+    all
+}
+
+fn form(
+    graph: &Graph,
+    layout: &Layout,
+    ids: &HashMap<Node, Id>,
+    node: Node,
+) -> Result<Form, Place> {
+    let id = |it: &Node| ids[it];
+    Ok(match graph.operation(node) {
+        Operation::Number(bits) => Form::Number(f64::from_bits(*bits)),
+        Operation::Symbol(place) => Form::Argument(*layout.places.get(place).ok_or(*place)?),
+        Operation::Sum(number, terms) => {
+            let terms = terms.iter().map(|(it, by)| (id(it), f64::from_bits(*by))).collect();
+            Form::Sum(f64::from_bits(*number), terms)
+        }
+        Operation::Product(factors) => {
+            Form::Product(factors.iter().map(|(it, by)| (id(it), *by)).collect())
+        }
+        Operation::Unary(function, x) => Form::Unary(*function, id(x)),
+        Operation::Binary(function, x, y) => Form::Binary(*function, id(x), id(y)),
+        Operation::Select(all) => Form::Select(all.map(|it| id(&it))),
+    })
+}

@@ -1,0 +1,201 @@
+//! Parts of sums and products that several of them have, computed once.
+//!
+//! Pairs of terms or factors are counted over the whole tape; the pair that most have becomes a
+//! form of its own, again and again [Breuer's method].
+//!
+//! [Breuer's method]: https://doi.org/10.1145/363034.363035
+
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
+
+use super::forms::{Form, Forms, Id};
+
+/// Sums and products of more parts are left alone; fewer where there are very many of them.
+const MOST_PARTS: [usize; 5] = [64, 32, 16, 8, 4];
+/// Pairs that are looked at: a second or so.
+const MOST_PAIRS: usize = 400_000;
+
+/// Two parts: bases of products, or terms of sums with the second's factor over the first's.
+type Pair = (Id, Id, u64);
+
+/// The forms that have each pair.
+type Owners = BTreeMap<Pair, BTreeSet<Id>>;
+
+impl Forms {
+    /// Divisions by one value that stand in several products become products with its inverse.
+    pub(super) fn share_inverses(&mut self) {
+        let mut divisions: BTreeMap<Id, u32> = BTreeMap::new();
+        for form in &self.all {
+            let Form::Product(factors) = form else { continue };
+            for (base, _) in factors.iter().filter(|it| it.1 < 0) {
+                *divisions.entry(*base).or_default() += 1;
+            }
+        }
+        divisions.retain(|_, count| *count > 1);
+        let inverses: BTreeMap<Id, Id> =
+            divisions.into_keys().map(|base| (base, self.push(Form::Inverse(base)))).collect();
+        for form in &mut self.all {
+            let Form::Product(factors) = form else { continue };
+            for (base, exponent) in factors.iter_mut().filter(|it| it.1 < 0) {
+                if let Some(inverse) = inverses.get(base) {
+                    (*base, *exponent) = (*inverse, -*exponent);
+                }
+            }
+            factors.sort_unstable();
+        }
+    }
+
+    /// Shares pairs of factors.
+    pub(super) fn share_products(&mut self) {
+        self.share(&Factors);
+    }
+
+    /// Shares pairs of terms.
+    pub(super) fn share_sums(&mut self) {
+        self.share(&SumTerms);
+    }
+
+    fn share(&mut self, kind: &dyn Pairs) {
+        let Some(most_parts) = self.most_parts(kind) else { return };
+        let mut owners = Owners::new();
+        for (id, form) in self.all.iter().enumerate() {
+            if kind.parts(form) > most_parts {
+                continue;
+            }
+            for pair in kind.pairs(form) {
+                owners.entry(pair).or_default().insert(id);
+            }
+        }
+        let mut queue: BinaryHeap<(usize, Reverse<Pair>)> =
+            owners.iter().map(|(pair, of)| (of.len(), Reverse(*pair))).collect();
+        while let Some((count, Reverse(pair))) = queue.pop() {
+            let now = owners.get(&pair).map_or(0, BTreeSet::len);
+            if now < 2 {
+                continue;
+            }
+            if now < count {
+                queue.push((now, Reverse(pair)));
+                continue;
+            }
+            for changed in self.extract(kind, &mut owners, pair) {
+                let count = owners.get(&changed).map_or(0, BTreeSet::len);
+                if count > 1 {
+                    queue.push((count, Reverse(changed)));
+                }
+            }
+        }
+    }
+
+    /// How many parts a form may have so that there are not too many pairs.
+    fn most_parts(&self, kind: &dyn Pairs) -> Option<usize> {
+        MOST_PARTS.into_iter().find(|most| {
+            let parts = self.all.iter().map(|form| kind.parts(form)).filter(|it| it <= most);
+            parts.map(|it| it * it / 2).sum::<usize>() <= MOST_PAIRS
+        })
+    }
+
+    /// Makes `pair` a form of its own; returns the pairs that are new.
+    fn extract(&mut self, kind: &dyn Pairs, owners: &mut Owners, pair: Pair) -> BTreeSet<Pair> {
+        let part = self.push(kind.form(pair));
+        let mut new = BTreeSet::new();
+        for owner in owners.remove(&pair).unwrap_or_default() {
+            for old in kind.pairs(&self.all[owner]) {
+                if let Some(of) = owners.get_mut(&old) {
+                    of.remove(&owner);
+                }
+            }
+            kind.replace(&mut self.all[owner], pair, part);
+            for pair in kind.pairs(&self.all[owner]) {
+                owners.entry(pair).or_default().insert(owner);
+                new.insert(pair);
+            }
+        }
+        new
+    }
+}
+
+/// What pairs of parts are, in sums or in products.
+trait Pairs {
+    /// How many parts a form has that can be in pairs.
+    fn parts(&self, form: &Form) -> usize;
+
+    fn pairs(&self, form: &Form) -> Vec<Pair>;
+
+    /// The form that a pair becomes.
+    fn form(&self, pair: Pair) -> Form;
+
+    /// Puts `part` in the place of the pair.
+    fn replace(&self, form: &mut Form, pair: Pair, part: Id);
+}
+
+/// Pairs of factors above the fraction line.
+struct Factors;
+
+impl Pairs for Factors {
+    fn parts(&self, form: &Form) -> usize {
+        if let Form::Product(factors) = form { factors.len() } else { 0 }
+    }
+
+    fn pairs(&self, form: &Form) -> Vec<Pair> {
+        let Form::Product(factors) = form else { return Vec::new() };
+        let above: Vec<Id> = factors.iter().filter(|it| it.1 > 0).map(|it| it.0).collect();
+        of_list(&above, |x, y| Some((x, y, 0)))
+    }
+
+    fn form(&self, (x, y, _): Pair) -> Form {
+        Form::Product(vec![(x, 1), (y, 1)])
+    }
+
+    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: Id) {
+        let Form::Product(factors) = form else { return };
+        let exponent = |of: Id| factors.iter().find(|it| it.0 == of).map_or(0, |it| it.1);
+        let both = exponent(x).min(exponent(y));
+        for it in factors.iter_mut().filter(|it| it.0 == x || it.0 == y) {
+            it.1 -= both;
+        }
+        factors.retain(|it| it.1 != 0);
+        factors.push((part, both));
+    }
+}
+
+/// Pairs of terms whose factors have one ratio.
+struct SumTerms;
+
+impl Pairs for SumTerms {
+    fn parts(&self, form: &Form) -> usize {
+        if let Form::Sum(_, terms) = form { terms.len() } else { 0 }
+    }
+
+    fn pairs(&self, form: &Form) -> Vec<Pair> {
+        let Form::Sum(_, terms) = form else { return Vec::new() };
+        let factors: BTreeMap<Id, f64> = terms.iter().copied().collect();
+        let ids: Vec<Id> = terms.iter().map(|it| it.0).collect();
+        of_list(&ids, |x, y| {
+            let ratio = factors[&y] / factors[&x];
+            // Only where it gives the second factor back to the bit.
+            let is_exact = (ratio * factors[&x]).to_bits() == factors[&y].to_bits();
+            is_exact.then_some((x, y, ratio.to_bits()))
+        })
+    }
+
+    fn form(&self, (x, y, ratio): Pair) -> Form {
+        Form::Sum(0.0, vec![(x, 1.0), (y, f64::from_bits(ratio))])
+    }
+
+    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: Id) {
+        let Form::Sum(_, terms) = form else { return };
+        let factor = terms.iter().find(|it| it.0 == x).map_or(0.0, |it| it.1);
+        terms.retain(|it| it.0 != x && it.0 != y);
+        terms.push((part, factor));
+    }
+}
+
+fn of_list(all: &[Id], pair: impl Fn(Id, Id) -> Option<Pair>) -> Vec<Pair> {
+    let mut sorted = all.to_vec();
+    sorted.sort_unstable();
+    let mut pairs = Vec::new();
+    for (at, x) in sorted.iter().enumerate() {
+        pairs.extend(sorted[at + 1..].iter().filter_map(|y| pair(*x, *y)));
+    }
+    pairs
+}

@@ -1,0 +1,175 @@
+//! Instructions, each written once, and how late each value is ready.
+
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap, HashMap};
+
+use super::{Argument, Instruction, Slot};
+
+/// A tape that is being written; equal instructions are written once.
+#[derive(Debug, Default)]
+pub(super) struct Writer {
+    instructions: Vec<Instruction>,
+    known: HashMap<[u64; 4], Slot>,
+    /// When each value is ready, in cycles of a present processor, roughly.
+    ready: Vec<u32>,
+}
+
+/// A value with its sign, the earliest first.
+type Signed = Reverse<(u32, Slot, bool)>;
+
+impl Writer {
+    pub(super) fn finish(self) -> Vec<Instruction> {
+        self.instructions
+    }
+
+    pub(super) fn push(&mut self, instruction: Instruction) -> Slot {
+        let key = key(&instruction);
+        if let Some(slot) = self.known.get(&key) {
+            return *slot;
+        }
+        let slot = Slot(u32::try_from(self.instructions.len()).unwrap_or(u32::MAX));
+        let mut ready = 0;
+        instruction.operands(|operand| ready = ready.max(self.ready[operand.index()]));
+        self.ready.push(ready + latency(&instruction));
+        self.instructions.push(instruction);
+        self.known.insert(key, slot);
+        slot
+    }
+
+    pub(super) fn number(&mut self, value: f64) -> Slot {
+        self.push(Instruction::Number(value))
+    }
+
+    /// Terms with one magnitude of factor are added first, then multiplied by it together.
+    pub(super) fn sum(&mut self, number: f64, terms: &[(Slot, f64)]) -> Slot {
+        let mut groups: BTreeMap<u64, Vec<(Slot, bool)>> = BTreeMap::new();
+        for (slot, factor) in terms {
+            let group = groups.entry(factor.abs().to_bits()).or_default();
+            group.push((*slot, *factor < 0.0));
+        }
+        let mut all = Vec::new();
+        for (bits, group) in groups {
+            let factor = f64::from_bits(bits);
+            if factor.to_bits() == 1.0_f64.to_bits() {
+                all.extend(group);
+                continue;
+            }
+            let (sum, is_negative) = self.signed_sum(&group);
+            let factor = self.number(factor);
+            all.push((self.push(Instruction::Multiply(factor, sum)), is_negative));
+        }
+        if number != 0.0 || all.is_empty() {
+            all.push((self.number(number.abs()), number < 0.0));
+        }
+        let (sum, is_negative) = self.signed_sum(&all);
+        if is_negative { self.push(Instruction::Negate(sum)) } else { sum }
+    }
+
+    /// The sum of values with signs, by what is ready first, and its sign.
+    fn signed_sum(&mut self, all: &[(Slot, bool)]) -> (Slot, bool) {
+        let signed = |it: &(Slot, bool)| Reverse((self.ready[it.0.index()], it.0, it.1));
+        let mut queue: BinaryHeap<Signed> = all.iter().map(signed).collect();
+        loop {
+            match (queue.pop(), queue.pop()) {
+                (Some(Reverse(x)), Some(Reverse(y))) => {
+                    let (slot, is_negative) = self.add((x.1, x.2), (y.1, y.2));
+                    queue.push(Reverse((self.ready[slot.index()], slot, is_negative)));
+                }
+                (Some(Reverse((_, slot, is_negative))), _) => return (slot, is_negative),
+                (None, _) => return (self.number(0.0), false),
+            }
+        }
+    }
+
+    fn add(
+        &mut self,
+        (x, x_negative): (Slot, bool),
+        (y, y_negative): (Slot, bool),
+    ) -> (Slot, bool) {
+        match (x_negative, y_negative) {
+            (false, false) => (self.push(Instruction::Add(x, y)), false),
+            (true, true) => (self.push(Instruction::Add(x, y)), true),
+            (false, true) => (self.push(Instruction::Subtract(x, y)), false),
+            (true, false) => (self.push(Instruction::Subtract(y, x)), false),
+        }
+    }
+
+    /// One division at most: by the product of what has a negative exponent.
+    pub(super) fn product(&mut self, factors: &[(Slot, i32)]) -> Slot {
+        let (above, below): (Vec<_>, Vec<_>) = factors.iter().partition(|(_, by)| *by > 0);
+        let above = self.powers(&above).unwrap_or_else(|| self.number(1.0));
+        match self.powers(&below) {
+            Some(below) => self.push(Instruction::Divide(above, below)),
+            None => above,
+        }
+    }
+
+    /// The product of powers, by what is ready first; none of no factors.
+    fn powers(&mut self, factors: &[(Slot, i32)]) -> Option<Slot> {
+        let mut queue = BinaryHeap::new();
+        for (slot, exponent) in factors {
+            let power = self.power(*slot, exponent.unsigned_abs());
+            queue.push(Reverse((self.ready[power.index()], power)));
+        }
+        loop {
+            let Reverse((_, x)) = queue.pop()?;
+            let Some(Reverse((_, y))) = queue.pop() else { return Some(x) };
+            let product = self.push(Instruction::Multiply(x, y));
+            queue.push(Reverse((self.ready[product.index()], product)));
+        }
+    }
+
+    /// By repeated squaring.
+    fn power(&mut self, slot: Slot, exponent: u32) -> Slot {
+        if exponent <= 1 {
+            return slot;
+        }
+        let half = self.power(slot, exponent / 2);
+        let square = self.push(Instruction::Multiply(half, half));
+        if exponent.is_multiple_of(2) {
+            square
+        } else {
+            self.push(Instruction::Multiply(square, slot))
+        }
+    }
+}
+
+/// How long an instruction takes, in cycles.
+const fn latency(instruction: &Instruction) -> u32 {
+    match instruction {
+        Instruction::Number(_) | Instruction::Argument(_) => 0,
+        Instruction::Negate(_) => 1,
+        Instruction::Select(..) => 3,
+        Instruction::Add(..) | Instruction::Subtract(..) | Instruction::Multiply(..) => 4,
+        Instruction::Divide(..) => 14,
+        Instruction::Unary(..) => 30,
+        Instruction::Binary(..) => 50,
+    }
+}
+
+/// What makes two instructions the same.
+fn key(instruction: &Instruction) -> [u64; 4] {
+    let two = |kind: u64, x: Slot, y: Slot| [kind, u64::from(x.0), u64::from(y.0), 0];
+    match *instruction {
+        Instruction::Number(value) => [0, value.to_bits(), 0, 0],
+        Instruction::Argument(argument) => {
+            let (kind, index) = match argument {
+                Argument::Constant(index) => (0, index),
+                Argument::State(index) => (1, index),
+                Argument::Input(index) => (2, u16::from(index)),
+                Argument::Extra(index) => (3, index),
+            };
+            [1, kind, u64::from(index), 0]
+        }
+        Instruction::Add(x, y) => two(2, x.min(y), x.max(y)),
+        Instruction::Subtract(x, y) => two(3, x, y),
+        Instruction::Multiply(x, y) => two(4, x.min(y), x.max(y)),
+        Instruction::Divide(x, y) => two(5, x, y),
+        Instruction::Negate(x) => two(6, x, x),
+        Instruction::Unary(function, x) => [7, function as u64, u64::from(x.0), 0],
+        Instruction::Binary(function, x, y) => {
+            [8 + ((function as u64) << 8), u64::from(x.0), u64::from(y.0), 0]
+        }
+        Instruction::Select(x, y, z) => [9, u64::from(x.0), u64::from(y.0), u64::from(z.0)],
+    }
+}

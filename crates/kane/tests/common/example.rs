@@ -1,0 +1,230 @@
+//! A lever with a hammer on it, about as large as the models of pianos: something to emit and to
+//! compile, whose equations nobody reads.
+
+use equations::table::{
+    BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom, GuardTable,
+    Material, ModeTable, ModelTable, OutlineTable, ParameterTable, PresetTable, Quantity,
+    RequirementTable, RestTable, SpringTable, WayTable,
+};
+use kane::graph::{BinaryFunction, Graph, Node, Place, UnaryFunction};
+use kane::tape::{Argument, Layout, Tape};
+use pode::{EquationKind, Fires, Reads};
+
+const LENGTH: (f64, f64) = (1e-3, 10.0);
+
+const fn parameter(name: &'static str, unit: &'static str) -> ParameterTable {
+    ParameterTable {
+        name,
+        title: "A name for people",
+        unit,
+        range: LENGTH,
+        doc: "One line about it, with \"quotes\", a \\ and signs like µ that is long enough to be \
+              broken into two lines of text in the emitted file",
+    }
+}
+
+const MODE: ModeTable = ModeTable {
+    name: "contact",
+    derivative: 1,
+    parts: &[],
+    slaved: None,
+    projection: None,
+    projected: 0,
+    longest_projection: 1e-3,
+    readout: 2,
+    slopes: 3,
+    outputs: 4,
+    balance: 3,
+    jacobian: 5,
+    kind: EquationKind::Smooth,
+    guards: &[GuardTable {
+        id: 0,
+        name: "release",
+        priority: 0,
+        scale: 1.0,
+        fires: Fires::OnCrossing,
+        reads: Reads::StateAndInput,
+        value: 6,
+        bound: None,
+        ways: &[
+            WayTable { when: Some(2), to: 1, reset: Some(7) },
+            WayTable { when: None, to: 0, reset: None },
+        ],
+        sounds: Some(2),
+    }],
+    contacts: &[],
+    freedom: Freedom { n: 2, m: 0, p: 2 },
+};
+
+/// The example's table.
+pub static TABLE: ModelTable = ModelTable {
+    name: "lever-with-hammer",
+    summary: "A lever with a hammer on it",
+    parameters: &[
+        parameter("L1", "m"),
+        parameter("M1", "kg"),
+        parameter("J1", "kg*m^2"),
+        parameter("J2", "kg*m^2"),
+        parameter("k1", "N*m/rad"),
+        parameter("k2", "N/m"),
+        parameter("a very long name that no identifier should have", "1"),
+    ],
+    presets: &[PresetTable { name: "default", doc: "", values: 0 }],
+    requirements: &[RequirementTable { text: "L1 > 0", margin: 2 }],
+    states: &[
+        Quantity { name: "theta_k", unit: "rad" },
+        Quantity { name: "theta_h", unit: "rad" },
+        Quantity { name: "theta_k'", unit: "rad/s" },
+        Quantity { name: "theta_h'", unit: "rad/s" },
+    ],
+    coordinates: 2,
+    constants: 8,
+    derive_constants: 0,
+    input: Quantity { name: "s", unit: "rad" },
+    input_per_metre: 2,
+    modes: &[MODE, ModeTable { name: "free'", kind: EquationKind::Affine, guards: &[], ..MODE }],
+    contacts: &[ContactTable { name: "string", gap: Some(1e-3), friction: None }],
+    outputs: &[Quantity { name: "F", unit: "N" }],
+    rest: RestTable { mode: 0, state: 7, is_improved: true },
+    damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
+    drawing: DrawingTable {
+        numbers: 8,
+        count: 6,
+        bodies: &[BodyTable {
+            name: "lever",
+            output: None,
+            outlines: &[OutlineTable {
+                material: Material::Wood,
+                is_closed: true,
+                points: (4, 1),
+                modes: &[0, 1],
+            }],
+        }],
+        springs: &[SpringTable { name: "k1", from: (0, 4), to: (0, 4), modes: &[] }],
+    },
+};
+
+/// A contact table, so that every structure is written somewhere.
+pub const CONTACT: ContactModeTable = ContactModeTable {
+    contact: 0,
+    gap: Some(6),
+    bound: None,
+    normal: Some(1),
+    balance: None,
+    slip: None,
+    limits: None,
+    response: None,
+};
+
+fn layout(graph: &Graph) -> Layout {
+    let _ = graph;
+    let mut layout = Layout::default();
+    for at in 0..8 {
+        layout.place(Place::Parameter(at), Argument::Constant(at));
+    }
+    for at in 0..2 {
+        layout.place(Place::Coordinate(at), Argument::State(at));
+        layout.place(Place::Speed(at), Argument::State(2 + at));
+    }
+    for at in 0..4 {
+        layout.place(Place::Input(at), Argument::Input(at));
+    }
+    layout.place(Place::Extra(0), Argument::Extra(0));
+    layout
+}
+
+/// The derivative of the state: a lever on springs, and a hammer that slides on it behind felt.
+pub fn derivative(g: &mut Graph) -> Vec<Node> {
+    let [l1, m1, j1, j2, k1, k2] = core::array::from_fn(|at| g.symbol(Place::Parameter(at as u16)));
+    let [q1, q2] = core::array::from_fn(|at| g.symbol(Place::Coordinate(at as u16)));
+    let [u1, u2] = core::array::from_fn(|at| g.symbol(Place::Speed(at as u16)));
+    let [s, ds] = core::array::from_fn(|at| g.symbol(Place::Input(at as u8)));
+    let delta = g.subtract(q1, q2);
+    let (sd, cd) = (g.unary(UnaryFunction::Sin, delta), g.unary(UnaryFunction::Cos, delta));
+    let (s1, c1) = (g.unary(UnaryFunction::Sin, q1), g.unary(UnaryFunction::Cos, q1));
+    // Mass matrix [[a, b], [b, d]].
+    let ml2 = g.product(&[(m1, 1), (l1, 2)]);
+    let a = g.sum(&[(j1, 1.0), (ml2, 1.0)]);
+    let b = g.product(&[(ml2, 1), (cd, 1)]);
+    let d = g.sum(&[(j2, 1.0), (ml2, 0.25)]);
+    // Forces: input spring with damping, felt, gravity, centrifugal terms.
+    let stretch = g.subtract(s, q1);
+    let rate = g.subtract(ds, u1);
+    let spring = g.product(&[(k1, 1), (stretch, 1)]);
+    let damping = g.product(&[(k1, 1), (rate, 1)]);
+    let height = g.sum(&[(s1, 0.4), (q2, -0.1), (sd, 0.05)]);
+    let zero = g.constant(0.0);
+    let compression = g.binary(BinaryFunction::Max, height, zero);
+    let exponent = g.constant(2.5);
+    let power = g.binary(BinaryFunction::Power, compression, exponent);
+    let felt = g.product(&[(k2, 1), (power, 1)]);
+    let soft = g.scale(height, 300.0);
+    let soft = g.unary(UnaryFunction::Softplus, soft);
+    let (uu1, uu2) = (g.power(u1, 2), g.power(u2, 2));
+    let turn1 = g.product(&[(ml2, 1), (sd, 1), (uu2, 1)]);
+    let turn2 = g.product(&[(ml2, 1), (sd, 1), (uu1, 1)]);
+    let weight = g.product(&[(m1, 1), (l1, 1), (c1, 1)]);
+    let felt1 = g.multiply(felt, c1);
+    let f1 = g.sum(&[
+        (spring, 1.0),
+        (damping, 0.01),
+        (felt1, -0.4),
+        (turn1, -1.0),
+        (weight, -9.81),
+        (soft, -1e-3),
+    ]);
+    let felt2 = g.multiply(felt, cd);
+    let f2 = g.sum(&[(felt2, 0.1), (turn2, 1.0), (soft, 1e-3), (u2, -0.02)]);
+    let (ad, bb) = (g.multiply(a, d), g.power(b, 2));
+    let determinant = g.subtract(ad, bb);
+    let solve = |g: &mut Graph, [x, fx, y, fy]: [Node; 4]| {
+        let (x, y) = (g.multiply(x, fx), g.multiply(y, fy));
+        let above = g.subtract(x, y);
+        g.divide(above, determinant)
+    };
+    let first = solve(g, [d, f1, b, f2]);
+    let second = solve(g, [a, f2, b, f1]);
+    vec![u1, u2, first, second]
+}
+
+/// The example's functions.
+pub fn functions() -> Vec<Tape> {
+    let mut graph = Graph::new();
+    let g = &mut graph;
+    let f = derivative(g);
+    let [l1, m1, k1] = [0, 1, 4].map(|at| g.symbol(Place::Parameter(at)));
+    let third = g.constant(1.0 / 3.0);
+    let pi = g.constant(core::f64::consts::PI);
+    let weight = g.product(&[(l1, 1), (m1, 1), (pi, 1)]);
+    let [q1, q2, s, key] =
+        [Place::Coordinate(0), Place::Coordinate(1), Place::Input(0), Place::Extra(0)]
+            .map(|place| g.symbol(place));
+    let stretch = g.subtract(s, q1);
+    let readout = g.multiply(k1, stretch);
+    let states = [Place::Coordinate(0), Place::Coordinate(1), Place::Speed(0), Place::Speed(1)];
+    let jacobian: Vec<Node> = f
+        .iter()
+        .flat_map(|row| states.map(|place| (*row, place)))
+        .collect::<Vec<_>>()
+        .into_iter()
+        .map(|(row, place)| g.partial(row, place))
+        .collect();
+    let about_pi = g.constant(3.14);
+    let chosen = g.select(readout, about_pi, q2);
+    let angle = g.binary(BinaryFunction::Atan2, q1, q2);
+    let graded = g.product(&[(key, 1), (third, 1)]);
+    let (small, big) = (g.constant(1.5e-9), g.constant(123_456_789.0));
+    let lists: [Vec<Node>; 9] = [
+        vec![weight],
+        f,
+        vec![readout],
+        vec![readout, weight, stretch],
+        vec![chosen],
+        jacobian,
+        vec![angle, stretch],
+        vec![q1, q2, third, small],
+        vec![graded, big, third, pi, q1, q1],
+    ];
+    let layout = layout(g);
+    lists.map(|outputs| Tape::lower(&graph, &layout, &outputs).unwrap()).to_vec()
+}
