@@ -11,3 +11,4 @@ pub mod graph;
 pub mod mechanism;
 pub mod system;
 pub mod tape;
+pub mod taylor;

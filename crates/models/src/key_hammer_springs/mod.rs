@@ -2,6 +2,7 @@
 
 mod drawing;
 mod equations;
+mod series;
 
 use pode::{GuardId, Motion, Nature, Part};
 
@@ -30,6 +31,8 @@ pub struct KeyHammerSprings {
     weights: [f64; 2],
     /// Moments of the weight of hammer and key, lying level (N·m).
     moments: [f64; 2],
+    /// What the Taylor series is given: see `equations::series_constants`.
+    series: [f64; 10],
 }
 
 impl KeyHammerSprings {
@@ -75,6 +78,7 @@ impl Described for KeyHammerSprings {
             per_inertia,
             weights,
             moments,
+            series: equations::series_constants(&values),
         }
     }
 

@@ -1,0 +1,3 @@
+//! The crate against closed forms and other programs.
+
+mod taylor;
