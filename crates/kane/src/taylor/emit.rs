@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::needs::Needs;
+use super::lanes::{Factor, Lane, lanes};
 use super::recursion::Recursion;
 use super::rules::Rule;
 use crate::graph::{BinaryFunction, UnaryFunction};
@@ -36,15 +36,15 @@ pub fn emit(recursion: &Recursion, names: &SeriesNames<'_>) -> String {
 struct Writing<'a> {
     recursion: &'a Recursion,
     is_live: Vec<bool>,
-    needs: Needs,
+    lanes: Vec<Lane>,
     text: String,
 }
 
 impl<'a> Writing<'a> {
     fn new(recursion: &'a Recursion) -> Self {
         let is_live = recursion.live(&recursion.tape.outputs);
-        let needs = Needs::of(recursion, &is_live);
-        Self { recursion, is_live, needs, text: String::new() }
+        let lanes = lanes(recursion, &is_live);
+        Self { recursion, is_live, lanes, text: String::new() }
     }
 
     fn line(&mut self, depth: usize, line: &str) {
@@ -77,6 +77,9 @@ impl<'a> Writing<'a> {
     /// Values at the start, the rows that begin with them, and the first rates.
     fn start(&mut self) {
         self.line(1, "let x = out.terms[0];");
+        if self.recursion.rules.iter().any(|rule| matches!(rule, Rule::Input(1..))) {
+            self.line(1, "let per_scale = 1.0 / out.scale;");
+        }
         let is_read = self.is_read_at_start();
         let mut is_written = vec![false; is_read.len()];
         for at in (0..is_read.len()).filter(|at| is_read[*at]) {
@@ -85,7 +88,11 @@ impl<'a> Writing<'a> {
             }
         }
         for at in 0..is_read.len() {
-            self.rows_begin(at);
+            self.prepare(at);
+        }
+        for (group, lanes) in self.groups().into_iter().enumerate() {
+            let line = format!("let mut lanes{group} = Lanes::<{}>::ZERO;", lanes.len());
+            self.line(1, &line);
         }
         self.outputs(1, "0", "1");
     }
@@ -135,18 +142,8 @@ impl<'a> Writing<'a> {
         self.line(1, &format!("let v{at} = {value};"));
     }
 
-    fn rows_begin(&mut self, at: usize) {
-        for (name, kind, is_needed) in
-            [("up", "Rising", self.needs.rising[at]), ("down", "Falling", self.needs.falling[at])]
-        {
-            if is_needed {
-                self.line(1, &format!("let mut {name}{at} = {kind}::ZERO;"));
-                self.line(1, &format!("{name}{at}.set(0, v{at});"));
-            }
-        }
-        if self.needs.rate[at] {
-            self.line(1, &format!("let mut rate{at} = Rising::ZERO;"));
-        }
+    /// What a rule makes of its operands' values at the start, once.
+    fn prepare(&mut self, at: usize) {
         if !self.is_live[at] {
             return;
         }
@@ -187,10 +184,10 @@ impl<'a> Writing<'a> {
 
     /// The coefficient of order `k` of a value.
     fn now(&self, slot: Slot, k: &str) -> String {
-        if k != "0" && self.recursion.is_constant(slot) {
-            "0.0".into()
-        } else {
-            format!("v{}", slot.0)
+        match k {
+            "0" => format!("v{}", slot.0),
+            _ if self.recursion.is_constant(slot) => "0.0".into(),
+            _ => format!("w{}", slot.0),
         }
     }
 
@@ -198,6 +195,7 @@ impl<'a> Writing<'a> {
         self.line(1, "for k in 1..out.order {");
         self.terms(2, &self.is_live.clone());
         self.outputs(2, "k", "k + 1");
+        self.enter(2);
         self.line(1, "}");
     }
 
@@ -221,61 +219,82 @@ impl<'a> Writing<'a> {
         if reads_state {
             self.line(depth, "let x = out.terms[k];");
         }
-        for at in (0..wanted.len()).filter(|at| wanted[*at]) {
+        for group in 0..self.groups().len() {
+            self.line(depth, &format!("let e{group} = lanes{group}.inner(k);"));
+        }
+        let wanted: Vec<_> = (0..wanted.len()).filter(|at| wanted[*at]).collect();
+        self.line(depth, "let per_k = PER_ORDER[k];");
+        for at in wanted {
             let Some(term) = self.term(at) else { continue };
-            self.line(depth, &format!("let v{at} = {term};"));
-            self.rows_go_on(depth, at);
+            self.line(depth, &format!("let w{at} = {term};"));
         }
     }
 
-    fn rows_go_on(&mut self, depth: usize, at: usize) {
-        if self.needs.rising[at] {
-            self.line(depth, &format!("up{at}.set(k, v{at});"));
-        }
-        if self.needs.falling[at] {
-            self.line(depth, &format!("down{at}.set(k, v{at});"));
-        }
-        if self.needs.rate[at] {
-            self.line(depth, &format!("rate{at}.set(k, k as f64 * v{at});"));
+    /// As many lanes at a time as fit into the registers of a common processor.
+    fn groups(&self) -> Vec<Vec<Lane>> {
+        const MOST: usize = 14;
+        let count = self.lanes.len().div_ceil(MOST).max(1);
+        let size = self.lanes.len().div_ceil(count).max(1);
+        self.lanes.chunks(size).map(<[Lane]>::to_vec).collect()
+    }
+
+    /// What the orders before k add to a value's coefficient: the lane of that number.
+    fn sum(&self, at: usize, number: usize) -> String {
+        let groups = self.groups();
+        let mut places = groups.iter().enumerate().flat_map(|(group, lanes)| {
+            lanes.iter().enumerate().map(move |(lane, it)| (group, lane, it.of))
+        });
+        let place = places.by_ref().filter(|it| it.2.index() == at).nth(number);
+        place.map_or_else(|| "0.0".into(), |(group, lane, _)| format!("e{group}[{lane}]"))
+    }
+
+    /// Enters this order into the lanes.
+    fn enter(&mut self, depth: usize) {
+        for (group, lanes) in self.groups().into_iter().enumerate() {
+            let list = |of: fn(&Lane) -> Factor| {
+                let list: Vec<_> = lanes.iter().map(|lane| of(lane).text()).collect();
+                list.join(", ")
+            };
+            let (first, second) = (list(|lane| lane.first), list(|lane| lane.second));
+            self.line(depth, &format!("lanes{group}.enter(k, [{first}], [{second}]);"));
         }
     }
 
     fn term(&self, at: usize) -> Option<String> {
         let now = |slot: Slot| self.now(slot, "k");
+        let e = self.sum(at, 0);
+        let is_constant = |slot: Slot| self.recursion.is_constant(slot);
         Some(match self.recursion.rules[at] {
             Rule::Constant => return None,
             Rule::State(index) => format!("x[{index}]"),
             Rule::Input(rate) => input_of(rate),
-            Rule::Add(x, y) => match [x, y].map(|it| self.recursion.is_constant(it)) {
-                [true, _] => now(y),
-                [_, true] => now(x),
-                _ => format!("{} + {}", now(x), now(y)),
-            },
-            Rule::Subtract(x, y) => match [x, y].map(|it| self.recursion.is_constant(it)) {
-                [true, _] => format!("-{}", now(y)),
-                [_, true] => now(x),
-                _ => format!("{} - {}", now(x), now(y)),
-            },
+            Rule::Add(x, y) if is_constant(x) => now(y),
+            Rule::Add(x, y) if is_constant(y) => now(x),
+            Rule::Add(x, y) => format!("{} + {}", now(x), now(y)),
+            Rule::Subtract(x, y) if is_constant(x) => format!("-{}", now(y)),
+            Rule::Subtract(x, y) if is_constant(y) => now(x),
+            Rule::Subtract(x, y) => format!("{} - {}", now(x), now(y)),
             Rule::Negate(x) => format!("-{}", now(x)),
             Rule::Scale(by, x) => format!("v{} * {}", by.0, now(x)),
-            Rule::Product(x, y) => {
-                let (x, y) = if self.needs.is_swapped[at] { (y, x) } else { (x, y) };
-                format!("product(&up{}, &down{}, k)", x.0, y.0)
-            }
-            Rule::Square(x) => format!("square(&up{0}, &down{0}, k)", x.0),
+            Rule::Product(x, y) => format!("{e} + v{0} * w{1} + w{0} * v{1}", x.0, y.0),
+            Rule::Square(x) => format!("{e} + 2.0 * v{0} * w{0}", x.0),
             Rule::Quotient(x, y) => {
-                format!("quotient({}, &up{}, &down{at}, per{at}, k)", now(x), y.0)
+                format!("({} - {e} - v{at} * w{}) * per{at}", now(x), y.0)
             }
             Rule::Over(x, _) => format!("{} * per{at}", now(x)),
             Rule::Driven { slope, of } => {
                 let (slope, is_negative) = self.recursion.slope(slope);
                 let sign = if is_negative { "-" } else { "" };
-                format!("{sign}driven(&rate{}, &down{}, k)", of.0, slope.0)
+                format!("{sign}({e} * per_k + w{} * v{})", of.0, slope.0)
             }
-            Rule::Root(x) => format!("root({}, &up{at}, &down{at}, per{at}, k)", now(x)),
-            Rule::Power(x, by) => {
-                format!("power(v{}, (&up{1}, &rate{1}), &down{at}, per{at}, k)", by.0, x.0)
-            }
+            Rule::Root(x) => format!("({} - {e}) * per{at}", now(x)),
+            Rule::Power(x, by) => format!(
+                "((v{0} + 1.0) * {2} * per_k - {e} \
+                 + v{0} * v{at} * w{1}) * per{at}",
+                by.0,
+                x.0,
+                self.sum(at, 1)
+            ),
             Rule::Magnitude(x) => format!("sign{at} * {}", now(x)),
             Rule::Choice(_, x, y) => format!("if is{at} {{ {} }} else {{ {} }}", now(x), now(y)),
         })
@@ -284,8 +303,8 @@ impl<'a> Writing<'a> {
 
 /// The coefficient k of the input or a rate of it.
 fn input_of(rate: u8) -> String {
-    let factors: String = (1..=rate).map(|n| format!(" * (k + {n}) as f64 / out.scale")).collect();
-    format!("s[k + {rate}].position{factors}")
+    let factors: String = (1..=rate).map(|n| format!(" * (k + {n}) as f64 * per_scale")).collect();
+    format!("s[k + {rate}].position{factors}").replace(" + 0", "")
 }
 
 /// A value at the start of a step.
@@ -296,7 +315,7 @@ fn start_of(instruction: &Instruction) -> String {
         Instruction::Argument(Argument::State(index)) => format!("x[{index}]"),
         Instruction::Argument(Argument::Input(0)) => "s[0].position".into(),
         Instruction::Argument(Argument::Input(rate)) => {
-            let factors: String = (1..=rate).map(|n| format!(" * {n}.0 / out.scale")).collect();
+            let factors: String = (1..=rate).map(|n| format!(" * {n}.0 * per_scale")).collect();
             format!("s[{rate}].position{factors}")
         }
         // No derivative has any.

@@ -5,7 +5,7 @@
 
 mod emit;
 mod evaluate;
-mod needs;
+mod lanes;
 mod recursion;
 mod rules;
 

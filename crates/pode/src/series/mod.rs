@@ -10,6 +10,7 @@
 
 mod falls;
 mod guards;
+pub mod lanes;
 pub mod rows;
 
 pub(crate) use falls::{Fall, first_fall};
