@@ -91,7 +91,8 @@ impl<'a> Writing<'a> {
             self.prepare(at);
         }
         for (group, lanes) in self.groups().into_iter().enumerate() {
-            let line = format!("let mut lanes{group} = Lanes::<{}>::ZERO;", lanes.len());
+            let line =
+                format!("let mut lanes{group} = Lanes::<{}>::ZERO;", lanes.len().div_ceil(2));
             self.line(1, &line);
         }
         self.outputs(1, "0", "1");
@@ -245,7 +246,10 @@ impl<'a> Writing<'a> {
             lanes.iter().enumerate().map(move |(lane, it)| (group, lane, it.of))
         });
         let place = places.by_ref().filter(|it| it.2.index() == at).nth(number);
-        place.map_or_else(|| "0.0".into(), |(group, lane, _)| format!("e{group}[{lane}]"))
+        place.map_or_else(
+            || "0.0".into(),
+            |(group, lane, _)| format!("e{group}[{}].both()[{}]", lane / 2, lane % 2),
+        )
     }
 
     /// Enters this order into the lanes.
@@ -253,7 +257,11 @@ impl<'a> Writing<'a> {
         for (group, lanes) in self.groups().into_iter().enumerate() {
             let list = |of: fn(&Lane) -> Factor| {
                 let list: Vec<_> = lanes.iter().map(|lane| of(lane).text()).collect();
-                list.join(", ")
+                let pair = |pair: &[String]| match pair {
+                    [one, other] => format!("Pair::new({one}, {other})"),
+                    rest => format!("Pair::new({}, 0.0)", rest.concat()),
+                };
+                list.chunks(2).map(pair).collect::<Vec<_>>().join(", ")
             };
             let (first, second) = (list(|lane| lane.first), list(|lane| lane.second));
             self.line(depth, &format!("lanes{group}.enter(k, [{first}], [{second}]);"));

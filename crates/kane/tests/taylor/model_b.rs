@@ -111,7 +111,7 @@ fn file() -> String {
          //!\n\
          //! `UPDATE=1 cargo test -p kane --test all taylor` writes it again.\n\n\
          #![expect(clippy::all, clippy::pedantic, reason = \"generated\")]\n\n\
-         use pode::series::lanes::Lanes;\n\
+         use pode::series::lanes::{Lanes, Pair};\n\
          use pode::series::rows::PER_ORDER;\n\
          use pode::series::{Expansion, INPUT_TERMS};\n\
          use pode::{Motion, math};\n",

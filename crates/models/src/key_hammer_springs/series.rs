@@ -4,7 +4,7 @@
 
 #![expect(clippy::all, clippy::pedantic, reason = "generated")]
 
-use pode::series::lanes::Lanes;
+use pode::series::lanes::{Lanes, Pair};
 use pode::series::rows::PER_ORDER;
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Motion, math};
@@ -71,7 +71,7 @@ pub(super) fn coupled(
     let v56 = v55 - v52;
     let per49 = 1.0 / v48;
     let per52 = 1.0 / v48;
-    let mut lanes0 = Lanes::<13>::ZERO;
+    let mut lanes0 = Lanes::<7>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v22, by * v23, by * v53, by * v56];
     out.guards[0][0] = v36;
@@ -82,13 +82,13 @@ pub(super) fn coupled(
         let per_k = PER_ORDER[k];
         let w10 = x[0];
         let w11 = x[1];
-        let w12 = (e0[0] * per_k + w10 * v13);
-        let w13 = -(e0[1] * per_k + w10 * v12);
-        let w15 = (e0[2] * per_k + w11 * v16);
-        let w16 = -(e0[3] * per_k + w11 * v15);
+        let w12 = (e0[0].both()[0] * per_k + w10 * v13);
+        let w13 = -(e0[0].both()[1] * per_k + w10 * v12);
+        let w15 = (e0[1].both()[0] * per_k + w11 * v16);
+        let w16 = -(e0[1].both()[1] * per_k + w11 * v15);
         let w18 = w10 - w11;
-        let w19 = (e0[4] * per_k + w18 * v20);
-        let w20 = -(e0[5] * per_k + w18 * v19);
+        let w19 = (e0[2].both()[0] * per_k + w18 * v20);
+        let w20 = -(e0[2].both()[1] * per_k + w18 * v19);
         let w22 = x[2];
         let w23 = x[3];
         let w24 = s[k].position;
@@ -109,17 +109,17 @@ pub(super) fn coupled(
         let w39 = v2 * w15;
         let w40 = -w38;
         let w41 = w40 - w39;
-        let w42 = e0[6] + 2.0 * v20 * w20;
+        let w42 = e0[3].both()[0] + 2.0 * v20 * w20;
         let w43 = v0 * w42;
-        let w44 = e0[7] + v19 * w36 + w19 * v36;
+        let w44 = e0[3].both()[1] + v19 * w36 + w19 * v36;
         let w45 = w43 - w44;
         let w46 = v5 * w36;
-        let w47 = e0[8] + v46 * w41 + w46 * v41;
-        let w48 = e0[9] + v42 * w20 + w42 * v20;
-        let w49 = (w47 - e0[10] - v49 * w48) * per49;
+        let w47 = e0[4].both()[0] + v46 * w41 + w46 * v41;
+        let w48 = e0[4].both()[1] + v42 * w20 + w42 * v20;
+        let w49 = (w47 - e0[5].both()[0] - v49 * w48) * per49;
         let w50 = v6 * w36;
-        let w51 = e0[11] + v50 * w45 + w50 * v45;
-        let w52 = (w51 - e0[12] - v52 * w48) * per52;
+        let w51 = e0[5].both()[1] + v50 * w45 + w50 * v45;
+        let w52 = (w51 - e0[6].both()[0] - v52 * w48) * per52;
         let w53 = w49 - w28;
         let w54 = w30 + w31;
         let w55 = w54 - w29;
@@ -128,7 +128,7 @@ pub(super) fn coupled(
         out.terms[k + 1] = [by * w22, by * w23, by * w53, by * w56];
         out.guards[0][k] = w36;
         out.guards[1][k] = w37;
-        lanes0.enter(k, [k as f64 * w10, k as f64 * w10, k as f64 * w11, k as f64 * w11, k as f64 * w18, k as f64 * w18, w20, w19, w46, w42, w48, w50, w48], [w13, w12, w16, w15, w20, w19, w20, w36, w41, w20, w49, w45, w52]);
+        lanes0.enter(k, [Pair::new(k as f64 * w10, k as f64 * w10), Pair::new(k as f64 * w11, k as f64 * w11), Pair::new(k as f64 * w18, k as f64 * w18), Pair::new(w20, w19), Pair::new(w46, w42), Pair::new(w48, w50), Pair::new(w48, 0.0)], [Pair::new(w13, w12), Pair::new(w16, w15), Pair::new(w20, w19), Pair::new(w20, w36), Pair::new(w41, w20), Pair::new(w49, w45), Pair::new(w52, 0.0)]);
     }
     out.known_guards = 2;
     let k = out.order;
@@ -137,11 +137,11 @@ pub(super) fn coupled(
     let per_k = PER_ORDER[k];
     let w10 = x[0];
     let w11 = x[1];
-    let w12 = (e0[0] * per_k + w10 * v13);
-    let w13 = -(e0[1] * per_k + w10 * v12);
+    let w12 = (e0[0].both()[0] * per_k + w10 * v13);
+    let w13 = -(e0[0].both()[1] * per_k + w10 * v12);
     let w18 = w10 - w11;
-    let w19 = (e0[4] * per_k + w18 * v20);
-    let w20 = -(e0[5] * per_k + w18 * v19);
+    let w19 = (e0[2].both()[0] * per_k + w18 * v20);
+    let w20 = -(e0[2].both()[1] * per_k + w18 * v19);
     let w32 = v0 * w19;
     let w33 = v2 * w13;
     let w34 = v1 * w12;
@@ -194,7 +194,7 @@ pub(super) fn apart(
     let v36 = v7 - v8;
     let v37 = v33 + v34;
     let v38 = v37 - v35;
-    let mut lanes0 = Lanes::<6>::ZERO;
+    let mut lanes0 = Lanes::<3>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v20, by * v21, by * v30, by * v32];
     out.guards[0][0] = v38;
@@ -205,13 +205,13 @@ pub(super) fn apart(
         let per_k = PER_ORDER[k];
         let w8 = x[0];
         let w9 = x[1];
-        let w10 = (e0[0] * per_k + w8 * v11);
-        let w11 = -(e0[1] * per_k + w8 * v10);
+        let w10 = (e0[0].both()[0] * per_k + w8 * v11);
+        let w11 = -(e0[0].both()[1] * per_k + w8 * v10);
         let w13 = w8 - w9;
-        let w14 = (e0[2] * per_k + w13 * v15);
-        let w15 = -(e0[3] * per_k + w13 * v14);
-        let w17 = (e0[4] * per_k + w9 * v18);
-        let w18 = -(e0[5] * per_k + w9 * v17);
+        let w14 = (e0[1].both()[0] * per_k + w13 * v15);
+        let w15 = -(e0[1].both()[1] * per_k + w13 * v14);
+        let w17 = (e0[2].both()[0] * per_k + w9 * v18);
+        let w18 = -(e0[2].both()[1] * per_k + w9 * v17);
         let w20 = x[2];
         let w21 = x[3];
         let w22 = s[k].position;
@@ -235,7 +235,7 @@ pub(super) fn apart(
         out.terms[k + 1] = [by * w20, by * w21, by * w30, by * w32];
         out.guards[0][k] = w38;
         out.guards[1][k] = w36;
-        lanes0.enter(k, [k as f64 * w8, k as f64 * w8, k as f64 * w13, k as f64 * w13, k as f64 * w9, k as f64 * w9], [w11, w10, w15, w14, w18, w17]);
+        lanes0.enter(k, [Pair::new(k as f64 * w8, k as f64 * w8), Pair::new(k as f64 * w13, k as f64 * w13), Pair::new(k as f64 * w9, k as f64 * w9)], [Pair::new(w11, w10), Pair::new(w15, w14), Pair::new(w18, w17)]);
     }
     out.known_guards = 2;
     let k = out.order;
@@ -244,11 +244,11 @@ pub(super) fn apart(
     let per_k = PER_ORDER[k];
     let w8 = x[0];
     let w9 = x[1];
-    let w10 = (e0[0] * per_k + w8 * v11);
-    let w11 = -(e0[1] * per_k + w8 * v10);
+    let w10 = (e0[0].both()[0] * per_k + w8 * v11);
+    let w11 = -(e0[0].both()[1] * per_k + w8 * v10);
     let w13 = w8 - w9;
-    let w14 = (e0[2] * per_k + w13 * v15);
-    let w15 = -(e0[3] * per_k + w13 * v14);
+    let w14 = (e0[1].both()[0] * per_k + w13 * v15);
+    let w15 = -(e0[1].both()[1] * per_k + w13 * v14);
     let w33 = v0 * w14;
     let w34 = v2 * w11;
     let w35 = v1 * w10;
