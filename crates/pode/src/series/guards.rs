@@ -45,8 +45,8 @@ pub(crate) struct GuardSums {
     /// Value and rate (per second) at both ends of the step.
     pub(crate) start: GuardValue,
     pub(crate) end: GuardValue,
-    /// Bound of |g(τ) − g(0)|.
-    pub(crate) moves: f64,
+    /// How far it can fall below its start: no power of τ exceeds 1, and none is negative.
+    pub(crate) falls: f64,
     /// What the coefficients that are not there may add.
     pub(crate) rest: f64,
 }
@@ -61,18 +61,18 @@ impl GuardPolynomial {
     /// Its ends, and how far it goes, over a step of `h` (s).
     #[inline]
     pub(crate) fn sums(&self, h: f64) -> GuardSums {
-        let (mut value, mut slope, mut moves) = (0.0, 0.0, 0.0);
+        let (mut value, mut slope, mut falls) = (0.0, 0.0, 0.0);
         for (k, term) in self.terms().iter().enumerate().skip(1).rev() {
             value += term;
             slope += k as f64 * term;
-            moves += term.abs();
+            falls += if *term < 0.0 { *term } else { 0.0 };
         }
         let [first, second, ..] = self.terms;
         let last = |n: usize| self.order.checked_sub(n).map_or(0.0, |at| self.terms[at].abs());
         GuardSums {
             start: GuardValue::new(first, second / h),
             end: GuardValue::new(first + value, slope / h),
-            moves,
+            falls,
             rest: last(0) + last(1),
         }
     }

@@ -36,20 +36,18 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     ) -> Result<Verdict, Fault> {
         let slot = &mut self.guards[index];
         let sums = guard.sums(h);
-        if !sums.moves.is_finite() || !sums.start.is_finite() || !sums.end.is_finite() {
+        if !sums.start.is_finite() || !sums.end.is_finite() {
             return Err(Fault::Guard);
         }
         (slot.start, slot.value, slot.is_fresh) = (sums.start, sums.end, true);
         (slot.bend, slot.curvature) = (f64::INFINITY, f64::INFINITY);
         let band = spec.band() + sums.rest;
-        if slot.stand == Stand::Armed && sums.start.value - sums.moves > band {
+        if slot.stand == Stand::Armed && sums.start.value + sums.falls > band {
             return Ok(Verdict::Clear);
         }
         let is_falling = match slot.stand {
             Stand::Armed => first_fall(guard, band) != Fall::None,
             Stand::Departing => first_fall(&guard.departed(), band) != Fall::None,
-            // What is below zero and stays there does not fall.
-            Stand::Disarmed => sums.start.value + sums.moves > -band,
             _ => true,
         };
         slot.bend = if slot.stand == Stand::Armed { guard.bend() } else { f64::INFINITY };
