@@ -5,7 +5,7 @@
 //! exact derivatives; [`mechanism`] is a checked description; [`mechanics`] derives [`system`] from
 //! it, mode by mode; [`tape`] is the straight-line program of some expressions; [`assemble`] makes
 //! the table and the functions of a model that `equations` runs; [`emit`] writes them as Rust, and
-//! [`readable`] for people.
+//! [`readable`] for people; [`taylor`] has the coefficients of a motion from its tape.
 //!
 //! Not here: time stepping, keys, what an instrument sounds like.
 #![forbid(unsafe_code)]
@@ -20,4 +20,5 @@ pub mod mechanism;
 pub mod readable;
 pub mod system;
 pub mod tape;
+pub mod taylor;
 pub mod text;

@@ -69,6 +69,7 @@ mod watch;
 pub mod filippov;
 pub mod input;
 pub mod math;
+pub mod series;
 pub mod stepper;
 
 pub use audit::{Auditor, Energetic, EnergyAudit, EnergyBalance};

@@ -6,6 +6,7 @@ use crate::enclosure::{Enclosure, GuardBound};
 use crate::guard::{GuardId, GuardSpec, GuardValue};
 use crate::nature::Nature;
 use crate::part::Part;
+use crate::series::{Expansion, INPUT_TERMS};
 use crate::state::State;
 use crate::stepper::{differences, unit_differences};
 
@@ -67,6 +68,21 @@ pub trait Model {
             return unit_differences(|x| self.derivative(mode, x, input));
         }
         differences(x, |x| self.derivative(mode, x, input))
+    }
+
+    /// Expands the motion of `mode` as a power series in time, and its guards along it.
+    ///
+    /// `out` says from which state, up to which order, and in units of which time; `input` has the
+    /// coefficients of the input in the same unit, three more than are asked for. Returns `false`
+    /// where the model has no series: [`Taylor`](crate::stepper::Taylor) then steps otherwise.
+    #[inline]
+    fn series(
+        &self,
+        _mode: Self::Mode,
+        _input: &[Self::Input; INPUT_TERMS],
+        _out: &mut Expansion<Self::State>,
+    ) -> bool {
+        false
     }
 
     /// What the equations of `mode` are like, so that a method can be chosen by need.

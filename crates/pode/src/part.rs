@@ -46,6 +46,13 @@ impl Part {
         Self { entries, ..Self::WHOLE }
     }
 
+    /// The entries of all `parts` as one.
+    #[inline]
+    pub(crate) fn union(parts: &[Self]) -> Self {
+        let entries = parts.iter().fold(0, |sum, part| sum | part.entries);
+        Self { entries, ..Self::WHOLE }
+    }
+
     /// The same with equations of another nature than the mode as a whole.
     #[must_use]
     pub const fn with_nature(self, nature: Nature) -> Self {

@@ -1,12 +1,13 @@
 //! Model B's equations, by hand, in the form that generated ones will take.
 
 use pode::math::{cos, sin_cos_of_two, sqrt};
+use pode::series::{Expansion, INPUT_TERMS};
 use pode::{
     Enclosure, Energetic, EnergyBalance, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue,
     Guarded, Model, Motion, Nature, Part, ReadoutSlopes, Reset, Resets, Sloped,
 };
 
-use super::{KeyHammerSprings, Mode};
+use super::{KeyHammerSprings, Mode, series};
 use crate::bounds::TermBound;
 use crate::key_hammer::{Coupled, KeyHammerValues, below_string, gap, gap_bound};
 
@@ -220,6 +221,21 @@ impl Model for KeyHammerSprings {
         self.coupling(x, s)
     }
 
+    /// A felt has no series here.
+    fn series(
+        &self,
+        mode: Mode,
+        input: &[Motion; INPUT_TERMS],
+        out: &mut Expansion<[f64; 4]>,
+    ) -> bool {
+        match mode {
+            Mode::B1 if self.values.c2 != 0.0 => return false,
+            Mode::B1 => series::coupled(&self.series, input, out),
+            Mode::B2 => series::apart(&self.series, input, out),
+        }
+        true
+    }
+
     fn nature(&self, mode: Mode) -> Nature {
         self.natures[mode as usize]
     }
@@ -238,6 +254,15 @@ const RADIANS: f64 = 0.75;
 /// Three quarters of a radian of the fastest oscillation in B1 and in B2 (s).
 pub(super) fn longest_steps(p: &KeyHammerValues) -> [f64; 2] {
     oscillations(p).map(|rate| RADIANS / rate)
+}
+
+/// The constants of the Taylor series, in its order: lengths L1, L3, L4 (m), the angular
+/// accelerations of the weights (rad/s²), k2/JH, k2/JK, k1/JK, b1/JK, the string's angle (rad).
+pub(super) fn series_constants(p: &KeyHammerValues) -> [f64; 10] {
+    let [hammer, key] = [p.m2 * p.g * p.l2 / p.jh, p.m1 * p.g * p.ck / p.jk];
+    let springs = [p.k2 / p.jh, p.k2 / p.jk, p.k1 / p.jk, p.b1 / p.jk];
+    let [by_hammer, by_key, coupling, damping] = springs;
+    [p.l1, p.l3, p.l4, hammer, key, by_hammer, by_key, coupling, damping, p.string_angle]
 }
 
 /// What the equations of B1 and of B2 are like; the fastest rate is an oscillation's, with its

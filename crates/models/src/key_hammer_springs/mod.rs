@@ -2,6 +2,7 @@
 
 mod drawing;
 mod equations;
+mod series;
 
 use pode::{GuardId, Model as _, Motion, Nature, Part};
 
@@ -29,6 +30,8 @@ pub struct KeyHammerSprings {
     weights: [f64; 2],
     /// Moments of the weight of hammer and key, lying level (N·m).
     moments: [f64; 2],
+    /// What the Taylor series is given: see `equations::series_constants`.
+    series: [f64; 10],
 }
 
 impl KeyHammerSprings {
@@ -53,6 +56,7 @@ impl KeyHammerSprings {
             per_inertia,
             weights,
             moments,
+            series: equations::series_constants(&values),
         }
     }
 }

@@ -45,6 +45,29 @@ pub(super) struct Suspicion {
     pub(super) certainty: Certainty,
 }
 
+/// What a guard's ends tell of it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Verdict {
+    /// It has no root for certain.
+    Clear,
+    /// It may cross.
+    Candidate,
+    /// It does not seem to.
+    Unlikely,
+}
+
+impl Suspicion {
+    /// Adds what is known of the guard at the place `index`.
+    #[inline]
+    pub(super) const fn take(&mut self, index: usize, verdict: Verdict) {
+        match verdict {
+            Verdict::Clear => {}
+            Verdict::Candidate => self.candidates |= 1 << index,
+            Verdict::Unlikely => self.certainty = Certainty::Unknown,
+        }
+    }
+}
+
 impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Evaluates the guards at the end of a step as far as they can have come to zero, and says
     /// which of them may have crossed.
@@ -56,14 +79,23 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         taken: &TakenStep<M, T>,
     ) -> Result<Suspicion, Fault> {
         let mut found = Suspicion { candidates: 0, certainty: Certainty::Certain };
-        let enclosure = self.enclosure(run, taken);
+        let mode_guards = self.model.guards(self.mode).len();
+        let enclosure =
+            if self.has_series(mode_guards) { None } else { self.enclosure(run, taken) };
         let aims = self.stepper.aims(&self.model.nature(self.mode));
         for index in 0..self.model.guards(self.mode).len().min(MAX_GUARDS) {
             let spec = self.model.guards(self.mode)[index];
-            let slot = &mut self.guards[index];
-            if slot.stand == Stand::Unwatched {
+            if self.guards[index].stand == Stand::Unwatched {
                 continue;
             }
+            if T::IS_EXPANDED
+                && let Some(guard) = self.guard_along(index)
+            {
+                let verdict = self.look_along(&guard, (index, &spec), taken.h)?;
+                found.take(index, verdict);
+                continue;
+            }
+            let slot = &mut self.guards[index];
             let bound = match &enclosure {
                 Some(over) if !slot.is_doubted => self.model.guard_bound(self.mode, spec.id, over),
                 _ => GuardBound::UNKNOWN,
@@ -76,11 +108,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             if !aims {
                 self.guards[index].curvature = f64::INFINITY;
             }
-            if span.may_cross() || span.stand == Stand::Spent {
-                found.candidates |= 1 << index;
-            } else {
-                found.certainty = Certainty::Unknown;
-            }
+            let is_candidate = span.may_cross() || span.stand == Stand::Spent;
+            found.take(index, if is_candidate { Verdict::Candidate } else { Verdict::Unlikely });
         }
         Ok(found)
     }
@@ -150,7 +179,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
                 span.stand = Stand::Sinking;
             }
             let (place, is_sure) = if span.may_cross() {
-                self.crossing_place(run, taken, &span)?
+                self.crossing_place(run, taken, (index, &span))?
             } else {
                 (CrossingTime::NOWHERE, false)
             };
@@ -213,7 +242,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         &self,
         run: &mut TickRun<'_, S, W>,
         taken: &TakenStep<M, T>,
-        span: &GuardSpan,
+        (index, span): (usize, &GuardSpan),
     ) -> Result<(CrossingTime, bool), Fault> {
         let (dense, theta_end) = (&taken.step.dense, taken.theta_end);
         // The tolerance is a fraction of the tick; the step is a part of it.
@@ -235,7 +264,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             is_finite.set(is_finite.get() && value.is_finite());
             value
         };
-        let (crossing, is_sure) = span.crossing(counted);
+        let along = if T::IS_EXPANDED { self.crossing_along(index, span, counted) } else { None };
+        let (crossing, is_sure) = along.unwrap_or_else(|| span.crossing(counted));
         let place = match crossing {
             Crossing::None => CrossingTime::NOWHERE,
             Crossing::AtStart => CrossingTime { tau: 0.0, radius: 0.5 * tolerance },

@@ -5,8 +5,12 @@ use crate::model::Model;
 use crate::nature::Nature;
 use crate::outcome::Work;
 use crate::part::Part;
+use crate::series::{Expansion, INPUT_TERMS};
 use crate::state::{Matrix as _, State};
 use crate::stepper::{Field, differences, unit_differences};
+
+/// The index of all parts of a mode taken as one.
+pub(super) const TOGETHER: usize = usize::MAX;
 
 /// The right-hand side of one part of a mode over a part of the tick.
 pub(super) struct ModeField<'a, M: Model, S> {
@@ -71,6 +75,9 @@ impl<'a, M: Model, S: Signal<M::Input>> ModeField<'a, M, S> {
     fn rates(&self, x: &M::State, input: &M::Input) -> M::State {
         if self.part.is_whole() {
             self.model.derivative(self.mode, x, input)
+        } else if self.index == TOGETHER {
+            let rates = self.model.derivative(self.mode, x, input);
+            M::State::ZERO.with_entries(&rates, &self.part)
         } else {
             let rates = self.model.derivative_of(self.mode, self.index, x, input);
             M::State::ZERO.with_entries(&rates, &self.part)
@@ -106,6 +113,19 @@ impl<M: Model, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
         self.derivatives += 1;
         let input = self.input(tau);
         self.rates(x, &input)
+    }
+
+    fn expand(&mut self, out: &mut Expansion<M::State>) -> bool {
+        let mut input = [self.input(0.0); INPUT_TERMS];
+        let (from, to) = self.theta;
+        let wanted = input.get_mut(..=out.order + 3).unwrap_or_default();
+        // An input of no size has nothing to say.
+        let has_input = size_of::<M::Input>() > 0;
+        if has_input && !self.signal.series(from, to - from, wanted) {
+            return false;
+        }
+        self.derivatives += 1;
+        self.model.series(self.mode, &input, out)
     }
 
     #[inline]

@@ -4,6 +4,7 @@
 //! [`transition`] fires guards until the present instant is over.
 
 mod accumulation;
+mod by_series;
 mod detect;
 mod field;
 mod parts;
@@ -28,7 +29,7 @@ use crate::outcome::{Advance, Cap, Fault, Tick};
 use crate::quadrature::{LOBATTO, SIMPSON};
 use crate::run::TickRun;
 use crate::state::{is_finite, largest};
-use crate::stepper::{Step, Stepper};
+use crate::stepper::{Memory as _, Step, Stepper};
 use crate::watch::{Piece, Watch};
 
 /// A model in motion.
@@ -264,6 +265,9 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run: &mut TickRun<'_, S, W>,
         input: &M::Input,
     ) -> Option<TakenStep<M, T>> {
+        if T::IS_EXPANDED {
+            self.prepare(run, input);
+        }
         let theta_end = self.step_end(run, input);
         let h = (theta_end - run.theta) * run.h;
         let mode_step = ModeStep {
@@ -285,6 +289,25 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             return None;
         };
         Some(TakenStep { step, theta_end, h, end, input, is_refined: false })
+    }
+
+    /// Has the method look ahead from the present state, under `input`.
+    fn prepare<S: Signal<M::Input>, W>(&mut self, run: &mut TickRun<'_, S, W>, input: &M::Input) {
+        let [memory, ..] = &self.memory;
+        let known = memory.method().scale();
+        let longest = self.model.longest_step_at(self.mode, &self.state, input);
+        let scale = if known.is_finite() { known } else { longest.min(run.rest()) };
+        let mode_step = ModeStep {
+            model: &self.model,
+            stepper: &self.stepper,
+            mode: self.mode,
+            signal: run.signal,
+            theta: (run.theta, run.theta + scale / run.h),
+            input: *input,
+            h: scale,
+            rest: scale,
+        };
+        mode_step.prepare(&self.state, &mut self.memory, &mut run.work);
     }
 
     /// Keeps a whole step.

@@ -1,6 +1,6 @@
 //! A step of a mode, part by part: what moves by no equations takes no step at all.
 
-use super::field::ModeField;
+use super::field::{ModeField, TOGETHER};
 use crate::dense::Dense;
 use crate::input::Signal;
 use crate::model::Model;
@@ -64,6 +64,12 @@ impl<M: Memory, D> PartMemory<M, D> {
         self.ahead = None;
     }
 
+    /// What the method itself carries.
+    #[inline]
+    pub(super) const fn method(&self) -> &M {
+        &self.method
+    }
+
     /// A new tick begins.
     pub(super) fn begin_tick(&mut self) {
         self.method.begin_tick();
@@ -76,6 +82,7 @@ impl<M: Memory, D> PartMemory<M, D> {
     }
 
     /// Longest step (s) that is worth trying next.
+    #[inline]
     pub(super) fn reach(&self) -> f64 {
         self.method.reach()
     }
@@ -132,6 +139,9 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
     ) -> (Taken<M, T>, M::Input) {
         let mut end = None;
         let parts = self.model.parts(self.mode);
+        if T::IS_EXPANDED && parts.len() > 1 {
+            return self.take_together(&Part::union(parts), x0, memories, work);
+        }
         let mut whole: Option<Taken<M, T>> = None;
         for (index, (part, memory)) in parts.iter().zip(memories.iter_mut()).enumerate() {
             let mut field = self.field((index, *part), self.theta.1);
@@ -148,6 +158,35 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
             memories.iter_mut().take(parts.len()).for_each(PartMemory::refuse);
         }
         (whole, end.unwrap_or_else(|| self.signal.at(self.theta.1)))
+    }
+
+    /// Steps all parts as one.
+    fn take_together(
+        &self,
+        whole: &Part,
+        x0: &M::State,
+        memories: &mut Memories<M, T>,
+        work: &mut Work,
+    ) -> (Taken<M, T>, M::Input) {
+        let mut field = self.field((TOGETHER, *whole), self.theta.1);
+        let [memory, ..] = memories;
+        let step = self.stepper.step(&mut field, x0, &mut memory.method, self.h);
+        field.count(work);
+        let end = field.end_input();
+        (step, end.unwrap_or_else(|| self.signal.at(self.theta.1)))
+    }
+
+    /// Has the method look ahead from `x0`, for a step of about the length that is given.
+    pub(super) fn prepare(&self, x0: &M::State, memories: &mut Memories<M, T>, work: &mut Work) {
+        let part = match self.model.parts(self.mode) {
+            [] => return,
+            [only] => (0, *only),
+            several => (TOGETHER, Part::union(several)),
+        };
+        let mut field = self.field(part, self.theta.1);
+        let [memory, ..] = memories;
+        self.stepper.prepare(&mut field, x0, &mut memory.method, self.h);
+        field.count(work);
     }
 
     /// Steps one of several parts: by the step that it has taken ahead, by one that is longer than

@@ -2,6 +2,7 @@
 
 use crate::math::sqrt;
 use crate::nature::Nature;
+use crate::series::Expansion;
 use crate::state::Matrix as _;
 use crate::state::State;
 
@@ -22,6 +23,12 @@ pub trait Field<S: State> {
             return unit_differences(|x| self.derivative(tau, x));
         }
         differences(x, |x| self.derivative(tau, x))
+    }
+
+    /// Expands the solution from the start of the step as `out` asks for, in units of the step;
+    /// `false` where it has no series.
+    fn expand(&mut self, _out: &mut Expansion<S>) -> bool {
+        false
     }
 }
 

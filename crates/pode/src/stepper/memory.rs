@@ -24,6 +24,13 @@ pub trait Memory: Copy + PartialEq + Default + Debug + Send {
     fn reach(&self) -> f64 {
         f64::INFINITY
     }
+
+    /// About how long (s) the next step will be, for a method that looks ahead; infinite where
+    /// that is not known.
+    #[inline]
+    fn scale(&self) -> f64 {
+        f64::INFINITY
+    }
 }
 
 impl Memory for () {}

@@ -25,6 +25,7 @@ mod ros2;
 mod rosenbrock;
 mod semi_implicit_euler;
 mod shifted;
+mod taylor;
 mod time_slope;
 mod tsitouras5;
 mod velocity_verlet;
@@ -51,6 +52,7 @@ pub use rodas3::Rodas3;
 pub use rodas4::Rodas4;
 pub use ros2::Ros2;
 pub use semi_implicit_euler::SemiImplicitEuler;
+pub use taylor::{Taylor, TaylorMemory};
 pub use tsitouras5::Tsitouras5;
 pub use velocity_verlet::VelocityVerlet;
 
@@ -59,6 +61,7 @@ use core::fmt::Debug;
 use crate::dense::Dense;
 use crate::nature::Nature;
 use crate::quadrature::HIGH;
+use crate::series::GuardSeries;
 use crate::state::State;
 
 /// A step that was taken.
@@ -106,6 +109,9 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     const REFINEMENT: u32 = 0;
     /// Most evaluations of the Jacobian in one step.
     const JACOBIANS: u32 = 0;
+    /// Whether it expands the solution before it knows how long its step is, all parts of a mode
+    /// as one.
+    const IS_EXPANDED: bool = false;
     /// Its name on the command line.
     const NAME: &'static str;
 
@@ -122,6 +128,24 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
         memory: &mut Self::Memory<S>,
         h: f64,
     ) -> Step<S, Self::Dense<S>>;
+
+    /// Looks ahead from `x0`, where the step may be about as long as `scale` (s): afterwards its
+    /// memory knows how far a step reaches ([`Memory::reach`]).
+    #[inline]
+    fn prepare<S: State>(
+        &self,
+        _field: &mut impl Field<S>,
+        _x0: &S,
+        _memory: &mut Self::Memory<S>,
+        _scale: f64,
+    ) {
+    }
+
+    /// The mode's guards along the step just taken, where the method knows them.
+    #[inline]
+    fn guards<S: State>(_memory: &Self::Memory<S>) -> Option<GuardSeries<'_>> {
+        None
+    }
 
     /// Brings the dense output of the step just taken to its full order, where that costs
     /// evaluations of its own: asked for only where the inside of a step is looked at.

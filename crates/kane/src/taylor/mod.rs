@@ -1,0 +1,15 @@
+//! Power series of what a tape computes, for Taylor's method.
+//!
+//! [`Recursion`] says for each value of a tape how its next coefficient follows from those before;
+//! [`TapeSeries`] follows it, and [`emit`] writes it as Rust. `[JZ05]`
+
+mod emit;
+mod evaluate;
+mod lanes;
+mod recursion;
+mod rules;
+
+pub use emit::{SeriesNames, emit};
+pub use evaluate::{Start, TapeSeries};
+pub use recursion::Recursion;
+pub use rules::Rule;

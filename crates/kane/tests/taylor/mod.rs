@@ -1,0 +1,3 @@
+//! Power series of tapes, against closed forms, exact derivatives, and each other.
+
+mod model_b;

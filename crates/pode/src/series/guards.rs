@@ -1,0 +1,105 @@
+//! The guards of a mode along one step, as polynomials.
+
+use super::{MOST_GUARDS, TERMS};
+use crate::guard::GuardValue;
+
+/// The guards of a mode along one step.
+#[derive(Clone, Copy, Debug)]
+pub struct GuardSeries<'a> {
+    /// Coefficients by power of the time in units of the expansion.
+    pub(crate) terms: &'a [[f64; TERMS]; MOST_GUARDS],
+    /// How many of them are known.
+    pub(crate) known: usize,
+    pub(crate) order: usize,
+    /// The step's length in units of the expansion.
+    pub(crate) ratio: f64,
+}
+
+impl GuardSeries<'_> {
+    /// The guard at the place `index` of the mode's list, by power of the fraction of the step.
+    #[inline]
+    pub(crate) fn guard(&self, index: usize) -> Option<GuardPolynomial> {
+        if index >= self.known {
+            return None;
+        }
+        let known = self.terms.get(index)?;
+        let (mut terms, mut power) = ([0.0; TERMS], 1.0);
+        for (term, known) in terms.iter_mut().zip(known).take(self.order + 1) {
+            *term = power * known;
+            power *= self.ratio;
+        }
+        Some(GuardPolynomial { terms, order: self.order })
+    }
+}
+
+/// A guard along one step: Σ c τᵏ for τ in 0 ..= 1.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct GuardPolynomial {
+    pub(crate) terms: [f64; TERMS],
+    pub(crate) order: usize,
+}
+
+/// Sums over the coefficients of a guard.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct GuardSums {
+    /// Value and rate (per second) at both ends of the step.
+    pub(crate) start: GuardValue,
+    pub(crate) end: GuardValue,
+    /// How far it can fall below its start: no power of τ exceeds 1, and none is negative.
+    pub(crate) falls: f64,
+    /// What the coefficients that are not there may add.
+    pub(crate) rest: f64,
+}
+
+impl GuardPolynomial {
+    /// The coefficients that count.
+    #[inline]
+    pub(crate) fn terms(&self) -> &[f64] {
+        self.terms.get(..=self.order).unwrap_or(&self.terms)
+    }
+
+    /// Its ends, and how far it goes, over a step of `h` (s).
+    #[inline]
+    pub(crate) fn sums(&self, h: f64) -> GuardSums {
+        let (mut value, mut slope, mut falls) = (0.0, 0.0, 0.0);
+        for (k, term) in self.terms().iter().enumerate().skip(1).rev() {
+            value += term;
+            slope += k as f64 * term;
+            falls += if *term < 0.0 { *term } else { 0.0 };
+        }
+        let [first, second, ..] = self.terms;
+        let last = |n: usize| self.order.checked_sub(n).map_or(0.0, |at| self.terms[at].abs());
+        GuardSums {
+            start: GuardValue::new(first, second / h),
+            end: GuardValue::new(first + value, slope / h),
+            falls,
+            rest: last(0) + last(1),
+        }
+    }
+
+    /// Bound of its second derivative over the step.
+    pub(crate) fn bend(&self) -> f64 {
+        let bend = |(k, term): (usize, &f64)| (k * k.saturating_sub(1)) as f64 * term.abs();
+        self.terms().iter().enumerate().map(bend).sum()
+    }
+
+    /// Its value and its slope at `tau`.
+    #[inline]
+    pub(crate) fn at(&self, tau: f64) -> (f64, f64) {
+        self.terms()
+            .iter()
+            .rev()
+            .fold((0.0, 0.0), |(value, slope), term| (term + tau * value, value + tau * slope))
+    }
+
+    /// The same without its value at the start, divided by τ: what a guard that leaves zero does
+    /// next.
+    #[inline]
+    pub(crate) fn departed(&self) -> Self {
+        let mut terms = [0.0; TERMS];
+        for (term, next) in terms.iter_mut().zip(self.terms.iter().skip(1)) {
+            *term = *next;
+        }
+        Self { terms, order: self.order.saturating_sub(1) }
+    }
+}

@@ -1,0 +1,72 @@
+//! Taylor coefficients, one order after another.
+//!
+//! A model that knows its own series ([`Model::series`](crate::Model::series)) gives the solution
+//! from a state on as a power series in time, of any order, and its guards along with it.
+//! [`Taylor`](crate::stepper::Taylor) makes steps of them. Coefficients are scaled by powers of a
+//! time that is about as long as the step, so that high orders neither overflow nor vanish.
+//!
+//! [`rows`] has what one more order of a product, a quotient or a sine takes; the crate `kane`
+//! writes such a series for any tape.
+
+mod falls;
+mod guards;
+pub mod lanes;
+pub mod rows;
+
+pub(crate) use falls::{Fall, first_fall};
+pub(crate) use guards::GuardPolynomial;
+pub use guards::GuardSeries;
+
+use crate::state::State;
+
+/// Highest order of a series.
+pub const MOST_ORDER: usize = 24;
+
+/// Coefficients of a series of the highest order.
+pub const TERMS: usize = MOST_ORDER + 1;
+
+/// Coefficients of the input: three rates of it may enter the equations.
+pub const INPUT_TERMS: usize = TERMS + 3;
+
+/// Guards of a mode whose series are kept, the first of its list.
+pub const MOST_GUARDS: usize = 6;
+
+/// The solution from one state on, as a power series, with the guards along it.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Expansion<S> {
+    /// How many coefficients there are after the first, at most [`MOST_ORDER`].
+    pub order: usize,
+    /// The time (s) that belongs to τ = 1.
+    pub scale: f64,
+    /// Coefficients of x(τ) by power of τ; the first is the state that is given.
+    pub terms: [S; TERMS],
+    /// Coefficients of the guards along the solution, in the order of the mode's list.
+    pub guards: [[f64; TERMS]; MOST_GUARDS],
+    /// How many guards have theirs.
+    pub known_guards: usize,
+}
+
+impl<S: State> Expansion<S> {
+    /// The expansion that is asked for: from `x`, up to `order`, in units of `scale` (s).
+    pub fn of(x: &S, order: usize, scale: f64) -> Self {
+        let mut new = Self::EMPTY;
+        new.begin(x, order, scale);
+        new
+    }
+
+    /// An expansion of nothing.
+    pub const EMPTY: Self = Self {
+        order: 0,
+        scale: 1.0,
+        terms: [S::ZERO; TERMS],
+        guards: [[0.0; TERMS]; MOST_GUARDS],
+        known_guards: 0,
+    };
+
+    /// Asks for the expansion from `x`, up to `order`, in units of `scale` (s).
+    #[inline]
+    pub(crate) fn begin(&mut self, x: &S, order: usize, scale: f64) {
+        self.order = order.clamp(1, MOST_ORDER);
+        (self.scale, self.terms[0], self.known_guards) = (scale, *x, 0);
+    }
+}

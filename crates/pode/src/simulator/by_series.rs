@@ -1,0 +1,114 @@
+//! Guards of which the method knows the series: looked for as polynomials, not evaluated.
+
+use super::Simulator;
+use super::detect::Verdict;
+use crate::crossing::{Crossing, GuardSpan};
+use crate::epoch::Stand;
+use crate::guard::GuardSpec;
+use crate::locate::Bracket;
+use crate::model::Resets;
+use crate::outcome::Fault;
+use crate::series::{Fall, GuardPolynomial, first_fall};
+use crate::stepper::Stepper;
+
+impl<M: Resets, T: Stepper> Simulator<M, T> {
+    /// Whether all `guards` of the mode are known along the step just taken.
+    #[inline]
+    pub(super) fn has_series(&self, guards: usize) -> bool {
+        let [memory, ..] = &self.memory;
+        T::IS_EXPANDED && T::guards(memory.method()).is_some_and(|it| it.known >= guards)
+    }
+
+    /// The guard at the place `index` along the step just taken, if the method knows it.
+    #[inline]
+    pub(super) fn guard_along(&self, index: usize) -> Option<GuardPolynomial> {
+        let [memory, ..] = &self.memory;
+        T::guards(memory.method())?.guard(index)
+    }
+
+    /// Takes over a guard's values at both ends of a step of `h` (s), and says whether it may
+    /// cross.
+    pub(super) fn look_along(
+        &mut self,
+        guard: &GuardPolynomial,
+        (index, spec): (usize, &GuardSpec),
+        h: f64,
+    ) -> Result<Verdict, Fault> {
+        let slot = &mut self.guards[index];
+        let sums = guard.sums(h);
+        if !sums.start.is_finite() || !sums.end.is_finite() {
+            return Err(Fault::Guard);
+        }
+        (slot.start, slot.value, slot.is_fresh) = (sums.start, sums.end, true);
+        (slot.bend, slot.curvature) = (f64::INFINITY, f64::INFINITY);
+        let band = spec.band() + sums.rest;
+        if slot.stand == Stand::Armed && sums.start.value + sums.falls > band {
+            return Ok(Verdict::Clear);
+        }
+        let is_falling = match slot.stand {
+            Stand::Armed => first_fall(guard, band) != Fall::None,
+            Stand::Departing => first_fall(&guard.departed(), band) != Fall::None,
+            _ => true,
+        };
+        slot.bend = if slot.stand == Stand::Armed { guard.bend() } else { f64::INFINITY };
+        Ok(if is_falling { Verdict::Candidate } else { Verdict::Clear })
+    }
+
+    /// The first crossing of a guard that starts positive, or leaves zero: its polynomial says
+    /// between which places, and the true guard has the last word. `None` where it does not agree.
+    pub(super) fn crossing_along(
+        &self,
+        index: usize,
+        span: &GuardSpan,
+        guard: impl Fn(f64) -> f64,
+    ) -> Option<(Crossing, bool)> {
+        let series = self.guard_along(index)?;
+        if span.stand == Stand::Armed && span.start.value <= 0.0 {
+            return Some((Crossing::AtStart, true));
+        }
+        let rest = span.spec.band() + series.sums(1.0).rest;
+        let fall = match span.stand {
+            Stand::Armed => first_fall(&series, rest),
+            Stand::Departing => first_fall(&series.departed(), rest),
+            _ => return None,
+        };
+        match fall {
+            Fall::None => Some((Crossing::None, true)),
+            Fall::Open => None,
+            Fall::Within(from, to) => {
+                let bracket = shut_in(&series, (from, to), rest, guard)?;
+                Some((Crossing::Within { bracket, level: 0.0, seed: None }, true))
+            }
+        }
+    }
+}
+
+/// The true guard at both sides of the only root of its `series` between two places, as close to
+/// it as `rest` allows.
+fn shut_in(
+    series: &GuardPolynomial,
+    (mut lo, mut hi): (f64, f64),
+    rest: f64,
+    guard: impl Fn(f64) -> f64,
+) -> Option<Bracket> {
+    /// Newton's method doubles the digits; bisection does what it does not.
+    const ROUNDS: usize = 60;
+    /// So far to both sides of the root, in units of what the series may be wrong.
+    const SIDES: f64 = 4.0;
+    let (whole, mut tau) = ((lo, hi), 0.5 * (lo + hi));
+    for _ in 0..ROUNDS {
+        let (value, slope) = series.at(tau);
+        (lo, hi) = if value > 0.0 { (tau, hi) } else { (lo, tau) };
+        let next = tau - value / slope;
+        let step = (next - tau).abs();
+        tau = if next > lo && next < hi { next } else { 0.5 * (lo + hi) };
+        if step <= 2.0 * f64::EPSILON || hi - lo <= 2.0 * f64::EPSILON {
+            break;
+        }
+    }
+    let (_, slope) = series.at(tau);
+    let reach = SIDES * (rest / slope.abs() + f64::EPSILON);
+    let (lo, hi) = ((tau - reach).max(whole.0), (tau + reach).min(whole.1));
+    let (at_lo, at_hi) = (guard(lo), guard(hi));
+    (at_lo > 0.0 && at_hi <= 0.0).then_some(Bracket { lo, at_lo, hi, at_hi })
+}

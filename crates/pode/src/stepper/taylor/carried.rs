@@ -1,0 +1,105 @@
+//! What Taylor's method knows of a step before and after it is taken.
+
+use crate::series::{Expansion, GuardSeries};
+use crate::state::State;
+use crate::stepper::{Control, EndDerivative, Memory};
+
+/// What Taylor's method carries: the series of the present step, and how long steps are.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct TaylorMemory<S> {
+    pub(super) expansion: Expansion<S>,
+    pub(super) substitute: Control<EndDerivative<S>>,
+    stage: Stage,
+    /// How far the present step may reach (s).
+    reach: f64,
+    /// Length of the last step that was not cut short (s); infinite before the first.
+    scale: f64,
+}
+
+/// Where a step stands.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Stage {
+    /// Nothing is known of it.
+    Ahead,
+    /// Its series is known.
+    Expanded,
+    /// There is none.
+    Singular,
+    /// It was taken along its series, over this part of the scale.
+    Taken(f64),
+}
+
+impl<S: State> Default for TaylorMemory<S> {
+    fn default() -> Self {
+        Self {
+            expansion: Expansion::EMPTY,
+            substitute: Control::default(),
+            stage: Stage::Ahead,
+            reach: f64::INFINITY,
+            scale: f64::INFINITY,
+        }
+    }
+}
+
+impl<S: State> TaylorMemory<S> {
+    /// The step has been expanded, and may be as long as `reach` (s); or it has no series.
+    pub(super) fn expand(&mut self, reach: Option<f64>) {
+        (self.stage, self.reach) = match reach {
+            Some(reach) => (Stage::Expanded, reach),
+            None => (Stage::Singular, self.substitute.reach()),
+        };
+        self.scale = self.reach;
+    }
+
+    pub(super) const fn is_prepared(&self) -> bool {
+        matches!(self.stage, Stage::Expanded | Stage::Singular)
+    }
+
+    /// Takes the step of `h` (s) along its series if there is one: the part of the scale that it
+    /// is.
+    pub(super) fn take(&mut self, h: f64) -> Option<f64> {
+        let is_expanded = self.stage == Stage::Expanded;
+        let ratio = h / self.expansion.scale;
+        self.stage = if is_expanded { Stage::Taken(ratio) } else { Stage::Ahead };
+        is_expanded.then_some(ratio)
+    }
+
+    /// The step was taken otherwise, and the next one may reach so far (s).
+    pub(super) const fn follow(&mut self, reach: f64) {
+        (self.reach, self.scale) = (reach, reach);
+    }
+
+    /// The guards along the step just taken.
+    pub(super) const fn guards(&self) -> Option<GuardSeries<'_>> {
+        let Stage::Taken(ratio) = self.stage else { return None };
+        Some(GuardSeries {
+            terms: &self.expansion.guards,
+            known: self.expansion.known_guards,
+            order: self.expansion.order,
+            ratio,
+        })
+    }
+}
+
+impl<S: State> Memory for TaylorMemory<S> {
+    #[inline]
+    fn restart(&mut self) {
+        self.stage = Stage::Ahead;
+        self.substitute.restart();
+    }
+
+    #[inline]
+    fn begin_tick(&mut self) {
+        self.substitute.begin_tick();
+    }
+
+    #[inline]
+    fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    #[inline]
+    fn scale(&self) -> f64 {
+        self.scale
+    }
+}

@@ -1,0 +1,126 @@
+//! Taylor's method, of any order, for models that know their series.
+
+mod carried;
+mod reach;
+
+pub use carried::TaylorMemory;
+
+use crate::dense::Polynomial;
+use crate::nature::Nature;
+use crate::series::{Expansion, GuardSeries, MOST_ORDER, TERMS};
+use crate::state::State;
+use crate::stepper::{Controlled, Field, Memory as _, Step, Stepper, Tolerance, Tsitouras5};
+
+/// Taylor's method: the step is as long as the last coefficients of the solution's own series
+/// allow, and the dense output is the series.
+///
+/// For offline work, as long steps as a tolerance allows, and for the smallest errors: the work
+/// grows with the square of the digits. One expansion a step ([`Model::series`]), and no step is
+/// ever refused. A step from a state at which the model has no series, since it has none at all
+/// or a felt is just being touched, is one of Tsitouras' method under the same tolerance.
+///
+/// Dense output: the series, so that nothing is lost inside a step, and guards that the model
+/// expands too are searched as polynomials, without an evaluation. Nothing is carried over steps
+/// but their length.
+///
+/// [`Model::series`]: crate::Model::series
+///
+/// # References
+/// `[JZ05]`: recursions, order and step size.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Taylor {
+    /// Order of the series, 2 to [`MOST_ORDER`].
+    pub order: usize,
+    /// What the last term of the series may be.
+    pub tolerance: Tolerance,
+}
+
+impl Default for Taylor {
+    fn default() -> Self {
+        Self::to(Tolerance::default())
+    }
+}
+
+impl Taylor {
+    /// The method with the order that takes the least work to a tolerance.
+    pub fn to(tolerance: Tolerance) -> Self {
+        Self { order: reach::order_for(tolerance.relative.min(tolerance.absolute)), tolerance }
+    }
+
+    /// The method for states without a series.
+    const fn substitute(&self) -> Controlled<Tsitouras5> {
+        Controlled { method: Tsitouras5, tolerance: self.tolerance }
+    }
+}
+
+impl Stepper for Taylor {
+    const ORDER: u32 = MOST_ORDER as u32;
+    const EVALUATIONS: u32 = 1 + Tsitouras5::EVALUATIONS;
+    const IS_EXPANDED: bool = true;
+    const NAME: &'static str = "taylor";
+
+    type Memory<S: State> = TaylorMemory<S>;
+    type Dense<S: State> = Polynomial<S, TERMS>;
+
+    fn prepare<S: State>(
+        &self,
+        field: &mut impl Field<S>,
+        x0: &S,
+        memory: &mut TaylorMemory<S>,
+        scale: f64,
+    ) {
+        let expansion = &mut memory.expansion;
+        expansion.begin(x0, self.order, scale);
+        let reach =
+            if field.expand(expansion) { reach::of(expansion, self.tolerance) } else { None };
+        memory.expand(reach);
+    }
+
+    fn step<S: State>(
+        &self,
+        field: &mut impl Field<S>,
+        x0: &S,
+        memory: &mut TaylorMemory<S>,
+        h: f64,
+    ) -> Step<S, Polynomial<S, TERMS>> {
+        if !memory.is_prepared() {
+            self.prepare(field, x0, memory, h);
+        }
+        if let Some(ratio) = memory.take(h) {
+            return along(&memory.expansion, ratio);
+        }
+        let substitute = self.substitute();
+        let step = substitute.step(field, x0, &mut memory.substitute, h);
+        memory.follow(memory.substitute.reach());
+        step.map(|dense| dense.lengthened())
+    }
+
+    #[inline]
+    fn guards<S: State>(memory: &TaylorMemory<S>) -> Option<GuardSeries<'_>> {
+        memory.guards()
+    }
+
+    /// A step may be longer than what resolves the motion for methods of low order; but not so
+    /// long that it does not see what the input does.
+    fn longest_step(&self, _nature: &Nature, own: f64) -> f64 {
+        /// Six radians where a model's own steps have three quarters of one.
+        const STEPS: f64 = 8.0;
+        STEPS * own
+    }
+}
+
+/// The step over `ratio` times the scale of an expansion.
+#[inline]
+fn along<S: State>(expansion: &Expansion<S>, ratio: f64) -> Step<S, Polynomial<S, TERMS>> {
+    let order = expansion.order.min(MOST_ORDER);
+    let mut terms = [S::ZERO; TERMS];
+    let mut power = 1.0;
+    for (term, known) in terms.iter_mut().zip(&expansion.terms).take(order + 1) {
+        *term = known.times(power);
+        power *= ratio;
+    }
+    let rise =
+        terms.iter().take(order + 1).skip(1).rev().fold(S::ZERO, |sum, it| sum.plus(1.0, it));
+    let end = terms[0].plus(1.0, &rise);
+    Step::new(Polynomial::new(terms, end).truncated(order + 1)).with_error(terms[order])
+}
