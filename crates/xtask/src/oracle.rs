@@ -48,7 +48,8 @@ fn python() -> Result<PathBuf, Error> {
 
 /// The tests that ask for it.
 fn compare(python: &PathBuf) -> Command {
-    let mut command = cargo(["test", "--package", "kane", "--test", "all", "oracle", "--", "--nocapture"]);
+    let mut command =
+        cargo(["test", "--package", "kane", "--test", "all", "oracle", "--", "--nocapture"]);
     command.env(PYTHON, python);
     command
 }

@@ -45,10 +45,9 @@ impl ExplicitForms {
                 *acceleration = graph.add(*acceleration, more);
             }
             for (constraint, by) in response.reactions {
-                if let Some(Some(reaction)) = reactions.get_mut(&constraint) {
-                    let more = graph.multiply(by, force);
-                    *reaction = graph.add(*reaction, more);
-                }
+                let Some(Some(reaction)) = reactions.get_mut(&constraint) else { continue };
+                let more = graph.multiply(by, force);
+                *reaction = graph.add(*reaction, more);
             }
         }
         let mut undetermined = BTreeSet::new();

@@ -114,9 +114,10 @@ impl ModeMotion {
             matrix.push(self.reduced(graph, &moved));
         }
         // Rounding is one thing, the structure of both halves another: they are one expression.
-        for i in 0..matrix.len() {
-            for j in 0..i {
-                matrix[j][i] = matrix[i][j];
+        let lower = matrix.clone();
+        for (i, row) in matrix.iter_mut().enumerate() {
+            for (entry, other) in row.iter_mut().zip(&lower).skip(i + 1) {
+                *entry = other[i];
             }
         }
         MassFactor::of(graph, &self.pose, matrix).map_err(|row| {
@@ -181,9 +182,8 @@ impl ModeMotion {
                 let rate = tangent.of(graph, *slope);
                 terms.push((graph.multiply(rate, symbol), 1.0));
                 let equation = mode.equations.iter().find(|(speed, _)| speed == k);
-                if let Some((_, acceleration)) = equation {
-                    terms.push((graph.multiply(*slope, *acceleration), 1.0));
-                }
+                let prescribed = equation.map(|(_, it)| (graph.multiply(*slope, *it), 1.0));
+                terms.extend(prescribed);
             }
             all.push(graph.sum(&terms));
         }

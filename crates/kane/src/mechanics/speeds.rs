@@ -22,6 +22,8 @@ const UNMET: f64 = 1e-6;
 pub(super) struct VelocityRow {
     /// The constraint that it is the rate of; none for a solved coordinate's own condition.
     pub(super) constraint: Option<usize>,
+    /// The speed of the stated coordinate whose condition it is.
+    pub(super) stated: Option<usize>,
     pub(super) slopes: Vec<Node>,
     /// All but the speeds' part.
     pub(super) rest: Node,
@@ -62,7 +64,7 @@ pub(super) fn row(
     let speeds = rates(mechanism);
     let without = speeds[..mechanism.speeds.len()].iter().map(|place| (*place, zero));
     let rest = Substitution::new(without).of(graph, rate);
-    VelocityRow { constraint, slopes: gradient(graph, mechanism, rate), rest }
+    VelocityRow { constraint, stated: None, slopes: gradient(graph, mechanism, rate), rest }
 }
 
 impl SpeedMap {
@@ -185,14 +187,10 @@ impl SpeedProblem<'_> {
     /// Whether stated coordinates that constraints touch follow from these: those that do not
     /// would be a condition more.
     fn check_stated(&self, rows: &[VelocityRow], count: usize) -> Result<(), Vec<Obstacle>> {
-        let n = self.mechanism.speeds.len();
         let mut unmet = Vec::new();
         for more in &rows[count..] {
-            let own = self.pose.all(self.graph, &more.slopes[..n]);
-            let touching = rows[..count].iter().find(|row| {
-                let slopes = row.slopes[..n].iter().zip(&own);
-                slopes.into_iter().any(|(slope, own)| *own == 1.0 && !self.graph.is_zero(*slope))
-            });
+            let Some(speed) = more.stated else { continue };
+            let touching = rows[..count].iter().find(|row| !self.graph.is_zero(row.slopes[speed]));
             if let Some(constraint) = touching.and_then(|row| row.constraint) {
                 let constraint = self.mechanism.constraints[constraint].name.clone();
                 unmet.push(Obstacle::UnmetConstraint { constraint });
@@ -261,6 +259,7 @@ impl SpeedProblem<'_> {
         for (speed, expression) in stated {
             let one = self.graph.constant(1.0);
             let mut row = expression.clone();
+            row.stated = Some(*speed);
             let flip = |graph: &mut Graph, node: Node| graph.negate(node);
             row.slopes = row.slopes.iter().map(|it| flip(self.graph, *it)).collect();
             row.slopes[*speed] = self.graph.add(row.slopes[*speed], one);
@@ -327,10 +326,10 @@ impl SpeedProblem<'_> {
             }
             map.offset[*speed] = self.graph.sum(&offset);
             for k in 0..map.independent.len() {
-                let mut terms = vec![(row.slopes[map.independent[k]], 1.0)];
-                for d in &others {
-                    terms.push((self.graph.multiply(row.slopes[*d], map.slopes[*d][k]), 1.0));
-                }
+                let own = (row.slopes[map.independent[k]], 1.0);
+                let others = others.iter().map(|d| (row.slopes[*d], map.slopes[*d][k]));
+                let terms: Vec<_> =
+                    others.map(|(x, y)| (self.graph.multiply(x, y), 1.0)).chain([own]).collect();
                 map.slopes[*speed][k] = self.graph.sum(&terms);
             }
         }
