@@ -1,5 +1,6 @@
 //! Tests of what a mechanism's equations are, against closed forms, models written by hand, and
 //! other programs.
+#![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
 
 mod builder;
 mod closed_forms;

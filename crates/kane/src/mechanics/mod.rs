@@ -11,6 +11,7 @@ mod coordinates;
 mod equations;
 mod error;
 mod explicit;
+mod generalised;
 mod inertia;
 mod kinematics;
 mod linear;
@@ -19,6 +20,7 @@ mod motion;
 mod numeric;
 mod projection;
 mod reset;
+mod speed_checks;
 mod speeds;
 mod vector;
 

@@ -7,10 +7,11 @@
 use std::collections::HashMap;
 
 use super::explicit::ExplicitForms;
+use super::generalised::inner;
 use super::inertia::InertiaTerms;
 use super::kinematics::number;
 use super::linear;
-use super::motion::{ModeMotion, inner};
+use super::motion::ModeMotion;
 use super::numeric;
 use super::speeds::{VelocityRow, row};
 use crate::graph::{Graph, Node, Place, Substitution};
