@@ -11,4 +11,5 @@ mod evaluation;
 mod hand_written;
 mod models_ab;
 mod oracle;
+mod plain_equations;
 mod small_models;
