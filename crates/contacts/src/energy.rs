@@ -1,7 +1,7 @@
 //! Where the energy of a mechanism with contacts came from and went.
 
 use crate::{ContactIndices, ContactMode, ContactSystem, FrictionForces, WithContacts};
-use pode::{Energetic, Motion, Sloped};
+use pode::Energetic;
 
 /// A mechanism that can account for its energy; what friction takes is known without it.
 pub trait EnergeticContacts: ContactSystem {
@@ -38,9 +38,6 @@ pub trait EnergeticContacts: ContactSystem {
         0.0
     }
 }
-
-/// By differences: a friction that holds takes its part of the slopes.
-impl<M: ContactSystem<Input = Motion>> Sloped for WithContacts<M> {}
 
 impl<M: EnergeticContacts> Energetic for WithContacts<M> {
     fn energy(&self, mode: ContactMode<M::Structure>, x: &M::State, input: &M::Input) -> f64 {

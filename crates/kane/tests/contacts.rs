@@ -44,13 +44,20 @@ fn with_contact() -> Derived {
     Derived::from(m)
 }
 
+/// Which of a contact's forces.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum ForceKind {
+    Normal,
+    Friction,
+}
+
 /// The same with the contact's law, or with 1 N along the slip, as a plain force.
-fn with_force(is_friction: bool) -> Derived {
+fn with_force(kind: ForceKind) -> Derived {
     let mut m = links();
     let gap = m.e("gap");
     let rate = m.rate(gap);
     m.names.insert("rate_of_gap".into(), rate);
-    if is_friction {
+    if kind == ForceKind::Friction {
         m.force("friction", "0", "-1", "0");
         m.it.forces[0].stretch_rate = m.names["slip"];
     } else {
@@ -62,7 +69,8 @@ fn with_force(is_friction: bool) -> Derived {
 
 #[test]
 fn a_contact_adds_what_its_force_does() {
-    let (contact, pushed, rubbed) = (with_contact(), with_force(false), with_force(true));
+    let (contact, pushed, rubbed) =
+        (with_contact(), with_force(ForceKind::Normal), with_force(ForceKind::Friction));
     let mut numbers = Numbers::new(12);
     let mut closed = 0;
     for _ in 0..40 {

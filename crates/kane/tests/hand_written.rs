@@ -65,8 +65,8 @@ where
         let way = &self.derived.system.modes[mode].guards[guard].ways[0];
         let found = self.derived.all(&way.state, x, input);
         let what = format!("reset at {x:?}, {input:?}");
-        for i in 0..N {
-            close(found[i], expected.state[i], AGREEMENT, &what);
+        for (found, expected) in found.iter().zip(expected.state) {
+            close(*found, expected, AGREEMENT, &what);
         }
         close(self.derived.one(way.impulse, x, input), expected.impulse, AGREEMENT, "impulse");
     }

@@ -1,5 +1,8 @@
 //! Tests of what a mechanism's equations are, and of the programs that are assembled from them,
 //! against closed forms, models written by hand, and other programs.
+//! Tests of what a mechanism's equations are, against closed forms, models written by hand, and
+//! other programs.
+#![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
 
 mod assembled;
 mod beside_hand_written;
@@ -22,6 +25,7 @@ mod hand_written;
 mod models_ab;
 mod oracle;
 mod readable;
+mod plain_equations;
 mod small_models;
 mod tape;
 mod taylor;

@@ -2,7 +2,7 @@
 
 use kane::mechanism::Target;
 use models::key_hammer::{PARAMETERS, PRESETS};
-use models::{Described, KeyHammerRigid, KeyHammerSprings};
+use models::{Described as _, KeyHammerRigid, KeyHammerSprings};
 
 use crate::builder::MechanismBuilder;
 use crate::evaluation::{Derived, Numbers};

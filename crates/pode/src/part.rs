@@ -66,6 +66,11 @@ impl Part {
         Self { longest_step, ..self }
     }
 
+    /// Returns what its equations depend on beside its own entries.
+    pub const fn reads(&self) -> Reads {
+        self.reads
+    }
+
     /// The same with equations that do not depend on the input: its steps may go beyond the tick.
     #[must_use]
     pub const fn of_state(self) -> Self {

@@ -1,11 +1,12 @@
 //! The table of a model as a constant expression.
 
+use contacts::{ContactSpec, FrictionSpec};
 use equations::table::{
     BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom, GuardTable,
     Material, ModeTable, ModelTable, OutlineTable, ParameterTable, PartTable, PresetTable,
-    Quantity, RequirementTable, RestTable, SpringTable, WayTable,
+    Quantity, RequirementTable, RestTable, RestingTable, SpringTable, WayTable,
 };
-use pode::{EquationKind, Fires, Reads};
+use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
 use super::layout::Literal;
 use super::number;
@@ -48,22 +49,30 @@ macro_rules! enumerations {
 structures! {
     ModelTable {
         name, summary, parameters, presets, requirements, states, coordinates, constants,
-        derive_constants, input, input_per_metre, modes, contacts, outputs, rest, damper, drawing,
+        derive_constants, input, input_per_metre, modes, contacts, contact_specs, guard_specs, outputs,
+        rest, damper, drawing,
     }
     Quantity { name, unit }
     ParameterTable { name, title, unit, range, doc }
     PresetTable { name, doc, values }
     RequirementTable { text, margin }
     ModeTable {
-        name, derivative, parts, slaved, projection, projected, longest_projection, readout,
-        slopes, outputs, balance, jacobian, kind, guards, contacts, freedom,
+        name, derivative, parts, part_list, slaved, projection, projected, longest_projection,
+        readout, slopes, outputs, balance, jacobian, kind, loss, is_stiffening, guards,
+        guard_specs, contacts, freedom,
     }
     Freedom { n, m, p }
-    PartTable { entries, derivative, kind, reads }
+    PartTable { entries, derivative, kind, loss, reads }
     GuardTable { id, name, priority, scale, fires, reads, value, bound, ways, sounds }
-    WayTable { when, to, reset }
+    WayTable { when, to, reset, resting }
+    RestingTable { to, state, meeting }
+    GuardSpec { id, name, priority, scale, fires, reads }
+    ContactSpec { name, gap, friction }
+    FrictionSpec { name, force, slip, slack }
     ContactTable { name, gap, friction }
-    ContactModeTable { contact, gap, bound, normal, balance, slip, limits, response }
+    ContactModeTable {
+        contact, gap, bound, normal, jacobian, balance, slip, limits, response,
+    }
     RestTable { mode, state, is_improved }
     DamperTable { lift, fall, softest_tone }
     DrawingTable { numbers, count, bodies, springs }
@@ -77,6 +86,27 @@ enumerations! {
     EquationKind { Affine, Linear, Smooth, Conservative, Stiff }
     Fires { WhileNegative, OnCrossing }
     Reads { StateAndInput, State }
+}
+
+impl Constant for GuardId {
+    fn literal(&self) -> Literal {
+        Literal::Word(format!("GuardId({})", self.0))
+    }
+}
+
+impl Constant for Part {
+    /// By its entries: a table's parts have no natures of their own.
+    fn literal(&self) -> Literal {
+        let entries: Vec<_> = (0..64).filter(|entry| self.has(*entry)).collect();
+        let of = if entries.len() == 64 {
+            "Part::WHOLE".to_owned()
+        } else {
+            let entries: Vec<_> = entries.iter().map(ToString::to_string).collect();
+            format!("Part::of(&[{}])", entries.join(", "))
+        };
+        let of_state = if self.reads() == Reads::State { ".of_state()" } else { "" };
+        Literal::Word(format!("{of}{of_state}"))
+    }
 }
 
 macro_rules! words {

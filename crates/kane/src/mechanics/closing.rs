@@ -35,7 +35,7 @@ pub(super) fn close(
         pose.all(graph, &zeros).into_iter().fold(0.0, |most, it| f64::max(most, it.abs()))
     };
     for _ in 0..ROUNDS {
-        let Some(step) = least_step(&pose.matrix(graph, &slopes), pose.all(graph, &zeros)) else {
+        let Some(step) = least_step(&pose.matrix(graph, &slopes), &pose.all(graph, &zeros)) else {
             break;
         };
         for (i, change) in free.iter().zip(step) {
@@ -51,7 +51,7 @@ pub(super) fn close(
 }
 
 /// The shortest x of J x = r, by Jᵀ (J Jᵀ + small)⁻¹ r.
-fn least_step(jacobian: &[Vec<f64>], right: Vec<f64>) -> Option<Vec<f64>> {
+fn least_step(jacobian: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     /// Against constraints that follow from others.
     const SMALL: f64 = 1e-14;
     let n = right.len();

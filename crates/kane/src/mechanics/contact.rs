@@ -74,9 +74,9 @@ impl ContactScope<'_> {
         let slopes = gradient(graph, self.mechanism, rate);
         let response = self.motion.response(graph, self.inertia, &slopes);
         let zero = graph.constant(0.0);
-        let entries = self.state.iter().map(|place| match place {
-            Place::Speed(j) => forms.value(graph, response.accelerations[usize::from(*j)]),
-            _ => zero,
+        let entries = self.state.iter().map(|place| {
+            let Place::Speed(j) = place else { return zero };
+            forms.value(graph, response.accelerations[usize::from(*j)])
         });
         let entries = entries.collect();
         let readout = response.driving.map_or(zero, |it| forms.value(graph, it));

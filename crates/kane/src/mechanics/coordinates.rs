@@ -12,6 +12,15 @@ use crate::mechanism::{ConstraintKind, Mechanism, Mode};
 /// A coefficient of the equations below this part of the largest is no ground to stand on.
 const NEGLIGIBLE: f64 = 1e-3;
 
+/// Which slopes of the constraints are good enough to solve them.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum SlopeKind {
+    /// Of the parameters alone.
+    Constant,
+    /// Without the coordinates that are solved.
+    Linear,
+}
+
 /// The coordinates that are solved in a mode, by their numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SolvedCoordinates {
@@ -27,10 +36,8 @@ pub(super) fn plain_speed(
     mechanism: &Mechanism,
     coordinate: usize,
 ) -> Option<usize> {
-    match graph.operation(mechanism.coordinates[coordinate].rate) {
-        Operation::Symbol(Place::Speed(j)) => Some(usize::from(*j)),
-        _ => None,
-    }
+    let rate = graph.operation(mechanism.coordinates[coordinate].rate);
+    if let Operation::Symbol(Place::Speed(j)) = rate { Some(usize::from(*j)) } else { None }
 }
 
 /// Returns the replacement of solved coordinates.
@@ -107,12 +114,15 @@ impl Search<'_> {
     fn fill(&mut self, solved: &mut SolvedCoordinates) {
         let zeros = self.zeros(solved);
         let mut chosen: Vec<usize> = Vec::new();
-        for is_constant in [true, false] {
-            for coordinate in (0..self.mechanism.coordinates.len()).rev() {
-                let is_free = !chosen.contains(&coordinate) && self.is_free(solved, coordinate);
-                if is_free && self.fits(&zeros, &chosen, coordinate, is_constant) {
-                    chosen.push(coordinate);
-                }
+        let candidates: Vec<usize> = (0..self.mechanism.coordinates.len())
+            .rev()
+            .filter(|coordinate| self.is_free(solved, *coordinate))
+            .collect();
+        let constant = candidates.iter().map(|it| (*it, SlopeKind::Constant));
+        let linear = candidates.iter().map(|it| (*it, SlopeKind::Linear));
+        for (coordinate, kind) in constant.chain(linear) {
+            if !chosen.contains(&coordinate) && self.fits(&zeros, &chosen, coordinate, kind) {
+                chosen.push(coordinate);
             }
         }
         if let Some(values) = self.solve(&zeros, &chosen) {
@@ -153,12 +163,11 @@ impl Search<'_> {
         &mut self,
         zeros: &[Node],
         chosen: &[usize],
-        is_constant: bool,
+        kind: SlopeKind,
     ) -> (Vec<Node>, Vec<Vec<Node>>) {
-        let moves = |place: Place| match place {
-            Place::Coordinate(i) => is_constant || chosen.contains(&usize::from(i)),
-            Place::Input(_) => is_constant,
-            _ => false,
+        let moves = |place: Place| match kind {
+            SlopeKind::Constant => matches!(place, Place::Coordinate(_) | Place::Input(_)),
+            SlopeKind::Linear => chosen.iter().any(|i| place == Place::Coordinate(number(*i))),
         };
         let slopes = self.slopes(zeros, chosen);
         let both = zeros.iter().copied().zip(slopes);
@@ -172,11 +181,11 @@ impl Search<'_> {
         zeros: &[Node],
         chosen: &[usize],
         coordinate: usize,
-        is_constant: bool,
+        kind: SlopeKind,
     ) -> bool {
         let mut all = chosen.to_vec();
         all.push(coordinate);
-        let slopes = self.usable(zeros, &all, is_constant).1;
+        let slopes = self.usable(zeros, &all, kind).1;
         let values = self.pose.matrix(self.graph, &slopes);
         let last = all.len() - 1;
         let largest = values.iter().fold(0.0_f64, |most, row| most.max(row[last].abs()));
@@ -185,7 +194,7 @@ impl Search<'_> {
     }
 
     fn solve(&mut self, zeros: &[Node], chosen: &[usize]) -> Option<Vec<Node>> {
-        let (zeros, slopes) = self.usable(zeros, chosen, false);
+        let (zeros, slopes) = self.usable(zeros, chosen, SlopeKind::Linear);
         let values = self.pose.matrix(self.graph, &slopes);
         let mut rows: Vec<usize> =
             numeric::pivots(values, &[(0..chosen.len()).collect()]).iter().map(|it| it.0).collect();

@@ -125,19 +125,18 @@ impl ModeScope<'_> {
         let motion = self.motion();
         for place in self.state {
             let symbol = graph.symbol(*place);
-            let rate = match place {
-                Place::Coordinate(i) => self.mechanism.coordinates[usize::from(*i)].rate,
-                Place::Speed(j) => motion.accelerations[usize::from(*j)],
-                _ => symbol,
+            let (rate, is_solved) = if let Place::Coordinate(i) = place {
+                let i = usize::from(*i);
+                (self.mechanism.coordinates[i].rate, motion.solved.contains_key(&i))
+            } else if let Place::Speed(j) = place {
+                let j = usize::from(*j);
+                (motion.accelerations[j], motion.speeds.dependent.contains(&j))
+            } else {
+                (symbol, true)
             };
-            let slaved = motion.finishing().of(graph, symbol);
             equations.derivative.push(forms.finished(graph, rate));
-            equations.slaved.push(slaved);
-            equations.is_free.push(match place {
-                Place::Coordinate(i) => !motion.solved.contains_key(&usize::from(*i)),
-                Place::Speed(j) => !motion.speeds.dependent.contains(&usize::from(*j)),
-                _ => false,
-            });
+            equations.slaved.push(motion.finishing().of(graph, symbol));
+            equations.is_free.push(!is_solved);
         }
     }
 
@@ -150,11 +149,9 @@ impl ModeScope<'_> {
             .state
             .iter()
             .zip(&equations.slaved)
-            .map(|(place, slaved)| match place {
-                Place::Coordinate(i) => {
-                    projection.coordinates.get(&usize::from(*i)).copied().unwrap_or(*slaved)
-                }
-                _ => *slaved,
+            .map(|(place, slaved)| {
+                let Place::Coordinate(i) = place else { return *slaved };
+                projection.coordinates.get(&usize::from(*i)).copied().unwrap_or(*slaved)
             })
             .collect();
         equations.drift = projection.drift;

@@ -36,19 +36,15 @@ impl ExplicitForms {
         for c in 0..mechanism.contacts.len() {
             let pressing = pressing(graph, mechanism, mode, c);
             known.push((Place::Contact(number(c)), pressing.map_or(zero, |it| it.0)));
-            let Some((force, slopes)) = pressing_slopes(graph, mechanism, pressing) else {
-                continue;
-            };
-            let response = motion.response(graph, inertia, &slopes);
-            for (acceleration, by) in accelerations.iter_mut().zip(response.accelerations) {
-                let more = graph.multiply(by, force);
-                *acceleration = graph.add(*acceleration, more);
-            }
-            for (constraint, by) in response.reactions {
-                if let Some(Some(reaction)) = reactions.get_mut(&constraint) {
-                    let more = graph.multiply(by, force);
-                    *reaction = graph.add(*reaction, more);
-                }
+            if let Some((force, rate)) = pressing {
+                let slopes = gradient(graph, mechanism, rate);
+                let response = motion.response(graph, inertia, &slopes);
+                let all = accelerations.iter_mut().zip(response.accelerations);
+                add(graph, all.collect(), force);
+                let determined = reactions
+                    .iter_mut()
+                    .filter_map(|(k, it)| it.as_mut().zip(response.reactions.get(k).copied()));
+                add(graph, determined.collect(), force);
             }
         }
         let mut undetermined = BTreeSet::new();
@@ -120,13 +116,12 @@ fn pressing(
     Some((graph.select(gap, zero, force.tension), rate))
 }
 
-fn pressing_slopes(
-    graph: &mut Graph,
-    mechanism: &Mechanism,
-    pressing: Option<(Node, Node)>,
-) -> Option<(Node, Vec<Node>)> {
-    let (force, rate) = pressing?;
-    Some((force, gradient(graph, mechanism, rate)))
+/// Adds to each entry `force` times its response.
+fn add(graph: &mut Graph, entries: Vec<(&mut Node, Node)>, force: Node) {
+    for (entry, by) in entries {
+        let more = graph.multiply(by, force);
+        *entry = graph.add(*entry, more);
+    }
 }
 
 /// The direction of the motion.

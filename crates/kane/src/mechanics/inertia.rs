@@ -101,10 +101,7 @@ impl BodyTerms<'_> {
         for (r, one) in partials.iter().enumerate() {
             for (c, other) in partials.iter().enumerate().take(r + 1) {
                 let term = self.pair(graph, axes, one, other);
-                sums.mass[r][c].push((term, 1.0));
-                if r != c {
-                    sums.mass[c][r].push((term, 1.0));
-                }
+                sums.enter_mass([r, c], term);
             }
             let inertia = axes.dot(graph, &one.velocity, &motion.acceleration);
             sums.bias[r].push((graph.multiply(self.mass, inertia), 1.0));
@@ -175,6 +172,14 @@ fn inner(graph: &mut Graph, x: Components, y: Components) -> Node {
 }
 
 impl Sums {
+    /// Enters a mass in both halves.
+    fn enter_mass(&mut self, [row, column]: [usize; 2], term: Node) {
+        self.mass[row][column].push((term, 1.0));
+        if row != column {
+            self.mass[column][row].push((term, 1.0));
+        }
+    }
+
     fn finish(
         self,
         graph: &mut Graph,

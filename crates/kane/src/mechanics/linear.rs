@@ -47,14 +47,14 @@ pub(super) fn solve(
 impl LinearSystem<'_> {
     /// Finds an unknown, or a row from which it follows later.
     fn advance(&mut self) -> Option<()> {
-        if let Some((row, column)) = self.single(true) {
+        if let Some((row, column)) = self.single_unknown() {
             let value = self.quotient(row, column)?;
             self.take(row, column);
             self.put_in(column, &value);
             self.solution[column] = Some(value);
             return Some(());
         }
-        if let Some((row, column)) = self.single(false) {
+        if let Some((row, column)) = self.single_row() {
             self.take(row, column);
             self.later.push((row, column));
             return Some(());
@@ -66,15 +66,21 @@ impl LinearSystem<'_> {
         self.graph.is_zero(self.a[row][column])
     }
 
-    /// A row with one unknown, or an unknown in one row.
-    fn single(&self, is_row: bool) -> Option<(usize, usize)> {
-        let (lines, others) =
-            if is_row { (&self.rows, &self.columns) } else { (&self.columns, &self.rows) };
-        lines.iter().find_map(|line| {
-            let place = |other: &usize| if is_row { (*line, *other) } else { (*other, *line) };
-            let mut filled = others.iter().map(place).filter(|(r, c)| !self.is_zero(*r, *c));
+    /// A row with one unknown.
+    fn single_unknown(&self) -> Option<(usize, usize)> {
+        self.rows.iter().find_map(|row| {
+            let mut filled = self.columns.iter().filter(|column| !self.is_zero(*row, **column));
             let first = filled.next()?;
-            filled.next().is_none().then_some(first)
+            filled.next().is_none().then_some((*row, *first))
+        })
+    }
+
+    /// An unknown that is in one row.
+    fn single_row(&self) -> Option<(usize, usize)> {
+        self.columns.iter().find_map(|column| {
+            let mut filled = self.rows.iter().filter(|row| !self.is_zero(**row, *column));
+            let first = filled.next()?;
+            filled.next().is_none().then_some((*first, *column))
         })
     }
 
@@ -163,39 +169,36 @@ impl LinearSystem<'_> {
     }
 
     fn largest(&self) -> Option<(usize, usize)> {
-        let mut best = (0.0, None);
-        for row in &self.rows {
-            let entries: Vec<Node> = self.columns.iter().map(|c| self.a[*row][*c]).collect();
-            let sizes = self.pose.all(self.graph, &entries);
-            for (column, size) in self.columns.iter().zip(sizes) {
-                if size.abs() > best.0 {
-                    best = (size.abs(), Some((*row, *column)));
-                }
-            }
-        }
-        best.1
+        let places = self.rows.iter().flat_map(|r| self.columns.iter().map(|c| (*r, *c)));
+        let places: Vec<(usize, usize)> = places.collect();
+        let entries: Vec<Node> = places.iter().map(|(r, c)| self.a[*r][*c]).collect();
+        let sizes = self.pose.all(self.graph, &entries).into_iter().map(f64::abs);
+        let regular = places.into_iter().zip(sizes).filter(|(_, size)| *size > 0.0);
+        // The first of equal ones.
+        regular.rev().max_by(|x, y| x.1.total_cmp(&y.1)).map(|it| it.0)
     }
 
     /// What was put off, backwards.
     fn finish(mut self) -> Option<Vec<Vec<Node>>> {
         while let Some((row, column)) = self.later.pop() {
-            let mut right = self.b[row].clone();
-            for (other, known) in self.solution.iter().enumerate() {
-                let (false, Some(known)) = (self.graph.is_zero(self.a[row][other]), known) else {
-                    continue;
-                };
-                for (entry, value) in right.iter_mut().zip(known) {
-                    let by = self.graph.multiply(self.a[row][other], *value);
-                    *entry = self.graph.subtract(*entry, by);
-                }
+            for other in 0..self.solution.len() {
+                self.put_back(row, other);
             }
-            let pivot = self.a[row][column];
-            if !self.is_regular(pivot) {
-                return None;
-            }
-            let value = right.into_iter().map(|it| self.graph.divide(it, pivot)).collect();
+            let value = self.quotient(row, column)?;
             self.solution[column] = Some(value);
         }
         self.solution.into_iter().collect()
+    }
+
+    /// Puts an unknown, if it is known, into a row.
+    fn put_back(&mut self, row: usize, column: usize) {
+        let Some(known) = self.solution[column].clone() else { return };
+        if self.is_zero(row, column) {
+            return;
+        }
+        for (k, value) in known.into_iter().enumerate() {
+            let by = self.graph.multiply(self.a[row][column], value);
+            self.b[row][k] = self.graph.subtract(self.b[row][k], by);
+        }
     }
 }

@@ -44,12 +44,8 @@ impl MassFactor {
                 let by = graph.divide(matrix[i][row], pivot);
                 factor.lower[i][row] = Some(by);
             }
-            for i in left.clone() {
-                let Some(by) = factor.lower[i][row] else { continue };
-                for j in left.clone() {
-                    let taken = graph.multiply(by, matrix[row][j]);
-                    matrix[i][j] = graph.subtract(matrix[i][j], taken);
-                }
+            for i in &left {
+                factor.take_out(graph, &mut matrix, [row, *i], &left);
             }
             factor.order.push(row);
             factor.pivots.push(pivot);
@@ -57,12 +53,31 @@ impl MassFactor {
         Ok(factor)
     }
 
+    /// Takes the row of a pivot out of the row `i`; those that are `left` keep their columns.
+    fn take_out(
+        &mut self,
+        graph: &mut Graph,
+        matrix: &mut [Vec<Node>],
+        [row, i]: [usize; 2],
+        left: &[usize],
+    ) {
+        if graph.is_zero(matrix[i][row]) {
+            return;
+        }
+        let by = graph.divide(matrix[i][row], matrix[row][row]);
+        self.lower[i][row] = Some(by);
+        for j in left {
+            let taken = graph.multiply(by, matrix[row][*j]);
+            matrix[i][*j] = graph.subtract(matrix[i][*j], taken);
+        }
+    }
+
     /// Returns x of L D Lᵀ x = `right`.
     pub(super) fn solve(&self, graph: &mut Graph, right: &[Node]) -> Vec<Node> {
         let mut x = right.to_vec();
         for (at, row) in self.order.iter().enumerate() {
             for later in &self.order[at + 1..] {
-                x[*later] = self.without(graph, x[*later], self.lower[*later][*row], x[*row]);
+                x[*later] = without(graph, x[*later], self.lower[*later][*row], x[*row]);
             }
         }
         for (row, pivot) in self.order.iter().zip(&self.pivots) {
@@ -70,29 +85,26 @@ impl MassFactor {
         }
         for (at, row) in self.order.iter().enumerate().rev() {
             for later in &self.order[at + 1..] {
-                x[*row] = self.without(graph, x[*row], self.lower[*later][*row], x[*later]);
+                x[*row] = without(graph, x[*row], self.lower[*later][*row], x[*later]);
             }
         }
         x
     }
+}
 
-    /// x − by y.
-    #[expect(clippy::unused_self, reason = "a step of its solution")]
-    fn without(&self, graph: &mut Graph, x: Node, by: Option<Node>, y: Node) -> Node {
-        let Some(by) = by else { return x };
-        let taken = graph.multiply(by, y);
-        graph.subtract(x, taken)
-    }
+/// x − by y.
+fn without(graph: &mut Graph, x: Node, by: Option<Node>, y: Node) -> Node {
+    let Some(by) = by else { return x };
+    let taken = graph.multiply(by, y);
+    graph.subtract(x, taken)
 }
 
 /// The row to go next: the one with the fewest others, a constant one before a moving one.
 fn next(graph: &Graph, matrix: &[Vec<Node>], left: &[usize]) -> Option<usize> {
     left.iter().copied().min_by_key(|row| {
         let others = left.iter().filter(|c| *c != row && !graph.is_zero(matrix[*row][**c])).count();
-        let terms = match graph.operation(matrix[*row][*row]) {
-            Operation::Sum(_, terms) => terms.len(),
-            _ => 1,
-        };
+        let diagonal = graph.operation(matrix[*row][*row]);
+        let terms = if let Operation::Sum(_, terms) = diagonal { terms.len() } else { 1 };
         (others, terms, *row)
     })
 }

@@ -11,6 +11,7 @@ mod coordinates;
 mod equations;
 mod error;
 mod explicit;
+mod generalised;
 mod inertia;
 mod kinematics;
 mod linear;
@@ -19,6 +20,7 @@ mod motion;
 mod numeric;
 mod projection;
 mod reset;
+mod speed_checks;
 mod speeds;
 mod vector;
 
@@ -102,9 +104,18 @@ fn state(graph: &Graph, mechanism: &Mechanism, motions: &[ModeMotion]) -> Vec<Pl
         .filter_map(|i| coordinates::plain_speed(graph, mechanism, i))
         .filter(|j| is_dependent(*j))
         .collect();
-    contact::places(mechanism, |place| match place {
-        Place::Coordinate(i) => !is_solved(i.into()),
-        Place::Speed(j) => !left_out.contains(&j.into()),
-        _ => false,
+    contact::places(mechanism, |place| {
+        let is_left_out = match place {
+            Place::Coordinate(i) => is_solved(i.into()),
+            Place::Speed(j) => left_out.contains(&j.into()),
+            Place::Parameter(_)
+            | Place::Acceleration(_)
+            | Place::Input(_)
+            | Place::Reaction(_)
+            | Place::Contact(_)
+            | Place::Extra(_)
+            | Place::Key => true,
+        };
+        !is_left_out
     })
 }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::coordinates::SolvedCoordinates;
 use super::error::Obstacle;
+use super::generalised::{finishing, forces, inner, times};
 use super::inertia::InertiaTerms;
 use super::kinematics::number;
 use super::linear;
@@ -114,9 +115,10 @@ impl ModeMotion {
             matrix.push(self.reduced(graph, &moved));
         }
         // Rounding is one thing, the structure of both halves another: they are one expression.
-        for i in 0..matrix.len() {
-            for j in 0..i {
-                matrix[j][i] = matrix[i][j];
+        let lower = matrix.clone();
+        for (i, row) in matrix.iter_mut().enumerate() {
+            for (entry, other) in row.iter_mut().zip(&lower).skip(i + 1) {
+                *entry = other[i];
             }
         }
         MassFactor::of(graph, &self.pose, matrix).map_err(|row| {
@@ -181,9 +183,8 @@ impl ModeMotion {
                 let rate = tangent.of(graph, *slope);
                 terms.push((graph.multiply(rate, symbol), 1.0));
                 let equation = mode.equations.iter().find(|(speed, _)| speed == k);
-                if let Some((_, acceleration)) = equation {
-                    terms.push((graph.multiply(*slope, *acceleration), 1.0));
-                }
+                let prescribed = equation.map(|(_, it)| (graph.multiply(*slope, *it), 1.0));
+                terms.extend(prescribed);
             }
             all.push(graph.sum(&terms));
         }
@@ -259,50 +260,4 @@ impl ModeMotion {
     pub(super) fn reduce(&self, graph: &mut Graph, slopes: &[Node]) -> Vec<Node> {
         self.reduced(graph, &slopes[..self.speeds.slopes.len()])
     }
-}
-
-/// Generalised forces less the inertia forces at constant speeds.
-fn forces(
-    graph: &mut Graph,
-    mechanism: &Mechanism,
-    inertia: &InertiaTerms,
-    mode: &Mode,
-) -> Vec<Node> {
-    let mut terms: Vec<Vec<(Node, f64)>> = (inertia.weight.iter().zip(&inertia.bias))
-        .map(|(weight, bias)| vec![(*weight, 1.0), (*bias, -1.0)])
-        .collect();
-    for force in mode.forces.iter().map(|f| &mechanism.forces[*f]) {
-        let slopes = super::inertia::gradient(graph, mechanism, force.stretch_rate);
-        for (terms, slope) in terms.iter_mut().zip(slopes) {
-            terms.push((graph.multiply(force.tension, slope), -1.0));
-        }
-    }
-    terms.iter().map(|terms| graph.sum(terms)).collect()
-}
-
-/// The first `count` rows of matrix × vector.
-fn times(graph: &mut Graph, matrix: &[Vec<Node>], vector: &[Node], count: usize) -> Vec<Node> {
-    matrix[..count].iter().map(|row| inner(graph, row, vector)).collect()
-}
-
-/// The scalar product of as many entries as both have.
-pub(super) fn inner(graph: &mut Graph, x: &[Node], y: &[Node]) -> Node {
-    let terms: Vec<_> = x.iter().zip(y).map(|(x, y)| (graph.multiply(*x, *y), 1.0)).collect();
-    graph.sum(&terms)
-}
-
-/// What dependent coordinates and speeds are, over the others.
-fn finishing(
-    graph: &mut Graph,
-    solved: &BTreeMap<usize, Node>,
-    speeds: &SpeedMap,
-) -> HashMap<Place, Node> {
-    let mut all: HashMap<Place, Node> =
-        solved.iter().map(|(i, node)| (Place::Coordinate(number(*i)), *node)).collect();
-    let mut places = Substitution::new(all.iter().map(|(place, node)| (*place, *node)));
-    for j in &speeds.dependent {
-        let value = speeds.value(graph, *j);
-        all.insert(Place::Speed(number(*j)), places.of(graph, value));
-    }
-    all
 }

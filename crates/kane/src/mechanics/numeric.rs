@@ -70,26 +70,30 @@ impl NumericPose {
     pub(super) fn all(&self, graph: &Graph, nodes: &[Node]) -> Vec<f64> {
         let mut values: HashMap<Node, f64> = HashMap::new();
         for node in graph.reached(nodes) {
-            let of = |it: &Node| values[it];
-            let value = match graph.operation(node) {
-                Operation::Number(bits) => f64::from_bits(*bits),
-                Operation::Symbol(place) => self.get(*place),
-                Operation::Sum(number, terms) => {
-                    let terms = terms.iter().map(|(it, by)| of(it) * f64::from_bits(*by));
-                    f64::from_bits(*number) + terms.sum::<f64>()
-                }
-                Operation::Product(factors) => {
-                    factors.iter().map(|(it, by)| of(it).powi(*by)).product()
-                }
-                Operation::Unary(function, x) => function.of(of(x)),
-                Operation::Binary(function, x, y) => function.of(of(x), of(y)),
-                Operation::Select([condition, positive, other]) => {
-                    of(if of(condition) > 0.0 { positive } else { other })
-                }
-            };
+            let value = self.one(graph, &values, node);
             values.insert(node, value);
         }
         nodes.iter().map(|node| values[node]).collect()
+    }
+
+    /// The value of a node whose operands' values are known.
+    fn one(&self, graph: &Graph, values: &HashMap<Node, f64>, node: Node) -> f64 {
+        let of = |it: &Node| values[it];
+        match graph.operation(node) {
+            Operation::Number(bits) => f64::from_bits(*bits),
+            Operation::Symbol(place) => self.get(*place),
+            Operation::Sum(number, terms) => {
+                let terms = terms.iter().map(|(it, by)| of(it) * f64::from_bits(*by));
+                f64::from_bits(*number) + terms.sum::<f64>()
+            }
+            Operation::Product(factors) => {
+                factors.iter().map(|(it, by)| of(it).powi(*by)).product()
+            }
+            Operation::Unary(function, x) => function.of(of(x)),
+            Operation::Binary(function, x, y) => function.of(of(x), of(y)),
+            Operation::Select([condition, positive, _]) if of(condition) > 0.0 => of(positive),
+            Operation::Select([_, _, other]) => of(other),
+        }
     }
 
     /// Returns the values of a matrix of nodes.
@@ -104,7 +108,9 @@ pub(super) fn pivots(mut matrix: Vec<Vec<f64>>, groups: &[Vec<usize>]) -> Vec<(u
     for row in &mut matrix {
         let size = row.iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
         if size > 0.0 && size.is_finite() {
-            row.iter_mut().for_each(|entry| *entry /= size);
+            for entry in row {
+                *entry /= size;
+            }
         }
     }
     let mut found: Vec<(usize, usize)> = Vec::new();

@@ -7,10 +7,11 @@
 use std::collections::HashMap;
 
 use super::explicit::ExplicitForms;
+use super::generalised::inner;
 use super::inertia::InertiaTerms;
 use super::kinematics::number;
 use super::linear;
-use super::motion::{ModeMotion, inner};
+use super::motion::ModeMotion;
 use super::numeric;
 use super::speeds::{VelocityRow, row};
 use crate::graph::{Graph, Node, Place, Substitution};
@@ -49,7 +50,7 @@ impl ResetScope<'_> {
         let next = &self.motions[branch.to];
         let before = self.before(graph, forms, branch);
         let mut coordinates = before.clone();
-        self.put_in_place(graph, next, &mut coordinates);
+        put_in_place(graph, next, &mut coordinates);
         let mut here = Substitution::new(coordinates.iter().map(|(place, node)| (*place, *node)));
         let found = self.impact(graph, branch);
         let mut after = coordinates.clone();
@@ -99,16 +100,6 @@ impl ResetScope<'_> {
             all.insert(place, forms.value(graph, *node));
         }
         all
-    }
-
-    /// Coordinates that the next mode solves.
-    fn put_in_place(&self, graph: &mut Graph, next: &ModeMotion, all: &mut HashMap<Place, Node>) {
-        let mut before = Substitution::new(all.iter().map(|(place, node)| (*place, *node)));
-        for (i, node) in &next.solved {
-            let place = Place::Coordinate(number(*i));
-            let value = before.of(graph, *node);
-            all.insert(place, value);
-        }
     }
 
     /// The impulses; none where nothing is new, or where motion is by plain equations.
@@ -196,5 +187,15 @@ impl ResetScope<'_> {
             }
         }
         kept
+    }
+}
+
+/// Coordinates that the next mode solves.
+fn put_in_place(graph: &mut Graph, next: &ModeMotion, all: &mut HashMap<Place, Node>) {
+    let mut before = Substitution::new(all.iter().map(|(place, node)| (*place, *node)));
+    for (i, node) in &next.solved {
+        let place = Place::Coordinate(number(*i));
+        let value = before.of(graph, *node);
+        all.insert(place, value);
     }
 }

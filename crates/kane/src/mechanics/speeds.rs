@@ -14,14 +14,13 @@ use crate::mechanism::{Mechanism, Mode};
 /// Part of a slope that is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Rate of a constraint (per unit of speed) from which on it is not met.
-const UNMET: f64 = 1e-6;
-
 /// A condition that is linear in the speeds: slopes · (speeds, input's rate) + rest = 0.
 #[derive(Clone, Debug)]
 pub(super) struct VelocityRow {
     /// The constraint that it is the rate of; none for a solved coordinate's own condition.
     pub(super) constraint: Option<usize>,
+    /// The speed of the stated coordinate whose condition it is.
+    pub(super) stated: Option<usize>,
     pub(super) slopes: Vec<Node>,
     /// All but the speeds' part.
     pub(super) rest: Node,
@@ -62,7 +61,7 @@ pub(super) fn row(
     let speeds = rates(mechanism);
     let without = speeds[..mechanism.speeds.len()].iter().map(|place| (*place, zero));
     let rest = Substitution::new(without).of(graph, rate);
-    VelocityRow { constraint, slopes: gradient(graph, mechanism, rate), rest }
+    VelocityRow { constraint, stated: None, slopes: gradient(graph, mechanism, rate), rest }
 }
 
 impl SpeedMap {
@@ -150,21 +149,6 @@ impl SpeedProblem<'_> {
         new
     }
 
-    /// Whether each constraint says something that the others do not.
-    fn check_rank(&self, rows: &[VelocityRow]) -> Result<(), Vec<Obstacle>> {
-        let n = self.mechanism.speeds.len();
-        let slopes: Vec<Vec<Node>> = rows.iter().map(|row| row.slopes[..n].to_vec()).collect();
-        let values = self.pose.matrix(self.graph, &slopes);
-        let rank = numeric::pivots(values, &[(0..n).collect()]).len();
-        if rank == rows.len() { Ok(()) } else { Err(self.dependent(rows)) }
-    }
-
-    fn dependent(&self, rows: &[VelocityRow]) -> Vec<Obstacle> {
-        let names = rows.iter().filter_map(|row| row.constraint);
-        let constraints = names.map(|c| self.mechanism.constraints[c].name.clone()).collect();
-        vec![Obstacle::DependentConstraints { constraints }]
-    }
-
     /// Leaves out rows that stated coordinates meet: what is left of their slopes is rounding.
     fn without_met(&self, rows: &[VelocityRow], mut open: Vec<VelocityRow>) -> Vec<VelocityRow> {
         let n = self.mechanism.speeds.len();
@@ -180,52 +164,6 @@ impl SpeedProblem<'_> {
             !(is_small(self.pose) && is_small(self.nearby))
         });
         open
-    }
-
-    /// Whether stated coordinates that constraints touch follow from these: those that do not
-    /// would be a condition more.
-    fn check_stated(&self, rows: &[VelocityRow], count: usize) -> Result<(), Vec<Obstacle>> {
-        let n = self.mechanism.speeds.len();
-        let mut unmet = Vec::new();
-        for more in &rows[count..] {
-            let own = self.pose.all(self.graph, &more.slopes[..n]);
-            let touching = rows[..count].iter().find(|row| {
-                let slopes = row.slopes[..n].iter().zip(&own);
-                slopes.into_iter().any(|(slope, own)| *own == 1.0 && !self.graph.is_zero(*slope))
-            });
-            if let Some(constraint) = touching.and_then(|row| row.constraint) {
-                let constraint = self.mechanism.constraints[constraint].name.clone();
-                unmet.push(Obstacle::UnmetConstraint { constraint });
-            }
-        }
-        if unmet.is_empty() { Ok(()) } else { Err(unmet) }
-    }
-
-    /// Whether the speeds meet every constraint: those that stated coordinates stand for, too.
-    fn check_met(&mut self, map: &SpeedMap) -> Result<(), Vec<Obstacle>> {
-        let mut moving = self.nearby.clone();
-        moving.set(Place::Input(1), 1.0);
-        let mut unmet = Vec::new();
-        for row in &map.rows {
-            let Some(constraint) = row.constraint else { continue };
-            let columns = (0..map.independent.len())
-                .map(|k| map.slopes.iter().map(|it| it[k]).collect::<Vec<_>>());
-            let mut left: Vec<Node> = Vec::new();
-            for column in columns {
-                left.push(super::motion::inner(self.graph, &row.slopes, &column));
-            }
-            let moved = super::motion::inner(self.graph, &row.slopes, &map.offset);
-            left.push(self.graph.add(moved, row.rest));
-            let size =
-                moving.all(self.graph, &row.slopes).iter().fold(1.0, |m, it| f64::max(m, it.abs()));
-            let worst =
-                moving.all(self.graph, &left).iter().fold(0.0, |m, it| f64::max(m, it.abs()));
-            if worst.is_nan() || worst > UNMET * size {
-                let constraint = self.mechanism.constraints[constraint].name.clone();
-                unmet.push(Obstacle::UnmetConstraint { constraint });
-            }
-        }
-        if unmet.is_empty() { Ok(()) } else { Err(unmet) }
     }
 
     /// Rows and dependent speeds, one for the other.
@@ -261,6 +199,7 @@ impl SpeedProblem<'_> {
         for (speed, expression) in stated {
             let one = self.graph.constant(1.0);
             let mut row = expression.clone();
+            row.stated = Some(*speed);
             let flip = |graph: &mut Graph, node: Node| graph.negate(node);
             row.slopes = row.slopes.iter().map(|it| flip(self.graph, *it)).collect();
             row.slopes[*speed] = self.graph.add(row.slopes[*speed], one);
@@ -327,10 +266,10 @@ impl SpeedProblem<'_> {
             }
             map.offset[*speed] = self.graph.sum(&offset);
             for k in 0..map.independent.len() {
-                let mut terms = vec![(row.slopes[map.independent[k]], 1.0)];
-                for d in &others {
-                    terms.push((self.graph.multiply(row.slopes[*d], map.slopes[*d][k]), 1.0));
-                }
+                let own = (row.slopes[map.independent[k]], 1.0);
+                let others = others.iter().map(|d| (row.slopes[*d], map.slopes[*d][k]));
+                let terms: Vec<_> =
+                    others.map(|(x, y)| (self.graph.multiply(x, y), 1.0)).chain([own]).collect();
                 map.slopes[*speed][k] = self.graph.sum(&terms);
             }
         }

@@ -85,14 +85,12 @@ impl<'a> Orientations<'a> {
         for (frame, sign) in path {
             let Some((axis, angle)) = self.frames[frame].turn else { continue };
             let angle = graph.scale(angle, sign);
-            match turns.last_mut() {
-                Some(last) if last.0 == axis => {
-                    last.1 = graph.add(last.1, angle);
-                    if graph.is_zero(last.1) {
-                        turns.pop();
-                    }
+            match turns.pop() {
+                Some((last, other)) if last == axis => {
+                    let sum = graph.add(other, angle);
+                    turns.extend((!graph.is_zero(sum)).then_some((axis, sum)));
                 }
-                _ => turns.push((axis, angle)),
+                other => turns.extend(other.into_iter().chain([(axis, angle)])),
             }
         }
         turns
@@ -133,17 +131,22 @@ impl<'a> Orientations<'a> {
         for (frame, left) in &x.parts {
             for (other, right) in &y.parts {
                 let matrix = self.matrix(graph, *other, *frame);
-                for (row, a) in matrix.iter().zip(left) {
-                    let products = row.iter().zip(right);
-                    terms
-                        .extend(products.map(|(turn, b)| {
-                            (graph.product(&[(*a, 1), (*turn, 1), (*b, 1)]), 1.0)
-                        }));
-                }
+                terms.extend(bilinear(graph, left, &matrix, right));
             }
         }
         graph.sum(&terms)
     }
+}
+
+/// The terms of x · (matrix y).
+fn bilinear(
+    graph: &mut Graph,
+    x: &Components,
+    matrix: &[Components; 3],
+    y: &Components,
+) -> Vec<(Node, f64)> {
+    let places = (0..3).flat_map(|i| (0..3).map(move |j| (i, j)));
+    places.map(|(i, j)| (graph.product(&[(x[i], 1), (matrix[i][j], 1), (y[j], 1)]), 1.0)).collect()
 }
 
 /// Returns x × y of components along the same axes.
@@ -173,10 +176,9 @@ fn about(graph: &mut Graph, axis: usize, angle: Node) -> [Components; 3] {
 }
 
 fn product(graph: &mut Graph, x: &[Components; 3], y: &[Components; 3]) -> [Components; 3] {
-    [0, 1, 2].map(|i| {
-        [0, 1, 2].map(|j| {
-            let terms = [0, 1, 2].map(|k| (graph.multiply(x[i][k], y[k][j]), 1.0));
-            graph.sum(&terms)
-        })
-    })
+    let mut entry = |i: usize, j: usize| {
+        let terms = [0, 1, 2].map(|k| (graph.multiply(x[i][k], y[k][j]), 1.0));
+        graph.sum(&terms)
+    };
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)))
 }

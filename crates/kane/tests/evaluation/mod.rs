@@ -94,7 +94,8 @@ impl Numbers {
     }
 
     pub(crate) fn below(&mut self, n: usize) -> usize {
-        ((self.next() + 1.0) * 0.5 * n as f64) as usize % n
+        let part = (self.next() + 1.0) * 0.5 * n as f64;
+        (1..n).filter(|k| *k as f64 <= part).count()
     }
 }
 

@@ -1,5 +1,6 @@
 //! Random planar mechanisms: chains and trees of links and slides, with springs and constraints.
 
+use kane::graph::Place;
 use serde_json::{Value, json};
 
 use crate::builder::MechanismBuilder;
@@ -39,7 +40,7 @@ pub(super) fn random(seed: u64) -> Value {
     for _ in 0..10 {
         numbers.next();
     }
-    let count = 2 + seed as usize % 4;
+    let count = (2..).zip(0..=seed % 4).last().map_or(2, |(count, _)| count);
     let names: Vec<String> = (0..count).map(|i| format!("q{i}")).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let mut m = MechanismBuilder::new(&[], &names);
@@ -59,7 +60,8 @@ pub(super) fn random(seed: u64) -> Value {
     };
     for i in 0..count {
         // Loops are closed by chains, which can; trees are free.
-        planar.link(i, seed % 5 == 0);
+        let parent = if seed.is_multiple_of(5) { planar.numbers.below(i + 1) } else { i };
+        planar.link(i, parent);
     }
     for _ in 0..=seed % 3 {
         planar.spring();
@@ -81,8 +83,7 @@ impl Planar {
     }
 
     /// A body on a frame that turns or slides on one before.
-    fn link(&mut self, i: usize, is_tree: bool) {
-        let parent = if is_tree { self.numbers.below(i + 1) } else { i };
+    fn link(&mut self, i: usize, parent: usize) {
         let [x, y] = [self.number(0.1, 0.6), self.number(-0.3, 0.3)];
         let turns = i == 0 || self.numbers.next() > -0.4;
         let angle = self.number(-1.5, 1.5);
@@ -200,6 +201,16 @@ impl Planar {
         self.constraints.push(json!({ "kind": "edge", "place": "0", "point": point }));
     }
 
+    /// A state near the start.
+    fn guess(&mut self, derived: &Derived) -> Vec<f64> {
+        let state = derived.system.state.iter();
+        let values = state.map(|place| {
+            let Place::Coordinate(i) = place else { return self.numbers.next() };
+            self.start[usize::from(*i)] + 0.03 * self.numbers.next()
+        });
+        values.collect()
+    }
+
     fn finish(mut self, seed: u64, names: &[&str]) -> Value {
         self.m.mode("moves", &self.tied.clone());
         for suffix in ["", "'", "''"] {
@@ -208,19 +219,13 @@ impl Planar {
                 self.m.output(&text, &text);
             }
         }
-        let mut derived = Derived::from(self.m);
+        let mut derived = Derived::from(std::mem::take(&mut self.m));
         let n = names.len();
         let mut states = Vec::new();
         while states.len() < STATES {
             let input = self.numbers.list::<4>().map(|it| 0.1 * it);
-            let near = derived.system.state.clone();
-            let guess = near.iter().map(|place| match place {
-                kane::graph::Place::Coordinate(i) => {
-                    self.start[usize::from(*i)] + 0.03 * self.numbers.next()
-                }
-                _ => self.numbers.next(),
-            });
-            let state = derived.near(0, &guess.collect::<Vec<_>>(), input);
+            let guess = self.guess(&derived);
+            let state = derived.near(0, &guess, input);
             // Close to a dead point the independent coordinates may be out of reach.
             let Some(state) = state.filter(|it| it.iter().all(|x| x.abs() < 10.0)) else {
                 continue;
