@@ -106,9 +106,7 @@ impl<'a> Body<'a> {
         let value = match instruction {
             Instruction::Argument(_)
             | Instruction::Unary(UnaryFunction::Sin | UnaryFunction::Cos, _) => return,
-            Instruction::Number(number) => {
-                Expression::number(number::literal(number), number.is_sign_negative())
-            }
+            Instruction::Number(number) => Expression::number(number::literal(number)),
             Instruction::Add(x, y) => infix(self, x, "+", y),
             Instruction::Subtract(x, y) => infix(self, x, "-", y),
             Instruction::Multiply(x, y) => infix(self, x, "*", y),

@@ -23,8 +23,9 @@ impl Expression {
     }
 
     /// Returns a number's literal.
-    pub(super) const fn number(text: String, is_negative: bool) -> Self {
-        Self { text, binding: if is_negative { Binding::Sign } else { Binding::Atom } }
+    pub(super) fn number(text: String) -> Self {
+        let binding = if text.starts_with('-') { Binding::Sign } else { Binding::Atom };
+        Self { text, binding }
     }
 
     /// Returns `x operator y`, computed in this order.

@@ -41,15 +41,15 @@ pub fn rust(table: &ModelTable, functions: &[Tape], source: &str) -> String {
 
 /// Which rules a generated file does not follow.
 const RULES: &str = "\
-#![expect(clippy::allow_attributes, reason = \"which rules are broken depends on the model\")]
 #![allow(
     non_snake_case,
     unreachable_pub,
+    clippy::allow_attributes,
     clippy::large_stack_frames,
     clippy::suspicious_operation_groupings,
     clippy::too_many_lines,
     clippy::unnecessary_wraps,
-    reason = \"names as in the description, and straight lines of operations\"
+    reason = \"names as in the description, straight lines of operations: what applies varies\"
 )]
 
 ";
@@ -130,7 +130,8 @@ fn dispatch(structure: &str, purposes: &[Purpose]) -> String {
         .iter()
         .enumerate()
         .map(|(at, purpose)| format!("            {at} => {}(given, out),\n", purpose.name))
-        .collect();
+        .collect::<Vec<_>>()
+        .concat();
     format!(
         "/// The model's arithmetic.\n\
          #[derive(Clone, Copy, Debug, Default)]\n\
@@ -153,7 +154,8 @@ fn function(tape: &Tape, purpose: &Purpose, names: &ArgumentNames) -> String {
     let given = if Body::reads_arguments(tape) { "given" } else { "_" };
     let out = if tape.outputs.is_empty() { "_" } else { "out" };
     let lines = Body::new(tape, names).finish();
-    let statements: String = lines.iter().map(|line| format!("    {line}\n")).collect();
+    let statements: String =
+        lines.iter().map(|line| format!("    {line}\n")).collect::<Vec<_>>().concat();
     format!(
         "/// {}\nfn {}({given}: &Arguments<'_>, {out}: &mut [f64]) -> Option<()> {{\n\
          {statements}    Some(())\n}}\n",

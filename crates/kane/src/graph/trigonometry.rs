@@ -42,14 +42,14 @@ impl Graph {
         let mut is_paired = vec![false; terms.len()];
         let mut pairs = Vec::new();
         for (at, (node, factor)) in terms.iter().enumerate() {
-            for square in self.squares(*node, UnaryFunction::Sin) {
-                let Some(partner) = cosines.get(&square).copied() else { continue };
-                let is_free = !is_paired[at] && !is_paired[partner];
-                if is_free && terms[partner].1.to_bits() == factor.to_bits() {
-                    (is_paired[at], is_paired[partner]) = (true, true);
-                    pairs.push((square.0, *factor));
-                }
-            }
+            let partners = self.squares(*node, UnaryFunction::Sin).filter_map(|square| {
+                let partner = *cosines.get(&square)?;
+                let is_same = terms[partner].1.to_bits() == factor.to_bits();
+                (is_same && !is_paired[at] && !is_paired[partner]).then_some((square.0, partner))
+            });
+            let Some((rest, partner)) = { partners }.next() else { continue };
+            (is_paired[at], is_paired[partner]) = (true, true);
+            pairs.push((rest, *factor));
         }
         if pairs.is_empty() {
             return None;
@@ -60,10 +60,8 @@ impl Graph {
 
     /// The squares of `function` among a product's factors.
     fn squares(&self, node: Node, function: UnaryFunction) -> impl Iterator<Item = Square> {
-        let factors: &[(Node, i32)] = match self.operation(node) {
-            Operation::Product(factors) => factors,
-            _ => &[],
-        };
+        let factors: &[(Node, i32)] =
+            if let Operation::Product(factors) = self.operation(node) { factors } else { &[] };
         factors.iter().enumerate().filter_map(move |(at, (factor, exponent))| {
             let Operation::Unary(found, angle) = self.operation(*factor) else { return None };
             if *found != function || *exponent != 2 {

@@ -134,12 +134,12 @@ impl<'a> Writer<'a> {
         ordered.sort_by_key(|(_, factor)| *factor < 0.0);
         let mut text = String::new();
         for (node, factor) in ordered {
-            let sign = if factor < 0.0 { "-" } else { "+" };
-            match (text.is_empty(), factor < 0.0) {
-                (true, false) => {}
-                (true, true) => text.push('-'),
-                (false, _) => text.push_str(&format!(" {sign} ")),
-            }
+            text.push_str(match (text.is_empty(), factor < 0.0) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            });
             let size = factor.abs();
             let term = match node {
                 None => self.notation.number(size),

@@ -48,24 +48,25 @@ impl Order<'_> {
     fn write(&mut self, wanted: &[Id]) {
         for first in wanted {
             let mut waiting = vec![(*first, false)];
-            while let Some((id, are_operands_written)) = waiting.pop() {
-                if self.is_written[id] {
-                    continue;
-                }
-                if are_operands_written {
-                    self.is_written[id] = true;
-                    self.all.push(id);
-                    continue;
-                }
-                waiting.push((id, true));
-                let from = waiting.len();
-                self.forms.all[id].operands(|operand| {
-                    if !self.is_written[operand] {
-                        waiting.push((operand, false));
-                    }
-                });
-                waiting[from..].reverse();
+            while let Some(next) = waiting.pop() {
+                self.one(next, &mut waiting);
             }
         }
+    }
+
+    /// Writes a form whose operands are written, or lets it wait for them.
+    fn one(&mut self, (id, are_written): (Id, bool), waiting: &mut Vec<(Id, bool)>) {
+        if self.is_written[id] {
+            return;
+        }
+        if are_written {
+            self.is_written[id] = true;
+            self.all.push(id);
+            return;
+        }
+        waiting.push((id, true));
+        let from = waiting.len();
+        self.forms.all[id].operands(|operand| waiting.push((operand, false)));
+        waiting[from..].reverse();
     }
 }

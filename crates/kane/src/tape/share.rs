@@ -36,11 +36,7 @@ impl Forms {
             divisions.into_keys().map(|base| (base, self.push(Form::Inverse(base)))).collect();
         for form in &mut self.all {
             let Form::Product(factors) = form else { continue };
-            for (base, exponent) in factors.iter_mut().filter(|it| it.1 < 0) {
-                if let Some(inverse) = inverses.get(base) {
-                    (*base, *exponent) = (*inverse, -*exponent);
-                }
-            }
+            factors.iter_mut().filter(|it| it.1 < 0).for_each(|it| with_inverse(it, &inverses));
             factors.sort_unstable();
         }
     }
@@ -77,12 +73,10 @@ impl Forms {
                 queue.push((now, Reverse(pair)));
                 continue;
             }
-            for changed in self.extract(kind, &mut owners, pair) {
-                let count = owners.get(&changed).map_or(0, BTreeSet::len);
-                if count > 1 {
-                    queue.push((count, Reverse(changed)));
-                }
-            }
+            let changed = self.extract(kind, &mut owners, pair);
+            let counted =
+                changed.into_iter().map(|it| (owners.get(&it).map_or(0, BTreeSet::len), it));
+            queue.extend(counted.filter(|it| it.0 > 1).map(|(count, it)| (count, Reverse(it))));
         }
     }
 
@@ -100,9 +94,7 @@ impl Forms {
         let mut new = BTreeSet::new();
         for owner in owners.remove(&pair).unwrap_or_default() {
             for old in kind.pairs(&self.all[owner]) {
-                if let Some(of) = owners.get_mut(&old) {
-                    of.remove(&owner);
-                }
+                owners.entry(old).or_default().remove(&owner);
             }
             kind.replace(&mut self.all[owner], pair, part);
             for pair in kind.pairs(&self.all[owner]) {
@@ -111,6 +103,13 @@ impl Forms {
             }
         }
         new
+    }
+}
+
+/// A division as a product with the inverse, if there is one.
+fn with_inverse(factor: &mut (Id, i32), inverses: &BTreeMap<Id, Id>) {
+    if let Some(inverse) = inverses.get(&factor.0) {
+        *factor = (*inverse, -factor.1);
     }
 }
 
