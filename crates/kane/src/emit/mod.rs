@@ -14,8 +14,8 @@ mod table;
 
 use equations::table::ModelTable;
 
-use self::body::Body;
-use self::functions::Purpose;
+use self::body::FunctionBody;
+use self::functions::FunctionPurpose;
 use self::scope::ArgumentNames;
 use self::table::Constant as _;
 use crate::tape::Tape;
@@ -125,7 +125,7 @@ fn table_constant(table: &ModelTable) -> String {
 }
 
 /// The structure and its one `match`.
-fn dispatch(structure: &str, purposes: &[Purpose]) -> String {
+fn dispatch(structure: &str, purposes: &[FunctionPurpose]) -> String {
     let arms: String = purposes
         .iter()
         .enumerate()
@@ -150,10 +150,10 @@ fn dispatch(structure: &str, purposes: &[Purpose]) -> String {
     )
 }
 
-fn function(tape: &Tape, purpose: &Purpose, names: &ArgumentNames) -> String {
-    let given = if Body::reads_arguments(tape) { "given" } else { "_" };
+fn function(tape: &Tape, purpose: &FunctionPurpose, names: &ArgumentNames) -> String {
+    let given = if FunctionBody::reads_arguments(tape) { "given" } else { "_" };
     let out = if tape.outputs.is_empty() { "_" } else { "out" };
-    let lines = Body::new(tape, names).finish();
+    let lines = FunctionBody::new(tape, names).finish();
     let statements: String =
         lines.iter().map(|line| format!("    {line}\n")).collect::<Vec<_>>().concat();
     format!(

@@ -24,7 +24,7 @@ impl Graph {
         self.sum(&[(x, 1.0), (y, -1.0)])
     }
 
-    /// Returns −x.
+    /// Returns `x` with the other sign.
     pub fn negate(&mut self, x: Node) -> Node {
         self.sum(&[(x, -1.0)])
     }
@@ -56,7 +56,7 @@ impl Graph {
         }
     }
 
-    /// Returns x y.
+    /// Returns the product of `x` and `y`.
     pub fn multiply(&mut self, x: Node, y: Node) -> Node {
         self.product(&[(x, 1), (y, 1)])
     }

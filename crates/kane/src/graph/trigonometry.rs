@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::{Graph, Node, Operation, UnaryFunction, order};
 
 /// A square in a sum: the other factors of its product, and the angle.
-type Square = (Box<[(Node, i32)]>, Node);
+type SquaredFactor = (Box<[(Node, i32)]>, Node);
 
 impl Graph {
     /// Returns the sum with each pair a cos²(x) p + a sin²(x) p put together to a p.
@@ -32,7 +32,7 @@ impl Graph {
         &self,
         terms: &[(Node, f64)],
     ) -> Option<(Vec<(Box<[(Node, i32)]>, f64)>, Vec<(Node, f64)>)> {
-        let mut cosines: HashMap<Square, usize> = HashMap::new();
+        let mut cosines: HashMap<SquaredFactor, usize> = HashMap::new();
         for (at, (node, _)) in terms.iter().enumerate() {
             cosines.extend(self.squares(*node, UnaryFunction::Cos).map(|square| (square, at)));
         }
@@ -59,7 +59,7 @@ impl Graph {
     }
 
     /// The squares of `function` among a product's factors.
-    fn squares(&self, node: Node, function: UnaryFunction) -> impl Iterator<Item = Square> {
+    fn squares(&self, node: Node, function: UnaryFunction) -> impl Iterator<Item = SquaredFactor> {
         let factors: &[(Node, i32)] =
             if let Operation::Product(factors) = self.operation(node) { factors } else { &[] };
         factors.iter().enumerate().filter_map(move |(at, (factor, exponent))| {

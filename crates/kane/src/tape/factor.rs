@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::forms::{Form, Forms, Id};
+use super::forms::{Form, FormId, Forms};
 
-/// Factors within factors are looked for this deep.
+/// FactorPairs within factors are looked for this deep.
 const DEEPEST: u8 = 12;
 
 /// Sums of more terms are left as they are.
@@ -25,7 +25,7 @@ const fn side_of(exponent: i32) -> Side {
 }
 
 /// A number times forms to whole powers.
-type Monomial = (f64, Vec<(Id, i32)>);
+type Monomial = (f64, Vec<(FormId, i32)>);
 
 impl Forms {
     /// Takes common factors out of all sums; only of products that nobody else uses.
@@ -56,7 +56,7 @@ impl Forms {
     }
 
     /// The factors of a product that is used once; anything else is its own only factor.
-    fn factors_of(&self, term: Id, uses: u32) -> Vec<(Id, i32)> {
+    fn factors_of(&self, term: FormId, uses: u32) -> Vec<(FormId, i32)> {
         if let (Form::Product(factors), 1) = (&self.all[term], uses) {
             return factors.clone();
         }
@@ -64,7 +64,7 @@ impl Forms {
     }
 
     /// The terms of the sum of `monomials`.
-    fn factored(&mut self, mut monomials: Vec<Monomial>, depth: u8) -> Vec<(Id, f64)> {
+    fn factored(&mut self, mut monomials: Vec<Monomial>, depth: u8) -> Vec<(FormId, f64)> {
         let mut terms = Vec::new();
         while depth > 0
             && let Some(common) = most_common(&monomials)
@@ -83,7 +83,12 @@ impl Forms {
     }
 
     /// Σ `inner` times `outer`, as a term.
-    fn product_of_sum(&mut self, inner: Vec<Monomial>, outer: (Id, i32), depth: u8) -> (Id, f64) {
+    fn product_of_sum(
+        &mut self,
+        inner: Vec<Monomial>,
+        outer: (FormId, i32),
+        depth: u8,
+    ) -> (FormId, f64) {
         let (numbers, inner): (Vec<_>, Vec<_>) = inner.into_iter().partition(|it| it.1.is_empty());
         let number = numbers.iter().map(|it| it.0).sum();
         let inner = self.factored(inner, depth - 1);
@@ -93,7 +98,7 @@ impl Forms {
         (self.push(Form::Product(factors)), 1.0)
     }
 
-    fn term(&mut self, (factor, factors): Monomial) -> (Id, f64) {
+    fn term(&mut self, (factor, factors): Monomial) -> (FormId, f64) {
         match factors.as_slice() {
             [(only, 1)] => (*only, factor),
             _ => (self.push(Form::Product(factors)), factor),
@@ -102,8 +107,8 @@ impl Forms {
 }
 
 /// The base, above or below the fraction line, that is in most monomials; at least in two.
-fn most_common(monomials: &[Monomial]) -> Option<(Id, Side)> {
-    let mut counts: BTreeMap<(Id, Side), usize> = BTreeMap::new();
+fn most_common(monomials: &[Monomial]) -> Option<(FormId, Side)> {
+    let mut counts: BTreeMap<(FormId, Side), usize> = BTreeMap::new();
     for (_, factors) in monomials {
         for (base, exponent) in factors {
             *counts.entry((*base, side_of(*exponent))).or_default() += 1;
@@ -117,12 +122,12 @@ fn most_common(monomials: &[Monomial]) -> Option<(Id, Side)> {
 }
 
 /// The power of `base` in a monomial, on the wanted side of the fraction line.
-fn power_of(monomial: &Monomial, (base, side): (Id, Side)) -> i32 {
+fn power_of(monomial: &Monomial, (base, side): (FormId, Side)) -> i32 {
     let found = monomial.1.iter().find(|it| it.0 == base).map_or(0, |it| it.1);
     if side == Side::Above { found } else { -found }
 }
 
-fn divided((factor, mut factors): Monomial, base: Id, exponent: i32) -> Monomial {
+fn divided((factor, mut factors): Monomial, base: FormId, exponent: i32) -> Monomial {
     for it in &mut factors {
         if it.0 == base {
             it.1 -= exponent;
@@ -133,8 +138,8 @@ fn divided((factor, mut factors): Monomial, base: Id, exponent: i32) -> Monomial
 }
 
 /// Terms in order; equal ones together.
-fn collected(terms: Vec<(Id, f64)>) -> Vec<(Id, f64)> {
-    let mut collected: BTreeMap<Id, f64> = BTreeMap::new();
+fn collected(terms: Vec<(FormId, f64)>) -> Vec<(FormId, f64)> {
+    let mut collected: BTreeMap<FormId, f64> = BTreeMap::new();
     for (id, factor) in terms {
         *collected.entry(id).or_default() += factor;
     }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::forms::{Form, Forms, Id};
+use super::forms::{Form, FormId, Forms};
 use super::{Argument, Layout};
 use crate::graph::{Graph, Node, Operation, Place};
 
@@ -77,7 +77,7 @@ impl Forms {
             graph.operation(*node).operands(|_| parts += 1);
             (core::cmp::Reverse(parts), *node)
         });
-        let mut owners: BTreeMap<Id, Vec<Id>> = BTreeMap::new();
+        let mut owners: BTreeMap<FormId, Vec<FormId>> = BTreeMap::new();
         for (id, form) in self.all.iter().enumerate() {
             if matches!(form, Form::Sum(..) | Form::Product(_)) {
                 form.operands(|operand| owners.entry(operand).or_default().push(id));
@@ -148,7 +148,7 @@ fn without(form: &Form, part: &Form) -> Option<(Form, f64)> {
 }
 
 /// A form with one more factor or term.
-fn with((form, scale): (Form, f64), ready: Id) -> Form {
+fn with((form, scale): (Form, f64), ready: FormId) -> Form {
     let mut form = form;
     match &mut form {
         Form::Product(factors) => factors.push((ready, 1)),

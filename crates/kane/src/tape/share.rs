@@ -8,7 +8,7 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
-use super::forms::{Form, Forms, Id};
+use super::forms::{Form, FormId, Forms};
 
 /// Sums and products of more parts are left alone; fewer where there are very many of them.
 const MOST_PARTS: [usize; 5] = [64, 32, 16, 8, 4];
@@ -16,15 +16,15 @@ const MOST_PARTS: [usize; 5] = [64, 32, 16, 8, 4];
 const MOST_PAIRS: usize = 400_000;
 
 /// Two parts: bases of products, or terms of sums with the second's factor over the first's.
-type Pair = (Id, Id, u64);
+type Pair = (FormId, FormId, u64);
 
 /// The forms that have each pair.
-type Owners = BTreeMap<Pair, BTreeSet<Id>>;
+type Owners = BTreeMap<Pair, BTreeSet<FormId>>;
 
 impl Forms {
     /// Divisions by one value that stand in several products become products with its inverse.
     pub(super) fn share_inverses(&mut self) {
-        let mut divisions: BTreeMap<Id, u32> = BTreeMap::new();
+        let mut divisions: BTreeMap<FormId, u32> = BTreeMap::new();
         for form in &self.all {
             let Form::Product(factors) = form else { continue };
             for (base, _) in factors.iter().filter(|it| it.1 < 0) {
@@ -32,7 +32,7 @@ impl Forms {
             }
         }
         divisions.retain(|_, count| *count > 1);
-        let inverses: BTreeMap<Id, Id> =
+        let inverses: BTreeMap<FormId, FormId> =
             divisions.into_keys().map(|base| (base, self.push(Form::Inverse(base)))).collect();
         for form in &mut self.all {
             let Form::Product(factors) = form else { continue };
@@ -43,12 +43,12 @@ impl Forms {
 
     /// Shares pairs of factors.
     pub(super) fn share_products(&mut self) {
-        self.share(&Factors);
+        self.share(&FactorPairs);
     }
 
     /// Shares pairs of terms.
     pub(super) fn share_sums(&mut self) {
-        self.share(&SumTerms);
+        self.share(&TermPairs);
     }
 
     fn share(&mut self, kind: &dyn Pairs) {
@@ -107,7 +107,7 @@ impl Forms {
 }
 
 /// A division as a product with the inverse, if there is one.
-fn with_inverse(factor: &mut (Id, i32), inverses: &BTreeMap<Id, Id>) {
+fn with_inverse(factor: &mut (FormId, i32), inverses: &BTreeMap<FormId, FormId>) {
     if let Some(inverse) = inverses.get(&factor.0) {
         *factor = (*inverse, -factor.1);
     }
@@ -124,20 +124,20 @@ trait Pairs {
     fn form(&self, pair: Pair) -> Form;
 
     /// Puts `part` in the place of the pair.
-    fn replace(&self, form: &mut Form, pair: Pair, part: Id);
+    fn replace(&self, form: &mut Form, pair: Pair, part: FormId);
 }
 
 /// Pairs of factors above the fraction line.
-struct Factors;
+struct FactorPairs;
 
-impl Pairs for Factors {
+impl Pairs for FactorPairs {
     fn parts(&self, form: &Form) -> usize {
         if let Form::Product(factors) = form { factors.len() } else { 0 }
     }
 
     fn pairs(&self, form: &Form) -> Vec<Pair> {
         let Form::Product(factors) = form else { return Vec::new() };
-        let above: Vec<Id> = factors.iter().filter(|it| it.1 > 0).map(|it| it.0).collect();
+        let above: Vec<FormId> = factors.iter().filter(|it| it.1 > 0).map(|it| it.0).collect();
         of_list(&above, |x, y| Some((x, y, 0)))
     }
 
@@ -145,9 +145,9 @@ impl Pairs for Factors {
         Form::Product(vec![(x, 1), (y, 1)])
     }
 
-    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: Id) {
+    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: FormId) {
         let Form::Product(factors) = form else { return };
-        let exponent = |of: Id| factors.iter().find(|it| it.0 == of).map_or(0, |it| it.1);
+        let exponent = |of: FormId| factors.iter().find(|it| it.0 == of).map_or(0, |it| it.1);
         let both = exponent(x).min(exponent(y));
         for it in factors.iter_mut().filter(|it| it.0 == x || it.0 == y) {
             it.1 -= both;
@@ -158,17 +158,17 @@ impl Pairs for Factors {
 }
 
 /// Pairs of terms whose factors have one ratio.
-struct SumTerms;
+struct TermPairs;
 
-impl Pairs for SumTerms {
+impl Pairs for TermPairs {
     fn parts(&self, form: &Form) -> usize {
         if let Form::Sum(_, terms) = form { terms.len() } else { 0 }
     }
 
     fn pairs(&self, form: &Form) -> Vec<Pair> {
         let Form::Sum(_, terms) = form else { return Vec::new() };
-        let factors: BTreeMap<Id, f64> = terms.iter().copied().collect();
-        let ids: Vec<Id> = terms.iter().map(|it| it.0).collect();
+        let factors: BTreeMap<FormId, f64> = terms.iter().copied().collect();
+        let ids: Vec<FormId> = terms.iter().map(|it| it.0).collect();
         of_list(&ids, |x, y| {
             let ratio = factors[&y] / factors[&x];
             // Only where it gives the second factor back to the bit.
@@ -181,7 +181,7 @@ impl Pairs for SumTerms {
         Form::Sum(0.0, vec![(x, 1.0), (y, f64::from_bits(ratio))])
     }
 
-    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: Id) {
+    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: FormId) {
         let Form::Sum(_, terms) = form else { return };
         let factor = terms.iter().find(|it| it.0 == x).map_or(0.0, |it| it.1);
         terms.retain(|it| it.0 != x && it.0 != y);
@@ -189,7 +189,7 @@ impl Pairs for SumTerms {
     }
 }
 
-fn of_list(all: &[Id], pair: impl Fn(Id, Id) -> Option<Pair>) -> Vec<Pair> {
+fn of_list(all: &[FormId], pair: impl Fn(FormId, FormId) -> Option<Pair>) -> Vec<Pair> {
     let mut sorted = all.to_vec();
     sorted.sort_unstable();
     let mut pairs = Vec::new();
