@@ -26,7 +26,8 @@ pub struct Arguments<'a> {
 /// Each is a straight line of operations, with no loop and no memory of its own.
 pub trait Functions: Send + Sync {
     /// Writes the values of `function` to `out`, which has at least as many places; a number that
-    /// no function has writes nothing.
+    /// no function has writes nothing. Where `out` or an argument is shorter than the function
+    /// needs, all of `out` becomes NaN.
     fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]);
 }
 

@@ -272,7 +272,7 @@ pub enum Target {
 pub struct Impact {
     /// The rate at which the surfaces part, linear in the speeds.
     pub separation: Node,
-    /// Restitution e of [Newton]: separation⁺ = −e separation⁻; 0 is a plastic catch.
+    /// Restitution e of `[Newton]`: separation⁺ = −e separation⁻; 0 is a plastic catch.
     pub restitution: Node,
     /// Mode whose constraints hold during the impact beside those of the mode before; none for
     /// the mode before alone.

@@ -3,7 +3,7 @@
 use std::io::Write as _;
 use std::process::{Command, Stdio};
 
-use equations::table::{Arguments, Functions};
+use equations::table::{Arguments, Functions as _};
 use kane::emit;
 use kane::tape;
 

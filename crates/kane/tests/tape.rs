@@ -1,4 +1,5 @@
 //! Tapes against evaluation by recursion.
+#![expect(clippy::unwrap_used, reason = "helpers of tests, outside #[test]")]
 
 use kane::graph::{Graph, Node, Place};
 use kane::tape::{Argument, Arguments, Instruction, Layout, Tape, constant_parts};

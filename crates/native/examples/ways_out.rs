@@ -36,7 +36,12 @@ fn main() {
     let tapes = example::functions();
     let start = Instant::now();
     let native = native::compile(&tapes).unwrap();
-    println!("compiled {} functions in {:?}", tapes.len(), start.elapsed());
+    println!(
+        "{}: {} functions compiled in {:?}",
+        emitted::TABLE.name,
+        tapes.len(),
+        start.elapsed()
+    );
     let dynamic: Box<dyn Functions> = Box::new(emitted::LeverWithHammerFunctions);
     for (number, name) in [(1, "derivative"), (5, "jacobian"), (2, "readout")] {
         let tape = &tapes[usize::from(number)];

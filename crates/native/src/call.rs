@@ -68,12 +68,12 @@ impl Entry {
 pub struct NativeFunctions {
     // Before the memory, so that nothing could be called that is gone.
     entries: Arc<[Entry]>,
-    _memory: Arc<Memory>,
+    _memory: Arc<CodeMemory>,
 }
 
 impl NativeFunctions {
     pub(crate) fn new(module: JITModule, entries: Arc<[Entry]>) -> Self {
-        Self { entries, _memory: Arc::new(Memory { module: Mutex::new(Some(module)) }) }
+        Self { entries, _memory: Arc::new(CodeMemory { module: Mutex::new(Some(module)) }) }
     }
 
     /// Returns how many functions there are.
@@ -103,11 +103,11 @@ impl fmt::Debug for NativeFunctions {
 }
 
 /// The memory of the code; the lock is for the compiler's eyes, since nothing takes it but drop.
-struct Memory {
+struct CodeMemory {
     module: Mutex<Option<JITModule>>,
 }
 
-impl Drop for Memory {
+impl Drop for CodeMemory {
     fn drop(&mut self) {
         let module = self.module.get_mut().unwrap_or_else(PoisonError::into_inner).take();
         if let Some(module) = module {

@@ -9,8 +9,8 @@ use pode::math;
 
 use crate::NativeError;
 
-type Unary = extern "C" fn(f64) -> f64;
-type Binary = extern "C" fn(f64, f64) -> f64;
+type UnaryCallee = extern "C" fn(f64) -> f64;
+type BinaryCallee = extern "C" fn(f64, f64) -> f64;
 
 macro_rules! unary {
     ($($name:ident = $function:path;)+) => {$(
@@ -46,7 +46,7 @@ binary! {
     powf = math::powf;
 }
 
-/// Sine and cosine.
+/// Sine and cosine of one angle.
 extern "C" fn sin_cos(x: f64, out: &mut [f64; 2]) {
     let (sine, cosine) = math::sin_cos(x);
     *out = [sine, cosine];
@@ -58,7 +58,7 @@ extern "C" fn sin_cos_of_two(x: f64, y: f64, out: &mut [f64; 4]) {
     *out = [a, b, c, d];
 }
 
-const UNARY: [(UnaryFunction, &str, Unary); 9] = [
+const UNARY: [(UnaryFunction, &str, UnaryCallee); 9] = [
     (UnaryFunction::Tanh, "tanh", tanh),
     (UnaryFunction::Exp, "exp", exp),
     (UnaryFunction::Ln, "ln", ln),
@@ -70,7 +70,7 @@ const UNARY: [(UnaryFunction, &str, Unary); 9] = [
     (UnaryFunction::SoftplusSquareArea, "softplus_square_area", softplus_square_area),
 ];
 
-const BINARY: [(BinaryFunction, &str, Binary); 3] = [
+const BINARY: [(BinaryFunction, &str, BinaryCallee); 3] = [
     (BinaryFunction::Atan2, "atan2", atan2),
     (BinaryFunction::Hypot, "hypot", hypot),
     (BinaryFunction::Power, "powf", powf),

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::expression::{Binding, Expression};
+use super::expression::{Binding, RustExpression};
 use super::number;
 use super::scope::ArgumentNames;
 use crate::graph::{BinaryFunction, UnaryFunction};
@@ -12,20 +12,20 @@ use crate::tape::{AngleGroup, AngleValues, Argument, Instruction, Slot, Tape};
 const WIDEST: usize = 48;
 /// The widest expression of a statement.
 const LINE: usize = 80;
-/// The widest statement.
+/// The widest statement that is written on one line.
 const STATEMENT: usize = 96;
 
 /// A function's statements while they are written.
-pub(super) struct Body<'a> {
+pub(super) struct FunctionBody<'a> {
     tape: &'a Tape,
     uses: Vec<u32>,
-    values: HashMap<Slot, Expression>,
+    values: HashMap<Slot, RustExpression>,
     names: ArgumentNames,
     lines: Vec<String>,
     unnamed: usize,
 }
 
-impl<'a> Body<'a> {
+impl<'a> FunctionBody<'a> {
     /// Returns the statements that read arguments and compute all but the outputs.
     pub(super) fn new(tape: &'a Tape, names: &ArgumentNames) -> Self {
         let mut body = Self {
@@ -90,37 +90,40 @@ impl<'a> Body<'a> {
         for (argument, slots) in reads {
             let (name, read) = self.names.of(argument);
             self.lines.push(format!("let {name} = {read};"));
-            self.values.extend(slots.iter().map(|it| (*it, Expression::atom(name.clone()))));
+            self.values.extend(slots.iter().map(|it| (*it, RustExpression::atom(name.clone()))));
         }
     }
 
-    fn value(&self, slot: Slot) -> Expression {
-        self.values.get(&slot).cloned().unwrap_or_else(|| Expression::atom("f64::NAN".to_owned()))
+    fn value(&self, slot: Slot) -> RustExpression {
+        self.values
+            .get(&slot)
+            .cloned()
+            .unwrap_or_else(|| RustExpression::atom("f64::NAN".to_owned()))
     }
 
     fn instruction(&mut self, slot: Slot, instruction: Instruction) {
         let infix = |body: &mut Self, x, operator, y| {
             let (x, y) = body.fitting(x, y);
-            Expression::infix(&x, operator, &y)
+            RustExpression::infix(&x, operator, &y)
         };
         let value = match instruction {
             Instruction::Argument(_)
             | Instruction::Unary(UnaryFunction::Sin | UnaryFunction::Cos, _) => return,
-            Instruction::Number(number) => {
-                Expression::number(number::literal(number), number.is_sign_negative())
-            }
+            Instruction::Number(number) => RustExpression::number(number::literal(number)),
             Instruction::Add(x, y) => infix(self, x, "+", y),
             Instruction::Subtract(x, y) => infix(self, x, "-", y),
             Instruction::Multiply(x, y) => infix(self, x, "*", y),
             Instruction::Divide(x, y) => infix(self, x, "/", y),
-            Instruction::Negate(x) => Expression::negated(&self.value(x)),
+            Instruction::Negate(x) => RustExpression::negated(&self.value(x)),
             Instruction::Unary(UnaryFunction::Abs, x) => {
-                Expression::atom(format!("{}.abs()", self.value(x).within(Binding::Atom)))
+                RustExpression::atom(format!("{}.abs()", self.value(x).within(Binding::Atom)))
             }
-            Instruction::Unary(function, x) => Expression::call(unary(function), &[&self.value(x)]),
+            Instruction::Unary(function, x) => {
+                RustExpression::call(unary(function), &[&self.value(x)])
+            }
             Instruction::Binary(function, x, y) => {
                 let (x, y) = self.fitting(x, y);
-                Expression::call(binary(function), &[&x, &y])
+                RustExpression::call(binary(function), &[&x, &y])
             }
             Instruction::Select(condition, positive, other) => {
                 let [condition, positive, other] =
@@ -140,7 +143,7 @@ impl<'a> Body<'a> {
     }
 
     /// Two operands; the longer gets a name first where both would not fit on one line.
-    fn fitting(&mut self, x: Slot, y: Slot) -> (Expression, Expression) {
+    fn fitting(&mut self, x: Slot, y: Slot) -> (RustExpression, RustExpression) {
         let width = |body: &Self, slot| body.value(slot).text.len();
         if width(self, x) + width(self, y) > LINE {
             let longer = if width(self, x) >= width(self, y) { x } else { y };
@@ -151,7 +154,7 @@ impl<'a> Body<'a> {
     }
 
     /// An operand that is a name or a short expression.
-    fn short(&mut self, slot: Slot) -> Expression {
+    fn short(&mut self, slot: Slot) -> RustExpression {
         const SHORT: usize = 24;
         let value = self.value(slot);
         if value.text.len() > SHORT {
@@ -164,7 +167,7 @@ impl<'a> Body<'a> {
         let name = format!("v{}", self.unnamed);
         self.unnamed += 1;
         self.lines.push(format!("let {name} = {text};"));
-        self.values.insert(slot, Expression::atom(name));
+        self.values.insert(slot, RustExpression::atom(name));
     }
 
     /// Sines and cosines that are computed together.
@@ -210,7 +213,7 @@ impl<'a> Body<'a> {
             let all = (0..).map(Slot).zip(&self.tape.instructions);
             let wanted = Instruction::Unary(function_of, values.angle);
             for (slot, _) in all.filter(|(_, it)| **it == wanted) {
-                self.values.insert(slot, Expression::atom(name.clone()));
+                self.values.insert(slot, RustExpression::atom(name.clone()));
             }
             name
         };

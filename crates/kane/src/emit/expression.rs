@@ -11,20 +11,21 @@ pub(super) enum Binding {
 
 /// The text of an expression.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Expression {
+pub(super) struct RustExpression {
     pub(super) text: String,
     pub(super) binding: Binding,
 }
 
-impl Expression {
+impl RustExpression {
     /// Returns an expression that needs no brackets anywhere.
     pub(super) const fn atom(text: String) -> Self {
         Self { text, binding: Binding::Atom }
     }
 
     /// Returns a number's literal.
-    pub(super) const fn number(text: String, is_negative: bool) -> Self {
-        Self { text, binding: if is_negative { Binding::Sign } else { Binding::Atom } }
+    pub(super) fn number(text: String) -> Self {
+        let binding = if text.starts_with('-') { Binding::Sign } else { Binding::Atom };
+        Self { text, binding }
     }
 
     /// Returns `x operator y`, computed in this order.
@@ -37,7 +38,7 @@ impl Expression {
         Self { text, binding }
     }
 
-    /// Returns −x.
+    /// Returns the expression with the other sign.
     pub(super) fn negated(x: &Self) -> Self {
         Self { text: format!("-{}", x.within(Binding::Atom)), binding: Binding::Sign }
     }

@@ -9,41 +9,41 @@ const LONGEST: usize = 34;
 
 /// What a function is for.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub(super) struct Purpose {
+pub(super) struct FunctionPurpose {
     /// Its name in the emitted code.
     pub(super) name: String,
-    /// Sentence above it.
+    /// The sentence that stands above it.
     pub(super) doc: String,
 }
 
 /// Returns the purpose of each of `count` functions.
-pub(super) fn purposes(table: &ModelTable, count: usize) -> Vec<Purpose> {
-    let mut all = Purposes { found: vec![None; count] };
+pub(super) fn purposes(table: &ModelTable, count: usize) -> Vec<FunctionPurpose> {
+    let mut all = FunctionPurposes { found: vec![None; count] };
     all.of_model(table);
     for mode in table.modes {
         all.of_mode(mode);
     }
     let mut taken = Identifiers::new();
-    let name = |(at, found): (usize, Option<Purpose>)| {
-        let Purpose { name, doc } = found.unwrap_or_else(|| Purpose {
+    let name = |(at, found): (usize, Option<FunctionPurpose>)| {
+        let FunctionPurpose { name, doc } = found.unwrap_or_else(|| FunctionPurpose {
             name: format!("function_{at}"),
             doc: "Is not used by the table.".to_owned(),
         });
-        Purpose { name: taken.take_long(&name.to_lowercase(), LONGEST), doc }
+        FunctionPurpose { name: taken.take_long(&name.to_lowercase(), LONGEST), doc }
     };
     all.found.into_iter().enumerate().map(name).collect()
 }
 
-struct Purposes {
-    found: Vec<Option<Purpose>>,
+struct FunctionPurposes {
+    found: Vec<Option<FunctionPurpose>>,
 }
 
-impl Purposes {
+impl FunctionPurposes {
     /// The first use of a function names it.
     fn set(&mut self, function: impl Into<Option<FunctionId>>, name: &str, doc: &str) {
         let Some(function) = function.into() else { return };
         if let Some(place @ None) = self.found.get_mut(usize::from(function)) {
-            *place = Some(Purpose { name: name.to_owned(), doc: doc.to_owned() });
+            *place = Some(FunctionPurpose { name: name.to_owned(), doc: doc.to_owned() });
         }
     }
 

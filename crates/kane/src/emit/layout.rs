@@ -11,10 +11,10 @@ pub(super) enum Literal {
     Word(String),
     /// A text, quoted; may be broken where it is long.
     Text(String),
-    Struct(&'static str, Vec<(&'static str, Literal)>),
-    Slice(Vec<Literal>),
-    Tuple(Vec<Literal>),
-    Some(Box<Literal>),
+    Struct(&'static str, Vec<(&'static str, Self)>),
+    Slice(Vec<Self>),
+    Tuple(Vec<Self>),
+    Some(Box<Self>),
 }
 
 impl Literal {
@@ -83,7 +83,7 @@ pub(super) fn filled(elements: &[String], indent: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for element in elements {
         match lines.last_mut() {
-            Some(line) if indent + line.len() + 2 + element.len() + 1 <= WIDTH => {
+            Some(line) if indent + line.len() + 2 + element.len() < WIDTH => {
                 line.push_str(", ");
                 line.push_str(element);
             }

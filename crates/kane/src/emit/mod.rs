@@ -14,8 +14,8 @@ mod table;
 
 use equations::table::ModelTable;
 
-use self::body::Body;
-use self::functions::Purpose;
+use self::body::FunctionBody;
+use self::functions::FunctionPurpose;
 use self::scope::ArgumentNames;
 use self::table::Constant as _;
 use crate::tape::Tape;
@@ -41,15 +41,15 @@ pub fn rust(table: &ModelTable, functions: &[Tape], source: &str) -> String {
 
 /// Which rules a generated file does not follow.
 const RULES: &str = "\
-#![expect(clippy::allow_attributes, reason = \"which rules are broken depends on the model\")]
 #![allow(
     non_snake_case,
     unreachable_pub,
+    clippy::allow_attributes,
     clippy::large_stack_frames,
     clippy::suspicious_operation_groupings,
     clippy::too_many_lines,
     clippy::unnecessary_wraps,
-    reason = \"names as in the description, and straight lines of operations\"
+    reason = \"names as in the description, straight lines of operations: what applies varies\"
 )]
 
 ";
@@ -125,12 +125,13 @@ fn table_constant(table: &ModelTable) -> String {
 }
 
 /// The structure and its one `match`.
-fn dispatch(structure: &str, purposes: &[Purpose]) -> String {
+fn dispatch(structure: &str, purposes: &[FunctionPurpose]) -> String {
     let arms: String = purposes
         .iter()
         .enumerate()
         .map(|(at, purpose)| format!("            {at} => {}(given, out),\n", purpose.name))
-        .collect();
+        .collect::<Vec<_>>()
+        .concat();
     format!(
         "/// The model's arithmetic.\n\
          #[derive(Clone, Copy, Debug, Default)]\n\
@@ -149,11 +150,12 @@ fn dispatch(structure: &str, purposes: &[Purpose]) -> String {
     )
 }
 
-fn function(tape: &Tape, purpose: &Purpose, names: &ArgumentNames) -> String {
-    let given = if Body::reads_arguments(tape) { "given" } else { "_" };
+fn function(tape: &Tape, purpose: &FunctionPurpose, names: &ArgumentNames) -> String {
+    let given = if FunctionBody::reads_arguments(tape) { "given" } else { "_" };
     let out = if tape.outputs.is_empty() { "_" } else { "out" };
-    let lines = Body::new(tape, names).finish();
-    let statements: String = lines.iter().map(|line| format!("    {line}\n")).collect();
+    let lines = FunctionBody::new(tape, names).finish();
+    let statements: String =
+        lines.iter().map(|line| format!("    {line}\n")).collect::<Vec<_>>().concat();
     format!(
         "/// {}\nfn {}({given}: &Arguments<'_>, {out}: &mut [f64]) -> Option<()> {{\n\
          {statements}    Some(())\n}}\n",

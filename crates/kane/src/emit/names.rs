@@ -56,7 +56,8 @@ impl Identifiers {
     }
 
     fn numbered(&self, name: &str) -> String {
-        (2_u64..)
+        // As many as there are names would do.
+        (2..=self.taken.len() + 2)
             .map(|number| format!("{name}_{number}"))
             .find(|it| !self.taken.contains(it))
             .unwrap_or_default()

@@ -79,7 +79,7 @@ fn from_the_left(digits: &str) -> String {
     }
     let mut text = String::new();
     for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && at % 3 == 0 {
+        if at > 0 && at.is_multiple_of(3) {
             text.push('_');
         }
         text.push(digit);
@@ -93,7 +93,7 @@ fn from_the_right(digits: &str) -> String {
     }
     let mut text = String::new();
     for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at) % 3 == 0 {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
             text.push('_');
         }
         text.push(digit);

@@ -1,4 +1,4 @@
-//! Names of arguments.
+//! What arguments are called in emitted code.
 
 use equations::table::ModelTable;
 

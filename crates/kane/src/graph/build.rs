@@ -24,7 +24,7 @@ impl Graph {
         self.sum(&[(x, 1.0), (y, -1.0)])
     }
 
-    /// Returns −x.
+    /// Returns `x` with the other sign.
     pub fn negate(&mut self, x: Node) -> Node {
         self.sum(&[(x, -1.0)])
     }
@@ -56,7 +56,7 @@ impl Graph {
         }
     }
 
-    /// Returns x y.
+    /// Returns the product of `x` and `y`.
     pub fn multiply(&mut self, x: Node, y: Node) -> Node {
         self.product(&[(x, 1), (y, 1)])
     }
@@ -86,7 +86,7 @@ impl Graph {
             [(only, 1)] => *only,
             _ => self.intern(Operation::Product(factors.into_boxed_slice())),
         };
-        if number == 1.0 { product } else { self.sum(&[(product, number)]) }
+        if number.to_bits() == 1.0_f64.to_bits() { product } else { self.sum(&[(product, number)]) }
     }
 
     /// Returns `function` of `x`.
@@ -156,7 +156,7 @@ impl Graph {
             #[expect(clippy::cast_possible_truncation, reason = "a small whole number")]
             return self.power(x, exponent as i32);
         }
-        if exponent == 0.5 {
+        if exponent.to_bits() == 0.5_f64.to_bits() {
             return self.sqrt(x);
         }
         let y = self.constant(exponent);

@@ -83,10 +83,8 @@ impl Graph {
 
     /// Returns the number that `node` is, if it is one.
     pub fn number(&self, node: Node) -> Option<f64> {
-        match self.operation(node) {
-            Operation::Number(bits) => Some(f64::from_bits(*bits)),
-            _ => None,
-        }
+        let Operation::Number(bits) = self.operation(node) else { return None };
+        Some(f64::from_bits(*bits))
     }
 
     /// Whether `node` is the number 0.
@@ -96,10 +94,9 @@ impl Graph {
 
     /// Whether any of `places` appears in `node`.
     pub fn depends(&self, node: Node, on: impl Fn(Place) -> bool) -> bool {
-        self.reached(&[node]).into_iter().any(|it| match self.operation(it) {
-            Operation::Symbol(place) => on(*place),
-            _ => false,
-        })
+        self.reached(&[node])
+            .into_iter()
+            .any(|it| matches!(self.operation(it), Operation::Symbol(place) if on(*place)))
     }
 
     /// Returns every node that `outputs` are made of, themselves included, operands first.

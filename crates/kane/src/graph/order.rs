@@ -30,7 +30,12 @@ impl Sum {
                     self.enter(*term, factor * f64::from_bits(*inner));
                 }
             }
-            _ => self.enter(node, factor),
+            Operation::Symbol(_)
+            | Operation::Sum(..)
+            | Operation::Product(_)
+            | Operation::Unary(..)
+            | Operation::Binary(..)
+            | Operation::Select(_) => self.enter(node, factor),
         }
     }
 
@@ -71,7 +76,12 @@ impl Product {
                 self.number *= f64::from_bits(factor).powi(exponent);
                 self.multiply(graph, term, exponent);
             }
-            _ => self.enter(node, exponent),
+            Operation::Symbol(_)
+            | Operation::Sum(..)
+            | Operation::Product(_)
+            | Operation::Unary(..)
+            | Operation::Binary(..)
+            | Operation::Select(_) => self.enter(node, exponent),
         }
     }
 

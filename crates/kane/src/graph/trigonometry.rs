@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::{Graph, Node, Operation, UnaryFunction, order};
 
 /// A square in a sum: the other factors of its product, and the angle.
-type Square = (Box<[(Node, i32)]>, Node);
+type SquaredFactor = (Box<[(Node, i32)]>, Node);
 
 impl Graph {
     /// Returns the sum with each pair a cos²(x) p + a sin²(x) p put together to a p.
@@ -32,7 +32,7 @@ impl Graph {
         &self,
         terms: &[(Node, f64)],
     ) -> Option<(Vec<(Box<[(Node, i32)]>, f64)>, Vec<(Node, f64)>)> {
-        let mut cosines: HashMap<Square, usize> = HashMap::new();
+        let mut cosines: HashMap<SquaredFactor, usize> = HashMap::new();
         for (at, (node, _)) in terms.iter().enumerate() {
             cosines.extend(self.squares(*node, UnaryFunction::Cos).map(|square| (square, at)));
         }
@@ -42,14 +42,14 @@ impl Graph {
         let mut is_paired = vec![false; terms.len()];
         let mut pairs = Vec::new();
         for (at, (node, factor)) in terms.iter().enumerate() {
-            for square in self.squares(*node, UnaryFunction::Sin) {
-                let Some(partner) = cosines.get(&square).copied() else { continue };
-                let is_free = !is_paired[at] && !is_paired[partner];
-                if is_free && terms[partner].1.to_bits() == factor.to_bits() {
-                    (is_paired[at], is_paired[partner]) = (true, true);
-                    pairs.push((square.0, *factor));
-                }
-            }
+            let partners = self.squares(*node, UnaryFunction::Sin).filter_map(|square| {
+                let partner = *cosines.get(&square)?;
+                let is_same = terms[partner].1.to_bits() == factor.to_bits();
+                (is_same && !is_paired[at] && !is_paired[partner]).then_some((square.0, partner))
+            });
+            let Some((rest, partner)) = { partners }.next() else { continue };
+            (is_paired[at], is_paired[partner]) = (true, true);
+            pairs.push((rest, *factor));
         }
         if pairs.is_empty() {
             return None;
@@ -59,11 +59,9 @@ impl Graph {
     }
 
     /// The squares of `function` among a product's factors.
-    fn squares(&self, node: Node, function: UnaryFunction) -> impl Iterator<Item = Square> {
-        let factors: &[(Node, i32)] = match self.operation(node) {
-            Operation::Product(factors) => factors,
-            _ => &[],
-        };
+    fn squares(&self, node: Node, function: UnaryFunction) -> impl Iterator<Item = SquaredFactor> {
+        let factors: &[(Node, i32)] =
+            if let Operation::Product(factors) = self.operation(node) { factors } else { &[] };
         factors.iter().enumerate().filter_map(move |(at, (factor, exponent))| {
             let Operation::Unary(found, angle) = self.operation(*factor) else { return None };
             if *found != function || *exponent != 2 {

@@ -1,4 +1,4 @@
-//! Names of symbols.
+//! What symbols are called in equations.
 
 use std::collections::HashMap;
 

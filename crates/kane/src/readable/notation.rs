@@ -20,43 +20,43 @@ pub(super) enum Tightness {
     Atom,
 }
 
-/// A written expression.
+/// An expression that was written, and whether it needs brackets.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Written {
+pub(super) struct WrittenPart {
     pub(super) text: String,
     pub(super) tightness: Tightness,
 }
 
-impl Written {
+impl WrittenPart {
     pub(super) const fn atom(text: String) -> Self {
         Self { text, tightness: Tightness::Atom }
     }
 }
 
 impl Notation {
-    pub(super) fn name(self, name: &str) -> Written {
-        Written::atom(match self {
+    pub(super) fn name(self, name: &str) -> WrittenPart {
+        WrittenPart::atom(match self {
             Self::Text => name.to_owned(),
             Self::Latex => words::latex(name),
         })
     }
 
     /// A number that is not negative.
-    pub(super) fn number(self, value: f64) -> Written {
+    pub(super) fn number(self, value: f64) -> WrittenPart {
         let scientific = format!("{value:e}");
         let plain = format!("{value}");
         let short = if scientific.len() + 3 < plain.len() { scientific } else { plain };
         match (self, short.split_once('e')) {
-            (Self::Latex, Some((mantissa, exponent))) => Written {
+            (Self::Latex, Some((mantissa, exponent))) => WrittenPart {
                 text: format!("{mantissa} \\cdot 10^{{{exponent}}}"),
                 tightness: Tightness::Product,
             },
-            _ => Written::atom(short),
+            _ => WrittenPart::atom(short),
         }
     }
 
     /// The text, in brackets where it holds together less than `tightness`.
-    pub(super) fn within(self, written: &Written, tightness: Tightness) -> String {
+    pub(super) fn within(self, written: &WrittenPart, tightness: Tightness) -> String {
         if written.tightness >= tightness {
             written.text.clone()
         } else {
@@ -72,9 +72,9 @@ impl Notation {
     }
 
     /// Factors side by side; none are 1.
-    pub(super) fn product(self, factors: &[Written]) -> Written {
+    pub(super) fn product(self, factors: &[WrittenPart]) -> WrittenPart {
         match factors {
-            [] => Written::atom("1".to_owned()),
+            [] => WrittenPart::atom("1".to_owned()),
             [only] => only.clone(),
             _ => {
                 let factors: Vec<String> =
@@ -83,37 +83,37 @@ impl Notation {
                     Self::Text => "*",
                     Self::Latex => " \\, ",
                 };
-                Written { text: factors.join(sign), tightness: Tightness::Product }
+                WrittenPart { text: factors.join(sign), tightness: Tightness::Product }
             }
         }
     }
 
-    pub(super) fn fraction(self, above: &Written, below: &Written) -> Written {
+    pub(super) fn fraction(self, above: &WrittenPart, below: &WrittenPart) -> WrittenPart {
         match self {
             Self::Text => {
                 let above = self.within(above, Tightness::Product);
                 let below = self.within(below, Tightness::Power);
-                Written { text: format!("{above}/{below}"), tightness: Tightness::Product }
+                WrittenPart { text: format!("{above}/{below}"), tightness: Tightness::Product }
             }
-            Self::Latex => Written {
+            Self::Latex => WrittenPart {
                 text: format!("\\frac{{{}}}{{{}}}", above.text, below.text),
                 tightness: Tightness::Product,
             },
         }
     }
 
-    pub(super) fn power(self, base: &Written, exponent: &Written) -> Written {
+    pub(super) fn power(self, base: &WrittenPart, exponent: &WrittenPart) -> WrittenPart {
         let base = self.within(base, Tightness::Atom);
         let text = match self {
             Self::Text => format!("{base}^{}", self.within(exponent, Tightness::Atom)),
             Self::Latex => format!("{{{base}}}^{{{}}}", exponent.text),
         };
-        Written { text, tightness: Tightness::Power }
+        WrittenPart { text, tightness: Tightness::Power }
     }
 
-    pub(super) fn unary(self, function: UnaryFunction, x: &Written) -> Written {
+    pub(super) fn unary(self, function: UnaryFunction, x: &WrittenPart) -> WrittenPart {
         let name = unary_name(function);
-        Written::atom(match (self, function) {
+        WrittenPart::atom(match (self, function) {
             (Self::Text, _) => format!("{name}({})", x.text),
             (Self::Latex, UnaryFunction::Sqrt) => format!("\\sqrt{{{}}}", x.text),
             (Self::Latex, UnaryFunction::Abs) => format!("\\left|{}\\right|", x.text),
@@ -131,7 +131,12 @@ impl Notation {
         })
     }
 
-    pub(super) fn binary(self, function: BinaryFunction, x: &Written, y: &Written) -> Written {
+    pub(super) fn binary(
+        self,
+        function: BinaryFunction,
+        x: &WrittenPart,
+        y: &WrittenPart,
+    ) -> WrittenPart {
         let name = match function {
             BinaryFunction::Power => return self.power(x, y),
             BinaryFunction::Atan2 => "atan2",
@@ -140,7 +145,7 @@ impl Notation {
             BinaryFunction::Max => "max",
         };
         let list = format!("{}, {}", x.text, y.text);
-        Written::atom(match (self, function) {
+        WrittenPart::atom(match (self, function) {
             (Self::Text, _) => format!("{name}({list})"),
             (Self::Latex, BinaryFunction::Min | BinaryFunction::Max) => {
                 format!("\\{name}{}", self.bracketed(&list))
@@ -149,9 +154,9 @@ impl Notation {
         })
     }
 
-    pub(super) fn select(self, [condition, positive, other]: [&Written; 3]) -> Written {
+    pub(super) fn select(self, [condition, positive, other]: [&WrittenPart; 3]) -> WrittenPart {
         let (condition, positive, other) = (&condition.text, &positive.text, &other.text);
-        Written::atom(match self {
+        WrittenPart::atom(match self {
             Self::Text => format!("if({condition} > 0, {positive}, {other})"),
             Self::Latex => format!(
                 "\\begin{{cases}} {positive} & {condition} > 0 \\\\ {other} & \\text{{otherwise}} \

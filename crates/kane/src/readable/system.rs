@@ -50,11 +50,9 @@ impl Page<'_> {
     /// A rate, unless it is a speed of that name: `y' = y'` says nothing.
     fn want_rate(&mut self, name: &str, node: Option<Node>) {
         let Some(node) = node else { return };
-        let symbol = match self.system.mechanism.graph.operation(node) {
-            Operation::Symbol(place) => Some(self.names.name(*place)),
-            _ => None,
-        };
-        if symbol.as_deref() != Some(name) {
+        let operation = self.system.mechanism.graph.operation(node);
+        let is_said = matches!(operation, Operation::Symbol(it) if self.names.name(*it) == name);
+        if !is_said {
             self.want(name, node);
         }
     }
@@ -109,13 +107,12 @@ impl Page<'_> {
         for way in &guard.ways {
             let to = self.system.mechanism.modes.get(way.branch.to);
             let to = to.map_or("", |it| it.name.as_str());
-            let where_to = if way.branch.when.is_some() { " where `when` is positive" } else { "" };
+            let where_to = way.branch.when.map_or("", |_| " where `when` is positive");
             self.section(format!("{} leads to {to}{where_to}; after it", guard.name));
             self.want("when", way.branch.when);
             for (place, node) in self.system.state.iter().zip(&way.state) {
-                if !self.is_itself(*node, *place) {
-                    self.want(self.names.name(*place), *node);
-                }
+                let changed = (!self.is_itself(*node, *place)).then_some(*node);
+                self.want(self.names.name(*place), changed);
             }
         }
         self.want("sounds", guard.sounds);

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::SymbolNames;
-use super::notation::{Notation, Tightness, Written};
+use super::notation::{Notation, Tightness, WrittenPart};
 use crate::graph::{Graph, Node, Operation};
 
 /// A part that stands more than once gets a name from this many operations on.
@@ -20,9 +20,9 @@ pub struct Equation {
 
 /// Returns `node` written out whole, without names for its parts.
 ///
-/// Its text can be far longer than its graph; [`equations`] names parts instead.
+/// Its text can be far longer than its graph; [`equations()`] names parts instead.
 pub fn expression(graph: &Graph, node: Node, names: &SymbolNames, notation: Notation) -> String {
-    let mut writer = Writer::new(graph, names, notation);
+    let mut writer = EquationWriter::new(graph, names, notation);
     writer.write(&[node], &|_, _| false);
     writer.text(node)
 }
@@ -37,7 +37,7 @@ pub fn equations(
     notation: Notation,
 ) -> (Vec<Equation>, Vec<Equation>) {
     let outputs: Vec<Node> = wanted.iter().map(|(_, node)| *node).collect();
-    let mut writer = Writer::new(graph, names, notation);
+    let mut writer = EquationWriter::new(graph, names, notation);
     writer.write(&outputs, &|size, uses| {
         size >= NAMED_ALWAYS || uses > 1 && size >= NAMED_WHEN_SHARED
     });
@@ -48,15 +48,15 @@ pub fn equations(
     (writer.definitions, equations)
 }
 
-struct Writer<'a> {
+struct EquationWriter<'a> {
     graph: &'a Graph,
     names: &'a SymbolNames,
     notation: Notation,
-    written: HashMap<Node, Written>,
+    written: HashMap<Node, WrittenPart>,
     definitions: Vec<Equation>,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> EquationWriter<'a> {
     fn new(graph: &'a Graph, names: &'a SymbolNames, notation: Notation) -> Self {
         Self { graph, names, notation, written: HashMap::new(), definitions: Vec::new() }
     }
@@ -89,12 +89,12 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn of(&self, node: Node) -> Written {
-        self.written.get(&node).cloned().unwrap_or_else(|| Written::atom(String::new()))
+    fn of(&self, node: Node) -> WrittenPart {
+        self.written.get(&node).cloned().unwrap_or_else(|| WrittenPart::atom(String::new()))
     }
 
     /// A node whose operands are written.
-    fn one(&self, node: Node) -> Written {
+    fn one(&self, node: Node) -> WrittenPart {
         match self.graph.operation(node) {
             Operation::Number(bits) => self.signed_number(f64::from_bits(*bits)),
             Operation::Symbol(place) => self.notation.name(&self.names.name(*place)),
@@ -115,17 +115,17 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn signed_number(&self, value: f64) -> Written {
+    fn signed_number(&self, value: f64) -> WrittenPart {
         let written = self.notation.number(value.abs());
         if value < 0.0 {
-            Written { text: format!("-{}", written.text), tightness: Tightness::Sum }
+            WrittenPart { text: format!("-{}", written.text), tightness: Tightness::Sum }
         } else {
             written
         }
     }
 
     /// Positive terms first, the number behind them.
-    fn sum(&self, number: f64, terms: &[(Node, f64)]) -> Written {
+    fn sum(&self, number: f64, terms: &[(Node, f64)]) -> WrittenPart {
         let mut ordered: Vec<(Option<Node>, f64)> =
             terms.iter().map(|(node, factor)| (Some(*node), *factor)).collect();
         if number != 0.0 {
@@ -134,12 +134,12 @@ impl<'a> Writer<'a> {
         ordered.sort_by_key(|(_, factor)| *factor < 0.0);
         let mut text = String::new();
         for (node, factor) in ordered {
-            let sign = if factor < 0.0 { "-" } else { "+" };
-            match (text.is_empty(), factor < 0.0) {
-                (true, false) => {}
-                (true, true) => text.push('-'),
-                (false, _) => text.push_str(&format!(" {sign} ")),
-            }
+            text.push_str(match (text.is_empty(), factor < 0.0) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            });
             let size = factor.abs();
             let term = match node {
                 None => self.notation.number(size),
@@ -148,11 +148,11 @@ impl<'a> Writer<'a> {
             };
             text.push_str(&self.notation.within(&term, Tightness::Product));
         }
-        Written { text, tightness: Tightness::Sum }
+        WrittenPart { text, tightness: Tightness::Sum }
     }
 
-    fn product(&self, factors: &[(Node, i32)]) -> Written {
-        let powers = |wanted: fn(i32) -> bool| -> Vec<Written> {
+    fn product(&self, factors: &[(Node, i32)]) -> WrittenPart {
+        let powers = |wanted: fn(i32) -> bool| -> Vec<WrittenPart> {
             let chosen = factors.iter().filter(|(_, exponent)| wanted(*exponent));
             chosen.map(|(node, exponent)| self.power(*node, exponent.unsigned_abs())).collect()
         };
@@ -165,10 +165,10 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn power(&self, node: Node, exponent: u32) -> Written {
+    fn power(&self, node: Node, exponent: u32) -> WrittenPart {
         if exponent == 1 {
             return self.of(node);
         }
-        self.notation.power(&self.of(node), &Written::atom(exponent.to_string()))
+        self.notation.power(&self.of(node), &WrittenPart::atom(exponent.to_string()))
     }
 }

@@ -109,9 +109,10 @@ impl Tape {
             });
             let slot = Some(Slot(u32::try_from(at).unwrap_or(u32::MAX)));
             let values = &mut angles[entry];
-            match function {
-                UnaryFunction::Sin => values.sine = values.sine.or(slot),
-                _ => values.cosine = values.cosine.or(slot),
+            if function == UnaryFunction::Sin {
+                values.sine = values.sine.or(slot);
+            } else {
+                values.cosine = values.cosine.or(slot);
             }
         }
         angles

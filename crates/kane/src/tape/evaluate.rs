@@ -1,6 +1,6 @@
 //! A tape's values, one instruction after another.
 
-use super::{Argument, Instruction, Tape};
+use super::{Argument, Instruction, Slot, Tape};
 
 /// The arguments of a tape.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -25,12 +25,17 @@ impl Arguments<'_> {
     }
 }
 
+/// The second where the first is positive, else the third.
+fn chosen(condition: f64, positive: Slot, other: Slot) -> Slot {
+    if condition > 0.0 { positive } else { other }
+}
+
 impl Tape {
     /// Returns the outputs' values.
     pub fn evaluate(&self, arguments: &Arguments<'_>) -> Vec<f64> {
         let mut values = Vec::with_capacity(self.instructions.len());
         for instruction in &self.instructions {
-            let of = |slot: super::Slot| -> f64 { values[slot.index()] };
+            let of = |slot: Slot| -> f64 { values[slot.index()] };
             let value = match *instruction {
                 Instruction::Number(number) => number,
                 Instruction::Argument(argument) => arguments.value(argument),
@@ -42,7 +47,7 @@ impl Tape {
                 Instruction::Unary(function, x) => function.of(of(x)),
                 Instruction::Binary(function, x, y) => function.of(of(x), of(y)),
                 Instruction::Select(condition, positive, other) => {
-                    of(if of(condition) > 0.0 { positive } else { other })
+                    of(chosen(of(condition), positive, other))
                 }
             };
             values.push(value);

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::forms::{Form, Forms, Id};
+use super::forms::{Form, FormId, Forms};
 
-/// Factors within factors are looked for this deep.
+/// FactorPairs within factors are looked for this deep.
 const DEEPEST: u8 = 12;
 
 /// Sums of more terms are left as they are.
@@ -13,17 +13,29 @@ const MOST_TERMS: usize = 256;
 const MOST_WORK: usize = 2_000_000;
 const SHORT: usize = 8;
 
+/// A side of the fraction line.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Side {
+    Below,
+    Above,
+}
+
+const fn side_of(exponent: i32) -> Side {
+    if exponent > 0 { Side::Above } else { Side::Below }
+}
+
 /// A number times forms to whole powers.
-type Monomial = (f64, Vec<(Id, i32)>);
+type Monomial = (f64, Vec<(FormId, i32)>);
 
 impl Forms {
     /// Takes common factors out of all sums; only of products that nobody else uses.
     pub(super) fn factor_sums(&mut self) {
         let uses = self.uses();
-        let lengths = self.all.iter().map(|form| match form {
-            Form::Sum(_, terms) if terms.len() <= MOST_TERMS => terms.len(),
-            _ => 0,
-        });
+        let lengths = self
+            .all
+            .iter()
+            .map(|form| if let Form::Sum(_, terms) = form { terms.len() } else { 0 });
+        let lengths = lengths.filter(|it| *it <= MOST_TERMS);
         let work: usize = lengths.map(|it| it * it).sum();
         let longest = if work <= MOST_WORK { MOST_TERMS } else { SHORT };
         for id in 0..uses.len() {
@@ -33,10 +45,7 @@ impl Forms {
             }
             let monomials: Vec<Monomial> = terms
                 .iter()
-                .map(|(term, factor)| match &self.all[*term] {
-                    Form::Product(factors) if uses[*term] == 1 => (*factor, factors.clone()),
-                    _ => (*factor, vec![(*term, 1)]),
-                })
+                .map(|(term, factor)| (*factor, self.factors_of(*term, uses[*term])))
                 .collect();
             if most_common(&monomials).is_some() {
                 let number = *number;
@@ -46,17 +55,26 @@ impl Forms {
         }
     }
 
+    /// The factors of a product that is used once; anything else is its own only factor.
+    fn factors_of(&self, term: FormId, uses: u32) -> Vec<(FormId, i32)> {
+        if let (Form::Product(factors), 1) = (&self.all[term], uses) {
+            return factors.clone();
+        }
+        vec![(term, 1)]
+    }
+
     /// The terms of the sum of `monomials`.
-    fn factored(&mut self, mut monomials: Vec<Monomial>, depth: u8) -> Vec<(Id, f64)> {
+    fn factored(&mut self, mut monomials: Vec<Monomial>, depth: u8) -> Vec<(FormId, f64)> {
         let mut terms = Vec::new();
         while depth > 0
-            && let Some((base, is_above)) = most_common(&monomials)
+            && let Some(common) = most_common(&monomials)
         {
-            let has = |it: &Monomial| power_of(it, base, is_above) > 0;
+            let has = |it: &Monomial| power_of(it, common) > 0;
             let (with, without): (Vec<_>, Vec<_>) = monomials.into_iter().partition(has);
             monomials = without;
-            let taken = with.iter().map(|it| power_of(it, base, is_above)).min().unwrap_or(1);
-            let exponent = if is_above { taken } else { -taken };
+            let taken = with.iter().map(|it| power_of(it, common)).min().unwrap_or(1);
+            let (base, side) = common;
+            let exponent = if side == Side::Above { taken } else { -taken };
             let inner = with.into_iter().map(|it| divided(it, base, exponent)).collect();
             terms.push(self.product_of_sum(inner, (base, exponent), depth));
         }
@@ -65,7 +83,12 @@ impl Forms {
     }
 
     /// Σ `inner` times `outer`, as a term.
-    fn product_of_sum(&mut self, inner: Vec<Monomial>, outer: (Id, i32), depth: u8) -> (Id, f64) {
+    fn product_of_sum(
+        &mut self,
+        inner: Vec<Monomial>,
+        outer: (FormId, i32),
+        depth: u8,
+    ) -> (FormId, f64) {
         let (numbers, inner): (Vec<_>, Vec<_>) = inner.into_iter().partition(|it| it.1.is_empty());
         let number = numbers.iter().map(|it| it.0).sum();
         let inner = self.factored(inner, depth - 1);
@@ -75,7 +98,7 @@ impl Forms {
         (self.push(Form::Product(factors)), 1.0)
     }
 
-    fn term(&mut self, (factor, factors): Monomial) -> (Id, f64) {
+    fn term(&mut self, (factor, factors): Monomial) -> (FormId, f64) {
         match factors.as_slice() {
             [(only, 1)] => (*only, factor),
             _ => (self.push(Form::Product(factors)), factor),
@@ -84,11 +107,11 @@ impl Forms {
 }
 
 /// The base, above or below the fraction line, that is in most monomials; at least in two.
-fn most_common(monomials: &[Monomial]) -> Option<(Id, bool)> {
-    let mut counts: BTreeMap<(Id, bool), usize> = BTreeMap::new();
+fn most_common(monomials: &[Monomial]) -> Option<(FormId, Side)> {
+    let mut counts: BTreeMap<(FormId, Side), usize> = BTreeMap::new();
     for (_, factors) in monomials {
         for (base, exponent) in factors {
-            *counts.entry((*base, *exponent > 0)).or_default() += 1;
+            *counts.entry((*base, side_of(*exponent))).or_default() += 1;
         }
     }
     let most = counts
@@ -99,12 +122,12 @@ fn most_common(monomials: &[Monomial]) -> Option<(Id, bool)> {
 }
 
 /// The power of `base` in a monomial, on the wanted side of the fraction line.
-fn power_of(monomial: &Monomial, base: Id, is_above: bool) -> i32 {
+fn power_of(monomial: &Monomial, (base, side): (FormId, Side)) -> i32 {
     let found = monomial.1.iter().find(|it| it.0 == base).map_or(0, |it| it.1);
-    if is_above { found } else { -found }
+    if side == Side::Above { found } else { -found }
 }
 
-fn divided((factor, mut factors): Monomial, base: Id, exponent: i32) -> Monomial {
+fn divided((factor, mut factors): Monomial, base: FormId, exponent: i32) -> Monomial {
     for it in &mut factors {
         if it.0 == base {
             it.1 -= exponent;
@@ -115,8 +138,8 @@ fn divided((factor, mut factors): Monomial, base: Id, exponent: i32) -> Monomial
 }
 
 /// Terms in order; equal ones together.
-fn collected(terms: Vec<(Id, f64)>) -> Vec<(Id, f64)> {
-    let mut collected: BTreeMap<Id, f64> = BTreeMap::new();
+fn collected(terms: Vec<(FormId, f64)>) -> Vec<(FormId, f64)> {
+    let mut collected: BTreeMap<FormId, f64> = BTreeMap::new();
     for (id, factor) in terms {
         *collected.entry(id).or_default() += factor;
     }

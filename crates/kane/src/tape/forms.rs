@@ -6,7 +6,7 @@ use super::{Argument, Layout};
 use crate::graph::{BinaryFunction, Graph, Node, Operation, Place, UnaryFunction};
 
 /// The place of a form in [`Forms`].
-pub(super) type Id = usize;
+pub(super) type FormId = usize;
 
 /// One value, made of others.
 #[derive(Clone, PartialEq, Debug)]
@@ -14,19 +14,19 @@ pub(super) enum Form {
     Number(f64),
     Argument(Argument),
     /// A number, and forms times a factor each, in the order of the forms.
-    Sum(f64, Vec<(Id, f64)>),
+    Sum(f64, Vec<(FormId, f64)>),
     /// Forms to a whole power each, in the order of the forms.
-    Product(Vec<(Id, i32)>),
-    /// 1/x.
-    Inverse(Id),
-    Unary(UnaryFunction, Id),
-    Binary(BinaryFunction, Id, Id),
-    Select([Id; 3]),
+    Product(Vec<(FormId, i32)>),
+    /// The inverse of a value, 1/x.
+    Inverse(FormId),
+    Unary(UnaryFunction, FormId),
+    Binary(BinaryFunction, FormId, FormId),
+    Select([FormId; 3]),
 }
 
 impl Form {
     /// Shows each operand to `see`.
-    pub(super) fn operands(&self, mut see: impl FnMut(Id)) {
+    pub(super) fn operands(&self, mut see: impl FnMut(FormId)) {
         match self {
             Self::Number(_) | Self::Argument(_) => {}
             Self::Sum(_, terms) => terms.iter().for_each(|(id, _)| see(*id)),
@@ -42,9 +42,9 @@ impl Form {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Forms {
     pub(super) all: Vec<Form>,
-    pub(super) outputs: Vec<Id>,
+    pub(super) outputs: Vec<FormId>,
     /// The forms of nodes.
-    pub(super) ids: HashMap<Node, Id>,
+    pub(super) ids: HashMap<Node, FormId>,
 }
 
 impl Forms {
@@ -66,7 +66,7 @@ impl Forms {
         Ok(forms)
     }
 
-    pub(super) fn push(&mut self, form: Form) -> Id {
+    pub(super) fn push(&mut self, form: Form) -> FormId {
         self.all.push(form);
         self.all.len() - 1
     }
@@ -104,7 +104,7 @@ fn needed(graph: &Graph, layout: &Layout, outputs: &[Node]) -> Vec<Node> {
 fn form(
     graph: &Graph,
     layout: &Layout,
-    ids: &HashMap<Node, Id>,
+    ids: &HashMap<Node, FormId>,
     node: Node,
 ) -> Result<Form, Place> {
     let id = |it: &Node| ids[it];

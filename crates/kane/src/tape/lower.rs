@@ -1,8 +1,8 @@
 //! From the graph to a tape.
 
-use super::forms::{Form, Forms, Id};
+use super::forms::{Form, FormId, Forms};
 use super::order;
-use super::{Instruction, Layout, Slot, Tape, writer::Writer};
+use super::{Instruction, Layout, Slot, Tape, writer::TapeWriter};
 use crate::graph::{Graph, Node, Place};
 
 impl Tape {
@@ -22,7 +22,7 @@ impl Tape {
         forms.share_products();
         forms.share_sums();
         let mut lowering =
-            Lowering { writer: Writer::default(), slots: vec![None; forms.all.len()] };
+            Lowering { writer: TapeWriter::default(), slots: vec![None; forms.all.len()] };
         for id in order::of(&forms) {
             let slot = lowering.form(&forms.all[id]);
             lowering.slots[id] = Some(slot);
@@ -34,13 +34,13 @@ impl Tape {
 
 /// Forms that are being written, operands first.
 struct Lowering {
-    writer: Writer,
+    writer: TapeWriter,
     slots: Vec<Option<Slot>>,
 }
 
 impl Lowering {
     /// The slot of a form that is written; operands always are.
-    fn slot(&self, id: Id) -> Slot {
+    fn slot(&self, id: FormId) -> Slot {
         self.slots[id].unwrap_or_default()
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::forms::{Form, Forms, Id};
+use super::forms::{Form, FormId, Forms};
 use super::{Argument, Layout};
 use crate::graph::{Graph, Node, Operation, Place};
 
@@ -18,10 +18,8 @@ pub fn constant_parts(
     let reached = graph.reached(outputs);
     let mut constant: BTreeSet<Node> = BTreeSet::new();
     for node in &reached {
-        let mut all = match graph.operation(*node) {
-            Operation::Symbol(place) => is_constant(*place),
-            _ => true,
-        };
+        let operation = graph.operation(*node);
+        let mut all = !matches!(operation, Operation::Symbol(place) if !is_constant(*place));
         graph.operation(*node).operands(|it| all &= constant.contains(&it));
         if all {
             constant.insert(*node);
@@ -60,7 +58,11 @@ fn constant_part(graph: &mut Graph, node: Node, constant: &BTreeSet<Node>) -> Op
                 .collect();
             (some.len() > 1).then(|| graph.sum(&some))
         }
-        _ => None,
+        Operation::Number(_)
+        | Operation::Symbol(_)
+        | Operation::Unary(..)
+        | Operation::Binary(..)
+        | Operation::Select(_) => None,
     }
 }
 
@@ -75,7 +77,7 @@ impl Forms {
             graph.operation(*node).operands(|_| parts += 1);
             (core::cmp::Reverse(parts), *node)
         });
-        let mut owners: BTreeMap<Id, Vec<Id>> = BTreeMap::new();
+        let mut owners: BTreeMap<FormId, Vec<FormId>> = BTreeMap::new();
         for (id, form) in self.all.iter().enumerate() {
             if matches!(form, Form::Sum(..) | Form::Product(_)) {
                 form.operands(|operand| owners.entry(operand).or_default().push(id));
@@ -86,15 +88,11 @@ impl Forms {
             let mut first = None;
             part.operands(|operand| first = first.or(Some(operand)));
             let candidates = first.and_then(|it| owners.get(&it)).cloned().unwrap_or_default();
-            let mut slot = None;
+            let ready = self.push(Form::Argument(argument));
             for owner in candidates {
-                let Some(left) = without(&self.all[owner], &part) else { continue };
-                let ready = match slot {
-                    Some(ready) => ready,
-                    None => self.push(Form::Argument(argument)),
-                };
-                slot = Some(ready);
-                self.all[owner] = with(left, ready);
+                let left = without(&self.all[owner], &part);
+                self.all[owner] =
+                    left.map_or_else(|| self.all[owner].clone(), |it| with(it, ready));
             }
         }
     }
@@ -111,7 +109,12 @@ impl Forms {
                 let factors = factors.iter().map(|(it, by)| Some((id(it)?, *by)));
                 Some(Form::Product(factors.collect::<Option<_>>()?))
             }
-            _ => None,
+            Operation::Number(_)
+            | Operation::Symbol(_)
+            | Operation::Sum(..)
+            | Operation::Unary(..)
+            | Operation::Binary(..)
+            | Operation::Select(_) => None,
         }
     }
 }
@@ -145,16 +148,17 @@ fn without(form: &Form, part: &Form) -> Option<(Form, f64)> {
 }
 
 /// A form with one more factor or term.
-fn with((form, scale): (Form, f64), ready: Id) -> Form {
-    match form {
-        Form::Product(mut factors) => {
-            factors.push((ready, 1));
-            Form::Product(factors)
-        }
-        Form::Sum(number, mut terms) => {
-            terms.push((ready, scale));
-            Form::Sum(number, terms)
-        }
-        other => other,
+fn with((form, scale): (Form, f64), ready: FormId) -> Form {
+    let mut form = form;
+    match &mut form {
+        Form::Product(factors) => factors.push((ready, 1)),
+        Form::Sum(_, terms) => terms.push((ready, scale)),
+        Form::Number(_)
+        | Form::Argument(_)
+        | Form::Inverse(_)
+        | Form::Unary(..)
+        | Form::Binary(..)
+        | Form::Select(_) => {}
     }
+    form
 }

