@@ -17,8 +17,11 @@ pub mod emit;
 pub mod graph;
 pub mod mechanics;
 pub mod mechanism;
+mod program;
 pub mod readable;
 pub mod system;
 pub mod tape;
 pub mod taylor;
 pub mod text;
+
+pub use program::{DerivedModel, derive_model};

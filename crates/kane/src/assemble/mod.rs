@@ -6,6 +6,7 @@
 
 mod contacts;
 mod drawing;
+mod error;
 mod functions;
 mod guards;
 mod hoist;
@@ -16,11 +17,11 @@ mod modes;
 mod parts;
 mod table;
 
+pub use error::AssemblyError;
 pub use functions::TapeFunctions;
 
 use equations::table::ModelTable;
 
-use crate::graph::Place;
 use crate::system::System;
 use crate::tape::Tape;
 
@@ -40,21 +41,6 @@ impl Program {
     pub fn tapes(&self) -> &[Tape] {
         self.functions.tapes()
     }
-}
-
-/// What a system has that no model can have.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum AssemblyError {
-    /// An expression of a mode, by its name, reads what is no parameter, state or input.
-    UnknownSymbol(String, Place),
-    /// More entries of the state than a part has bits for.
-    TooManyStates(usize),
-    /// More modes than a number has room for.
-    TooManyModes(usize),
-    /// More guards of different names than a number has room for.
-    TooManyGuards(usize),
-    /// More functions or constants than a number has room for.
-    TooManyFunctions(usize),
 }
 
 impl System {

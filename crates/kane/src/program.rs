@@ -1,0 +1,58 @@
+//! From a description's text to a program, with every obstacle as a mistake in the file.
+
+use diagnostics::{Diagnostic, Diagnostics};
+
+use crate::assemble::Program;
+use crate::description::{Bases, Description, read};
+use crate::mechanics::{DerivationError, derive};
+use crate::system::System;
+
+/// A description, the equations that were derived from it, and their program.
+#[derive(Clone, Debug)]
+pub struct DerivedModel {
+    pub description: Description,
+    pub system: System,
+    pub program: Program,
+}
+
+/// Reads the description `text`, derives its equations and assembles their program; `name` stands
+/// in mistakes and is given to `bases`.
+///
+/// # Errors
+/// All mistakes of the file; of the derivation, those of all modes.
+pub fn derive_model(
+    name: &str,
+    text: &str,
+    bases: &dyn Bases,
+) -> Result<DerivedModel, Diagnostics> {
+    let description = read(name, text, bases)?;
+    let system = derive(description.mechanism.clone()).map_err(|errors| {
+        Diagnostics::new(errors.iter().map(|it| obstacle(name, text, it)).collect())
+    })?;
+    let program = system.clone().assemble().map_err(|error| {
+        let help = "describe a smaller model, or leave out what it does not need";
+        Diagnostics::new(vec![at(name, None, error.to_string(), help)])
+    })?;
+    Ok(DerivedModel { description, system, program })
+}
+
+/// A derivation that did not succeed, at the mode in which it did not.
+fn obstacle(name: &str, text: &str, error: &DerivationError) -> Diagnostic {
+    let heading = format!("[modes.{}]", error.mode_name);
+    let line = text.lines().position(|line| line.trim_start().starts_with(&heading));
+    let message = error.to_string();
+    match message.split_once("; ") {
+        Some((message, help)) => at(name, line, message.to_owned(), help),
+        None => at(name, line, message, "change the mode's constraints or bodies"),
+    }
+}
+
+fn at(name: &str, line: Option<usize>, message: String, help: &str) -> Diagnostic {
+    Diagnostic {
+        file: name.to_owned(),
+        line: line.map(|line| line + 1),
+        column: line.map(|_line| 1),
+        message,
+        help: help.to_owned(),
+    }
+}
