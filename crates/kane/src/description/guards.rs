@@ -32,7 +32,10 @@ impl DescriptionReader {
             let Some(mut keys) = KeyReader::of(&mut self.report, "guards", node) else { continue };
             let guard = self.guard(&mut keys, mode, guards.len());
             keys.finish(&mut self.report);
-            let Some((guard, place)) = guard else { continue };
+            let Some((guard, place)) = guard else {
+                self.are_modes_whole = false;
+                continue;
+            };
             if guards.iter().any(|it| it.name == guard.name) {
                 let message = format!("this mode has two guards {}", quoted(&guard.name));
                 self.report.say(place, message, "give one of the two another name");

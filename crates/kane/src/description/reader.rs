@@ -121,9 +121,10 @@ impl DescriptionReader {
         self.resolve();
         self.bodies(&mut root);
         let before = self.report.len();
+        self.are_modes_whole = self.names.vague.is_empty();
         self.modes(&mut root);
         self.rest(&mut root);
-        self.are_modes_whole = self.report.len() == before && !self.report.is_broken;
+        self.are_modes_whole &= self.report.len() == before && !self.report.is_broken;
         self.outputs(&mut root);
         self.damper(&mut root);
         self.drawing(&mut root);
