@@ -104,11 +104,11 @@ impl DescriptionReader {
             if !self.symbol(entry, SymbolKind::Coordinate(self.names.coordinates.len())) {
                 continue;
             }
+            if self.names.vague.contains(&entry.name) {
+                self.names.vague.insert(format!("{}'", entry.name));
+            }
             let rate = (!has_rate).then(|| {
                 let (name, unit) = (format!("{}'", entry.name), rate_unit(&unit));
-                if self.names.vague.contains(&entry.name) {
-                    self.names.vague.insert(name.clone());
-                }
                 self.enter_speed(name, unit, dimension.over(Dimension::TIME), speed_range)
             });
             self.names.coordinates.push(dimension);

@@ -209,8 +209,8 @@ impl DescriptionReader {
             self.watch(&it, value, None);
             self.fits("mass", &it, value, Dimension::MASS).then_some(value.node)
         });
-        let centre = centre.map(|file| self.optional("centre", file?, Dimension::LENGTH));
-        let inertia = inertia.map(|file| self.optional("inertia", file?, Dimension::INERTIA));
+        let centre = centre.map(|file| self.optional("centre", &file?, Dimension::LENGTH));
+        let inertia = inertia.map(|file| self.optional("inertia", &file?, Dimension::INERTIA));
         let Some(mass) = mass else { return };
         let inertia = if about_origin { self.shifted(mass, centre, inertia) } else { inertia };
         let (name, frame) = (entry.name.clone(), frame.index);
@@ -218,8 +218,13 @@ impl DescriptionReader {
     }
 
     /// A value over the parameters; none where it is 0.
-    fn optional(&mut self, name: &str, file: FileExpression, dimension: Dimension) -> Option<Node> {
-        let node = self.node(name, &file, CONSTANT, dimension)?;
+    fn optional(
+        &mut self,
+        name: &str,
+        file: &FileExpression,
+        dimension: Dimension,
+    ) -> Option<Node> {
+        let node = self.node(name, file, CONSTANT, dimension)?;
         (!self.graph.is_zero(node)).then_some(node)
     }
 

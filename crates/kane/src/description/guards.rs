@@ -1,4 +1,8 @@
 //! Guards of modes, where they lead and what they change.
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "TOML has many kinds of values, and each place takes few of them"
+)]
 
 use diagnostics::{choice, quoted};
 
@@ -32,7 +36,10 @@ impl DescriptionReader {
             let Some(mut keys) = KeyReader::of(&mut self.report, "guards", node) else { continue };
             let guard = self.guard(&mut keys, mode, guards.len());
             keys.finish(&mut self.report);
-            let Some((guard, place)) = guard else { continue };
+            let Some((guard, place)) = guard else {
+                self.has_lost_ways = true;
+                continue;
+            };
             if guards.iter().any(|it| it.name == guard.name) {
                 let message = format!("this mode has two guards {}", quoted(&guard.name));
                 self.report.say(place, message, "give one of the two another name");
@@ -198,7 +205,9 @@ impl DescriptionReader {
         };
         let mut branches = Vec::new();
         for item in items {
-            branches.extend(self.branch(item, mode, changes));
+            let branch = self.branch(item, mode, changes);
+            self.has_lost_ways |= branch.is_none();
+            branches.extend(branch);
         }
         let last = branches.len().saturating_sub(1);
         let is_open = branches.iter().enumerate().any(|(at, it)| it.when.is_none() && at != last);

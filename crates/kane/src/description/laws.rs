@@ -6,10 +6,10 @@ use super::key_reader::{KeyReader, text};
 use super::names::{LawPlace, distance, number};
 use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, POSE, STATE};
 use super::resolve::{Item, ItemKind, LawKind, Link, LinkKind};
-use super::toml_tree::TomlEntry;
+use super::toml_tree::{TomlEntry, TomlNode};
 use crate::graph::{BinaryFunction, Graph, Node, Place, Substitution};
 use crate::mechanism::{Contact, Force, Friction};
-use crate::text::{Dimension, Measured};
+use crate::text::{Dimension, Measured, Reach};
 
 /// What a law of felt is made of.
 #[derive(Clone, Copy, Debug)]
@@ -134,7 +134,7 @@ impl DescriptionReader {
                 keys.finish(&mut self.report);
                 self.frictions.push(text);
             }
-            _ => {}
+            LawKind::Spring(_) | LawKind::Felt(_) | LawKind::Force(_) => {}
         }
     }
 
@@ -151,15 +151,18 @@ impl DescriptionReader {
             let numbers = entry.node.items().unwrap_or(&[]);
             let mut all = [1.0, 1.0];
             for (slot, node) in all.iter_mut().zip(numbers) {
-                if let Some(file) = self.written("scales", node)
-                    && let Some(value) = self.value(&file, crate::text::Reach::NOTHING)
-                {
-                    *slot = self.graph.number(value.node).unwrap_or(1.0);
-                }
+                *slot = self.friction_scale(node).unwrap_or(1.0);
             }
             scales = (all[0], all[1]);
         }
         FrictionText { contact, name, slip, stiction, kinetic, scales }
+    }
+
+    /// A typical size, in the unit that it is written in.
+    fn friction_scale(&mut self, node: &TomlNode) -> Option<f64> {
+        let file = self.written("scales", node)?;
+        let value = self.value(&file, Reach::NOTHING)?;
+        self.graph.number(value.node)
     }
 
     pub(super) fn build_law(&mut self, item: &Item, index: usize, kind: LawKind) {
@@ -201,7 +204,7 @@ impl DescriptionReader {
     }
 
     fn spring(&mut self, item: &Item) -> Option<(Force, Dimension)> {
-        if item.field("stretch").is_some() == !item.links.is_empty() {
+        if item.field("stretch").is_none() == item.links.is_empty() {
             let message = format!("{} needs one of stretch and between", quoted(&item.name));
             self.report.miss(
                 item.place,

@@ -78,8 +78,8 @@ pub fn read_bytes(name: &str, bytes: &[u8], bases: &dyn Bases) -> Result<Descrip
     match str::from_utf8(bytes) {
         Ok(text) => read(name, text, bases),
         Err(error) => {
-            let before = bytes.get(..error.valid_up_to()).unwrap_or(&[]);
-            let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
+            let before = str::from_utf8(bytes.get(..error.valid_up_to()).unwrap_or(&[]));
+            let line = before.unwrap_or("").matches('\n').count() + 1;
             let message = format!("this is not UTF-8 text from line {line} on");
             Err(refused(name, &message))
         }

@@ -78,16 +78,11 @@ impl DescriptionReader {
     fn constraint_numbers(&mut self, names: &[(String, SourcePlace)]) -> Vec<usize> {
         let mut numbers = Vec::new();
         for (name, place) in names {
-            match self.names.constraints.index(name) {
-                Some(number) => numbers.push(number),
-                None => {
-                    let help = self.names.constraints.choice(name);
-                    self.report.say(
-                        *place,
-                        format!("there is no constraint {}", quoted(name)),
-                        help,
-                    );
-                }
+            if let Some(number) = self.names.constraints.index(name) {
+                numbers.push(number);
+            } else {
+                let help = self.names.constraints.choice(name);
+                self.report.say(*place, format!("there is no constraint {}", quoted(name)), help);
             }
         }
         numbers
@@ -182,14 +177,12 @@ impl DescriptionReader {
     fn readout(&mut self, keys: &mut KeyReader<'_>, mode: Option<usize>) -> Option<Node> {
         let file = self.field(keys, "readout")?;
         let dimension = Dimension::ENERGY.over(self.names.input);
-        match mode {
-            Some(mode) => self.mode_value("readout", &file, MOTION, dimension, mode),
-            None => {
-                let node = self.node("readout", &file, MOTION, dimension)?;
-                let mut all = self.forces_acting(|_| true);
-                Some(all.of(&mut self.graph, node))
-            }
+        if let Some(mode) = mode {
+            return self.mode_value("readout", &file, MOTION, dimension, mode);
         }
+        let node = self.node("readout", &file, MOTION, dimension)?;
+        let mut all = self.forces_acting(|_| true);
+        Some(all.of(&mut self.graph, node))
     }
 
     /// Returns the node of `file` in a mode: forces that do not act there are 0.

@@ -1,4 +1,8 @@
 //! Parameters, their values in presets, and what must hold among them.
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "TOML has many kinds of values, and each place takes few of them"
+)]
 
 use diagnostics::{choice, quoted};
 

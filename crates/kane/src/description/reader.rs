@@ -1,4 +1,8 @@
 //! The reading of one description, from its text to the mechanism.
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "TOML has many kinds of values, and each place takes few of them"
+)]
 
 use diagnostics::{Diagnostics, quoted};
 
@@ -33,12 +37,19 @@ pub(super) const MOTION: Reach =
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct FileExpression {
     pub(super) place: SourcePlace,
-    /// Whether its bytes are those of the file from there on.
-    pub(super) is_exact: bool,
+    origin: TextOrigin,
     pub(super) expression: Expression,
 }
 
-impl FileExpression {
+/// Where a text begins.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct TextOrigin {
+    place: SourcePlace,
+    /// Whether its bytes are those of the file from there on.
+    is_exact: bool,
+}
+
+impl TextOrigin {
     fn at(&self, offset: usize) -> SourcePlace {
         if self.is_exact { self.place.after(offset) } else { self.place }
     }
@@ -71,6 +82,8 @@ pub(super) struct DescriptionReader {
     pub(super) modes: Vec<(String, SourcePlace)>,
     /// Whether all of the modes was understood.
     pub(super) are_modes_whole: bool,
+    /// A way out of a mode was not understood.
+    pub(super) has_lost_ways: bool,
     /// Modes that are meant to last.
     pub(super) final_modes: Vec<usize>,
     pub(super) rest_place: SourcePlace,
@@ -123,7 +136,8 @@ impl DescriptionReader {
         let before = self.report.len();
         self.modes(&mut root);
         self.rest(&mut root);
-        self.are_modes_whole = self.report.len() == before && !self.report.is_broken;
+        self.are_modes_whole =
+            self.report.len() == before && !self.report.is_broken && !self.has_lost_ways;
         self.outputs(&mut root);
         self.damper(&mut root);
         self.drawing(&mut root);
@@ -209,21 +223,21 @@ impl DescriptionReader {
                 return None;
             }
         };
+        let origin = TextOrigin { place: node.place, is_exact };
         match text::parse(&text, form) {
-            Ok(expression) => Some(FileExpression { place: node.place, is_exact, expression }),
+            Ok(expression) => Some(FileExpression { place: node.place, origin, expression }),
             Err(error) => {
-                self.say(node.place, is_exact, &error);
+                self.say(origin, &error);
                 None
             }
         }
     }
 
-    fn say(&mut self, place: SourcePlace, is_exact: bool, error: &TextError) {
-        let at = |offset: usize| if is_exact { place.after(offset) } else { place };
-        let here = at(error.span.start);
+    fn say(&mut self, origin: TextOrigin, error: &TextError) {
+        let here = origin.at(error.span.start);
         let message = match &error.other {
             Some(other) => {
-                let there = self.report.describe(at(other.start), here);
+                let there = self.report.describe(origin.at(other.start), here);
                 format!("{} (at {there})", error.message)
             }
             None => error.message.clone(),
@@ -252,7 +266,7 @@ impl DescriptionReader {
     /// Reports what is wrong with `file`.
     pub(super) fn say_all(&mut self, file: &FileExpression, errors: &[TextError]) {
         for error in errors {
-            self.say(file.place, file.is_exact, error);
+            self.say(file.origin, error);
         }
     }
 
@@ -328,7 +342,7 @@ impl DescriptionReader {
     pub(super) fn watch(&mut self, file: &FileExpression, value: Measured, mode: Option<usize>) {
         let Measured { node, reach, .. } = value;
         let text = file.expression.text.clone();
-        self.watched.push(WatchedNode { node, place: file.at(0), text, reach, mode });
+        self.watched.push(WatchedNode { node, place: file.place, text, reach, mode });
     }
 
     /// Counts what was built since the last time.

@@ -1,4 +1,8 @@
 //! Builds what is named, each thing after what it is made of.
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "TOML has many kinds of values, and each place takes few of them"
+)]
 
 use diagnostics::quoted;
 

@@ -39,12 +39,11 @@ impl DescriptionReader {
         let mut is_decided = false;
         for node in keys.list(&mut self.report, "mode") {
             let Some((mode, when)) = self.rest_way(node) else { continue };
-            match when {
-                Some(when) => rest.instead.push((when, mode)),
-                None => {
-                    rest.mode = mode;
-                    is_decided = true;
-                }
+            if let Some(when) = when {
+                rest.instead.push((when, mode));
+            } else {
+                rest.mode = mode;
+                is_decided = true;
             }
         }
         if !is_decided {

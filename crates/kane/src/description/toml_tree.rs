@@ -163,7 +163,7 @@ impl TreeMaker<'_> {
     fn value(&self, value: &toml_edit::Value) -> TomlNode {
         use toml_edit::Value as Toml;
         let kind = match value {
-            Toml::String(text) => return self.string(text.value(), value.span()),
+            Toml::String(text) => return self.string(text.value(), &value.span().unwrap_or(0..0)),
             Toml::Integer(number) => TomlKind::Integer(*number.value()),
             Toml::Float(number) => TomlKind::Float(*number.value()),
             Toml::Boolean(truth) => TomlKind::Truth(*truth.value()),
@@ -175,9 +175,9 @@ impl TreeMaker<'_> {
     }
 
     /// A text; its place is that of its first character where it has no escapes.
-    fn string(&self, text: &str, span: Option<Range<usize>>) -> TomlNode {
-        let start = span.as_ref().map_or(0, |it| it.start);
-        let raw = span.clone().and_then(|it| self.text.get(it)).unwrap_or("");
+    fn string(&self, text: &str, span: &Range<usize>) -> TomlNode {
+        let start = span.start;
+        let raw = self.text.get(span.clone()).unwrap_or("");
         let quotes = if raw.starts_with("\"\"\"") || raw.starts_with("'''") { 3 } else { 1 };
         let inner = raw.get(quotes..).unwrap_or("");
         let newline = if quotes == 3 {

@@ -2,6 +2,10 @@
 //!
 //! Sums and products of any length are one part each; what nests is counted, so that no text can
 //! make the parser or anything after it deep.
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "a language has many pieces, and each place takes few of them"
+)]
 
 use std::ops::Range;
 
@@ -187,7 +191,7 @@ impl Parser<'_> {
             }
             LexemeKind::Open => {
                 self.at += 1;
-                let inner = self.deeper(|it| it.binding(Power::Sum))?;
+                let inner = self.deeper(Self::value)?;
                 self.close(&span)?;
                 Ok(inner)
             }
@@ -253,17 +257,16 @@ impl Parser<'_> {
         self.push(shape, span.start..end)
     }
 
+    fn value(&mut self) -> Parsed {
+        self.binding(Power::Sum)
+    }
+
     fn arguments(&mut self, function: Function) -> Result<Vec<usize>, TextError> {
         let mut arguments = Vec::new();
         loop {
             let is_condition = function == Function::If && arguments.is_empty();
-            arguments.push(
-                self.deeper(
-                    |it| {
-                        if is_condition { it.condition() } else { it.binding(Power::Sum) }
-                    },
-                )?,
-            );
+            let argument = if is_condition { Self::condition } else { Self::value };
+            arguments.push(self.deeper(argument)?);
             if *self.kind() != LexemeKind::Comma {
                 return Ok(arguments);
             }

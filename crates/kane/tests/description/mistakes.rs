@@ -78,7 +78,7 @@ fn units_themselves_are_checked() {
 #[test]
 fn a_name_that_stands_twice_is_named_with_both_places() {
     says("fall = ", "k = ", &["27:1", "\"k\" is a name already (at line 16, column 1)"]);
-    says("m0 = {", "m = {", &["this is", "\"m\" stands here a second time"]);
+    says("m0 = {", "m = {", &["15:1", "\"m\" stands here a second time"]);
 }
 
 #[test]
