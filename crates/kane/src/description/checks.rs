@@ -9,7 +9,7 @@ use super::reader::{DescriptionReader, STATE};
 use super::source::SourcePlace;
 use crate::graph::{Node, Place};
 use crate::tape::{Argument, Arguments, Layout, Tape};
-use crate::text::Reach;
+use crate::text::Dependence;
 
 /// Keys of a piano.
 const KEYS: u8 = 88;
@@ -202,8 +202,8 @@ impl DescriptionReader {
 
     /// What counts in a mode: its own expressions, what counts in all, and forces that act there.
     fn at_rest(&self, mode: usize) -> Vec<(Node, SourcePlace, String)> {
-        let counts = |reach: Reach, of: Option<usize>| {
-            STATE.and(Reach::FORCES).covers(reach) && of.is_none_or(|of| of == mode)
+        let counts = |reach: Dependence, of: Option<usize>| {
+            STATE.and(Dependence::FORCES).covers(reach) && of.is_none_or(|of| of == mode)
         };
         let watched = self.watched.iter().filter(|it| counts(it.reach, it.mode));
         let mut all: Vec<_> = watched.map(|it| (it.node, it.place, it.text.clone())).collect();

@@ -12,14 +12,14 @@ use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, STATE};
 use super::source::SourcePlace;
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use crate::mechanism::{Branch, Fires, Guard, Impact, Target};
-use crate::text::{Dimension, Form, Measured, Reach};
+use crate::text::{Dependence, Dimension, Form, Measured};
 
 /// Most guards of one mode.
 const MOST_GUARDS: usize = 32;
 
 /// What all ways out of a guard have, unless they say otherwise.
 #[derive(Clone, Debug, Default)]
-struct Changes {
+struct GuardChanges {
     set: Vec<(Target, crate::graph::Node)>,
     impact: Option<Impact>,
 }
@@ -75,7 +75,7 @@ impl DescriptionReader {
         let changes = self.changes(keys, mode);
         let branches = self.branches(keys, mode, &changes);
         let sounds = self.field(keys, "sounds");
-        let reach = STATE.and(Reach::FORCES);
+        let reach = STATE.and(Dependence::FORCES);
         let sounds =
             sounds.and_then(|it| self.mode_value("sounds", &it, reach, Dimension::SPEED, mode));
         let (name, place) = named?;
@@ -121,17 +121,17 @@ impl DescriptionReader {
         }
     }
 
-    fn changes(&mut self, keys: &mut KeyReader<'_>, mode: usize) -> Changes {
+    fn changes(&mut self, keys: &mut KeyReader<'_>, mode: usize) -> GuardChanges {
         let mut set = Vec::new();
         for entry in keys.table(&mut self.report, "set") {
             let Some((target, dimension)) = self.target(entry) else { continue };
             let Some(file) = self.written(&entry.name, &entry.node) else { continue };
-            let reach = STATE.and(Reach::FORCES);
+            let reach = STATE.and(Dependence::FORCES);
             let value = self.mode_value(&entry.name, &file, reach, dimension, mode);
             set.extend(value.map(|value| (target, value)));
         }
         let impact = keys.take("impact").and_then(|entry| self.impact(entry));
-        Changes { set, impact }
+        GuardChanges { set, impact }
     }
 
     /// What an entry of a reset map sets, and its unit.
@@ -167,7 +167,7 @@ impl DescriptionReader {
         let along = along?;
         let value = self.value(&along, STATE)?;
         // A distance has the rate that is meant; a speed is it already.
-        let speeds = Reach::SPEEDS.and(Reach::INPUT_RATES);
+        let speeds = Dependence::SPEEDS.and(Dependence::INPUT_RATES);
         let is_rate = value.reach.meets(speeds);
         let separation = if is_rate { value } else { self.rate_of(&along, value)? };
         if !self.is_linear_in_speeds(separation) {
@@ -188,7 +188,7 @@ impl DescriptionReader {
         &mut self,
         keys: &mut KeyReader<'_>,
         mode: usize,
-        changes: &Changes,
+        changes: &GuardChanges,
     ) -> Vec<Branch> {
         let Some(entry) = keys.take("to") else {
             let help = "write to = \"…\", the mode after it; its own mode for a rebound";
@@ -200,7 +200,7 @@ impl DescriptionReader {
                 return Vec::new();
             };
             let Some(to) = self.mode_number(name, place) else { return Vec::new() };
-            let Changes { set, impact } = changes.clone();
+            let GuardChanges { set, impact } = changes.clone();
             return vec![Branch { when: None, to, set, impact }];
         };
         let mut branches = Vec::new();
@@ -222,7 +222,7 @@ impl DescriptionReader {
         branches
     }
 
-    fn branch(&mut self, node: &TomlNode, mode: usize, changes: &Changes) -> Option<Branch> {
+    fn branch(&mut self, node: &TomlNode, mode: usize, changes: &GuardChanges) -> Option<Branch> {
         let mut keys = KeyReader::of(&mut self.report, "to", node)?;
         let when = keys.take("when");
         let when = when.and_then(|it| self.written_as("when", &it.node, Form::Condition));
@@ -234,7 +234,7 @@ impl DescriptionReader {
         keys.finish(&mut self.report);
         let when = match when {
             Some(file) => {
-                let value = self.value(&file, STATE.and(Reach::FORCES))?;
+                let value = self.value(&file, STATE.and(Dependence::FORCES))?;
                 Some(self.acting(&file, value, mode).node)
             }
             None => None,

@@ -9,7 +9,7 @@ use super::source::SourcePlace;
 use super::toml_tree::TomlEntry;
 use crate::graph::Node;
 use crate::mechanism::Mode;
-use crate::text::{Dimension, Measured, Reach};
+use crate::text::{Dependence, Dimension, Measured};
 
 impl DescriptionReader {
     pub(super) fn modes(&mut self, root: &mut KeyReader<'_>) {
@@ -127,7 +127,7 @@ impl DescriptionReader {
             let Some(file) = self.written(&entry.name, &entry.node) else { continue };
             let of = self.names.speeds.get(index).copied().unwrap_or_default();
             let of = of.over(Dimension::TIME);
-            let reach = STATE.and(Reach::FORCES).and(Reach::REACTIONS);
+            let reach = STATE.and(Dependence::FORCES).and(Dependence::REACTIONS);
             let Some(value) = self.mode_value(&entry.name, &file, reach, of, number) else {
                 continue;
             };
@@ -138,7 +138,7 @@ impl DescriptionReader {
             self.mode_value(name, &file, reach, dimension, number)
         };
         mode.energy = extra("energy", Dimension::ENERGY, STATE);
-        mode.dissipated = extra("dissipated", Dimension::POWER, STATE.and(Reach::FORCES));
+        mode.dissipated = extra("dissipated", Dimension::POWER, STATE.and(Dependence::FORCES));
     }
 
     /// Returns the number of the coordinate that an entry is named after.
@@ -190,7 +190,7 @@ impl DescriptionReader {
         &mut self,
         name: &str,
         file: &FileExpression,
-        allowed: Reach,
+        allowed: Dependence,
         dimension: Dimension,
         mode: usize,
     ) -> Option<Node> {
@@ -207,7 +207,7 @@ impl DescriptionReader {
         mode: usize,
     ) -> Measured {
         let mut value = value;
-        if value.reach.meets(Reach::FORCES)
+        if value.reach.meets(Dependence::FORCES)
             && let Some(forces) = self.forces_in_modes.get_mut(mode)
         {
             value.node = forces.of(&mut self.graph, value.node);

@@ -11,7 +11,7 @@ const MOST: usize = 100;
 #[derive(Debug, Default)]
 pub(super) struct FindingList {
     sources: Vec<(DescriptionSource, LineIndex)>,
-    /// Part of a file could not be read, so what seems missing may stand there.
+    /// ExpressionPart of a file could not be read, so what seems missing may stand there.
     pub(super) is_broken: bool,
     found: Vec<Diagnostic>,
 }

@@ -7,7 +7,7 @@ use super::names::SymbolKind;
 use super::reader::{CONSTANT, DescriptionReader};
 use super::toml_tree::{TomlEntry, TomlNode};
 use crate::mechanism::{Damper, Rest};
-use crate::text::{Dimension, Form, Reach};
+use crate::text::{Dependence, Dimension, Form};
 
 impl DescriptionReader {
     pub(super) fn rest(&mut self, root: &mut KeyReader<'_>) {
@@ -77,7 +77,7 @@ impl DescriptionReader {
         };
         let Some(file) = self.written(&entry.name, &entry.node) else { return };
         let dimension = self.names.coordinates.get(index).copied().unwrap_or_default();
-        let reach = CONSTANT.and(Reach::INPUT);
+        let reach = CONSTANT.and(Dependence::INPUT);
         let value = self.node(&entry.name, &file, reach, dimension);
         if let Some(slot) = self.rest_places.get_mut(index) {
             *slot = Some(entry.place);
