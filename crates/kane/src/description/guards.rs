@@ -7,6 +7,7 @@
 use diagnostics::{choice, quoted};
 
 use super::key_reader::{KeyReader, text};
+use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
 use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, STATE};
 use super::source::SourcePlace;
@@ -170,7 +171,7 @@ impl DescriptionReader {
         let speeds = Dependence::SPEEDS.and(Dependence::INPUT_RATES);
         let is_rate = value.reach.meets(speeds);
         let separation = if is_rate { value } else { self.rate_of(&along, value)? };
-        if !self.is_linear_in_speeds(separation) {
+        if !is_linear_in_speeds(&self.graph, separation.node) {
             let help = "give the distance itself, or its rate";
             self.report.say(along.place, "the impact's rate is not linear in the speeds", help);
             return None;

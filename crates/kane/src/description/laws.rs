@@ -2,6 +2,7 @@
 
 use diagnostics::quoted;
 
+use super::linear::is_linear_in_speeds;
 use super::names::{LawPlace, distance, number};
 use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, POSE, STATE};
 use super::resolve::{DescribedItem, LawKind};
@@ -196,7 +197,7 @@ impl DescriptionReader {
     fn friction(&mut self, text: &FrictionText) -> Option<Friction> {
         let slip_file = text.slip.as_ref()?;
         let slip = self.value(slip_file, STATE)?;
-        if !self.is_linear_in_speeds(slip) {
+        if !is_linear_in_speeds(&self.graph, slip.node) {
             let message = format!("the slip of {} is not linear in the speeds", quoted(&text.name));
             self.report.say(
                 slip_file.place,

@@ -16,6 +16,7 @@ mod guards;
 mod key_reader;
 mod law_texts;
 mod laws;
+mod linear;
 mod modes;
 mod names;
 mod names_in_use;

@@ -4,9 +4,6 @@ use diagnostics::{Diagnostic, Diagnostics};
 
 use super::source::{DescriptionSource, LineIndex, SourcePlace};
 
-/// Most mistakes that are reported.
-const MOST: usize = 100;
-
 /// The mistakes found so far in a description and its bases.
 #[derive(Debug, Default)]
 pub(super) struct FindingList {
@@ -17,6 +14,9 @@ pub(super) struct FindingList {
 }
 
 impl FindingList {
+    /// Most mistakes that are reported.
+    pub(super) const MOST: usize = 100;
+
     /// Adds a source; returns its number.
     pub(super) fn source(&mut self, source: DescriptionSource) -> usize {
         let lines = LineIndex::new(&source.text);
@@ -35,7 +35,7 @@ impl FindingList {
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
-        if self.found.len() >= MOST {
+        if self.found.len() >= Self::MOST {
             return;
         }
         let position = self.position(place);

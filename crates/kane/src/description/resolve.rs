@@ -6,6 +6,7 @@
 
 use diagnostics::quoted;
 
+use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
 use super::order::sorted;
 use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, POSE, STATE};
@@ -224,7 +225,7 @@ impl DescriptionReader {
         let Some(zero) = self.value(file, if is_holonomic { POSE } else { STATE }) else { return };
         let rate = if is_holonomic { self.rate_of(file, zero) } else { Some(zero) };
         let Some(rate) = rate else { return };
-        if !is_holonomic && !self.is_linear_in_speeds(zero) {
+        if !is_holonomic && !is_linear_in_speeds(&self.graph, zero.node) {
             let message = format!("{} is not linear in the speeds", quoted(&item.name));
             let help = "write it as a sum of speeds, each times a value without speeds";
             self.report.say(file.place, message, help);
@@ -250,16 +251,6 @@ impl DescriptionReader {
                 None
             }
         }
-    }
-
-    /// Whether the slopes of `value` by the speeds are without speeds.
-    pub(super) fn is_linear_in_speeds(&mut self, value: Measured) -> bool {
-        use crate::graph::Place;
-        let is_speed = |place: Place| matches!(place, Place::Speed(_));
-        (0u16..).zip(self.names.speeds.clone()).all(|(index, _)| {
-            let slope = self.graph.partial(value.node, Place::Speed(index));
-            !self.graph.depends(slope, is_speed)
-        })
     }
 
     /// Puts what was built into the order in which it was declared.

@@ -10,6 +10,9 @@ use super::source::SourcePlace;
 /// Lines that are left out in turn because they are no TOML, to find more mistakes after them.
 const MOST_BROKEN_LINES: usize = 20;
 
+/// A file that is larger than anybody's description (bytes).
+const LARGE: usize = 1 << 17;
+
 /// Most dots on a line: a key with thousands of parts would make a tree as deep.
 const MOST_DOTS: usize = 2_000;
 
@@ -87,7 +90,9 @@ pub(super) fn parse(report: &mut FindingList, source: usize) -> Option<TomlNode>
         return None;
     }
     let mut left_out = Vec::new();
-    for _ in 0..MOST_BROKEN_LINES {
+    // A large file that is something else is not read twenty times.
+    let most = if text.len() > LARGE { 2 } else { MOST_BROKEN_LINES };
+    for _ in 0..most {
         let error = match Document::parse(text.as_str()) {
             Ok(document) => {
                 let tree = TreeMaker { source, text: &text };
