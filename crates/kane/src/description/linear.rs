@@ -18,9 +18,8 @@ pub(super) fn is_linear_in_speeds(graph: &Graph, node: Node) -> bool {
     for reached in graph.reached(&[node]) {
         let of = |it: &Node| degrees.get(it).copied().unwrap_or(Degree::None);
         let degree = match graph.operation(reached) {
-            Operation::Number(_) => Degree::None,
             Operation::Symbol(Place::Speed(_)) => Degree::Linear,
-            Operation::Symbol(_) => Degree::None,
+            Operation::Number(_) | Operation::Symbol(_) => Degree::None,
             Operation::Sum(_, terms) => largest(terms.iter().map(|(it, _)| of(it))),
             Operation::Product(factors) => product(factors.iter().map(|(it, by)| (of(it), *by))),
             Operation::Unary(_, x) => inside(of(x)),
