@@ -1,5 +1,5 @@
 //! Mechanisms derived by Kane's method and assembled, run beside models written by hand.
-#![expect(clippy::print_stdout, reason = "a test fails aloud")]
+#![expect(clippy::unwrap_used, reason = "a test fails aloud")]
 
 use equations::{EquationModel, ModeNumber};
 use kane::assemble::TapeFunctions;
@@ -113,7 +113,6 @@ fn its_steps_are_as_certain_as_those_by_hand() {
     let (mode, x) = written.at_rest(&Motion::default());
     let (described, least) =
         (measured(assembled, (ModeNumber(0), x)), measured(written, (mode, x)));
-    println!("A: described {described:?}\nA: written   {least:?}");
     assert_eq!(described.events, least.events);
     assert!(described.derivatives <= least.derivatives, "{described:?}, {least:?}");
     // A bound over the input knows its largest magnitude, and not where it is.
