@@ -31,7 +31,7 @@ const MAY_KNOW: [(&str, &[&str]); 25] = [
     ("performance", &["haptics", "keyboard", "midi"]),
     ("realtime", &["keyboard", "scheduler"]),
     ("scene", &SCENE_MAY_KNOW),
-    ("voice", &["firmware-protocol", "haptics", "models", "pode", "scene", "scheduler"]),
+    ("voice", &VOICE_MAY_KNOW),
     ("lab", &LAB_MAY_KNOW),
     ("dashboard", &["telemetry"]),
     ("host", &HOST_MAY_KNOW),
@@ -42,6 +42,18 @@ const MAY_KNOW: [(&str, &[&str]); 25] = [
 
 const LAB_MAY_KNOW: [&str; 8] =
     ["descriptions", "diagnostics", "haptics", "kane", "keyboard", "models", "performance", "pode"];
+
+const VOICE_MAY_KNOW: [&str; 9] = [
+    "descriptions",
+    "diagnostics",
+    "equations",
+    "firmware-protocol",
+    "haptics",
+    "models",
+    "pode",
+    "scene",
+    "scheduler",
+];
 
 const SCENE_MAY_KNOW: [&str; 10] = [
     "descriptions",
