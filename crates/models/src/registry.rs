@@ -88,6 +88,7 @@ impl LoadedModel {
     ///
     /// # Errors
     /// A model that fits into none.
+    #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
     pub fn new(
         table: &'static ModelTable,
         functions: LoadedFunctions,
@@ -118,6 +119,7 @@ impl LoadedModel {
         }
     }
 
+    #[expect(clippy::large_stack_frames, reason = "once for a voice, off the tick")]
     fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
         match self {
             Self::Small(model) => visitor.visit_loaded(*model),
@@ -150,6 +152,7 @@ mod list {
 
     impl Registration {
         /// A version that is not in the list yet.
+        #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
         pub const fn new(model: LoadedModel) -> Self {
             Self { model, next: OnceLock::new() }
         }
