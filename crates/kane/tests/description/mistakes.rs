@@ -78,7 +78,7 @@ fn units_themselves_are_checked() {
 #[test]
 fn a_name_that_stands_twice_is_named_with_both_places() {
     says("fall = ", "k = ", &["27:1", "\"k\" is a name already (at line 16, column 1)"]);
-    says("m0 = {", "m = {", &["this is", "\"m\" stands here a second time"]);
+    says("m0 = {", "m = {", &["15:1", "\"m\" stands here a second time"]);
 }
 
 #[test]
@@ -166,6 +166,19 @@ fn what_cannot_stand_somewhere_is_said() {
     );
     says("fall = \"stretch'\"", "fall = \"k'*1 s\"", &["\"k\" is a parameter and has no rate"]);
     says("fall = \"stretch'\"", "fall = \"rate(force(spring))\"", &["the rate of", "is not known"]);
+}
+
+#[test]
+fn what_should_be_linear_in_the_speeds_is() {
+    let rolls = |zero: &str| {
+        format!("roll = {{ zero = \"{zero}\", kind = \"nonholonomic\" }}\n\n[modes.free]")
+    };
+    for zero in ["y' - s'", "2*y'*cos(y/(1 m)) + if(y > s, y', 3*y') - 1 m/s"] {
+        good(&WEIGHT.replacen("[modes.free]", &rolls(zero), 1));
+    }
+    for zero in ["y'*y'", "abs(y')", "y'^2/(1 m/s)", "1/y'", "if(y' > s', y', 2*y')"] {
+        says("[modes.free]", &rolls(zero), &["\"roll\" is not linear in the speeds"]);
+    }
 }
 
 #[test]
