@@ -11,7 +11,7 @@ use toml_edit::{Document, Item};
 ///
 /// Crates that design.md names but that are not there yet are listed too, so that
 /// their first commit is held to the same rule.
-const MAY_KNOW: [(&str, &[&str]); 23] = [
+const MAY_KNOW: [(&str, &[&str]); 25] = [
     ("keyboard", &[]),
     ("diagnostics", &[]),
     ("pode", &[]),
@@ -22,15 +22,17 @@ const MAY_KNOW: [(&str, &[&str]); 23] = [
     ("scheduler", &["keyboard"]),
     ("telemetry", &["keyboard"]),
     ("contacts", &["pode"]),
-    ("models", &["contacts", "pode"]),
-    ("kane", &["contacts", "diagnostics", "pode"]),
+    ("equations", &["contacts", "pode"]),
+    ("models", &["contacts", "equations", "pode"]),
+    ("descriptions", &["contacts", "diagnostics", "equations", "models", "pode"]),
+    ("kane", &["contacts", "diagnostics", "equations", "pode"]),
     ("links", &["firmware-protocol", "keyboard"]),
     ("hardware", &["firmware-protocol", "haptics", "keyboard", "links", "scheduler"]),
     ("performance", &["haptics", "keyboard", "midi"]),
     ("realtime", &["keyboard", "scheduler"]),
     ("scene", &SCENE_MAY_KNOW),
-    ("voice", &["firmware-protocol", "haptics", "models", "pode", "scene", "scheduler"]),
-    ("lab", &["diagnostics", "haptics", "kane", "keyboard", "models", "performance", "pode"]),
+    ("voice", &VOICE_MAY_KNOW),
+    ("lab", &LAB_MAY_KNOW),
     ("dashboard", &["telemetry"]),
     ("host", &HOST_MAY_KNOW),
     // The command, and tests/ and benches/ of the source-less root package, may know all.
@@ -38,7 +40,23 @@ const MAY_KNOW: [(&str, &[&str]); 23] = [
     ("letoff", &EVERYONE),
 ];
 
-const SCENE_MAY_KNOW: [&str; 9] = [
+const LAB_MAY_KNOW: [&str; 8] =
+    ["descriptions", "diagnostics", "haptics", "kane", "keyboard", "models", "performance", "pode"];
+
+const VOICE_MAY_KNOW: [&str; 9] = [
+    "descriptions",
+    "diagnostics",
+    "equations",
+    "firmware-protocol",
+    "haptics",
+    "models",
+    "pode",
+    "scene",
+    "scheduler",
+];
+
+const SCENE_MAY_KNOW: [&str; 10] = [
+    "descriptions",
     "diagnostics",
     "firmware-protocol",
     "haptics",
@@ -50,7 +68,8 @@ const SCENE_MAY_KNOW: [&str; 9] = [
     "pode",
 ];
 
-const HOST_MAY_KNOW: [&str; 16] = [
+const HOST_MAY_KNOW: [&str; 17] = [
+    "descriptions",
     "diagnostics",
     "firmware-protocol",
     "haptics",
@@ -69,11 +88,13 @@ const HOST_MAY_KNOW: [&str; 16] = [
     "voice",
 ];
 
-const EVERYONE: [&str; 23] = [
+const EVERYONE: [&str; 25] = [
     "cli",
     "contacts",
     "dashboard",
+    "descriptions",
     "diagnostics",
+    "equations",
     "firmware-protocol",
     "haptics",
     "hardware",

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use haptics::Touch;
 use host::session::{RunOptions, RunSession};
 use models::catalogue::{ENTRIES, Visitor, visit_built_in};
-use models::{KeyHammerRigid, KeyHammerSprings, Playable};
+use models::{Described as _, KeyHammerRigid, KeyHammerSprings, Playable};
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Auditor, Limits, Motion, Silent, Simulator, Watch, Work};

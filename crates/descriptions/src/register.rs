@@ -41,6 +41,7 @@ impl std::error::Error for NotRegistered {}
 ///
 /// # Errors
 /// A model that is larger than any that can be loaded.
+#[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
 pub fn register_model(
     table: &'static ModelTable,
     functions: &'static dyn Functions,

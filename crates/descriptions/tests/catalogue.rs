@@ -1,4 +1,5 @@
 //! What the catalogue says of a model that was registered.
+#![expect(clippy::unwrap_used, reason = "visitors of tests, outside #[test], fail aloud")]
 
 use descriptions::register_model;
 use models::catalogue::{self, ModelEntry, Visitor};

@@ -1,4 +1,5 @@
 //! A ball that was registered does what the ball of the program does.
+#![expect(clippy::unwrap_used, reason = "visitors of tests, outside #[test], fail aloud")]
 
 use descriptions::register_model;
 use models::catalogue::{self, ModelEntry, Visitor};

@@ -1,5 +1,5 @@
 //! Mechanisms derived by Kane's method and assembled, run beside models written by hand.
-#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test fails aloud")]
+#![expect(clippy::unwrap_used, reason = "a test fails aloud")]
 
 use equations::{EquationModel, ModeNumber};
 use kane::assemble::TapeFunctions;
@@ -87,9 +87,9 @@ fn model_a_throws_and_catches_as_the_one_by_hand() {
 
 /// Work over ticks of 1 ms under cubics through the input at both ends of each, as a board's
 /// samples are: their magnitudes are known.
-fn measured<M: Resets>(model: M, (mode, x): (M::Mode, M::State)) -> Work
+fn measured<M>(model: M, (mode, x): (M::Mode, M::State)) -> Work
 where
-    M: pode::Model<Input = Motion>,
+    M: pode::Model<Input = Motion> + Resets,
 {
     const H: f64 = 1e-3;
     let input = figure_6(1.0);
@@ -113,7 +113,6 @@ fn its_steps_are_as_certain_as_those_by_hand() {
     let (mode, x) = written.at_rest(&Motion::default());
     let (described, least) =
         (measured(assembled, (ModeNumber(0), x)), measured(written, (mode, x)));
-    println!("A: described {described:?}\nA: written   {least:?}");
     assert_eq!(described.events, least.events);
     assert!(described.derivatives <= least.derivatives, "{described:?}, {least:?}");
     // A bound over the input knows its largest magnitude, and not where it is.
@@ -155,4 +154,29 @@ fn a_cart_meets_its_walls_as_the_one_by_hand() {
 fn a_ball_on_a_moving_floor_bounces_as_the_one_by_hand() {
     let compared = check(both::<BouncingBall, 2>(ball()), (1e-3, 3.0), sine(0.05, 20.0));
     assert!(compared.events >= 5, "{} events", compared.events);
+}
+
+#[test]
+fn impacts_come_to_rest_in_the_mode_that_holds_what_meets() {
+    let rests = |builder: MechanismBuilder| {
+        let program = Derived::from(builder).system.clone().assemble().unwrap();
+        let guards = program.table.modes[0].guards.iter();
+        guards.map(|guard| guard.ways[0].resting.map(|it| it.to)).collect::<Vec<_>>()
+    };
+    assert_eq!(rests(ball()), [Some(1)], "on the floor");
+    assert_eq!(rests(cart()), [Some(1), Some(2)], "at either wall");
+}
+
+#[test]
+fn a_ball_comes_to_rest_on_the_floor_when_the_one_by_hand_does() {
+    let (assembled, written) = both::<BouncingBall, 2>(ball());
+    let still = |_| Motion::default();
+    let start = [1.0, 0.0];
+    let (one, _, _) = run(assembled, (ModeNumber(0), start), (1e-3, 6.0), still);
+    let flight = BouncingBall::MODES[0].0;
+    let (other, _, _) = run(written, (flight, start), (1e-3, 6.0), still);
+    let (rest, expected) = (one.events().last().unwrap(), other.events().last().unwrap());
+    assert_eq!((rest.to, expected.to), (ModeNumber(1), BouncingBall::MODES[1].0));
+    assert!((rest.t - expected.t).abs() < 1e-9, "{} is not {}", rest.t, expected.t);
+    assert!((one.impulse() - other.impulse()).abs() < 1e-9, "the impulse until then");
 }

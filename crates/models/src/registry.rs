@@ -60,78 +60,74 @@ impl From<TooManyGuards> for DoesNotLoad {
     }
 }
 
-macro_rules! loaded_models {
-    ($($variant:ident $with_contacts:ident: $n:literal, $c:literal;)+) => {
-        /// A model that was read from a file, of one of a few types, with the values of its
-        /// default preset.
-        ///
-        /// The types differ by what their arrays hold, so that a model needs no heap and a new
-        /// model no new type.
-        #[derive(Clone, Copy, Debug)]
-        #[non_exhaustive]
-        #[expect(clippy::large_enum_variant, reason = "one for each description that was read")]
-        pub enum LoadedModel {
-            $(
-                #[doc = concat!("Up to ", $n, " states and ", $c, " constants.")]
-                $variant(Loaded<$n, $c>),
-                #[doc = concat!("Up to ", $n, " states and ", $c, " constants, with contacts.")]
-                $with_contacts(WithContacts<Loaded<$n, $c>>),
-            )+
-        }
+/// A model with contacts, or one that is large.
+type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
 
-        impl LoadedModel {
-            /// The smallest type into which the model of `table` fits.
-            ///
-            /// # Errors
-            /// A model that fits into none.
-            pub fn new(
-                table: &'static ModelTable,
-                functions: LoadedFunctions,
-            ) -> Result<Self, DoesNotLoad> {
-                if table.contacts.len() > MAX_CODED_CONTACTS {
-                    return Err(DoesNotLoad::Contacts(table.contacts.len()));
-                }
-                let (states, constants) =
-                    (table.states.len(), table.constants.max(table.parameters.len()));
-                $(
-                    if ($n, $c) == LARGEST || (states <= $n && constants <= $c) {
-                        let model = Loaded::<$n, $c>::new(table, functions, &[])?;
-                        return Ok(if table.contacts.is_empty() {
-                            Self::$variant(model)
-                        } else {
-                            Self::$with_contacts(WithContacts::new(model)?)
-                        });
-                    }
-                )+
-                Err(DoesNotLoad::States(states))
-            }
-
-            /// The entry of the model.
-            fn entry(&self) -> &'static ModelEntry {
-                match self {
-                    $(
-                        Self::$variant(model) => model.entry(),
-                        Self::$with_contacts(model) => model.entry(),
-                    )+
-                }
-            }
-
-            fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
-                match self {
-                    $(
-                        Self::$variant(model) => visitor.visit_loaded(*model),
-                        Self::$with_contacts(model) => visitor.visit_loaded(*model),
-                    )+
-                }
-            }
-        }
-    };
+/// A model that was read from a file, of one of a few types, with the values of its default
+/// preset.
+///
+/// The types differ by what their arrays hold, so that a model needs no heap and a new model no
+/// new type. Each of them is compiled with all methods wherever models are visited, so there are
+/// no more than pay: what is large, or has contacts, hardly notices that it might have others.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+#[expect(clippy::large_enum_variant, reason = "one for each description that was read")]
+pub enum LoadedModel {
+    /// Up to 4 states and 96 constants, without contacts.
+    Small(Loaded<4, 96>),
+    /// Up to 12 states and 256 constants, without contacts.
+    Medium(Loaded<12, 256>),
+    /// Up to 12 states and 256 constants, with contacts.
+    MediumWithContacts(Contacting<12, 256>),
+    /// Up to 32 states and 512 constants, with contacts or without.
+    Large(Contacting<32, 512>),
 }
 
-loaded_models! {
-    Small SmallWithContacts: 4, 96;
-    Medium MediumWithContacts: 12, 256;
-    Large LargeWithContacts: 32, 512;
+impl LoadedModel {
+    /// The smallest type into which the model of `table` fits.
+    ///
+    /// # Errors
+    /// A model that fits into none.
+    #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
+    pub fn new(
+        table: &'static ModelTable,
+        functions: LoadedFunctions,
+    ) -> Result<Self, DoesNotLoad> {
+        let (states, contacts) = (table.states.len(), table.contacts.len());
+        let constants = table.constants.max(table.parameters.len());
+        let fits = |room: (usize, usize)| states <= room.0 && constants <= room.1;
+        Ok(if contacts > MAX_CODED_CONTACTS {
+            return Err(DoesNotLoad::Contacts(contacts));
+        } else if contacts == 0 && fits((4, 96)) {
+            Self::Small(Loaded::new(table, functions, &[])?)
+        } else if contacts == 0 && fits((12, 256)) {
+            Self::Medium(Loaded::new(table, functions, &[])?)
+        } else if fits((12, 256)) {
+            Self::MediumWithContacts(WithContacts::new(Loaded::new(table, functions, &[])?)?)
+        } else {
+            Self::Large(WithContacts::new(Loaded::new(table, functions, &[])?)?)
+        })
+    }
+
+    /// The entry of the model.
+    fn entry(&self) -> &'static ModelEntry {
+        match self {
+            Self::Small(model) => model.entry(),
+            Self::Medium(model) => model.entry(),
+            Self::MediumWithContacts(model) => model.entry(),
+            Self::Large(model) => model.entry(),
+        }
+    }
+
+    #[expect(clippy::large_stack_frames, reason = "once for a voice, off the tick")]
+    fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
+        match self {
+            Self::Small(model) => visitor.visit_loaded(*model),
+            Self::Medium(model) => visitor.visit_loaded(*model),
+            Self::MediumWithContacts(model) => visitor.visit_loaded(*model),
+            Self::Large(model) => visitor.visit_loaded(*model),
+        }
+    }
 }
 
 #[cfg(feature = "std")]
@@ -156,6 +152,7 @@ mod list {
 
     impl Registration {
         /// A version that is not in the list yet.
+        #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
         pub const fn new(model: LoadedModel) -> Self {
             Self { model, next: OnceLock::new() }
         }

@@ -170,10 +170,8 @@ impl Visitor for Builder<'_> {
     fn visit_loaded<M: Playable>(self, model: M) -> Self::Output {
         let model = model.with_values(self.values);
         let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
-        let stepper = match self.render.stepper {
-            Any::ByNeed(_) => Any::ByNeed(by_need),
-            other => other,
-        };
+        let asked = self.render.stepper;
+        let stepper = if let Any::ByNeed(_) = asked { Any::ByNeed(by_need) } else { asked };
         let fittings = self.fittings(model.input_per_metre())?;
         Ok(Box::new(RenderedKey::new(model, stepper, fittings)))
     }

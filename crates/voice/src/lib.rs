@@ -15,6 +15,8 @@ pub mod audit;
 pub mod builder;
 pub mod damper;
 pub mod input;
+#[cfg(test)]
+mod loaded;
 pub mod rendered_key;
 
 pub use audit::{AuditCell, AuditReport};

@@ -48,6 +48,7 @@ pub struct RowFlags {
 }
 
 /// A row of a tick.
+#[expect(clippy::large_enum_variant, reason = "nearly all rows are of keys")]
 #[derive(Clone, Copy, Debug)]
 pub enum RecorderRow {
     Key(KeyRow),
@@ -145,6 +146,7 @@ impl TickRecorder {
         (Self { rows, happenings, dropped, followed, seen: 0, known }, tapped)
     }
 
+    #[expect(clippy::large_types_passed_by_value, reason = "it is moved into the ring")]
     fn push(&mut self, row: RecorderRow) {
         if self.rows.push(row).is_err() {
             self.dropped.fetch_add(1, Ordering::Relaxed);

@@ -99,7 +99,7 @@ struct ProbedModel<M: Playable> {
 
 impl<M: Playable> ProbedModel<M> {
     /// The value of the guard called `name`, where it is watched.
-    fn guard(&self, name: &str, mode: M::Mode, state: &M::State, input: &Motion) -> Option<f64> {
+    fn watched(&self, name: &str, mode: M::Mode, state: &M::State, input: &Motion) -> Option<f64> {
         let spec = self.model.guards(mode).iter().find(|spec| spec.name == name)?;
         let is_watched = self.model.is_watched(mode, spec.id);
         is_watched.then(|| self.model.guard(mode, spec.id, state, input).value)
@@ -122,7 +122,7 @@ impl<M: Playable> ModelProbe for ProbedModel<M> {
             *entry = shown;
         }
         for guard in &self.guards {
-            let value = self.guard(guard.name, mode, &state, &input);
+            let value = self.watched(guard.name, mode, &state, &input);
             signals.push(value.map_or(f32::NAN, short));
         }
         let mut outputs = [0.0; MOST_OUTPUTS];

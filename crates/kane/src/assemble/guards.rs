@@ -74,7 +74,8 @@ fn guard(
     let values = [guard.value, guard.rate];
     let mut ways = Vec::new();
     for (number, way) in guard.ways.iter().enumerate() {
-        ways.push(self::way(graph, functions, builder, (&format!("{name}_{number}"), way))?);
+        let label = format!("{name}_{number}");
+        ways.push(self::way(graph, functions, builder, (&label, guard.value, way))?);
     }
     let sounds =
         guard.sounds.map(|node| builder.add(graph, functions, &format!("{name}_sounds"), &[node]));
@@ -121,7 +122,7 @@ fn way(
     graph: &mut Graph,
     functions: &mut FunctionList,
     builder: &ModeBuilder<'_>,
-    (name, way): (&str, &Way),
+    (name, value, way): (&str, Node, &Way),
 ) -> Result<WayTable, AssemblyError> {
     let when =
         way.branch.when.map(|when| builder.add(graph, functions, &format!("{name}_when"), &[when]));
@@ -137,7 +138,7 @@ fn way(
         when: when.transpose()?,
         to: u8::try_from(way.branch.to).unwrap_or(u8::MAX),
         reset,
-        resting: resting(graph, functions, builder, (name, way))?,
+        resting: resting(graph, functions, builder, (name, value, way))?,
     })
 }
 
@@ -150,10 +151,10 @@ fn resting(
     graph: &mut Graph,
     functions: &mut FunctionList,
     builder: &ModeBuilder<'_>,
-    (name, way): (&str, &Way),
+    (name, value, way): (&str, Node, &Way),
 ) -> Result<Option<RestingTable>, AssemblyError> {
     let Some(impact) = way.branch.impact else { return Ok(None) };
-    let Some(to) = resting_mode(graph, builder, way.branch.to, impact.separation) else {
+    let Some(to) = resting_mode(graph, builder, way.branch.to, [value, impact.separation]) else {
         return Ok(None);
     };
     let one = graph.constant(1.0);
@@ -176,17 +177,23 @@ fn resting(
     }))
 }
 
-/// The mode in which what meets stays together.
+/// The mode in which what meets stays together: of constraints with the separation's rate, the one
+/// that is zero where the guard is, if there is any.
 fn resting_mode(
     graph: &mut Graph,
     builder: &ModeBuilder<'_>,
     to: usize,
-    separation: Node,
+    [value, separation]: [Node; 2],
 ) -> Option<usize> {
     let mechanism = builder.context.mechanism;
+    let places = [value, graph.negate(value)];
     let opposite = graph.negate(separation);
-    let constraint =
-        mechanism.constraints.iter().position(|it| it.rate == separation || it.rate == opposite)?;
+    let all = mechanism.constraints.iter();
+    let constraint = all
+        .clone()
+        .position(|it| places.contains(&it.zero))
+        .or_else(|| all.clone().position(|it| it.rate == separation))
+        .or_else(|| all.clone().position(|it| it.rate == opposite))?;
     let mut wanted = mechanism.modes.get(to)?.constraints.clone();
     wanted.push(constraint);
     wanted.sort_unstable();

@@ -8,7 +8,7 @@ use super::guards::GuardNumbers;
 use super::jacobian::StateOfMode;
 use super::kinds::{Loss, is_of_input, is_stiffening, kind_of};
 use super::parts::{Moving, parts};
-use super::{AssemblyError, contacts, drawing, guards, leak};
+use super::{AssemblyError, contacts, guards, leak};
 use crate::graph::{Graph, Node, Place};
 use crate::mechanism::{ConstraintKind, Mechanism};
 use crate::system::ModeEquations;
@@ -154,12 +154,10 @@ fn forces(
         [0, 1].map(|rate| builder.state.direction(graph, Place::Input(rate)).of(graph, readout));
     let balance = [equations.energy, equations.supplied, equations.dissipated]
         .map(|node| node.unwrap_or(zero));
-    let mut outputs = equations.outputs.clone();
-    outputs.extend(drawing::poses(graph, builder));
     Ok(ForceFunctions {
         readout: builder.add(graph, functions, "readout", &[readout])?,
         slopes: builder.add(graph, functions, "slopes", &slopes)?,
-        outputs: builder.add(graph, functions, "outputs", &outputs)?,
+        outputs: builder.add(graph, functions, "outputs", &equations.outputs)?,
         balance: builder.add(graph, functions, "balance", &balance)?,
     })
 }

@@ -11,6 +11,7 @@ use super::guards::GuardNumbers;
 use super::modes::{ModeContext, mode};
 use super::{AssemblyError, Program, contacts, drawing, leak};
 use crate::graph::{Graph, Place};
+use crate::mechanics::drawn_frames;
 use crate::mechanism::Mechanism;
 use crate::system::System;
 
@@ -40,9 +41,9 @@ pub(super) fn assemble(system: System) -> Result<Program, AssemblyError> {
         tables.push(mode(graph, &mut functions, &context, number)?);
     }
     let (contact_tables, contact_specs) = contacts::specs(&mechanism);
-    let mut outputs = named(mechanism.outputs.iter().map(|it| (&it.name, &it.unit)));
-    let first_pose = outputs.len();
-    outputs.extend(drawing::quantities(&mechanism));
+    let outputs = named(mechanism.outputs.iter().map(|it| (&it.name, &it.unit)));
+    let poses = drawn_frames(&mechanism).iter().filter(|frame| **frame != 0).count();
+    let first_pose = outputs.len().saturating_sub(3 * poses);
     let drawing = drawing::table(graph, &mut functions, &mechanism, first_pose)?;
     let values = Values::of(graph, &mut functions, &mechanism, &state)?;
     let (derive_constants, constants) = constants(graph, &mut functions, parameters)?;

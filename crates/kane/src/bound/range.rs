@@ -50,6 +50,7 @@ impl Ranges {
         for reached in graph.reached(&[node]) {
             if !self.known.contains_key(&reached) {
                 let range = self.one(graph, reached);
+                let range = known_or_nothing(graph, range);
                 self.known.insert(reached, range);
             }
         }
@@ -134,6 +135,16 @@ impl Ranges {
             size: graph.select(room, size, either),
         }
     }
+}
+
+/// The range, or one without bounds where the centre is no finite number: what is made of an
+/// infinite number would vanish in a quotient.
+fn known_or_nothing(graph: &mut Graph, range: Range) -> Range {
+    if graph.number(range.centre).is_none_or(f64::is_finite) {
+        return range;
+    }
+    let unknown = graph.constant(f64::INFINITY);
+    Range { centre: graph.constant(0.0), spread: unknown, size: unknown }
 }
 
 /// A range around `centre`; without a spread it is a point.

@@ -9,7 +9,7 @@ use super::reader::{DescriptionReader, STATE};
 use super::source::SourcePlace;
 use crate::graph::{Node, Place};
 use crate::tape::{Argument, Arguments, Layout, Tape};
-use crate::text::Reach;
+use crate::text::Dependence;
 
 /// Keys of a piano.
 const KEYS: u8 = 88;
@@ -75,21 +75,18 @@ impl DescriptionReader {
             let constants = tape.evaluate(&Arguments { extra: &extra, ..Arguments::default() });
             let margins =
                 requirements.evaluate(&Arguments { constants: &constants, ..Arguments::default() });
-            for (index, value) in constants.iter().enumerate() {
-                let is_new = said.get(index) == Some(&false);
-                if is_new && self.is_out_of_range(index, *value) {
-                    mark(&mut said, index);
-                    self.say_range((preset, index), *value, key);
-                }
+            let wrong = |it: &usize| self.is_out_of_range(*it, constants[*it]);
+            let mut wrong: Vec<_> = (0..constants.len()).filter(wrong).collect();
+            wrong.retain(|index| mark(&mut said, *index));
+            for index in wrong {
+                self.say_range((preset, index), constants[index], key);
             }
-            for (index, margin) in margins.into_iter().enumerate() {
-                let at = constants.len() + index;
-                // Not a number is no margin either.
-                let is_met = margin > 0.0;
-                if !is_met && said.get(at) == Some(&false) {
-                    mark(&mut said, at);
-                    self.say_requirement(preset, index, key);
-                }
+            // Not a number is no margin either.
+            let unmet = |it: &usize| margins[*it].is_nan() || margins[*it] <= 0.0;
+            let mut unmet: Vec<_> = (0..margins.len()).filter(unmet).collect();
+            unmet.retain(|index| mark(&mut said, constants.len() + index));
+            for index in unmet {
+                self.say_requirement(preset, index, key);
             }
         }
     }
@@ -141,14 +138,17 @@ impl DescriptionReader {
                 Arguments { constants: &constants, state: &state, ..Arguments::default() };
             let value = tape.evaluate(&arguments).first().copied().unwrap_or(0.0);
             if !value.is_finite() && said.insert(place) {
-                let what = if value.is_nan() { "not a number" } else { "infinite" };
-                let preset = self.preset_name(preset);
-                let message =
-                    format!("{} is {what} at the initial pose of preset {preset}", quoted(&text));
-                let help = "look for a division by zero, or correct the pose in [rest]";
-                self.report.say(place, message, help);
+                self.say_pose((preset, &text), value, place);
             }
         }
+    }
+
+    fn say_pose(&mut self, (preset, text): (usize, &str), value: f64, place: SourcePlace) {
+        let what = if value.is_nan() { "not a number" } else { "infinite" };
+        let (text, preset) = (quoted(text), self.preset_name(preset));
+        let message = format!("{text} is {what} at the initial pose of preset {preset}");
+        let help = "look for a division by zero, or correct the pose in [rest]";
+        self.report.say(place, message, help);
     }
 
     fn rest_mode_of(&self, constants: &[f64]) -> usize {
@@ -202,8 +202,8 @@ impl DescriptionReader {
 
     /// What counts in a mode: its own expressions, what counts in all, and forces that act there.
     fn at_rest(&self, mode: usize) -> Vec<(Node, SourcePlace, String)> {
-        let counts = |reach: Reach, of: Option<usize>| {
-            STATE.and(Reach::FORCES).covers(reach) && of.is_none_or(|of| of == mode)
+        let counts = |reach: Dependence, of: Option<usize>| {
+            STATE.and(Dependence::FORCES).covers(reach) && of.is_none_or(|of| of == mode)
         };
         let watched = self.watched.iter().filter(|it| counts(it.reach, it.mode));
         let mut all: Vec<_> = watched.map(|it| (it.node, it.place, it.text.clone())).collect();
@@ -218,8 +218,7 @@ impl DescriptionReader {
     }
 }
 
-fn mark(said: &mut [bool], index: usize) {
-    if let Some(slot) = said.get_mut(index) {
-        *slot = true;
-    }
+/// Notes that something is said now; false if it was before.
+fn mark(said: &mut [bool], index: usize) -> bool {
+    said.get_mut(index).is_some_and(|slot| !std::mem::replace(slot, true))
 }

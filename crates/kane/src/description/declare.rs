@@ -5,12 +5,12 @@ use diagnostics::quoted;
 use super::key_reader::{KeyReader, list, text};
 use super::names::{SymbolKind, number};
 use super::reader::{DescriptionReader, FileExpression};
-use super::resolve::{Item, ItemKind, Link, LinkKind};
+use super::resolve::{DescribedItem, ItemKind, ItemLink, LinkKind};
 use super::source::SourcePlace;
 use super::toml_tree::{TomlEntry, TomlKind};
 use crate::graph::{Graph, Place};
-use crate::mechanism::{ConstraintKind, Coordinate, InputSpec, Speed};
-use crate::text::{Dimension, Measured, Reach};
+use crate::mechanism::{Coordinate, InputSpec, Speed};
+use crate::text::{Dependence, Dimension, Measured};
 
 /// Names of origins, by axis.
 pub(super) const ORIGIN: [&str; 3] = ["origin", "origin y", "origin z"];
@@ -54,11 +54,11 @@ impl DescriptionReader {
         kind: ItemKind,
         entry: &TomlEntry,
         fields: [(&'static str, Option<FileExpression>); N],
-        links: Vec<Link>,
+        links: Vec<ItemLink>,
     ) {
         let fields = fields.into_iter().filter_map(|(name, field)| Some((name, field?))).collect();
         let (name, place) = (entry.name.clone(), entry.place);
-        self.items.push(Item { kind, name, place, fields, links });
+        self.items.push(DescribedItem { kind, name, place, fields, links });
     }
 
     fn declare_input(&mut self, root: &mut KeyReader<'_>) {
@@ -104,11 +104,11 @@ impl DescriptionReader {
             if !self.symbol(entry, SymbolKind::Coordinate(self.names.coordinates.len())) {
                 continue;
             }
+            if self.names.vague.contains(&entry.name) {
+                self.names.vague.insert(format!("{}'", entry.name));
+            }
             let rate = (!has_rate).then(|| {
                 let (name, unit) = (format!("{}'", entry.name), rate_unit(&unit));
-                if self.names.vague.contains(&entry.name) {
-                    self.names.vague.insert(name.clone());
-                }
                 self.enter_speed(name, unit, dimension.over(Dimension::TIME), speed_range)
             });
             self.names.coordinates.push(dimension);
@@ -159,7 +159,7 @@ impl DescriptionReader {
         self.names.speeds.push(dimension);
         let range = range.unwrap_or((-1.0, 1.0));
         self.mechanism.speeds.push(Speed { name, unit, range });
-        Measured { node, dimension, reach: Reach::SPEEDS }
+        Measured { node, dimension, reach: Dependence::SPEEDS }
     }
 
     fn declare_rates(&mut self, root: &mut KeyReader<'_>) {
@@ -178,78 +178,15 @@ impl DescriptionReader {
         }
     }
 
-    fn declare_frames(&mut self, root: &mut KeyReader<'_>) {
-        let ground = super::geometry::WorldFrame::ground(&mut self.graph);
-        if let Ok(index) = self.names.frames.declare("ground", SourcePlace::default()) {
-            self.names.frames.set(index, ground);
-        }
-        self.mechanism.frames.push(super::geometry::ground());
-        for entry in root.table(&mut self.report, "frames") {
-            let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { continue };
-            let parent = self.link(&mut keys, LinkKind::Frame, "in");
-            let origin = self.triple(&mut keys, "origin");
-            let turn = self.field(&mut keys, "turn");
-            let axis = self.axis(&mut keys);
-            keys.finish(&mut self.report);
-            let Some(index) = self.declared_frame(entry) else { continue };
-            self.mechanism.frames.push(crate::mechanism::Frame {
-                name: entry.name.clone(),
-                ..super::geometry::ground()
-            });
-            let [x, y, z] = origin;
-            let fields = [(ORIGIN[0], x), (ORIGIN[1], y), (ORIGIN[2], z), ("turn", turn)];
-            self.item(ItemKind::Frame(index, axis), entry, fields, parent.into_iter().collect());
-        }
-    }
-
-    fn declared_frame(&mut self, entry: &TomlEntry) -> Option<usize> {
-        match self.names.frames.declare(&entry.name, entry.place) {
-            Ok(index) => Some(index),
-            Err(first) => {
-                self.twice(entry, first);
-                None
-            }
-        }
-    }
-
-    fn axis(&mut self, keys: &mut KeyReader<'_>) -> usize {
-        let Some((axis, place)) = keys.text(&mut self.report, "axis") else { return 2 };
-        ["x", "y", "z"].iter().position(|known| *known == axis).unwrap_or_else(|| {
-            let message = format!("there is no axis {}", quoted(axis));
-            self.report.say(place, message, "use x, y or z; without it z");
-            2
-        })
-    }
-
-    fn declare_points(&mut self, root: &mut KeyReader<'_>) {
-        for entry in root.table(&mut self.report, "points") {
-            if !self.is_name(entry) {
-                continue;
-            }
-            let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { continue };
-            let frame = self.link(&mut keys, LinkKind::Frame, "in");
-            let [x, y, z] = self.triple(&mut keys, "at");
-            keys.finish(&mut self.report);
-            let fields = [(AT[0], x), (AT[1], y), (AT[2], z)];
-            match self.names.points.declare(&entry.name, entry.place) {
-                Ok(index) => {
-                    self.point_places.push(None);
-                    self.item(ItemKind::Point(index), entry, fields, frame.into_iter().collect());
-                }
-                Err(first) => self.twice(entry, first),
-            }
-        }
-    }
-
     /// Returns the link that the key `name` states.
     pub(super) fn link(
         &mut self,
         keys: &mut KeyReader<'_>,
         kind: LinkKind,
         name: &'static str,
-    ) -> Option<Link> {
+    ) -> Option<ItemLink> {
         let (to, place) = keys.text(&mut self.report, name)?;
-        Some(Link { kind, name: to.to_owned(), place })
+        Some(ItemLink { kind, name: to.to_owned(), place })
     }
 
     /// Returns up to three expressions, by axis.
@@ -269,40 +206,6 @@ impl DescriptionReader {
             *slot = self.written(name, item);
         }
         all
-    }
-
-    fn declare_constraints(&mut self, root: &mut KeyReader<'_>) {
-        for entry in root.table(&mut self.report, "constraints") {
-            let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { continue };
-            let zero = self.field(&mut keys, "zero");
-            if keys.take("zero").is_none() {
-                let message =
-                    format!("the constraint {} does not say what is zero", quoted(&entry.name));
-                self.report.miss(entry.place, message, "write zero = \"x(P) - x(Q)\"");
-            }
-            let kind = self.constraint_kind(&mut keys);
-            keys.finish(&mut self.report);
-            match self.names.constraints.declare(&entry.name, entry.place) {
-                Ok(index) => {
-                    let zero = [("zero", zero)];
-                    self.item(ItemKind::Constraint(index, kind), entry, zero, Vec::new());
-                }
-                Err(first) => self.twice(entry, first),
-            }
-        }
-    }
-
-    fn constraint_kind(&mut self, keys: &mut KeyReader<'_>) -> ConstraintKind {
-        match keys.text(&mut self.report, "kind") {
-            None | Some(("holonomic", _)) => ConstraintKind::Holonomic,
-            Some(("nonholonomic", _)) => ConstraintKind::Nonholonomic,
-            Some((other, place)) => {
-                let help = diagnostics::choice(other, ["holonomic", "nonholonomic"]);
-                let message = format!("there is no kind {}", quoted(other));
-                self.report.say(place, message, help);
-                ConstraintKind::Holonomic
-            }
-        }
     }
 
     /// Returns the texts of a list of names.
@@ -334,8 +237,8 @@ fn rate_unit(unit: &str) -> String {
     }
 }
 
-/// The number 0.
+/// Returns the number 0, which has every unit.
 pub(super) fn zero(graph: &mut Graph) -> Measured {
     let node = graph.constant(0.0);
-    Measured { node, dimension: Dimension::NONE, reach: Reach::NOTHING }
+    Measured { node, dimension: Dimension::NONE, reach: Dependence::NOTHING }
 }

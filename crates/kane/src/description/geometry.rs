@@ -5,7 +5,7 @@ use diagnostics::quoted;
 use super::declare::{AT, ORIGIN, zero};
 use super::key_reader::{KeyReader, list};
 use super::reader::{CONSTANT, DescriptionReader, FileExpression, POSE};
-use super::resolve::{Item, Link, LinkKind};
+use super::resolve::{DescribedItem, ItemLink, LinkKind};
 use super::toml_tree::{TomlEntry, TomlKind};
 use crate::graph::{Graph, Node, UnaryFunction};
 use crate::mechanism::{Body, Frame};
@@ -28,7 +28,7 @@ enum WorldTurn {
     Matrix([[Node; 3]; 3]),
 }
 
-/// The ground.
+/// Returns the ground as a frame.
 pub(super) fn ground() -> Frame {
     Frame { name: "ground".to_owned(), parent: 0, origin: [None; 3], turn: None }
 }
@@ -111,7 +111,7 @@ fn product(graph: &mut Graph, rows: [[Node; 3]; 3], axis: usize, angle: Node) ->
 
 impl DescriptionReader {
     /// Returns the frame that `link` names; the ground without one.
-    fn parent(&mut self, link: Option<&Link>) -> Option<WorldFrame> {
+    fn parent(&mut self, link: Option<&ItemLink>) -> Option<WorldFrame> {
         let Some(link) = link else { return self.names.frames.value(0) };
         let Some(index) = self.names.frames.index(&link.name) else {
             let message = format!("there is no frame {}", quoted(&link.name));
@@ -123,7 +123,11 @@ impl DescriptionReader {
     }
 
     /// Returns up to three lengths; none where there is 0.
-    fn lengths(&mut self, item: &Item, names: [&'static str; 3]) -> Option<[Option<Node>; 3]> {
+    fn lengths(
+        &mut self,
+        item: &DescribedItem,
+        names: [&'static str; 3],
+    ) -> Option<[Option<Node>; 3]> {
         let mut all = [None; 3];
         for (slot, name) in all.iter_mut().zip(names) {
             let Some(file) = item.field(name) else { continue };
@@ -138,7 +142,7 @@ impl DescriptionReader {
         all.map(|it| it.unwrap_or(zero))
     }
 
-    pub(super) fn build_frame(&mut self, item: &Item, index: usize, axis: usize) {
+    pub(super) fn build_frame(&mut self, item: &DescribedItem, index: usize, axis: usize) {
         let Some(parent) = self.parent(item.links.first()) else { return };
         let Some(origin) = self.lengths(item, ORIGIN) else { return };
         let turn = match item.field("turn") {
@@ -157,7 +161,7 @@ impl DescriptionReader {
         self.names.frames.set(index, world);
     }
 
-    pub(super) fn build_point(&mut self, item: &Item, index: usize) {
+    pub(super) fn build_point(&mut self, item: &DescribedItem, index: usize) {
         let Some(frame) = self.parent(item.links.first()) else { return };
         let Some(at) = self.lengths(item, AT) else { return };
         let at = self.filled(at);
@@ -209,8 +213,8 @@ impl DescriptionReader {
             self.watch(&it, value, None);
             self.fits("mass", &it, value, Dimension::MASS).then_some(value.node)
         });
-        let centre = centre.map(|file| self.optional("centre", file?, Dimension::LENGTH));
-        let inertia = inertia.map(|file| self.optional("inertia", file?, Dimension::INERTIA));
+        let centre = centre.map(|file| self.optional("centre", &file?, Dimension::LENGTH));
+        let inertia = inertia.map(|file| self.optional("inertia", &file?, Dimension::INERTIA));
         let Some(mass) = mass else { return };
         let inertia = if about_origin { self.shifted(mass, centre, inertia) } else { inertia };
         let (name, frame) = (entry.name.clone(), frame.index);
@@ -218,8 +222,13 @@ impl DescriptionReader {
     }
 
     /// A value over the parameters; none where it is 0.
-    fn optional(&mut self, name: &str, file: FileExpression, dimension: Dimension) -> Option<Node> {
-        let node = self.node(name, &file, CONSTANT, dimension)?;
+    fn optional(
+        &mut self,
+        name: &str,
+        file: &FileExpression,
+        dimension: Dimension,
+    ) -> Option<Node> {
+        let node = self.node(name, file, CONSTANT, dimension)?;
         (!self.graph.is_zero(node)).then_some(node)
     }
 

@@ -1,21 +1,26 @@
 //! Guards of modes, where they lead and what they change.
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "TOML has many kinds of values, and each place takes few of them"
+)]
 
 use diagnostics::{choice, quoted};
 
 use super::key_reader::{KeyReader, text};
+use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
 use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, STATE};
 use super::source::SourcePlace;
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use crate::mechanism::{Branch, Fires, Guard, Impact, Target};
-use crate::text::{Dimension, Form, Measured, Reach};
+use crate::text::{Dependence, Dimension, Form, Measured};
 
 /// Most guards of one mode.
 const MOST_GUARDS: usize = 32;
 
 /// What all ways out of a guard have, unless they say otherwise.
 #[derive(Clone, Debug, Default)]
-struct Changes {
+struct GuardChanges {
     set: Vec<(Target, crate::graph::Node)>,
     impact: Option<Impact>,
 }
@@ -33,7 +38,7 @@ impl DescriptionReader {
             let guard = self.guard(&mut keys, mode, guards.len());
             keys.finish(&mut self.report);
             let Some((guard, place)) = guard else {
-                self.are_modes_whole = false;
+                self.has_lost_ways = true;
                 continue;
             };
             if guards.iter().any(|it| it.name == guard.name) {
@@ -71,7 +76,7 @@ impl DescriptionReader {
         let changes = self.changes(keys, mode);
         let branches = self.branches(keys, mode, &changes);
         let sounds = self.field(keys, "sounds");
-        let reach = STATE.and(Reach::FORCES);
+        let reach = STATE.and(Dependence::FORCES);
         let sounds =
             sounds.and_then(|it| self.mode_value("sounds", &it, reach, Dimension::SPEED, mode));
         let (name, place) = named?;
@@ -117,17 +122,17 @@ impl DescriptionReader {
         }
     }
 
-    fn changes(&mut self, keys: &mut KeyReader<'_>, mode: usize) -> Changes {
+    fn changes(&mut self, keys: &mut KeyReader<'_>, mode: usize) -> GuardChanges {
         let mut set = Vec::new();
         for entry in keys.table(&mut self.report, "set") {
             let Some((target, dimension)) = self.target(entry) else { continue };
             let Some(file) = self.written(&entry.name, &entry.node) else { continue };
-            let reach = STATE.and(Reach::FORCES);
+            let reach = STATE.and(Dependence::FORCES);
             let value = self.mode_value(&entry.name, &file, reach, dimension, mode);
             set.extend(value.map(|value| (target, value)));
         }
         let impact = keys.take("impact").and_then(|entry| self.impact(entry));
-        Changes { set, impact }
+        GuardChanges { set, impact }
     }
 
     /// What an entry of a reset map sets, and its unit.
@@ -163,10 +168,10 @@ impl DescriptionReader {
         let along = along?;
         let value = self.value(&along, STATE)?;
         // A distance has the rate that is meant; a speed is it already.
-        let speeds = Reach::SPEEDS.and(Reach::INPUT_RATES);
+        let speeds = Dependence::SPEEDS.and(Dependence::INPUT_RATES);
         let is_rate = value.reach.meets(speeds);
         let separation = if is_rate { value } else { self.rate_of(&along, value)? };
-        if !self.is_linear_in_speeds(separation) {
+        if !is_linear_in_speeds(&self.graph, separation.node) {
             let help = "give the distance itself, or its rate";
             self.report.say(along.place, "the impact's rate is not linear in the speeds", help);
             return None;
@@ -184,7 +189,7 @@ impl DescriptionReader {
         &mut self,
         keys: &mut KeyReader<'_>,
         mode: usize,
-        changes: &Changes,
+        changes: &GuardChanges,
     ) -> Vec<Branch> {
         let Some(entry) = keys.take("to") else {
             let help = "write to = \"…\", the mode after it; its own mode for a rebound";
@@ -196,12 +201,14 @@ impl DescriptionReader {
                 return Vec::new();
             };
             let Some(to) = self.mode_number(name, place) else { return Vec::new() };
-            let Changes { set, impact } = changes.clone();
+            let GuardChanges { set, impact } = changes.clone();
             return vec![Branch { when: None, to, set, impact }];
         };
         let mut branches = Vec::new();
         for item in items {
-            branches.extend(self.branch(item, mode, changes));
+            let branch = self.branch(item, mode, changes);
+            self.has_lost_ways |= branch.is_none();
+            branches.extend(branch);
         }
         let last = branches.len().saturating_sub(1);
         let is_open = branches.iter().enumerate().any(|(at, it)| it.when.is_none() && at != last);
@@ -216,7 +223,7 @@ impl DescriptionReader {
         branches
     }
 
-    fn branch(&mut self, node: &TomlNode, mode: usize, changes: &Changes) -> Option<Branch> {
+    fn branch(&mut self, node: &TomlNode, mode: usize, changes: &GuardChanges) -> Option<Branch> {
         let mut keys = KeyReader::of(&mut self.report, "to", node)?;
         let when = keys.take("when");
         let when = when.and_then(|it| self.written_as("when", &it.node, Form::Condition));
@@ -228,7 +235,7 @@ impl DescriptionReader {
         keys.finish(&mut self.report);
         let when = match when {
             Some(file) => {
-                let value = self.value(&file, STATE.and(Reach::FORCES))?;
+                let value = self.value(&file, STATE.and(Dependence::FORCES))?;
                 Some(self.acting(&file, value, mode).node)
             }
             None => None,

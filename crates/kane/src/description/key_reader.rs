@@ -88,7 +88,7 @@ impl<'a> KeyReader<'a> {
 
     /// Reports every entry that was never asked for.
     pub(super) fn finish(self, report: &mut FindingList) {
-        for entry in self.others() {
+        for entry in self.others().take(FindingList::MOST) {
             let message = format!("there is no key {} here", quoted(&entry.name));
             report.say(entry.place, message, choice(&entry.name, self.known.iter().copied()));
         }

@@ -2,11 +2,10 @@
 
 use diagnostics::quoted;
 
-use super::key_reader::{KeyReader, text};
+use super::linear::is_linear_in_speeds;
 use super::names::{LawPlace, distance, number};
 use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, POSE, STATE};
-use super::resolve::{Item, ItemKind, LawKind, Link, LinkKind};
-use super::toml_tree::TomlEntry;
+use super::resolve::{DescribedItem, LawKind};
 use crate::graph::{BinaryFunction, Graph, Node, Place, Substitution};
 use crate::mechanism::{Contact, Force, Friction};
 use crate::text::{Dimension, Measured};
@@ -25,144 +24,16 @@ struct FeltParts {
 /// The friction of a contact or bearing as it was written.
 #[derive(Clone, Debug)]
 pub(super) struct FrictionText {
-    contact: usize,
-    name: String,
-    slip: Option<FileExpression>,
-    stiction: Option<FileExpression>,
-    kinetic: Option<FileExpression>,
-    scales: (f64, f64),
+    pub(super) contact: usize,
+    pub(super) name: String,
+    pub(super) slip: Option<FileExpression>,
+    pub(super) stiction: Option<FileExpression>,
+    pub(super) kinetic: Option<FileExpression>,
+    pub(super) scales: (f64, f64),
 }
 
 impl DescriptionReader {
-    pub(super) fn declare_laws(&mut self, root: &mut KeyReader<'_>) {
-        let (mut forces, mut contacts) = (0, 0);
-        for table in ["springs", "felts", "forces"] {
-            for entry in root.table(&mut self.report, table) {
-                let kind = match table {
-                    "springs" => LawKind::Spring(forces),
-                    "felts" => LawKind::Felt(forces),
-                    _ => LawKind::Force(forces),
-                };
-                forces += usize::from(self.declare_law(entry, kind));
-            }
-        }
-        for entry in root.table(&mut self.report, "contacts") {
-            contacts += usize::from(self.declare_law(entry, LawKind::Contact(contacts)));
-        }
-        for entry in root.table(&mut self.report, "frictions") {
-            contacts += usize::from(self.declare_law(entry, LawKind::Bearing(contacts)));
-        }
-    }
-
-    fn declare_law(&mut self, entry: &TomlEntry, kind: LawKind) -> bool {
-        let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { return false };
-        let mut fields = Vec::new();
-        for name in law_keys(kind) {
-            if let Some(field) = self.field(&mut keys, name) {
-                fields.push((*name, field));
-            }
-        }
-        let links =
-            if matches!(kind, LawKind::Spring(_)) { self.ends(&mut keys) } else { Vec::new() };
-        if let LawKind::Contact(at) | LawKind::Bearing(at) = kind {
-            self.contact_scale(&mut keys, kind, at);
-            self.friction_text(&mut keys, entry, kind);
-        }
-        for needed in needed_keys(kind) {
-            if keys.take(needed).is_none() {
-                let message = format!("{} has no {needed}", quoted(&entry.name));
-                let help = format!("write {needed} = \"…\"");
-                self.report.miss(entry.place, message, help);
-            }
-        }
-        keys.finish(&mut self.report);
-        match self.names.laws.declare(&entry.name, entry.place) {
-            Ok(index) => {
-                let (name, place) = (entry.name.clone(), entry.place);
-                let kind = ItemKind::Law(index, kind);
-                self.items.push(Item { kind, name, place, fields, links });
-                true
-            }
-            Err(first) => {
-                self.twice(entry, first);
-                false
-            }
-        }
-    }
-
-    /// The two points between which a spring is.
-    fn ends(&mut self, keys: &mut KeyReader<'_>) -> Vec<Link> {
-        let Some(entry) = keys.take("between") else { return Vec::new() };
-        let items = entry.node.items().unwrap_or(&[]);
-        if items.len() != 2 {
-            let help = "write between = [\"P\", \"Q\"]";
-            self.report.say(entry.place, "a spring is between two points", help);
-            return Vec::new();
-        }
-        let mut links = Vec::new();
-        for item in items {
-            let Some((name, place)) = text(&mut self.report, "between", item) else { continue };
-            if self.names.points.index(name).is_none() {
-                let help = self.names.points.choice(name);
-                self.report.say(place, format!("there is no point {}", quoted(name)), help);
-            }
-            links.push(Link { kind: LinkKind::Point, name: name.to_owned(), place });
-        }
-        links
-    }
-
-    fn contact_scale(&mut self, keys: &mut KeyReader<'_>, kind: LawKind, at: usize) {
-        if !matches!(kind, LawKind::Contact(_)) {
-            return;
-        }
-        let scale =
-            keys.take("scale").and_then(|it| self.constant("scale", &it.node, Dimension::LENGTH));
-        self.contact_scales.push((at, scale.unwrap_or(1e-3)));
-    }
-
-    fn friction_text(&mut self, keys: &mut KeyReader<'_>, entry: &TomlEntry, kind: LawKind) {
-        match kind {
-            LawKind::Bearing(contact) => {
-                let text = self.friction_fields(keys, contact, entry.name.clone());
-                self.frictions.push(text);
-            }
-            LawKind::Contact(contact) => {
-                let Some(friction) = keys.take("friction") else { return };
-                let Some(mut keys) = KeyReader::new(&mut self.report, friction) else { return };
-                let name = format!("{}_friction", entry.name);
-                let text = self.friction_fields(&mut keys, contact, name);
-                keys.finish(&mut self.report);
-                self.frictions.push(text);
-            }
-            _ => {}
-        }
-    }
-
-    fn friction_fields(
-        &mut self,
-        keys: &mut KeyReader<'_>,
-        contact: usize,
-        name: String,
-    ) -> FrictionText {
-        let [slip, stiction, kinetic] =
-            ["slip", "stiction", "kinetic"].map(|name| self.field(keys, name));
-        let mut scales = (1.0, 1.0);
-        if let Some(entry) = keys.take("scales") {
-            let numbers = entry.node.items().unwrap_or(&[]);
-            let mut all = [1.0, 1.0];
-            for (slot, node) in all.iter_mut().zip(numbers) {
-                if let Some(file) = self.written("scales", node)
-                    && let Some(value) = self.value(&file, crate::text::Reach::NOTHING)
-                {
-                    *slot = self.graph.number(value.node).unwrap_or(1.0);
-                }
-            }
-            scales = (all[0], all[1]);
-        }
-        FrictionText { contact, name, slip, stiction, kinetic, scales }
-    }
-
-    pub(super) fn build_law(&mut self, item: &Item, index: usize, kind: LawKind) {
+    pub(super) fn build_law(&mut self, item: &DescribedItem, index: usize, kind: LawKind) {
         let built = match kind {
             LawKind::Spring(at) => self.spring(item).map(|it| (LawPlace::Force(at), it)),
             LawKind::Felt(at) => self.felt(item, "compression").map(|it| (LawPlace::Force(at), it)),
@@ -179,7 +50,7 @@ impl DescriptionReader {
     }
 
     /// The stretch of an item, and its rate.
-    fn stretch(&mut self, item: &Item, name: &str) -> Option<(Measured, Measured)> {
+    fn stretch(&mut self, item: &DescribedItem, name: &str) -> Option<(Measured, Measured)> {
         if let Some(file) = item.field(name) {
             let stretch = self.value(file, POSE)?;
             self.watch(file, stretch, None);
@@ -200,8 +71,8 @@ impl DescriptionReader {
         Some((stretch, rate))
     }
 
-    fn spring(&mut self, item: &Item) -> Option<(Force, Dimension)> {
-        if item.field("stretch").is_some() == !item.links.is_empty() {
+    fn spring(&mut self, item: &DescribedItem) -> Option<(Force, Dimension)> {
+        if item.field("stretch").is_none() == item.links.is_empty() {
             let message = format!("{} needs one of stretch and between", quoted(&item.name));
             self.report.miss(
                 item.place,
@@ -240,7 +111,7 @@ impl DescriptionReader {
     }
 
     /// F = k dⁿ (1 + c d'), never below 0; also the law of a contact.
-    fn felt(&mut self, item: &Item, name: &'static str) -> Option<(Force, Dimension)> {
+    fn felt(&mut self, item: &DescribedItem, name: &'static str) -> Option<(Force, Dimension)> {
         let (mut depth, mut rate) = self.stretch(item, name)?;
         if name == "gap" {
             depth.node = self.graph.negate(depth.node);
@@ -266,7 +137,7 @@ impl DescriptionReader {
         Some((felt_force(&mut self.graph, &item.name, &parts), tension))
     }
 
-    fn force(&mut self, item: &Item) -> Option<(Force, Dimension)> {
+    fn force(&mut self, item: &DescribedItem) -> Option<(Force, Dimension)> {
         let (stretch, rate) = self.stretch(item, "stretch")?;
         let tension = Dimension::ENERGY.over(stretch.dimension);
         let law = item.field("force")?;
@@ -284,7 +155,7 @@ impl DescriptionReader {
         Some((force, tension))
     }
 
-    fn contact(&mut self, item: &Item, at: usize) -> Option<(Force, Dimension)> {
+    fn contact(&mut self, item: &DescribedItem, at: usize) -> Option<(Force, Dimension)> {
         let gap = self.value(item.field("gap")?, POSE)?;
         self.fits("gap", item.field("gap")?, gap, Dimension::LENGTH).then_some(())?;
         let (force, dimension) = self.felt(item, "gap")?;
@@ -301,7 +172,7 @@ impl DescriptionReader {
     }
 
     /// A bearing: its friction alone, whose limits are built once every force is.
-    fn bearing(&mut self, item: &Item, index: usize, at: usize) {
+    fn bearing(&mut self, item: &DescribedItem, index: usize, at: usize) {
         let text = self.frictions.iter().find(|it| it.contact == at).cloned();
         let Some(slip) = text.and_then(|it| it.slip) else { return };
         let Some(slip) = self.value(&slip, STATE) else { return };
@@ -326,7 +197,7 @@ impl DescriptionReader {
     fn friction(&mut self, text: &FrictionText) -> Option<Friction> {
         let slip_file = text.slip.as_ref()?;
         let slip = self.value(slip_file, STATE)?;
-        if !self.is_linear_in_speeds(slip) {
+        if !is_linear_in_speeds(&self.graph, slip.node) {
             let message = format!("the slip of {} is not linear in the speeds", quoted(&text.name));
             self.report.say(
                 slip_file.place,
@@ -385,7 +256,7 @@ fn felt_force(graph: &mut Graph, name: &str, parts: &FeltParts) -> Force {
 }
 
 /// The expressions of a law.
-const fn law_keys(kind: LawKind) -> &'static [&'static str] {
+pub(super) const fn law_keys(kind: LawKind) -> &'static [&'static str] {
     match kind {
         LawKind::Spring(_) => &["stretch", "length", "stiffness", "damping"],
         LawKind::Felt(_) => &["compression", "stiffness", "exponent", "damping"],
@@ -396,7 +267,7 @@ const fn law_keys(kind: LawKind) -> &'static [&'static str] {
 }
 
 /// Those that it cannot do without.
-const fn needed_keys(kind: LawKind) -> &'static [&'static str] {
+pub(super) const fn needed_keys(kind: LawKind) -> &'static [&'static str] {
     match kind {
         LawKind::Spring(_) => &[],
         LawKind::Felt(_) => &["compression", "stiffness"],

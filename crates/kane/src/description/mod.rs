@@ -8,16 +8,22 @@ mod bases;
 mod caret;
 mod checks;
 mod declare;
+mod declare_geometry;
 mod drawing;
+mod expressions;
 mod geometry;
 mod guards;
 mod key_reader;
+mod law_texts;
 mod laws;
+mod linear;
 mod modes;
 mod names;
+mod names_in_use;
 mod order;
 mod outputs;
 mod parameters;
+mod presets;
 mod reachable;
 mod reader;
 mod report;
@@ -78,8 +84,8 @@ pub fn read_bytes(name: &str, bytes: &[u8], bases: &dyn Bases) -> Result<Descrip
     match str::from_utf8(bytes) {
         Ok(text) => read(name, text, bases),
         Err(error) => {
-            let before = bytes.get(..error.valid_up_to()).unwrap_or(&[]);
-            let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
+            let before = str::from_utf8(bytes.get(..error.valid_up_to()).unwrap_or(&[]));
+            let line = before.unwrap_or("").matches('\n').count() + 1;
             let message = format!("this is not UTF-8 text from line {line} on");
             Err(refused(name, &message))
         }

@@ -9,7 +9,7 @@ use super::source::SourcePlace;
 use super::toml_tree::TomlEntry;
 use crate::graph::Node;
 use crate::mechanism::Mode;
-use crate::text::{Dimension, Measured, Reach};
+use crate::text::{Dependence, Dimension, Measured};
 
 impl DescriptionReader {
     pub(super) fn modes(&mut self, root: &mut KeyReader<'_>) {
@@ -78,16 +78,11 @@ impl DescriptionReader {
     fn constraint_numbers(&mut self, names: &[(String, SourcePlace)]) -> Vec<usize> {
         let mut numbers = Vec::new();
         for (name, place) in names {
-            match self.names.constraints.index(name) {
-                Some(number) => numbers.push(number),
-                None => {
-                    let help = self.names.constraints.choice(name);
-                    self.report.say(
-                        *place,
-                        format!("there is no constraint {}", quoted(name)),
-                        help,
-                    );
-                }
+            if let Some(number) = self.names.constraints.index(name) {
+                numbers.push(number);
+            } else {
+                let help = self.names.constraints.choice(name);
+                self.report.say(*place, format!("there is no constraint {}", quoted(name)), help);
             }
         }
         numbers
@@ -132,7 +127,7 @@ impl DescriptionReader {
             let Some(file) = self.written(&entry.name, &entry.node) else { continue };
             let of = self.names.speeds.get(index).copied().unwrap_or_default();
             let of = of.over(Dimension::TIME);
-            let reach = STATE.and(Reach::FORCES).and(Reach::REACTIONS);
+            let reach = STATE.and(Dependence::FORCES).and(Dependence::REACTIONS);
             let Some(value) = self.mode_value(&entry.name, &file, reach, of, number) else {
                 continue;
             };
@@ -143,7 +138,7 @@ impl DescriptionReader {
             self.mode_value(name, &file, reach, dimension, number)
         };
         mode.energy = extra("energy", Dimension::ENERGY, STATE);
-        mode.dissipated = extra("dissipated", Dimension::POWER, STATE.and(Reach::FORCES));
+        mode.dissipated = extra("dissipated", Dimension::POWER, STATE.and(Dependence::FORCES));
     }
 
     /// Returns the number of the coordinate that an entry is named after.
@@ -182,14 +177,12 @@ impl DescriptionReader {
     fn readout(&mut self, keys: &mut KeyReader<'_>, mode: Option<usize>) -> Option<Node> {
         let file = self.field(keys, "readout")?;
         let dimension = Dimension::ENERGY.over(self.names.input);
-        match mode {
-            Some(mode) => self.mode_value("readout", &file, MOTION, dimension, mode),
-            None => {
-                let node = self.node("readout", &file, MOTION, dimension)?;
-                let mut all = self.forces_acting(|_| true);
-                Some(all.of(&mut self.graph, node))
-            }
+        if let Some(mode) = mode {
+            return self.mode_value("readout", &file, MOTION, dimension, mode);
         }
+        let node = self.node("readout", &file, MOTION, dimension)?;
+        let mut all = self.forces_acting(|_| true);
+        Some(all.of(&mut self.graph, node))
     }
 
     /// Returns the node of `file` in a mode: forces that do not act there are 0.
@@ -197,7 +190,7 @@ impl DescriptionReader {
         &mut self,
         name: &str,
         file: &FileExpression,
-        allowed: Reach,
+        allowed: Dependence,
         dimension: Dimension,
         mode: usize,
     ) -> Option<Node> {
@@ -214,7 +207,7 @@ impl DescriptionReader {
         mode: usize,
     ) -> Measured {
         let mut value = value;
-        if value.reach.meets(Reach::FORCES)
+        if value.reach.meets(Dependence::FORCES)
             && let Some(forces) = self.forces_in_modes.get_mut(mode)
         {
             value.node = forces.of(&mut self.graph, value.node);

@@ -6,7 +6,7 @@ use diagnostics::{choice, quoted};
 
 use super::source::SourcePlace;
 use crate::graph::{Graph, Node, Place, Tangent};
-use crate::text::{Dimension, Measured, NameError, NameScope, Reach};
+use crate::text::{Dependence, Dimension, Measured, NameError};
 
 /// What a name in an expression is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -27,19 +27,19 @@ pub(super) enum LawPlace {
 
 /// Named things of one kind.
 #[derive(Clone, Debug)]
-pub(super) struct Catalogue<T> {
+pub(super) struct NameCatalogue<T> {
     pub(super) names: BTreeMap<String, (usize, SourcePlace)>,
     /// What each is; none until it is built, or if it is wrong.
     pub(super) values: Vec<Option<T>>,
 }
 
-impl<T> Default for Catalogue<T> {
+impl<T> Default for NameCatalogue<T> {
     fn default() -> Self {
         Self { names: BTreeMap::new(), values: Vec::new() }
     }
 }
 
-impl<T: Clone> Catalogue<T> {
+impl<T: Clone> NameCatalogue<T> {
     pub(super) fn index(&self, name: &str) -> Option<usize> {
         self.names.get(name).map(|(index, _)| *index)
     }
@@ -75,7 +75,7 @@ impl<T: Clone> Catalogue<T> {
 #[derive(Debug, Default)]
 pub(super) struct NameTable {
     pub(super) symbols: BTreeMap<String, (SymbolKind, SourcePlace)>,
-    /// Part of a file is not readable: a name that is missing may stand there.
+    /// ExpressionPart of a file is not readable: a name that is missing may stand there.
     pub(super) is_broken: bool,
     /// Names whose unit is not known, because it was written wrong.
     pub(super) vague: BTreeSet<String>,
@@ -87,10 +87,10 @@ pub(super) struct NameTable {
     pub(super) speeds: Vec<Dimension>,
     pub(super) input: Dimension,
     pub(super) definitions: Vec<Option<Measured>>,
-    pub(super) points: Catalogue<[Node; 3]>,
-    pub(super) frames: Catalogue<super::geometry::WorldFrame>,
-    pub(super) laws: Catalogue<(LawPlace, Dimension)>,
-    pub(super) constraints: Catalogue<Dimension>,
+    pub(super) points: NameCatalogue<[Node; 3]>,
+    pub(super) frames: NameCatalogue<super::geometry::WorldFrame>,
+    pub(super) laws: NameCatalogue<(LawPlace, Dimension)>,
+    pub(super) constraints: NameCatalogue<Dimension>,
     motion: Option<Tangent>,
 }
 
@@ -101,23 +101,23 @@ impl NameTable {
         graph: &mut Graph,
         value: Measured,
     ) -> Result<Measured, NameError> {
-        let unknown = Reach::ACCELERATIONS.and(Reach::REACTIONS).and(Reach::FORCES);
+        let unknown = Dependence::ACCELERATIONS.and(Dependence::REACTIONS).and(Dependence::FORCES);
         if unknown.meets(value.reach) {
             return Err(NameError {
                 message: format!("the rate of {} is not known", unknown.words()),
                 help: "take rates of coordinates and speeds only".to_owned(),
             });
         }
-        let rates = Reach::COORDINATES.and(Reach::SPEEDS).and(Reach::PARAMETERS);
+        let rates = Dependence::COORDINATES.and(Dependence::SPEEDS).and(Dependence::PARAMETERS);
         let mut reach = value.reach;
-        if value.reach.meets(Reach::COORDINATES) {
+        if value.reach.meets(Dependence::COORDINATES) {
             reach = reach.and(rates);
         }
-        if value.reach.meets(Reach::SPEEDS) {
-            reach = reach.and(Reach::ACCELERATIONS);
+        if value.reach.meets(Dependence::SPEEDS) {
+            reach = reach.and(Dependence::ACCELERATIONS);
         }
-        if value.reach.meets(Reach::INPUT.and(Reach::INPUT_RATES)) {
-            reach = reach.and(Reach::INPUT_RATES);
+        if value.reach.meets(Dependence::INPUT.and(Dependence::INPUT_RATES)) {
+            reach = reach.and(Dependence::INPUT_RATES);
         }
         let mut motion = self.motion.take().unwrap_or_else(|| self.seeds(graph));
         let node = motion.of(graph, value.node);
@@ -144,25 +144,26 @@ impl NameTable {
     }
 
     /// Returns the unprimed value and how many primes are left to take.
-    fn first(
+    pub(super) fn first(
         &self,
         graph: &mut Graph,
         kind: SymbolKind,
         primes: u8,
     ) -> Result<(Measured, u8), Option<NameError>> {
-        let of = |graph: &mut Graph, place: Place, dimension: Option<&Dimension>, reach: Reach| {
-            let dimension = dimension.copied().unwrap_or_default();
-            Measured { node: graph.symbol(place), dimension, reach }
-        };
+        let of =
+            |graph: &mut Graph, place: Place, dimension: Option<&Dimension>, reach: Dependence| {
+                let dimension = dimension.copied().unwrap_or_default();
+                Measured { node: graph.symbol(place), dimension, reach }
+            };
         match kind {
             SymbolKind::Parameter(index) => {
                 let place = Place::Parameter(number(index));
-                let value = of(graph, place, self.parameters.get(index), Reach::PARAMETERS);
+                let value = of(graph, place, self.parameters.get(index), Dependence::PARAMETERS);
                 Ok((value, primes))
             }
             SymbolKind::Coordinate(index) if primes == 0 => {
                 let place = Place::Coordinate(number(index));
-                Ok((of(graph, place, self.coordinates.get(index), Reach::COORDINATES), 0))
+                Ok((of(graph, place, self.coordinates.get(index), Dependence::COORDINATES), 0))
             }
             SymbolKind::Coordinate(index) => {
                 let rate = self.rates.get(index).copied().flatten().ok_or(None)?;
@@ -170,21 +171,21 @@ impl NameTable {
             }
             SymbolKind::Speed(index) => {
                 let place = Place::Speed(number(index));
-                Ok((of(graph, place, self.speeds.get(index), Reach::SPEEDS), primes))
+                Ok((of(graph, place, self.speeds.get(index), Dependence::SPEEDS), primes))
             }
             SymbolKind::Definition(index) => {
                 let value = self.definitions.get(index).copied().flatten().ok_or(None)?;
                 Ok((value, primes))
             }
             SymbolKind::Input => {
-                let reach = if primes == 0 { Reach::INPUT } else { Reach::INPUT_RATES };
+                let reach = if primes == 0 { Dependence::INPUT } else { Dependence::INPUT_RATES };
                 let dimension = self.input.over(Dimension::TIME.to(primes.into()));
                 Ok((of(graph, Place::Input(primes), Some(&dimension), reach), 0))
             }
         }
     }
 
-    fn named(
+    pub(super) fn named(
         &self,
         graph: &mut Graph,
         function: &str,
@@ -211,7 +212,7 @@ impl NameTable {
                 };
                 let dimension = self.constraints.value(index).ok_or((0, None))?;
                 let node = graph.symbol(Place::Reaction(number(index)));
-                Ok(Measured { node, dimension, reach: Reach::REACTIONS })
+                Ok(Measured { node, dimension, reach: Dependence::REACTIONS })
             }
             _ => Err((0, None)),
         }
@@ -224,8 +225,8 @@ impl NameTable {
         };
         let (place, dimension) = self.laws.value(index).ok_or((0, None))?;
         let (place, reach) = match place {
-            LawPlace::Force(index) => (Place::Extra(number(index)), Reach::FORCES),
-            LawPlace::Contact(index) => (Place::Contact(number(index)), Reach::REACTIONS),
+            LawPlace::Force(index) => (Place::Extra(number(index)), Dependence::FORCES),
+            LawPlace::Contact(index) => (Place::Contact(number(index)), Dependence::REACTIONS),
         };
         Ok(Measured { node: graph.symbol(place), dimension, reach })
     }
@@ -240,7 +241,7 @@ impl NameTable {
 
 /// A length that depends on where things are.
 fn placed(node: Node) -> Measured {
-    let reach = Reach::COORDINATES.and(Reach::PARAMETERS).and(Reach::INPUT);
+    let reach = Dependence::COORDINATES.and(Dependence::PARAMETERS).and(Dependence::INPUT);
     Measured { node, dimension: Dimension::LENGTH, reach }
 }
 
@@ -264,67 +265,8 @@ pub(super) fn number(index: usize) -> u16 {
     u16::try_from(index).unwrap_or(u16::MAX)
 }
 
-/// The names as an expression may use them.
-#[derive(Debug)]
-pub(super) struct NamesInUse<'a> {
-    pub(super) names: &'a mut NameTable,
-    pub(super) allowed: Reach,
-}
-
-impl NameScope for NamesInUse<'_> {
-    fn value(
-        &mut self,
-        graph: &mut Graph,
-        name: &str,
-        primes: u8,
-    ) -> Result<Measured, Option<NameError>> {
-        if let ("pi", 0) = (name, primes) {
-            return Ok(pi(graph));
-        }
-        let Some((kind, _)) = self.names.symbols.get(name).copied() else {
-            if self.names.is_broken {
-                return Err(None);
-            }
-            let known = self.names.symbols.keys().map(String::as_str).chain(["pi"]);
-            let help = choice(name, known);
-            return Err(Some(NameError { message: format!("there is no {}", quoted(name)), help }));
-        };
-        if self.names.vague.contains(name) {
-            return Err(None);
-        }
-        if matches!(kind, SymbolKind::Parameter(_)) && primes > 0 {
-            let message = format!("{} is a parameter and has no rate", quoted(name));
-            let help = format!("use {name} without the prime");
-            return Err(Some(NameError { message, help }));
-        }
-        let (mut value, left) = self.names.first(graph, kind, primes)?;
-        for _ in 0..left {
-            value = self.names.total_rate(graph, value).map_err(Some)?;
-        }
-        Ok(value)
-    }
-
-    fn named(
-        &mut self,
-        graph: &mut Graph,
-        function: &str,
-        names: &[&str],
-    ) -> Result<Measured, (usize, Option<NameError>)> {
-        let value = self.names.named(graph, function, names);
-        value.map_err(|(at, error)| (at, error.filter(|_| !self.names.is_broken)))
-    }
-
-    fn rate(&mut self, graph: &mut Graph, value: Measured) -> Result<Measured, NameError> {
-        self.names.total_rate(graph, value)
-    }
-
-    fn allowed(&self) -> Reach {
-        self.allowed
-    }
-}
-
 /// π, which every expression knows.
 pub(super) fn pi(graph: &mut Graph) -> Measured {
     let node = graph.constant(std::f64::consts::PI);
-    Measured { node, dimension: Dimension::NONE, reach: Reach::NOTHING }
+    Measured { node, dimension: Dimension::NONE, reach: Dependence::NOTHING }
 }

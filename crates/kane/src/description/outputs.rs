@@ -17,14 +17,11 @@ impl DescriptionReader {
 
     fn output(&mut self, entry: &TomlEntry) {
         let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { return };
-        let value = match keys.take("value") {
-            Some(value) => self.written("value", &value.node),
-            // Without a value it is the definition of its name.
-            None => {
-                let kind = TomlKind::Text(entry.name.clone(), true);
-                self.written("value", &TomlNode { place: entry.place, kind })
-            }
-        };
+        // Without a value it is the definition of its name.
+        let kind = TomlKind::Text(entry.name.clone(), true);
+        let named = TomlNode { place: entry.place, kind };
+        let value = keys.take("value").map_or(&named, |it| &it.node);
+        let value = self.written("value", value);
         let has_unit = keys.take("unit").is_some();
         let unit = self.unit(&mut keys, "unit");
         let others = self.in_modes(&mut keys);

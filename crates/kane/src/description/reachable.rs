@@ -20,7 +20,8 @@ impl DescriptionReader {
                 self.report.say(place, message, help);
             }
             let has_exit = self.mechanism.modes.get(index).is_some_and(|it| {
-                it.guards.iter().any(|guard| guard.branches.iter().any(|way| way.to != index))
+                let mut ways = it.guards.iter().flat_map(|guard| &guard.branches);
+                ways.any(|way| way.to != index || way.impact.is_some_and(|it| it.settles.is_some()))
             });
             if !has_exit && !self.final_modes.contains(&index) {
                 let message = format!("the mode {} has no exit", quoted(&name));

@@ -1,45 +1,57 @@
 //! The reading of one description, from its text to the mechanism.
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "TOML has many kinds of values, and each place takes few of them"
+)]
 
 use diagnostics::{Diagnostics, quoted};
 
 use super::bases::{self, Bases};
-use super::key_reader::{KeyReader, wrong_kind};
+use super::key_reader::KeyReader;
 use super::laws::FrictionText;
-use super::names::{NameTable, NamesInUse};
+use super::names::NameTable;
 use super::parameters::ParameterText;
 use super::report::FindingList;
-use super::resolve::Item;
+use super::resolve::DescribedItem;
 use super::source::{DescriptionSource, SourcePlace};
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
-use super::{Description, MOST_EXPRESSIONS, MOST_OF_A_KIND};
+use super::{Description, MOST_OF_A_KIND};
 use crate::graph::{Graph, Node, Substitution};
 use crate::mechanism::{Constraint, Contact, Force, Mechanism};
-use crate::text::{self, Dimension, Expression, Form, Measured, Reach, TextError};
+use crate::text::{Dependence, Expression, Measured};
 
 /// Most operands that all expressions of a description may have.
 const HEAVIEST: usize = 100_000;
 
 /// What laws and requirements are over.
-pub(super) const CONSTANT: Reach = Reach::PARAMETERS;
+pub(super) const CONSTANT: Dependence = Dependence::PARAMETERS;
 /// What places are over.
-pub(super) const POSE: Reach = Reach::PARAMETERS.and(Reach::COORDINATES).and(Reach::INPUT);
+pub(super) const POSE: Dependence =
+    Dependence::PARAMETERS.and(Dependence::COORDINATES).and(Dependence::INPUT);
 /// What forces are over.
-pub(super) const STATE: Reach = POSE.and(Reach::SPEEDS).and(Reach::INPUT_RATES);
+pub(super) const STATE: Dependence = POSE.and(Dependence::SPEEDS).and(Dependence::INPUT_RATES);
 /// What outputs are over.
-pub(super) const MOTION: Reach =
-    STATE.and(Reach::ACCELERATIONS).and(Reach::REACTIONS).and(Reach::FORCES);
+pub(super) const MOTION: Dependence =
+    STATE.and(Dependence::ACCELERATIONS).and(Dependence::REACTIONS).and(Dependence::FORCES);
 
 /// An expression of a file.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct FileExpression {
     pub(super) place: SourcePlace,
-    /// Whether its bytes are those of the file from there on.
-    pub(super) is_exact: bool,
+    pub(super) origin: TextOrigin,
     pub(super) expression: Expression,
 }
 
-impl FileExpression {
-    fn at(&self, offset: usize) -> SourcePlace {
+/// Where a text begins.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct TextOrigin {
+    pub(super) place: SourcePlace,
+    /// Whether its bytes are those of the file from there on.
+    pub(super) is_exact: bool,
+}
+
+impl TextOrigin {
+    pub(super) fn at(&self, offset: usize) -> SourcePlace {
         if self.is_exact { self.place.after(offset) } else { self.place }
     }
 }
@@ -50,7 +62,7 @@ pub(super) struct WatchedNode {
     pub(super) node: Node,
     pub(super) place: SourcePlace,
     pub(super) text: String,
-    pub(super) reach: Reach,
+    pub(super) reach: Dependence,
     /// The mode in which alone it counts.
     pub(super) mode: Option<usize>,
 }
@@ -62,7 +74,7 @@ pub(super) struct DescriptionReader {
     pub(super) graph: Graph,
     pub(super) names: NameTable,
     pub(super) mechanism: Mechanism,
-    pub(super) items: Vec<Item>,
+    pub(super) items: Vec<DescribedItem>,
     pub(super) parameters: Vec<ParameterText>,
     /// Tensions of forces by name, in each mode; the last is with all of them.
     pub(super) forces_in_modes: Vec<Substitution>,
@@ -71,6 +83,8 @@ pub(super) struct DescriptionReader {
     pub(super) modes: Vec<(String, SourcePlace)>,
     /// Whether all of the modes was understood.
     pub(super) are_modes_whole: bool,
+    /// A way out of a mode was not understood.
+    pub(super) has_lost_ways: bool,
     /// Modes that are meant to last.
     pub(super) final_modes: Vec<usize>,
     pub(super) rest_place: SourcePlace,
@@ -86,10 +100,10 @@ pub(super) struct DescriptionReader {
     pub(super) built_constraints: Vec<(usize, Constraint)>,
     pub(super) built_forces: Vec<(usize, Force)>,
     pub(super) built_contacts: Vec<(usize, Contact)>,
-    expressions: usize,
+    pub(super) expressions: usize,
     weight: usize,
     weighed: usize,
-    is_full: bool,
+    pub(super) is_full: bool,
 }
 
 impl DescriptionReader {
@@ -121,10 +135,10 @@ impl DescriptionReader {
         self.resolve();
         self.bodies(&mut root);
         let before = self.report.len();
-        self.are_modes_whole = self.names.vague.is_empty();
         self.modes(&mut root);
         self.rest(&mut root);
-        self.are_modes_whole &= self.report.len() == before && !self.report.is_broken;
+        self.are_modes_whole =
+            self.report.len() == before && !self.report.is_broken && !self.has_lost_ways;
         self.outputs(&mut root);
         self.damper(&mut root);
         self.drawing(&mut root);
@@ -174,162 +188,11 @@ impl DescriptionReader {
         is_too_many
     }
 
-    /// Returns the expression of an entry called `name`.
-    pub(super) fn written(&mut self, name: &str, node: &TomlNode) -> Option<FileExpression> {
-        self.written_as(name, node, Form::Value)
-    }
-
-    /// Returns the expression of the key `name`, if it is there.
-    pub(super) fn field(
-        &mut self,
-        keys: &mut KeyReader<'_>,
-        name: &'static str,
-    ) -> Option<FileExpression> {
-        let entry = keys.take(name)?;
-        self.written(name, &entry.node)
-    }
-
-    pub(super) fn written_as(
-        &mut self,
-        name: &str,
-        node: &TomlNode,
-        form: Form,
-    ) -> Option<FileExpression> {
-        self.expressions += 1;
-        if self.expressions > MOST_EXPRESSIONS {
-            self.fill(node.place, &format!("there are more than {MOST_EXPRESSIONS} expressions"));
-            return None;
-        }
-        let (text, is_exact) = match &node.kind {
-            TomlKind::Text(text, is_exact) => (text.clone(), *is_exact),
-            TomlKind::Integer(number) => (number.to_string(), true),
-            TomlKind::Float(number) if number.is_finite() => (format!("{number:e}"), false),
-            _ => {
-                let help = "write an expression in quotes, as \"2 mm\"";
-                wrong_kind(&mut self.report, name, node, "an expression", help);
-                return None;
-            }
-        };
-        match text::parse(&text, form) {
-            Ok(expression) => Some(FileExpression { place: node.place, is_exact, expression }),
-            Err(error) => {
-                self.say(node.place, is_exact, &error);
-                None
-            }
-        }
-    }
-
-    fn say(&mut self, place: SourcePlace, is_exact: bool, error: &TextError) {
-        let at = |offset: usize| if is_exact { place.after(offset) } else { place };
-        let here = at(error.span.start);
-        let message = match &error.other {
-            Some(other) => {
-                let there = self.report.describe(at(other.start), here);
-                format!("{} (at {there})", error.message)
-            }
-            None => error.message.clone(),
-        };
-        self.report.say(here, message, error.help.clone());
-    }
-
-    /// Returns the value of `file`, which may depend on `allowed`.
-    pub(super) fn value(&mut self, file: &FileExpression, allowed: Reach) -> Option<Measured> {
-        if self.is_full {
-            return None;
-        }
-        let mut scope = NamesInUse { names: &mut self.names, allowed };
-        match text::build(&file.expression, &mut self.graph, &mut scope) {
-            Ok(value) => {
-                self.weigh(file.place);
-                Some(value)
-            }
-            Err(errors) => {
-                self.say_all(file, &errors);
-                None
-            }
-        }
-    }
-
-    /// Reports what is wrong with `file`.
-    pub(super) fn say_all(&mut self, file: &FileExpression, errors: &[TextError]) {
-        for error in errors {
-            self.say(file.place, file.is_exact, error);
-        }
-    }
-
-    /// Returns the node of `file`, called `name`, which must be of `dimension`.
-    pub(super) fn node(
-        &mut self,
-        name: &str,
-        file: &FileExpression,
-        allowed: Reach,
-        dimension: Dimension,
-    ) -> Option<Node> {
-        let value = self.value(file, allowed)?;
-        self.fits(name, file, value, dimension).then_some(value.node)
-    }
-
-    /// Whether `value` of `file`, called `name`, is of `dimension`; reports what is not.
-    pub(super) fn fits(
-        &mut self,
-        name: &str,
-        file: &FileExpression,
-        value: Measured,
-        dimension: Dimension,
-    ) -> bool {
-        let is_plain_zero = value.dimension.is_none() && self.graph.is_zero(value.node);
-        if self.names.vague.contains(name) || is_plain_zero || value.dimension.fits(dimension) {
-            return true;
-        }
-        let message = format!("{} is in {}, not in {dimension}", quoted(name), value.dimension);
-        let help = if value.dimension.is_none() && file.expression.is_literal() {
-            format!("write its unit, as \"{} {dimension}\"", file.expression.text.trim())
-        } else {
-            format!("make it a quantity in {dimension}")
-        };
-        self.report.say(file.place, message, help);
-        false
-    }
-
-    /// Returns the constant number of `file`, called `name`.
-    pub(super) fn number(
-        &mut self,
-        name: &str,
-        file: &FileExpression,
-        dimension: Dimension,
-    ) -> Option<f64> {
-        let node = self.node(name, file, Reach::NOTHING, dimension)?;
-        let number = self.graph.number(node);
-        if number.is_none_or(|it| !it.is_finite()) {
-            let message = format!("{} is no finite number", quoted(name));
-            self.report.say(file.place, message, "write a number with its unit");
-            return None;
-        }
-        number
-    }
-
-    /// Returns the number of the key `name`; bare numbers are in SI.
-    pub(super) fn constant(
-        &mut self,
-        name: &str,
-        node: &TomlNode,
-        dimension: Dimension,
-    ) -> Option<f64> {
-        match node.kind {
-            TomlKind::Integer(number) => Some(number as f64),
-            TomlKind::Float(number) if number.is_finite() => Some(number),
-            _ => {
-                let file = self.written(name, node)?;
-                self.number(name, &file, dimension)
-            }
-        }
-    }
-
     /// Remembers to look at a value where the mechanism rests.
     pub(super) fn watch(&mut self, file: &FileExpression, value: Measured, mode: Option<usize>) {
         let Measured { node, reach, .. } = value;
         let text = file.expression.text.clone();
-        self.watched.push(WatchedNode { node, place: file.at(0), text, reach, mode });
+        self.watched.push(WatchedNode { node, place: file.place, text, reach, mode });
     }
 
     /// Counts what was built since the last time.
@@ -346,7 +209,7 @@ impl DescriptionReader {
         }
     }
 
-    fn fill(&mut self, place: SourcePlace, message: &str) {
+    pub(super) fn fill(&mut self, place: SourcePlace, message: &str) {
         if !self.is_full {
             self.report.say(place, message, "make the description smaller");
         }

@@ -4,19 +4,19 @@ use diagnostics::{Diagnostic, Diagnostics};
 
 use super::source::{DescriptionSource, LineIndex, SourcePlace};
 
-/// Most mistakes that are reported.
-const MOST: usize = 100;
-
 /// The mistakes found so far in a description and its bases.
 #[derive(Debug, Default)]
 pub(super) struct FindingList {
     sources: Vec<(DescriptionSource, LineIndex)>,
-    /// Part of a file could not be read, so what seems missing may stand there.
+    /// ExpressionPart of a file could not be read, so what seems missing may stand there.
     pub(super) is_broken: bool,
     found: Vec<Diagnostic>,
 }
 
 impl FindingList {
+    /// Most mistakes that are reported.
+    pub(super) const MOST: usize = 100;
+
     /// Adds a source; returns its number.
     pub(super) fn source(&mut self, source: DescriptionSource) -> usize {
         let lines = LineIndex::new(&source.text);
@@ -35,7 +35,7 @@ impl FindingList {
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
-        if self.found.len() >= MOST {
+        if self.found.len() >= Self::MOST {
             return;
         }
         let position = self.position(place);

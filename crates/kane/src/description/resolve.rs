@@ -1,22 +1,27 @@
 //! Builds what is named, each thing after what it is made of.
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "TOML has many kinds of values, and each place takes few of them"
+)]
 
 use diagnostics::quoted;
 
+use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
 use super::order::sorted;
 use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, POSE, STATE};
 use super::source::SourcePlace;
 use crate::mechanism::{Constraint, ConstraintKind};
-use crate::text::{Dimension, Measured, Shape};
+use crate::text::{Dimension, Measured, PartShape};
 
 /// Something with a name and expressions, which others can use.
 #[derive(Clone, Debug)]
-pub(super) struct Item {
+pub(super) struct DescribedItem {
     pub(super) kind: ItemKind,
     pub(super) name: String,
     pub(super) place: SourcePlace,
     pub(super) fields: Vec<(&'static str, FileExpression)>,
-    pub(super) links: Vec<Link>,
+    pub(super) links: Vec<ItemLink>,
 }
 
 /// What an item is, with its number among its kind.
@@ -44,7 +49,7 @@ pub(super) enum LawKind {
 
 /// The name of another item.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Link {
+pub(super) struct ItemLink {
     pub(super) kind: LinkKind,
     pub(super) name: String,
     pub(super) place: SourcePlace,
@@ -56,7 +61,7 @@ pub(super) enum LinkKind {
     Point,
 }
 
-impl Item {
+impl DescribedItem {
     pub(super) fn field(&self, name: &str) -> Option<&FileExpression> {
         self.fields.iter().find(|(known, _)| *known == name).map(|(_, field)| field)
     }
@@ -73,7 +78,7 @@ struct ItemIndex {
 }
 
 impl ItemIndex {
-    fn new(items: &[Item]) -> Self {
+    fn new(items: &[DescribedItem]) -> Self {
         let of = |wanted: fn(ItemKind) -> bool| {
             let all = items.iter().enumerate().filter(|(_, item)| wanted(item.kind));
             all.map(|(index, _)| index).collect()
@@ -117,7 +122,7 @@ impl DescriptionReader {
         self.report.say(place.unwrap_or_default(), message, "take one of them out of another");
     }
 
-    fn needs(&self, item: &Item, index: &ItemIndex) -> Vec<usize> {
+    fn needs(&self, item: &DescribedItem, index: &ItemIndex) -> Vec<usize> {
         let mut needs = Vec::new();
         if matches!(item.kind, ItemKind::Law(..) | ItemKind::Constraint(..)) {
             needs.extend(&index.rates);
@@ -146,9 +151,9 @@ impl DescriptionReader {
         }
     }
 
-    fn part_needs(&self, shape: &Shape, index: &ItemIndex, needs: &mut Vec<usize>) {
+    fn part_needs(&self, shape: &PartShape, index: &ItemIndex, needs: &mut Vec<usize>) {
         match shape {
-            Shape::Name { name, primes } => {
+            PartShape::Name { name, primes } => {
                 let symbol = self.names.symbols.get(name).map(|(kind, _)| *kind);
                 if let Some(SymbolKind::Definition(at)) = symbol {
                     needs.extend(index.definitions.get(at));
@@ -157,8 +162,8 @@ impl DescriptionReader {
                     needs.extend(&index.rates);
                 }
             }
-            Shape::Call { function, .. } if function == "rate" => needs.extend(&index.rates),
-            Shape::Named { function, names } => {
+            PartShape::Call { function, .. } if function == "rate" => needs.extend(&index.rates),
+            PartShape::Named { function, names } => {
                 for (name, _) in names {
                     needs.extend(self.named_need(function, name, index));
                 }
@@ -176,7 +181,7 @@ impl DescriptionReader {
         list.get(at).copied()
     }
 
-    fn build_item(&mut self, item: &Item) {
+    fn build_item(&mut self, item: &DescribedItem) {
         match item.kind {
             ItemKind::Input => self.build_input(item),
             ItemKind::Rate(index) => self.build_rate(item, index),
@@ -193,13 +198,13 @@ impl DescriptionReader {
         }
     }
 
-    fn build_input(&mut self, item: &Item) {
+    fn build_input(&mut self, item: &DescribedItem) {
         let dimension = self.names.input.over(Dimension::LENGTH);
         let Some(file) = item.field("per_metre") else { return };
         self.mechanism.input.per_metre = self.node("per_metre", file, CONSTANT, dimension);
     }
 
-    fn build_rate(&mut self, item: &Item, index: usize) {
+    fn build_rate(&mut self, item: &DescribedItem, index: usize) {
         let Some(file) = item.field("value") else { return };
         let Some(value) = self.value(file, STATE) else { return };
         let of = self.names.coordinates.get(index).copied().unwrap_or_default();
@@ -214,19 +219,19 @@ impl DescriptionReader {
         }
     }
 
-    fn build_constraint(&mut self, item: &Item, index: usize, kind: ConstraintKind) {
+    fn build_constraint(&mut self, item: &DescribedItem, index: usize, kind: ConstraintKind) {
         let Some(file) = item.field("zero") else { return };
         let is_holonomic = kind == ConstraintKind::Holonomic;
         let Some(zero) = self.value(file, if is_holonomic { POSE } else { STATE }) else { return };
         let rate = if is_holonomic { self.rate_of(file, zero) } else { Some(zero) };
         let Some(rate) = rate else { return };
-        if !is_holonomic && !self.is_linear_in_speeds(zero) {
+        if !is_holonomic && !is_linear_in_speeds(&self.graph, zero.node) {
             let message = format!("{} is not linear in the speeds", quoted(&item.name));
             let help = "write it as a sum of speeds, each times a value without speeds";
             self.report.say(file.place, message, help);
             return;
         }
-        // Power is reaction times rate.
+        // BindingPower is reaction times rate.
         self.names.constraints.set(index, Dimension::POWER.over(rate.dimension));
         self.watch(file, zero, None);
         let name = item.name.clone();
@@ -246,16 +251,6 @@ impl DescriptionReader {
                 None
             }
         }
-    }
-
-    /// Whether the slopes of `value` by the speeds are without speeds.
-    pub(super) fn is_linear_in_speeds(&mut self, value: Measured) -> bool {
-        use crate::graph::Place;
-        let is_speed = |place: Place| matches!(place, Place::Speed(_));
-        (0u16..).zip(self.names.speeds.clone()).all(|(index, _)| {
-            let slope = self.graph.partial(value.node, Place::Speed(index));
-            !self.graph.depends(slope, is_speed)
-        })
     }
 
     /// Puts what was built into the order in which it was declared.

@@ -7,7 +7,7 @@ use super::names::SymbolKind;
 use super::reader::{CONSTANT, DescriptionReader};
 use super::toml_tree::{TomlEntry, TomlNode};
 use crate::mechanism::{Damper, Rest};
-use crate::text::{Dimension, Form, Reach};
+use crate::text::{Dependence, Dimension, Form};
 
 impl DescriptionReader {
     pub(super) fn rest(&mut self, root: &mut KeyReader<'_>) {
@@ -39,12 +39,11 @@ impl DescriptionReader {
         let mut is_decided = false;
         for node in keys.list(&mut self.report, "mode") {
             let Some((mode, when)) = self.rest_way(node) else { continue };
-            match when {
-                Some(when) => rest.instead.push((when, mode)),
-                None => {
-                    rest.mode = mode;
-                    is_decided = true;
-                }
+            if let Some(when) = when {
+                rest.instead.push((when, mode));
+            } else {
+                rest.mode = mode;
+                is_decided = true;
             }
         }
         if !is_decided {
@@ -78,7 +77,7 @@ impl DescriptionReader {
         };
         let Some(file) = self.written(&entry.name, &entry.node) else { return };
         let dimension = self.names.coordinates.get(index).copied().unwrap_or_default();
-        let reach = CONSTANT.and(Reach::INPUT);
+        let reach = CONSTANT.and(Dependence::INPUT);
         let value = self.node(&entry.name, &file, reach, dimension);
         if let Some(slot) = self.rest_places.get_mut(index) {
             *slot = Some(entry.place);

@@ -10,6 +10,9 @@ use super::source::SourcePlace;
 /// Lines that are left out in turn because they are no TOML, to find more mistakes after them.
 const MOST_BROKEN_LINES: usize = 20;
 
+/// A file that is larger than anybody's description (bytes).
+const LARGE: usize = 1 << 17;
+
 /// Most dots on a line: a key with thousands of parts would make a tree as deep.
 const MOST_DOTS: usize = 2_000;
 
@@ -87,7 +90,9 @@ pub(super) fn parse(report: &mut FindingList, source: usize) -> Option<TomlNode>
         return None;
     }
     let mut left_out = Vec::new();
-    for _ in 0..MOST_BROKEN_LINES {
+    // A large file that is something else is not read twenty times.
+    let most = if text.len() > LARGE { 2 } else { MOST_BROKEN_LINES };
+    for _ in 0..most {
         let error = match Document::parse(text.as_str()) {
             Ok(document) => {
                 let tree = TreeMaker { source, text: &text };
@@ -163,7 +168,7 @@ impl TreeMaker<'_> {
     fn value(&self, value: &toml_edit::Value) -> TomlNode {
         use toml_edit::Value as Toml;
         let kind = match value {
-            Toml::String(text) => return self.string(text.value(), value.span()),
+            Toml::String(text) => return self.string(text.value(), &value.span().unwrap_or(0..0)),
             Toml::Integer(number) => TomlKind::Integer(*number.value()),
             Toml::Float(number) => TomlKind::Float(*number.value()),
             Toml::Boolean(truth) => TomlKind::Truth(*truth.value()),
@@ -175,9 +180,9 @@ impl TreeMaker<'_> {
     }
 
     /// A text; its place is that of its first character where it has no escapes.
-    fn string(&self, text: &str, span: Option<Range<usize>>) -> TomlNode {
-        let start = span.as_ref().map_or(0, |it| it.start);
-        let raw = span.clone().and_then(|it| self.text.get(it)).unwrap_or("");
+    fn string(&self, text: &str, span: &Range<usize>) -> TomlNode {
+        let start = span.start;
+        let raw = self.text.get(span.clone()).unwrap_or("");
         let quotes = if raw.starts_with("\"\"\"") || raw.starts_with("'''") { 3 } else { 1 };
         let inner = raw.get(quotes..).unwrap_or("");
         let newline = if quotes == 3 {

@@ -18,6 +18,7 @@ mod linear;
 mod mass_factor;
 mod motion;
 mod numeric;
+mod poses;
 mod projection;
 mod reset;
 mod speed_checks;
@@ -25,6 +26,7 @@ mod speeds;
 mod vector;
 
 pub use error::{DerivationError, Obstacle};
+pub use poses::drawn_frames;
 
 use crate::graph::{Graph, Place};
 use crate::mechanism::Mechanism;
@@ -40,6 +42,7 @@ use numeric::NumericPose;
 /// Returns every reason for which a mode has none.
 pub fn derive(mut mechanism: Mechanism) -> Result<System, Vec<DerivationError>> {
     let mut graph = std::mem::take(&mut mechanism.graph);
+    poses::add(&mut graph, &mut mechanism);
     let mut system = derived(&mut graph, mechanism)?;
     system.mechanism.graph = graph;
     Ok(system)

@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use diagnostics::quoted;
 
-use super::expression::{Expression, Part, Shape};
+use super::expression::{Expression, ExpressionPart, PartShape};
 use super::functions::{Function, UnitRule, function};
-use super::{Dimension, Measured, NameError, NameScope, Reach, TextError};
+use super::{Dependence, Dimension, Measured, NameError, NameScope, TextError};
 use crate::graph::{BinaryFunction, Graph, UnaryFunction};
 
 /// Returns the value of `expression` in `scope`.
@@ -41,27 +41,27 @@ struct ValueBuilder<'a> {
 }
 
 impl ValueBuilder<'_> {
-    fn part(&mut self, part: &Part) -> Option<Measured> {
+    fn part(&mut self, part: &ExpressionPart) -> Option<Measured> {
         match &part.shape {
-            Shape::Number { value, dimension, .. } => {
+            PartShape::Number { value, dimension, .. } => {
                 let node = self.graph.constant(*value);
-                Some(Measured { node, dimension: *dimension, reach: Reach::NOTHING })
+                Some(Measured { node, dimension: *dimension, reach: Dependence::NOTHING })
             }
-            Shape::Name { name, primes } => {
+            PartShape::Name { name, primes } => {
                 let value = self.scope.value(self.graph, name, *primes);
                 let value = value.map_err(|it| self.refuse(&part.span, it)).ok()?;
                 self.within_reach(value, &part.span)
             }
-            Shape::Named { function, names } => self.of_names(function, names, part),
-            Shape::Sum(terms) => self.sum(terms),
-            Shape::Product(factors) => self.product(factors),
-            Shape::Power(base, exponent) => self.power(*base, *exponent),
-            Shape::Negative(inner) => {
+            PartShape::Named { function, names } => self.of_names(function, names, part),
+            PartShape::Sum(terms) => self.sum(terms),
+            PartShape::Product(factors) => self.product(factors),
+            PartShape::Power(base, exponent) => self.power(*base, *exponent),
+            PartShape::Negative(inner) => {
                 let value = self.value(*inner)?;
                 Some(Measured { node: self.graph.negate(value.node), ..value })
             }
-            Shape::Call { function, arguments } => self.call(function, arguments, part),
-            Shape::Greater(large, small) => self.greater(*large, *small),
+            PartShape::Call { function, arguments } => self.call(function, arguments, part),
+            PartShape::Greater(large, small) => self.greater(*large, *small),
         }
     }
 
@@ -99,7 +99,7 @@ impl ValueBuilder<'_> {
         &mut self,
         function: &str,
         names: &[(String, Range<usize>)],
-        part: &Part,
+        part: &ExpressionPart,
     ) -> Option<Measured> {
         let written: Vec<_> = names.iter().map(|(name, _)| name.as_str()).collect();
         match self.scope.named(self.graph, function, &written) {
@@ -159,13 +159,13 @@ impl ValueBuilder<'_> {
             .zip(terms)
             .map(|(value, (_, is_negative))| (value.node, if *is_negative { -1.0 } else { 1.0 }))
             .collect();
-        let reach = values.iter().fold(Reach::NOTHING, |all, it| all.and(it.reach));
+        let reach = values.iter().fold(Dependence::NOTHING, |all, it| all.and(it.reach));
         Some(Measured { node: self.graph.sum(&signed), dimension: dimension?, reach })
     }
 
     fn product(&mut self, factors: &[(usize, bool)]) -> Option<Measured> {
         let mut dimension = Dimension::NONE;
-        let mut reach = Reach::NOTHING;
+        let mut reach = Dependence::NOTHING;
         let mut nodes = Vec::with_capacity(factors.len());
         for (part, divides) in factors {
             let value = self.value(*part)?;
@@ -237,10 +237,10 @@ impl ValueBuilder<'_> {
         Some(Measured { node, dimension, reach: a.reach.and(b.reach) })
     }
 
-    fn call(&mut self, name: &str, arguments: &[usize], part: &Part) -> Option<Measured> {
+    fn call(&mut self, name: &str, arguments: &[usize], part: &ExpressionPart) -> Option<Measured> {
         let values: Option<Vec<_>> = arguments.iter().map(|it| self.value(*it)).collect();
         let values = values?;
-        let reach = values.iter().fold(Reach::NOTHING, |all, it| all.and(it.reach));
+        let reach = values.iter().fold(Dependence::NOTHING, |all, it| all.and(it.reach));
         match (function(name)?, values.as_slice(), arguments) {
             (Function::Unary(function, rule), [x], [at]) => self.unary((function, rule), *x, *at),
             (Function::Tangent, [x], [at]) => {

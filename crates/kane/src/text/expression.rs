@@ -4,25 +4,25 @@ use std::ops::Range;
 
 use super::Dimension;
 
-/// What was written.
+/// A text that was read, as a list of parts.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Expression {
     /// The text itself, for messages.
     pub text: String,
     /// Its parts, operands first; the last is the whole.
-    pub parts: Vec<Part>,
+    pub parts: Vec<ExpressionPart>,
 }
 
 /// A part of an expression.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Part {
-    pub shape: Shape,
+pub struct ExpressionPart {
+    pub shape: PartShape,
     pub span: Range<usize>,
 }
 
 /// What a part is made of; numbers are those of other parts.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Shape {
+pub enum PartShape {
     /// A number in SI; its unit in SI, if it was written with one.
     Number {
         value: f64,
@@ -57,7 +57,7 @@ pub enum Shape {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
     Value,
-    /// A comparison.
+    /// A comparison of two values.
     Condition,
 }
 
@@ -65,15 +65,15 @@ impl Expression {
     /// Returns the unit in SI of an expression that is one number.
     pub fn literal_unit(&self) -> Option<&str> {
         self.parts.iter().find_map(|part| match &part.shape {
-            Shape::Number { unit, .. } => unit.as_deref(),
-            Shape::Name { .. }
-            | Shape::Sum(_)
-            | Shape::Product(_)
-            | Shape::Power(..)
-            | Shape::Negative(_)
-            | Shape::Call { .. }
-            | Shape::Named { .. }
-            | Shape::Greater(..) => None,
+            PartShape::Number { unit, .. } => unit.as_deref(),
+            PartShape::Name { .. }
+            | PartShape::Sum(_)
+            | PartShape::Product(_)
+            | PartShape::Power(..)
+            | PartShape::Negative(_)
+            | PartShape::Call { .. }
+            | PartShape::Named { .. }
+            | PartShape::Greater(..) => None,
         })
     }
 
@@ -81,7 +81,7 @@ impl Expression {
     pub fn is_literal(&self) -> bool {
         self.parts
             .iter()
-            .all(|part| matches!(part.shape, Shape::Number { .. } | Shape::Negative(_)))
+            .all(|part| matches!(part.shape, PartShape::Number { .. } | PartShape::Negative(_)))
     }
 
     /// Returns the text of a part.

@@ -15,13 +15,13 @@ pub(super) enum UnitRule {
     Root,
 }
 
-/// A function.
+/// A function of an expression.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Function {
     Unary(UnaryFunction, UnitRule),
     Binary(BinaryFunction, UnitRule),
     Tangent,
-    /// A choice.
+    /// A choice between two values.
     If,
     /// The total rate along the motion.
     Rate,

@@ -38,7 +38,7 @@ const MOST_PRIMES: usize = 3;
 
 /// Cuts `text`; the last piece is its end.
 pub(super) fn lex(text: &str) -> Result<Vec<Lexeme>, TextError> {
-    let mut lexer = Lexer { text, at: 0, lexemes: Vec::new() };
+    let mut lexer = Lexer { text, at: 0, lexemes: Vec::new(), is_after_space: false };
     while lexer.one()? {}
     Ok(lexer.lexemes)
 }
@@ -47,6 +47,8 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     lexemes: Vec<Lexeme>,
+    /// Whether a space stands before the next piece.
+    is_after_space: bool,
 }
 
 impl Lexer<'_> {
@@ -58,31 +60,33 @@ impl Lexer<'_> {
     fn one(&mut self) -> Result<bool, TextError> {
         let rest = self.rest();
         let trimmed = rest.trim_start();
-        let is_after_space = trimmed.len() < rest.len();
-        self.at += rest.len() - trimmed.len();
+        let spaces = rest.len() - trimmed.len();
+        self.at += spaces;
+        self.is_after_space = spaces > 0;
         let Some(first) = self.rest().chars().next() else {
-            self.push(LexemeKind::End, 0, is_after_space);
+            self.push(LexemeKind::End, 0);
             return Ok(false);
         };
         if first.is_ascii_digit() || first == '.' {
-            return self.number(is_after_space).map(|()| true);
+            return self.number().map(|()| true);
         }
         if first.is_alphabetic() || first == '_' {
-            return self.name(is_after_space).map(|()| true);
+            return self.name().map(|()| true);
         }
         if let Some(power) = [('²', 2.0), ('³', 3.0)].iter().find(|(it, _)| *it == first) {
-            self.push(LexemeKind::Caret, 0, is_after_space);
-            self.push(LexemeKind::Number(power.1), first.len_utf8(), false);
+            self.push(LexemeKind::Caret, 0);
+            self.push(LexemeKind::Number(power.1), first.len_utf8());
             return Ok(true);
         }
         let kind = sign(first).ok_or_else(|| self.strange(first))?;
-        self.push(kind, first.len_utf8(), is_after_space);
+        self.push(kind, first.len_utf8());
         Ok(true)
     }
 
-    fn push(&mut self, kind: LexemeKind, len: usize, is_after_space: bool) {
+    fn push(&mut self, kind: LexemeKind, len: usize) {
         let span = self.at..self.at + len;
         self.at += len;
+        let is_after_space = std::mem::take(&mut self.is_after_space);
         self.lexemes.push(Lexeme { kind, span, is_after_space });
     }
 
@@ -98,7 +102,7 @@ impl Lexer<'_> {
         TextError::new(span, message, help)
     }
 
-    fn number(&mut self, is_after_space: bool) -> Result<(), TextError> {
+    fn number(&mut self) -> Result<(), TextError> {
         let rest = self.rest();
         let bytes = rest.as_bytes();
         let digits = |from: usize| {
@@ -120,7 +124,7 @@ impl Lexer<'_> {
         let written = rest.get(..end).unwrap_or("");
         match written.parse::<f64>() {
             Ok(number) if number.is_finite() => {
-                self.push(LexemeKind::Number(number), end, is_after_space);
+                self.push(LexemeKind::Number(number), end);
                 Ok(())
             }
             _ => {
@@ -131,7 +135,7 @@ impl Lexer<'_> {
         }
     }
 
-    fn name(&mut self, is_after_space: bool) -> Result<(), TextError> {
+    fn name(&mut self) -> Result<(), TextError> {
         let rest = self.rest();
         let is_inside = |it: char| (it.is_alphanumeric() && !"²³".contains(it)) || it == '_';
         let len = rest.find(|it| !is_inside(it)).unwrap_or(rest.len());
@@ -143,7 +147,7 @@ impl Lexer<'_> {
             return Err(TextError::new(span, format!("{primes} primes"), help));
         }
         let count = u8::try_from(primes).unwrap_or(u8::MAX);
-        self.push(LexemeKind::Name(name, count), len + primes, is_after_space);
+        self.push(LexemeKind::Name(name, count), len + primes);
         Ok(())
     }
 }

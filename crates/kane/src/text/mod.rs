@@ -15,10 +15,10 @@ mod units;
 
 pub use build::build;
 pub use dimension::Dimension;
-pub use expression::{Expression, Form, Part, Shape};
+pub use expression::{Expression, ExpressionPart, Form, PartShape};
 pub use functions::FUNCTIONS;
 pub use parser::{DEEPEST, MOST_PARTS, parse};
-pub use scope::{Measured, NameError, NameScope, Reach};
+pub use scope::{Dependence, Measured, NameError, NameScope};
 pub use units::{PhysicalUnit, unit};
 
 use std::ops::Range;

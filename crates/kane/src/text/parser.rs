@@ -2,12 +2,16 @@
 //!
 //! Sums and products of any length are one part each; what nests is counted, so that no text can
 //! make the parser or anything after it deep.
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "a language has many pieces, and each place takes few of them"
+)]
 
 use std::ops::Range;
 
 use diagnostics::{choice, quoted};
 
-use super::expression::{Expression, Form, Part, Shape};
+use super::expression::{Expression, ExpressionPart, Form, PartShape};
 use super::functions::{FUNCTIONS, Function, function};
 use super::lexer::{Lexeme, LexemeKind, lex};
 use super::units::{UnitPlace, UnitReader, named, unit_help};
@@ -28,7 +32,7 @@ pub fn parse(text: &str, form: Form) -> Result<Expression, TextError> {
     let lexemes = lex(text)?;
     let mut parser = Parser { text, lexemes, at: 0, depth: 0, parts: Vec::new() };
     match form {
-        Form::Value => parser.binding(Power::Sum)?,
+        Form::Value => parser.binding(BindingPower::Sum)?,
         Form::Condition => parser.condition()?,
     };
     parser.expect_end()?;
@@ -37,7 +41,7 @@ pub fn parse(text: &str, form: Form) -> Result<Expression, TextError> {
 
 /// What binds: the later the tighter.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Power {
+enum BindingPower {
     Sum,
     Product,
     Sign,
@@ -48,7 +52,7 @@ struct Parser<'a> {
     lexemes: Vec<Lexeme>,
     at: usize,
     depth: usize,
-    parts: Vec<Part>,
+    parts: Vec<ExpressionPart>,
 }
 
 type Parsed = Result<usize, TextError>;
@@ -66,12 +70,12 @@ impl Parser<'_> {
         self.parts.get(part).map_or(0..0, |it| it.span.clone())
     }
 
-    fn push(&mut self, shape: Shape, span: Range<usize>) -> Parsed {
+    fn push(&mut self, shape: PartShape, span: Range<usize>) -> Parsed {
         if self.parts.len() >= MOST_PARTS {
             let help = "give parts of it names in [definitions]";
             return Err(TextError::new(span, "the expression is too long", help));
         }
-        self.parts.push(Part { shape, span });
+        self.parts.push(ExpressionPart { shape, span });
         Ok(self.parts.len() - 1)
     }
 
@@ -89,14 +93,14 @@ impl Parser<'_> {
 
     /// a > b or a < b.
     fn condition(&mut self) -> Parsed {
-        let left = self.binding(Power::Sum)?;
+        let left = self.binding(BindingPower::Sum)?;
         let sign = self.kind().clone();
         if !matches!(sign, LexemeKind::Greater | LexemeKind::Less) {
             let help = "compare two values, as a > b";
             return Err(TextError::new(self.span(), "a comparison is missing", help));
         }
         self.at += 1;
-        let right = self.binding(Power::Sum)?;
+        let right = self.binding(BindingPower::Sum)?;
         if matches!(self.kind(), LexemeKind::Greater | LexemeKind::Less) {
             let help = "compare two values only; write two conditions";
             return Err(TextError::new(self.span(), "a second comparison", help));
@@ -104,28 +108,32 @@ impl Parser<'_> {
         let span = self.span_of(left).start..self.span_of(right).end;
         let (large, small) =
             if sign == LexemeKind::Greater { (left, right) } else { (right, left) };
-        self.push(Shape::Greater(large, small), span)
+        self.push(PartShape::Greater(large, small), span)
     }
 
     /// What binds at least as tightly as `power`.
-    fn binding(&mut self, power: Power) -> Parsed {
+    fn binding(&mut self, power: BindingPower) -> Parsed {
         match power {
-            Power::Sum => {
-                self.chain(Power::Product, (LexemeKind::Plus, LexemeKind::Minus), Shape::Sum)
-            }
-            Power::Product => {
-                self.chain(Power::Sign, (LexemeKind::Star, LexemeKind::Slash), Shape::Product)
-            }
-            Power::Sign => self.signed(),
+            BindingPower::Sum => self.chain(
+                BindingPower::Product,
+                (LexemeKind::Plus, LexemeKind::Minus),
+                PartShape::Sum,
+            ),
+            BindingPower::Product => self.chain(
+                BindingPower::Sign,
+                (LexemeKind::Star, LexemeKind::Slash),
+                PartShape::Product,
+            ),
+            BindingPower::Sign => self.signed(),
         }
     }
 
     /// Operands of `tighter` with one of two signs between them.
     fn chain(
         &mut self,
-        tighter: Power,
+        tighter: BindingPower,
         (plain, inverse): (LexemeKind, LexemeKind),
-        shape: fn(Vec<(usize, bool)>) -> Shape,
+        shape: fn(Vec<(usize, bool)>) -> PartShape,
     ) -> Parsed {
         let first = self.binding(tighter)?;
         let mut all = vec![(first, false)];
@@ -149,7 +157,7 @@ impl Parser<'_> {
                 self.at += 1;
                 let inner = self.deeper(Self::signed)?;
                 let span = start..self.span_of(inner).end;
-                self.push(Shape::Negative(inner), span)
+                self.push(PartShape::Negative(inner), span)
             }
             LexemeKind::Plus => {
                 self.at += 1;
@@ -168,7 +176,7 @@ impl Parser<'_> {
         self.at += 1;
         let exponent = self.deeper(Self::signed)?;
         let span = self.span_of(base).start..self.span_of(exponent).end;
-        self.push(Shape::Power(base, exponent), span)
+        self.push(PartShape::Power(base, exponent), span)
     }
 
     fn atom(&mut self) -> Parsed {
@@ -183,11 +191,11 @@ impl Parser<'_> {
                 if *self.kind() == LexemeKind::Open {
                     return self.call(&name, primes, span);
                 }
-                self.push(Shape::Name { name, primes }, span)
+                self.push(PartShape::Name { name, primes }, span)
             }
             LexemeKind::Open => {
                 self.at += 1;
-                let inner = self.deeper(|it| it.binding(Power::Sum))?;
+                let inner = self.deeper(Self::value)?;
                 self.close(&span)?;
                 Ok(inner)
             }
@@ -209,7 +217,7 @@ impl Parser<'_> {
     /// A number, and its unit if one follows.
     fn number(&mut self, number: f64, span: Range<usize>) -> Parsed {
         let LexemeKind::Name(name, primes) = self.kind() else {
-            let plain = Shape::Number { value: number, dimension: Dimension::NONE, unit: None };
+            let plain = PartShape::Number { value: number, dimension: Dimension::NONE, unit: None };
             return self.push(plain, span);
         };
         if named(name).is_none() || *primes > 0 {
@@ -223,7 +231,7 @@ impl Parser<'_> {
         self.at = reader.at;
         let end = self.lexemes.get(self.at.saturating_sub(1)).map_or(span.end, |it| it.span.end);
         let value = unit.to_si(number);
-        let shape = Shape::Number { value, dimension: unit.dimension, unit: Some(unit.si) };
+        let shape = PartShape::Number { value, dimension: unit.dimension, unit: Some(unit.si) };
         self.push(shape, span.start..end)
     }
 
@@ -237,11 +245,11 @@ impl Parser<'_> {
         let (shape, count) = if matches!(function, Function::Named(_)) {
             let names = self.names(name)?;
             let count = names.len();
-            (Shape::Named { function: name.to_owned(), names }, count)
+            (PartShape::Named { function: name.to_owned(), names }, count)
         } else {
             let arguments = self.arguments(function)?;
             let count = arguments.len();
-            (Shape::Call { function: name.to_owned(), arguments }, count)
+            (PartShape::Call { function: name.to_owned(), arguments }, count)
         };
         let end = self.span().end;
         self.close(&open)?;
@@ -253,17 +261,16 @@ impl Parser<'_> {
         self.push(shape, span.start..end)
     }
 
+    fn value(&mut self) -> Parsed {
+        self.binding(BindingPower::Sum)
+    }
+
     fn arguments(&mut self, function: Function) -> Result<Vec<usize>, TextError> {
         let mut arguments = Vec::new();
         loop {
             let is_condition = function == Function::If && arguments.is_empty();
-            arguments.push(
-                self.deeper(
-                    |it| {
-                        if is_condition { it.condition() } else { it.binding(Power::Sum) }
-                    },
-                )?,
-            );
+            let argument = if is_condition { Self::condition } else { Self::value };
+            arguments.push(self.deeper(argument)?);
             if *self.kind() != LexemeKind::Comma {
                 return Ok(arguments);
             }

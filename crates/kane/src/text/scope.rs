@@ -8,14 +8,14 @@ use crate::graph::{Graph, Node};
 pub struct Measured {
     pub node: Node,
     pub dimension: Dimension,
-    pub reach: Reach,
+    pub reach: Dependence,
 }
 
 /// The kinds of symbols that a value depends on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Reach(u16);
+pub struct Dependence(u16);
 
-impl Reach {
+impl Dependence {
     pub const NOTHING: Self = Self(0);
     pub const PARAMETERS: Self = Self(1);
     pub const KEY: Self = Self(2);
@@ -42,7 +42,7 @@ impl Reach {
         (Self::FORCES, "forces by name"),
     ];
 
-    /// Returns both together.
+    /// Returns all that is in either.
     #[must_use]
     pub const fn and(self, other: Self) -> Self {
         Self(self.0 | other.0)
@@ -113,5 +113,5 @@ pub trait NameScope {
     fn rate(&mut self, graph: &mut Graph, value: Measured) -> Result<Measured, NameError>;
 
     /// Returns what may be depended on.
-    fn allowed(&self) -> Reach;
+    fn allowed(&self) -> Dependence;
 }

@@ -1,4 +1,8 @@
 //! Names of units with SI prefixes, and units made of them.
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "a language has many pieces, and each place takes few of them"
+)]
 
 use diagnostics::{choice, quoted};
 
@@ -10,7 +14,7 @@ use super::{Dimension, TextError};
 #[derive(Clone, PartialEq, Debug)]
 pub struct PhysicalUnit {
     factor: f64,
-    /// Power of ten on top of the factor, apart from it so that 5 mm is 5/1000 exactly.
+    /// BindingPower of ten on top of the factor, apart from it so that 5 mm is 5/1000 exactly.
     tens: i32,
     pub dimension: Dimension,
     /// The same in SI units without prefixes: `N·m/rad`.
@@ -26,7 +30,7 @@ impl PhysicalUnit {
 
     /// Whether a number of it is the same number in SI.
     pub fn is_si(&self) -> bool {
-        self.to_si(1.0) == 1.0
+        (self.to_si(1.0) - 1.0).abs() < f64::EPSILON
     }
 }
 
@@ -109,6 +113,13 @@ pub(super) fn unit_help(name: &str) -> String {
     choice(name, UNITS.iter().map(|(known, ..)| *known))
 }
 
+/// The sign between two factors.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Joint {
+    Times,
+    Over,
+}
+
 /// Reads units from lexemes.
 pub(super) struct UnitReader<'a> {
     pub(super) lexemes: &'a [Lexeme],
@@ -132,23 +143,19 @@ impl UnitReader<'_> {
     /// Returns the unit that begins here: `N*m/rad`, `m/s^2`.
     pub(super) fn read(&mut self) -> Result<PhysicalUnit, TextError> {
         let mut unit = self.factor()?;
-        while let Some(divides) = self.goes_on() {
+        while let Some(joint) = self.goes_on() {
             self.at += 1;
             let right = self.factor()?;
-            unit = combined(&unit, &right, divides);
+            unit = combined(&unit, &right, joint);
         }
         Ok(unit)
     }
 
-    /// Whether `*` (false) or `/` (true) and another factor follow.
-    fn goes_on(&self) -> Option<bool> {
-        let divides = match self.kind(0)? {
-            LexemeKind::Star => false,
-            LexemeKind::Slash => true,
-            _ => return None,
-        };
+    /// Returns `*` or `/` if it and another factor follow.
+    fn goes_on(&self) -> Option<Joint> {
+        let joint = self.joint()?;
         if self.within == UnitPlace::Alone {
-            return Some(divides);
+            return Some(joint);
         }
         let next = self.lexemes.get(self.at + 1)?;
         let is_tight = !self.lexemes.get(self.at)?.is_after_space && !next.is_after_space;
@@ -157,7 +164,15 @@ impl UnitReader<'_> {
             LexemeKind::Open => self.is_group(),
             _ => false,
         };
-        (is_tight && is_unit).then_some(divides)
+        (is_tight && is_unit).then_some(joint)
+    }
+
+    fn joint(&self) -> Option<Joint> {
+        match self.kind(0)? {
+            LexemeKind::Star => Some(Joint::Times),
+            LexemeKind::Slash => Some(Joint::Over),
+            _ => None,
+        }
     }
 
     /// Whether `(…)` after the next sign is made of units alone, as in `N/(kg*m)`.
@@ -205,15 +220,10 @@ impl UnitReader<'_> {
     /// Factors in parentheses, one level deep.
     fn group(&mut self) -> Result<PhysicalUnit, TextError> {
         let mut unit = self.flat()?;
-        loop {
-            let divides = match self.kind(0) {
-                Some(LexemeKind::Star) => false,
-                Some(LexemeKind::Slash) => true,
-                _ => break,
-            };
+        while let Some(joint) = self.joint() {
             self.at += 1;
             let right = self.flat()?;
-            unit = combined(&unit, &right, divides);
+            unit = combined(&unit, &right, joint);
         }
         let span = self.lexemes.get(self.at).map_or(0..0, |it| it.span.clone());
         if !matches!(self.kind(0), Some(LexemeKind::Close)) {
@@ -265,17 +275,17 @@ fn powered(unit: &PhysicalUnit, exponent: f64) -> PhysicalUnit {
     PhysicalUnit { factor, tens, dimension: unit.dimension.to(exponent), si }
 }
 
-fn combined(left: &PhysicalUnit, right: &PhysicalUnit, divides: bool) -> PhysicalUnit {
-    let (factor, tens, dimension) = if divides {
+fn combined(left: &PhysicalUnit, right: &PhysicalUnit, joint: Joint) -> PhysicalUnit {
+    let (factor, tens, dimension) = if joint == Joint::Over {
         (left.factor / right.factor, left.tens - right.tens, left.dimension.over(right.dimension))
     } else {
         (left.factor * right.factor, left.tens + right.tens, left.dimension.times(right.dimension))
     };
-    let si = match (divides, left.si.as_str(), right.si.as_str()) {
+    let si = match (joint, left.si.as_str(), right.si.as_str()) {
         (_, left, "1") => left.to_owned(),
-        (false, "1", right) => right.to_owned(),
-        (false, left, right) => format!("{left}·{right}"),
-        (true, left, right) => format!("{left}/{right}"),
+        (Joint::Times, "1", right) => right.to_owned(),
+        (Joint::Times, left, right) => format!("{left}·{right}"),
+        (Joint::Over, left, right) => format!("{left}/{right}"),
     };
     PhysicalUnit { factor, tens, dimension, si }
 }

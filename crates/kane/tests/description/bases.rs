@@ -4,7 +4,7 @@ use kane::description::{Bases, read};
 
 use super::{WEIGHT, mistakes_of};
 
-/// Descriptions by name.
+/// Descriptions, each with its name.
 struct Shelf(Vec<(&'static str, String)>);
 
 impl Bases for Shelf {

@@ -169,6 +169,19 @@ fn what_cannot_stand_somewhere_is_said() {
 }
 
 #[test]
+fn what_should_be_linear_in_the_speeds_is() {
+    let rolls = |zero: &str| {
+        format!("roll = {{ zero = \"{zero}\", kind = \"nonholonomic\" }}\n\n[modes.free]")
+    };
+    for zero in ["y' - s'", "2*y'*cos(y/(1 m)) + if(y > s, y', 3*y') - 1 m/s"] {
+        good(&WEIGHT.replacen("[modes.free]", &rolls(zero), 1));
+    }
+    for zero in ["y'*y'", "abs(y')", "y'^2/(1 m/s)", "1/y'", "if(y' > s', y', 2*y')"] {
+        says("[modes.free]", &rolls(zero), &["\"roll\" is not linear in the speeds"]);
+    }
+}
+
+#[test]
 fn all_mistakes_come_at_once() {
     let text = WEIGHT
         .replacen("\"y - s\"", "\"y - z\"", 1)

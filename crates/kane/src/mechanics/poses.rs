@@ -1,0 +1,62 @@
+//! The poses of the frames that are drawn, as outputs.
+
+use crate::graph::{Graph, Node, UnaryFunction};
+use crate::mechanism::{Mechanism, Output};
+
+/// Returns the frames that are drawn, the ground included where it is, by their numbers in order.
+pub fn drawn_frames(mechanism: &Mechanism) -> Vec<usize> {
+    let drawing = &mechanism.drawing;
+    let lines = drawing.outlines.iter().map(|outline| outline.frame);
+    let ends = drawing.springs.iter().flat_map(|spring| [spring.from.0, spring.to.0]);
+    let mut frames: Vec<_> = lines.chain(ends).collect();
+    frames.sort_unstable();
+    frames.dedup();
+    frames.retain(|frame| *frame < mechanism.frames.len());
+    frames
+}
+
+/// Adds the poses of the drawn frames to the outputs: x, y (m) and angle (rad) of each.
+pub(super) fn add(graph: &mut Graph, mechanism: &mut Mechanism) {
+    for frame in drawn_frames(mechanism).into_iter().filter(|frame| *frame != 0) {
+        let name = mechanism.frames[frame].name.clone();
+        let pose = pose(graph, mechanism, frame);
+        for (node, (what, unit)) in pose.into_iter().zip([("x", "m"), ("y", "m"), ("angle", "rad")])
+        {
+            mechanism.outputs.push(Output {
+                name: format!("{name}.{what}"),
+                unit: unit.to_owned(),
+                values: vec![node; mechanism.modes.len()],
+            });
+        }
+    }
+}
+
+/// The pose of a frame in the ground's axes, seen along z.
+fn pose(graph: &mut Graph, mechanism: &Mechanism, frame: usize) -> [Node; 3] {
+    let zero = graph.constant(0.0);
+    let mut pose = [zero; 3];
+    // From the frame outwards: each parent turns and moves what was found so far.
+    let mut at = frame;
+    for _ in 0..mechanism.frames.len() {
+        let Some(own) = mechanism.frames.get(at).filter(|_| at != 0) else { break };
+        let angle = own.turn.filter(|(axis, _)| *axis == 2).map_or(zero, |(_, angle)| angle);
+        let turned = turned(graph, [pose[0], pose[1]], angle);
+        let origin = [own.origin[0], own.origin[1]].map(|it| it.unwrap_or(zero));
+        pose = [
+            graph.add(turned[0], origin[0]),
+            graph.add(turned[1], origin[1]),
+            graph.add(pose[2], angle),
+        ];
+        at = own.parent;
+    }
+    pose
+}
+
+/// A point turned about the origin.
+fn turned(graph: &mut Graph, [x, y]: [Node; 2], angle: Node) -> [Node; 2] {
+    let (sin, cos) =
+        (graph.unary(UnaryFunction::Sin, angle), graph.unary(UnaryFunction::Cos, angle));
+    let [xc, xs] = [cos, sin].map(|it| graph.multiply(x, it));
+    let [yc, ys] = [cos, sin].map(|it| graph.multiply(y, it));
+    [graph.subtract(xc, ys), graph.add(xs, yc)]
+}

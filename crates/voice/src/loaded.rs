@@ -1,0 +1,102 @@
+//! Voices of a model that was read from a file, beside those of the same model of the program.
+
+#[path = "../../descriptions/tests/ball/mod.rs"]
+mod ball;
+
+use std::fs;
+use std::sync::Arc;
+
+use descriptions::install;
+use models::catalogue;
+use scene::{FileKind, KeyVoice, Scene, check_file, written};
+use scheduler::motion::KeySample;
+use scheduler::observation::VoiceObservation;
+use scheduler::values::ModelValues;
+use scheduler::voice::VoiceOutput;
+
+use crate::builder::VoiceBuilder;
+use ball::BallReader;
+
+/// A scene beside the description of its model.
+fn scene(folder: &std::path::Path) -> Scene {
+    install(&BallReader);
+    fs::write(folder.join("my-ball.toml"), "[modes]\n[rest]\n").unwrap();
+    let path = folder.join("scene.toml");
+    fs::write(&path, "[[keys]]\nrange = \"A0..C8\"\nmodel = \"my-ball.toml\"\n").unwrap();
+    Scene::load(&path.to_string_lossy(), &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
+}
+
+#[test]
+fn a_scene_names_a_description_by_its_path_and_is_written_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene(folder.path());
+    let voices = || scene.keys.iter().flatten();
+    let model = voices().next().unwrap().model;
+    assert_eq!((model.name, voices().count()), ("described-ball", 88));
+    assert!(voices().all(|voice| voice.model.is(model)));
+    let again =
+        Scene::from_text("again", written(&scene)).unwrap_or_else(|wrong| panic!("{wrong}"));
+    assert!(again.keys.iter().flatten().all(|voice| voice.model.is(model)));
+    let kind = check_file(&folder.path().join("my-ball.toml"));
+    assert_eq!(kind, Ok(FileKind::Model));
+}
+
+#[test]
+fn a_mistake_in_a_description_is_told_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let _scene = scene(folder.path());
+    fs::write(folder.path().join("my-ball.toml"), "nothing").unwrap();
+    let wrong = Scene::load(&folder.path().join("scene.toml").to_string_lossy(), &[]).unwrap_err();
+    assert!(wrong.to_string().contains("my-ball.toml:1:1: this is no ball"), "{wrong}");
+}
+
+#[test]
+fn a_voice_of_a_described_model_plays_as_that_of_the_written_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene(folder.path());
+    let builder = VoiceBuilder::new(&scene).unwrap();
+    let described = scene.keys[0].as_ref().unwrap();
+    // 1 kg, from 1 m, on a floor that goes with the key.
+    let model = catalogue::built_in("bouncing-ball").unwrap();
+    let written = KeyVoice { model, values: vec![9.81, 0.8, 1.0, 1.0, 1.0] };
+    let mut voices = [described, &written].map(|it| builder.voice(it, Arc::default()).unwrap());
+    let [mut seen, mut felt] = [[0.0; 2]; 2];
+    let mut most: f64 = 0.0;
+    for voice in &mut voices {
+        voice.reset(&KeySample::fresh(0.0));
+    }
+    for tick in 0..600_u64 {
+        // Moved all the time, so that no voice rests.
+        let sample = KeySample::fresh(1e-3 * (0.01 * tick as f64).sin());
+        for (index, voice) in voices.iter_mut().enumerate() {
+            let mut turn = VoiceOutput::default();
+            voice.tick(tick, &sample, &mut turn);
+            assert_eq!(turn.fault, None, "tick {tick}");
+            let mut observed = VoiceObservation::default();
+            voice.observe(&mut observed);
+            (seen[index], felt[index]) = (observed.snapshot.state[0], turn.force);
+            assert_eq!(observed.snapshot.structure(), 0, "in flight");
+        }
+        assert!((seen[0] - seen[1]).abs() < 1e-12, "tick {tick}: {seen:?}");
+        assert!((felt[0] - felt[1]).abs() < 1e-9, "tick {tick}: {felt:?}");
+        most = most.max(felt[0].abs());
+    }
+    assert!(most > 1.0, "the impact was felt: {most} N");
+}
+
+#[test]
+fn values_of_another_version_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = scene(folder.path());
+    let builder = VoiceBuilder::new(&first).unwrap();
+    let old = first.keys[0].as_ref().unwrap();
+    let mut voice = builder.voice(old, Arc::default()).unwrap();
+    fs::write(folder.path().join("my-ball.toml"), "[modes]\n[rest]\n# new\n").unwrap();
+    let path = folder.path().join("scene.toml");
+    let second = Scene::load(&path.to_string_lossy(), &[]).unwrap();
+    let new = second.keys[0].as_ref().unwrap();
+    assert_eq!(old.model.name, new.model.name);
+    let values = |of: &KeyVoice| ModelValues::new(of.model.name, 1, &of.values).unwrap();
+    assert!(!voice.retune(&values(new)), "a newer version may have other parameters");
+    assert!(voice.retune(&values(old)));
+}
