@@ -2,11 +2,11 @@
 
 use std::fmt::Write as _;
 
-use super::lanes::{Factor, Lane, lanes};
+use super::lanes::{LaneFactor, SeriesLane, lanes};
 use super::recursion::Recursion;
-use super::rules::Rule;
+use super::rules::SeriesRule;
 use crate::graph::{BinaryFunction, UnaryFunction};
-use crate::tape::{Argument, Instruction, Slot};
+use crate::tape::{Argument, Instruction, TapeSlot};
 
 /// The names in an emitted series.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -36,7 +36,7 @@ pub fn emit(recursion: &Recursion, names: &SeriesNames<'_>) -> String {
 struct Writing<'a> {
     recursion: &'a Recursion,
     is_live: Vec<bool>,
-    lanes: Vec<Lane>,
+    lanes: Vec<SeriesLane>,
     text: String,
 }
 
@@ -66,7 +66,7 @@ impl<'a> Writing<'a> {
     }
 
     fn reads_input(&self) -> bool {
-        self.recursion.rules.iter().any(|rule| matches!(rule, Rule::Input(_)))
+        self.recursion.rules.iter().any(|rule| matches!(rule, SeriesRule::Input(_)))
     }
 
     fn reads_constants(&self) -> bool {
@@ -77,7 +77,7 @@ impl<'a> Writing<'a> {
     /// Values at the start, the rows that begin with them, and the first rates.
     fn start(&mut self) {
         self.line(1, "let x = out.terms[0];");
-        if self.recursion.rules.iter().any(|rule| matches!(rule, Rule::Input(1..))) {
+        if self.recursion.rules.iter().any(|rule| matches!(rule, SeriesRule::Input(1..))) {
             self.line(1, "let per_scale = 1.0 / out.scale;");
         }
         let is_read = self.is_read_at_start();
@@ -92,7 +92,7 @@ impl<'a> Writing<'a> {
         }
         for (group, lanes) in self.groups().into_iter().enumerate() {
             let line =
-                format!("let mut lanes{group} = Lanes::<{}>::ZERO;", lanes.len().div_ceil(2));
+                format!("let mut lanes{group} = SeriesLanes::<{}>::ZERO;", lanes.len().div_ceil(2));
             self.line(1, &line);
         }
         self.outputs(1, "0", "1");
@@ -107,10 +107,12 @@ impl<'a> Writing<'a> {
         for (at, rule) in
             self.recursion.rules.iter().enumerate().filter(|(at, _)| self.is_live[*at])
         {
-            if let Rule::Scale(by, _) | Rule::Power(_, by) | Rule::Over(_, by) = *rule {
+            if let SeriesRule::Scale(by, _) | SeriesRule::Power(_, by) | SeriesRule::Over(_, by) =
+                *rule
+            {
                 is_read[by.index()] = true;
             }
-            if let Rule::Choice(condition, ..) = *rule {
+            if let SeriesRule::Choice(condition, ..) = *rule {
                 is_read[condition.index()] = true;
             }
             let _ = at;
@@ -149,15 +151,15 @@ impl<'a> Writing<'a> {
             return;
         }
         match self.recursion.rules[at] {
-            Rule::Quotient(_, y) | Rule::Over(_, y) => {
+            SeriesRule::Quotient(_, y) | SeriesRule::Over(_, y) => {
                 self.line(1, &format!("let per{at} = 1.0 / v{};", y.0));
             }
-            Rule::Power(x, _) => self.line(1, &format!("let per{at} = 1.0 / v{};", x.0)),
-            Rule::Root(_) => self.line(1, &format!("let per{at} = 0.5 / v{at};")),
-            Rule::Magnitude(x) => {
+            SeriesRule::Power(x, _) => self.line(1, &format!("let per{at} = 1.0 / v{};", x.0)),
+            SeriesRule::Root(_) => self.line(1, &format!("let per{at} = 0.5 / v{at};")),
+            SeriesRule::Magnitude(x) => {
                 self.line(1, &format!("let sign{at} = functions::sign(v{});", x.0));
             }
-            Rule::Choice(condition, ..) => {
+            SeriesRule::Choice(condition, ..) => {
                 self.line(1, &format!("let is{at} = v{} > 0.0;", condition.0));
             }
             _ => {}
@@ -184,7 +186,7 @@ impl<'a> Writing<'a> {
     }
 
     /// The coefficient of order `k` of a value.
-    fn now(&self, slot: Slot, k: &str) -> String {
+    fn now(&self, slot: TapeSlot, k: &str) -> String {
         match k {
             "0" => format!("v{}", slot.0),
             _ if self.recursion.is_constant(slot) => "0.0".into(),
@@ -216,7 +218,7 @@ impl<'a> Writing<'a> {
     /// The coefficients of order k of the values in `wanted`.
     fn terms(&mut self, depth: usize, wanted: &[bool]) {
         let reads_state = (0..wanted.len())
-            .any(|at| wanted[at] && matches!(self.recursion.rules[at], Rule::State(_)));
+            .any(|at| wanted[at] && matches!(self.recursion.rules[at], SeriesRule::State(_)));
         if reads_state {
             self.line(depth, "let x = out.terms[k];");
         }
@@ -232,11 +234,11 @@ impl<'a> Writing<'a> {
     }
 
     /// As many lanes at a time as fit into the registers of a common processor.
-    fn groups(&self) -> Vec<Vec<Lane>> {
+    fn groups(&self) -> Vec<Vec<SeriesLane>> {
         const MOST: usize = 14;
         let count = self.lanes.len().div_ceil(MOST).max(1);
         let size = self.lanes.len().div_ceil(count).max(1);
-        self.lanes.chunks(size).map(<[Lane]>::to_vec).collect()
+        self.lanes.chunks(size).map(<[SeriesLane]>::to_vec).collect()
     }
 
     /// What the orders before k add to a value's coefficient: the lane of that number.
@@ -255,11 +257,11 @@ impl<'a> Writing<'a> {
     /// Enters this order into the lanes.
     fn enter(&mut self, depth: usize) {
         for (group, lanes) in self.groups().into_iter().enumerate() {
-            let list = |of: fn(&Lane) -> Factor| {
+            let list = |of: fn(&SeriesLane) -> LaneFactor| {
                 let list: Vec<_> = lanes.iter().map(|lane| of(lane).text()).collect();
                 let pair = |pair: &[String]| match pair {
-                    [one, other] => format!("Pair::new({one}, {other})"),
-                    rest => format!("Pair::new({}, 0.0)", rest.concat()),
+                    [one, other] => format!("SeriesPair::new({one}, {other})"),
+                    rest => format!("SeriesPair::new({}, 0.0)", rest.concat()),
                 };
                 list.chunks(2).map(pair).collect::<Vec<_>>().join(", ")
             };
@@ -269,42 +271,44 @@ impl<'a> Writing<'a> {
     }
 
     fn term(&self, at: usize) -> Option<String> {
-        let now = |slot: Slot| self.now(slot, "k");
+        let now = |slot: TapeSlot| self.now(slot, "k");
         let e = self.sum(at, 0);
-        let is_constant = |slot: Slot| self.recursion.is_constant(slot);
+        let is_constant = |slot: TapeSlot| self.recursion.is_constant(slot);
         Some(match self.recursion.rules[at] {
-            Rule::Constant => return None,
-            Rule::State(index) => format!("x[{index}]"),
-            Rule::Input(rate) => input_of(rate),
-            Rule::Add(x, y) if is_constant(x) => now(y),
-            Rule::Add(x, y) if is_constant(y) => now(x),
-            Rule::Add(x, y) => format!("{} + {}", now(x), now(y)),
-            Rule::Subtract(x, y) if is_constant(x) => format!("-{}", now(y)),
-            Rule::Subtract(x, y) if is_constant(y) => now(x),
-            Rule::Subtract(x, y) => format!("{} - {}", now(x), now(y)),
-            Rule::Negate(x) => format!("-{}", now(x)),
-            Rule::Scale(by, x) => format!("v{} * {}", by.0, now(x)),
-            Rule::Product(x, y) => format!("{e} + v{0} * w{1} + w{0} * v{1}", x.0, y.0),
-            Rule::Square(x) => format!("{e} + 2.0 * v{0} * w{0}", x.0),
-            Rule::Quotient(x, y) => {
+            SeriesRule::Constant => return None,
+            SeriesRule::State(index) => format!("x[{index}]"),
+            SeriesRule::Input(rate) => input_of(rate),
+            SeriesRule::Add(x, y) if is_constant(x) => now(y),
+            SeriesRule::Add(x, y) if is_constant(y) => now(x),
+            SeriesRule::Add(x, y) => format!("{} + {}", now(x), now(y)),
+            SeriesRule::Subtract(x, y) if is_constant(x) => format!("-{}", now(y)),
+            SeriesRule::Subtract(x, y) if is_constant(y) => now(x),
+            SeriesRule::Subtract(x, y) => format!("{} - {}", now(x), now(y)),
+            SeriesRule::Negate(x) => format!("-{}", now(x)),
+            SeriesRule::Scale(by, x) => format!("v{} * {}", by.0, now(x)),
+            SeriesRule::Product(x, y) => format!("{e} + v{0} * w{1} + w{0} * v{1}", x.0, y.0),
+            SeriesRule::Square(x) => format!("{e} + 2.0 * v{0} * w{0}", x.0),
+            SeriesRule::Quotient(x, y) => {
                 format!("({} - {e} - v{at} * w{}) * per{at}", now(x), y.0)
             }
-            Rule::Over(x, _) => format!("{} * per{at}", now(x)),
-            Rule::Driven { slope, of } => {
+            SeriesRule::Over(x, _) => format!("{} * per{at}", now(x)),
+            SeriesRule::Driven { slope, of } => {
                 let (slope, is_negative) = self.recursion.slope(slope);
                 let rise = format!("{e} * per_k + w{} * v{}", of.0, slope.0);
                 if is_negative { format!("-({rise})") } else { rise }
             }
-            Rule::Root(x) => format!("({} - {e}) * per{at}", now(x)),
-            Rule::Power(x, by) => format!(
+            SeriesRule::Root(x) => format!("({} - {e}) * per{at}", now(x)),
+            SeriesRule::Power(x, by) => format!(
                 "((v{0} + 1.0) * {2} * per_k - {e} \
                  + v{0} * v{at} * w{1}) * per{at}",
                 by.0,
                 x.0,
                 self.sum(at, 1)
             ),
-            Rule::Magnitude(x) => format!("sign{at} * {}", now(x)),
-            Rule::Choice(_, x, y) => format!("if is{at} {{ {} }} else {{ {} }}", now(x), now(y)),
+            SeriesRule::Magnitude(x) => format!("sign{at} * {}", now(x)),
+            SeriesRule::Choice(_, x, y) => {
+                format!("if is{at} {{ {} }} else {{ {} }}", now(x), now(y))
+            }
         })
     }
 }
@@ -341,7 +345,7 @@ fn start_of(instruction: &Instruction) -> String {
     }
 }
 
-fn of_one(function: UnaryFunction, x: Slot) -> String {
+fn of_one(function: UnaryFunction, x: TapeSlot) -> String {
     let x = format!("v{}", x.0);
     match function {
         UnaryFunction::Sin => format!("math::sin({x})"),
@@ -361,7 +365,7 @@ fn of_one(function: UnaryFunction, x: Slot) -> String {
     }
 }
 
-fn of_two(function: BinaryFunction, x: Slot, y: Slot) -> String {
+fn of_two(function: BinaryFunction, x: TapeSlot, y: TapeSlot) -> String {
     let (x, y) = (format!("v{}", x.0), format!("v{}", y.0));
     match function {
         BinaryFunction::Atan2 => format!("math::atan2({x}, {y})"),
@@ -373,7 +377,7 @@ fn of_two(function: BinaryFunction, x: Slot, y: Slot) -> String {
 }
 
 /// Shows each operand of an instruction.
-fn operands(instruction: &Instruction, mut see: impl FnMut(Slot)) {
+fn operands(instruction: &Instruction, mut see: impl FnMut(TapeSlot)) {
     match *instruction {
         Instruction::Number(_) | Instruction::Argument(_) => {}
         Instruction::Negate(x) | Instruction::Unary(_, x) => see(x),

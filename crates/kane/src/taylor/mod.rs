@@ -10,6 +10,6 @@ mod recursion;
 mod rules;
 
 pub use emit::{SeriesNames, emit};
-pub use evaluate::{Start, TapeSeries};
+pub use evaluate::{SeriesStart, TapeSeries};
 pub use recursion::Recursion;
-pub use rules::Rule;
+pub use rules::SeriesRule;

@@ -1,7 +1,7 @@
 //! The paper's model B as a graph, by hand, and the series in the crate `models` that comes of it.
 
 use kane::graph::{Graph, Node, Place, UnaryFunction};
-use kane::tape::{Argument, Layout, Tape};
+use kane::tape::{Argument, ArgumentLayout, Tape};
 use kane::taylor::{Recursion, SeriesNames, emit};
 
 /// The constants of the series, in this order: lengths L1, L3, L4 (m), the angular accelerations
@@ -11,7 +11,7 @@ pub(crate) const CONSTANTS: usize = 10;
 /// The parts of model B's equations.
 pub(crate) struct ModelB {
     pub(crate) graph: Graph,
-    layout: Layout,
+    layout: ArgumentLayout,
     sines: [Node; 3],
     cosines: [Node; 3],
     constants: [Node; CONSTANTS],
@@ -19,7 +19,7 @@ pub(crate) struct ModelB {
 
 impl ModelB {
     pub(crate) fn new() -> Self {
-        let (mut graph, mut layout) = (Graph::new(), Layout::default());
+        let (mut graph, mut layout) = (Graph::new(), ArgumentLayout::default());
         let places = [Place::Coordinate(0), Place::Coordinate(1), Place::Speed(0), Place::Speed(1)];
         for (index, place) in (0..).zip(places) {
             layout.place(place, Argument::State(index));
@@ -111,7 +111,7 @@ fn file() -> String {
          //!\n\
          //! `UPDATE=1 cargo test -p kane --test all taylor` writes it again.\n\n\
          #![expect(clippy::all, clippy::pedantic, reason = \"generated\")]\n\n\
-         use pode::series::lanes::{Lanes, Pair};\n\
+         use pode::series::lanes::{SeriesLanes, SeriesPair};\n\
          use pode::series::rows::PER_ORDER;\n\
          use pode::series::{Expansion, INPUT_TERMS};\n\
          use pode::{Motion, math};\n",

@@ -4,7 +4,7 @@
 
 #![expect(clippy::all, clippy::pedantic, reason = "generated")]
 
-use pode::series::lanes::{Lanes, Pair};
+use pode::series::lanes::{SeriesLanes, SeriesPair};
 use pode::series::rows::PER_ORDER;
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Motion, math};
@@ -72,7 +72,7 @@ pub(super) fn coupled(
     let v57 = c[9];
     let v58 = v57 - v0;
     let per25 = 1.0 / v22;
-    let mut lanes0 = Lanes::<7>::ZERO;
+    let mut lanes0 = SeriesLanes::<7>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v3, by * v4, by * v36, by * v56];
     out.guards[0][0] = v30;
@@ -130,7 +130,7 @@ pub(super) fn coupled(
         out.terms[k + 1] = [by * w3, by * w4, by * w36, by * w56];
         out.guards[0][k] = w30;
         out.guards[1][k] = w58;
-        lanes0.enter(k, [Pair::new(k as f64 * w0, k as f64 * w0), Pair::new(k as f64 * w1, k as f64 * w1), Pair::new(k as f64 * w2, k as f64 * w2), Pair::new(w22, w30), Pair::new(w25, w25), Pair::new(w34, w22), Pair::new(w21, w52)], [Pair::new(w7, w6), Pair::new(w14, w13), Pair::new(w22, w21), Pair::new(w25, w25), Pair::new(w31, w32), Pair::new(w33, w22), Pair::new(w30, w33)]);
+        lanes0.enter(k, [SeriesPair::new(k as f64 * w0, k as f64 * w0), SeriesPair::new(k as f64 * w1, k as f64 * w1), SeriesPair::new(k as f64 * w2, k as f64 * w2), SeriesPair::new(w22, w30), SeriesPair::new(w25, w25), SeriesPair::new(w34, w22), SeriesPair::new(w21, w52)], [SeriesPair::new(w7, w6), SeriesPair::new(w14, w13), SeriesPair::new(w22, w21), SeriesPair::new(w25, w25), SeriesPair::new(w31, w32), SeriesPair::new(w33, w22), SeriesPair::new(w30, w33)]);
     }
     out.known_guards = 2;
     let k = out.order;
@@ -195,7 +195,7 @@ pub(super) fn apart(
     let v36 = v30 + v35;
     let v37 = c[9];
     let v38 = v37 - v0;
-    let mut lanes0 = Lanes::<3>::ZERO;
+    let mut lanes0 = SeriesLanes::<3>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v3, by * v4, by * v10, by * v25];
     out.guards[0][0] = v36;
@@ -236,7 +236,7 @@ pub(super) fn apart(
         out.terms[k + 1] = [by * w3, by * w4, by * w10, by * w25];
         out.guards[0][k] = w36;
         out.guards[1][k] = w38;
-        lanes0.enter(k, [Pair::new(k as f64 * w0, k as f64 * w0), Pair::new(k as f64 * w1, k as f64 * w1), Pair::new(k as f64 * w2, k as f64 * w2)], [Pair::new(w7, w6), Pair::new(w13, w12), Pair::new(w28, w27)]);
+        lanes0.enter(k, [SeriesPair::new(k as f64 * w0, k as f64 * w0), SeriesPair::new(k as f64 * w1, k as f64 * w1), SeriesPair::new(k as f64 * w2, k as f64 * w2)], [SeriesPair::new(w7, w6), SeriesPair::new(w13, w12), SeriesPair::new(w28, w27)]);
     }
     out.known_guards = 2;
     let k = out.order;

@@ -54,6 +54,7 @@ impl Taylor {
 }
 
 impl Stepper for Taylor {
+    #[expect(clippy::cast_possible_truncation, reason = "it is small")]
     const ORDER: u32 = MOST_ORDER as u32;
     const EVALUATIONS: u32 = 1 + Tsitouras5::EVALUATIONS;
     const IS_EXPANDED: bool = true;
