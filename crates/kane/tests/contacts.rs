@@ -49,7 +49,7 @@ fn with_contact() -> Derived {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum ForceKind {
     Normal,
-    DryFriction,
+    Friction,
 }
 
 /// The same with the contact's law, or with 1 N along the slip, as a plain force.

@@ -6,7 +6,7 @@ use models::{Described as _, KeyHammerRigid, KeyHammerSprings};
 
 use crate::builder::MechanismBuilder;
 use crate::evaluation::{Derived, Numbers};
-use crate::hand_written::FormPair;
+use crate::hand_written::Pair;
 
 /// Values of a preset, with damping and losses unlike those of any.
 fn values(preset: usize) -> Vec<f64> {
@@ -85,7 +85,7 @@ fn model_b_is_the_one_by_hand() {
         // By hand the hammer's height is over its pivot.
         let [m2, g, l4] = [5, 11, 3].map(|i| derived.values[i]);
         let more_energy = m2 * g * l4;
-        let pair = FormPair { hand, derived, more_energy };
+        let pair = Pair { hand, derived, more_energy };
         let mut numbers = Numbers::new(5);
         for _ in 0..50 {
             let [h, k, u, v] = numbers.list::<4>();
@@ -109,7 +109,7 @@ fn model_a_is_the_one_by_hand() {
         // By hand the hammer's height is over its pivot.
         let [m2, g, l4] = [5, 11, 3].map(|i| derived.values[i]);
         let more_energy = m2 * g * l4;
-        let pair = FormPair { hand, derived, more_energy };
+        let pair = Pair { hand, derived, more_energy };
         let mut numbers = Numbers::new(6);
         for _ in 0..50 {
             let input = numbers.list::<4>().map(|it| 0.7 * it);

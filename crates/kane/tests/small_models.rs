@@ -5,7 +5,7 @@ use models::{BouncingBall, CartPendulum, Described};
 
 use crate::builder::MechanismBuilder;
 use crate::evaluation::{Derived, Numbers};
-use crate::hand_written::FormPair;
+use crate::hand_written::Pair;
 
 fn parameters<M: Described + Default>(values: &[f64]) -> Vec<(&'static str, f64)> {
     M::default().entry().parameters.iter().map(|it| it.name).zip(values.iter().copied()).collect()
@@ -39,7 +39,7 @@ pub(crate) fn cart() -> MechanismBuilder {
 fn a_cart_with_a_pendulum_is_the_one_by_hand() {
     let derived = Derived::from(cart());
     let hand = CartPendulum::default().with_values(&derived.values);
-    let pair = FormPair { hand, derived, more_energy: 0.0 };
+    let pair = Pair { hand, derived, more_energy: 0.0 };
     let mut numbers = Numbers::new(7);
     for _ in 0..50 {
         let [_, angle, _, spin] = numbers.list::<4>().map(|it| 3.0 * it);
@@ -74,7 +74,7 @@ pub(crate) fn ball() -> MechanismBuilder {
 fn a_bouncing_ball_is_the_one_by_hand() {
     let derived = Derived::from(ball());
     let hand = BouncingBall::default().with_values(&derived.values);
-    let pair = FormPair { hand, derived, more_energy: 0.0 };
+    let pair = Pair { hand, derived, more_energy: 0.0 };
     let mut numbers = Numbers::new(8);
     for _ in 0..50 {
         let [y, v] = numbers.list::<2>();
