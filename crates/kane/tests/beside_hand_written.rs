@@ -47,7 +47,7 @@ pub(crate) fn run<M: Resets + Copy>(
 
 /// Values of a preset of the hand-written model, with some replaced.
 fn values(preset: usize, key: u8, changes: &[(&str, f64)]) -> Vec<f64> {
-    let of = |index: usize| (KeyHammerSprings::PRESETS[preset].value)(index, key);
+    let of = |index: usize| (KeyHammerSprings::default().entry().presets[preset].value)(index, key);
     let mut values: Vec<f64> = (0..key_hammer::NAMES.len()).map(of).collect();
     for (name, value) in changes {
         values[key_hammer::NAMES.iter().position(|it| it == name).unwrap()] = *value;
@@ -62,10 +62,11 @@ fn check(
     (h, until): (f64, f64),
     input: impl Fn(f64) -> Motion + Copy,
 ) {
-    let names: Vec<_> = KeyHammerSprings::PARAMETERS.iter().map(|it| it.name).collect();
+    let names: Vec<_> =
+        KeyHammerSprings::default().entry().parameters.iter().map(|it| it.name).collect();
     assert_eq!(names, key_hammer::NAMES, "the order of the parameters");
     let described: by_hand::Described<4> = model(key_hammer::program(), values);
-    let written = KeyHammerSprings::with_values(values);
+    let written = KeyHammerSprings::default().with_values(values);
     let start = described.at_rest(&input(0.0));
     let expected = written.at_rest(&input(0.0));
     for (a, b) in start.1.iter().zip(&expected.1) {
@@ -119,20 +120,20 @@ fn it_is_so_for_a_key_of_a_real_size() {
 fn natures_and_slopes_are_the_hand_written_ones() {
     let paper = values(0, 0, &[]);
     let described: by_hand::Described<4> = model(key_hammer::program(), &paper);
-    let written = KeyHammerSprings::with_values(&paper);
+    let written = KeyHammerSprings::default().with_values(&paper);
     let input = figure_6(1.0)(0.5);
-    for (number, (mode, name)) in (0..).zip(KeyHammerSprings::MODES) {
+    for (number, (mode, name)) in (0..).zip(written.modes()) {
         let number = ModeNumber(number);
-        assert_eq!(described.table().modes[usize::from(number.0)].name, *name);
-        let (found, expected) = (described.nature(number), written.nature(*mode));
+        assert_eq!(described.table().modes[usize::from(number.0)].name, name);
+        let (found, expected) = (described.nature(number), written.nature(mode));
         assert_eq!(found.kind, expected.kind, "{name}");
         // The hand-written rate takes spring and felt one by one.
         let ratio = found.rate / expected.rate;
         assert!((0.8..1.05).contains(&ratio), "{name}: {found:?}, not {expected:?}");
-        assert_eq!(described.parts(number).len(), written.parts(*mode).len(), "{name}");
+        assert_eq!(described.parts(number).len(), written.parts(mode).len(), "{name}");
         let x = [0.01, 0.02, 0.3, -0.2];
         let slopes = described.slopes(number, &x, &input);
-        let wanted = written.slopes(*mode, &x, &input);
+        let wanted = written.slopes(mode, &x, &input);
         assert!((slopes.per_position - wanted.per_position).abs() < 1e-12);
         assert!((slopes.per_rate - wanted.per_rate).abs() < 1e-12);
     }

@@ -243,15 +243,16 @@ fn played(x: [f64; 4], travel: f64, seed: &mut u64) -> Motions<4> {
 fn the_bounds_of_model_b_are_as_tight_as_the_hand_written_ones() {
     let mut seed = 5;
     for preset in [0, 2] {
-        let of = |index: usize| (KeyHammerSprings::PRESETS[preset].value)(index, 30);
+        let of =
+            |index: usize| (KeyHammerSprings::default().entry().presets[preset].value)(index, 30);
         let values: Vec<f64> = (0..key_hammer::NAMES.len()).map(of).collect();
         let described: Described<4> = model(key_hammer::program(), &values);
-        let written = KeyHammerSprings::with_values(&values);
-        for ((mode, name), number) in KeyHammerSprings::MODES.iter().zip(0..) {
-            for spec in written.guards(*mode) {
+        let written = KeyHammerSprings::default().with_values(&values);
+        for ((mode, name), number) in written.modes().zip(0..) {
+            for spec in written.guards(mode) {
                 let label = format!("{preset} {name} {}", spec.name);
                 let own = (&described, ModeNumber(number));
-                check_tight(&label, own, (&written, *mode), spec, &mut seed);
+                check_tight(&label, own, (&written, mode), spec, &mut seed);
             }
         }
     }
@@ -287,10 +288,11 @@ fn check_tight(
 #[test]
 fn the_bound_of_a_force_of_felts_is_as_tight_as_the_hand_written_one() {
     let mut seed = 7;
-    let of = |index: usize| (ReducedGrand::PRESETS[0].value)(index, 40);
-    let values: Vec<f64> = (0..ReducedGrand::PARAMETERS.len()).map(of).collect();
+    let entry = ReducedGrand::default().entry();
+    let of = |index: usize| (entry.presets[0].value)(index, 40);
+    let values: Vec<f64> = (0..entry.parameters.len()).map(of).collect();
     let described: Described<4, 256> = model(lift_off::program(), &values);
-    let written = ReducedGrand::with_values(&values);
+    let written = ReducedGrand::default().with_values(&values);
     let (mode, _) = written.at_rest(&Motion::default());
     let mut ratios = [const { Vec::new() }; 4];
     for place in [-1e-4, 0.004, 0.008, 0.0102] {

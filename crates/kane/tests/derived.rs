@@ -19,13 +19,13 @@ type Assembled<const N: usize> = EquationModel<&'static TapeFunctions, N, 256>;
 /// The assembled model beside the one by hand, with the same values.
 fn both<M, const N: usize>(builder: MechanismBuilder) -> (Assembled<N>, M)
 where
-    M: Described<State = [f64; N]>,
+    M: Described<State = [f64; N]> + Default,
 {
     let derived = Derived::from(builder);
     let program = derived.system.clone().assemble().unwrap();
     let functions: &'static TapeFunctions = Box::leak(Box::new(program.functions));
     let assembled = EquationModel::new(program.table, functions, &derived.values).unwrap();
-    (assembled, M::with_values(&derived.values))
+    (assembled, M::default().with_values(&derived.values))
 }
 
 /// Events of guards, each with the mode that it led to, up to the first that is no guard's.
@@ -54,7 +54,7 @@ fn check<M, const N: usize>(
 where
     M: Described<State = [f64; N]>,
 {
-    let number = |mode: M::Mode| M::MODES.iter().position(|(it, _)| *it == mode).unwrap();
+    let number = |mode: M::Mode| usize::from(written.mode_code(mode).structure());
     let (mode, x) = written.at_rest(&input(0.0));
     let own = ModeNumber(u8::try_from(number(mode)).unwrap());
     let (one, described, _) = run(assembled, (own, x), (h, until), input);

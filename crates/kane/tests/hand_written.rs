@@ -1,6 +1,6 @@
 //! A derived system beside the model that was written by hand.
 
-use models::Described;
+use models::{Described, ModeCode};
 use pode::{Guarded, Motion};
 
 use crate::evaluation::{Derived, close};
@@ -29,11 +29,19 @@ where
         + pode::Resets
         + pode::Energetic,
 {
+    /// The mode by hand with this number.
+    fn mode(&self, number: usize) -> M::Mode {
+        let code = u8::try_from(number).map(ModeCode::structural).expect("few modes");
+        self.hand.mode(code).expect("a mode with this number")
+    }
+
     /// Compares the entries that move by equations, readout, guards, energy and power.
     pub(crate) fn compare(&self, mode: usize, x: &[f64; N], input: [f64; 4]) {
-        let (m, s) = (M::MODES[mode].0, motion(input));
+        let (m, s) = (self.mode(mode), motion(input));
         let equations = &self.derived.system.modes[mode];
-        let what = |of: &str| format!("{of} in {} at {x:?}, {input:?}", M::MODES[mode].1);
+        let what = |of: &str| {
+            format!("{of} in {} at {x:?}, {input:?}", self.hand.entry().modes[mode].name)
+        };
         let found = self.derived.derivative(mode, x, input);
         let expected = self.hand.derivative(m, x, &s);
         for i in (0..N).filter(|i| equations.is_free[*i]) {
@@ -59,7 +67,7 @@ where
 
     /// Compares the state after a guard's first way, and the impulse on the input.
     pub(crate) fn compare_reset(&self, mode: usize, guard: usize, x: &[f64; N], input: [f64; 4]) {
-        let (m, s) = (M::MODES[mode].0, motion(input));
+        let (m, s) = (self.mode(mode), motion(input));
         let spec = self.hand.guards(m)[guard];
         let expected = self.hand.reset(m, spec.id, x, &s);
         let way = &self.derived.system.modes[mode].guards[guard].ways[0];

@@ -1,7 +1,5 @@
 //! Tests of what a mechanism's equations are, and of the programs that are assembled from them,
 //! against closed forms, models written by hand, and other programs.
-//! Tests of what a mechanism's equations are, against closed forms, models written by hand, and
-//! other programs.
 #![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
 
 mod assembled;

@@ -81,7 +81,7 @@ fn model_b_is_the_one_by_hand() {
     for preset in 0..PRESETS.len() {
         let derived = Derived::from(model_b(preset));
         assert_eq!(derived.system.state.len(), 4);
-        let hand = KeyHammerSprings::with_values(&derived.values);
+        let hand = KeyHammerSprings::default().with_values(&derived.values);
         // By hand the hammer's height is over its pivot.
         let [m2, g, l4] = [5, 11, 3].map(|i| derived.values[i]);
         let more_energy = m2 * g * l4;
@@ -105,7 +105,7 @@ fn model_a_is_the_one_by_hand() {
     for preset in 0..PRESETS.len() {
         let derived = Derived::from(model_a(preset));
         assert_eq!(derived.system.state.len(), 2);
-        let hand = KeyHammerRigid::with_values(&derived.values);
+        let hand = KeyHammerRigid::default().with_values(&derived.values);
         // By hand the hammer's height is over its pivot.
         let [m2, g, l4] = [5, 11, 3].map(|i| derived.values[i]);
         let more_energy = m2 * g * l4;

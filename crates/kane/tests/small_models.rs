@@ -7,8 +7,8 @@ use crate::builder::MechanismBuilder;
 use crate::evaluation::{Derived, Numbers};
 use crate::hand_written::Pair;
 
-fn parameters<M: Described>(values: &[f64]) -> Vec<(&'static str, f64)> {
-    M::PARAMETERS.iter().map(|it| it.name).zip(values.iter().copied()).collect()
+fn parameters<M: Described + Default>(values: &[f64]) -> Vec<(&'static str, f64)> {
+    M::default().entry().parameters.iter().map(|it| it.name).zip(values.iter().copied()).collect()
 }
 
 pub(crate) fn cart() -> MechanismBuilder {
@@ -27,7 +27,8 @@ pub(crate) fn cart() -> MechanismBuilder {
     for (name, value, rate) in [("left", "x - left", "x'"), ("right", "right - x", "-x'")] {
         let separation = m.e(rate);
         let guard = m.guard(modes[0], name, value, modes[0]);
-        guard.branches[0].impact = Some(Impact { separation, restitution, within: None });
+        guard.branches[0].impact =
+            Some(Impact { separation, restitution, within: None, settles: None });
     }
     m.guard(modes[1], "off", "reaction_left", modes[0]);
     m.guard(modes[2], "off", "reaction_right", modes[0]);
@@ -37,7 +38,7 @@ pub(crate) fn cart() -> MechanismBuilder {
 #[test]
 fn a_cart_with_a_pendulum_is_the_one_by_hand() {
     let derived = Derived::from(cart());
-    let hand = CartPendulum::with_values(&derived.values);
+    let hand = CartPendulum::default().with_values(&derived.values);
     let pair = Pair { hand, derived, more_energy: 0.0 };
     let mut numbers = Numbers::new(7);
     for _ in 0..50 {
@@ -63,7 +64,8 @@ pub(crate) fn ball() -> MechanismBuilder {
     let modes = [m.mode("flight", &[]), m.mode("rest", &[floor])];
     let (separation, restitution) = (m.e("y' - s'"), m.e("restitution"));
     let guard = m.guard(modes[0], "floor", "y - s", modes[0]);
-    guard.branches[0].impact = Some(Impact { separation, restitution, within: None });
+    guard.branches[0].impact =
+        Some(Impact { separation, restitution, within: None, settles: None });
     m.guard(modes[1], "lift", "reaction_floor/mass", modes[0]);
     m
 }
@@ -71,7 +73,7 @@ pub(crate) fn ball() -> MechanismBuilder {
 #[test]
 fn a_bouncing_ball_is_the_one_by_hand() {
     let derived = Derived::from(ball());
-    let hand = BouncingBall::with_values(&derived.values);
+    let hand = BouncingBall::default().with_values(&derived.values);
     let pair = Pair { hand, derived, more_energy: 0.0 };
     let mut numbers = Numbers::new(8);
     for _ in 0..50 {

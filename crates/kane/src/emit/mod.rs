@@ -12,6 +12,8 @@ mod number;
 mod scope;
 mod table;
 
+use std::collections::BTreeSet;
+
 use equations::table::ModelTable;
 
 use self::body::FunctionBody;
@@ -62,40 +64,51 @@ fn header(source: &str) -> String {
     )
 }
 
+/// The names that emitted code may use, by where they are imported from.
+const IMPORTS: [(&str, &[&str]); 3] = [
+    ("contacts", &["ContactSpec", "FrictionSpec"]),
+    (
+        "equations::table",
+        &[
+            "Arguments",
+            "BodyTable",
+            "ContactModeTable",
+            "ContactTable",
+            "DamperTable",
+            "DrawingTable",
+            "Freedom",
+            "FunctionId",
+            "Functions",
+            "GuardTable",
+            "Material",
+            "ModeTable",
+            "ModelTable",
+            "OutlineTable",
+            "ParameterTable",
+            "PartTable",
+            "PresetTable",
+            "Quantity",
+            "RequirementTable",
+            "RestTable",
+            "RestingTable",
+            "SpringTable",
+            "WayTable",
+        ],
+    ),
+    ("pode", &["EquationKind", "Fires", "GuardId", "GuardSpec", "Part", "Reads", "math"]),
+];
+
 /// The imports that `code` needs, as rustfmt orders and breaks them.
 fn imports(code: &str) -> String {
-    const TABLES: [&str; 18] = [
-        "Arguments",
-        "BodyTable",
-        "ContactModeTable",
-        "ContactTable",
-        "DamperTable",
-        "DrawingTable",
-        "Freedom",
-        "FunctionId",
-        "Functions",
-        "GuardTable",
-        "Material",
-        "ModeTable",
-        "ModelTable",
-        "OutlineTable",
-        "ParameterTable",
-        "PartTable",
-        "PresetTable",
-        "Quantity",
-    ];
-    const MORE: [&str; 4] = ["RequirementTable", "RestTable", "SpringTable", "WayTable"];
-    let is_used = |word: &&&str| words(code).any(|it| it == **word);
-    let tables: Vec<&str> = TABLES.iter().chain(&MORE).filter(|it| is_used(it)).copied().collect();
+    let used: BTreeSet<&str> = words(code).collect();
     let mut text = String::new();
-    if code.contains("functions::") {
-        text.push_str("use equations::functions;\n");
+    for (path, names) in IMPORTS {
+        if path == "equations::table" && used.contains("functions") {
+            text.push_str("use equations::functions;\n");
+        }
+        let names: Vec<&str> = names.iter().filter(|it| used.contains(**it)).copied().collect();
+        text.push_str(&import(path, &names));
     }
-    text.push_str(&import("equations::table", &tables));
-    let kinds: Vec<&str> =
-        ["EquationKind", "Fires", "Reads"].iter().filter(|it| is_used(it)).copied().collect();
-    let kinds = if code.contains("math::") { [kinds, vec!["math"]].concat() } else { kinds };
-    text.push_str(&import("pode", &kinds));
     text
 }
 

@@ -33,7 +33,8 @@ pub fn program() -> Program {
     let start = graph.add(s, y0);
 
     let mut bounce = Draft::way(0, &rebound, impulse);
-    bounce.branch.impact = Some(Impact { separation: parting, restitution: e, within: None });
+    bounce.branch.impact =
+        Some(Impact { separation: parting, restitution: e, within: None, settles: None });
     let flight = draft.mode("flight", &[v, fall]);
     flight.energy = Some(energy);
     flight.guards.push(guard("floor", [gap, parting], bounce));

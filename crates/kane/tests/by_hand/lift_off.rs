@@ -2,13 +2,14 @@
 
 use kane::assemble::Program;
 use kane::graph::{BinaryFunction, Graph, Node, UnaryFunction};
-use models::{Described as _, ReducedGrand};
+use models::reduced_grand;
 
 use super::{Draft, guard};
 
 /// mh R/mk (F − S) + ch R u over the grand's own parameters and state.
 pub fn program() -> Program {
-    let parameters: Vec<_> = ReducedGrand::PARAMETERS.iter().map(|it| (it.name, 1.0)).collect();
+    let parameters: Vec<_> =
+        reduced_grand::ENTRY.parameters.iter().map(|it| (it.name, 1.0)).collect();
     let mut draft = Draft::new(&parameters, &["y", "z"]);
     let [y, u] = draft.state(0);
     let load = load(&mut draft);

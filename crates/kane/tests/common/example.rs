@@ -1,14 +1,15 @@
 //! A lever with a hammer on it, about as large as the models of pianos: something to emit and to
 //! compile, whose equations nobody reads.
 
+use contacts::{ContactSpec, FrictionSpec};
 use equations::table::{
     BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom, GuardTable,
     Material, ModeTable, ModelTable, OutlineTable, ParameterTable, PresetTable, Quantity,
-    RequirementTable, RestTable, SpringTable, WayTable,
+    RequirementTable, RestTable, RestingTable, SpringTable, WayTable,
 };
 use kane::graph::{BinaryFunction, Graph, Node, Place, UnaryFunction};
 use kane::tape::{Argument, Layout, Tape};
-use pode::{EquationKind, Fires, Reads};
+use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
 const LENGTH: (f64, f64) = (1e-3, 10.0);
 
@@ -27,6 +28,7 @@ const MODE: ModeTable = ModeTable {
     name: "contact",
     derivative: 1,
     parts: &[],
+    part_list: &[Part::of(&[0, 2]), Part::WHOLE.of_state()],
     slaved: None,
     projection: None,
     projected: 0,
@@ -37,6 +39,8 @@ const MODE: ModeTable = ModeTable {
     balance: 3,
     jacobian: 5,
     kind: EquationKind::Smooth,
+    loss: Some(2),
+    is_stiffening: true,
     guards: &[GuardTable {
         id: 0,
         name: "release",
@@ -47,14 +51,33 @@ const MODE: ModeTable = ModeTable {
         value: 6,
         bound: None,
         ways: &[
-            WayTable { when: Some(2), to: 1, reset: Some(7) },
-            WayTable { when: None, to: 0, reset: None },
+            WayTable { when: Some(2), to: 1, reset: Some(7), resting: Some(RESTING) },
+            WayTable { when: None, to: 0, reset: None, resting: None },
         ],
         sounds: Some(2),
     }],
+    guard_specs: &[RELEASE],
     contacts: &[CONTACT],
     freedom: Freedom { n: 2, m: 0, p: 2 },
 };
+
+const RESTING: RestingTable = RestingTable { to: 1, state: 7, meeting: 6 };
+
+const RELEASE: GuardSpec = GuardSpec {
+    id: GuardId(0),
+    name: "release",
+    priority: 0,
+    scale: 1.0,
+    fires: Fires::OnCrossing,
+    reads: Reads::StateAndInput,
+};
+
+const STRING: ContactSpec = ContactSpec::new("string", 1e-3).with_friction(FrictionSpec {
+    name: "rub",
+    force: 1.0,
+    slip: 1e-3,
+    slack: 0.0,
+});
 
 /// The example's table.
 pub static TABLE: ModelTable = ModelTable {
@@ -84,6 +107,8 @@ pub static TABLE: ModelTable = ModelTable {
     input_per_metre: 2,
     modes: &[MODE, ModeTable { name: "free'", kind: EquationKind::Affine, guards: &[], ..MODE }],
     contacts: &[ContactTable { name: "string", gap: Some(1e-3), friction: None }],
+    contact_specs: &[STRING],
+    guard_specs: &[RELEASE],
     outputs: &[Quantity { name: "F", unit: "N" }],
     rest: RestTable { mode: 0, state: 7, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
@@ -109,6 +134,7 @@ const CONTACT: ContactModeTable = ContactModeTable {
     gap: Some(6),
     bound: None,
     normal: Some(1),
+    jacobian: Some(5),
     balance: None,
     slip: None,
     limits: None,

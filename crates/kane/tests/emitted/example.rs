@@ -10,13 +10,15 @@
     reason = "names as in the description, straight lines of operations: what applies varies"
 )]
 
+use contacts::{ContactSpec, FrictionSpec};
 use equations::functions;
 use equations::table::{
     Arguments, BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom,
     FunctionId, Functions, GuardTable, Material, ModeTable, ModelTable, OutlineTable,
-    ParameterTable, PresetTable, Quantity, RequirementTable, RestTable, SpringTable, WayTable,
+    ParameterTable, PresetTable, Quantity, RequirementTable, RestTable, RestingTable, SpringTable,
+    WayTable,
 };
-use pode::{EquationKind, Fires, Reads, math};
+use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
 /// All of the model but its arithmetic.
 pub static TABLE: ModelTable = ModelTable {
@@ -98,6 +100,7 @@ pub static TABLE: ModelTable = ModelTable {
             name: "contact",
             derivative: 1,
             parts: &[],
+            part_list: &[Part::of(&[0, 2]), Part::WHOLE.of_state()],
             slaved: None,
             projection: None,
             projected: 0,
@@ -108,6 +111,8 @@ pub static TABLE: ModelTable = ModelTable {
             balance: 3,
             jacobian: 5,
             kind: EquationKind::Smooth,
+            loss: Some(2),
+            is_stiffening: true,
             guards: &[GuardTable {
                 id: 0,
                 name: "release",
@@ -118,16 +123,30 @@ pub static TABLE: ModelTable = ModelTable {
                 value: 6,
                 bound: None,
                 ways: &[
-                    WayTable { when: Some(2), to: 1, reset: Some(7) },
-                    WayTable { when: None, to: 0, reset: None },
+                    WayTable {
+                        when: Some(2),
+                        to: 1,
+                        reset: Some(7),
+                        resting: Some(RestingTable { to: 1, state: 7, meeting: 6 }),
+                    },
+                    WayTable { when: None, to: 0, reset: None, resting: None },
                 ],
                 sounds: Some(2),
+            }],
+            guard_specs: &[GuardSpec {
+                id: GuardId(0),
+                name: "release",
+                priority: 0,
+                scale: 1.0,
+                fires: Fires::OnCrossing,
+                reads: Reads::StateAndInput,
             }],
             contacts: &[ContactModeTable {
                 contact: 0,
                 gap: Some(6),
                 bound: None,
                 normal: Some(1),
+                jacobian: Some(5),
                 balance: None,
                 slip: None,
                 limits: None,
@@ -139,6 +158,7 @@ pub static TABLE: ModelTable = ModelTable {
             name: "free'",
             derivative: 1,
             parts: &[],
+            part_list: &[Part::of(&[0, 2]), Part::WHOLE.of_state()],
             slaved: None,
             projection: None,
             projected: 0,
@@ -149,12 +169,23 @@ pub static TABLE: ModelTable = ModelTable {
             balance: 3,
             jacobian: 5,
             kind: EquationKind::Affine,
+            loss: Some(2),
+            is_stiffening: true,
             guards: &[],
+            guard_specs: &[GuardSpec {
+                id: GuardId(0),
+                name: "release",
+                priority: 0,
+                scale: 1.0,
+                fires: Fires::OnCrossing,
+                reads: Reads::StateAndInput,
+            }],
             contacts: &[ContactModeTable {
                 contact: 0,
                 gap: Some(6),
                 bound: None,
                 normal: Some(1),
+                jacobian: Some(5),
                 balance: None,
                 slip: None,
                 limits: None,
@@ -164,6 +195,19 @@ pub static TABLE: ModelTable = ModelTable {
         },
     ],
     contacts: &[ContactTable { name: "string", gap: Some(0.001), friction: None }],
+    contact_specs: &[ContactSpec {
+        name: "string",
+        gap: Some(0.001),
+        friction: Some(FrictionSpec { name: "rub", force: 1.0, slip: 0.001, slack: 0.0 }),
+    }],
+    guard_specs: &[GuardSpec {
+        id: GuardId(0),
+        name: "release",
+        priority: 0,
+        scale: 1.0,
+        fires: Fires::OnCrossing,
+        reads: Reads::StateAndInput,
+    }],
     outputs: &[Quantity { name: "F", unit: "N" }],
     rest: RestTable { mode: 0, state: 7, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
