@@ -209,7 +209,7 @@ impl<'a> Writing<'a> {
             return;
         }
         self.line(1, "let k = out.order;");
-        self.terms(1, &self.recursion.live(&guards));
+        self.terms(1, &self.recursion.last(&guards));
         self.guards(1, "k");
     }
 
@@ -292,8 +292,8 @@ impl<'a> Writing<'a> {
             Rule::Over(x, _) => format!("{} * per{at}", now(x)),
             Rule::Driven { slope, of } => {
                 let (slope, is_negative) = self.recursion.slope(slope);
-                let sign = if is_negative { "-" } else { "" };
-                format!("{sign}({e} * per_k + w{} * v{})", of.0, slope.0)
+                let (open, close) = if is_negative { ("-(", ")") } else { ("", "") };
+                format!("{open}{e} * per_k + w{} * v{}{close}", of.0, slope.0)
             }
             Rule::Root(x) => format!("({} - {e}) * per{at}", now(x)),
             Rule::Power(x, by) => format!(

@@ -49,6 +49,23 @@ impl Recursion {
         is_live
     }
 
+    /// The slots whose coefficient of one order `outputs` of that order depend on: of a slope only
+    /// those before it count.
+    pub(super) fn last(&self, outputs: &[Slot]) -> Vec<bool> {
+        let mut is_live = vec![false; self.rules.len()];
+        let mut waiting = outputs.to_vec();
+        while let Some(slot) = waiting.pop() {
+            if self.is_constant(slot) || std::mem::replace(&mut is_live[slot.index()], true) {
+                continue;
+            }
+            match self.rules[slot.index()] {
+                Rule::Driven { of, .. } => waiting.push(of),
+                rule => rule.operands(|operand| waiting.push(operand)),
+            }
+        }
+        is_live
+    }
+
     /// The operand itself, or the slot whose row stands for it where it is only a slope.
     fn slope_or(&self, of: Slot, operand: Slot) -> Slot {
         match self.rules[of.index()] {

@@ -2,7 +2,7 @@
 //!
 //! `UPDATE=1 cargo test -p kane --test all taylor` writes it again.
 
-#![expect(clippy::all, clippy::pedantic, reason = "generated")]
+#![expect(clippy::pedantic, reason = "generated")]
 
 use pode::series::lanes::{Lanes, Pair};
 use pode::series::rows::PER_ORDER;
@@ -82,12 +82,12 @@ pub(super) fn coupled(
         let per_k = PER_ORDER[k];
         let w10 = x[0];
         let w11 = x[1];
-        let w12 = (e0[0].both()[0] * per_k + w10 * v13);
+        let w12 = e0[0].both()[0] * per_k + w10 * v13;
         let w13 = -(e0[0].both()[1] * per_k + w10 * v12);
-        let w15 = (e0[1].both()[0] * per_k + w11 * v16);
+        let w15 = e0[1].both()[0] * per_k + w11 * v16;
         let w16 = -(e0[1].both()[1] * per_k + w11 * v15);
         let w18 = w10 - w11;
-        let w19 = (e0[2].both()[0] * per_k + w18 * v20);
+        let w19 = e0[2].both()[0] * per_k + w18 * v20;
         let w20 = -(e0[2].both()[1] * per_k + w18 * v19);
         let w22 = x[2];
         let w23 = x[3];
@@ -137,11 +137,10 @@ pub(super) fn coupled(
     let per_k = PER_ORDER[k];
     let w10 = x[0];
     let w11 = x[1];
-    let w12 = (e0[0].both()[0] * per_k + w10 * v13);
+    let w12 = e0[0].both()[0] * per_k + w10 * v13;
     let w13 = -(e0[0].both()[1] * per_k + w10 * v12);
     let w18 = w10 - w11;
-    let w19 = (e0[2].both()[0] * per_k + w18 * v20);
-    let w20 = -(e0[2].both()[1] * per_k + w18 * v19);
+    let w19 = e0[2].both()[0] * per_k + w18 * v20;
     let w32 = v0 * w19;
     let w33 = v2 * w13;
     let w34 = v1 * w12;
@@ -205,12 +204,12 @@ pub(super) fn apart(
         let per_k = PER_ORDER[k];
         let w8 = x[0];
         let w9 = x[1];
-        let w10 = (e0[0].both()[0] * per_k + w8 * v11);
+        let w10 = e0[0].both()[0] * per_k + w8 * v11;
         let w11 = -(e0[0].both()[1] * per_k + w8 * v10);
         let w13 = w8 - w9;
-        let w14 = (e0[1].both()[0] * per_k + w13 * v15);
+        let w14 = e0[1].both()[0] * per_k + w13 * v15;
         let w15 = -(e0[1].both()[1] * per_k + w13 * v14);
-        let w17 = (e0[2].both()[0] * per_k + w9 * v18);
+        let w17 = e0[2].both()[0] * per_k + w9 * v18;
         let w18 = -(e0[2].both()[1] * per_k + w9 * v17);
         let w20 = x[2];
         let w21 = x[3];
@@ -244,11 +243,10 @@ pub(super) fn apart(
     let per_k = PER_ORDER[k];
     let w8 = x[0];
     let w9 = x[1];
-    let w10 = (e0[0].both()[0] * per_k + w8 * v11);
+    let w10 = e0[0].both()[0] * per_k + w8 * v11;
     let w11 = -(e0[0].both()[1] * per_k + w8 * v10);
     let w13 = w8 - w9;
-    let w14 = (e0[1].both()[0] * per_k + w13 * v15);
-    let w15 = -(e0[1].both()[1] * per_k + w13 * v14);
+    let w14 = e0[1].both()[0] * per_k + w13 * v15;
     let w33 = v0 * w14;
     let w34 = v2 * w11;
     let w35 = v1 * w10;
