@@ -5,6 +5,7 @@
 use equations::functions;
 use pode::series::lanes::{Lanes, Pair};
 use pode::series::rows::PER_ORDER;
+
 use super::{Expansion, INPUT_TERMS, Motion, math};
 
 /// Six functions of x.

@@ -172,6 +172,7 @@ fn file() -> String {
          use equations::functions;\n\
          use pode::series::lanes::{Lanes, Pair};\n\
          use pode::series::rows::PER_ORDER;\n\
+         \n\
          use super::{Expansion, INPUT_TERMS, Motion, math};\n",
     );
     for (index, nodes) in nodes.chunks(6).enumerate() {
