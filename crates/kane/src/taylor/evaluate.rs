@@ -112,11 +112,14 @@ impl TapeSeries {
     /// The coefficients of order `k` of all values.
     fn advance(&self, start: &Start<'_>, state: &[Vec<f64>], known: &mut Coefficients, k: usize) {
         for (slot, rule) in self.recursion.rules.iter().enumerate() {
-            let value = match *rule {
-                Rule::Constant => continue,
-                Rule::State(index) => state[usize::from(index)][k],
-                Rule::Input(rate) => start.input(rate.into(), k),
-                rule => self.term(rule, slot, known, k),
+            let value = if let Rule::State(index) = *rule {
+                state[usize::from(index)][k]
+            } else if let Rule::Input(rate) = *rule {
+                start.input(rate.into(), k)
+            } else if *rule == Rule::Constant {
+                continue;
+            } else {
+                self.term(*rule, slot, known, k)
             };
             known.enter(slot, k, value);
         }

@@ -48,7 +48,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let is_falling = match slot.stand {
             Stand::Armed => first_fall(guard, band) != Fall::None,
             Stand::Departing => first_fall(&guard.departed(), band) != Fall::None,
-            _ => true,
+            Stand::Resting
+            | Stand::Disarmed
+            | Stand::Spent
+            | Stand::Sinking
+            | Stand::Leaving
+            | Stand::Unwatched => true,
         };
         slot.bend = if slot.stand == Stand::Armed { guard.bend() } else { f64::INFINITY };
         Ok(if is_falling { Verdict::Candidate } else { Verdict::Clear })
@@ -70,7 +75,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let fall = match span.stand {
             Stand::Armed => first_fall(&series, rest),
             Stand::Departing => first_fall(&series.departed(), rest),
-            _ => return None,
+            Stand::Resting
+            | Stand::Disarmed
+            | Stand::Spent
+            | Stand::Sinking
+            | Stand::Leaving
+            | Stand::Unwatched => return None,
         };
         match fall {
             Fall::None => Some((Crossing::None, true)),
