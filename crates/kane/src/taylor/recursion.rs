@@ -38,32 +38,15 @@ impl Recursion {
 
     /// The slots whose coefficients `outputs` depend on, in order.
     pub(super) fn live(&self, outputs: &[Slot]) -> Vec<bool> {
-        self.reached(outputs, |slot, waiting| {
-            self.rules[slot.index()].operands(|operand| waiting.push(self.slope_or(slot, operand)));
-        })
-    }
-
-    /// The slots whose coefficients of the same order `outputs` depend on: of a slope only lower
-    /// orders count.
-    pub(super) fn live_in_one_order(&self, outputs: &[Slot]) -> Vec<bool> {
-        self.reached(outputs, |slot, waiting| match self.rules[slot.index()] {
-            Rule::Driven { of, .. } => waiting.push(of),
-            rule => rule.operands(|operand| waiting.push(operand)),
-        })
-    }
-
-    /// The slots that change and that `outputs` lead to, by what `follow` puts on the list of those
-    /// that wait.
-    fn reached(&self, outputs: &[Slot], follow: impl Fn(Slot, &mut Vec<Slot>)) -> Vec<bool> {
-        let mut is_reached = vec![false; self.rules.len()];
+        let mut is_live = vec![false; self.rules.len()];
         let mut waiting = outputs.to_vec();
         while let Some(slot) = waiting.pop() {
-            if self.is_constant(slot) || std::mem::replace(&mut is_reached[slot.index()], true) {
+            if self.is_constant(slot) || std::mem::replace(&mut is_live[slot.index()], true) {
                 continue;
             }
-            follow(slot, &mut waiting);
+            self.rules[slot.index()].operands(|operand| waiting.push(self.slope_or(slot, operand)));
         }
-        is_reached
+        is_live
     }
 
     /// The slots whose coefficient of one order `outputs` of that order depend on: of a slope only
