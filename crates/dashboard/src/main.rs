@@ -16,7 +16,7 @@ const USUAL: &str = "127.0.0.1:8765";
 /// Shows what a host of force-feedback keys does, and changes it.
 #[derive(Parser, Debug)]
 #[command(name = "letoff-dashboard", version)]
-struct Arguments {
+struct DashboardArguments {
     /// A host's address, or a recording (.mcap).
     #[arg(value_name = "ADDRESS | FILE.mcap", default_value = USUAL)]
     target: String,
@@ -32,7 +32,7 @@ struct Arguments {
 }
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = DashboardArguments::parse();
     match run(arguments) {
         Ok(()) => ExitCode::SUCCESS,
         Err(sentence) => {
@@ -45,7 +45,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(arguments: Arguments) -> Result<(), Sentence> {
+fn run(arguments: DashboardArguments) -> Result<(), Sentence> {
     let target = if arguments.demo {
         WindowTarget::Demonstration
     } else {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use equations::table::{Arguments, FunctionId, Functions, ModeTable, ModelTable, Quantity};
+use equations::table::{Arguments, FunctionId, Functions, ModeTable, ModelTable, NamedQuantity};
 use models::catalogue::ModelEntry;
 use models::{GuardEntry, ModeEntry, Parameter, Preset};
 
@@ -27,8 +27,8 @@ pub(crate) fn entry(
     functions: &'static dyn Functions,
     file: Option<&Path>,
 ) -> &'static ModelEntry {
-    let names = |all: &[Quantity]| keep(all.iter().map(|it| it.name));
-    let units = |all: &[Quantity]| keep(all.iter().map(|it| it.unit));
+    let names = |all: &[NamedQuantity]| keep(all.iter().map(|it| it.name));
+    let units = |all: &[NamedQuantity]| keep(all.iter().map(|it| it.unit));
     let parameters = keep(table.parameters.iter().map(|it| Parameter {
         name: it.name,
         title: it.title,

@@ -50,14 +50,14 @@ pub struct ModelTable {
     pub presets: &'static [PresetTable],
     /// What must be positive for the values to be possible.
     pub requirements: &'static [RequirementTable],
-    pub states: &'static [Quantity],
+    pub states: &'static [NamedQuantity],
     /// How many leading states are coordinates.
     pub coordinates: usize,
     /// How many constants there are, the parameters included.
     pub constants: usize,
     /// From the parameters, `constants[..parameters.len()]`, to the constants after them.
     pub derive_constants: FunctionId,
-    pub input: Quantity,
+    pub input: NamedQuantity,
     /// From constants to the input per metre of key-front travel.
     pub input_per_metre: FunctionId,
     pub modes: &'static [ModeTable],
@@ -66,7 +66,7 @@ pub struct ModelTable {
     pub contact_specs: &'static [ContactSpec],
     /// The guards of all modes, each id once, for a model with contacts.
     pub guard_specs: &'static [GuardSpec],
-    pub outputs: &'static [Quantity],
+    pub outputs: &'static [NamedQuantity],
     pub rest: RestTable,
     pub damper: Option<DamperTable>,
     pub drawing: DrawingTable,
@@ -74,7 +74,7 @@ pub struct ModelTable {
 
 /// A named quantity.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Quantity {
+pub struct NamedQuantity {
     pub name: &'static str,
     /// SI unit; `"1"` for a ratio.
     pub unit: &'static str,
@@ -341,6 +341,7 @@ pub enum Material {
     Felt,
     Metal,
     String,
+    /// What does not move.
     Ground,
     Finger,
 }

@@ -9,6 +9,9 @@
 //! [`Place::Speed`]: crate::graph::Place::Speed
 //! [`Place::Input`]: crate::graph::Place::Input
 
+pub use equations::table::Material;
+pub use pode::Fires;
+
 use crate::graph::{Graph, Node};
 
 /// A mechanism, or a system of plain equations, in the modes that it has.
@@ -20,35 +23,35 @@ pub struct Mechanism {
     pub name: String,
     /// What it is, in one line.
     pub summary: String,
-    pub parameters: Vec<Parameter>,
+    pub parameters: Vec<MechanismParameter>,
     /// Named values of the parameters; the first is the default.
-    pub presets: Vec<Preset>,
+    pub presets: Vec<MechanismPreset>,
     /// Must be positive, on every key: with what to say if one is not.
     pub requirements: Vec<Requirement>,
     pub input: InputSpec,
     pub coordinates: Vec<Coordinate>,
     pub speeds: Vec<Speed>,
     /// The first is the ground.
-    pub frames: Vec<Frame>,
-    pub bodies: Vec<Body>,
+    pub frames: Vec<ReferenceFrame>,
+    pub bodies: Vec<RigidBody>,
     /// Acceleration of free fall in the ground's axes (m/s²).
     pub gravity: [Option<Node>; 3],
     pub forces: Vec<Force>,
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<MechanismContact>,
     pub constraints: Vec<Constraint>,
     pub modes: Vec<Mode>,
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<MechanismOutput>,
     /// Generalised force on what drives the input, where it is stated; else it is derived.
     pub readout: Option<Node>,
     /// The mode at rest, and each coordinate there as a function of the input.
     pub rest: Rest,
-    pub sound: Option<Damper>,
+    pub sound: Option<StringDamper>,
     pub drawing: Drawing,
 }
 
 /// A parameter with its unit and range.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Parameter {
+pub struct MechanismParameter {
     /// Name in expressions, scenes and files.
     pub name: String,
     /// Name for people, on sliders.
@@ -64,7 +67,7 @@ pub struct Parameter {
 /// A named set of values; each is a formula of the key ([`Place::Key`](crate::graph::Place::Key))
 /// and of other parameters.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Preset {
+pub struct MechanismPreset {
     pub name: String,
     pub doc: String,
     /// One expression per parameter, of the key alone.
@@ -113,7 +116,7 @@ pub struct Speed {
 
 /// Axes that move.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Frame {
+pub struct ReferenceFrame {
     pub name: String,
     /// The frame in which it moves; the ground is its own.
     pub parent: usize,
@@ -125,7 +128,7 @@ pub struct Frame {
 
 /// A rigid body.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Body {
+pub struct RigidBody {
     pub name: String,
     pub frame: usize,
     /// Mass (kg).
@@ -153,7 +156,7 @@ pub struct Force {
 
 /// A compliant contact, or a bearing with friction: an automaton of its own.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Contact {
+pub struct MechanismContact {
     pub name: String,
     /// Positive while apart (m); a bearing has none.
     pub gap: Option<Node>,
@@ -161,12 +164,12 @@ pub struct Contact {
     pub scale: f64,
     /// The force while it is closed; its stretch is −gap.
     pub force: Option<Force>,
-    pub friction: Option<Friction>,
+    pub friction: Option<DryFriction>,
 }
 
 /// Dry friction that sticks.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Friction {
+pub struct DryFriction {
     pub name: String,
     /// Relative speed (m/s or rad/s), linear in the speeds.
     pub slip: Node,
@@ -234,22 +237,14 @@ pub struct Guard {
     pub priority: u8,
     pub fires: Fires,
     /// Where it leads: the first branch whose condition is positive, or that has none.
-    pub branches: Vec<Branch>,
+    pub branches: Vec<GuardBranch>,
     /// Speed of what strikes (m/s), before the reset; over the state.
     pub sounds: Option<Node>,
 }
 
-/// When a guard fires.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Fires {
-    #[default]
-    WhileNegative,
-    OnCrossing,
-}
-
 /// A way out of a mode.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Branch {
+pub struct GuardBranch {
     /// Positive where this way is taken.
     pub when: Option<Node>,
     /// The next mode.
@@ -283,7 +278,7 @@ pub struct Impact {
 
 /// A quantity for files and plots.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Output {
+pub struct MechanismOutput {
     pub name: String,
     pub unit: String,
     /// Its expression, one per mode.
@@ -305,7 +300,7 @@ pub struct Rest {
 
 /// When the key lifts a damper, and what sounds at all.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Damper {
+pub struct StringDamper {
     /// Key-front travel at which it leaves the string, and at which it is back (m).
     pub lift: f64,
     pub fall: f64,
@@ -333,17 +328,6 @@ pub struct Outline {
     pub points: Vec<[Node; 2]>,
     /// Modes in which it is shown; all if there are none.
     pub modes: Vec<usize>,
-}
-
-/// What a line is made of.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Material {
-    Wood,
-    Felt,
-    Metal,
-    String,
-    Ground,
-    Finger,
 }
 
 /// A spring between points of two frames.

@@ -5,13 +5,13 @@ use diagnostics::{Diagnostic, Diagnostics};
 use crate::assemble::Program;
 use crate::description::{Bases, Description, read};
 use crate::mechanics::{DerivationError, derive};
-use crate::system::System;
+use crate::system::EquationSystem;
 
 /// A description, the equations that were derived from it, and their program.
 #[derive(Clone, Debug)]
 pub struct DerivedModel {
     pub description: Description,
-    pub system: System,
+    pub system: EquationSystem,
     pub program: Program,
 }
 

@@ -5,11 +5,11 @@
 //! of the state.
 
 use crate::graph::{Node, Place};
-use crate::mechanism::{Branch, Fires, Mechanism};
+use crate::mechanism::{Fires, GuardBranch, Mechanism};
 
 /// The equations of a mechanism.
 #[derive(Clone, Debug)]
-pub struct System {
+pub struct EquationSystem {
     /// What they were derived from, with the graph of both.
     pub mechanism: Mechanism,
     /// The state: coordinates, then speeds, each by its place.
@@ -93,7 +93,7 @@ pub struct GuardEquations {
 /// A way out of a mode.
 #[derive(Clone, Debug)]
 pub struct Way {
-    pub branch: Branch,
+    pub branch: GuardBranch,
     /// The state after it.
     pub state: Vec<Node>,
     /// Impulse on what drives the input (readout × s).

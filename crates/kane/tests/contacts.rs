@@ -1,6 +1,6 @@
 //! Contacts and frictions against the same forces written as forces.
 
-use kane::mechanism::{Contact, Force, Friction};
+use kane::mechanism::{DryFriction, Force, MechanismContact};
 
 use crate::builder::MechanismBuilder;
 use crate::evaluation::{Derived, Numbers, close};
@@ -31,8 +31,9 @@ fn with_contact() -> Derived {
     // The force along the stretch −gap that makes it smaller.
     let force = Force { name: "tip".into(), stretch, stretch_rate, tension, energy };
     let (slip, stiction, kinetic) = (m.e("slip"), m.e("2"), m.e("1"));
-    let friction = Friction { name: "floor".into(), slip, stiction, kinetic, scales: (1.0, 1.0) };
-    m.it.contacts.push(Contact {
+    let friction =
+        DryFriction { name: "floor".into(), slip, stiction, kinetic, scales: (1.0, 1.0) };
+    m.it.contacts.push(MechanismContact {
         name: "tip".into(),
         gap: Some(gap),
         scale: 1.0,

@@ -60,7 +60,7 @@ fn emitted_functions_give_the_tape_s_bits() {
         let input = [(0.21 * n).sin(), 0.7, -2.0, 1.0];
         let given = Arguments { constants: &constants, state: &state, input: &input, extra: &[n] };
         for (number, tape) in (0..).zip(example::functions()) {
-            let expected = tape.evaluate(&tape::Arguments {
+            let expected = tape.evaluate(&tape::TapeArguments {
                 constants: &constants,
                 state: &state,
                 input,

@@ -1,9 +1,9 @@
 //! Equations for people.
 
 use kane::graph::{BinaryFunction, Graph, Node, Place, UnaryFunction};
-use kane::mechanism::{Branch, Coordinate, Mechanism, Mode, Parameter, Speed};
+use kane::mechanism::{Coordinate, GuardBranch, Mechanism, MechanismParameter, Mode, Speed};
 use kane::readable::{Notation, SymbolNames, equations, expression, system_equations};
-use kane::system::{GuardEquations, ModeEquations, System, Way};
+use kane::system::{EquationSystem, GuardEquations, ModeEquations, Way};
 
 fn names() -> SymbolNames {
     let mut names = SymbolNames::default();
@@ -102,14 +102,14 @@ fn an_expression_of_any_depth_is_written() {
 }
 
 /// A ball that bounces: two states, one guard.
-fn ball() -> System {
+fn ball() -> EquationSystem {
     let mut graph = Graph::new();
     let [g, e] = [0, 1].map(|at| graph.symbol(Place::Parameter(at)));
     let (y, v) = (graph.symbol(Place::Coordinate(0)), graph.symbol(Place::Speed(0)));
     let (fall, bounced) = (graph.negate(g), graph.multiply(e, v));
     let bounced = graph.negate(bounced);
     let zero = graph.constant(0.0);
-    let parameter = |name: &str| Parameter {
+    let parameter = |name: &str| MechanismParameter {
         name: name.to_owned(),
         title: String::new(),
         unit: "1".to_owned(),
@@ -118,7 +118,7 @@ fn ball() -> System {
     };
     let name = |name: &str| (name.to_owned(), "m".to_owned(), (0.0, 1.0));
     let ((coordinate, unit, range), (speed, speed_unit, speed_range)) = (name("y"), name("y'"));
-    let branch = Branch { when: None, to: 0, set: vec![], impact: None };
+    let branch = GuardBranch { when: None, to: 0, set: vec![], impact: None };
     let mode = ModeEquations {
         derivative: vec![v, fall],
         slaved: vec![y, v],
@@ -136,7 +136,7 @@ fn ball() -> System {
         }],
         ..ModeEquations::default()
     };
-    System {
+    EquationSystem {
         mechanism: Mechanism {
             graph,
             parameters: vec![parameter("g"), parameter("e")],

@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests, outside #[test]")]
 
 use kane::graph::{Graph, Node, Place};
-use kane::tape::{Argument, Arguments, Instruction, Layout, Tape, constant_parts};
+use kane::tape::{Argument, ArgumentLayout, Instruction, Tape, TapeArguments, constant_parts};
 use proptest::prelude::*;
 
 use crate::common::{SYMBOLS, layout, trees, values};
@@ -11,7 +11,8 @@ use crate::common::{SYMBOLS, layout, trees, values};
 pub(crate) fn value(tape: &Tape, symbols: &[f64; 6]) -> f64 {
     let [p0, p1, q0, q1, u0, s1] = *symbols;
     let input = [0.0, s1, 0.0, 0.0];
-    tape.evaluate(&Arguments { constants: &[p0, p1], state: &[q0, q1, u0], input, extra: &[] })[0]
+    tape.evaluate(&TapeArguments { constants: &[p0, p1], state: &[q0, q1, u0], input, extra: &[] })
+        [0]
 }
 
 proptest! {
@@ -45,7 +46,7 @@ fn missing_arguments_are_not_numbers() {
     let mut graph = Graph::new();
     let x = graph.symbol(Place::Coordinate(1));
     let tape = Tape::lower(&graph, &layout(), &[x]).unwrap();
-    let short = Arguments { state: &[1.0], ..Arguments::default() };
+    let short = TapeArguments { state: &[1.0], ..TapeArguments::default() };
     assert!(tape.evaluate(&short)[0].is_nan());
 }
 
@@ -115,7 +116,7 @@ fn what_products_share_is_multiplied_once() {
 fn long_sums_are_trees() {
     const TERMS: u16 = 32;
     let mut graph = Graph::new();
-    let mut layout = Layout::default();
+    let mut layout = ArgumentLayout::default();
     let terms: Vec<(Node, f64)> = (0..TERMS)
         .map(|at| {
             layout.place(Place::Extra(at), Argument::Extra(at));
@@ -146,14 +147,17 @@ fn what_is_ready_is_found_within_products_and_sums() {
     let mut layout = layout();
     let values: Vec<f64> = {
         let tape = Tape::lower(&graph, &layout, &parts).unwrap();
-        tape.evaluate(&Arguments { constants: &[2.0, 5.0], ..Arguments::default() })
+        tape.evaluate(&TapeArguments { constants: &[2.0, 5.0], ..TapeArguments::default() })
     };
     for (at, part) in (0..).zip(&parts) {
         layout.ready(*part, Argument::Extra(at));
     }
     let tape = Tape::lower(&graph, &layout, &outputs).unwrap();
     assert_eq!(costs(&tape), (1, 0, 1));
-    let got =
-        tape.evaluate(&Arguments { state: &[7.0, 11.0], extra: &values, ..Arguments::default() });
+    let got = tape.evaluate(&TapeArguments {
+        state: &[7.0, 11.0],
+        extra: &values,
+        ..TapeArguments::default()
+    });
     assert_eq!(got, [140.0, 32.0, 2.0_f64.sqrt()]);
 }

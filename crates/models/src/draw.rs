@@ -3,6 +3,8 @@
 //! A model says once, for its values, what it is made of and what moves each part; whoever draws
 //! needs only the signals (states, guards, outputs) to move it.
 
+pub use equations::table::Material;
+
 /// What moves a part: `offset + scale · signal`.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Follow {
@@ -38,18 +40,6 @@ pub struct Body<'a> {
     pub angle: Follow,
     /// Shown only in these modes, by their number in the model's list; always if there are none.
     pub modes: &'a [u8],
-}
-
-/// What a line is made of.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Material {
-    Wood,
-    Felt,
-    Metal,
-    String,
-    /// What does not move.
-    Ground,
-    Finger,
 }
 
 /// A spring between points of two bodies, by the bodies' numbers.

@@ -59,7 +59,7 @@ fn main() {
         let (emitted, native) = (of(&*dynamic), of(&native));
         let interpreted = time(|n| {
             let state = [n, 0.5 - n, 1.0, 2.0];
-            let given = tape::Arguments {
+            let given = tape::TapeArguments {
                 constants: &CONSTANTS,
                 state: &state,
                 input: [0.2, 0.7, 0.0, 0.0],

@@ -9,7 +9,7 @@ use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Module as _};
 use kane::graph::UnaryFunction;
-use kane::tape::{AngleGroup, AngleValues, Argument, Instruction, Slot, Tape};
+use kane::tape::{AngleGroup, AngleValues, Argument, Instruction, Tape, TapeSlot};
 
 use crate::arithmetic;
 use crate::functions::Callees;
@@ -44,7 +44,7 @@ struct Translation<'a, 'f> {
     builder: FunctionBuilder<'f>,
     /// Constants, state, input, extra, out.
     pointers: Vec<Value>,
-    values: HashMap<Slot, Value>,
+    values: HashMap<TapeSlot, Value>,
 }
 
 impl Translation<'_, '_> {
@@ -55,7 +55,7 @@ impl Translation<'_, '_> {
             if let Some(group) = groups.get(&at) {
                 self.group(group);
             }
-            let slot = Slot(u32::try_from(at).unwrap_or(u32::MAX));
+            let slot = TapeSlot(u32::try_from(at).unwrap_or(u32::MAX));
             if uses > 0 && !self.values.contains_key(&slot) {
                 let value = self.instruction(*instruction);
                 self.values.insert(slot, value);
@@ -113,8 +113,8 @@ impl Translation<'_, '_> {
     }
 
     /// A sine or cosine that stands twice in a tape.
-    fn repeated(&mut self, angle: Slot, instruction: Instruction) -> Value {
-        let all = (0..).map(Slot).zip(&self.tape.instructions);
+    fn repeated(&mut self, angle: TapeSlot, instruction: Instruction) -> Value {
+        let all = (0..).map(TapeSlot).zip(&self.tape.instructions);
         let mut same = all.filter(|(_, it)| **it == instruction);
         match same.find_map(|(slot, _)| self.values.get(&slot)) {
             Some(value) => *value,

@@ -2,7 +2,7 @@
 
 use equations::table::{Arguments, Functions as _};
 use kane::graph::Graph;
-use kane::tape::{self, Instruction, Slot, Tape};
+use kane::tape::{self, Instruction, Tape, TapeSlot};
 use native::{NativeError, compile};
 use proptest::prelude::*;
 
@@ -27,7 +27,7 @@ proptest! {
         let native = compile(core::slice::from_ref(&tape)).unwrap();
         for [p0, p1, q0, q1, u0, s1] in points {
             let (constants, state, input) = ([p0, p1], [q0, q1, u0], [0.0, s1, 0.0, 0.0]);
-            let expected = tape.evaluate(&tape::Arguments {
+            let expected = tape.evaluate(&tape::TapeArguments {
                 constants: &constants, state: &state, input, extra: &[],
             });
             let mut out = vec![0.0; nodes.len()];
@@ -51,7 +51,7 @@ fn a_whole_model_gives_the_tapes_bits() {
         let input = [(0.21 * n).sin(), 0.7, -2.0, 1.0];
         let given = Arguments { constants: &CONSTANTS, state: &state, input: &input, extra: &[n] };
         for (number, tape) in (0..).zip(&tapes) {
-            let expected = tape.evaluate(&tape::Arguments {
+            let expected = tape.evaluate(&tape::TapeArguments {
                 constants: &CONSTANTS,
                 state: &state,
                 input,
@@ -83,11 +83,11 @@ fn short_arguments_give_no_number_and_read_nothing() {
 #[test]
 fn a_tape_that_is_no_straight_line_is_refused() {
     let loops = Tape {
-        instructions: vec![Instruction::Number(1.0), Instruction::Add(Slot(0), Slot(1))],
-        outputs: vec![Slot(1)],
+        instructions: vec![Instruction::Number(1.0), Instruction::Add(TapeSlot(0), TapeSlot(1))],
+        outputs: vec![TapeSlot(1)],
     };
     assert!(matches!(compile(&[loops]), Err(NativeError::Order { function: 0 })));
-    let beyond = Tape { instructions: vec![], outputs: vec![Slot(0)] };
+    let beyond = Tape { instructions: vec![], outputs: vec![TapeSlot(0)] };
     assert!(matches!(compile(&[beyond]), Err(NativeError::Order { function: 0 })));
 }
 

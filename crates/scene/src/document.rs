@@ -9,7 +9,7 @@ const MOST_BROKEN_LINES: usize = 20;
 
 /// A value and where it stands.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Node {
+pub(super) struct DocumentNode {
     pub(super) place: Location,
     pub(super) value: TomlValue,
 }
@@ -22,7 +22,7 @@ pub(super) enum TomlValue {
     Float(f64),
     Truth(bool),
     Date,
-    List(Vec<Node>),
+    List(Vec<DocumentNode>),
     Table(Vec<DocumentEntry>),
 }
 
@@ -32,10 +32,10 @@ pub(super) struct DocumentEntry {
     pub(super) name: String,
     /// The place of the name.
     pub(super) place: Location,
-    pub(super) node: Node,
+    pub(super) node: DocumentNode,
 }
 
-impl Node {
+impl DocumentNode {
     /// Returns the kind of its value in words.
     pub(super) const fn kind(&self) -> &'static str {
         match self.value {
@@ -91,7 +91,7 @@ impl Node {
 /// Reads the report's file; reports every line that is no TOML and reads on without it.
 ///
 /// Nothing comes back where what is left could not be understood.
-pub(super) fn parse(report: &mut MistakeList<'_>) -> Option<Node> {
+pub(super) fn parse(report: &mut MistakeList<'_>) -> Option<DocumentNode> {
     let mut text = report.source().text.clone();
     let mut left_out = Vec::new();
     for _ in 0..MOST_BROKEN_LINES {
@@ -132,19 +132,19 @@ fn at(span: Option<std::ops::Range<usize>>) -> Location {
 
 type Locate<'a> = &'a dyn Fn(Option<std::ops::Range<usize>>) -> Location;
 
-fn from_item(item: &Item, locate: Locate<'_>) -> Node {
+fn from_item(item: &Item, locate: Locate<'_>) -> DocumentNode {
     match item {
-        Item::None => Node { place: locate(None), value: TomlValue::Table(Vec::new()) },
+        Item::None => DocumentNode { place: locate(None), value: TomlValue::Table(Vec::new()) },
         Item::Value(value) => from_value(value, locate),
         Item::Table(table) => from_table(table, table.span(), locate),
         Item::ArrayOfTables(tables) => {
             let nodes = tables.iter().map(|table: &Table| from_table(table, table.span(), locate));
-            Node { place: locate(tables.span()), value: TomlValue::List(nodes.collect()) }
+            DocumentNode { place: locate(tables.span()), value: TomlValue::List(nodes.collect()) }
         }
     }
 }
 
-fn from_value(value: &toml_edit::Value, locate: Locate<'_>) -> Node {
+fn from_value(value: &toml_edit::Value, locate: Locate<'_>) -> DocumentNode {
     use toml_edit::Value as Toml;
     let plain = match value {
         Toml::String(text) => TomlValue::Text(text.value().clone()),
@@ -157,10 +157,10 @@ fn from_value(value: &toml_edit::Value, locate: Locate<'_>) -> Node {
         }
         Toml::InlineTable(table) => return from_inline(table, locate),
     };
-    Node { place: locate(value.span()), value: plain }
+    DocumentNode { place: locate(value.span()), value: plain }
 }
 
-fn from_inline(table: &InlineTable, locate: Locate<'_>) -> Node {
+fn from_inline(table: &InlineTable, locate: Locate<'_>) -> DocumentNode {
     from_table(table, table.span(), locate)
 }
 
@@ -168,7 +168,7 @@ fn from_table(
     table: &dyn TableLike,
     span: Option<std::ops::Range<usize>>,
     locate: Locate<'_>,
-) -> Node {
+) -> DocumentNode {
     let entries = table.iter().map(|(name, item)| {
         let node = from_item(item, locate);
         let place = match table.key(name).and_then(Key::span) {
@@ -177,5 +177,5 @@ fn from_table(
         };
         DocumentEntry { name: name.to_owned(), place, node }
     });
-    Node { value: TomlValue::Table(entries.collect()), place: locate(span) }
+    DocumentNode { value: TomlValue::Table(entries.collect()), place: locate(span) }
 }

@@ -3,7 +3,7 @@
 use keyboard::{KEYS, KeyRange, RangeError};
 use models::catalogue::ModelEntry;
 
-use super::document::{Node, TomlValue};
+use super::document::{DocumentNode, TomlValue};
 use super::embedded::INSTRUMENTS;
 use super::instrument::{Instrument, known_as};
 use super::needs::LoopSettings;
@@ -77,7 +77,7 @@ type ReadRange = (KeyRange, Location);
 /// Reads one `[[keys]]` table; all of it, even if part of it is wrong.
 fn read_range(
     report: &mut MistakeList<'_>,
-    node: &Node,
+    node: &DocumentNode,
     taken: &mut Vec<ReadRange>,
     in_loop: Option<LoopSettings<'_>>,
 ) -> Option<(KeyRange, Voicing)> {

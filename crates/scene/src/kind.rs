@@ -95,7 +95,7 @@ pub(super) fn check(source: &SourceText) -> Result<FileKind, Diagnostics> {
 fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
     let mut report = MistakeList::new(source, &[]);
     let root = document::parse(&mut report);
-    let entries = root.as_ref().and_then(document::Node::entries).unwrap_or_default();
+    let entries = root.as_ref().and_then(document::DocumentNode::entries).unwrap_or_default();
     let count = |names: &[&str]| {
         entries.iter().filter(|entry| names.contains(&entry.name.as_str())).count()
     };

@@ -1,6 +1,6 @@
 //! `[[stable]]`: with which rate and estimator an instrument is stable in a loop with its key.
 
-use super::document::Node;
+use super::document::DocumentNode;
 use super::quantity::number;
 use super::read::{self, TableReader};
 use super::render::{
@@ -91,7 +91,7 @@ impl Needs {
 }
 
 impl Stable {
-    fn read(report: &mut MistakeList<'_>, node: &Node) -> Option<Self> {
+    fn read(report: &mut MistakeList<'_>, node: &DocumentNode) -> Option<Self> {
         let mut reader = TableReader::new(report, "[stable]", node)?;
         let stable = Self {
             min_tick_hz: reader.whole(report, "min_tick_hz", TICK_HZ),

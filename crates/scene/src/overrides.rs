@@ -2,7 +2,7 @@
 //!
 //! A number in a path is a place in a list: `links.bus.0.bit_rate` is that of the first bus.
 
-use super::document::{DocumentEntry, Node, TomlValue};
+use super::document::{DocumentEntry, DocumentNode, TomlValue};
 use super::report::{Location, MistakeList};
 use super::source::Override;
 use diagnostics::quoted;
@@ -16,7 +16,7 @@ const VOICE: [&str; 3] = ["instrument", "model", "preset"];
 /// Puts `overrides` into the scene `root`, the last of a name winning.
 ///
 /// `keys.0.…` means the first key range, and `keys.…` all of them.
-pub(super) fn apply(report: &mut MistakeList<'_>, root: &mut Node, overrides: &[Override]) {
+pub(super) fn apply(report: &mut MistakeList<'_>, root: &mut DocumentNode, overrides: &[Override]) {
     for (index, Override { name, value, .. }) in overrides.iter().enumerate() {
         let place = Location::Override(index);
         let steps: Vec<&str> = name.split('.').map(str::trim).collect();
@@ -25,7 +25,7 @@ pub(super) fn apply(report: &mut MistakeList<'_>, root: &mut Node, overrides: &[
             report.say(place, format!("{} is no name of a value", quoted(name)), help);
             continue;
         }
-        let node = Node::overriding(value, place);
+        let node = DocumentNode::overriding(value, place);
         match steps.as_slice() {
             ["keys", rest @ ..] if !rest.is_empty() => set_keys(report, root, rest, &node),
             steps => set(report, root, steps, 0, &node),
@@ -34,7 +34,12 @@ pub(super) fn apply(report: &mut MistakeList<'_>, root: &mut Node, overrides: &[
 }
 
 /// Sets the value at `steps` of some or all key ranges.
-fn set_keys(report: &mut MistakeList<'_>, root: &mut Node, steps: &[&str], value: &Node) {
+fn set_keys(
+    report: &mut MistakeList<'_>,
+    root: &mut DocumentNode,
+    steps: &[&str],
+    value: &DocumentNode,
+) {
     let (chosen, steps) = match steps {
         [first, rest @ ..] => match first.parse::<usize>() {
             Ok(range) => (Some(range), rest),
@@ -66,7 +71,7 @@ fn set_keys(report: &mut MistakeList<'_>, root: &mut Node, steps: &[&str], value
     }
 }
 
-fn ranges_of(root: &mut Node) -> &mut [Node] {
+fn ranges_of(root: &mut DocumentNode) -> &mut [DocumentNode] {
     let TomlValue::Table(entries) = &mut root.value else { return &mut [] };
     match entries.iter_mut().find(|entry| entry.name == "keys").map(|entry| &mut entry.node.value) {
         Some(TomlValue::List(ranges)) => ranges,
@@ -75,7 +80,7 @@ fn ranges_of(root: &mut Node) -> &mut [Node] {
 }
 
 /// Removes the voice that the file gives, if `steps` set another.
-fn replace_voice(range: &mut Node, steps: &[&str]) {
+fn replace_voice(range: &mut DocumentNode, steps: &[&str]) {
     if !matches!(steps, ["instrument" | "model"]) {
         return;
     }
@@ -88,7 +93,13 @@ fn replace_voice(range: &mut Node, steps: &[&str]) {
 
 /// Sets the value at `steps` of a table, of which the first `depth` have led to `node`; whether
 /// it belongs there is checked later.
-fn set(report: &mut MistakeList<'_>, node: &mut Node, steps: &[&str], depth: usize, value: &Node) {
+fn set(
+    report: &mut MistakeList<'_>,
+    node: &mut DocumentNode,
+    steps: &[&str],
+    depth: usize,
+    value: &DocumentNode,
+) {
     let Some(step) = steps.get(depth) else {
         node.clone_from(value);
         return;
@@ -127,9 +138,9 @@ fn entry<'a>(
 }
 
 /// Reports that `node`, to which `path` leads, has no such item.
-fn refuse_item(report: &mut MistakeList<'_>, node: &Node, path: &[&str], place: Location) {
+fn refuse_item(report: &mut MistakeList<'_>, node: &DocumentNode, path: &[&str], place: Location) {
     let path = path.join(".");
-    let n = node.items().map_or(0, <[Node]>::len);
+    let n = node.items().map_or(0, <[DocumentNode]>::len);
     let help = match n {
         0 => "add one to the file first".to_owned(),
         1 => format!("use {path}.0, the only one"),
@@ -139,6 +150,6 @@ fn refuse_item(report: &mut MistakeList<'_>, node: &Node, path: &[&str], place: 
     report.miss(place, format!("{} {what}", quoted(&path)), help);
 }
 
-const fn empty(place: Location) -> Node {
-    Node { place, value: TomlValue::Table(Vec::new()) }
+const fn empty(place: Location) -> DocumentNode {
+    DocumentNode { place, value: TomlValue::Table(Vec::new()) }
 }

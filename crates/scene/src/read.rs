@@ -1,6 +1,6 @@
 //! Typed access to a table: wrong entries are reported, and so are unknown ones.
 
-use super::document::{DocumentEntry, Node, TomlValue};
+use super::document::{DocumentEntry, DocumentNode, TomlValue};
 use super::quantity::{self, Quantity, QuantityError};
 use super::report::{Location, MistakeList};
 use diagnostics::{choice, quoted};
@@ -17,7 +17,11 @@ pub(super) struct TableReader<'a> {
 
 impl<'a> TableReader<'a> {
     /// Returns a reader of `node`, called `name`; reports what is not a table.
-    pub(super) fn new(report: &mut MistakeList<'_>, name: &str, node: &'a Node) -> Option<Self> {
+    pub(super) fn new(
+        report: &mut MistakeList<'_>,
+        name: &str,
+        node: &'a DocumentNode,
+    ) -> Option<Self> {
         let Some(entries) = node.entries() else {
             let help = match node.place {
                 Location::At(_) => format!("write it as [{name}]"),
@@ -130,7 +134,7 @@ pub(super) fn unknown(
 pub(super) fn wrong_type(
     report: &mut MistakeList<'_>,
     name: &str,
-    node: &Node,
+    node: &DocumentNode,
     expected: &str,
     help: &str,
 ) {
@@ -139,7 +143,7 @@ pub(super) fn wrong_type(
 }
 
 /// Returns the text of `node`, if it is any.
-fn plain_text(report: &MistakeList<'_>, node: &Node) -> Option<String> {
+fn plain_text(report: &MistakeList<'_>, node: &DocumentNode) -> Option<String> {
     match &node.value {
         TomlValue::Text(text) => Some(text.clone()),
         // On the command line quotes are the shell's, so `title=1984` is meant as text.
@@ -151,7 +155,11 @@ fn plain_text(report: &MistakeList<'_>, node: &Node) -> Option<String> {
 }
 
 /// Returns the text of `node`, called `name`; not empty.
-pub(super) fn text(report: &mut MistakeList<'_>, name: &str, node: &Node) -> Option<String> {
+pub(super) fn text(
+    report: &mut MistakeList<'_>,
+    name: &str,
+    node: &DocumentNode,
+) -> Option<String> {
     let Some(text) = plain_text(report, node) else {
         wrong_type(report, name, node, "text", "write it in quotes");
         return None;
@@ -168,7 +176,7 @@ pub(super) fn text(report: &mut MistakeList<'_>, name: &str, node: &Node) -> Opt
 pub(super) fn number(
     report: &mut MistakeList<'_>,
     name: &str,
-    node: &Node,
+    node: &DocumentNode,
     quantity: Quantity,
 ) -> Option<f64> {
     let value = match &node.value {
@@ -199,7 +207,7 @@ pub(super) fn number(
 pub(super) fn whole(
     report: &mut MistakeList<'_>,
     name: &str,
-    node: &Node,
+    node: &DocumentNode,
     quantity: Quantity,
 ) -> Option<u32> {
     let value = number(report, name, node, quantity)?;
@@ -218,7 +226,11 @@ pub(super) fn whole(
 }
 
 /// Returns the nodes of a list of tables.
-pub(super) fn tables<'a>(report: &mut MistakeList<'_>, name: &str, node: &'a Node) -> &'a [Node] {
+pub(super) fn tables<'a>(
+    report: &mut MistakeList<'_>,
+    name: &str,
+    node: &'a DocumentNode,
+) -> &'a [DocumentNode] {
     node.items().unwrap_or_else(|| {
         wrong_type(report, name, node, "a list", &format!("write it as [[{name}]]"));
         &[]

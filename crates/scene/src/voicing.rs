@@ -5,7 +5,7 @@ use keyboard::KeyIndex;
 use models::catalogue::ModelEntry;
 use models::{Parameter, Preset};
 
-use super::document::{Node, TomlValue};
+use super::document::{DocumentNode, TomlValue};
 use super::quantity::Quantity;
 use super::read::{self, TableReader, unknown};
 use super::report::{Location, MistakeList};
@@ -120,7 +120,11 @@ impl Voicing {
 }
 
 /// Returns a number, or `{ bass = …, treble = … }`.
-fn read_graded(report: &mut MistakeList<'_>, parameter: &Parameter, node: &Node) -> Option<Graded> {
+fn read_graded(
+    report: &mut MistakeList<'_>,
+    parameter: &Parameter,
+    node: &DocumentNode,
+) -> Option<Graded> {
     let quantity = Quantity { unit: parameter.unit, range: parameter.range };
     if !matches!(node.value, TomlValue::Table(_)) {
         let value = read::number(report, parameter.name, node, quantity)?;

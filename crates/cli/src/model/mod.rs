@@ -135,8 +135,9 @@ fn derived(wanted: &str) -> Result<DerivedModel, Failure> {
 }
 
 fn file_text(path: &str) -> Result<String, Failure> {
-    let bytes = std::fs::read(path)
-        .map_err(|error| Failure::Usage(format!("{path} cannot be read, {error}; correct the path")))?;
+    let bytes = std::fs::read(path).map_err(|error| {
+        Failure::Usage(format!("{path} cannot be read, {error}; correct the path"))
+    })?;
     String::from_utf8(bytes)
         .map_err(|_error| Failure::Usage(format!("{path} is not UTF-8; save it as UTF-8 text")))
 }

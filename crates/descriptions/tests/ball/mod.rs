@@ -12,7 +12,7 @@ use descriptions::{DescriptionReader, ReadModel};
 use diagnostics::{Diagnostic, Diagnostics};
 use equations::table::{
     Arguments, BodyTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable, Material,
-    ModeTable, ModelTable, OutlineTable, ParameterTable, PresetTable, Quantity, RestTable,
+    ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PresetTable, RestTable,
     WayTable,
 };
 use pode::{EquationKind, Fires, GuardSpec, Part, Reads};
@@ -94,8 +94,8 @@ const fn way(to: u8, reset: Option<FunctionId>) -> WayTable {
     WayTable { when: None, to, reset, resting: None }
 }
 
-pub const fn quantity(name: &'static str, unit: &'static str) -> Quantity {
-    Quantity { name, unit }
+pub const fn quantity(name: &'static str, unit: &'static str) -> NamedQuantity {
+    NamedQuantity { name, unit }
 }
 
 const fn parameter(name: &'static str, title: &'static str, unit: &'static str) -> ParameterTable {

@@ -3,7 +3,7 @@
 
 use equations::table::{
     Arguments, DrawingTable, Freedom, FunctionId, Functions, GuardTable, ModeTable, ModelTable,
-    ParameterTable, PartTable, PresetTable, Quantity, RequirementTable, RestTable, WayTable,
+    NamedQuantity, ParameterTable, PartTable, PresetTable, RequirementTable, RestTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
@@ -110,8 +110,8 @@ const fn parameter(name: &'static str) -> ParameterTable {
     ParameterTable { name, title: name, unit: "1/s²", range: (0.0, 1e6), doc: "a stiffness" }
 }
 
-const fn quantity(name: &'static str) -> Quantity {
-    Quantity { name, unit: "1" }
+const fn quantity(name: &'static str) -> NamedQuantity {
+    NamedQuantity { name, unit: "1" }
 }
 
 /// All of it but the arithmetic.

@@ -12,7 +12,7 @@ use crate::system::{ContactEquations, FrictionEquations};
 
 /// All contacts of a mechanism, as tables and as their automata have them.
 pub(super) fn specs(mechanism: &Mechanism) -> (Vec<ContactTable>, Vec<ContactSpec>) {
-    let one = |contact: &crate::mechanism::Contact| {
+    let one = |contact: &crate::mechanism::MechanismContact| {
         let gap = contact.gap.map(|_| contact.scale);
         let friction = contact
             .friction

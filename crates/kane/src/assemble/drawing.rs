@@ -1,6 +1,6 @@
 //! What a drawing needs: points by the parameters; the poses of drawn frames are the last outputs.
 
-use equations::table::{BodyTable, DrawingTable, Material, OutlineTable, SpringTable};
+use equations::table::{BodyTable, DrawingTable, OutlineTable, SpringTable};
 
 use super::functions::FunctionList;
 use super::{AssemblyError, leak};
@@ -53,7 +53,7 @@ fn outline(numbers: &mut Vec<Node>, outline: &mechanism::Outline) -> OutlineTabl
     let first = numbers.len();
     numbers.extend(outline.points.iter().flatten());
     OutlineTable {
-        material: material(outline.material),
+        material: outline.material,
         is_closed: outline.is_closed,
         points: (first, outline.points.len()),
         modes: modes(&outline.modes),
@@ -62,15 +62,4 @@ fn outline(numbers: &mut Vec<Node>, outline: &mechanism::Outline) -> OutlineTabl
 
 fn modes(modes: &[usize]) -> &'static [u8] {
     leak::list(modes.iter().filter_map(|mode| u8::try_from(*mode).ok()).collect())
-}
-
-const fn material(material: mechanism::Material) -> Material {
-    match material {
-        mechanism::Material::Wood => Material::Wood,
-        mechanism::Material::Felt => Material::Felt,
-        mechanism::Material::Metal => Material::Metal,
-        mechanism::Material::String => Material::String,
-        mechanism::Material::Ground => Material::Ground,
-        mechanism::Material::Finger => Material::Finger,
-    }
 }

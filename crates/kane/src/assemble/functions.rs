@@ -5,7 +5,7 @@ use equations::table::{Arguments, EnclosureLayout, FunctionId, Functions};
 use super::AssemblyError;
 use super::hoist::Hoisting;
 use crate::graph::{Graph, Node, Place};
-use crate::tape::{self, Argument, Layout, Tape};
+use crate::tape::{self, Argument, ArgumentLayout, Tape};
 
 /// Functions by number that are evaluated instruction by instruction: for checks, off the tick.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -23,7 +23,7 @@ impl TapeFunctions {
 impl Functions for TapeFunctions {
     fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
         let Some(tape) = self.tapes.get(usize::from(function)) else { return };
-        let arguments = tape::Arguments {
+        let arguments = tape::TapeArguments {
             constants: arguments.constants,
             state: arguments.state,
             input: *arguments.input,
@@ -38,7 +38,7 @@ impl Functions for TapeFunctions {
 /// The functions so far, with what they have in common.
 #[derive(Debug)]
 pub(super) struct FunctionList {
-    layout: Layout,
+    layout: ArgumentLayout,
     parameters: usize,
     /// How many constants, parameters included, have a place.
     placed: usize,
@@ -50,7 +50,7 @@ pub(super) struct FunctionList {
 impl FunctionList {
     /// An empty list for a state with these places.
     pub(super) fn new(parameters: usize, state: &[Place]) -> Self {
-        let mut layout = Layout::default();
+        let mut layout = ArgumentLayout::default();
         for (index, place) in (0..).zip(state) {
             layout.place(*place, Argument::State(index));
         }

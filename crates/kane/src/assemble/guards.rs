@@ -84,10 +84,7 @@ fn guard(
         name: leak::text(name),
         priority: guard.priority,
         scale: guard.scale,
-        fires: match guard.fires {
-            Fires::WhileNegative => pode::Fires::WhileNegative,
-            Fires::OnCrossing => pode::Fires::OnCrossing,
-        },
+        fires: guard.fires,
         reads: reads(graph, builder, &values),
         value: builder.add(graph, functions, &format!("{name}_guard"), &values)?,
         bound: Some(bound(graph, functions, builder, (name, guard.value))?),

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::graph::{Graph, Node, Operation, Place};
+use crate::graph::{Graph, Node, NodeOperation, Place};
 
 /// Constants that stand for expressions of the parameters alone: each as large as it can be, and
 /// none for a parameter or a number by itself.
@@ -36,7 +36,7 @@ impl Hoisting {
             return;
         }
         let mut is_fixed = true;
-        if let Operation::Symbol(place) = graph.operation(node) {
+        if let NodeOperation::Symbol(place) = graph.operation(node) {
             is_fixed = self.is_parameter(*place);
         }
         graph.operation(node).operands(|operand| is_fixed &= self.is_fixed[&operand]);
@@ -56,7 +56,7 @@ impl Hoisting {
         if !self.is_fixed[&node] {
             return self.rewritten[&node];
         }
-        if matches!(graph.operation(node), Operation::Number(_) | Operation::Symbol(_)) {
+        if matches!(graph.operation(node), NodeOperation::Number(_) | NodeOperation::Symbol(_)) {
             node
         } else {
             self.constant(graph, node)
@@ -78,22 +78,22 @@ impl Hoisting {
     /// The node again, of what its operands became.
     fn one(&mut self, graph: &mut Graph, node: Node) -> Node {
         match graph.operation(node).clone() {
-            Operation::Number(_) | Operation::Symbol(_) => node,
-            Operation::Sum(number, terms) => {
+            NodeOperation::Number(_) | NodeOperation::Symbol(_) => node,
+            NodeOperation::Sum(number, terms) => {
                 let terms: Vec<_> =
                     terms.iter().map(|(it, by)| (*it, f64::from_bits(*by))).collect();
                 self.sum(graph, f64::from_bits(number), &terms)
             }
-            Operation::Product(factors) => self.product(graph, &factors),
-            Operation::Unary(function, x) => {
+            NodeOperation::Product(factors) => self.product(graph, &factors),
+            NodeOperation::Unary(function, x) => {
                 let x = self.used(graph, x);
                 graph.unary(function, x)
             }
-            Operation::Binary(function, x, y) => {
+            NodeOperation::Binary(function, x, y) => {
                 let [x, y] = [x, y].map(|it| self.used(graph, it));
                 graph.binary(function, x, y)
             }
-            Operation::Select(all) => {
+            NodeOperation::Select(all) => {
                 let [condition, positive, other] = all.map(|it| self.used(graph, it));
                 graph.select(condition, positive, other)
             }

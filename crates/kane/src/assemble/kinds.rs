@@ -6,7 +6,9 @@ use pode::EquationKind;
 use super::AssemblyError;
 use super::functions::FunctionList;
 use super::parts::Moving;
-use crate::graph::{BinaryFunction, Graph, Node, Operation, Place, Substitution, UnaryFunction};
+use crate::graph::{
+    BinaryFunction, Graph, Node, NodeOperation, Place, Substitution, UnaryFunction,
+};
 
 /// Whether a node depends on the state.
 pub(super) fn is_of_state(graph: &Graph, node: Node) -> bool {
@@ -23,7 +25,7 @@ pub(super) fn kind_of(
     graph: &Graph,
     rates: &[Node],
     jacobian: &[Node],
-    loss: &Loss,
+    loss: &LossKind,
 ) -> EquationKind {
     let is_constant = |node: &Node| !is_of_state(graph, *node) && !is_of_input(graph, *node);
     if !jacobian.iter().all(is_constant) {
@@ -42,7 +44,7 @@ pub(super) fn is_stiffening(graph: &Graph, jacobian: &[Vec<Node>]) -> bool {
     let entries: Vec<_> = jacobian.iter().flatten().copied().collect();
     graph.reached(&entries).into_iter().any(|node| {
         let grows = match graph.operation(node) {
-            Operation::Unary(function, _) => matches!(
+            NodeOperation::Unary(function, _) => matches!(
                 function,
                 UnaryFunction::Exp
                     | UnaryFunction::Softplus
@@ -50,15 +52,15 @@ pub(super) fn is_stiffening(graph: &Graph, jacobian: &[Vec<Node>]) -> bool {
                     | UnaryFunction::SoftplusArea
                     | UnaryFunction::SoftplusSquareArea
             ),
-            Operation::Binary(function, _, _) => matches!(
+            NodeOperation::Binary(function, _, _) => matches!(
                 function,
                 BinaryFunction::Power | BinaryFunction::Min | BinaryFunction::Max
             ),
-            Operation::Select(_) => true,
-            Operation::Number(_)
-            | Operation::Symbol(_)
-            | Operation::Sum(..)
-            | Operation::Product(_) => false,
+            NodeOperation::Select(_) => true,
+            NodeOperation::Number(_)
+            | NodeOperation::Symbol(_)
+            | NodeOperation::Sum(..)
+            | NodeOperation::Product(_) => false,
         };
         grows && is_of_state(graph, node)
     })
@@ -66,7 +68,7 @@ pub(super) fn is_stiffening(graph: &Graph, jacobian: &[Vec<Node>]) -> bool {
 
 /// When nothing is dissipated: a number that is 0 where it is so, or always, or never.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum Loss {
+pub(super) enum LossKind {
     Nothing,
     Always,
     /// The sum over the terms of what they lose, each times a product of squares of parameters
@@ -74,7 +76,7 @@ pub(super) enum Loss {
     Where(Node),
 }
 
-impl Loss {
+impl LossKind {
     pub(super) const fn is_nothing(&self) -> bool {
         matches!(self, Self::Nothing)
     }
@@ -141,7 +143,7 @@ fn vanishing(graph: &mut Graph, term: Node, parameters: u16) -> Vec<(Node, i32)>
 
 /// The terms of a sum, or the node itself; none of 0.
 fn terms(graph: &Graph, node: Node) -> Vec<Node> {
-    if let Operation::Sum(0, terms) = graph.operation(node) {
+    if let NodeOperation::Sum(0, terms) = graph.operation(node) {
         terms.iter().map(|(term, _)| *term).collect()
     } else if graph.is_zero(node) {
         Vec::new()

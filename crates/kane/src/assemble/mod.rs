@@ -22,7 +22,7 @@ pub use functions::TapeFunctions;
 
 use equations::table::ModelTable;
 
-use crate::system::System;
+use crate::system::EquationSystem;
 use crate::tape::Tape;
 
 /// What runs: all of a model but its arithmetic, and that arithmetic function by function.
@@ -43,7 +43,7 @@ impl Program {
     }
 }
 
-impl System {
+impl EquationSystem {
     /// Makes the program of the system.
     ///
     /// # Errors

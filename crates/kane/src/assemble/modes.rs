@@ -6,7 +6,7 @@ use pode::GuardSpec;
 use super::functions::FunctionList;
 use super::guards::GuardNumbers;
 use super::jacobian::StateOfMode;
-use super::kinds::{Loss, is_of_input, is_stiffening, kind_of};
+use super::kinds::{LossKind, is_of_input, is_stiffening, kind_of};
 use super::parts::{Moving, parts};
 use super::{AssemblyError, contacts, guards, leak};
 use crate::graph::{Graph, Node, Place};
@@ -87,7 +87,7 @@ fn motion(
     let parameters = u16::try_from(builder.context.mechanism.parameters.len()).unwrap_or(u16::MAX);
     let rows = state.jacobian(graph, rates);
     let flat: Vec<_> = rows.iter().flatten().copied().collect();
-    let loss = Loss::of(graph, equations.dissipated, parameters);
+    let loss = LossKind::of(graph, equations.dissipated, parameters);
     let free: Vec<_> = state.free().map(|index| rates[index]).collect();
     let free = state.replaced(graph, &free);
     let entries = state.replaced(graph, &flat);

@@ -5,7 +5,7 @@ use pode::{EquationKind, MAX_PARTS, Part, Reads};
 
 use super::functions::FunctionList;
 use super::jacobian::StateOfMode;
-use super::kinds::{Loss, is_of_input, kind_of};
+use super::kinds::{LossKind, is_of_input, kind_of};
 use super::{AssemblyError, leak};
 use crate::graph::{Graph, Node};
 
@@ -74,7 +74,7 @@ pub(super) fn parts(
     for entries in components(graph, moving.state, moving.jacobian) {
         let own = indices(entries);
         let reads = reads(graph, moving, &own);
-        let loss = Loss::of_entries(graph, moving, &own);
+        let loss = LossKind::of_entries(graph, moving, &own);
         let kind = own_kind(graph, moving, &own, &loss);
         let zero = graph.constant(0.0);
         let rate = |index: usize| if own.contains(&index) { moving.rates[index] } else { zero };
@@ -100,7 +100,12 @@ fn reads(graph: &mut Graph, moving: &Moving<'_>, own: &[usize]) -> Reads {
 }
 
 /// The kind of the equations of these entries.
-fn own_kind(graph: &mut Graph, moving: &Moving<'_>, own: &[usize], loss: &Loss) -> EquationKind {
+fn own_kind(
+    graph: &mut Graph,
+    moving: &Moving<'_>,
+    own: &[usize],
+    loss: &LossKind,
+) -> EquationKind {
     let rates: Vec<_> = own.iter().map(|index| moving.rates[*index]).collect();
     let rates = moving.state.replaced(graph, &rates);
     let rows: Vec<_> = own.iter().flat_map(|index| moving.jacobian[*index].clone()).collect();

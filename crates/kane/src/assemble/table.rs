@@ -1,8 +1,8 @@
 //! The table of a whole model.
 
 use equations::table::{
-    DamperTable, FunctionId, ModelTable, ParameterTable, PresetTable, Quantity, RequirementTable,
-    RestTable,
+    DamperTable, FunctionId, ModelTable, NamedQuantity, ParameterTable, PresetTable,
+    RequirementTable, RestTable,
 };
 use pode::GuardSpec;
 
@@ -13,11 +13,11 @@ use super::{AssemblyError, Program, contacts, drawing, leak};
 use crate::graph::{Graph, Place};
 use crate::mechanics::drawn_frames;
 use crate::mechanism::Mechanism;
-use crate::system::System;
+use crate::system::EquationSystem;
 
 /// Makes the program of a system.
-pub(super) fn assemble(system: System) -> Result<Program, AssemblyError> {
-    let System { mut mechanism, state, coordinates, modes } = system;
+pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError> {
+    let EquationSystem { mut mechanism, state, coordinates, modes } = system;
     if state.len() > 64 {
         return Err(AssemblyError::TooManyStates(state.len()));
     }
@@ -57,7 +57,7 @@ pub(super) fn assemble(system: System) -> Result<Program, AssemblyError> {
         coordinates,
         constants,
         derive_constants,
-        input: Quantity {
+        input: NamedQuantity {
             name: leak::text(&mechanism.input.name),
             unit: leak::text(&mechanism.input.unit),
         },
@@ -153,8 +153,9 @@ fn rest(
 }
 
 /// Names and units, kept.
-fn named<'a>(all: impl Iterator<Item = (&'a String, &'a String)>) -> Vec<Quantity> {
-    all.map(|(name, unit)| Quantity { name: leak::text(name), unit: leak::text(unit) }).collect()
+fn named<'a>(all: impl Iterator<Item = (&'a String, &'a String)>) -> Vec<NamedQuantity> {
+    all.map(|(name, unit)| NamedQuantity { name: leak::text(name), unit: leak::text(unit) })
+        .collect()
 }
 
 /// Name and unit of an entry of the state.
@@ -169,7 +170,7 @@ fn quantity(mechanism: &Mechanism, place: Place) -> (&String, &String) {
     found.unwrap_or((&mechanism.input.name, &mechanism.input.unit))
 }
 
-fn parameter(parameter: &crate::mechanism::Parameter) -> ParameterTable {
+fn parameter(parameter: &crate::mechanism::MechanismParameter) -> ParameterTable {
     ParameterTable {
         name: leak::text(&parameter.name),
         title: leak::text(&parameter.title),

@@ -3,7 +3,7 @@
 use super::functions::cut_room;
 use super::magnitude;
 use super::range::{Ranges, room};
-use crate::graph::{BinaryFunction, Graph, Node, Operation, UnaryFunction};
+use crate::graph::{BinaryFunction, Graph, Node, NodeOperation, UnaryFunction};
 
 impl Ranges {
     /// Returns 0 where `node` cannot jump over the step, and 0 where it cannot have a corner;
@@ -12,28 +12,28 @@ impl Ranges {
         let (mut jumps, mut corners) = (Vec::new(), Vec::new());
         for reached in graph.reached(&[node]) {
             match graph.operation(reached).clone() {
-                Operation::Unary(UnaryFunction::Abs, x) => {
+                NodeOperation::Unary(UnaryFunction::Abs, x) => {
                     corners.push(self.at_zero(graph, x));
                 }
-                Operation::Unary(UnaryFunction::Sign, x) | Operation::Select([x, ..]) => {
+                NodeOperation::Unary(UnaryFunction::Sign, x) | NodeOperation::Select([x, ..]) => {
                     jumps.push(self.at_zero(graph, x));
                 }
-                Operation::Binary(BinaryFunction::Min | BinaryFunction::Max, x, y) => {
+                NodeOperation::Binary(BinaryFunction::Min | BinaryFunction::Max, x, y) => {
                     let apart = graph.subtract(x, y);
                     corners.push(self.at_zero(graph, apart));
                     jumps.extend([x, y].map(|it| self.without_number(graph, it)));
                 }
-                Operation::Binary(BinaryFunction::Atan2, x, y) => {
+                NodeOperation::Binary(BinaryFunction::Atan2, x, y) => {
                     let ranges = [x, y].map(|it| self.of(graph, it));
                     let room = cut_room(graph, ranges);
                     jumps.push(infinite_without(graph, room));
                 }
-                Operation::Number(_)
-                | Operation::Symbol(_)
-                | Operation::Sum(..)
-                | Operation::Product(_)
-                | Operation::Unary(..)
-                | Operation::Binary(BinaryFunction::Hypot | BinaryFunction::Power, ..) => {}
+                NodeOperation::Number(_)
+                | NodeOperation::Symbol(_)
+                | NodeOperation::Sum(..)
+                | NodeOperation::Product(_)
+                | NodeOperation::Unary(..)
+                | NodeOperation::Binary(BinaryFunction::Hypot | BinaryFunction::Power, ..) => {}
             }
         }
         [jumps, corners].map(|all| {
@@ -69,15 +69,16 @@ impl Ranges {
 /// Whether some values of what `node` is made of give no number.
 fn is_partial(graph: &Graph, node: Node) -> bool {
     graph.reached(&[node]).into_iter().any(|it| match graph.operation(it) {
-        Operation::Unary(function, _) => matches!(
+        NodeOperation::Unary(function, _) => matches!(
             function,
             UnaryFunction::Ln | UnaryFunction::Sqrt | UnaryFunction::Asin | UnaryFunction::Acos
         ),
-        Operation::Binary(function, _, _) => *function == BinaryFunction::Power,
-        Operation::Product(factors) => factors.iter().any(|(_, exponent)| *exponent < 0),
-        Operation::Number(_) | Operation::Symbol(_) | Operation::Sum(..) | Operation::Select(_) => {
-            false
-        }
+        NodeOperation::Binary(function, _, _) => *function == BinaryFunction::Power,
+        NodeOperation::Product(factors) => factors.iter().any(|(_, exponent)| *exponent < 0),
+        NodeOperation::Number(_)
+        | NodeOperation::Symbol(_)
+        | NodeOperation::Sum(..)
+        | NodeOperation::Select(_) => false,
     })
 }
 

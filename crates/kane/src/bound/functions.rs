@@ -2,7 +2,7 @@
 
 use super::range::{Range, around, room};
 use super::{above_zero, larger, least, magnitude, most};
-use crate::graph::{BinaryFunction, Graph, Node, Operation, UnaryFunction};
+use crate::graph::{BinaryFunction, Graph, Node, NodeOperation, UnaryFunction};
 
 /// The range of an integer power.
 pub(super) fn power(graph: &mut Graph, x: Range, exponent: i32) -> Range {
@@ -228,29 +228,29 @@ fn general_power(graph: &mut Graph, [x, y]: [Range; 2], centre: Node) -> Range {
 pub(super) fn is_never_negative(graph: &Graph, node: Node) -> bool {
     let is_number = |node: &Node| graph.number(*node).is_some_and(|number| number >= 0.0);
     match graph.operation(node) {
-        Operation::Number(bits) => f64::from_bits(*bits) >= 0.0,
-        Operation::Sum(number, terms) => {
+        NodeOperation::Number(bits) => f64::from_bits(*bits) >= 0.0,
+        NodeOperation::Sum(number, terms) => {
             let is_term = |(node, by): &(Node, u64)| {
-                let is_sum = matches!(graph.operation(*node), Operation::Sum(..));
+                let is_sum = matches!(graph.operation(*node), NodeOperation::Sum(..));
                 f64::from_bits(*by) >= 0.0 && !is_sum && is_never_negative(graph, *node)
             };
             f64::from_bits(*number) >= 0.0 && terms.iter().all(is_term)
         }
-        Operation::Product(factors) => factors
+        NodeOperation::Product(factors) => factors
             .iter()
             .all(|(node, exponent)| exponent % 2 == 0 || is_positive_function(graph, *node)),
-        Operation::Binary(BinaryFunction::Max, x, y) => is_number(x) || is_number(y),
-        Operation::Symbol(_)
-        | Operation::Unary(..)
-        | Operation::Binary(..)
-        | Operation::Select(_) => is_positive_function(graph, node),
+        NodeOperation::Binary(BinaryFunction::Max, x, y) => is_number(x) || is_number(y),
+        NodeOperation::Symbol(_)
+        | NodeOperation::Unary(..)
+        | NodeOperation::Binary(..)
+        | NodeOperation::Select(_) => is_positive_function(graph, node),
     }
 }
 
 /// Whether a node is a function that is nowhere negative.
 fn is_positive_function(graph: &Graph, node: Node) -> bool {
-    let Operation::Unary(function, _) = graph.operation(node) else {
-        return matches!(graph.operation(node), Operation::Binary(BinaryFunction::Hypot, ..));
+    let NodeOperation::Unary(function, _) = graph.operation(node) else {
+        return matches!(graph.operation(node), NodeOperation::Binary(BinaryFunction::Hypot, ..));
     };
     matches!(
         function,

@@ -4,7 +4,9 @@ use std::collections::HashMap;
 
 use super::functions::is_never_negative;
 use super::{extra, larger, magnitude};
-use crate::graph::{BinaryFunction, Graph, Node, Operation, Place, Substitution, UnaryFunction};
+use crate::graph::{
+    BinaryFunction, Graph, Node, NodeOperation, Place, Substitution, UnaryFunction,
+};
 use equations::table::EnclosureLayout;
 
 /// Where an expression is over a step: within `spread` of `centre`, and nowhere beyond ±`size`.
@@ -61,12 +63,12 @@ impl Ranges {
     fn one(&mut self, graph: &mut Graph, node: Node) -> Range {
         let centre = self.at_centre.of(graph, node);
         match graph.operation(node).clone() {
-            Operation::Number(_) => around(graph, centre, None),
-            Operation::Symbol(place) => {
+            NodeOperation::Number(_) => around(graph, centre, None),
+            NodeOperation::Symbol(place) => {
                 let spread = self.spreads.get(&place).copied();
                 around(graph, centre, spread)
             }
-            Operation::Sum(_, terms) => {
+            NodeOperation::Sum(_, terms) => {
                 let spreads: Vec<_> = terms
                     .iter()
                     .map(|(it, by)| (self.known[it].spread, f64::from_bits(*by).abs()))
@@ -74,17 +76,17 @@ impl Ranges {
                 let spread = graph.sum(&spreads);
                 around(graph, centre, Some(spread))
             }
-            Operation::Product(factors) => self.product(graph, &factors, centre),
-            Operation::Unary(function, x) => {
+            NodeOperation::Product(factors) => self.product(graph, &factors, centre),
+            NodeOperation::Unary(function, x) => {
                 let range = super::functions::unary(graph, function, self.known[&x], centre);
                 if function == UnaryFunction::Sqrt { self.rooted(graph, x, range) } else { range }
             }
-            Operation::Binary(function, x, y) => {
+            NodeOperation::Binary(function, x, y) => {
                 let ranges = [x, y].map(|it| self.known[&it]);
                 let range = super::functions::binary(graph, function, ranges, centre);
                 if function == BinaryFunction::Power { self.rooted(graph, x, range) } else { range }
             }
-            Operation::Select(all) => self.select(graph, all, centre),
+            NodeOperation::Select(all) => self.select(graph, all, centre),
         }
     }
 

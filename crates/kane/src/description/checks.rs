@@ -5,16 +5,16 @@ use std::collections::BTreeSet;
 use diagnostics::quoted;
 
 use super::names::number;
-use super::reader::{DescriptionReader, STATE};
+use super::reader::{MechanismReader, STATE};
 use super::source::SourcePlace;
 use crate::graph::{Node, Place};
-use crate::tape::{Argument, Arguments, Layout, Tape};
+use crate::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
 use crate::text::Dependence;
 
 /// Keys of a piano.
 const KEYS: u8 = 88;
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn check(&mut self) {
         let is_whole = self.names.vague.is_empty()
             && self.mechanism.presets.len() == self.preset_places.len()
@@ -35,7 +35,7 @@ impl DescriptionReader {
 
     /// Returns the tape of what is over parameters, state and input.
     fn tape(&self, nodes: &[Node]) -> Option<Tape> {
-        let mut layout = Layout::default();
+        let mut layout = ArgumentLayout::default();
         layout.place(Place::Key, Argument::Extra(0));
         let coordinates = self.mechanism.coordinates.len();
         for index in 0..self.mechanism.parameters.len() {
@@ -72,9 +72,10 @@ impl DescriptionReader {
         let mut said = vec![false; values.len() + margins.len()];
         for key in 0..if is_graded { KEYS } else { 1 } {
             let extra = [f64::from(key)];
-            let constants = tape.evaluate(&Arguments { extra: &extra, ..Arguments::default() });
-            let margins =
-                requirements.evaluate(&Arguments { constants: &constants, ..Arguments::default() });
+            let constants =
+                tape.evaluate(&TapeArguments { extra: &extra, ..TapeArguments::default() });
+            let margins = requirements
+                .evaluate(&TapeArguments { constants: &constants, ..TapeArguments::default() });
             let wrong = |it: &usize| self.is_out_of_range(*it, constants[*it]);
             let mut wrong: Vec<_> = (0..constants.len()).filter(wrong).collect();
             wrong.retain(|index| mark(&mut said, *index));
@@ -129,13 +130,13 @@ impl DescriptionReader {
             return;
         };
         let Some(tape) = self.tape(&values) else { return };
-        let constants = tape.evaluate(&Arguments { extra: &[0.0], ..Arguments::default() });
+        let constants = tape.evaluate(&TapeArguments { extra: &[0.0], ..TapeArguments::default() });
         let mode = self.rest_mode_of(&constants);
         let state = self.rest_state(preset, &constants, mode);
         for (node, place, text) in self.at_rest(mode) {
             let Some(tape) = self.tape(&[node]) else { continue };
             let arguments =
-                Arguments { constants: &constants, state: &state, ..Arguments::default() };
+                TapeArguments { constants: &constants, state: &state, ..TapeArguments::default() };
             let value = tape.evaluate(&arguments).first().copied().unwrap_or(0.0);
             if !value.is_finite() && said.insert(place) {
                 self.say_pose((preset, &text), value, place);
@@ -154,7 +155,7 @@ impl DescriptionReader {
     fn rest_mode_of(&self, constants: &[f64]) -> usize {
         let rest = &self.mechanism.rest;
         let holds = |when: Node| {
-            let arguments = Arguments { constants, ..Arguments::default() };
+            let arguments = TapeArguments { constants, ..TapeArguments::default() };
             let margin = self.tape(&[when]).map(|it| it.evaluate(&arguments));
             margin.and_then(|it| it.first().copied()).is_some_and(|it| it > 0.0)
         };
@@ -172,7 +173,7 @@ impl DescriptionReader {
         let first = given.iter().enumerate().filter_map(|(index, it)| Some((index, (*it)?)));
         let then = solved.into_iter().filter(|(index, _)| open(index));
         for (index, node) in first.chain(then).collect::<Vec<_>>() {
-            let arguments = Arguments { constants, state: &state, ..Arguments::default() };
+            let arguments = TapeArguments { constants, state: &state, ..TapeArguments::default() };
             let value = self.tape(&[node]).map(|it| it.evaluate(&arguments));
             let value = value.and_then(|it| it.first().copied()).unwrap_or(0.0);
             self.check_rest_value(preset, index, value);

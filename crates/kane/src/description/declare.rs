@@ -4,7 +4,7 @@ use diagnostics::quoted;
 
 use super::key_reader::{KeyReader, list, text};
 use super::names::{SymbolKind, number};
-use super::reader::{DescriptionReader, FileExpression};
+use super::reader::{FileExpression, MechanismReader};
 use super::resolve::{DescribedItem, ItemKind, ItemLink, LinkKind};
 use super::source::SourcePlace;
 use super::toml_tree::{TomlEntry, TomlKind};
@@ -17,7 +17,7 @@ pub(super) const ORIGIN: [&str; 3] = ["origin", "origin y", "origin z"];
 /// Names of a point's coordinates, by axis.
 pub(super) const AT: [&str; 3] = ["at", "at y", "at z"];
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn declare(&mut self, root: &mut KeyReader<'_>) {
         self.declare_input(root);
         self.declare_parameters(root);

@@ -4,13 +4,13 @@ use diagnostics::quoted;
 
 use super::declare::{AT, ORIGIN};
 use super::key_reader::KeyReader;
-use super::reader::DescriptionReader;
+use super::reader::MechanismReader;
 use super::resolve::{ItemKind, LinkKind};
 use super::source::SourcePlace;
 use super::toml_tree::TomlEntry;
 use crate::mechanism::ConstraintKind;
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn declare_frames(&mut self, root: &mut KeyReader<'_>) {
         let ground = super::geometry::WorldFrame::ground(&mut self.graph);
         if let Ok(index) = self.names.frames.declare("ground", SourcePlace::default()) {
@@ -25,7 +25,7 @@ impl DescriptionReader {
             let axis = self.axis(&mut keys);
             keys.finish(&mut self.report);
             let Some(index) = self.declared_frame(entry) else { continue };
-            self.mechanism.frames.push(crate::mechanism::Frame {
+            self.mechanism.frames.push(crate::mechanism::ReferenceFrame {
                 name: entry.name.clone(),
                 ..super::geometry::ground()
             });

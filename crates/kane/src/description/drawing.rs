@@ -3,7 +3,7 @@
 use diagnostics::{choice, quoted};
 
 use super::key_reader::{KeyReader, list};
-use super::reader::{CONSTANT, DescriptionReader};
+use super::reader::{CONSTANT, MechanismReader};
 use super::toml_tree::{TomlEntry, TomlNode};
 use crate::graph::Node;
 use crate::mechanism::{DrawnSpring, Material, Outline};
@@ -24,7 +24,7 @@ const MATERIALS: [(&str, Material); 6] = [
     ("finger", Material::Finger),
 ];
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn drawing(&mut self, root: &mut KeyReader<'_>) {
         let Some(entry) = root.take("drawing") else { return };
         let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { return };

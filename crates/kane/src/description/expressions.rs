@@ -9,12 +9,12 @@ use diagnostics::quoted;
 use super::MOST_EXPRESSIONS;
 use super::key_reader::{KeyReader, wrong_kind};
 use super::names_in_use::NamesInUse;
-use super::reader::{DescriptionReader, FileExpression, TextOrigin};
+use super::reader::{FileExpression, MechanismReader, TextOrigin};
 use super::toml_tree::{TomlKind, TomlNode};
 use crate::graph::Node;
 use crate::text::{self, Dependence, Dimension, Form, Measured, TextError};
 
-impl DescriptionReader {
+impl MechanismReader {
     /// Returns the expression of an entry called `name`.
     pub(super) fn written(&mut self, name: &str, node: &TomlNode) -> Option<FileExpression> {
         self.written_as(name, node, Form::Value)

@@ -4,11 +4,11 @@ use diagnostics::quoted;
 
 use super::declare::{AT, ORIGIN, zero};
 use super::key_reader::{KeyReader, list};
-use super::reader::{CONSTANT, DescriptionReader, FileExpression, POSE};
+use super::reader::{CONSTANT, FileExpression, MechanismReader, POSE};
 use super::resolve::{DescribedItem, ItemLink, LinkKind};
 use super::toml_tree::{TomlEntry, TomlKind};
 use crate::graph::{Graph, Node, UnaryFunction};
-use crate::mechanism::{Body, Frame};
+use crate::mechanism::{ReferenceFrame, RigidBody};
 use crate::text::Dimension;
 
 /// A frame in the ground's axes.
@@ -29,8 +29,8 @@ enum WorldTurn {
 }
 
 /// Returns the ground as a frame.
-pub(super) fn ground() -> Frame {
-    Frame { name: "ground".to_owned(), parent: 0, origin: [None; 3], turn: None }
+pub(super) fn ground() -> ReferenceFrame {
+    ReferenceFrame { name: "ground".to_owned(), parent: 0, origin: [None; 3], turn: None }
 }
 
 impl WorldFrame {
@@ -109,7 +109,7 @@ fn product(graph: &mut Graph, rows: [[Node; 3]; 3], axis: usize, angle: Node) ->
     rows.map(|row| [0, 1, 2].map(|column| dot(graph, row, [0, 1, 2].map(|k| right[k][column]))))
 }
 
-impl DescriptionReader {
+impl MechanismReader {
     /// Returns the frame that `link` names; the ground without one.
     fn parent(&mut self, link: Option<&ItemLink>) -> Option<WorldFrame> {
         let Some(link) = link else { return self.names.frames.value(0) };
@@ -153,7 +153,7 @@ impl DescriptionReader {
             },
         };
         if let Some(frame) = self.mechanism.frames.get_mut(index) {
-            *frame = Frame { name: item.name.clone(), parent: parent.index, origin, turn };
+            *frame = ReferenceFrame { name: item.name.clone(), parent: parent.index, origin, turn };
         }
         let at = self.filled(origin);
         let world = parent.child(&mut self.graph, index, at, turn);
@@ -218,7 +218,7 @@ impl DescriptionReader {
         let Some(mass) = mass else { return };
         let inertia = if about_origin { self.shifted(mass, centre, inertia) } else { inertia };
         let (name, frame) = (entry.name.clone(), frame.index);
-        self.mechanism.bodies.push(Body { name, frame, mass, centre, inertia });
+        self.mechanism.bodies.push(RigidBody { name, frame, mass, centre, inertia });
     }
 
     /// A value over the parameters; none where it is 0.

@@ -9,10 +9,10 @@ use diagnostics::{choice, quoted};
 use super::key_reader::{KeyReader, text};
 use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
-use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, STATE};
+use super::reader::{CONSTANT, FileExpression, MOTION, MechanismReader, STATE};
 use super::source::SourcePlace;
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
-use crate::mechanism::{Branch, Fires, Guard, Impact, Target};
+use crate::mechanism::{Fires, Guard, GuardBranch, Impact, Target};
 use crate::text::{Dependence, Dimension, Form, Measured};
 
 /// Most guards of one mode.
@@ -25,7 +25,7 @@ struct GuardChanges {
     impact: Option<Impact>,
 }
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn guards(&mut self, keys: &mut KeyReader<'_>, mode: usize) -> Vec<Guard> {
         let nodes = keys.list(&mut self.report, "guards");
         let mut guards: Vec<Guard> = Vec::new();
@@ -190,7 +190,7 @@ impl DescriptionReader {
         keys: &mut KeyReader<'_>,
         mode: usize,
         changes: &GuardChanges,
-    ) -> Vec<Branch> {
+    ) -> Vec<GuardBranch> {
         let Some(entry) = keys.take("to") else {
             let help = "write to = \"…\", the mode after it; its own mode for a rebound";
             self.report.miss(keys.place, "the guard leads nowhere", help);
@@ -202,7 +202,7 @@ impl DescriptionReader {
             };
             let Some(to) = self.mode_number(name, place) else { return Vec::new() };
             let GuardChanges { set, impact } = changes.clone();
-            return vec![Branch { when: None, to, set, impact }];
+            return vec![GuardBranch { when: None, to, set, impact }];
         };
         let mut branches = Vec::new();
         for item in items {
@@ -223,7 +223,12 @@ impl DescriptionReader {
         branches
     }
 
-    fn branch(&mut self, node: &TomlNode, mode: usize, changes: &GuardChanges) -> Option<Branch> {
+    fn branch(
+        &mut self,
+        node: &TomlNode,
+        mode: usize,
+        changes: &GuardChanges,
+    ) -> Option<GuardBranch> {
         let mut keys = KeyReader::of(&mut self.report, "to", node)?;
         let when = keys.take("when");
         let when = when.and_then(|it| self.written_as("when", &it.node, Form::Condition));
@@ -243,6 +248,6 @@ impl DescriptionReader {
         let (name, place) = target?;
         let to = self.mode_number(name, place)?;
         let set = if own.set.is_empty() { changes.set.clone() } else { own.set };
-        Some(Branch { when, to, set, impact: own.impact.or(changes.impact) })
+        Some(GuardBranch { when, to, set, impact: own.impact.or(changes.impact) })
     }
 }

@@ -4,12 +4,12 @@ use diagnostics::quoted;
 
 use super::key_reader::{KeyReader, text};
 use super::laws::{FrictionText, law_keys, needed_keys};
-use super::reader::DescriptionReader;
+use super::reader::MechanismReader;
 use super::resolve::{DescribedItem, ItemKind, ItemLink, LawKind, LinkKind};
 use super::toml_tree::{TomlEntry, TomlNode};
 use crate::text::{Dependence, Dimension};
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn declare_laws(&mut self, root: &mut KeyReader<'_>) {
         let (mut forces, mut contacts) = (0, 0);
         for table in ["springs", "felts", "forces"] {

@@ -4,10 +4,10 @@ use diagnostics::quoted;
 
 use super::linear::is_linear_in_speeds;
 use super::names::{LawPlace, distance, number};
-use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, POSE, STATE};
+use super::reader::{CONSTANT, FileExpression, MOTION, MechanismReader, POSE, STATE};
 use super::resolve::{DescribedItem, LawKind};
 use crate::graph::{BinaryFunction, Graph, Node, Place, Substitution};
-use crate::mechanism::{Contact, Force, Friction};
+use crate::mechanism::{DryFriction, Force, MechanismContact};
 use crate::text::{Dimension, Measured};
 
 /// What a law of felt is made of.
@@ -32,7 +32,7 @@ pub(super) struct FrictionText {
     pub(super) scales: (f64, f64),
 }
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn build_law(&mut self, item: &DescribedItem, index: usize, kind: LawKind) {
         let built = match kind {
             LawKind::Spring(at) => self.spring(item).map(|it| (LawPlace::Force(at), it)),
@@ -160,7 +160,7 @@ impl DescriptionReader {
         self.fits("gap", item.field("gap")?, gap, Dimension::LENGTH).then_some(())?;
         let (force, dimension) = self.felt(item, "gap")?;
         let scale = self.contact_scales.iter().find(|(contact, _)| *contact == at);
-        let contact = Contact {
+        let contact = MechanismContact {
             name: item.name.clone(),
             gap: Some(gap.node),
             scale: scale.map_or(1e-3, |(_, scale)| *scale),
@@ -179,7 +179,7 @@ impl DescriptionReader {
         let dimension = Dimension::POWER.over(slip.dimension);
         self.names.laws.set(index, (LawPlace::Contact(at), dimension));
         let name = item.name.clone();
-        let contact = Contact { name, gap: None, scale: 1.0, force: None, friction: None };
+        let contact = MechanismContact { name, gap: None, scale: 1.0, force: None, friction: None };
         self.built_contacts.push((at, contact));
     }
 
@@ -194,7 +194,7 @@ impl DescriptionReader {
         }
     }
 
-    fn friction(&mut self, text: &FrictionText) -> Option<Friction> {
+    fn friction(&mut self, text: &FrictionText) -> Option<DryFriction> {
         let slip_file = text.slip.as_ref()?;
         let slip = self.value(slip_file, STATE)?;
         if !is_linear_in_speeds(&self.graph, slip.node) {
@@ -214,7 +214,7 @@ impl DescriptionReader {
             None => stiction,
         };
         let (name, scales) = (text.name.clone(), text.scales);
-        Some(Friction { name, slip: slip.node, stiction, kinetic, scales })
+        Some(DryFriction { name, slip: slip.node, stiction, kinetic, scales })
     }
 
     fn limit(&mut self, name: &str, file: &FileExpression, limit: Dimension) -> Option<Node> {

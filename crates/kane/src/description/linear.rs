@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::graph::{Graph, Node, Operation, Place};
+use crate::graph::{Graph, Node, NodeOperation, Place};
 
 /// How the speeds come in.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -18,13 +18,15 @@ pub(super) fn is_linear_in_speeds(graph: &Graph, node: Node) -> bool {
     for reached in graph.reached(&[node]) {
         let of = |it: &Node| degrees.get(it).copied().unwrap_or(Degree::None);
         let degree = match graph.operation(reached) {
-            Operation::Symbol(Place::Speed(_)) => Degree::Linear,
-            Operation::Number(_) | Operation::Symbol(_) => Degree::None,
-            Operation::Sum(_, terms) => largest(terms.iter().map(|(it, _)| of(it))),
-            Operation::Product(factors) => product(factors.iter().map(|(it, by)| (of(it), *by))),
-            Operation::Unary(_, x) => inside(of(x)),
-            Operation::Binary(_, x, y) => inside(of(x).max(of(y))),
-            Operation::Select([condition, x, y]) => inside(of(condition)).max(of(x)).max(of(y)),
+            NodeOperation::Symbol(Place::Speed(_)) => Degree::Linear,
+            NodeOperation::Number(_) | NodeOperation::Symbol(_) => Degree::None,
+            NodeOperation::Sum(_, terms) => largest(terms.iter().map(|(it, _)| of(it))),
+            NodeOperation::Product(factors) => {
+                product(factors.iter().map(|(it, by)| (of(it), *by)))
+            }
+            NodeOperation::Unary(_, x) => inside(of(x)),
+            NodeOperation::Binary(_, x, y) => inside(of(x).max(of(y))),
+            NodeOperation::Select([condition, x, y]) => inside(of(condition)).max(of(x)).max(of(y)),
         };
         degrees.insert(reached, degree);
     }

@@ -69,7 +69,7 @@ pub fn read(name: &str, text: &str, bases: &dyn Bases) -> Result<Description, Di
         return Err(refused(name, &format!("this is {} bytes long", text.len())));
     }
     let source = DescriptionSource { name: name.to_owned(), text: text.to_owned() };
-    reader::DescriptionReader::default().read(source, bases)
+    reader::MechanismReader::default().read(source, bases)
 }
 
 /// Reads a description from bytes, whatever they are.

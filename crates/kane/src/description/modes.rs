@@ -4,14 +4,14 @@ use diagnostics::{choice, quoted};
 
 use super::key_reader::KeyReader;
 use super::names::SymbolKind;
-use super::reader::{DescriptionReader, FileExpression, MOTION, POSE, STATE};
+use super::reader::{FileExpression, MOTION, MechanismReader, POSE, STATE};
 use super::source::SourcePlace;
 use super::toml_tree::TomlEntry;
 use crate::graph::Node;
 use crate::mechanism::Mode;
 use crate::text::{Dependence, Dimension, Measured};
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn modes(&mut self, root: &mut KeyReader<'_>) {
         let entries = root.table(&mut self.report, "modes");
         self.modes = entries.iter().map(|it| (it.name.clone(), it.place)).collect();

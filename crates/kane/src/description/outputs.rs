@@ -3,12 +3,12 @@
 use diagnostics::quoted;
 
 use super::key_reader::KeyReader;
-use super::reader::{DescriptionReader, FileExpression, MOTION};
+use super::reader::{FileExpression, MOTION, MechanismReader};
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
-use crate::mechanism::Output;
+use crate::mechanism::MechanismOutput;
 use crate::text::{Dimension, Measured};
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn outputs(&mut self, root: &mut KeyReader<'_>) {
         for entry in root.table(&mut self.report, "outputs") {
             self.output(entry);
@@ -41,7 +41,7 @@ impl DescriptionReader {
             values.extend(self.output_value(&file, value, other, dimension, mode));
         }
         if values.len() == self.modes.len() {
-            self.mechanism.outputs.push(Output { name: entry.name.clone(), unit, values });
+            self.mechanism.outputs.push(MechanismOutput { name: entry.name.clone(), unit, values });
         }
     }
 

@@ -8,10 +8,10 @@ use diagnostics::quoted;
 
 use super::key_reader::KeyReader;
 use super::names::SymbolKind;
-use super::reader::{CONSTANT, DescriptionReader, FileExpression};
+use super::reader::{CONSTANT, FileExpression, MechanismReader};
 use super::source::SourcePlace;
 use super::toml_tree::{TomlEntry, TomlKind};
-use crate::mechanism::{Parameter, Requirement};
+use crate::mechanism::{MechanismParameter, Requirement};
 use crate::text::{self, Dimension, Form, PartShape};
 
 /// A parameter as it was written.
@@ -22,7 +22,7 @@ pub(super) struct ParameterText {
     pub(super) dimension: Dimension,
 }
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn declare_parameters(&mut self, root: &mut KeyReader<'_>) {
         for entry in root.table(&mut self.report, "parameters") {
             if self.is_name(entry) {
@@ -51,7 +51,7 @@ impl DescriptionReader {
         self.names.parameters.push(dimension);
         self.parameters.push(ParameterText { value, place: entry.place, dimension });
         let name = entry.name.clone();
-        self.mechanism.parameters.push(Parameter {
+        self.mechanism.parameters.push(MechanismParameter {
             title: title.unwrap_or_else(|| name.clone()),
             name,
             unit,

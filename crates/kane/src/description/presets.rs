@@ -9,17 +9,17 @@ use diagnostics::{choice, quoted};
 use super::key_reader::KeyReader;
 use super::names::{SymbolKind, pi};
 use super::order::sorted;
-use super::reader::{DescriptionReader, FileExpression};
+use super::reader::{FileExpression, MechanismReader};
 use super::source::SourcePlace;
 use super::toml_tree::TomlEntry;
 use crate::graph::{Graph, Place};
-use crate::mechanism::Preset;
+use crate::mechanism::MechanismPreset;
 use crate::text::{self, Dependence, Dimension, Measured, NameError, NameScope, PartShape};
 
 /// Most presets of a description.
 const MOST_PRESETS: usize = 32;
 
-impl DescriptionReader {
+impl MechanismReader {
     /// Reads the presets; without any, the parameters' values are one.
     pub(super) fn presets(&mut self, root: &mut KeyReader<'_>) {
         let entries = root.table(&mut self.report, "presets");
@@ -61,7 +61,7 @@ impl DescriptionReader {
         let nodes = self.preset_values(&written);
         let values: Option<Vec<_>> = nodes.iter().map(|it| it.map(|it| it.node)).collect();
         if let Some(values) = values {
-            self.mechanism.presets.push(Preset { name: name.to_owned(), doc, values });
+            self.mechanism.presets.push(MechanismPreset { name: name.to_owned(), doc, values });
         }
     }
 

@@ -2,9 +2,9 @@
 
 use diagnostics::quoted;
 
-use super::reader::DescriptionReader;
+use super::reader::MechanismReader;
 
-impl DescriptionReader {
+impl MechanismReader {
     /// Reports modes that nothing leads to, and modes that nothing leads out of.
     pub(super) fn check_modes(&mut self) {
         // A way that was not understood may be the one that is missing.

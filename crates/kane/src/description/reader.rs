@@ -17,8 +17,8 @@ use super::source::{DescriptionSource, SourcePlace};
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use super::{Description, MOST_OF_A_KIND};
 use crate::graph::{Graph, Node, Substitution};
-use crate::mechanism::{Constraint, Contact, Force, Mechanism};
-use crate::text::{Dependence, Expression, Measured};
+use crate::mechanism::{Constraint, Force, Mechanism, MechanismContact};
+use crate::text::{Dependence, Measured, ParsedExpression};
 
 /// Most operands that all expressions of a description may have.
 const HEAVIEST: usize = 100_000;
@@ -39,7 +39,7 @@ pub(super) const MOTION: Dependence =
 pub(super) struct FileExpression {
     pub(super) place: SourcePlace,
     pub(super) origin: TextOrigin,
-    pub(super) expression: Expression,
+    pub(super) expression: ParsedExpression,
 }
 
 /// Where a text begins.
@@ -69,7 +69,7 @@ pub(super) struct WatchedNode {
 
 /// All that is known while a description is read.
 #[derive(Debug, Default)]
-pub(super) struct DescriptionReader {
+pub(super) struct MechanismReader {
     pub(super) report: FindingList,
     pub(super) graph: Graph,
     pub(super) names: NameTable,
@@ -99,14 +99,14 @@ pub(super) struct DescriptionReader {
     /// What was built, with its number in the order of the file.
     pub(super) built_constraints: Vec<(usize, Constraint)>,
     pub(super) built_forces: Vec<(usize, Force)>,
-    pub(super) built_contacts: Vec<(usize, Contact)>,
+    pub(super) built_contacts: Vec<(usize, MechanismContact)>,
     pub(super) expressions: usize,
     weight: usize,
     weighed: usize,
     pub(super) is_full: bool,
 }
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn read(
         mut self,
         source: DescriptionSource,

@@ -9,7 +9,7 @@ use diagnostics::quoted;
 use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
 use super::order::sorted;
-use super::reader::{CONSTANT, DescriptionReader, FileExpression, MOTION, POSE, STATE};
+use super::reader::{CONSTANT, FileExpression, MOTION, MechanismReader, POSE, STATE};
 use super::source::SourcePlace;
 use crate::mechanism::{Constraint, ConstraintKind};
 use crate::text::{Dimension, Measured, PartShape};
@@ -94,7 +94,7 @@ impl ItemIndex {
     }
 }
 
-impl DescriptionReader {
+impl MechanismReader {
     /// Builds all items; reports circles.
     pub(super) fn resolve(&mut self) {
         let index = ItemIndex::new(&self.items);

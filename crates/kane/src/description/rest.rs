@@ -4,12 +4,12 @@ use diagnostics::{choice, quoted};
 
 use super::key_reader::KeyReader;
 use super::names::SymbolKind;
-use super::reader::{CONSTANT, DescriptionReader};
+use super::reader::{CONSTANT, MechanismReader};
 use super::toml_tree::{TomlEntry, TomlNode};
-use crate::mechanism::{Damper, Rest};
+use crate::mechanism::{Rest, StringDamper};
 use crate::text::{Dependence, Dimension, Form};
 
-impl DescriptionReader {
+impl MechanismReader {
     pub(super) fn rest(&mut self, root: &mut KeyReader<'_>) {
         let mut rest =
             Rest { coordinates: vec![None; self.names.coordinates.len()], ..Rest::default() };
@@ -109,6 +109,6 @@ impl DescriptionReader {
             let help = "lift above fall, so that a key held there does not chatter";
             self.report.say(entry.place, "the damper is lifted no higher than it falls", help);
         }
-        self.mechanism.sound = Some(Damper { lift, fall, softest_tone });
+        self.mechanism.sound = Some(StringDamper { lift, fall, softest_tone });
     }
 }

@@ -6,7 +6,7 @@ use super::expression::{Binding, RustExpression};
 use super::number;
 use super::scope::ArgumentNames;
 use crate::graph::{BinaryFunction, UnaryFunction};
-use crate::tape::{AngleGroup, AngleValues, Argument, Instruction, Slot, Tape};
+use crate::tape::{AngleGroup, AngleValues, Argument, Instruction, Tape, TapeSlot};
 
 /// The widest expression that is written into the one that uses it.
 const WIDEST: usize = 48;
@@ -19,7 +19,7 @@ const STATEMENT: usize = 96;
 pub(super) struct FunctionBody<'a> {
     tape: &'a Tape,
     uses: Vec<u32>,
-    values: HashMap<Slot, RustExpression>,
+    values: HashMap<TapeSlot, RustExpression>,
     names: ArgumentNames,
     lines: Vec<String>,
     unnamed: usize,
@@ -43,7 +43,7 @@ impl<'a> FunctionBody<'a> {
                 body.group(group);
             }
             if body.uses[at] > 0 {
-                body.instruction(Slot(u32::try_from(at).unwrap_or(u32::MAX)), *instruction);
+                body.instruction(TapeSlot(u32::try_from(at).unwrap_or(u32::MAX)), *instruction);
             }
         }
         body
@@ -81,10 +81,10 @@ impl<'a> FunctionBody<'a> {
         if counts.input > 0 {
             self.lines.push("let input = given.input;".to_owned());
         }
-        let mut reads: BTreeMap<Argument, Vec<Slot>> = BTreeMap::new();
+        let mut reads: BTreeMap<Argument, Vec<TapeSlot>> = BTreeMap::new();
         for (at, instruction) in (0..).zip(&self.tape.instructions) {
             if let Instruction::Argument(argument) = instruction {
-                reads.entry(*argument).or_default().push(Slot(at));
+                reads.entry(*argument).or_default().push(TapeSlot(at));
             }
         }
         for (argument, slots) in reads {
@@ -94,14 +94,14 @@ impl<'a> FunctionBody<'a> {
         }
     }
 
-    fn value(&self, slot: Slot) -> RustExpression {
+    fn value(&self, slot: TapeSlot) -> RustExpression {
         self.values
             .get(&slot)
             .cloned()
             .unwrap_or_else(|| RustExpression::atom("f64::NAN".to_owned()))
     }
 
-    fn instruction(&mut self, slot: Slot, instruction: Instruction) {
+    fn instruction(&mut self, slot: TapeSlot, instruction: Instruction) {
         let infix = |body: &mut Self, x, operator, y| {
             let (x, y) = body.fitting(x, y);
             RustExpression::infix(&x, operator, &y)
@@ -143,7 +143,7 @@ impl<'a> FunctionBody<'a> {
     }
 
     /// Two operands; the longer gets a name first where both would not fit on one line.
-    fn fitting(&mut self, x: Slot, y: Slot) -> (RustExpression, RustExpression) {
+    fn fitting(&mut self, x: TapeSlot, y: TapeSlot) -> (RustExpression, RustExpression) {
         let width = |body: &Self, slot| body.value(slot).text.len();
         if width(self, x) + width(self, y) > LINE {
             let longer = if width(self, x) >= width(self, y) { x } else { y };
@@ -154,7 +154,7 @@ impl<'a> FunctionBody<'a> {
     }
 
     /// An operand that is a name or a short expression.
-    fn short(&mut self, slot: Slot) -> RustExpression {
+    fn short(&mut self, slot: TapeSlot) -> RustExpression {
         const SHORT: usize = 24;
         let value = self.value(slot);
         if value.text.len() > SHORT {
@@ -163,7 +163,7 @@ impl<'a> FunctionBody<'a> {
         self.value(slot)
     }
 
-    fn bind(&mut self, slot: Slot, text: &str) {
+    fn bind(&mut self, slot: TapeSlot, text: &str) {
         let name = format!("v{}", self.unnamed);
         self.unnamed += 1;
         self.lines.push(format!("let {name} = {text};"));
@@ -205,12 +205,12 @@ impl<'a> FunctionBody<'a> {
     /// Names of sine and cosine; `_` of one that nobody uses.
     fn name_both(&mut self, values: &AngleValues) -> (String, String) {
         let angle = self.value(values.angle).text;
-        let mut name = |function: &str, function_of: UnaryFunction, slot: Option<Slot>| {
+        let mut name = |function: &str, function_of: UnaryFunction, slot: Option<TapeSlot>| {
             if slot.is_none() {
                 return "_".to_owned();
             }
             let name = self.names.taken.take_long(&format!("{function}_{angle}"), 28);
-            let all = (0..).map(Slot).zip(&self.tape.instructions);
+            let all = (0..).map(TapeSlot).zip(&self.tape.instructions);
             let wanted = Instruction::Unary(function_of, values.angle);
             for (slot, _) in all.filter(|(_, it)| **it == wanted) {
                 self.values.insert(slot, RustExpression::atom(name.clone()));

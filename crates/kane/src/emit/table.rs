@@ -3,8 +3,8 @@
 use contacts::{ContactSpec, FrictionSpec};
 use equations::table::{
     BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom, GuardTable,
-    Material, ModeTable, ModelTable, OutlineTable, ParameterTable, PartTable, PresetTable,
-    Quantity, RequirementTable, RestTable, RestingTable, SpringTable, WayTable,
+    Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
+    PresetTable, RequirementTable, RestTable, RestingTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
@@ -52,7 +52,7 @@ structures! {
         derive_constants, input, input_per_metre, modes, contacts, contact_specs, guard_specs, outputs,
         rest, damper, drawing,
     }
-    Quantity { name, unit }
+    NamedQuantity { name, unit }
     ParameterTable { name, title, unit, range, doc }
     PresetTable { name, doc, values }
     RequirementTable { text, margin }

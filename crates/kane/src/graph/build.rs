@@ -1,17 +1,17 @@
 //! Makes nodes; what can be said at once is said at once.
 
-use super::{BinaryFunction, Graph, Node, Operation, Place, UnaryFunction, order};
+use super::{BinaryFunction, Graph, Node, NodeOperation, Place, UnaryFunction, order};
 
 impl Graph {
     /// Returns the number `value`.
     pub fn constant(&mut self, value: f64) -> Node {
         // One zero: −0 would be another node.
-        self.intern(Operation::Number((value + 0.0).to_bits()))
+        self.intern(NodeOperation::Number((value + 0.0).to_bits()))
     }
 
     /// Returns the symbol at `place`.
     pub fn symbol(&mut self, place: Place) -> Node {
-        self.intern(Operation::Symbol(place))
+        self.intern(NodeOperation::Symbol(place))
     }
 
     /// Returns x + y.
@@ -51,7 +51,7 @@ impl Graph {
             [(only, 1.0)] if number == 0.0 => *only,
             _ => {
                 let terms = terms.iter().map(|(node, factor)| (*node, factor.to_bits())).collect();
-                self.intern(Operation::Sum((number + 0.0).to_bits(), terms))
+                self.intern(NodeOperation::Sum((number + 0.0).to_bits(), terms))
             }
         }
     }
@@ -84,7 +84,7 @@ impl Graph {
         let product = match factors.as_slice() {
             [] => return self.constant(number),
             [(only, 1)] => *only,
-            _ => self.intern(Operation::Product(factors.into_boxed_slice())),
+            _ => self.intern(NodeOperation::Product(factors.into_boxed_slice())),
         };
         if number.to_bits() == 1.0_f64.to_bits() { product } else { self.sum(&[(product, number)]) }
     }
@@ -97,12 +97,12 @@ impl Graph {
         if let Some(node) = self.without_sign(function, x) {
             return node;
         }
-        if let (UnaryFunction::Abs, Operation::Unary(inner, _)) = (function, self.operation(x))
+        if let (UnaryFunction::Abs, NodeOperation::Unary(inner, _)) = (function, self.operation(x))
             && matches!(inner, UnaryFunction::Abs | UnaryFunction::Sqrt | UnaryFunction::Exp)
         {
             return x;
         }
-        self.intern(Operation::Unary(function, x))
+        self.intern(NodeOperation::Unary(function, x))
     }
 
     /// An odd or even function of −x by that of x, so that both are one node.
@@ -122,7 +122,7 @@ impl Graph {
             | UnaryFunction::SoftplusSquareArea
             | UnaryFunction::Acos => return None,
         };
-        let Operation::Sum(_, terms) = self.operation(x) else { return None };
+        let NodeOperation::Sum(_, terms) = self.operation(x) else { return None };
         let is_negative = terms.first().is_some_and(|(_, factor)| f64::from_bits(*factor) < 0.0);
         if !is_negative {
             return None;
@@ -144,7 +144,7 @@ impl Graph {
             (None, Some(exponent)) if function == BinaryFunction::Power => {
                 self.constant_power(x, exponent)
             }
-            _ => self.intern(Operation::Binary(function, x, y)),
+            _ => self.intern(NodeOperation::Binary(function, x, y)),
         }
     }
 
@@ -160,7 +160,7 @@ impl Graph {
             return self.sqrt(x);
         }
         let y = self.constant(exponent);
-        self.intern(Operation::Binary(BinaryFunction::Power, x, y))
+        self.intern(NodeOperation::Binary(BinaryFunction::Power, x, y))
     }
 
     /// Returns `positive` where `condition` is positive, else `other`.
@@ -171,7 +171,7 @@ impl Graph {
         match self.number(condition) {
             Some(number) if number > 0.0 => positive,
             Some(_) => other,
-            None => self.intern(Operation::Select([condition, positive, other])),
+            None => self.intern(NodeOperation::Select([condition, positive, other])),
         }
     }
 }

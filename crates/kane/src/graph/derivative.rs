@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{BinaryFunction, Graph, Node, Operation, Place, Terms, UnaryFunction};
+use super::{BinaryFunction, Graph, Node, NodeOperation, NodeTerms, Place, UnaryFunction};
 
 /// Derivatives of nodes along one direction, each found once.
 #[derive(Debug)]
@@ -36,13 +36,13 @@ impl Tangent {
     /// The derivative of a node whose operands' derivatives are known.
     fn one(&self, graph: &mut Graph, node: Node) -> Node {
         match graph.operation(node).clone() {
-            Operation::Number(_) => graph.constant(0.0),
-            Operation::Symbol(place) => {
+            NodeOperation::Number(_) => graph.constant(0.0),
+            NodeOperation::Symbol(place) => {
                 self.seeds.get(&place).copied().unwrap_or_else(|| graph.constant(0.0))
             }
-            Operation::Sum(_, terms) => self.of_sum(graph, &terms),
-            Operation::Product(factors) => self.of_product(graph, &factors),
-            Operation::Unary(function, x) => {
+            NodeOperation::Sum(_, terms) => self.of_sum(graph, &terms),
+            NodeOperation::Product(factors) => self.of_product(graph, &factors),
+            NodeOperation::Unary(function, x) => {
                 let rate = self.known[&x];
                 if graph.is_zero(rate) {
                     return rate;
@@ -50,15 +50,15 @@ impl Tangent {
                 let slope = slope(graph, function, x, node);
                 graph.multiply(slope, rate)
             }
-            Operation::Binary(function, x, y) => self.of_binary(graph, function, [x, y], node),
-            Operation::Select([condition, positive, other]) => {
+            NodeOperation::Binary(function, x, y) => self.of_binary(graph, function, [x, y], node),
+            NodeOperation::Select([condition, positive, other]) => {
                 let (positive, other) = (self.known[&positive], self.known[&other]);
                 graph.select(condition, positive, other)
             }
         }
     }
 
-    fn of_sum(&self, graph: &mut Graph, terms: &Terms) -> Node {
+    fn of_sum(&self, graph: &mut Graph, terms: &NodeTerms) -> Node {
         let terms: Vec<_> = terms
             .iter()
             .map(|(node, factor)| (self.known[node], f64::from_bits(*factor)))

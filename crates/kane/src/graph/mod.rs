@@ -18,7 +18,7 @@ mod trigonometry;
 
 pub use derivative::Tangent;
 pub use functions::{BinaryFunction, UnaryFunction};
-pub use operation::{Operation, Place, Terms};
+pub use operation::{NodeOperation, NodeTerms, Place};
 pub use substitute::Substitution;
 
 use std::collections::HashMap;
@@ -37,8 +37,8 @@ impl Node {
 /// Expressions that share their parts.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
-    operations: Vec<Operation>,
-    known: HashMap<Operation, Node>,
+    operations: Vec<NodeOperation>,
+    known: HashMap<NodeOperation, Node>,
 }
 
 impl Graph {
@@ -48,7 +48,7 @@ impl Graph {
     }
 
     /// Returns what `node` is made of.
-    pub fn operation(&self, node: Node) -> &Operation {
+    pub fn operation(&self, node: Node) -> &NodeOperation {
         &self.operations[node.index()]
     }
 
@@ -70,7 +70,7 @@ impl Graph {
     }
 
     /// Returns the node of `operation`, which is entered if it is new.
-    fn intern(&mut self, operation: Operation) -> Node {
+    fn intern(&mut self, operation: NodeOperation) -> Node {
         if let Some(node) = self.known.get(&operation) {
             return *node;
         }
@@ -83,7 +83,7 @@ impl Graph {
 
     /// Returns the number that `node` is, if it is one.
     pub fn number(&self, node: Node) -> Option<f64> {
-        let Operation::Number(bits) = self.operation(node) else { return None };
+        let NodeOperation::Number(bits) = self.operation(node) else { return None };
         Some(f64::from_bits(*bits))
     }
 
@@ -96,7 +96,7 @@ impl Graph {
     pub fn depends(&self, node: Node, on: impl Fn(Place) -> bool) -> bool {
         self.reached(&[node])
             .into_iter()
-            .any(|it| matches!(self.operation(it), Operation::Symbol(place) if on(*place)))
+            .any(|it| matches!(self.operation(it), NodeOperation::Symbol(place) if on(*place)))
     }
 
     /// Returns every node that `outputs` are made of, themselves included, operands first.

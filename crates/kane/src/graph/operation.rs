@@ -26,15 +26,15 @@ pub enum Place {
 }
 
 /// Terms with a number each: in a sum its factor, in a product its exponent.
-pub type Terms = Box<[(Node, u64)]>;
+pub type NodeTerms = Box<[(Node, u64)]>;
 
 /// One operation; its operands stand before it. Numbers are held by their bits.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
-pub enum Operation {
+pub enum NodeOperation {
     Number(u64),
     Symbol(Place),
     /// A number, and nodes times a number each: in the order of the nodes, none twice.
-    Sum(u64, Terms),
+    Sum(u64, NodeTerms),
     /// Nodes to a whole power each: in the order of the nodes, none twice.
     Product(Box<[(Node, i32)]>),
     Unary(UnaryFunction, Node),
@@ -43,7 +43,7 @@ pub enum Operation {
     Select([Node; 3]),
 }
 
-impl Operation {
+impl NodeOperation {
     /// Shows each operand to `see`.
     pub fn operands(&self, mut see: impl FnMut(Node)) {
         match self {

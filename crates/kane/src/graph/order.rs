@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Graph, Node, Operation};
+use super::{Graph, Node, NodeOperation};
 
 /// Sums and products of more parts than this stay one part of a larger one: a sum that is written
 /// term by term would else hold all its beginnings in full.
@@ -23,19 +23,19 @@ impl Sum {
     /// Adds `node` times `factor`; a sum's terms one by one.
     pub(super) fn add(&mut self, graph: &Graph, node: Node, factor: f64) {
         match graph.operation(node) {
-            Operation::Number(bits) => self.number += factor * f64::from_bits(*bits),
-            Operation::Sum(number, terms) if terms.len() <= MOST_FLATTENED => {
+            NodeOperation::Number(bits) => self.number += factor * f64::from_bits(*bits),
+            NodeOperation::Sum(number, terms) if terms.len() <= MOST_FLATTENED => {
                 self.number += factor * f64::from_bits(*number);
                 for (term, inner) in terms {
                     self.enter(*term, factor * f64::from_bits(*inner));
                 }
             }
-            Operation::Symbol(_)
-            | Operation::Sum(..)
-            | Operation::Product(_)
-            | Operation::Unary(..)
-            | Operation::Binary(..)
-            | Operation::Select(_) => self.enter(node, factor),
+            NodeOperation::Symbol(_)
+            | NodeOperation::Sum(..)
+            | NodeOperation::Product(_)
+            | NodeOperation::Unary(..)
+            | NodeOperation::Binary(..)
+            | NodeOperation::Select(_) => self.enter(node, factor),
         }
     }
 
@@ -65,23 +65,23 @@ impl Product {
     /// apart.
     pub(super) fn multiply(&mut self, graph: &Graph, node: Node, exponent: i32) {
         match graph.operation(node) {
-            Operation::Number(bits) => self.number *= f64::from_bits(*bits).powi(exponent),
-            Operation::Product(factors) if factors.len() <= MOST_FLATTENED => {
+            NodeOperation::Number(bits) => self.number *= f64::from_bits(*bits).powi(exponent),
+            NodeOperation::Product(factors) if factors.len() <= MOST_FLATTENED => {
                 for (factor, inner) in factors {
                     self.enter(*factor, exponent.saturating_mul(*inner));
                 }
             }
-            Operation::Sum(0, terms) if terms.len() == 1 => {
+            NodeOperation::Sum(0, terms) if terms.len() == 1 => {
                 let (term, factor) = terms[0];
                 self.number *= f64::from_bits(factor).powi(exponent);
                 self.multiply(graph, term, exponent);
             }
-            Operation::Symbol(_)
-            | Operation::Sum(..)
-            | Operation::Product(_)
-            | Operation::Unary(..)
-            | Operation::Binary(..)
-            | Operation::Select(_) => self.enter(node, exponent),
+            NodeOperation::Symbol(_)
+            | NodeOperation::Sum(..)
+            | NodeOperation::Product(_)
+            | NodeOperation::Unary(..)
+            | NodeOperation::Binary(..)
+            | NodeOperation::Select(_) => self.enter(node, exponent),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Graph, Node, Operation, Place};
+use super::{Graph, Node, NodeOperation, Place};
 
 /// A replacement of symbols by expressions; each node is rebuilt once.
 #[derive(Debug)]
@@ -31,22 +31,22 @@ impl Substitution {
     fn one(&self, graph: &mut Graph, node: Node) -> Node {
         let new = |old: &Node| self.known[old];
         match graph.operation(node).clone() {
-            Operation::Number(_) => node,
-            Operation::Symbol(place) => self.by.get(&place).copied().unwrap_or(node),
-            Operation::Sum(number, terms) => {
+            NodeOperation::Number(_) => node,
+            NodeOperation::Symbol(place) => self.by.get(&place).copied().unwrap_or(node),
+            NodeOperation::Sum(number, terms) => {
                 let number = graph.constant(f64::from_bits(number));
                 let mut terms: Vec<_> =
                     terms.iter().map(|(it, by)| (new(it), f64::from_bits(*by))).collect();
                 terms.push((number, 1.0));
                 graph.sum(&terms)
             }
-            Operation::Product(factors) => {
+            NodeOperation::Product(factors) => {
                 let factors: Vec<_> = factors.iter().map(|(it, by)| (new(it), *by)).collect();
                 graph.product(&factors)
             }
-            Operation::Unary(function, x) => graph.unary(function, new(&x)),
-            Operation::Binary(function, x, y) => graph.binary(function, new(&x), new(&y)),
-            Operation::Select([condition, positive, other]) => {
+            NodeOperation::Unary(function, x) => graph.unary(function, new(&x)),
+            NodeOperation::Binary(function, x, y) => graph.binary(function, new(&x), new(&y)),
+            NodeOperation::Select([condition, positive, other]) => {
                 graph.select(new(&condition), new(&positive), new(&other))
             }
         }

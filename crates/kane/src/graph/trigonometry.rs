@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Graph, Node, Operation, UnaryFunction, order};
+use super::{Graph, Node, NodeOperation, UnaryFunction, order};
 
 /// A square in a sum: the other factors of its product, and the angle.
 type SquaredFactor = (Box<[(Node, i32)]>, Node);
@@ -61,9 +61,9 @@ impl Graph {
     /// The squares of `function` among a product's factors.
     fn squares(&self, node: Node, function: UnaryFunction) -> impl Iterator<Item = SquaredFactor> {
         let factors: &[(Node, i32)] =
-            if let Operation::Product(factors) = self.operation(node) { factors } else { &[] };
+            if let NodeOperation::Product(factors) = self.operation(node) { factors } else { &[] };
         factors.iter().enumerate().filter_map(move |(at, (factor, exponent))| {
-            let Operation::Unary(found, angle) = self.operation(*factor) else { return None };
+            let NodeOperation::Unary(found, angle) = self.operation(*factor) else { return None };
             if *found != function || *exponent != 2 {
                 return None;
             }

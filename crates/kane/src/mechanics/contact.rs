@@ -6,7 +6,7 @@ use super::inertia::{InertiaTerms, gradient};
 use super::kinematics::{along_places, number};
 use super::motion::ModeMotion;
 use crate::graph::{Graph, Node, Place, Tangent};
-use crate::mechanism::{Contact, Friction, Mechanism, Mode};
+use crate::mechanism::{DryFriction, Mechanism, MechanismContact, Mode};
 use crate::system::{ContactEquations, FrictionEquations};
 
 /// What a contact's equations are made from.
@@ -56,7 +56,7 @@ impl ContactScope<'_> {
         &self,
         graph: &mut Graph,
         forms: &mut ExplicitForms,
-        contact: &Contact,
+        contact: &MechanismContact,
     ) -> Option<[Node; 3]> {
         let force = contact.force.as_ref()?;
         let mut tangent = along_places(graph, self.mechanism);
@@ -87,7 +87,7 @@ impl ContactScope<'_> {
         &self,
         graph: &mut Graph,
         forms: &mut ExplicitForms,
-        friction: &Friction,
+        friction: &DryFriction,
     ) -> FrictionEquations {
         let slip = forms.value(graph, friction.slip);
         let gradient = self.state.iter().map(|place| graph.partial(slip, *place)).collect();

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::kinematics::number;
 use super::linear;
 use super::numeric::{self, NumericPose};
-use crate::graph::{Graph, Node, Operation, Place, Substitution};
+use crate::graph::{Graph, Node, NodeOperation, Place, Substitution};
 use crate::mechanism::{ConstraintKind, Mechanism, Mode};
 
 /// A coefficient of the equations below this part of the largest is no ground to stand on.
@@ -37,7 +37,7 @@ pub(super) fn plain_speed(
     coordinate: usize,
 ) -> Option<usize> {
     let rate = graph.operation(mechanism.coordinates[coordinate].rate);
-    if let Operation::Symbol(Place::Speed(j)) = rate { Some(usize::from(*j)) } else { None }
+    if let NodeOperation::Symbol(Place::Speed(j)) = rate { Some(usize::from(*j)) } else { None }
 }
 
 /// Returns the replacement of solved coordinates.

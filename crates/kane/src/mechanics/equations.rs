@@ -2,7 +2,7 @@
 
 use super::balance::BalanceTerms;
 use super::contact::ContactScope;
-use super::error::Obstacle;
+use super::error::DerivationObstacle;
 use super::explicit::ExplicitForms;
 use super::inertia::InertiaTerms;
 use super::motion::ModeMotion;
@@ -23,7 +23,11 @@ pub(super) struct ModeScope<'a> {
 }
 
 /// Returns what forces and plain equations of a mode must not depend on, but do.
-pub(super) fn implicit(graph: &Graph, mechanism: &Mechanism, mode: &Mode) -> Vec<Obstacle> {
+pub(super) fn implicit(
+    graph: &Graph,
+    mechanism: &Mechanism,
+    mode: &Mode,
+) -> Vec<DerivationObstacle> {
     let is_implicit = |node: Node| {
         graph.depends(node, |place| {
             matches!(place, Place::Acceleration(_) | Place::Reaction(_) | Place::Contact(_))
@@ -35,7 +39,7 @@ pub(super) fn implicit(graph: &Graph, mechanism: &Mechanism, mode: &Mode) -> Vec
     let rates = rates.map(|(j, node)| (format!("{}'", mechanism.speeds[*j].name), vec![*node]));
     let found =
         forces.chain(rates).filter(|(_, nodes)| nodes.iter().any(|node| is_implicit(*node)));
-    found.map(|(what, _)| Obstacle::ImplicitForce { what }).collect()
+    found.map(|(what, _)| DerivationObstacle::ImplicitForce { what }).collect()
 }
 
 impl ModeScope<'_> {
@@ -48,7 +52,10 @@ impl ModeScope<'_> {
     }
 
     /// Returns the equations.
-    pub(super) fn equations(&self, graph: &mut Graph) -> Result<ModeEquations, Vec<Obstacle>> {
+    pub(super) fn equations(
+        &self,
+        graph: &mut Graph,
+    ) -> Result<ModeEquations, Vec<DerivationObstacle>> {
         let (mechanism, mode, motion) = (self.mechanism, self.mode(), self.motion());
         let mut forms = ExplicitForms::of(graph, mechanism, self.inertia, mode, motion);
         self.check(graph, &forms)?;
@@ -73,7 +80,7 @@ impl ModeScope<'_> {
     }
 
     /// What cannot be made explicit.
-    fn check(&self, graph: &Graph, forms: &ExplicitForms) -> Result<(), Vec<Obstacle>> {
+    fn check(&self, graph: &Graph, forms: &ExplicitForms) -> Result<(), Vec<DerivationObstacle>> {
         let (mechanism, mode) = (self.mechanism, self.mode());
         let mut obstacles = Vec::new();
         let guards = mode.guards.iter().map(|guard| guard.value);
@@ -85,7 +92,7 @@ impl ModeScope<'_> {
         if readout.is_none() && self.motion().driving.is_none() {
             let names = mode.constraints.iter().map(|c| mechanism.constraints[*c].name.clone());
             let constraint = names.collect::<Vec<_>>().join(", ");
-            obstacles.push(Obstacle::UndeterminedReaction { constraint });
+            obstacles.push(DerivationObstacle::UndeterminedReaction { constraint });
         }
         for guard in &mode.guards {
             self.check_guard(graph, guard, &mut obstacles);
@@ -94,9 +101,9 @@ impl ModeScope<'_> {
         if obstacles.is_empty() { Ok(()) } else { Err(obstacles) }
     }
 
-    fn check_guard(&self, graph: &Graph, guard: &Guard, obstacles: &mut Vec<Obstacle>) {
+    fn check_guard(&self, graph: &Graph, guard: &Guard, obstacles: &mut Vec<DerivationObstacle>) {
         if graph.depends(guard.value, |place| place == Place::Input(3)) {
-            obstacles.push(Obstacle::TooManyInputRates { what: guard.name.clone() });
+            obstacles.push(DerivationObstacle::TooManyInputRates { what: guard.name.clone() });
         }
         for (target, _) in guard.branches.iter().flat_map(|branch| &branch.set) {
             let (place, name) = match target {
@@ -109,8 +116,10 @@ impl ModeScope<'_> {
                 }
             };
             if !self.state.contains(&place) {
-                obstacles
-                    .push(Obstacle::NotInState { guard: guard.name.clone(), name: name.clone() });
+                obstacles.push(DerivationObstacle::NotInState {
+                    guard: guard.name.clone(),
+                    name: name.clone(),
+                });
             }
         }
     }

@@ -9,12 +9,12 @@ pub struct DerivationError {
     pub mode: Option<usize>,
     /// That mode's name.
     pub mode_name: String,
-    pub obstacle: Obstacle,
+    pub obstacle: DerivationObstacle,
 }
 
 /// What stands in the way of the equations of motion; names are those of the description.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Obstacle {
+pub enum DerivationObstacle {
     /// Speeds that move nothing with mass at the rest pose.
     Massless { speed: String },
     /// Constraints of which one follows from the others at the rest pose.
@@ -42,7 +42,7 @@ impl fmt::Display for DerivationError {
     }
 }
 
-impl fmt::Display for Obstacle {
+impl fmt::Display for DerivationObstacle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Massless { speed } => write!(

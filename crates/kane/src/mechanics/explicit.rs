@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::error::Obstacle;
+use super::error::DerivationObstacle;
 use super::inertia::{InertiaTerms, gradient};
 use super::kinematics::{along_places, number};
 use super::motion::ModeMotion;
@@ -89,13 +89,13 @@ impl ExplicitForms {
         graph: &Graph,
         mechanism: &Mechanism,
         node: Node,
-    ) -> Option<Obstacle> {
+    ) -> Option<DerivationObstacle> {
         let missing = self
             .undetermined
             .iter()
             .find(|k| graph.depends(node, |place| place == Place::Reaction(**k)))?;
         let constraint = mechanism.constraints[usize::from(*missing)].name.clone();
-        Some(Obstacle::UndeterminedReaction { constraint })
+        Some(DerivationObstacle::UndeterminedReaction { constraint })
     }
 }
 

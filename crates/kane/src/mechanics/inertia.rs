@@ -38,7 +38,7 @@ impl InertiaTerms {
         let bodies = kinematics::bodies(graph, &mut axes, mechanism);
         let places = rates(mechanism);
         let zero = graph.constant(0.0);
-        let mut sums = Sums {
+        let mut sums = InertiaSums {
             mass: vec![vec![Vec::new(); places.len()]; places.len()],
             bias: vec![Vec::new(); places.len()],
             weight: vec![Vec::new(); places.len()],
@@ -56,7 +56,7 @@ impl InertiaTerms {
 }
 
 /// Sums that are being collected, body by body.
-struct Sums {
+struct InertiaSums {
     mass: Vec<Vec<Vec<(Node, f64)>>>,
     bias: Vec<Vec<(Node, f64)>>,
     weight: Vec<Vec<(Node, f64)>>,
@@ -88,7 +88,7 @@ impl BodyTerms<'_> {
         graph: &mut Graph,
         axes: &mut Orientations<'_>,
         places: &[Place],
-        sums: &mut Sums,
+        sums: &mut InertiaSums,
     ) {
         let motion = self.motion;
         let rotation = axes.express(graph, &motion.rotation, self.frame);
@@ -151,7 +151,7 @@ impl BodyTerms<'_> {
 
 /// The product of `factor` with a sum, multiplied out.
 fn times_terms(graph: &mut Graph, factor: Node, sum: Node) -> Node {
-    let crate::graph::Operation::Sum(number, terms) = graph.operation(sum).clone() else {
+    let crate::graph::NodeOperation::Sum(number, terms) = graph.operation(sum).clone() else {
         return graph.multiply(factor, sum);
     };
     let mut products: Vec<_> = terms
@@ -171,7 +171,7 @@ fn inner(graph: &mut Graph, x: Components, y: Components) -> Node {
     graph.sum(&terms)
 }
 
-impl Sums {
+impl InertiaSums {
     /// Enters a mass in both halves.
     fn enter_mass(&mut self, [row, column]: [usize; 2], term: Node) {
         self.mass[row][column].push((term, 1.0));

@@ -1,7 +1,7 @@
 //! The mass matrix as L D Lᵀ, with the zeros that its structure has.
 
 use super::numeric::NumericPose;
-use crate::graph::{Graph, Node, Operation};
+use crate::graph::{Graph, Node, NodeOperation};
 
 /// Of the largest generalised mass: a pivot below it is none.
 const NEGLIGIBLE: f64 = 1e-13;
@@ -104,7 +104,7 @@ fn next(graph: &Graph, matrix: &[Vec<Node>], left: &[usize]) -> Option<usize> {
     left.iter().copied().min_by_key(|row| {
         let others = left.iter().filter(|c| *c != row && !graph.is_zero(matrix[*row][**c])).count();
         let diagonal = graph.operation(matrix[*row][*row]);
-        let terms = if let Operation::Sum(_, terms) = diagonal { terms.len() } else { 1 };
+        let terms = if let NodeOperation::Sum(_, terms) = diagonal { terms.len() } else { 1 };
         (others, terms, *row)
     })
 }

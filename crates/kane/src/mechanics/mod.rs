@@ -25,12 +25,12 @@ mod speed_checks;
 mod speeds;
 mod vector;
 
-pub use error::{DerivationError, Obstacle};
+pub use error::{DerivationError, DerivationObstacle};
 pub use poses::drawn_frames;
 
 use crate::graph::{Graph, Place};
 use crate::mechanism::Mechanism;
-use crate::system::System;
+use crate::system::EquationSystem;
 use equations::ModeScope;
 use inertia::InertiaTerms;
 use motion::ModeMotion;
@@ -40,7 +40,7 @@ use numeric::NumericPose;
 ///
 /// # Errors
 /// Returns every reason for which a mode has none.
-pub fn derive(mut mechanism: Mechanism) -> Result<System, Vec<DerivationError>> {
+pub fn derive(mut mechanism: Mechanism) -> Result<EquationSystem, Vec<DerivationError>> {
     let mut graph = std::mem::take(&mut mechanism.graph);
     poses::add(&mut graph, &mut mechanism);
     let mut system = derived(&mut graph, mechanism)?;
@@ -48,7 +48,10 @@ pub fn derive(mut mechanism: Mechanism) -> Result<System, Vec<DerivationError>> 
     Ok(system)
 }
 
-fn derived(graph: &mut Graph, mechanism: Mechanism) -> Result<System, Vec<DerivationError>> {
+fn derived(
+    graph: &mut Graph,
+    mechanism: Mechanism,
+) -> Result<EquationSystem, Vec<DerivationError>> {
     let pose = NumericPose::at_rest(graph, &mechanism);
     let inertia = InertiaTerms::of(graph, &mechanism);
     let mut errors = Vec::new();
@@ -87,10 +90,14 @@ fn derived(graph: &mut Graph, mechanism: Mechanism) -> Result<System, Vec<Deriva
         return Err(errors);
     }
     let coordinates = state.iter().filter(|it| matches!(it, Place::Coordinate(_))).count();
-    Ok(System { mechanism, state, coordinates, modes })
+    Ok(EquationSystem { mechanism, state, coordinates, modes })
 }
 
-fn in_mode(mechanism: &Mechanism, mode: usize, obstacles: Vec<Obstacle>) -> Vec<DerivationError> {
+fn in_mode(
+    mechanism: &Mechanism,
+    mode: usize,
+    obstacles: Vec<DerivationObstacle>,
+) -> Vec<DerivationError> {
     let mode_name = &mechanism.modes[mode].name;
     let error =
         |obstacle| DerivationError { mode: Some(mode), mode_name: mode_name.clone(), obstacle };

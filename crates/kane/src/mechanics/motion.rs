@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::coordinates::SolvedCoordinates;
-use super::error::Obstacle;
+use super::error::DerivationObstacle;
 use super::generalised::{finishing, forces, inner, times};
 use super::inertia::InertiaTerms;
 use super::kinematics::number;
@@ -53,10 +53,12 @@ impl ModeMotion {
         mechanism: &Mechanism,
         inertia: &InertiaTerms,
         mode: &Mode,
-    ) -> Result<Self, Vec<Obstacle>> {
+    ) -> Result<Self, Vec<DerivationObstacle>> {
         let name = |i: &usize| mechanism.coordinates[*i].name.clone();
         let circular = |all: Vec<usize>| {
-            vec![Obstacle::CircularSolution { coordinates: all.iter().map(name).collect() }]
+            vec![DerivationObstacle::CircularSolution {
+                coordinates: all.iter().map(name).collect(),
+            }]
         };
         let solved = SolvedCoordinates::of(graph, pose, mechanism, mode).map_err(circular)?;
         let mut here = pose.clone();
@@ -106,7 +108,7 @@ impl ModeMotion {
         graph: &mut Graph,
         mechanism: &Mechanism,
         inertia: &InertiaTerms,
-    ) -> Result<MassFactor, Vec<Obstacle>> {
+    ) -> Result<MassFactor, Vec<DerivationObstacle>> {
         let n = mechanism.speeds.len();
         let mut matrix = Vec::new();
         for k in &self.dynamic {
@@ -123,7 +125,7 @@ impl ModeMotion {
         }
         MassFactor::of(graph, &self.pose, matrix).map_err(|row| {
             let speed = self.speeds.independent[self.dynamic[row]];
-            vec![Obstacle::Massless { speed: mechanism.speeds[speed].name.clone() }]
+            vec![DerivationObstacle::Massless { speed: mechanism.speeds[speed].name.clone() }]
         })
     }
 

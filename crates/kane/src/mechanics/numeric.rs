@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::kinematics::number;
-use crate::graph::{Graph, Node, Operation, Place};
+use crate::graph::{Graph, Node, NodeOperation, Place};
 use crate::mechanism::Mechanism;
 
 /// Of the largest entry of a matrix: below it an entry counts as 0.
@@ -80,19 +80,19 @@ impl NumericPose {
     fn one(&self, graph: &Graph, values: &HashMap<Node, f64>, node: Node) -> f64 {
         let of = |it: &Node| values[it];
         match graph.operation(node) {
-            Operation::Number(bits) => f64::from_bits(*bits),
-            Operation::Symbol(place) => self.get(*place),
-            Operation::Sum(number, terms) => {
+            NodeOperation::Number(bits) => f64::from_bits(*bits),
+            NodeOperation::Symbol(place) => self.get(*place),
+            NodeOperation::Sum(number, terms) => {
                 let terms = terms.iter().map(|(it, by)| of(it) * f64::from_bits(*by));
                 f64::from_bits(*number) + terms.sum::<f64>()
             }
-            Operation::Product(factors) => {
+            NodeOperation::Product(factors) => {
                 factors.iter().map(|(it, by)| of(it).powi(*by)).product()
             }
-            Operation::Unary(function, x) => function.of(of(x)),
-            Operation::Binary(function, x, y) => function.of(of(x), of(y)),
-            Operation::Select([condition, positive, _]) if of(condition) > 0.0 => of(positive),
-            Operation::Select([_, _, other]) => of(other),
+            NodeOperation::Unary(function, x) => function.of(of(x)),
+            NodeOperation::Binary(function, x, y) => function.of(of(x), of(y)),
+            NodeOperation::Select([condition, positive, _]) if of(condition) > 0.0 => of(positive),
+            NodeOperation::Select([_, _, other]) => of(other),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The poses of the frames that are drawn, as outputs.
 
 use crate::graph::{Graph, Node, UnaryFunction};
-use crate::mechanism::{Mechanism, Output};
+use crate::mechanism::{Mechanism, MechanismOutput};
 
 /// Returns the frames that are drawn, the ground included where it is, by their numbers in order.
 pub fn drawn_frames(mechanism: &Mechanism) -> Vec<usize> {
@@ -22,7 +22,7 @@ pub(super) fn add(graph: &mut Graph, mechanism: &mut Mechanism) {
         let pose = pose(graph, mechanism, frame);
         for (node, (what, unit)) in pose.into_iter().zip([("x", "m"), ("y", "m"), ("angle", "rad")])
         {
-            mechanism.outputs.push(Output {
+            mechanism.outputs.push(MechanismOutput {
                 name: format!("{name}.{what}"),
                 unit: unit.to_owned(),
                 values: vec![node; mechanism.modes.len()],

@@ -15,7 +15,7 @@ use super::motion::ModeMotion;
 use super::numeric;
 use super::speeds::{VelocityRow, row};
 use crate::graph::{Graph, Node, Place, Substitution};
-use crate::mechanism::{Branch, Mechanism, Target};
+use crate::mechanism::{GuardBranch, Mechanism, Target};
 use crate::system::Way;
 
 /// What a reset map is made from.
@@ -46,7 +46,12 @@ struct ImpactSolution {
 
 impl ResetScope<'_> {
     /// Returns the way out of the mode.
-    pub(super) fn way(&self, graph: &mut Graph, forms: &mut ExplicitForms, branch: &Branch) -> Way {
+    pub(super) fn way(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        branch: &GuardBranch,
+    ) -> Way {
         let next = &self.motions[branch.to];
         let before = self.before(graph, forms, branch);
         let mut coordinates = before.clone();
@@ -85,7 +90,7 @@ impl ResetScope<'_> {
         &self,
         graph: &mut Graph,
         forms: &mut ExplicitForms,
-        branch: &Branch,
+        branch: &GuardBranch,
     ) -> HashMap<Place, Node> {
         let mut all = HashMap::new();
         for place in super::contact::places(self.mechanism, |_| true) {
@@ -103,7 +108,7 @@ impl ResetScope<'_> {
     }
 
     /// The impulses; none where nothing is new, or where motion is by plain equations.
-    fn impact(&self, graph: &mut Graph, branch: &Branch) -> Option<ImpactSolution> {
+    fn impact(&self, graph: &mut Graph, branch: &GuardBranch) -> Option<ImpactSolution> {
         let modes = &self.mechanism.modes;
         if !modes[self.from].equations.is_empty() || !modes[branch.to].equations.is_empty() {
             return None;
@@ -141,7 +146,7 @@ impl ResetScope<'_> {
     }
 
     /// The constraints that are new, then the stated impact.
-    fn rows(&self, graph: &mut Graph, branch: &Branch) -> Vec<ImpactRow> {
+    fn rows(&self, graph: &mut Graph, branch: &GuardBranch) -> Vec<ImpactRow> {
         let modes = &self.mechanism.modes;
         let one = graph.constant(1.0);
         let entered = std::iter::once(branch.to).chain(branch.impact.and_then(|it| it.within));
@@ -169,7 +174,7 @@ impl ResetScope<'_> {
     fn regular(
         &self,
         graph: &Graph,
-        branch: &Branch,
+        branch: &GuardBranch,
         rows: Vec<ImpactRow>,
         reduced: Vec<Vec<Node>>,
     ) -> (Vec<ImpactRow>, Vec<Vec<Node>>) {

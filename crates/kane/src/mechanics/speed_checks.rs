@@ -1,6 +1,6 @@
 //! Whether the constraints of a mode say what they should.
 
-use super::error::Obstacle;
+use super::error::DerivationObstacle;
 use super::generalised::inner;
 use super::numeric;
 use super::speeds::{SpeedMap, SpeedProblem, VelocityRow};
@@ -11,7 +11,7 @@ const UNMET: f64 = 1e-6;
 
 impl SpeedProblem<'_> {
     /// Whether each constraint says something that the others do not.
-    pub(super) fn check_rank(&self, rows: &[VelocityRow]) -> Result<(), Vec<Obstacle>> {
+    pub(super) fn check_rank(&self, rows: &[VelocityRow]) -> Result<(), Vec<DerivationObstacle>> {
         let n = self.mechanism.speeds.len();
         let slopes: Vec<Vec<Node>> = rows.iter().map(|row| row.slopes[..n].to_vec()).collect();
         let values = self.pose.matrix(self.graph, &slopes);
@@ -19,10 +19,10 @@ impl SpeedProblem<'_> {
         if rank == rows.len() { Ok(()) } else { Err(self.dependent(rows)) }
     }
 
-    pub(super) fn dependent(&self, rows: &[VelocityRow]) -> Vec<Obstacle> {
+    pub(super) fn dependent(&self, rows: &[VelocityRow]) -> Vec<DerivationObstacle> {
         let names = rows.iter().filter_map(|row| row.constraint);
         let constraints = names.map(|c| self.mechanism.constraints[c].name.clone()).collect();
-        vec![Obstacle::DependentConstraints { constraints }]
+        vec![DerivationObstacle::DependentConstraints { constraints }]
     }
 
     /// Whether stated coordinates that constraints touch follow from these: those that do not
@@ -31,21 +31,21 @@ impl SpeedProblem<'_> {
         &self,
         rows: &[VelocityRow],
         count: usize,
-    ) -> Result<(), Vec<Obstacle>> {
+    ) -> Result<(), Vec<DerivationObstacle>> {
         let mut unmet = Vec::new();
         for more in &rows[count..] {
             let Some(speed) = more.stated else { continue };
             let touching = rows[..count].iter().find(|row| !self.graph.is_zero(row.slopes[speed]));
             if let Some(constraint) = touching.and_then(|row| row.constraint) {
                 let constraint = self.mechanism.constraints[constraint].name.clone();
-                unmet.push(Obstacle::UnmetConstraint { constraint });
+                unmet.push(DerivationObstacle::UnmetConstraint { constraint });
             }
         }
         if unmet.is_empty() { Ok(()) } else { Err(unmet) }
     }
 
     /// Whether the speeds meet every constraint: those that stated coordinates stand for, too.
-    pub(super) fn check_met(&mut self, map: &SpeedMap) -> Result<(), Vec<Obstacle>> {
+    pub(super) fn check_met(&mut self, map: &SpeedMap) -> Result<(), Vec<DerivationObstacle>> {
         let mut moving = self.nearby.clone();
         moving.set(Place::Input(1), 1.0);
         let mut unmet = Vec::new();
@@ -65,7 +65,7 @@ impl SpeedProblem<'_> {
                 moving.all(self.graph, &left).iter().fold(0.0, |m, it| f64::max(m, it.abs()));
             if worst.is_nan() || worst > UNMET * size {
                 let constraint = self.mechanism.constraints[constraint].name.clone();
-                unmet.push(Obstacle::UnmetConstraint { constraint });
+                unmet.push(DerivationObstacle::UnmetConstraint { constraint });
             }
         }
         if unmet.is_empty() { Ok(()) } else { Err(unmet) }

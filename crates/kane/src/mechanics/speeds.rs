@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::coordinates::{SolvedCoordinates, plain_speed};
-use super::error::Obstacle;
+use super::error::DerivationObstacle;
 use super::inertia::{gradient, rates};
 use super::kinematics::{along_places, number};
 use super::linear;
@@ -78,7 +78,7 @@ impl SpeedMap {
 
 impl SpeedProblem<'_> {
     /// Returns the speeds in terms of independent ones.
-    pub(super) fn solve(mut self) -> Result<SpeedMap, Vec<Obstacle>> {
+    pub(super) fn solve(mut self) -> Result<SpeedMap, Vec<DerivationObstacle>> {
         let stated = self.stated();
         let mut rows: Vec<VelocityRow> = Vec::new();
         for c in &self.mode.constraints {
@@ -224,7 +224,7 @@ impl SpeedProblem<'_> {
         chosen: &[(usize, usize)],
         stated: &BTreeMap<usize, VelocityRow>,
         rows: Vec<VelocityRow>,
-    ) -> Result<SpeedMap, Vec<Obstacle>> {
+    ) -> Result<SpeedMap, Vec<DerivationObstacle>> {
         let n = self.mechanism.speeds.len();
         let is_dependent =
             |j: &usize| stated.contains_key(j) || chosen.iter().any(|(_, column)| column == j);

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use crate::graph::{Graph, Node, UnaryFunction};
-use crate::mechanism::Frame;
+use crate::mechanism::ReferenceFrame;
 
 /// Components along the axes of one frame.
 pub(super) type Components = [Node; 3];
@@ -52,12 +52,12 @@ impl FrameVector {
 /// The directions of frames relative to one another.
 #[derive(Debug)]
 pub(super) struct Orientations<'a> {
-    frames: &'a [Frame],
+    frames: &'a [ReferenceFrame],
     known: BTreeMap<(usize, usize), [Components; 3]>,
 }
 
 impl<'a> Orientations<'a> {
-    pub(super) const fn new(frames: &'a [Frame]) -> Self {
+    pub(super) const fn new(frames: &'a [ReferenceFrame]) -> Self {
         Self { frames, known: BTreeMap::new() }
     }
 

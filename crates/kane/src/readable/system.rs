@@ -2,12 +2,12 @@
 
 use super::writer::{Equation, equations};
 use super::{Notation, SymbolNames};
-use crate::graph::{Node, Operation, Place};
-use crate::system::{GuardEquations, ModeEquations, System};
+use crate::graph::{Node, NodeOperation, Place};
+use crate::system::{EquationSystem, GuardEquations, ModeEquations};
 
 /// Returns all equations of `system`: for each mode what is slaved, the derivative, readout and
 /// outputs, guards with where they lead, and reset maps.
-pub fn system_equations(system: &System, notation: Notation) -> String {
+pub fn system_equations(system: &EquationSystem, notation: Notation) -> String {
     let mut text = String::new();
     for mode in 0..system.modes.len() {
         text.push_str(&mode_equations(system, mode, notation));
@@ -17,7 +17,7 @@ pub fn system_equations(system: &System, notation: Notation) -> String {
 }
 
 /// Returns the equations of one mode of `system`; nothing for a mode that it has not.
-pub fn mode_equations(system: &System, mode: usize, notation: Notation) -> String {
+pub fn mode_equations(system: &EquationSystem, mode: usize, notation: Notation) -> String {
     let Some(found) = system.modes.get(mode) else { return String::new() };
     let names = SymbolNames::of(&system.mechanism);
     let mut page = Page { system, names, wanted: Vec::new(), sections: Vec::new() };
@@ -32,7 +32,7 @@ pub fn mode_equations(system: &System, mode: usize, notation: Notation) -> Strin
 
 /// Equations that are collected, and the headings before some of them.
 struct Page<'a> {
-    system: &'a System,
+    system: &'a EquationSystem,
     names: SymbolNames,
     wanted: Vec<(String, Node)>,
     sections: Vec<(usize, String)>,
@@ -51,14 +51,15 @@ impl Page<'_> {
     fn want_rate(&mut self, name: &str, node: Option<Node>) {
         let Some(node) = node else { return };
         let operation = self.system.mechanism.graph.operation(node);
-        let is_said = matches!(operation, Operation::Symbol(it) if self.names.name(*it) == name);
+        let is_said =
+            matches!(operation, NodeOperation::Symbol(it) if self.names.name(*it) == name);
         if !is_said {
             self.want(name, node);
         }
     }
 
     fn is_itself(&self, node: Node, place: Place) -> bool {
-        matches!(self.system.mechanism.graph.operation(node), Operation::Symbol(it) if *it == place)
+        matches!(self.system.mechanism.graph.operation(node), NodeOperation::Symbol(it) if *it == place)
     }
 
     fn motion(&mut self, mode: &ModeEquations) {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::SymbolNames;
 use super::notation::{Notation, Tightness, WrittenPart};
-use crate::graph::{Graph, Node, Operation};
+use crate::graph::{Graph, Node, NodeOperation};
 
 /// A part that stands more than once gets a name from this many operations on.
 const NAMED_WHEN_SHARED: u64 = 6;
@@ -96,19 +96,19 @@ impl<'a> EquationWriter<'a> {
     /// A node whose operands are written.
     fn one(&self, node: Node) -> WrittenPart {
         match self.graph.operation(node) {
-            Operation::Number(bits) => self.signed_number(f64::from_bits(*bits)),
-            Operation::Symbol(place) => self.notation.name(&self.names.name(*place)),
-            Operation::Sum(number, terms) => {
+            NodeOperation::Number(bits) => self.signed_number(f64::from_bits(*bits)),
+            NodeOperation::Symbol(place) => self.notation.name(&self.names.name(*place)),
+            NodeOperation::Sum(number, terms) => {
                 let terms: Vec<(Node, f64)> =
                     terms.iter().map(|(node, by)| (*node, f64::from_bits(*by))).collect();
                 self.sum(f64::from_bits(*number), &terms)
             }
-            Operation::Product(factors) => self.product(factors),
-            Operation::Unary(function, x) => self.notation.unary(*function, &self.of(*x)),
-            Operation::Binary(function, x, y) => {
+            NodeOperation::Product(factors) => self.product(factors),
+            NodeOperation::Unary(function, x) => self.notation.unary(*function, &self.of(*x)),
+            NodeOperation::Binary(function, x, y) => {
                 self.notation.binary(*function, &self.of(*x), &self.of(*y))
             }
-            Operation::Select(all) => {
+            NodeOperation::Select(all) => {
                 let [condition, positive, other] = all.map(|it| self.of(it));
                 self.notation.select([&condition, &positive, &other])
             }

@@ -1,6 +1,6 @@
 //! What those who write a tape out need to know of it.
 
-use super::{Argument, Instruction, Slot, Tape};
+use super::{Argument, Instruction, Tape, TapeSlot};
 use crate::graph::UnaryFunction;
 
 /// How many of each kind of argument a tape reads.
@@ -15,15 +15,15 @@ pub struct ArgumentCounts {
 /// Sine and cosine of one angle, as far as a tape has them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct AngleValues {
-    pub angle: Slot,
-    pub sine: Option<Slot>,
-    pub cosine: Option<Slot>,
+    pub angle: TapeSlot,
+    pub sine: Option<TapeSlot>,
+    pub cosine: Option<TapeSlot>,
 }
 
 impl AngleValues {
     /// The first of its two instructions.
     fn first(&self) -> usize {
-        let index = |slot: Option<Slot>| slot.map_or(usize::MAX, Slot::index);
+        let index = |slot: Option<TapeSlot>| slot.map_or(usize::MAX, TapeSlot::index);
         index(self.sine).min(index(self.cosine))
     }
 }
@@ -107,7 +107,7 @@ impl Tape {
                 angles.push(AngleValues { angle, sine: None, cosine: None });
                 angles.len() - 1
             });
-            let slot = Some(Slot(u32::try_from(at).unwrap_or(u32::MAX)));
+            let slot = Some(TapeSlot(u32::try_from(at).unwrap_or(u32::MAX)));
             let values = &mut angles[entry];
             if function == UnaryFunction::Sin {
                 values.sine = values.sine.or(slot);
@@ -121,7 +121,7 @@ impl Tape {
 
 impl Instruction {
     /// Shows each operand to `see`.
-    pub fn operands(&self, mut see: impl FnMut(Slot)) {
+    pub fn operands(&self, mut see: impl FnMut(TapeSlot)) {
         match *self {
             Self::Number(_) | Self::Argument(_) => {}
             Self::Negate(x) | Self::Unary(_, x) => see(x),

@@ -1,10 +1,10 @@
 //! A tape's values, one instruction after another.
 
-use super::{Argument, Instruction, Slot, Tape};
+use super::{Argument, Instruction, Tape, TapeSlot};
 
 /// The arguments of a tape.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct Arguments<'a> {
+pub struct TapeArguments<'a> {
     pub constants: &'a [f64],
     pub state: &'a [f64],
     /// The input and its rates.
@@ -12,7 +12,7 @@ pub struct Arguments<'a> {
     pub extra: &'a [f64],
 }
 
-impl Arguments<'_> {
+impl TapeArguments<'_> {
     /// The value of `argument`; not a number where there is none.
     fn value(&self, argument: Argument) -> f64 {
         let of = |list: &[f64], index: usize| list.get(index).copied().unwrap_or(f64::NAN);
@@ -26,16 +26,16 @@ impl Arguments<'_> {
 }
 
 /// The second where the first is positive, else the third.
-fn chosen(condition: f64, positive: Slot, other: Slot) -> Slot {
+fn chosen(condition: f64, positive: TapeSlot, other: TapeSlot) -> TapeSlot {
     if condition > 0.0 { positive } else { other }
 }
 
 impl Tape {
     /// Returns the outputs' values.
-    pub fn evaluate(&self, arguments: &Arguments<'_>) -> Vec<f64> {
+    pub fn evaluate(&self, arguments: &TapeArguments<'_>) -> Vec<f64> {
         let mut values = Vec::with_capacity(self.instructions.len());
         for instruction in &self.instructions {
-            let of = |slot: Slot| -> f64 { values[slot.index()] };
+            let of = |slot: TapeSlot| -> f64 { values[slot.index()] };
             let value = match *instruction {
                 Instruction::Number(number) => number,
                 Instruction::Argument(argument) => arguments.value(argument),

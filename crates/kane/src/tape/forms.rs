@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use super::{Argument, Layout};
-use crate::graph::{BinaryFunction, Graph, Node, Operation, Place, UnaryFunction};
+use super::{Argument, ArgumentLayout};
+use crate::graph::{BinaryFunction, Graph, Node, NodeOperation, Place, UnaryFunction};
 
 /// The place of a form in [`Forms`].
 pub(super) type FormId = usize;
@@ -52,7 +52,11 @@ impl Forms {
     ///
     /// # Errors
     /// A symbol that `layout` gives no argument.
-    pub(super) fn new(graph: &Graph, layout: &Layout, outputs: &[Node]) -> Result<Self, Place> {
+    pub(super) fn new(
+        graph: &Graph,
+        layout: &ArgumentLayout,
+        outputs: &[Node],
+    ) -> Result<Self, Place> {
         let mut forms = Self::default();
         for node in needed(graph, layout, outputs) {
             let form = match layout.ready.get(&node) {
@@ -86,7 +90,7 @@ impl Forms {
 
 /// The nodes that are computed or read, operands first; what is given ready hides what it is made
 /// of.
-fn needed(graph: &Graph, layout: &Layout, outputs: &[Node]) -> Vec<Node> {
+fn needed(graph: &Graph, layout: &ArgumentLayout, outputs: &[Node]) -> Vec<Node> {
     let mut wanted: BTreeSet<Node> = outputs.iter().copied().collect();
     let mut all = Vec::new();
     while let Some(node) = wanted.pop_last() {
@@ -103,23 +107,23 @@ fn needed(graph: &Graph, layout: &Layout, outputs: &[Node]) -> Vec<Node> {
 
 fn form(
     graph: &Graph,
-    layout: &Layout,
+    layout: &ArgumentLayout,
     ids: &HashMap<Node, FormId>,
     node: Node,
 ) -> Result<Form, Place> {
     let id = |it: &Node| ids[it];
     Ok(match graph.operation(node) {
-        Operation::Number(bits) => Form::Number(f64::from_bits(*bits)),
-        Operation::Symbol(place) => Form::Argument(*layout.places.get(place).ok_or(*place)?),
-        Operation::Sum(number, terms) => {
+        NodeOperation::Number(bits) => Form::Number(f64::from_bits(*bits)),
+        NodeOperation::Symbol(place) => Form::Argument(*layout.places.get(place).ok_or(*place)?),
+        NodeOperation::Sum(number, terms) => {
             let terms = terms.iter().map(|(it, by)| (id(it), f64::from_bits(*by))).collect();
             Form::Sum(f64::from_bits(*number), terms)
         }
-        Operation::Product(factors) => {
+        NodeOperation::Product(factors) => {
             Form::Product(factors.iter().map(|(it, by)| (id(it), *by)).collect())
         }
-        Operation::Unary(function, x) => Form::Unary(*function, id(x)),
-        Operation::Binary(function, x, y) => Form::Binary(*function, id(x), id(y)),
-        Operation::Select(all) => Form::Select(all.map(|it| id(&it))),
+        NodeOperation::Unary(function, x) => Form::Unary(*function, id(x)),
+        NodeOperation::Binary(function, x, y) => Form::Binary(*function, id(x), id(y)),
+        NodeOperation::Select(all) => Form::Select(all.map(|it| id(&it))),
     })
 }

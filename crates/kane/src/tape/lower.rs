@@ -2,7 +2,7 @@
 
 use super::forms::{Form, FormId, Forms};
 use super::order;
-use super::{Instruction, Layout, Slot, Tape, writer::TapeWriter};
+use super::{ArgumentLayout, Instruction, Tape, TapeSlot, writer::TapeWriter};
 use crate::graph::{Graph, Node, Place};
 
 impl Tape {
@@ -14,7 +14,7 @@ impl Tape {
     ///
     /// # Errors
     /// A symbol that `layout` gives no argument.
-    pub fn lower(graph: &Graph, layout: &Layout, outputs: &[Node]) -> Result<Self, Place> {
+    pub fn lower(graph: &Graph, layout: &ArgumentLayout, outputs: &[Node]) -> Result<Self, Place> {
         let mut forms = Forms::new(graph, layout, outputs)?;
         forms.use_ready(graph, layout);
         forms.factor_sums();
@@ -35,16 +35,16 @@ impl Tape {
 /// Forms that are being written, operands first.
 struct Lowering {
     writer: TapeWriter,
-    slots: Vec<Option<Slot>>,
+    slots: Vec<Option<TapeSlot>>,
 }
 
 impl Lowering {
     /// The slot of a form that is written; operands always are.
-    fn slot(&self, id: FormId) -> Slot {
+    fn slot(&self, id: FormId) -> TapeSlot {
         self.slots[id].unwrap_or_default()
     }
 
-    fn form(&mut self, form: &Form) -> Slot {
+    fn form(&mut self, form: &Form) -> TapeSlot {
         match form {
             Form::Number(value) => self.writer.number(*value),
             Form::Argument(argument) => self.writer.push(Instruction::Argument(*argument)),

@@ -14,16 +14,16 @@ mod share;
 mod writer;
 
 pub use analysis::{AngleGroup, AngleValues, ArgumentCounts};
-pub use evaluate::Arguments;
+pub use evaluate::TapeArguments;
 pub use ready::constant_parts;
 
 use crate::graph::{BinaryFunction, Place, UnaryFunction};
 
 /// The place of a value in a tape: the result of the instruction with that number.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
-pub struct Slot(pub u32);
+pub struct TapeSlot(pub u32);
 
-impl Slot {
+impl TapeSlot {
     /// Returns the slot as an index into the tape's instructions.
     pub const fn index(self) -> usize {
         self.0 as usize
@@ -48,15 +48,15 @@ pub enum Argument {
 pub enum Instruction {
     Number(f64),
     Argument(Argument),
-    Add(Slot, Slot),
-    Subtract(Slot, Slot),
-    Multiply(Slot, Slot),
-    Divide(Slot, Slot),
-    Negate(Slot),
-    Unary(UnaryFunction, Slot),
-    Binary(BinaryFunction, Slot, Slot),
+    Add(TapeSlot, TapeSlot),
+    Subtract(TapeSlot, TapeSlot),
+    Multiply(TapeSlot, TapeSlot),
+    Divide(TapeSlot, TapeSlot),
+    Negate(TapeSlot),
+    Unary(UnaryFunction, TapeSlot),
+    Binary(BinaryFunction, TapeSlot, TapeSlot),
     /// The second where the first is positive, else the third.
-    Select(Slot, Slot, Slot),
+    Select(TapeSlot, TapeSlot, TapeSlot),
 }
 
 /// A straight-line program: the instruction `i` gives the value of the slot `i`.
@@ -64,19 +64,19 @@ pub enum Instruction {
 pub struct Tape {
     pub instructions: Vec<Instruction>,
     /// The slots of what it computes, in order.
-    pub outputs: Vec<Slot>,
+    pub outputs: Vec<TapeSlot>,
 }
 
 /// Where a tape finds the values of symbols, and which expressions it is given ready.
 ///
 /// The state's layout is a model's own: some coordinates are no entry of it.
 #[derive(Clone, PartialEq, Debug, Default)]
-pub struct Layout {
+pub struct ArgumentLayout {
     places: std::collections::HashMap<Place, Argument>,
     ready: std::collections::HashMap<crate::graph::Node, Argument>,
 }
 
-impl Layout {
+impl ArgumentLayout {
     /// Says that the symbol at `place` is the argument `argument`.
     pub fn place(&mut self, place: Place, argument: Argument) {
         self.places.insert(place, argument);

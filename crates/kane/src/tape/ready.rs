@@ -3,13 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::forms::{Form, FormId, Forms};
-use super::{Argument, Layout};
-use crate::graph::{Graph, Node, Operation, Place};
+use super::{Argument, ArgumentLayout};
+use crate::graph::{Graph, Node, NodeOperation, Place};
 
 /// Returns what `outputs` compute from constant symbols alone: values that are worth having ready.
 ///
 /// A product's constant factors and a sum's constant terms count as a part, which is made a node
-/// if it is none yet; [`Layout::ready`] then finds it there.
+/// if it is none yet; [`ArgumentLayout::ready`] then finds it there.
 pub fn constant_parts(
     graph: &mut Graph,
     outputs: &[Node],
@@ -19,7 +19,7 @@ pub fn constant_parts(
     let mut constant: BTreeSet<Node> = BTreeSet::new();
     for node in &reached {
         let operation = graph.operation(*node);
-        let mut all = !matches!(operation, Operation::Symbol(place) if !is_constant(*place));
+        let mut all = !matches!(operation, NodeOperation::Symbol(place) if !is_constant(*place));
         graph.operation(*node).operands(|it| all &= constant.contains(&it));
         if all {
             constant.insert(*node);
@@ -36,7 +36,7 @@ pub fn constant_parts(
     parts.retain(|it| constant.contains(it));
     parts.extend(made);
     let is_computed = |node: &Node| {
-        !matches!(graph.operation(*node), Operation::Number(_) | Operation::Symbol(_))
+        !matches!(graph.operation(*node), NodeOperation::Number(_) | NodeOperation::Symbol(_))
     };
     parts.into_iter().filter(is_computed).collect()
 }
@@ -44,13 +44,13 @@ pub fn constant_parts(
 /// The constant factors or terms of a node that is not constant, as one node.
 fn constant_part(graph: &mut Graph, node: Node, constant: &BTreeSet<Node>) -> Option<Node> {
     match graph.operation(node).clone() {
-        Operation::Product(factors) => {
+        NodeOperation::Product(factors) => {
             let some: Vec<_> =
                 factors.iter().filter(|it| constant.contains(&it.0)).copied().collect();
             let is_work = some.len() > 1 || some.iter().any(|it| it.1 != 1);
             is_work.then(|| graph.product(&some))
         }
-        Operation::Sum(_, terms) => {
+        NodeOperation::Sum(_, terms) => {
             let some: Vec<_> = terms
                 .iter()
                 .filter(|it| constant.contains(&it.0))
@@ -58,17 +58,17 @@ fn constant_part(graph: &mut Graph, node: Node, constant: &BTreeSet<Node>) -> Op
                 .collect();
             (some.len() > 1).then(|| graph.sum(&some))
         }
-        Operation::Number(_)
-        | Operation::Symbol(_)
-        | Operation::Unary(..)
-        | Operation::Binary(..)
-        | Operation::Select(_) => None,
+        NodeOperation::Number(_)
+        | NodeOperation::Symbol(_)
+        | NodeOperation::Unary(..)
+        | NodeOperation::Binary(..)
+        | NodeOperation::Select(_) => None,
     }
 }
 
 impl Forms {
     /// Puts what is given ready in the place of the factors or terms that it is made of.
-    pub(super) fn use_ready(&mut self, graph: &Graph, layout: &Layout) {
+    pub(super) fn use_ready(&mut self, graph: &Graph, layout: &ArgumentLayout) {
         let mut ready: Vec<(Node, Argument)> =
             layout.ready.iter().map(|it| (*it.0, *it.1)).collect();
         // The largest first.
@@ -98,23 +98,23 @@ impl Forms {
     }
 
     /// A ready sum or product in terms of forms; none if some of it is no form.
-    fn part(&self, operation: &Operation) -> Option<Form> {
+    fn part(&self, operation: &NodeOperation) -> Option<Form> {
         let id = |node: &Node| self.ids.get(node).copied();
         match operation {
-            Operation::Sum(0, terms) => {
+            NodeOperation::Sum(0, terms) => {
                 let terms = terms.iter().map(|(it, by)| Some((id(it)?, f64::from_bits(*by))));
                 Some(Form::Sum(0.0, terms.collect::<Option<_>>()?))
             }
-            Operation::Product(factors) => {
+            NodeOperation::Product(factors) => {
                 let factors = factors.iter().map(|(it, by)| Some((id(it)?, *by)));
                 Some(Form::Product(factors.collect::<Option<_>>()?))
             }
-            Operation::Number(_)
-            | Operation::Symbol(_)
-            | Operation::Sum(..)
-            | Operation::Unary(..)
-            | Operation::Binary(..)
-            | Operation::Select(_) => None,
+            NodeOperation::Number(_)
+            | NodeOperation::Symbol(_)
+            | NodeOperation::Sum(..)
+            | NodeOperation::Unary(..)
+            | NodeOperation::Binary(..)
+            | NodeOperation::Select(_) => None,
         }
     }
 }

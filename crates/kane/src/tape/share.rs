@@ -16,10 +16,10 @@ const MOST_PARTS: [usize; 5] = [64, 32, 16, 8, 4];
 const MOST_PAIRS: usize = 400_000;
 
 /// Two parts: bases of products, or terms of sums with the second's factor over the first's.
-type Pair = (FormId, FormId, u64);
+type FormPair = (FormId, FormId, u64);
 
 /// The forms that have each pair.
-type Owners = BTreeMap<Pair, BTreeSet<FormId>>;
+type Owners = BTreeMap<FormPair, BTreeSet<FormId>>;
 
 impl Forms {
     /// Divisions by one value that stand in several products become products with its inverse.
@@ -62,7 +62,7 @@ impl Forms {
                 owners.entry(pair).or_default().insert(id);
             }
         }
-        let mut queue: BinaryHeap<(usize, Reverse<Pair>)> =
+        let mut queue: BinaryHeap<(usize, Reverse<FormPair>)> =
             owners.iter().map(|(pair, of)| (of.len(), Reverse(*pair))).collect();
         while let Some((count, Reverse(pair))) = queue.pop() {
             let now = owners.get(&pair).map_or(0, BTreeSet::len);
@@ -89,7 +89,12 @@ impl Forms {
     }
 
     /// Makes `pair` a form of its own; returns the pairs that are new.
-    fn extract(&mut self, kind: &dyn Pairs, owners: &mut Owners, pair: Pair) -> BTreeSet<Pair> {
+    fn extract(
+        &mut self,
+        kind: &dyn Pairs,
+        owners: &mut Owners,
+        pair: FormPair,
+    ) -> BTreeSet<FormPair> {
         let part = self.push(kind.form(pair));
         let mut new = BTreeSet::new();
         for owner in owners.remove(&pair).unwrap_or_default() {
@@ -118,13 +123,13 @@ trait Pairs {
     /// How many parts a form has that can be in pairs.
     fn parts(&self, form: &Form) -> usize;
 
-    fn pairs(&self, form: &Form) -> Vec<Pair>;
+    fn pairs(&self, form: &Form) -> Vec<FormPair>;
 
     /// The form that a pair becomes.
-    fn form(&self, pair: Pair) -> Form;
+    fn form(&self, pair: FormPair) -> Form;
 
     /// Puts `part` in the place of the pair.
-    fn replace(&self, form: &mut Form, pair: Pair, part: FormId);
+    fn replace(&self, form: &mut Form, pair: FormPair, part: FormId);
 }
 
 /// Pairs of factors above the fraction line.
@@ -135,17 +140,17 @@ impl Pairs for FactorPairs {
         if let Form::Product(factors) = form { factors.len() } else { 0 }
     }
 
-    fn pairs(&self, form: &Form) -> Vec<Pair> {
+    fn pairs(&self, form: &Form) -> Vec<FormPair> {
         let Form::Product(factors) = form else { return Vec::new() };
         let above: Vec<FormId> = factors.iter().filter(|it| it.1 > 0).map(|it| it.0).collect();
         of_list(&above, |x, y| Some((x, y, 0)))
     }
 
-    fn form(&self, (x, y, _): Pair) -> Form {
+    fn form(&self, (x, y, _): FormPair) -> Form {
         Form::Product(vec![(x, 1), (y, 1)])
     }
 
-    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: FormId) {
+    fn replace(&self, form: &mut Form, (x, y, _): FormPair, part: FormId) {
         let Form::Product(factors) = form else { return };
         let exponent = |of: FormId| factors.iter().find(|it| it.0 == of).map_or(0, |it| it.1);
         let both = exponent(x).min(exponent(y));
@@ -165,7 +170,7 @@ impl Pairs for TermPairs {
         if let Form::Sum(_, terms) = form { terms.len() } else { 0 }
     }
 
-    fn pairs(&self, form: &Form) -> Vec<Pair> {
+    fn pairs(&self, form: &Form) -> Vec<FormPair> {
         let Form::Sum(_, terms) = form else { return Vec::new() };
         let factors: BTreeMap<FormId, f64> = terms.iter().copied().collect();
         let ids: Vec<FormId> = terms.iter().map(|it| it.0).collect();
@@ -177,11 +182,11 @@ impl Pairs for TermPairs {
         })
     }
 
-    fn form(&self, (x, y, ratio): Pair) -> Form {
+    fn form(&self, (x, y, ratio): FormPair) -> Form {
         Form::Sum(0.0, vec![(x, 1.0), (y, f64::from_bits(ratio))])
     }
 
-    fn replace(&self, form: &mut Form, (x, y, _): Pair, part: FormId) {
+    fn replace(&self, form: &mut Form, (x, y, _): FormPair, part: FormId) {
         let Form::Sum(_, terms) = form else { return };
         let factor = terms.iter().find(|it| it.0 == x).map_or(0.0, |it| it.1);
         terms.retain(|it| it.0 != x && it.0 != y);
@@ -189,7 +194,7 @@ impl Pairs for TermPairs {
     }
 }
 
-fn of_list(all: &[FormId], pair: impl Fn(FormId, FormId) -> Option<Pair>) -> Vec<Pair> {
+fn of_list(all: &[FormId], pair: impl Fn(FormId, FormId) -> Option<FormPair>) -> Vec<FormPair> {
     let mut sorted = all.to_vec();
     sorted.sort_unstable();
     let mut pairs = Vec::new();

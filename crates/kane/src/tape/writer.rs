@@ -3,31 +3,31 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, HashMap};
 
-use super::{Argument, Instruction, Slot};
+use super::{Argument, Instruction, TapeSlot};
 
 /// A tape that is being written; equal instructions are written once.
 #[derive(Debug, Default)]
 pub(super) struct TapeWriter {
     instructions: Vec<Instruction>,
-    known: HashMap<[u64; 4], Slot>,
+    known: HashMap<[u64; 4], TapeSlot>,
     /// When each value is ready, in cycles of a present processor, roughly.
     ready: Vec<u32>,
 }
 
 /// A value with its sign, the earliest first.
-type Signed = Reverse<(u32, Slot, bool)>;
+type Signed = Reverse<(u32, TapeSlot, bool)>;
 
 impl TapeWriter {
     pub(super) fn finish(self) -> Vec<Instruction> {
         self.instructions
     }
 
-    pub(super) fn push(&mut self, instruction: Instruction) -> Slot {
+    pub(super) fn push(&mut self, instruction: Instruction) -> TapeSlot {
         let key = key(&instruction);
         if let Some(slot) = self.known.get(&key) {
             return *slot;
         }
-        let slot = Slot(u32::try_from(self.instructions.len()).unwrap_or(u32::MAX));
+        let slot = TapeSlot(u32::try_from(self.instructions.len()).unwrap_or(u32::MAX));
         let mut ready = 0;
         instruction.operands(|operand| ready = ready.max(self.ready[operand.index()]));
         self.ready.push(ready + latency(&instruction));
@@ -36,13 +36,13 @@ impl TapeWriter {
         slot
     }
 
-    pub(super) fn number(&mut self, value: f64) -> Slot {
+    pub(super) fn number(&mut self, value: f64) -> TapeSlot {
         self.push(Instruction::Number(value))
     }
 
     /// Terms with one magnitude of factor are added first, then multiplied by it together.
-    pub(super) fn sum(&mut self, number: f64, terms: &[(Slot, f64)]) -> Slot {
-        let mut groups: BTreeMap<u64, Vec<(Slot, bool)>> = BTreeMap::new();
+    pub(super) fn sum(&mut self, number: f64, terms: &[(TapeSlot, f64)]) -> TapeSlot {
+        let mut groups: BTreeMap<u64, Vec<(TapeSlot, bool)>> = BTreeMap::new();
         for (slot, factor) in terms {
             let group = groups.entry(factor.abs().to_bits()).or_default();
             group.push((*slot, *factor < 0.0));
@@ -66,8 +66,8 @@ impl TapeWriter {
     }
 
     /// The sum of values with signs, by what is ready first, and its sign.
-    fn signed_sum(&mut self, all: &[(Slot, bool)]) -> (Slot, bool) {
-        let signed = |it: &(Slot, bool)| Reverse((self.ready[it.0.index()], it.0, it.1));
+    fn signed_sum(&mut self, all: &[(TapeSlot, bool)]) -> (TapeSlot, bool) {
+        let signed = |it: &(TapeSlot, bool)| Reverse((self.ready[it.0.index()], it.0, it.1));
         let mut queue: BinaryHeap<Signed> = all.iter().map(signed).collect();
         loop {
             match (queue.pop(), queue.pop()) {
@@ -83,9 +83,9 @@ impl TapeWriter {
 
     fn add(
         &mut self,
-        (x, x_negative): (Slot, bool),
-        (y, y_negative): (Slot, bool),
-    ) -> (Slot, bool) {
+        (x, x_negative): (TapeSlot, bool),
+        (y, y_negative): (TapeSlot, bool),
+    ) -> (TapeSlot, bool) {
         match (x_negative, y_negative) {
             (false, false) => (self.push(Instruction::Add(x, y)), false),
             (true, true) => (self.push(Instruction::Add(x, y)), true),
@@ -95,7 +95,7 @@ impl TapeWriter {
     }
 
     /// One division at most: by the product of what has a negative exponent.
-    pub(super) fn product(&mut self, factors: &[(Slot, i32)]) -> Slot {
+    pub(super) fn product(&mut self, factors: &[(TapeSlot, i32)]) -> TapeSlot {
         let (above, below): (Vec<_>, Vec<_>) = factors.iter().partition(|(_, by)| *by > 0);
         let above = self.powers(&above).unwrap_or_else(|| self.number(1.0));
         match self.powers(&below) {
@@ -105,7 +105,7 @@ impl TapeWriter {
     }
 
     /// The product of powers, by what is ready first; none of no factors.
-    fn powers(&mut self, factors: &[(Slot, i32)]) -> Option<Slot> {
+    fn powers(&mut self, factors: &[(TapeSlot, i32)]) -> Option<TapeSlot> {
         let mut queue = BinaryHeap::new();
         for (slot, exponent) in factors {
             let power = self.power(*slot, exponent.unsigned_abs());
@@ -120,7 +120,7 @@ impl TapeWriter {
     }
 
     /// A whole power, by repeated squaring.
-    fn power(&mut self, slot: Slot, exponent: u32) -> Slot {
+    fn power(&mut self, slot: TapeSlot, exponent: u32) -> TapeSlot {
         if exponent <= 1 {
             return slot;
         }
@@ -149,7 +149,7 @@ const fn latency(instruction: &Instruction) -> u32 {
 
 /// What makes two instructions the same.
 fn key(instruction: &Instruction) -> [u64; 4] {
-    let two = |kind: u64, x: Slot, y: Slot| [kind, u64::from(x.0), u64::from(y.0), 0];
+    let two = |kind: u64, x: TapeSlot, y: TapeSlot| [kind, u64::from(x.0), u64::from(y.0), 0];
     match *instruction {
         Instruction::Number(value) => [0, value.to_bits(), 0, 0],
         Instruction::Argument(argument) => {

@@ -4,8 +4,8 @@ use pode::series::rows::{self, Falling, Rising};
 use pode::series::{INPUT_TERMS, MOST_ORDER};
 
 use super::recursion::Recursion;
-use super::rules::Rule;
-use crate::tape::{Arguments, Slot, Tape};
+use super::rules::SeriesRule;
+use crate::tape::{Tape, TapeArguments, TapeSlot};
 
 /// The recursion of a tape, as a function.
 #[derive(Clone, PartialEq, Debug)]
@@ -17,7 +17,7 @@ pub struct TapeSeries {
 
 /// What a series is about.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Start<'a> {
+pub struct SeriesStart<'a> {
     pub constants: &'a [f64],
     pub state: &'a [f64],
     /// Coefficients of the input's position in units of `scale`; those that are missing are zero.
@@ -26,7 +26,7 @@ pub struct Start<'a> {
     pub scale: f64,
 }
 
-impl Start<'_> {
+impl SeriesStart<'_> {
     /// The coefficient `k` of the rate number `rate` of the input.
     fn input(&self, rate: usize, k: usize) -> f64 {
         let position = self.input.get(k + rate).copied().unwrap_or(0.0);
@@ -60,14 +60,15 @@ impl TapeSeries {
     /// Returns the series of a `tape` whose first `entries` outputs are the derivative.
     pub fn new(tape: &Tape, entries: usize) -> Self {
         let recursion = Recursion::new(tape, entries);
-        let outputs = (0..recursion.rules.len()).filter_map(|at| u32::try_from(at).ok()).map(Slot);
+        let outputs =
+            (0..recursion.rules.len()).filter_map(|at| u32::try_from(at).ok()).map(TapeSlot);
         let instructions = recursion.tape.instructions.clone();
         let start = Tape { instructions, outputs: outputs.collect() };
         Self { recursion, start }
     }
 
     /// Returns the coefficients up to `order`: by entry of the state, then by guard.
-    pub fn expand(&self, start: &Start<'_>, order: usize) -> Vec<Vec<f64>> {
+    pub fn expand(&self, start: &SeriesStart<'_>, order: usize) -> Vec<Vec<f64>> {
         let order = order.min(MOST_ORDER).min(INPUT_TERMS - 4);
         let (entries, guards) = self.recursion.outputs();
         let mut out: Vec<Vec<f64>> = start.state.iter().map(|it| vec![*it]).collect();
@@ -88,13 +89,13 @@ impl TapeSeries {
         out
     }
 
-    fn output(&self, known: &Coefficients, slot: Slot, k: usize) -> f64 {
+    fn output(&self, known: &Coefficients, slot: TapeSlot, k: usize) -> f64 {
         if k > 0 && self.recursion.is_constant(slot) { 0.0 } else { known.order[slot.index()] }
     }
 
-    fn begin(&self, start: &Start<'_>) -> Coefficients {
-        let Start { constants, state, .. } = *start;
-        let arguments = Arguments { constants, state, input: start.inputs(), extra: &[] };
+    fn begin(&self, start: &SeriesStart<'_>) -> Coefficients {
+        let SeriesStart { constants, state, .. } = *start;
+        let arguments = TapeArguments { constants, state, input: start.inputs(), extra: &[] };
         let values = self.start.evaluate(&arguments);
         let count = values.len();
         let mut known = Coefficients {
@@ -110,13 +111,19 @@ impl TapeSeries {
     }
 
     /// The coefficients of order `k` of all values.
-    fn advance(&self, start: &Start<'_>, state: &[Vec<f64>], known: &mut Coefficients, k: usize) {
+    fn advance(
+        &self,
+        start: &SeriesStart<'_>,
+        state: &[Vec<f64>],
+        known: &mut Coefficients,
+        k: usize,
+    ) {
         for (slot, rule) in self.recursion.rules.iter().enumerate() {
-            let value = if let Rule::State(index) = *rule {
+            let value = if let SeriesRule::State(index) = *rule {
                 state[usize::from(index)][k]
-            } else if let Rule::Input(rate) = *rule {
+            } else if let SeriesRule::Input(rate) = *rule {
                 start.input(rate.into(), k)
-            } else if *rule == Rule::Constant {
+            } else if *rule == SeriesRule::Constant {
                 continue;
             } else {
                 self.term(*rule, slot, known, k)
@@ -125,34 +132,36 @@ impl TapeSeries {
         }
     }
 
-    fn term(&self, rule: Rule, slot: usize, known: &Coefficients, k: usize) -> f64 {
-        let first = |it: Slot| known.rising[it.index()].at(0);
-        let now = |it: Slot| self.output(known, it, k);
-        let up = |it: Slot| &known.rising[it.index()];
-        let down = |it: Slot| &known.falling[it.index()];
+    fn term(&self, rule: SeriesRule, slot: usize, known: &Coefficients, k: usize) -> f64 {
+        let first = |it: TapeSlot| known.rising[it.index()].at(0);
+        let now = |it: TapeSlot| self.output(known, it, k);
+        let up = |it: TapeSlot| &known.rising[it.index()];
+        let down = |it: TapeSlot| &known.falling[it.index()];
         match rule {
-            Rule::Constant | Rule::State(_) | Rule::Input(_) => 0.0,
-            Rule::Add(x, y) => now(x) + now(y),
-            Rule::Subtract(x, y) => now(x) - now(y),
-            Rule::Negate(x) => -now(x),
-            Rule::Scale(by, x) => first(by) * now(x),
-            Rule::Product(x, y) => rows::product(up(x), down(y), k),
-            Rule::Square(x) => rows::square(up(x), down(x), k),
-            Rule::Quotient(x, y) => {
+            SeriesRule::Constant | SeriesRule::State(_) | SeriesRule::Input(_) => 0.0,
+            SeriesRule::Add(x, y) => now(x) + now(y),
+            SeriesRule::Subtract(x, y) => now(x) - now(y),
+            SeriesRule::Negate(x) => -now(x),
+            SeriesRule::Scale(by, x) => first(by) * now(x),
+            SeriesRule::Product(x, y) => rows::product(up(x), down(y), k),
+            SeriesRule::Square(x) => rows::square(up(x), down(x), k),
+            SeriesRule::Quotient(x, y) => {
                 rows::quotient(now(x), up(y), &known.falling[slot], 1.0 / first(y), k)
             }
-            Rule::Over(x, by) => now(x) / first(by),
-            Rule::Driven { slope, of } => rows::driven(&known.rate[of.index()], down(slope), k),
-            Rule::Root(x) => {
+            SeriesRule::Over(x, by) => now(x) / first(by),
+            SeriesRule::Driven { slope, of } => {
+                rows::driven(&known.rate[of.index()], down(slope), k)
+            }
+            SeriesRule::Root(x) => {
                 let (up, down) = (&known.rising[slot], &known.falling[slot]);
                 rows::root(now(x), up, down, 0.5 / up.at(0), k)
             }
-            Rule::Power(x, exponent) => {
+            SeriesRule::Power(x, exponent) => {
                 let rows = (up(x), &known.rate[x.index()]);
                 rows::power(first(exponent), rows, &known.falling[slot], 1.0 / first(x), k)
             }
-            Rule::Magnitude(x) => now(x) * equations::functions::sign(first(x)),
-            Rule::Choice(condition, x, y) => now(if first(condition) > 0.0 { x } else { y }),
+            SeriesRule::Magnitude(x) => now(x) * equations::functions::sign(first(x)),
+            SeriesRule::Choice(condition, x, y) => now(if first(condition) > 0.0 { x } else { y }),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! From a tape to the recursion of its coefficients.
 
-use super::rules::Rule;
+use super::rules::SeriesRule;
 use super::writing::Writing;
-use crate::tape::{Slot, Tape};
+use crate::tape::{Tape, TapeSlot};
 
 /// A tape with a rule for each of its values.
 ///
@@ -12,7 +12,7 @@ pub struct Recursion {
     /// Values at the start; the outputs are the derivative's entries, and the guards.
     pub tape: Tape,
     /// How each value goes on.
-    pub rules: Vec<Rule>,
+    pub rules: Vec<SeriesRule>,
     /// How many outputs are entries of the derivative; those after them are guards.
     pub entries: usize,
 }
@@ -32,12 +32,12 @@ impl Recursion {
     }
 
     /// Returns whether the value at `slot` stays as it is.
-    pub fn is_constant(&self, slot: Slot) -> bool {
-        self.rules[slot.index()] == Rule::Constant
+    pub fn is_constant(&self, slot: TapeSlot) -> bool {
+        self.rules[slot.index()] == SeriesRule::Constant
     }
 
     /// The slots whose coefficients `outputs` depend on, in order.
-    pub(super) fn live(&self, outputs: &[Slot]) -> Vec<bool> {
+    pub(super) fn live(&self, outputs: &[TapeSlot]) -> Vec<bool> {
         let mut is_live = vec![false; self.rules.len()];
         let mut waiting = outputs.to_vec();
         while let Some(slot) = waiting.pop() {
@@ -51,7 +51,7 @@ impl Recursion {
 
     /// The slots whose coefficient of one order `outputs` of that order depend on: of a slope only
     /// those before it count.
-    pub(super) fn last(&self, outputs: &[Slot]) -> Vec<bool> {
+    pub(super) fn last(&self, outputs: &[TapeSlot]) -> Vec<bool> {
         let mut is_live = vec![false; self.rules.len()];
         let mut waiting = outputs.to_vec();
         while let Some(slot) = waiting.pop() {
@@ -59,7 +59,7 @@ impl Recursion {
                 continue;
             }
             let rule = self.rules[slot.index()];
-            if let Rule::Driven { of, .. } = rule {
+            if let SeriesRule::Driven { of, .. } = rule {
                 waiting.push(of);
             } else {
                 rule.operands(|operand| waiting.push(operand));
@@ -69,19 +69,19 @@ impl Recursion {
     }
 
     /// The operand itself, or the slot whose row stands for it where it is only a slope.
-    fn slope_or(&self, of: Slot, operand: Slot) -> Slot {
-        let Rule::Driven { slope, .. } = self.rules[of.index()] else { return operand };
+    fn slope_or(&self, of: TapeSlot, operand: TapeSlot) -> TapeSlot {
+        let SeriesRule::Driven { slope, .. } = self.rules[of.index()] else { return operand };
         if slope == operand { self.slope(slope).0 } else { operand }
     }
 
     /// Returns the slots of the derivative's entries, and those of the guards.
-    pub fn outputs(&self) -> (&[Slot], &[Slot]) {
+    pub fn outputs(&self) -> (&[TapeSlot], &[TapeSlot]) {
         self.tape.outputs.split_at(self.entries)
     }
 
     /// The row of a slope, and whether it counts with the opposite sign.
-    pub(super) fn slope(&self, slope: Slot) -> (Slot, bool) {
-        let Rule::Negate(positive) = self.rules[slope.index()] else { return (slope, false) };
+    pub(super) fn slope(&self, slope: TapeSlot) -> (TapeSlot, bool) {
+        let SeriesRule::Negate(positive) = self.rules[slope.index()] else { return (slope, false) };
         (positive, true)
     }
 }

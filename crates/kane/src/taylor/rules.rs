@@ -1,46 +1,46 @@
 //! How the next coefficient of a value follows from those before.
 
-use crate::tape::Slot;
+use crate::tape::TapeSlot;
 
 /// How the coefficient of order k ≥ 1 of a value follows; that of order 0 is its value.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Rule {
+pub enum SeriesRule {
     /// It stays as it is: a number, a parameter, or what is made of them alone.
     Constant,
     /// An entry of the state.
     State(u16),
     /// The input (0) or a rate of it (1, 2, 3).
     Input(u8),
-    Add(Slot, Slot),
-    Subtract(Slot, Slot),
-    Negate(Slot),
+    Add(TapeSlot, TapeSlot),
+    Subtract(TapeSlot, TapeSlot),
+    Negate(TapeSlot),
     /// The second times the first, which stays as it is.
-    Scale(Slot, Slot),
-    Product(Slot, Slot),
-    Square(Slot),
+    Scale(TapeSlot, TapeSlot),
+    Product(TapeSlot, TapeSlot),
+    Square(TapeSlot),
     /// The first over the second.
-    Quotient(Slot, Slot),
+    Quotient(TapeSlot, TapeSlot),
     /// The first over the second, which stays as it is.
-    Over(Slot, Slot),
+    Over(TapeSlot, TapeSlot),
     /// What changes with `slope` times the rate of `of`: its slope may stand behind it, since only
     /// lower orders of it count.
     Driven {
-        slope: Slot,
-        of: Slot,
+        slope: TapeSlot,
+        of: TapeSlot,
     },
     /// The square root of the slot.
-    Root(Slot),
+    Root(TapeSlot),
     /// The first to the power of the second, which stays as it is.
-    Power(Slot, Slot),
+    Power(TapeSlot, TapeSlot),
     /// The slot with the sign that makes its value positive.
-    Magnitude(Slot),
+    Magnitude(TapeSlot),
     /// The second where the first is positive, else the third; where the step begins.
-    Choice(Slot, Slot, Slot),
+    Choice(TapeSlot, TapeSlot, TapeSlot),
 }
 
-impl Rule {
+impl SeriesRule {
     /// Shows each operand whose coefficients count.
-    pub(super) fn operands(self, mut see: impl FnMut(Slot)) {
+    pub(super) fn operands(self, mut see: impl FnMut(TapeSlot)) {
         match self {
             Self::Constant | Self::State(_) | Self::Input(_) => {}
             Self::Negate(x)

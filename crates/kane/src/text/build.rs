@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use diagnostics::quoted;
 
-use super::expression::{Expression, ExpressionPart, PartShape};
+use super::expression::{ExpressionPart, ParsedExpression, PartShape};
 use super::functions::{Function, UnitRule, function};
 use super::{Dependence, Dimension, Measured, NameError, NameScope, TextError};
 use crate::graph::{BinaryFunction, Graph, UnaryFunction};
@@ -15,7 +15,7 @@ use crate::graph::{BinaryFunction, Graph, UnaryFunction};
 ///
 /// Every unknown name and every unit that does not fit; empty if all was said before.
 pub fn build(
-    expression: &Expression,
+    expression: &ParsedExpression,
     graph: &mut Graph,
     scope: &mut dyn NameScope,
 ) -> Result<Measured, Vec<TextError>> {
@@ -32,7 +32,7 @@ pub fn build(
 }
 
 struct ValueBuilder<'a> {
-    expression: &'a Expression,
+    expression: &'a ParsedExpression,
     graph: &'a mut Graph,
     scope: &'a mut dyn NameScope,
     found: Vec<TextError>,

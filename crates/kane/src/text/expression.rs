@@ -6,7 +6,7 @@ use super::Dimension;
 
 /// A text that was read, as a list of parts.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Expression {
+pub struct ParsedExpression {
     /// The text itself, for messages.
     pub text: String,
     /// Its parts, operands first; the last is the whole.
@@ -61,7 +61,7 @@ pub enum Form {
     Condition,
 }
 
-impl Expression {
+impl ParsedExpression {
     /// Returns the unit in SI of an expression that is one number.
     pub fn literal_unit(&self) -> Option<&str> {
         self.parts.iter().find_map(|part| match &part.shape {

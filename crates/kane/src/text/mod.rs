@@ -1,6 +1,6 @@
 //! The language of expressions: text with units, read into the graph.
 //!
-//! [`parse`] makes an [`Expression`] of a text, [`build`] a node of an expression: names are looked
+//! [`parse`] makes a [`ParsedExpression`] of a text, [`build`] a node of an expression: names are looked
 //! up in a [`NameScope`], and units are checked on the way. Every mistake has its place in the
 //! text.
 
@@ -15,7 +15,7 @@ mod units;
 
 pub use build::build;
 pub use dimension::Dimension;
-pub use expression::{Expression, ExpressionPart, Form, PartShape};
+pub use expression::{ExpressionPart, Form, ParsedExpression, PartShape};
 pub use functions::FUNCTIONS;
 pub use parser::{DEEPEST, MOST_PARTS, parse};
 pub use scope::{Dependence, Measured, NameError, NameScope};

@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use diagnostics::{choice, quoted};
 
-use super::expression::{Expression, ExpressionPart, Form, PartShape};
+use super::expression::{ExpressionPart, Form, ParsedExpression, PartShape};
 use super::functions::{FUNCTIONS, Function, function};
 use super::lexer::{Lexeme, LexemeKind, lex};
 use super::units::{UnitPlace, UnitReader, named, unit_help};
@@ -28,7 +28,7 @@ pub const MOST_PARTS: usize = 2_000;
 /// # Errors
 ///
 /// The first thing that is not an expression.
-pub fn parse(text: &str, form: Form) -> Result<Expression, TextError> {
+pub fn parse(text: &str, form: Form) -> Result<ParsedExpression, TextError> {
     let lexemes = lex(text)?;
     let mut parser = Parser { text, lexemes, at: 0, depth: 0, parts: Vec::new() };
     match form {
@@ -36,7 +36,7 @@ pub fn parse(text: &str, form: Form) -> Result<Expression, TextError> {
         Form::Condition => parser.condition()?,
     };
     parser.expect_end()?;
-    Ok(Expression { text: text.to_owned(), parts: parser.parts })
+    Ok(ParsedExpression { text: text.to_owned(), parts: parser.parts })
 }
 
 /// What binds: the later the tighter.

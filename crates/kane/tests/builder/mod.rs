@@ -6,8 +6,8 @@ use std::collections::HashMap;
 
 use kane::graph::{Graph, Node, Place, Tangent};
 use kane::mechanism::{
-    Body, Constraint, ConstraintKind, Coordinate, Fires, Force, Frame, Guard, Mechanism, Mode,
-    Output, Parameter, Preset, Speed,
+    Constraint, ConstraintKind, Coordinate, Fires, Force, Guard, Mechanism, MechanismOutput,
+    MechanismParameter, MechanismPreset, Mode, ReferenceFrame, RigidBody, Speed,
 };
 
 /// A mechanism that is being written.
@@ -21,7 +21,7 @@ pub(crate) struct MechanismBuilder {
 impl MechanismBuilder {
     pub(crate) fn new(parameters: &[(&str, f64)], coordinates: &[&str]) -> Self {
         let mut new = Self::default();
-        new.it.frames.push(Frame {
+        new.it.frames.push(ReferenceFrame {
             name: "ground".into(),
             parent: 0,
             origin: [None; 3],
@@ -35,7 +35,7 @@ impl MechanismBuilder {
             let node = new.symbol(name, Place::Parameter(number(i)));
             let _ = node;
             let name = (*name).to_owned();
-            new.it.parameters.push(Parameter {
+            new.it.parameters.push(MechanismParameter {
                 title: name.clone(),
                 name,
                 unit: "1".into(),
@@ -45,7 +45,7 @@ impl MechanismBuilder {
             new.values.push(*value);
         }
         let values = new.values.iter().map(|value| new.it.graph.constant(*value)).collect();
-        new.it.presets.push(Preset { name: "default".into(), doc: String::new(), values });
+        new.it.presets.push(MechanismPreset { name: "default".into(), doc: String::new(), values });
         for name in coordinates {
             new.coordinate(name);
         }
@@ -112,7 +112,7 @@ impl MechanismBuilder {
         let origin = self.vector(origin);
         let turn = turn.map(|(axis, angle)| (axis, self.e(angle)));
         let name = format!("frame{}", self.it.frames.len());
-        self.it.frames.push(Frame { name, parent, origin, turn });
+        self.it.frames.push(ReferenceFrame { name, parent, origin, turn });
         self.it.frames.len() - 1
     }
 
@@ -131,7 +131,7 @@ impl MechanismBuilder {
     ) {
         let (mass, centre) = (self.e(mass), self.vector(centre));
         let name = format!("body{}", self.it.bodies.len());
-        self.it.bodies.push(Body { name, frame, mass, centre, inertia });
+        self.it.bodies.push(RigidBody { name, frame, mass, centre, inertia });
     }
 
     pub(crate) fn gravity(&mut self, at: &[&str]) {
@@ -228,7 +228,7 @@ impl MechanismBuilder {
     pub(crate) fn output(&mut self, name: &str, text: &str) {
         let value = self.e(text);
         let values = vec![value; self.it.modes.len()];
-        self.it.outputs.push(Output { name: name.to_owned(), unit: "1".into(), values });
+        self.it.outputs.push(MechanismOutput { name: name.to_owned(), unit: "1".into(), values });
     }
 
     pub(crate) fn rest(&mut self, coordinate: usize, text: &str) {
@@ -240,8 +240,8 @@ impl MechanismBuilder {
     }
 }
 
-pub(crate) fn branch(to: usize) -> kane::mechanism::Branch {
-    kane::mechanism::Branch { when: None, to, set: Vec::new(), impact: None }
+pub(crate) fn branch(to: usize) -> kane::mechanism::GuardBranch {
+    kane::mechanism::GuardBranch { when: None, to, set: Vec::new(), impact: None }
 }
 
 pub(crate) fn number(index: usize) -> u16 {

@@ -11,9 +11,10 @@ pub mod touching;
 use kane::assemble::{Program, TapeFunctions};
 use kane::graph::{Graph, Node, Place};
 use kane::mechanism::{
-    Branch, Coordinate, Fires, InputSpec, Mechanism, Mode, Output, Parameter, Preset, Rest, Speed,
+    Coordinate, Fires, GuardBranch, InputSpec, Mechanism, MechanismOutput, MechanismParameter,
+    MechanismPreset, Mode, Rest, Speed,
 };
-use kane::system::{GuardEquations, ModeEquations, System, Way};
+use kane::system::{EquationSystem, GuardEquations, ModeEquations, Way};
 
 use equations::EquationModel;
 
@@ -29,8 +30,8 @@ impl Draft {
     pub fn new(parameters: &[(&str, f64)], coordinates: &[&str]) -> Self {
         let mut graph = Graph::new();
         let values = parameters.iter().map(|(_, value)| graph.constant(*value)).collect();
-        let preset = Preset { name: "default".to_owned(), doc: String::new(), values };
-        let parameter = |(name, _): &(&str, f64)| Parameter {
+        let preset = MechanismPreset { name: "default".to_owned(), doc: String::new(), values };
+        let parameter = |(name, _): &(&str, f64)| MechanismParameter {
             name: (*name).to_owned(),
             title: (*name).to_owned(),
             unit: "1".to_owned(),
@@ -102,7 +103,7 @@ impl Draft {
         for (mode, value) in self.modes.iter_mut().zip(values) {
             mode.outputs.push(*value);
         }
-        self.mechanism.outputs.push(Output {
+        self.mechanism.outputs.push(MechanismOutput {
             name: name.to_owned(),
             unit: "1".to_owned(),
             values: values.to_vec(),
@@ -111,7 +112,7 @@ impl Draft {
 
     /// A way to a mode with this state after it.
     pub fn way(to: usize, state: &[Node], impulse: Node) -> Way {
-        let branch = Branch { when: None, to, set: Vec::new(), impact: None };
+        let branch = GuardBranch { when: None, to, set: Vec::new(), impact: None };
         Way { branch, state: state.to_vec(), impulse }
     }
 
@@ -123,7 +124,8 @@ impl Draft {
     pub fn program(self) -> Program {
         let state = self.places();
         let coordinates = self.mechanism.coordinates.len();
-        let system = System { mechanism: self.mechanism, state, coordinates, modes: self.modes };
+        let system =
+            EquationSystem { mechanism: self.mechanism, state, coordinates, modes: self.modes };
         system.assemble().unwrap()
     }
 }

@@ -1,7 +1,7 @@
 //! A mass that falls on a spring, and one that is drawn over a bearing with friction.
 
 use kane::assemble::Program;
-use kane::mechanism::{Contact, Friction};
+use kane::mechanism::{DryFriction, MechanismContact};
 use kane::system::{ContactEquations, FrictionEquations};
 
 use super::Draft;
@@ -33,7 +33,7 @@ pub fn falling() -> Program {
         friction: None,
     });
     let name = "spring".to_owned();
-    let contact = Contact { name, gap: Some(y), scale: 0.01, force: None, friction: None };
+    let contact = MechanismContact { name, gap: Some(y), scale: 0.01, force: None, friction: None };
     draft.mechanism.contacts.push(contact);
     draft.program()
 }
@@ -75,8 +75,9 @@ pub fn drawn() -> Program {
         }),
     });
     let (name, scales) = ("bearing".to_owned(), (2.0, 0.1));
-    let friction = Friction { name: name.clone(), slip: v, stiction, kinetic, scales };
-    let contact = Contact { name, gap: None, scale: 1.0, force: None, friction: Some(friction) };
+    let friction = DryFriction { name: name.clone(), slip: v, stiction, kinetic, scales };
+    let contact =
+        MechanismContact { name, gap: None, scale: 1.0, force: None, friction: Some(friction) };
     draft.mechanism.contacts.push(contact);
     draft.program()
 }

@@ -4,11 +4,11 @@
 use contacts::{ContactSpec, FrictionSpec};
 use equations::table::{
     BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom, GuardTable,
-    Material, ModeTable, ModelTable, OutlineTable, ParameterTable, PresetTable, Quantity,
+    Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PresetTable,
     RequirementTable, RestTable, RestingTable, SpringTable, WayTable,
 };
 use kane::graph::{BinaryFunction, Graph, Node, Place, UnaryFunction};
-use kane::tape::{Argument, Layout, Tape};
+use kane::tape::{Argument, ArgumentLayout, Tape};
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
 const LENGTH: (f64, f64) = (1e-3, 10.0);
@@ -95,21 +95,21 @@ pub static TABLE: ModelTable = ModelTable {
     presets: &[PresetTable { name: "default", doc: "", values: 0 }],
     requirements: &[RequirementTable { text: "L1 > 0", margin: 2 }],
     states: &[
-        Quantity { name: "theta_k", unit: "rad" },
-        Quantity { name: "theta_h", unit: "rad" },
-        Quantity { name: "theta_k'", unit: "rad/s" },
-        Quantity { name: "theta_h'", unit: "rad/s" },
+        NamedQuantity { name: "theta_k", unit: "rad" },
+        NamedQuantity { name: "theta_h", unit: "rad" },
+        NamedQuantity { name: "theta_k'", unit: "rad/s" },
+        NamedQuantity { name: "theta_h'", unit: "rad/s" },
     ],
     coordinates: 2,
     constants: 8,
     derive_constants: 0,
-    input: Quantity { name: "s", unit: "rad" },
+    input: NamedQuantity { name: "s", unit: "rad" },
     input_per_metre: 2,
     modes: &[MODE, ModeTable { name: "free'", kind: EquationKind::Affine, guards: &[], ..MODE }],
     contacts: &[ContactTable { name: "string", gap: Some(1e-3), friction: None }],
     contact_specs: &[STRING],
     guard_specs: &[RELEASE],
-    outputs: &[Quantity { name: "F", unit: "N" }],
+    outputs: &[NamedQuantity { name: "F", unit: "N" }],
     rest: RestTable { mode: 0, state: 7, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {
@@ -141,8 +141,8 @@ const CONTACT: ContactModeTable = ContactModeTable {
     response: None,
 };
 
-fn layout() -> Layout {
-    let mut layout = Layout::default();
+fn layout() -> ArgumentLayout {
+    let mut layout = ArgumentLayout::default();
     for at in 0..8 {
         layout.place(Place::Parameter(at), Argument::Constant(at));
     }

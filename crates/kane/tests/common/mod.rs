@@ -4,7 +4,7 @@
 pub mod example;
 
 use kane::graph::{BinaryFunction, Graph, Node, Place, UnaryFunction};
-use kane::tape::{Argument, Layout};
+use kane::tape::{Argument, ArgumentLayout};
 use proptest::prelude::*;
 
 /// The symbols of random expressions, in the order of their values.
@@ -18,8 +18,8 @@ pub const SYMBOLS: [Place; 6] = [
 ];
 
 /// Where a tape finds them: two constants, three of the state, the input's rate.
-pub fn layout() -> Layout {
-    let mut layout = Layout::default();
+pub fn layout() -> ArgumentLayout {
+    let mut layout = ArgumentLayout::default();
     let arguments = [
         Argument::Constant(0),
         Argument::Constant(1),

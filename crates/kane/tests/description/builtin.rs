@@ -1,7 +1,7 @@
 //! The built-in models' descriptions have the values that were written by hand.
 
 use kane::graph::Place;
-use kane::tape::{Argument, Arguments, Layout, Tape};
+use kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
 use models::{ModelEntry, bouncing_ball, key_hammer_springs};
 
 use super::good;
@@ -26,14 +26,15 @@ fn agrees(entry: &ModelEntry, text: &str) {
     let units: Vec<_> = mechanism.outputs.iter().map(|it| it.unit.as_str()).collect();
     assert_eq!(units, entry.output_units);
     assert_eq!(mechanism.presets.len(), entry.presets.len());
-    let mut layout = Layout::default();
+    let mut layout = ArgumentLayout::default();
     layout.place(Place::Key, Argument::Extra(0));
     for (ours, theirs) in mechanism.presets.iter().zip(entry.presets) {
         assert_eq!((ours.name.as_str(), ours.doc.as_str()), (theirs.name, theirs.doc));
         let tape = Tape::lower(&mechanism.graph, &layout, &ours.values).expect("values of the key");
         for key in 0..88 {
             let extra = [f64::from(key)];
-            let values = tape.evaluate(&Arguments { extra: &extra, ..Arguments::default() });
+            let values =
+                tape.evaluate(&TapeArguments { extra: &extra, ..TapeArguments::default() });
             for (index, value) in values.into_iter().enumerate() {
                 let by_hand = (theirs.value)(index, key);
                 let apart = (value - by_hand).abs();

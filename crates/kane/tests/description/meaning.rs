@@ -2,7 +2,7 @@
 
 use kane::graph::{Node, Place};
 use kane::mechanism::Mechanism;
-use kane::tape::{Argument, Arguments, Layout, Tape};
+use kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
 
 use super::{WEIGHT, good};
 
@@ -11,7 +11,7 @@ const SPRINGS: &str = include_str!("../../../models/src/key_hammer_springs/model
 /// The value of `node` with the default preset's values of key 0; state, then accelerations.
 #[track_caller]
 fn value(mechanism: &Mechanism, node: Node, state: &[f64], input: [f64; 4]) -> f64 {
-    let mut layout = Layout::default();
+    let mut layout = ArgumentLayout::default();
     layout.place(Place::Key, Argument::Extra(0));
     for index in 0..64 {
         layout.place(Place::Parameter(index), Argument::Constant(index));
@@ -27,9 +27,9 @@ fn value(mechanism: &Mechanism, node: Node, state: &[f64], input: [f64; 4]) -> f
     }
     let graph = &mechanism.graph;
     let values = Tape::lower(graph, &layout, &mechanism.presets[0].values).expect("of the key");
-    let constants = values.evaluate(&Arguments { extra: &[0.0], ..Arguments::default() });
+    let constants = values.evaluate(&TapeArguments { extra: &[0.0], ..TapeArguments::default() });
     let tape = Tape::lower(graph, &layout, &[node]).expect("over the state");
-    tape.evaluate(&Arguments { constants: &constants, state, input, extra: &[] })[0]
+    tape.evaluate(&TapeArguments { constants: &constants, state, input, extra: &[] })[0]
 }
 
 /// An output of [`WEIGHT`] that is `expression`.

@@ -14,9 +14,9 @@ use contacts::{ContactSpec, FrictionSpec};
 use equations::functions;
 use equations::table::{
     Arguments, BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom,
-    FunctionId, Functions, GuardTable, Material, ModeTable, ModelTable, OutlineTable,
-    ParameterTable, PresetTable, Quantity, RequirementTable, RestTable, RestingTable, SpringTable,
-    WayTable,
+    FunctionId, Functions, GuardTable, Material, ModeTable, ModelTable, NamedQuantity,
+    OutlineTable, ParameterTable, PresetTable, RequirementTable, RestTable, RestingTable,
+    SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -85,15 +85,15 @@ pub static TABLE: ModelTable = ModelTable {
     presets: &[PresetTable { name: "default", doc: "", values: 0 }],
     requirements: &[RequirementTable { text: "L1 > 0", margin: 2 }],
     states: &[
-        Quantity { name: "theta_k", unit: "rad" },
-        Quantity { name: "theta_h", unit: "rad" },
-        Quantity { name: "theta_k'", unit: "rad/s" },
-        Quantity { name: "theta_h'", unit: "rad/s" },
+        NamedQuantity { name: "theta_k", unit: "rad" },
+        NamedQuantity { name: "theta_h", unit: "rad" },
+        NamedQuantity { name: "theta_k'", unit: "rad/s" },
+        NamedQuantity { name: "theta_h'", unit: "rad/s" },
     ],
     coordinates: 2,
     constants: 8,
     derive_constants: 0,
-    input: Quantity { name: "s", unit: "rad" },
+    input: NamedQuantity { name: "s", unit: "rad" },
     input_per_metre: 2,
     modes: &[
         ModeTable {
@@ -208,7 +208,7 @@ pub static TABLE: ModelTable = ModelTable {
         fires: Fires::OnCrossing,
         reads: Reads::StateAndInput,
     }],
-    outputs: &[Quantity { name: "F", unit: "N" }],
+    outputs: &[NamedQuantity { name: "F", unit: "N" }],
     rest: RestTable { mode: 0, state: 7, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {

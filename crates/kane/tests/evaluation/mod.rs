@@ -1,14 +1,14 @@
 //! Values of derived equations, by their tapes.
 
 use kane::graph::{Node, Place};
-use kane::system::System;
-use kane::tape::{Argument, Arguments, Layout, Tape};
+use kane::system::EquationSystem;
+use kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
 
 use crate::builder::{MechanismBuilder, number};
 
 /// A derived system with the values of its parameters.
 pub(crate) struct Derived {
-    pub(crate) system: System,
+    pub(crate) system: EquationSystem,
     pub(crate) values: Vec<f64>,
 }
 
@@ -27,7 +27,7 @@ impl Derived {
     /// The values of `nodes`, which are over state, parameters and input.
     pub(crate) fn all(&self, nodes: &[Node], state: &[f64], input: [f64; 4]) -> Vec<f64> {
         assert_eq!(state.len(), self.system.state.len(), "{:?}", self.system.state);
-        let mut layout = Layout::default();
+        let mut layout = ArgumentLayout::default();
         for i in 0..self.values.len() {
             layout.place(Place::Parameter(number(i)), Argument::Constant(number(i)));
         }
@@ -38,7 +38,7 @@ impl Derived {
             layout.place(Place::Input(k), Argument::Input(k));
         }
         let tape = Tape::lower(&self.system.mechanism.graph, &layout, nodes).expect("explicit");
-        tape.evaluate(&Arguments { constants: &self.values, state, input, extra: &[] })
+        tape.evaluate(&TapeArguments { constants: &self.values, state, input, extra: &[] })
     }
 
     pub(crate) fn one(&self, node: Node, state: &[f64], input: [f64; 4]) -> f64 {

@@ -2,8 +2,8 @@
 //! of the graph, and the emitted form against the interpreted one.
 
 use kane::graph::{BinaryFunction as Two, Graph, Node, Place, Tangent, UnaryFunction as One};
-use kane::tape::{Argument, Arguments, Layout, Tape};
-use kane::taylor::{Recursion, SeriesNames, Start, TapeSeries, emit};
+use kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
+use kane::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Motion, math};
 
@@ -17,14 +17,14 @@ const P: f64 = 0.8;
 /// x' = 1, so that a guard is a function of time.
 struct Along {
     graph: Graph,
-    layout: Layout,
+    layout: ArgumentLayout,
     x: Node,
     p: Node,
 }
 
 impl Along {
     fn new() -> Self {
-        let (mut graph, mut layout) = (Graph::new(), Layout::default());
+        let (mut graph, mut layout) = (Graph::new(), ArgumentLayout::default());
         layout.place(Place::Coordinate(0), Argument::State(0));
         layout.place(Place::Parameter(0), Argument::Constant(0));
         for rate in 0..3 {
@@ -93,12 +93,12 @@ impl Along {
 
     fn values(&self, nodes: &[Node], x: f64) -> Vec<f64> {
         let tape = Tape::lower(&self.graph, &self.layout, nodes).expect("arguments");
-        tape.evaluate(&Arguments { constants: &[P], state: &[x], ..Arguments::default() })
+        tape.evaluate(&TapeArguments { constants: &[P], state: &[x], ..TapeArguments::default() })
     }
 
     /// The series of `nodes` in x − X, up to `order`.
     fn series(&self, nodes: &[Node], order: usize) -> Vec<Vec<f64>> {
-        let start = Start { constants: &[P], state: &[X], input: &[], scale: 1.0 };
+        let start = SeriesStart { constants: &[P], state: &[X], input: &[], scale: 1.0 };
         TapeSeries::new(&self.tape(nodes), 1).expand(&start, order).split_off(1)
     }
 }
@@ -151,7 +151,7 @@ fn the_input_and_its_rates_are_series_too() {
         input.push(term);
         term *= 2.0 * scale / f64::from(k + 1);
     }
-    let start = Start { constants: &[P], state: &[X], input: &input, scale };
+    let start = SeriesStart { constants: &[P], state: &[X], input: &input, scale };
     let series = TapeSeries::new(&along.tape(&[rate, product]), 1).expand(&start, 18);
     let (mut first, mut second) = (2.0, 4.0);
     for k in 0_u8..18 {
@@ -170,7 +170,7 @@ fn file() -> String {
         "//! Written by `UPDATE=1 cargo test -p kane --test all taylor`; not by hand.\n\n\
          #![expect(clippy::all, clippy::pedantic, unused_variables, reason = \"generated\")]\n\n\
          use equations::functions;\n\
-         use pode::series::lanes::{Lanes, Pair};\n\
+         use pode::series::lanes::{SeriesLanes, SeriesPair};\n\
          use pode::series::rows::PER_ORDER;\n\
          \n\
          use super::{Expansion, INPUT_TERMS, Motion, math};\n",

@@ -1,8 +1,8 @@
 //! The paper's model B as a graph, by hand, and the series in the crate `models` that comes of it.
 
 use kane::graph::{Graph, Node, Place, UnaryFunction};
-use kane::tape::{Argument, Layout, Tape};
-use kane::taylor::{Recursion, SeriesNames, Start, TapeSeries, emit};
+use kane::tape::{Argument, ArgumentLayout, Tape};
+use kane::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
 use models::key_hammer_springs::Mode;
 use models::{Described as _, KeyHammerSprings};
 use pode::series::{Expansion, INPUT_TERMS};
@@ -15,7 +15,7 @@ pub(crate) const CONSTANTS: usize = 10;
 /// The parts of model B's equations.
 pub(crate) struct ModelB {
     pub(crate) graph: Graph,
-    layout: Layout,
+    layout: ArgumentLayout,
     sines: [Node; 3],
     cosines: [Node; 3],
     constants: [Node; CONSTANTS],
@@ -23,7 +23,7 @@ pub(crate) struct ModelB {
 
 impl ModelB {
     pub(crate) fn new() -> Self {
-        let (mut graph, mut layout) = (Graph::new(), Layout::default());
+        let (mut graph, mut layout) = (Graph::new(), ArgumentLayout::default());
         let places = [Place::Coordinate(0), Place::Coordinate(1), Place::Speed(0), Place::Speed(1)];
         for (index, place) in (0..).zip(places) {
             layout.place(place, Argument::State(index));
@@ -115,7 +115,7 @@ fn file() -> String {
          //!\n\
          //! `UPDATE=1 cargo test -p kane --test all taylor` writes it again.\n\n\
          #![expect(clippy::pedantic, reason = \"generated\")]\n\n\
-         use pode::series::lanes::{Lanes, Pair};\n\
+         use pode::series::lanes::{SeriesLanes, SeriesPair};\n\
          use pode::series::rows::PER_ORDER;\n\
          use pode::series::{Expansion, INPUT_TERMS};\n\
          use pode::{Motion, math};\n",
@@ -143,12 +143,13 @@ fn the_series_of_the_crate_models_is_what_is_emitted() {
 
 /// The paper's parameters, with a damper in the coupling.
 fn model() -> KeyHammerSprings {
-    let preset = &KeyHammerSprings::PRESETS[0];
+    let written = KeyHammerSprings::default();
+    let preset = &written.entry().presets[0];
     let value = |(index, it): (usize, &models::Parameter)| {
         if it.name == "b1" { 0.02 } else { (preset.value)(index, 0) }
     };
-    let values: Vec<_> = KeyHammerSprings::PARAMETERS.iter().enumerate().map(value).collect();
-    KeyHammerSprings::with_values(&values)
+    let values: Vec<_> = written.entry().parameters.iter().enumerate().map(value).collect();
+    written.with_values(&values)
 }
 
 /// A hand that moves as a polynomial, in units of `scale` (s).
@@ -215,7 +216,7 @@ fn the_emitted_series_is_the_interpreted_one_to_rounding() {
     ];
     let scale = 0.03;
     for mode in [Mode::B1, Mode::B2] {
-        let start = Start { constants: &constants, state: &STATE, input: &INPUT, scale };
+        let start = SeriesStart { constants: &constants, state: &STATE, input: &INPUT, scale };
         let series = TapeSeries::new(&ModelB::new().tape(mode), 4).expand(&start, 20);
         let out = expanded(mode, 20, scale);
         for k in 0..=20 {

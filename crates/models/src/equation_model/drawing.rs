@@ -1,9 +1,9 @@
 //! Draws a model by its table.
 
 use equations::EquationModel;
-use equations::table::{BodyTable, Functions, Material as Stuff, OutlineTable};
+use equations::table::{BodyTable, Functions, OutlineTable};
 
-use crate::draw::{Body, Coil, Ends, Follow, Material, Sketch};
+use crate::draw::{Body, Coil, Ends, Follow, Sketch};
 
 /// Most numbers of a drawing: its view, and 510 points.
 const MOST: usize = 1024;
@@ -69,16 +69,5 @@ fn draw_outline(outline: &OutlineTable, numbers: &[f64; MOST], sketch: &mut dyn 
     let last = first.saturating_add(count.saturating_mul(2));
     let (points, _) = numbers.get(first..last).unwrap_or_default().as_chunks();
     let ends = if outline.is_closed { Ends::Closed } else { Ends::Open };
-    sketch.outline(material(outline.material), points, ends);
-}
-
-const fn material(stuff: Stuff) -> Material {
-    match stuff {
-        Stuff::Wood => Material::Wood,
-        Stuff::Felt => Material::Felt,
-        Stuff::Metal => Material::Metal,
-        Stuff::String => Material::String,
-        Stuff::Ground => Material::Ground,
-        Stuff::Finger => Material::Finger,
-    }
+    sketch.outline(outline.material, points, ends);
 }

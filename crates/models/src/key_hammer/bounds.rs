@@ -33,7 +33,7 @@ pub(crate) fn gap_bound(p: &KeyHammerValues, hammer: TermBound, key: TermBound) 
 ///
 /// With R = |P1 P2|, p = L1 (σ² + L1² − R²)/(2 L1 σ²) and q = −L1 (L3 sin s − L4 cos s)/σ².
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Reach {
+pub(crate) struct ReachBounds {
     /// Bound of |p|, rad of the hammer per rad of the key.
     pub(crate) along: f64,
     /// Bound of |q|, the part of its reach per rad of the key.
@@ -42,7 +42,7 @@ pub(crate) struct Reach {
     pub(crate) inverse: f64,
 }
 
-impl Reach {
+impl ReachBounds {
     /// Over |s| ≤ `most` (rad): p and r are largest where the slider is nearest to P2.
     pub(crate) fn over(p: &KeyHammerValues, most: f64) -> Self {
         let inverse = 1.0 / (p.l1 - sqrt(p.l3 * p.l3 + p.l4 * p.l4)).abs();

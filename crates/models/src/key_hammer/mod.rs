@@ -9,7 +9,7 @@ pub(crate) mod drawing;
 mod parameters;
 mod presets;
 
-pub(crate) use bounds::{Reach, gap_bound};
+pub(crate) use bounds::{ReachBounds, gap_bound};
 pub(crate) use parameters::COUNT;
 pub use parameters::{KeyHammerValues, PARAMETERS};
 pub use presets::PRESETS;

@@ -8,7 +8,7 @@ use pode::{
 
 use super::{KeyHammerRigid, Mode};
 use crate::bounds::TermBound;
-use crate::key_hammer::{Coupled, Reach, below_string, gap, gap_bound};
+use crate::key_hammer::{Coupled, ReachBounds, below_string, gap, gap_bound};
 
 const RELEASE: GuardId = GuardId(0);
 const LAND: GuardId = GuardId(1);
@@ -57,12 +57,13 @@ impl KeyHammerRigid {
     /// take the input's fourth derivative.
     ///
     /// F = a s'' + b s'² + c with a = JH p r, b = −JH q r (1 − 2p) and c = W r cos θh, in
-    /// terms of [`Reach`]: their slopes by s are JH q r (3p − 1),
+    /// terms of [`ReachBounds`]: their slopes by s are JH q r (3p − 1),
     /// −JH r (1 − 2p)(4q² + p − p²) and W r (q cos θh − p sin θh).
     fn contact_bound(&self, angle: f64, over: &Enclosure<[f64; 2], Motion>) -> GuardBound {
         let Some(most) = over.input else { return GuardBound::UNKNOWN };
         let values = &self.values;
-        let Reach { along: p, across: q, inverse: r } = Reach::over(values, most.position);
+        let ReachBounds { along: p, across: q, inverse: r } =
+            ReachBounds::over(values, most.position);
         let rotation = p * over.h * most.rate;
         let sin = (angle.abs() + rotation).min(1.0);
         let turned = 1.0 + 2.0 * p;

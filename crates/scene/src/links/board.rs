@@ -3,7 +3,7 @@
 use firmware_protocol::key::MOST_KEYS;
 use keyboard::KeyRange;
 
-use crate::document::Node;
+use crate::document::DocumentNode;
 use crate::quantity::Quantity;
 use crate::read::{self, TableReader};
 use crate::report::{Location, MistakeList};
@@ -27,7 +27,7 @@ impl Listed {
 }
 
 /// Reads all boards of a bus.
-pub(super) fn read_all(report: &mut MistakeList<'_>, node: &Node) -> Vec<Listed> {
+pub(super) fn read_all(report: &mut MistakeList<'_>, node: &DocumentNode) -> Vec<Listed> {
     let mut boards = Vec::new();
     for node in read::tables(report, "links.bus.board", node) {
         let Some(mut reader) = TableReader::new(report, "links.bus.board", node) else { continue };

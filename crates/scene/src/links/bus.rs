@@ -5,7 +5,7 @@ use links::can::CanMode;
 
 use super::board::{self, Listed};
 use super::{BIT_RATES, BoardBus};
-use crate::document::Node;
+use crate::document::DocumentNode;
 use crate::quantity::Quantity;
 use crate::read::{self, TableReader};
 use crate::report::MistakeList;
@@ -18,7 +18,7 @@ const BIT_RATE: Quantity = Quantity { unit: "1", range: (10e3, 20e6) };
 const OF_CAN: [&str; 3] = ["mode", "bit_rate", "data_bit_rate"];
 
 /// Reads every `[[links.bus]]` of a scene.
-pub(super) fn read_all(report: &mut MistakeList<'_>, node: &Node) -> Vec<BoardBus> {
+pub(super) fn read_all(report: &mut MistakeList<'_>, node: &DocumentNode) -> Vec<BoardBus> {
     let mut buses: Vec<BoardBus> = Vec::new();
     let mut listed = Vec::new();
     for node in read::tables(report, "links.bus", node) {

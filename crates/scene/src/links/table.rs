@@ -4,7 +4,7 @@ use firmware_protocol::acyclic::arm::{LONGEST_VALID_MS, SHORTEST_VALID_MS};
 use firmware_protocol::frame::key_forces::ForcePacking;
 
 use super::{Boards, FORCES, LinksConfig, SAMPLES, bus, period_us};
-use crate::document::Node;
+use crate::document::DocumentNode;
 use crate::quantity::Quantity;
 use crate::read::TableReader;
 use crate::report::{Location, MistakeList};
@@ -61,7 +61,7 @@ pub(crate) fn read(
 fn read_boards(
     report: &mut MistakeList<'_>,
     reader: &mut TableReader<'_>,
-    buses: Option<&Node>,
+    buses: Option<&DocumentNode>,
 ) -> Boards {
     let mut boards = Boards::default();
     let samples = reader.choice(report, "samples", "samples have no packing", &SAMPLES);
@@ -97,12 +97,12 @@ fn refuse_blind_slopes(
 }
 
 /// Refuses boards behind no bus.
-fn refuse_no_bus(report: &mut MistakeList<'_>, place: Location, buses: Option<&Node>) {
+fn refuse_no_bus(report: &mut MistakeList<'_>, place: Location, buses: Option<&DocumentNode>) {
     let message = "boards need a bus";
     let help = "add [[links.bus]] with serial = \"/dev/ttyACM0\" or can = \"can0\"";
     match buses {
         None => report.miss(place, message, help),
-        Some(node) if node.items().is_some_and(<[Node]>::is_empty) => {
+        Some(node) if node.items().is_some_and(<[DocumentNode]>::is_empty) => {
             report.say(node.place, message, help);
         }
         Some(_) => {}

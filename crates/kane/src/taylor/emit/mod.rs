@@ -6,10 +6,10 @@ mod values;
 
 use pode::series::MOST_GUARDS;
 
-use super::lanes::{Lane, lanes};
+use super::lanes::{SeriesLane, lanes};
 use super::recursion::Recursion;
-use super::rules::Rule;
-use crate::tape::{Argument, Instruction, Slot};
+use super::rules::SeriesRule;
+use crate::tape::{Argument, Instruction, TapeSlot};
 
 /// The names in an emitted series.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -24,7 +24,7 @@ pub struct SeriesNames<'a> {
 
 /// Returns the function that expands `recursion`, as Rust.
 ///
-/// It asks for `pode::series::{Expansion, INPUT_TERMS}`, `pode::series::lanes::{Lanes, Pair}`,
+/// It asks for `pode::series::{Expansion, INPUT_TERMS}`, `pode::series::lanes::{SeriesLanes, SeriesPair}`,
 /// `pode::series::rows::PER_ORDER`, `pode::{math, Motion}` and `equations::functions`, as far as
 /// they occur. Of the guards the first [`MOST_GUARDS`] have their series.
 pub fn emit(recursion: &Recursion, names: &SeriesNames<'_>) -> String {
@@ -40,7 +40,7 @@ pub fn emit(recursion: &Recursion, names: &SeriesNames<'_>) -> String {
 struct Writing<'a> {
     recursion: &'a Recursion,
     is_live: Vec<bool>,
-    lanes: Vec<Lane>,
+    lanes: Vec<SeriesLane>,
     text: String,
 }
 
@@ -72,7 +72,7 @@ impl<'a> Writing<'a> {
     }
 
     fn reads_input(&self) -> bool {
-        self.recursion.rules.iter().any(|rule| matches!(rule, Rule::Input(_)))
+        self.recursion.rules.iter().any(|rule| matches!(rule, SeriesRule::Input(_)))
     }
 
     fn reads_constants(&self) -> bool {
@@ -81,13 +81,13 @@ impl<'a> Writing<'a> {
     }
 
     /// The guards that have a series.
-    fn guard_slots(&self) -> &'a [Slot] {
+    fn guard_slots(&self) -> &'a [TapeSlot] {
         let (_, guards) = self.recursion.outputs();
         guards.get(..MOST_GUARDS).unwrap_or(guards)
     }
 
     /// The derivative's entries, and those guards.
-    fn outputs_with_series(&self) -> Vec<Slot> {
+    fn outputs_with_series(&self) -> Vec<TapeSlot> {
         [self.recursion.outputs().0, self.guard_slots()].concat()
     }
 

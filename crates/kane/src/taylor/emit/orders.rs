@@ -2,9 +2,9 @@
 
 use super::Writing;
 use super::values::input_of;
-use crate::tape::Slot;
-use crate::taylor::lanes::{Factor, Lane};
-use crate::taylor::rules::Rule;
+use crate::tape::TapeSlot;
+use crate::taylor::lanes::{LaneFactor, SeriesLane};
+use crate::taylor::rules::SeriesRule;
 
 impl Writing<'_> {
     /// The outputs' coefficients of order `k`.
@@ -26,7 +26,7 @@ impl Writing<'_> {
     }
 
     /// The coefficient of order `k` of a value.
-    fn now(&self, slot: Slot, k: &str) -> String {
+    fn now(&self, slot: TapeSlot, k: &str) -> String {
         match k {
             "0" => format!("v{}", slot.0),
             _ if self.recursion.is_constant(slot) => "0.0".into(),
@@ -57,7 +57,7 @@ impl Writing<'_> {
     /// The coefficients of order k of the values in `wanted`.
     fn terms(&mut self, depth: usize, wanted: &[bool]) {
         let reads_state = (0..wanted.len())
-            .any(|at| wanted[at] && matches!(self.recursion.rules[at], Rule::State(_)));
+            .any(|at| wanted[at] && matches!(self.recursion.rules[at], SeriesRule::State(_)));
         if reads_state {
             self.line(depth, "let x = out.terms[k];");
         }
@@ -73,11 +73,11 @@ impl Writing<'_> {
     }
 
     /// As many lanes at a time as fit into the registers of a common processor.
-    pub(super) fn groups(&self) -> Vec<Vec<Lane>> {
+    pub(super) fn groups(&self) -> Vec<Vec<SeriesLane>> {
         const MOST: usize = 14;
         let count = self.lanes.len().div_ceil(MOST).max(1);
         let size = self.lanes.len().div_ceil(count).max(1);
-        self.lanes.chunks(size).map(<[Lane]>::to_vec).collect()
+        self.lanes.chunks(size).map(<[SeriesLane]>::to_vec).collect()
     }
 
     /// What the orders before k add to a value's coefficient: the lane of that number.
@@ -96,11 +96,11 @@ impl Writing<'_> {
     /// Enters this order into the lanes.
     fn enter(&mut self, depth: usize) {
         for (group, lanes) in self.groups().into_iter().enumerate() {
-            let list = |of: fn(&Lane) -> Factor| {
+            let list = |of: fn(&SeriesLane) -> LaneFactor| {
                 let list: Vec<_> = lanes.iter().map(|lane| of(lane).text()).collect();
                 let pair = |pair: &[String]| match pair {
-                    [one, other] => format!("Pair::new({one}, {other})"),
-                    rest => format!("Pair::new({}, 0.0)", rest.concat()),
+                    [one, other] => format!("SeriesPair::new({one}, {other})"),
+                    rest => format!("SeriesPair::new({}, 0.0)", rest.concat()),
                 };
                 list.chunks(2).map(pair).collect::<Vec<_>>().join(", ")
             };
@@ -111,42 +111,44 @@ impl Writing<'_> {
 
     /// The coefficient of order k of a value that goes on.
     fn term(&self, at: usize) -> Option<String> {
-        let now = |slot: Slot| self.now(slot, "k");
+        let now = |slot: TapeSlot| self.now(slot, "k");
         let e = self.sum(at, 0);
-        let is_constant = |slot: Slot| self.recursion.is_constant(slot);
+        let is_constant = |slot: TapeSlot| self.recursion.is_constant(slot);
         Some(match self.recursion.rules[at] {
-            Rule::Constant => return None,
-            Rule::State(index) => format!("x[{index}]"),
-            Rule::Input(rate) => input_of(rate),
-            Rule::Add(x, y) if is_constant(x) => now(y),
-            Rule::Add(x, y) if is_constant(y) => now(x),
-            Rule::Add(x, y) => format!("{} + {}", now(x), now(y)),
-            Rule::Subtract(x, y) if is_constant(x) => format!("-{}", now(y)),
-            Rule::Subtract(x, y) if is_constant(y) => now(x),
-            Rule::Subtract(x, y) => format!("{} - {}", now(x), now(y)),
-            Rule::Negate(x) => format!("-{}", now(x)),
-            Rule::Scale(by, x) => format!("v{} * {}", by.0, now(x)),
-            Rule::Product(x, y) => format!("{e} + v{0} * w{1} + w{0} * v{1}", x.0, y.0),
-            Rule::Square(x) => format!("{e} + 2.0 * v{0} * w{0}", x.0),
-            Rule::Quotient(x, y) => {
+            SeriesRule::Constant => return None,
+            SeriesRule::State(index) => format!("x[{index}]"),
+            SeriesRule::Input(rate) => input_of(rate),
+            SeriesRule::Add(x, y) if is_constant(x) => now(y),
+            SeriesRule::Add(x, y) if is_constant(y) => now(x),
+            SeriesRule::Add(x, y) => format!("{} + {}", now(x), now(y)),
+            SeriesRule::Subtract(x, y) if is_constant(x) => format!("-{}", now(y)),
+            SeriesRule::Subtract(x, y) if is_constant(y) => now(x),
+            SeriesRule::Subtract(x, y) => format!("{} - {}", now(x), now(y)),
+            SeriesRule::Negate(x) => format!("-{}", now(x)),
+            SeriesRule::Scale(by, x) => format!("v{} * {}", by.0, now(x)),
+            SeriesRule::Product(x, y) => format!("{e} + v{0} * w{1} + w{0} * v{1}", x.0, y.0),
+            SeriesRule::Square(x) => format!("{e} + 2.0 * v{0} * w{0}", x.0),
+            SeriesRule::Quotient(x, y) => {
                 format!("({} - {e} - v{at} * w{}) * per{at}", now(x), y.0)
             }
-            Rule::Over(x, _) => format!("{} * per{at}", now(x)),
-            Rule::Driven { slope, of } => {
+            SeriesRule::Over(x, _) => format!("{} * per{at}", now(x)),
+            SeriesRule::Driven { slope, of } => {
                 let (slope, is_negative) = self.recursion.slope(slope);
                 let (open, close) = if is_negative { ("-(", ")") } else { ("", "") };
                 format!("{open}{e} * per_k + w{} * v{}{close}", of.0, slope.0)
             }
-            Rule::Root(x) => format!("({} - {e}) * per{at}", now(x)),
-            Rule::Power(x, by) => format!(
+            SeriesRule::Root(x) => format!("({} - {e}) * per{at}", now(x)),
+            SeriesRule::Power(x, by) => format!(
                 "((v{0} + 1.0) * {2} * per_k - {e} \
                  + v{0} * v{at} * w{1}) * per{at}",
                 by.0,
                 x.0,
                 self.sum(at, 1)
             ),
-            Rule::Magnitude(x) => format!("sign{at} * {}", now(x)),
-            Rule::Choice(_, x, y) => format!("if is{at} {{ {} }} else {{ {} }}", now(x), now(y)),
+            SeriesRule::Magnitude(x) => format!("sign{at} * {}", now(x)),
+            SeriesRule::Choice(_, x, y) => {
+                format!("if is{at} {{ {} }} else {{ {} }}", now(x), now(y))
+            }
         })
     }
 }

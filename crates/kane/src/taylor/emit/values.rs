@@ -1,7 +1,7 @@
 //! Values as Rust: those at the start of a step, and the input.
 
 use crate::graph::{BinaryFunction, UnaryFunction};
-use crate::tape::{Argument, Instruction, Slot};
+use crate::tape::{Argument, Instruction, TapeSlot};
 
 /// The coefficient k of the input or a rate of it.
 pub(super) fn input_of(rate: u8) -> String {
@@ -36,7 +36,7 @@ pub(super) fn start_of(instruction: &Instruction) -> String {
     }
 }
 
-fn of_one(function: UnaryFunction, x: Slot) -> String {
+fn of_one(function: UnaryFunction, x: TapeSlot) -> String {
     let x = format!("v{}", x.0);
     match function {
         UnaryFunction::Sin => format!("math::sin({x})"),
@@ -56,7 +56,7 @@ fn of_one(function: UnaryFunction, x: Slot) -> String {
     }
 }
 
-fn of_two(function: BinaryFunction, x: Slot, y: Slot) -> String {
+fn of_two(function: BinaryFunction, x: TapeSlot, y: TapeSlot) -> String {
     let (x, y) = (format!("v{}", x.0), format!("v{}", y.0));
     match function {
         BinaryFunction::Atan2 => format!("math::atan2({x}, {y})"),
@@ -68,7 +68,7 @@ fn of_two(function: BinaryFunction, x: Slot, y: Slot) -> String {
 }
 
 /// Shows each operand of an instruction.
-pub(super) fn operands(instruction: &Instruction, mut see: impl FnMut(Slot)) {
+pub(super) fn operands(instruction: &Instruction, mut see: impl FnMut(TapeSlot)) {
     match *instruction {
         Instruction::Number(_) | Instruction::Argument(_) => {}
         Instruction::Negate(x) | Instruction::Unary(_, x) => see(x),
