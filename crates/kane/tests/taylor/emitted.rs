@@ -1,6 +1,6 @@
 //! Written by `UPDATE=1 cargo test -p kane --test all taylor`; not by hand.
 
-#![expect(clippy::all, clippy::pedantic, unused_variables, reason = "generated")]
+#![expect(clippy::pedantic, unused_variables, reason = "generated")]
 
 use equations::functions;
 use pode::series::lanes::{SeriesLanes, SeriesPair};

@@ -130,11 +130,10 @@ mod tests {
     fn with_roots(roots: &[f64]) -> (GuardPolynomial, Fall) {
         let mut terms = [0.0; TERMS];
         terms[0] = 1.0;
-        for (n, root) in roots.iter().enumerate() {
-            for k in (0..=n + 1).rev() {
-                let below = if k > 0 { terms[k - 1] } else { 0.0 };
-                terms[k] = terms[k] - below / root;
-            }
+        for root in roots {
+            let below: [f64; TERMS] =
+                std::array::from_fn(|k| if k > 0 { terms[k - 1] } else { 0.0 });
+            terms.iter_mut().zip(below).for_each(|(term, below)| *term -= below / root);
         }
         let guard = GuardPolynomial { terms, order: roots.len().max(1) };
         (guard, first_fall(&guard, 1e-14))
