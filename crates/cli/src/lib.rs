@@ -1,5 +1,5 @@
 //! The commands: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
-//! `instruments`, `stop`, `lab`.
+//! `instruments`, `model`, `stop`, `lab`.
 //!
 //! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
 //! file.
@@ -16,6 +16,7 @@ mod endpoints;
 mod instruments;
 mod live;
 mod log;
+mod model;
 mod plan;
 mod record;
 mod recover;
@@ -70,6 +71,8 @@ pub enum Command {
     Devices(devices::DevicesArgs),
     /// Lists the instruments, models and their parameters.
     Instruments(instruments::InstrumentsArgs),
+    /// Prints what follows from the description of a model, or writes one to start from.
+    Model(model::ModelArgs),
     /// Takes all forces away at once, and ends the running host.
     Stop,
     /// Offline studies with reports.
@@ -108,6 +111,7 @@ fn system(error: io::Error) -> Failure {
 
 /// Runs the command and returns its exit code.
 pub fn run(letoff: &Letoff) -> ExitCode {
+    model::install();
     let mut out = io::stdout().lock();
     let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
     let (code, text) = match done {
@@ -139,6 +143,7 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Calibrate(args) => calibrate::run(args, out),
         Command::Devices(args) => devices::run(args, out),
         Command::Instruments(args) => instruments::run(args, out),
+        Command::Model(args) => model::run(args, out),
         Command::Stop => stop::run(out),
         Command::Lab(args) => studies::run(args, out),
     }

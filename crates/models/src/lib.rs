@@ -23,6 +23,7 @@ mod shapes;
 pub mod bouncing_ball;
 pub mod cart_pendulum;
 pub mod catalogue;
+pub mod descriptions;
 pub mod draw;
 mod equation_model;
 pub mod key_hammer;

@@ -41,5 +41,6 @@ mod sliding_families;
 mod sliding_methods;
 mod stability;
 mod stiff_contact;
+mod taylor;
 mod undeclared;
 mod zeno;

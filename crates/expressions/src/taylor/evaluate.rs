@@ -119,11 +119,14 @@ impl TapeSeries {
         k: usize,
     ) {
         for (slot, rule) in self.recursion.rules.iter().enumerate() {
-            let value = match *rule {
-                SeriesRule::Constant => continue,
-                SeriesRule::State(index) => state[usize::from(index)][k],
-                SeriesRule::Input(rate) => start.input(rate.into(), k),
-                rule => self.term(rule, slot, known, k),
+            let value = if let SeriesRule::State(index) = *rule {
+                state[usize::from(index)][k]
+            } else if let SeriesRule::Input(rate) = *rule {
+                start.input(rate.into(), k)
+            } else if *rule == SeriesRule::Constant {
+                continue;
+            } else {
+                self.term(*rule, slot, known, k)
             };
             known.enter(slot, k, value);
         }

@@ -5,9 +5,11 @@
 
 mod emit;
 mod evaluate;
+mod functions;
 mod lanes;
 mod recursion;
 mod rules;
+mod writing;
 
 pub use emit::{SeriesNames, emit};
 pub use evaluate::{SeriesStart, TapeSeries};

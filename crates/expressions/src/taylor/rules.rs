@@ -43,8 +43,13 @@ impl SeriesRule {
     pub(super) fn operands(self, mut see: impl FnMut(TapeSlot)) {
         match self {
             Self::Constant | Self::State(_) | Self::Input(_) => {}
-            Self::Negate(x) | Self::Square(x) | Self::Root(x) | Self::Magnitude(x) => see(x),
-            Self::Scale(_, x) | Self::Over(x, _) | Self::Power(x, _) => see(x),
+            Self::Negate(x)
+            | Self::Square(x)
+            | Self::Root(x)
+            | Self::Magnitude(x)
+            | Self::Scale(_, x)
+            | Self::Over(x, _)
+            | Self::Power(x, _) => see(x),
             Self::Add(x, y)
             | Self::Subtract(x, y)
             | Self::Product(x, y)

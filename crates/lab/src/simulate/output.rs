@@ -74,7 +74,7 @@ impl OutputFiles {
         let Some(sheet) = &mut self.trajectory else { return Ok(()) };
         sheet.number(t);
         sheet.text(&mode_name(model, mode));
-        sheet.numbers(state.entries());
+        sheet.numbers(known(model, state));
         sheet.number(input.position);
         let specs = model.guards(mode);
         for name in &self.guards {
@@ -115,8 +115,8 @@ impl OutputFiles {
         sheet.text(event.cause.name());
         sheet.text(&mode_name(model, *from));
         sheet.text(&mode_name(model, *to));
-        sheet.numbers(before.entries());
-        sheet.numbers(after.entries());
+        sheet.numbers(known(model, before));
+        sheet.numbers(known(model, after));
         sheet.numbers(&[event.impulse, event.error, event.projection]);
         if let Err(failure) = sheet.end() {
             self.failure.get_or_insert(failure);
@@ -136,6 +136,12 @@ impl OutputFiles {
             [self.trajectory, self.events].map(|sheet| sheet.map(CsvFile::finish));
         first.unwrap_or(Ok(())).and(second.unwrap_or(Ok(()))).and(plotted)
     }
+}
+
+/// The entries of `state` that the model has names for; a described model may have room for more.
+fn known<'a, M: Described>(model: &M, state: &'a M::State) -> &'a [f64] {
+    let entries = state.entries();
+    entries.get(..model.entry().states.len()).unwrap_or(entries)
 }
 
 /// The names of all modes' guards, in the order in which the modes first have them.

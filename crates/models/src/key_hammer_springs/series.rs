@@ -2,7 +2,7 @@
 //!
 //! `UPDATE=1 cargo test -p expressions --test all taylor` writes it again.
 
-#![expect(clippy::all, clippy::pedantic, reason = "generated")]
+#![expect(clippy::pedantic, reason = "generated")]
 
 use pode::series::lanes::{SeriesLanes, SeriesPair};
 use pode::series::rows::PER_ORDER;

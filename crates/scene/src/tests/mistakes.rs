@@ -173,8 +173,8 @@ fn a_file_that_is_no_scene_is_refused() {
     );
     check(
         b"title = \"a shopping list\"\n",
-        ":1:1: this is neither a scene nor an instrument; a scene has [[keys]], an instrument has \
-         a model",
+        ":1:1: this is neither a scene nor an instrument nor a model; a scene has [[keys]], an \
+         instrument a model, a description [modes]",
     );
     check(
         &vec![b' '; 300_000],

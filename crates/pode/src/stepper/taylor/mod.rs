@@ -54,8 +54,7 @@ impl Taylor {
 }
 
 impl Stepper for Taylor {
-    #[expect(clippy::cast_possible_truncation, reason = "it is small")]
-    const ORDER: u32 = MOST_ORDER as u32;
+    const ORDER: u32 = 24;
     const EVALUATIONS: u32 = 1 + Tsitouras5::EVALUATIONS;
     const IS_EXPANDED: bool = true;
     const NAME: &'static str = "taylor";
@@ -109,6 +108,8 @@ impl Stepper for Taylor {
         STEPS * own
     }
 }
+
+const _: () = assert!(MOST_ORDER == 24, "the order that the trait is told");
 
 /// The step over `ratio` times the scale of an expansion.
 #[inline]

@@ -1,0 +1,177 @@
+//! `letoff model`: what is derived from a description, as equations, as Rust, and a first file.
+
+mod bases;
+mod reader;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand, ValueEnum};
+use kane::description::DescriptionSource;
+use kane::readable::{Notation, mode_equations, system_equations};
+use kane::{DerivedModel, derive_model};
+
+use self::bases::FileBases;
+use super::Failure;
+use diagnostics::{Diagnostics, choice, quoted};
+use models::descriptions::{DESCRIPTIONS, description};
+
+/// Makes this program read descriptions of models.
+pub(super) fn install() {
+    descriptions::install(&reader::CompilingReader);
+}
+
+/// What `letoff model` takes.
+#[derive(Clone, Debug, Args)]
+pub struct ModelArgs {
+    #[command(subcommand)]
+    pub command: ModelCommand,
+}
+
+/// What is done with a description.
+#[derive(Clone, Debug, Subcommand)]
+pub enum ModelCommand {
+    /// Prints the equations of motion that follow from a description.
+    Derive(DeriveArgs),
+    /// Prints the model as Rust.
+    Emit(EmitArgs),
+    /// Writes a description to start from.
+    New(NewArgs),
+}
+
+/// What `letoff model derive` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Examples:
+  letoff model derive key-hammer-springs
+  letoff model derive my-action.toml --mode flight --notation latex")]
+pub struct DeriveArgs {
+    /// A model of the program, or the path of a description.
+    pub model: String,
+    /// Only this mode.
+    #[arg(long)]
+    pub mode: Option<String>,
+    /// How the equations are written.
+    #[arg(long, value_enum, default_value_t = NotationName::Text)]
+    pub notation: NotationName,
+}
+
+/// How equations are written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum NotationName {
+    Text,
+    Latex,
+}
+
+/// What `letoff model emit` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Example:
+  letoff model emit my-action.toml > my_action.rs")]
+pub struct EmitArgs {
+    /// A model of the program, or the path of a description.
+    pub model: String,
+}
+
+/// What `letoff model new` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Examples:
+  letoff model new my-ball.toml
+  letoff model new my-action.toml --from key-hammer-springs")]
+pub struct NewArgs {
+    /// The file to write; one that is there is left alone.
+    pub file: PathBuf,
+    /// The model of the program whose description is copied.
+    #[arg(long, value_name = "MODEL", default_value = "bouncing-ball")]
+    pub from: String,
+}
+
+/// Does what was asked with a description.
+pub(super) fn run(args: &ModelArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    match &args.command {
+        ModelCommand::Derive(args) => print_equations(args, out),
+        ModelCommand::Emit(args) => {
+            let model = derived(&args.model)?;
+            let source = format!("the description of {}", model.program.table.name);
+            let rust = kane::emit::rust(model.program.table, model.program.tapes(), &source);
+            Ok(out.write_all(rust.as_bytes())?)
+        }
+        ModelCommand::New(args) => new(args, out),
+    }
+}
+
+fn print_equations(args: &DeriveArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let model = derived(&args.model)?;
+    let notation = match args.notation {
+        NotationName::Text => Notation::Text,
+        NotationName::Latex => Notation::Latex,
+    };
+    let text = match &args.mode {
+        None => system_equations(&model.system, notation),
+        Some(name) => {
+            let modes = &model.system.mechanism.modes;
+            let Some(mode) = modes.iter().position(|mode| mode.name == *name) else {
+                let help = choice(name, modes.iter().map(|mode| &mode.name));
+                return Err(Failure::Usage(format!("there is no mode {}; {help}", quoted(name))));
+            };
+            mode_equations(&model.system, mode, notation)
+        }
+    };
+    Ok(out.write_all(text.as_bytes())?)
+}
+
+/// The model of the program called `wanted`, or that of the file there.
+fn derived(wanted: &str) -> Result<DerivedModel, Failure> {
+    let bases = FileBases::default();
+    let (name, text) = match description(wanted) {
+        Some(text) => (wanted.to_owned(), text.to_owned()),
+        None if descriptions::is_path(wanted) => (wanted.to_owned(), file_text(wanted)?),
+        None => {
+            let help = choice(wanted, DESCRIPTIONS.map(|(name, _text)| name));
+            let message = format!("there is no model {}", quoted(wanted));
+            return Err(Failure::Usage(format!("{message}; {help}, or a path to a description")));
+        }
+    };
+    derive_model(&name, &text, &bases)
+        .map_err(|diagnostics| Failure::Usage(with_carets(&diagnostics)))
+}
+
+fn file_text(path: &str) -> Result<String, Failure> {
+    let bytes = std::fs::read(path).map_err(|error| {
+        Failure::Usage(format!("{path} cannot be read, {error}; correct the path"))
+    })?;
+    String::from_utf8(bytes)
+        .map_err(|_error| Failure::Usage(format!("{path} is not UTF-8; save it as UTF-8 text")))
+}
+
+/// The mistakes, each with the line that it is about and a caret under the place.
+pub(super) fn with_carets(mistakes: &Diagnostics) -> String {
+    let mut sources: Vec<DescriptionSource> = Vec::new();
+    for mistake in mistakes.as_slice() {
+        if sources.iter().any(|source| source.name == mistake.file) {
+            continue;
+        }
+        let text = description(&mistake.file).map(str::to_owned);
+        if let Some(text) = text.or_else(|| std::fs::read_to_string(&mistake.file).ok()) {
+            sources.push(DescriptionSource { name: mistake.file.clone(), text });
+        }
+    }
+    kane::description::rendered(mistakes, &sources).trim_end().to_owned()
+}
+
+fn new(args: &NewArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let Some(text) = description(&args.from) else {
+        let help = choice(&args.from, DESCRIPTIONS.map(|(name, _text)| name));
+        return Err(Failure::Usage(format!("there is no model {}; {help}", quoted(&args.from))));
+    };
+    let file: &Path = &args.file;
+    let refused = |error: std::io::Error| {
+        Failure::Usage(format!("{} cannot be written, {error}; take another name", file.display()))
+    };
+    let mut written = std::fs::File::create_new(file).map_err(refused)?;
+    written.write_all(text.as_bytes()).map_err(refused)?;
+    Ok(writeln!(
+        out,
+        "{0}: a copy of {1}; `letoff check {0}` names mistakes, `letoff simulate {0}` runs it",
+        file.display(),
+        args.from
+    )?)
+}

@@ -1,0 +1,226 @@
+//! Every function along x = t: its series against the function itself, against exact derivatives
+//! of the graph, and the emitted form against the interpreted one.
+
+use expressions::graph::{
+    BinaryFunction as Two, Graph, Node, Place, Tangent, UnaryFunction as One,
+};
+use expressions::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
+use expressions::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
+use pode::series::{Expansion, INPUT_TERMS};
+use pode::{Motion, math};
+
+#[path = "emitted.rs"]
+mod emitted;
+
+/// Where the series begins, and the parameter.
+const X: f64 = 0.37;
+const P: f64 = 0.8;
+
+/// x' = 1, so that a guard is a function of time.
+struct Along {
+    graph: Graph,
+    layout: ArgumentLayout,
+    x: Node,
+    p: Node,
+}
+
+impl Along {
+    fn new() -> Self {
+        let (mut graph, mut layout) = (Graph::new(), ArgumentLayout::default());
+        layout.place(Place::Coordinate(0), Argument::State(0));
+        layout.place(Place::Parameter(0), Argument::Constant(0));
+        for rate in 0..3 {
+            layout.place(Place::Input(rate), Argument::Input(rate));
+        }
+        let (x, p) = (graph.symbol(Place::Coordinate(0)), graph.symbol(Place::Parameter(0)));
+        Self { graph, layout, x, p }
+    }
+
+    fn one(&mut self, function: One, x: Node) -> Node {
+        self.graph.unary(function, x)
+    }
+
+    fn two(&mut self, function: Two, x: Node, y: Node) -> Node {
+        self.graph.binary(function, x, y)
+    }
+
+    /// One of each kind, with operands that are series themselves.
+    fn functions(&mut self) -> Vec<Node> {
+        let (x, p) = (self.x, self.p);
+        let (half, square) = (self.graph.scale(x, 0.5), self.graph.power(x, 2));
+        let wave = self.one(One::Sin, x);
+        let above = {
+            let three = self.graph.constant(3.0);
+            self.graph.sum(&[(square, 1.0), (wave, 0.3), (three, 0.4)])
+        };
+        let functions = [
+            One::Sin,
+            One::Cos,
+            One::Tanh,
+            One::Exp,
+            One::Ln,
+            One::Sqrt,
+            One::Abs,
+            One::Sign,
+            One::Softplus,
+            One::Logistic,
+            One::SoftplusArea,
+            One::SoftplusSquareArea,
+        ];
+        let mut all: Vec<_> = functions.into_iter().map(|it| self.one(it, above)).collect();
+        all.extend([One::Asin, One::Acos].map(|it| self.one(it, half)));
+        let inverse = self.graph.divide(p, above);
+        let ratio = self.graph.divide(wave, above);
+        let product = self.graph.product(&[(wave, 2), (above, 3), (x, 1)]);
+        all.extend([inverse, ratio, product]);
+        let exponent = self.graph.constant(2.5);
+        all.push(self.two(Two::Power, above, exponent));
+        all.push(self.two(Two::Power, above, p));
+        all.push(self.two(Two::Power, above, wave));
+        for function in [Two::Atan2, Two::Hypot, Two::Min, Two::Max] {
+            all.push(self.two(function, wave, above));
+        }
+        all.push(self.two(Two::Atan2, p, above));
+        all.push(self.graph.select(wave, above, x));
+        all.push(self.graph.select(x, p, x));
+        all
+    }
+
+    fn tape(&self, guards: &[Node]) -> Tape {
+        let mut graph = self.graph.clone();
+        let mut outputs = vec![graph.constant(1.0)];
+        outputs.extend(guards);
+        Tape::lower(&graph, &self.layout, &outputs).unwrap_or_default()
+    }
+
+    fn values(&self, nodes: &[Node], x: f64) -> Vec<f64> {
+        let tape = Tape::lower(&self.graph, &self.layout, nodes).unwrap_or_default();
+        tape.evaluate(&TapeArguments { constants: &[P], state: &[x], ..TapeArguments::default() })
+    }
+
+    /// The series of `nodes` in x − X, up to `order`.
+    fn series(&self, nodes: &[Node], order: usize) -> Vec<Vec<f64>> {
+        let start = SeriesStart { constants: &[P], state: &[X], input: &[], scale: 1.0 };
+        TapeSeries::new(&self.tape(nodes), 1).expand(&start, order).split_off(1)
+    }
+}
+
+#[test]
+fn a_series_gives_the_function_in_its_neighbourhood() {
+    let mut along = Along::new();
+    let nodes = along.functions();
+    let series = along.series(&nodes, 24);
+    for step in [-0.05, 0.02, 0.08] {
+        let values = along.values(&nodes, X + step);
+        for (terms, (node, value)) in series.iter().zip(nodes.iter().zip(values)) {
+            let sum = terms.iter().rev().fold(0.0, |sum, term| term + step * sum);
+            let error = (sum - value).abs() / value.abs().max(1.0);
+            assert!(error < 2e-15, "{:?}: {error:e}", along.graph.operation(*node));
+        }
+    }
+}
+
+#[test]
+fn coefficients_are_exact_derivatives_over_factorials() {
+    let mut along = Along::new();
+    let nodes = along.functions();
+    let series = along.series(&nodes, 5);
+    let one = along.graph.constant(1.0);
+    let mut derivatives = nodes.clone();
+    let mut factorial = 1.0;
+    for k in 1..=5_u8 {
+        factorial *= f64::from(k);
+        let mut tangent = Tangent::new([(Place::Coordinate(0), one)]);
+        for it in &mut derivatives {
+            *it = tangent.of(&mut along.graph, *it);
+        }
+        let values = along.values(&derivatives, X);
+        for (index, value) in values.into_iter().enumerate() {
+            let (found, expected) = (series[index][usize::from(k)], value / factorial);
+            let error = (found - expected).abs() / expected.abs().max(1.0);
+            assert!(error < 1e-12, "order {k} of function {index}: {found} is not {expected}");
+        }
+    }
+}
+
+#[test]
+fn the_input_and_its_rates_are_series_too() {
+    let mut along = Along::new();
+    let [s, rate, twice] = [0, 1, 2].map(|it| along.graph.symbol(Place::Input(it)));
+    let product = along.graph.multiply(s, twice);
+    // s = exp(2 t): s s'' = 4 exp(4 t).
+    let scale = 0.25;
+    let (mut input, mut term) = (Vec::new(), 1.0);
+    for k in 0..24 {
+        input.push(term);
+        term *= 2.0 * scale / f64::from(k + 1);
+    }
+    let start = SeriesStart { constants: &[P], state: &[X], input: &input, scale };
+    let series = TapeSeries::new(&along.tape(&[rate, product]), 1).expand(&start, 18);
+    let (mut first, mut second) = (2.0, 4.0);
+    for k in 0_u8..18 {
+        let (rate, product) = (series[1][usize::from(k)], series[2][usize::from(k)]);
+        assert!((rate / first - 1.0).abs() < 1e-13 && (product / second - 1.0).abs() < 1e-12);
+        first *= 2.0 * scale / f64::from(k + 1);
+        second *= 4.0 * scale / f64::from(k + 1);
+    }
+}
+
+/// All functions, six guards at a time, as `tests/taylor/emitted.rs` has them.
+fn file() -> String {
+    let mut along = Along::new();
+    let nodes = along.functions();
+    let mut text = String::from(
+        "//! Written by `UPDATE=1 cargo test -p expressions --test all taylor`; not by hand.\n\n\
+         #![expect(clippy::pedantic, unused_variables, reason = \"generated\")]\n\n\
+         use equations::functions;\n\
+         use pode::series::lanes::{SeriesLanes, SeriesPair};\n\
+         use pode::series::rows::PER_ORDER;\n\
+         \n\
+         use super::{Expansion, INPUT_TERMS, Motion, math};\n",
+    );
+    for (index, nodes) in nodes.chunks(6).enumerate() {
+        let recursion = Recursion::new(&along.tape(nodes), 1);
+        let function = format!("functions{index}");
+        let names = SeriesNames { function: &function, doc: "Six functions of x.", constants: 1 };
+        text = text + "\n" + &emit(&recursion, &names);
+    }
+    text
+}
+
+#[test]
+fn what_is_emitted_is_up_to_date() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/taylor/emitted.rs");
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(path, file()).expect("a folder");
+    }
+    assert!(std::fs::read_to_string(path).expect("the file") == file(), "out of date");
+}
+
+#[test]
+fn what_is_emitted_and_what_is_interpreted_agree() {
+    let mut along = Along::new();
+    let nodes = along.functions();
+    let expected = along.series(&nodes, 24);
+    let emitted = [
+        emitted::functions0,
+        emitted::functions1,
+        emitted::functions2,
+        emitted::functions3,
+        emitted::functions4,
+    ];
+    assert_eq!(nodes.len().div_ceil(6), emitted.len());
+    for (index, terms) in expected.iter().enumerate() {
+        let mut out = Expansion::of(&[X], 24, 1.0);
+        emitted[index / 6](&[P], &[Motion::default(); INPUT_TERMS], &mut out);
+        assert!((out.terms[1][0] - 1.0).abs() < 1e-15);
+        // Coefficients that all but cancel are as wrong as their neighbours are large.
+        for (k, term) in terms.iter().enumerate() {
+            let size = terms[k.saturating_sub(2)..(k + 3).min(25)]
+                .iter()
+                .fold(0.0_f64, |a, b| a.max(b.abs()));
+            let error = (out.guards[index % 6][k] - term).abs();
+            assert!(error <= 1e-12 * size, "function {index}, order {k}: off by {error:e}");
+        }
+    }
+}

@@ -1,0 +1,281 @@
+//! Taylor's method: its order, its tolerance, its events, and models that have no series.
+
+use pode::series::rows::{Falling, PER_ORDER, Rising, driven};
+use pode::series::{Expansion, INPUT_TERMS};
+use pode::stepper::{Memory as _, Taylor, TaylorMemory, Tolerance};
+use pode::{
+    Dense as _, Field, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
+    Resets, RunRecorder, Silent, Simulator, Stepper as _,
+};
+
+const SQUARE: f64 = 9.81;
+
+/// A pendulum from 1.2 rad whose wall at 0 turns it back with restitution 0.9.
+#[derive(Clone, Copy, Debug)]
+struct Pendulum {
+    /// Whether it says its series.
+    has_series: bool,
+}
+
+const EXPANDED: Pendulum = Pendulum { has_series: true };
+
+/// θ'' = −9.81 sin θ, by hand: sine and cosine drive each other. The guard is the angle.
+fn expand(out: &mut Expansion<[f64; 2]>) {
+    let (sine, cosine) = out.terms[0][0].sin_cos();
+    let (mut rate, mut sines, mut cosines) = (Rising::ZERO, Falling::ZERO, Falling::ZERO);
+    sines.set(0, sine);
+    cosines.set(0, cosine);
+    let mut pull = -SQUARE * sine;
+    for k in 0..out.order {
+        if k > 0 {
+            rate.set(k, k as f64 * out.terms[k][0]);
+            let sine = driven(&rate, &cosines, k);
+            cosines.set(k, -driven(&rate, &sines, k));
+            sines.set(k, sine);
+            pull = -SQUARE * sine;
+        }
+        let by = out.scale * PER_ORDER[k + 1];
+        out.terms[k + 1] = [by * out.terms[k][1], by * pull];
+    }
+    for k in 0..=out.order {
+        out.guards[0][k] = out.terms[k][0];
+    }
+    out.known_guards = 1;
+}
+
+impl Model for Pendulum {
+    type Mode = ();
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
+        [x[1], -SQUARE * x[0].sin()]
+    }
+
+    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 2]>) -> bool {
+        if self.has_series {
+            expand(out);
+        }
+        self.has_series
+    }
+}
+
+impl Guarded for Pendulum {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        const { &[GuardSpec::new(0, "wall")] }
+    }
+
+    fn guard(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> GuardValue {
+        GuardValue::new(x[0], x[1])
+    }
+}
+
+impl Resets for Pendulum {
+    fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
+        Reset::to((), [0.0, -0.9 * x[1]])
+    }
+}
+
+/// Times of impacts 1, 2, 5 and 10 (s), from 40-digit arithmetic.
+const IMPACTS: [(usize, f64); 4] = [
+    (1, 0.550_770_646_903_126),
+    (2, 1.630_077_719_645_963_8),
+    (5, 4.783_311_598_904_508),
+    (10, 9.898_785_767_259_402),
+];
+
+/// The largest error of an impact's time (s) in 10 s, taken in ticks of `h` (s), and the work.
+fn impacts(pendulum: Pendulum, tolerance: f64, h: f64) -> (f64, pode::Work) {
+    let method = Taylor::to(Tolerance::both(tolerance));
+    let limits = Limits { events: 64, ..Limits::default() };
+    let mut pendulum = Simulator::new(pendulum, method, limits, (), [1.2, 0.0]);
+    let mut recorder = RunRecorder::new(h);
+    let report = pendulum.run(10.0, h, |_| (), &mut recorder);
+    assert!(report.is_completed());
+    let times = recorder.times_of("wall");
+    assert_eq!(times.len(), 10);
+    let error = IMPACTS.iter().map(|(n, time)| (times[n - 1] - time).abs()).fold(0.0, f64::max);
+    (error, report.work)
+}
+
+#[test]
+fn a_pendulum_meets_its_wall_within_the_tolerance() {
+    let mut last = f64::INFINITY;
+    for tolerance in [1e-6, 1e-9, 1e-12, 1e-15] {
+        let (error, work) = impacts(EXPANDED, tolerance, 10.0);
+        assert!(error < 10.0 * tolerance + 2e-14, "{tolerance:e}: {error:e}");
+        assert!(error <= last, "{tolerance:e} is no better: {error:e}");
+        assert_eq!((work.unknown, work.events), (0, 10), "every step is certain");
+        assert!(work.pieces < 120, "{} steps", work.pieces);
+        last = error;
+    }
+}
+
+#[test]
+fn ticks_do_not_matter_to_it() {
+    for h in [10.0, 0.25, 1e-2] {
+        let (error, _) = impacts(EXPANDED, 1e-14, h);
+        assert!(error < 1e-13, "{h}: {error:e}");
+    }
+}
+
+#[test]
+fn a_model_without_a_series_is_stepped_within_the_tolerance_too() {
+    let (error, work) = impacts(Pendulum { has_series: false }, 1e-10, 10.0);
+    assert!(error < 1e-8, "{error:e}");
+    assert!(work.pieces > 200, "steps of order 5: {}", work.pieces);
+}
+
+/// The pendulum as a field on its own.
+struct Swing;
+
+impl Field<[f64; 2]> for Swing {
+    fn coords(&self) -> usize {
+        1
+    }
+
+    fn nature(&self) -> Nature {
+        Nature::default()
+    }
+
+    fn derivative(&mut self, _: f64, x: &[f64; 2]) -> [f64; 2] {
+        [x[1], -SQUARE * x[0].sin()]
+    }
+
+    fn expand(&mut self, out: &mut Expansion<[f64; 2]>) -> bool {
+        expand(out);
+        true
+    }
+}
+
+/// The state after one step of `h` (s) of this order.
+fn after(order: usize, h: f64) -> [f64; 2] {
+    let method = Taylor { order, tolerance: Tolerance::default() };
+    let mut memory = TaylorMemory::default();
+    memory.restart();
+    *method.step(&mut Swing, &[0.7, 0.4], &mut memory, h).dense.end()
+}
+
+#[test]
+fn a_step_of_order_p_errs_by_the_power_p_plus_one() {
+    for order in [4_u8, 5, 7] {
+        let error = |h: f64| (after(order.into(), h)[0] - after(24, h)[0]).abs();
+        let observed = (error(0.06) / error(0.03)).log2();
+        let expected = f64::from(order) + 1.0;
+        assert!((observed - expected).abs() < 0.6, "{order}: {observed}");
+    }
+}
+
+#[test]
+fn the_dense_output_solves_the_equation_inside_the_step() {
+    let method = Taylor { order: 20, tolerance: Tolerance::default() };
+    let h = 0.1;
+    let step = method.step(&mut Swing, &[0.7, 0.4], &mut TaylorMemory::default(), h);
+    for n in 1..10 {
+        let tau = 0.1 * f64::from(n);
+        let there = method.step(&mut Swing, &[0.7, 0.4], &mut TaylorMemory::default(), tau * h);
+        let (dense, exact) = (step.dense.at(tau), there.dense.end());
+        assert!((dense[0] - exact[0]).abs() < 4e-16 && (dense[1] - exact[1]).abs() < 4e-15);
+    }
+}
+
+#[test]
+fn a_pendulum_keeps_its_energy_for_a_thousand_swings() {
+    let energy = |x: &[f64; 2]| 0.5 * x[1] * x[1] - SQUARE * x[0].cos();
+    let limits = Limits { pieces: u32::MAX, guards: u32::MAX, ..Limits::default() };
+    let free = Free(Pendulum { has_series: true });
+    let method = Taylor::to(Tolerance::both(1e-15));
+    let mut pendulum = Simulator::new(free, method, limits, (), [1.2, 0.0]);
+    let before = energy(pendulum.state());
+    assert!(pendulum.run(2000.0, 2000.0, |_| (), &mut Silent).is_completed());
+    let drift = (energy(pendulum.state()) - before).abs();
+    assert!(drift < 1e-12, "{drift:e}");
+}
+
+/// The pendulum without its wall.
+#[derive(Clone, Copy, Debug)]
+struct Free(Pendulum);
+
+impl Model for Free {
+    type Mode = ();
+    type State = [f64; 2];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
+        self.0.derivative((), x, &())
+    }
+
+    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 2]>) -> bool {
+        expand(out);
+        true
+    }
+}
+
+impl Guarded for Free {}
+impl Resets for Free {}
+
+/// A gap that is a parabola in time: it dips to −depth at 0.123456789 s.
+#[derive(Clone, Copy, Debug)]
+struct Graze {
+    depth: f64,
+}
+
+const LOWEST: f64 = 0.123_456_789;
+
+impl Model for Graze {
+    type Mode = ();
+    type State = [f64; 1];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), _: &[f64; 1], (): &()) -> [f64; 1] {
+        [1.0]
+    }
+
+    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 1]>) -> bool {
+        let from = out.terms[0][0] - LOWEST;
+        for k in 1..=out.order {
+            out.terms[k] = [if k == 1 { out.scale } else { 0.0 }];
+            out.guards[0][k] = 0.0;
+        }
+        out.guards[0][0] = 10.0 * (from * from - self.depth);
+        out.guards[0][1] = 20.0 * from * out.scale;
+        out.guards[0][2] = 10.0 * out.scale * out.scale;
+        out.known_guards = 1;
+        true
+    }
+}
+
+impl Guarded for Graze {
+    fn guards(&self, (): ()) -> &'static [GuardSpec] {
+        const { &[GuardSpec::new(0, "gap").on_crossing()] }
+    }
+
+    fn guard(&self, (): (), _: GuardId, x: &[f64; 1], (): &()) -> GuardValue {
+        let from = x[0] - LOWEST;
+        GuardValue::new(10.0 * (from * from - self.depth), 20.0 * from)
+    }
+}
+
+impl Resets for Graze {}
+
+#[test]
+fn a_graze_is_seen_in_a_step_that_is_a_million_times_longer() {
+    for depth in [1e-4, 1e-6, 1e-8, 1e-10, -1e-4, -1e-8] {
+        let limits = Limits::default();
+        let mut graze = Simulator::new(Graze { depth }, Taylor::default(), limits, (), [0.0]);
+        let mut recorder = RunRecorder::new(1.0);
+        assert!(graze.run(1.0, 1.0, |_| (), &mut recorder).is_completed());
+        let times = recorder.times_of("gap");
+        if depth < 0.0 {
+            assert_eq!(times.len(), 0, "{depth:e}: {times:?}");
+            continue;
+        }
+        assert_eq!(times.len(), 1, "{depth:e}");
+        // Rounding of the guard, over its slope.
+        let error = (times[0] - (LOWEST - depth.sqrt())).abs();
+        assert!(error < 1e-15 / depth.sqrt() + 2e-12, "{depth:e}: {error:e}");
+    }
+}
