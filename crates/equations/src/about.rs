@@ -2,7 +2,8 @@
 
 use pode::{GuardId, Motion};
 
-use crate::model::{EquationModel, ModeNumber};
+use crate::mode_number::ModeNumber;
+use crate::model::EquationModel;
 use crate::table::{FunctionId, Functions, RequirementTable};
 
 impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {

@@ -2,7 +2,8 @@
 
 use pode::{Energetic, EnergyBalance, Motion, ReadoutSlopes, Sloped};
 
-use crate::model::{EquationModel, ModeNumber};
+use crate::mode_number::ModeNumber;
+use crate::model::EquationModel;
 use crate::table::Functions;
 
 impl<F: Functions + Copy, const N: usize, const C: usize> Energetic for EquationModel<F, N, C> {

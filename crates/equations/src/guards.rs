@@ -2,7 +2,8 @@
 
 use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Motion, Reset, Resets};
 
-use crate::model::{EquationModel, ModeNumber};
+use crate::mode_number::ModeNumber;
+use crate::model::EquationModel;
 use crate::table::{EnclosureLayout, FunctionId, Functions, GuardTable, RestingTable, WayTable};
 
 /// A rebound slower than this is none (m/s): under gravity it would last 20 ps.

@@ -13,8 +13,11 @@
 
 mod about;
 mod balance;
+mod find_natures;
 pub mod functions;
 mod guards;
+mod jacobian_bound;
+mod mode_number;
 mod model;
 mod natures;
 mod rates;
@@ -23,7 +26,8 @@ mod softplus;
 mod structure;
 pub mod table;
 
-pub use model::{DoesNotFit, EquationModel, ModeNumber};
+pub use mode_number::ModeNumber;
+pub use model::{DoesNotFit, EquationModel};
 pub use natures::MAX_MODES;
 
 pub use softplus::{FAR_SOFTPLUS, Softplus};

@@ -2,12 +2,10 @@
 
 use pode::{Model, Motion, Nature, Part, State};
 
+use crate::jacobian_bound::matrix;
+use crate::mode_number::ModeNumber;
 use crate::natures::{MAX_MODES, ModeNatures};
 use crate::table::{Arguments, FunctionId, Functions, ModeTable, ModelTable};
-
-/// A mode of an [`EquationModel`], by its number in the table.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct ModeNumber(pub u8);
 
 /// A model whose equations are functions by number, with its constants in the object.
 ///
@@ -248,7 +246,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationMode
         x: &[f64; N],
         input: &Motion,
     ) -> <[f64; N] as State>::Matrix {
-        crate::rates::matrix(&self.jacobian_rows(self.mode(mode).jacobian, x, input))
+        matrix(&self.jacobian_rows(self.mode(mode).jacobian, x, input))
     }
 
     #[inline]

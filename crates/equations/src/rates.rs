@@ -1,56 +1,14 @@
-//! The fastest rate of a mode: a bound of the magnitude of its Jacobian's eigenvalues.
+//! The longest step of a mode that stiffens, by the state at hand.
 
 use pode::{Model as _, Motion, State};
 
-use crate::model::{EquationModel, ModeNumber};
+use crate::jacobian_bound::{RADIANS, fastest};
+use crate::mode_number::ModeNumber;
+use crate::model::EquationModel;
 use crate::table::Functions;
 
-/// Rounds of the power iteration; a handful of oscillators need about six.
-const ROUNDS: usize = 12;
 /// So many where it is asked for in every step.
 const ROUNDS_AT: usize = 5;
-/// A step of the fastest motion (rad).
-pub(crate) const RADIANS: f64 = 0.75;
-
-/// The matrix with the given rows.
-pub(crate) fn matrix<const N: usize>(rows: &[[f64; N]; N]) -> <[f64; N] as State>::Matrix {
-    pode::Matrix::from_columns(|column: usize| rows.map(|row| row[column]))
-}
-
-/// An upper bound of the largest magnitude of an eigenvalue of the rows and columns of `entries`:
-/// of the Perron root of their magnitudes, which for one oscillator is its rate.
-///
-/// For any positive v the root is at most the largest of (A v)_i/v_i (Collatz and Wielandt). Each
-/// round takes the geometric mean of v and A v, which goes to the eigenvector even where A v alone
-/// would go to and fro, as it does between places and speeds.
-pub(crate) fn fastest<const N: usize>(rows: &[[f64; N]; N], entries: u64, rounds: usize) -> f64 {
-    /// How far an entry falls back at the most in one round.
-    const FLOOR: f64 = 1e-6;
-    let has = |index: usize| entries >> (index & 63) & 1 == 1;
-    let mut v = [1.0; N];
-    let mut least = f64::INFINITY;
-    for _ in 0..rounds {
-        let ratio: [f64; N] = core::array::from_fn(|i| {
-            let row = rows[i].iter().zip(&v).enumerate().filter(|(j, _)| has(*j));
-            let sum: f64 = row.map(|(_, (a, v))| a.abs() * v).sum();
-            if has(i) { sum / v[i] } else { 0.0 }
-        });
-        let most = ratio.iter().fold(0.0, |most: f64, it| if *it > most { *it } else { most });
-        least = least.min(most);
-        if most <= 0.0 {
-            break;
-        }
-        for (v, ratio) in v.iter_mut().zip(&ratio) {
-            *v *= pode::math::sqrt((ratio / most).max(FLOOR));
-        }
-    }
-    if least.is_finite() { least } else { 0.0 }
-}
-
-/// The bound that is taken once, where the model is made.
-pub(crate) fn fastest_once<const N: usize>(rows: &[[f64; N]; N], entries: u64) -> f64 {
-    fastest(rows, entries, ROUNDS)
-}
 
 impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// The longest step (s) from `x` on, at most `longest`: by the Jacobian here, and with the
@@ -90,31 +48,4 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
 /// The first `count` entries of `moved` with the others of `x`.
 fn moved_head<const N: usize>(x: &[f64; N], moved: &[f64; N], count: usize) -> [f64; N] {
     moved.head_of(count, x)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::fastest_once;
-
-    #[test]
-    fn one_oscillator_has_its_own_rate() {
-        let rows = [[0.0, 1.0], [-1e4, 0.0]];
-        assert!((fastest_once(&rows, 3) - 100.0).abs() < 1e-9);
-        assert!(fastest_once(&[[0.0, 1.0], [0.0, 0.0]], 3) < 1e-3, "a free mass has none");
-    }
-
-    #[test]
-    fn no_eigenvalue_is_larger_and_the_bound_is_close() {
-        // Two masses of 1 and 0.25 kg: k = 100 N/m to the ground, 400 N/m between them.
-        let rows = [
-            [0.0, 0.0, 1.0, 0.0],
-            [0.0, 0.0, 0.0, 1.0],
-            [-500.0, 400.0, 0.0, 0.0],
-            [1600.0, -1600.0, 0.0, 0.0],
-        ];
-        // ω⁴ − 2100 ω² + 160000 = 0; with magnitudes the root is the same: the graph is a tree.
-        let rate = (1050.0 + (1050.0_f64.powi(2) - 160_000.0).sqrt()).sqrt();
-        let found = fastest_once(&rows, 15);
-        assert!(found >= rate * (1.0 - 1e-12) && found < 1.02 * rate, "{found} for {rate}");
-    }
 }

@@ -2,8 +2,9 @@
 
 use pode::{Matrix as _, Model as _, Motion, State};
 
-use crate::model::{EquationModel, ModeNumber};
-use crate::rates::matrix;
+use crate::jacobian_bound::matrix;
+use crate::mode_number::ModeNumber;
+use crate::model::EquationModel;
 use crate::table::{FunctionId, Functions, ModeTable};
 
 /// From a guess a tenth off Newton needs 4 to 6 rounds; 40 leave room for soft felts.

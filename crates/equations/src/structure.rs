@@ -10,7 +10,8 @@ use pode::{
     Motion, Nature, Reset,
 };
 
-use crate::model::{EquationModel, ModeNumber};
+use crate::mode_number::ModeNumber;
+use crate::model::EquationModel;
 use crate::rest::add_rows;
 use crate::table::{ContactModeTable, FunctionId, Functions};
 

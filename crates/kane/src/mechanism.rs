@@ -195,7 +195,7 @@ pub struct Constraint {
 /// What a constraint ties.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ConstraintKind {
-    /// It ties places.
+    /// It ties places of bodies.
     Holonomic,
     /// It ties speeds only, as rolling does.
     Nonholonomic,

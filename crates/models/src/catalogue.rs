@@ -1,25 +1,9 @@
 //! From a name to a model: the only file that knows all models that are part of the program.
 
 pub use crate::entry::ModelEntry;
+pub use crate::visitor::Visitor;
 
-use crate::describe::Playable;
 use crate::registry;
-
-/// Something to be done with a model whose type is known by its entry only.
-pub trait Visitor: Sized {
-    /// What comes out.
-    type Output;
-
-    /// Does it with `model`, which has the values of its default preset.
-    fn visit<M: Playable>(self, model: M) -> Self::Output;
-
-    /// Does it with a model that was read from a file: of one type, there are many of them.
-    ///
-    /// What is compiled for several methods where it matters can be compiled once for these.
-    fn visit_loaded<M: Playable>(self, model: M) -> Self::Output {
-        self.visit(model)
-    }
-}
 
 macro_rules! catalogue {
     ($($module:ident::$model:ident),+ $(,)?) => {

@@ -17,6 +17,7 @@ mod describe;
 mod entry;
 mod impact;
 mod mode_code;
+mod mode_name;
 mod parameters;
 mod shapes;
 
@@ -32,6 +33,7 @@ pub mod key_hammer_springs;
 pub mod reduced_grand;
 pub mod registry;
 pub mod spring_wall;
+mod visitor;
 
 pub use bouncing_ball::BouncingBall;
 pub use cart_pendulum::CartPendulum;
@@ -40,6 +42,7 @@ pub use entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
 pub use equation_model::{CataloguedFunctions, LoadedFunctions};
 pub use key_hammer_rigid::KeyHammerRigid;
 pub use key_hammer_springs::KeyHammerSprings;
-pub use mode_code::{ModeCode, ModeName};
+pub use mode_code::ModeCode;
+pub use mode_name::ModeName;
 pub use reduced_grand::ReducedGrand;
 pub use spring_wall::SpringWall;

@@ -1,9 +1,5 @@
 //! Modes as numbers and as text, for what does not know the type of a model's modes.
 
-use core::fmt;
-
-use crate::describe::Described;
-
 /// A mode of a model as a number: the structural mode in its low 8 bits, and above them what the
 /// contacts of the model do, 0 where all are open or there are none.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
@@ -39,27 +35,6 @@ impl ModeCode {
     /// The mode with this number among those of a model without contacts.
     pub(crate) fn of<T: Copy>(self, modes: &[T]) -> Option<T> {
         if self.contacts() == 0 { modes.get(usize::from(self.structure())).copied() } else { None }
-    }
-}
-
-/// Writes the name of a mode of a model: that of the structural mode, and behind it the contacts
-/// that are not open.
-#[derive(Clone, Copy, Debug)]
-pub struct ModeName<'a, M> {
-    model: &'a M,
-    mode: ModeCode,
-}
-
-impl<'a, M: Described> ModeName<'a, M> {
-    /// The name of the mode with this number in `model`.
-    pub const fn new(model: &'a M, mode: ModeCode) -> Self {
-        Self { model, mode }
-    }
-}
-
-impl<M: Described> fmt::Display for ModeName<'_, M> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.model.write_mode(self.mode, f)
     }
 }
 

@@ -13,10 +13,10 @@ use contacts::{TooManyGuards, WithContacts};
 use equations::table::ModelTable;
 use equations::{DoesNotFit, EquationModel};
 
-use crate::catalogue::Visitor;
 use crate::describe::Described as _;
 use crate::entry::ModelEntry;
 use crate::equation_model::LoadedFunctions;
+use crate::visitor::Visitor;
 
 pub use crate::equation_model::MAX_CODED_CONTACTS;
 

@@ -47,7 +47,7 @@ pub enum ModelCommand {
 pub struct DeriveArgs {
     /// A model of the program, or the path of a description.
     pub model: String,
-    /// Only this mode.
+    /// Only the mode of this name.
     #[arg(long)]
     pub mode: Option<String>,
     /// How the equations are written.

@@ -3,8 +3,8 @@
 use contacts::{ContactSpec, FrictionSpec};
 use equations::table::{ContactModeTable, ContactTable};
 
+use super::builder::ModeBuilder;
 use super::functions::FunctionList;
-use super::modes::ModeBuilder;
 use super::{AssemblyError, guards, leak};
 use crate::graph::{Graph, Node, Place};
 use crate::mechanism::Mechanism;

@@ -5,7 +5,7 @@ use pode::EquationKind;
 
 use super::AssemblyError;
 use super::functions::FunctionList;
-use super::parts::Moving;
+use super::moving::Moving;
 use crate::graph::{
     BinaryFunction, Graph, Node, NodeOperation, Place, Substitution, UnaryFunction,
 };

@@ -4,16 +4,19 @@
 //! a function of constants, state and input. The table lives as long as the program: a description
 //! that is loaded while the program runs is kept.
 
+mod builder;
 mod contacts;
 mod drawing;
 mod error;
 mod functions;
+mod guard_numbers;
 mod guards;
 mod hoist;
 mod jacobian;
 mod kinds;
 mod leak;
 mod modes;
+mod moving;
 mod parts;
 mod table;
 

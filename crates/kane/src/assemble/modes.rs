@@ -3,47 +3,15 @@
 use equations::table::{Freedom, FunctionId, ModeTable};
 use pode::GuardSpec;
 
+use super::builder::{ModeBuilder, ModeContext};
 use super::functions::FunctionList;
-use super::guards::GuardNumbers;
 use super::jacobian::StateOfMode;
 use super::kinds::{LossKind, is_of_input, is_stiffening, kind_of};
-use super::parts::{Moving, parts};
+use super::moving::Moving;
+use super::parts::parts;
 use super::{AssemblyError, contacts, guards, leak};
-use crate::graph::{Graph, Node, Place};
+use crate::graph::{Graph, Place};
 use crate::mechanism::{ConstraintKind, Mechanism};
-use crate::system::ModeEquations;
-
-/// What all modes of a system share while their tables are made.
-pub(super) struct ModeContext<'a> {
-    pub(super) mechanism: &'a Mechanism,
-    pub(super) places: &'a [Place],
-    pub(super) coordinates: usize,
-    pub(super) modes: &'a [ModeEquations],
-    pub(super) numbers: &'a GuardNumbers,
-}
-
-/// One mode while its table is made.
-pub(super) struct ModeBuilder<'a> {
-    pub(super) context: &'a ModeContext<'a>,
-    pub(super) name: &'a str,
-    pub(super) equations: &'a ModeEquations,
-    pub(super) state: StateOfMode<'a>,
-    /// Whether it slaves a coordinate to the input.
-    pub(super) follows_input: bool,
-}
-
-impl ModeBuilder<'_> {
-    /// Adds a function of this mode.
-    pub(super) fn add(
-        &self,
-        graph: &mut Graph,
-        functions: &mut FunctionList,
-        what: &str,
-        outputs: &[Node],
-    ) -> Result<FunctionId, AssemblyError> {
-        functions.add(graph, &format!("{}_{what}", self.name), outputs)
-    }
-}
 
 /// Makes the table of the mode `number`.
 pub(super) fn mode(

@@ -6,6 +6,7 @@ use pode::{EquationKind, MAX_PARTS, Part, Reads};
 use super::functions::FunctionList;
 use super::jacobian::StateOfMode;
 use super::kinds::{LossKind, is_of_input, kind_of};
+use super::moving::Moving;
 use super::{AssemblyError, leak};
 use crate::graph::{Graph, Node};
 
@@ -51,17 +52,6 @@ pub(super) fn part(entries: u64, states: usize, reads: Reads) -> Part {
         Reads::State => part.of_state(),
         Reads::StateAndInput => part,
     }
-}
-
-/// A mode whose parts are wanted.
-pub(super) struct Moving<'a> {
-    pub(super) name: &'a str,
-    pub(super) state: &'a StateOfMode<'a>,
-    pub(super) rates: &'a [Node],
-    pub(super) jacobian: &'a [Vec<Node>],
-    pub(super) dissipated: Option<Node>,
-    /// How many parameters there are.
-    pub(super) parameters: u16,
 }
 
 /// The parts of a mode, with what each costs and reads.

@@ -6,9 +6,10 @@ use equations::table::{
 };
 use pode::GuardSpec;
 
+use super::builder::ModeContext;
 use super::functions::FunctionList;
-use super::guards::GuardNumbers;
-use super::modes::{ModeContext, mode};
+use super::guard_numbers::GuardNumbers;
+use super::modes::mode;
 use super::{AssemblyError, Program, contacts, drawing, leak};
 use crate::graph::{Graph, Place};
 use crate::mechanics::drawn_frames;

@@ -1,8 +1,9 @@
 //! Where an expression jumps or has a corner, which its derivatives do not tell.
 
 use super::functions::cut_room;
+use super::interval::room;
 use super::magnitude;
-use super::range::{Ranges, room};
+use super::range::Ranges;
 use crate::graph::{BinaryFunction, Graph, Node, NodeOperation, UnaryFunction};
 
 impl Ranges {

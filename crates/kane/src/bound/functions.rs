@@ -1,6 +1,6 @@
 //! Ranges of functions of a range.
 
-use super::range::{Range, around, room};
+use super::interval::{Range, around, room};
 use super::{above_zero, larger, least, magnitude, most};
 use crate::graph::{BinaryFunction, Graph, Node, NodeOperation, UnaryFunction};
 

@@ -12,6 +12,7 @@
 
 mod corners;
 mod functions;
+mod interval;
 mod range;
 
 use crate::graph::{BinaryFunction, Graph, Node, Place, UnaryFunction};

@@ -3,19 +3,12 @@
 use std::collections::HashMap;
 
 use super::functions::is_never_negative;
+use super::interval::{Range, around, room};
 use super::{extra, larger, magnitude};
 use crate::graph::{
     BinaryFunction, Graph, Node, NodeOperation, Place, Substitution, UnaryFunction,
 };
 use equations::table::EnclosureLayout;
-
-/// Where an expression is over a step: within `spread` of `centre`, and nowhere beyond ±`size`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Range {
-    pub(super) centre: Node,
-    pub(super) spread: Node,
-    pub(super) size: Node,
-}
 
 /// The ranges of expressions, each found once.
 #[derive(Debug)]
@@ -147,17 +140,4 @@ fn known_or_nothing(graph: &mut Graph, range: Range) -> Range {
     }
     let unknown = graph.constant(f64::INFINITY);
     Range { centre: graph.constant(0.0), spread: unknown, size: unknown }
-}
-
-/// A range around `centre`; without a spread it is a point.
-pub(super) fn around(graph: &mut Graph, centre: Node, spread: Option<Node>) -> Range {
-    let spread = spread.unwrap_or_else(|| graph.constant(0.0));
-    let size = magnitude(graph, centre);
-    Range { centre, spread, size: graph.add(size, spread) }
-}
-
-/// How far the range stays from 0; negative where it may come there.
-pub(super) fn room(graph: &mut Graph, range: Range) -> Node {
-    let size = magnitude(graph, range.centre);
-    graph.subtract(size, range.spread)
 }

@@ -2,10 +2,10 @@
 
 use diagnostics::quoted;
 
+use super::items::{DescribedItem, FileExpression, ItemKind, ItemLink, LinkKind};
 use super::key_reader::{KeyReader, list, text};
 use super::names::{SymbolKind, number};
-use super::reader::{FileExpression, MechanismReader};
-use super::resolve::{DescribedItem, ItemKind, ItemLink, LinkKind};
+use super::reader::MechanismReader;
 use super::source::SourcePlace;
 use super::toml_tree::{TomlEntry, TomlKind};
 use crate::graph::{Graph, Place};

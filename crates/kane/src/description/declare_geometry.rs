@@ -3,16 +3,16 @@
 use diagnostics::quoted;
 
 use super::declare::{AT, ORIGIN};
+use super::items::{ItemKind, LinkKind};
 use super::key_reader::KeyReader;
 use super::reader::MechanismReader;
-use super::resolve::{ItemKind, LinkKind};
 use super::source::SourcePlace;
 use super::toml_tree::TomlEntry;
 use crate::mechanism::ConstraintKind;
 
 impl MechanismReader {
     pub(super) fn declare_frames(&mut self, root: &mut KeyReader<'_>) {
-        let ground = super::geometry::WorldFrame::ground(&mut self.graph);
+        let ground = super::world_frame::WorldFrame::ground(&mut self.graph);
         if let Ok(index) = self.names.frames.declare("ground", SourcePlace::default()) {
             self.names.frames.set(index, ground);
         }

@@ -6,10 +6,11 @@
 
 use diagnostics::{choice, quoted};
 
+use super::items::FileExpression;
 use super::key_reader::{KeyReader, text};
 use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
-use super::reader::{CONSTANT, FileExpression, MOTION, MechanismReader, STATE};
+use super::reader::{CONSTANT, MOTION, MechanismReader, STATE};
 use super::source::SourcePlace;
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use crate::mechanism::{Fires, Guard, GuardBranch, Impact, Target};

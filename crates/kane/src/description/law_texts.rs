@@ -2,10 +2,10 @@
 
 use diagnostics::quoted;
 
+use super::items::{DescribedItem, FrictionText, ItemKind, ItemLink, LawKind, LinkKind};
 use super::key_reader::{KeyReader, text};
-use super::laws::{FrictionText, law_keys, needed_keys};
+use super::laws::{law_keys, needed_keys};
 use super::reader::MechanismReader;
-use super::resolve::{DescribedItem, ItemKind, ItemLink, LawKind, LinkKind};
 use super::toml_tree::{TomlEntry, TomlNode};
 use crate::text::{Dependence, Dimension};
 

@@ -2,10 +2,10 @@
 
 use diagnostics::quoted;
 
+use super::items::{DescribedItem, FileExpression, FrictionText, LawKind};
 use super::linear::is_linear_in_speeds;
 use super::names::{LawPlace, distance, number};
-use super::reader::{CONSTANT, FileExpression, MOTION, MechanismReader, POSE, STATE};
-use super::resolve::{DescribedItem, LawKind};
+use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
 use crate::graph::{BinaryFunction, Graph, Node, Place, Substitution};
 use crate::mechanism::{DryFriction, Force, MechanismContact};
 use crate::text::{Dimension, Measured};
@@ -19,17 +19,6 @@ struct FeltParts {
     stiffness: Node,
     exponent: Node,
     damping: Option<Node>,
-}
-
-/// The friction of a contact or bearing as it was written.
-#[derive(Clone, Debug)]
-pub(super) struct FrictionText {
-    pub(super) contact: usize,
-    pub(super) name: String,
-    pub(super) slip: Option<FileExpression>,
-    pub(super) stiction: Option<FileExpression>,
-    pub(super) kinetic: Option<FileExpression>,
-    pub(super) scales: (f64, f64),
 }
 
 impl MechanismReader {

@@ -13,6 +13,7 @@ mod drawing;
 mod expressions;
 mod geometry;
 mod guards;
+mod items;
 mod key_reader;
 mod law_texts;
 mod laws;
@@ -31,6 +32,7 @@ mod resolve;
 mod rest;
 mod source;
 mod toml_tree;
+mod world_frame;
 
 pub use bases::{Bases, NoBases};
 pub use caret::rendered;

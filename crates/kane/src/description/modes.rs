@@ -2,9 +2,10 @@
 
 use diagnostics::{choice, quoted};
 
+use super::items::FileExpression;
 use super::key_reader::KeyReader;
 use super::names::SymbolKind;
-use super::reader::{FileExpression, MOTION, MechanismReader, POSE, STATE};
+use super::reader::{MOTION, MechanismReader, POSE, STATE};
 use super::source::SourcePlace;
 use super::toml_tree::TomlEntry;
 use crate::graph::Node;

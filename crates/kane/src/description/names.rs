@@ -88,7 +88,7 @@ pub(super) struct NameTable {
     pub(super) input: Dimension,
     pub(super) definitions: Vec<Option<Measured>>,
     pub(super) points: NameCatalogue<[Node; 3]>,
-    pub(super) frames: NameCatalogue<super::geometry::WorldFrame>,
+    pub(super) frames: NameCatalogue<super::world_frame::WorldFrame>,
     pub(super) laws: NameCatalogue<(LawPlace, Dimension)>,
     pub(super) constraints: NameCatalogue<Dimension>,
     motion: Option<Tangent>,

@@ -2,8 +2,9 @@
 
 use diagnostics::quoted;
 
+use super::items::FileExpression;
 use super::key_reader::KeyReader;
-use super::reader::{FileExpression, MOTION, MechanismReader};
+use super::reader::{MOTION, MechanismReader};
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use crate::mechanism::MechanismOutput;
 use crate::text::{Dimension, Measured};

@@ -6,21 +6,13 @@
 
 use diagnostics::quoted;
 
+use super::items::{FileExpression, ParameterText};
 use super::key_reader::KeyReader;
 use super::names::SymbolKind;
-use super::reader::{CONSTANT, FileExpression, MechanismReader};
-use super::source::SourcePlace;
+use super::reader::{CONSTANT, MechanismReader};
 use super::toml_tree::{TomlEntry, TomlKind};
 use crate::mechanism::{MechanismParameter, Requirement};
 use crate::text::{self, Dimension, Form, PartShape};
-
-/// A parameter as it was written.
-#[derive(Clone, Debug)]
-pub(super) struct ParameterText {
-    pub(super) value: Option<FileExpression>,
-    pub(super) place: SourcePlace,
-    pub(super) dimension: Dimension,
-}
 
 impl MechanismReader {
     pub(super) fn declare_parameters(&mut self, root: &mut KeyReader<'_>) {

@@ -6,10 +6,11 @@
 
 use diagnostics::{choice, quoted};
 
+use super::items::FileExpression;
 use super::key_reader::KeyReader;
 use super::names::{SymbolKind, pi};
 use super::order::sorted;
-use super::reader::{FileExpression, MechanismReader};
+use super::reader::MechanismReader;
 use super::source::SourcePlace;
 use super::toml_tree::TomlEntry;
 use crate::graph::{Graph, Place};

@@ -7,18 +7,16 @@
 use diagnostics::{Diagnostics, quoted};
 
 use super::bases::{self, Bases};
+use super::items::{DescribedItem, FileExpression, FrictionText, ParameterText};
 use super::key_reader::KeyReader;
-use super::laws::FrictionText;
 use super::names::NameTable;
-use super::parameters::ParameterText;
 use super::report::FindingList;
-use super::resolve::DescribedItem;
 use super::source::{DescriptionSource, SourcePlace};
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use super::{Description, MOST_OF_A_KIND};
 use crate::graph::{Graph, Node, Substitution};
 use crate::mechanism::{Constraint, Force, Mechanism, MechanismContact};
-use crate::text::{Dependence, Measured, ParsedExpression};
+use crate::text::{Dependence, Measured};
 
 /// Most operands that all expressions of a description may have.
 const HEAVIEST: usize = 100_000;
@@ -33,28 +31,6 @@ pub(super) const STATE: Dependence = POSE.and(Dependence::SPEEDS).and(Dependence
 /// What outputs are over.
 pub(super) const MOTION: Dependence =
     STATE.and(Dependence::ACCELERATIONS).and(Dependence::REACTIONS).and(Dependence::FORCES);
-
-/// An expression of a file.
-#[derive(Clone, PartialEq, Debug)]
-pub(super) struct FileExpression {
-    pub(super) place: SourcePlace,
-    pub(super) origin: TextOrigin,
-    pub(super) expression: ParsedExpression,
-}
-
-/// Where a text begins.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct TextOrigin {
-    pub(super) place: SourcePlace,
-    /// Whether its bytes are those of the file from there on.
-    pub(super) is_exact: bool,
-}
-
-impl TextOrigin {
-    pub(super) fn at(&self, offset: usize) -> SourcePlace {
-        if self.is_exact { self.place.after(offset) } else { self.place }
-    }
-}
 
 /// A node whose value is looked at where the mechanism rests.
 #[derive(Clone, PartialEq, Debug)]

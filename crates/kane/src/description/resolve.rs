@@ -6,66 +6,13 @@
 
 use diagnostics::quoted;
 
+use super::items::{DescribedItem, FileExpression, ItemKind, LinkKind};
 use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
 use super::order::sorted;
-use super::reader::{CONSTANT, FileExpression, MOTION, MechanismReader, POSE, STATE};
-use super::source::SourcePlace;
+use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
 use crate::mechanism::{Constraint, ConstraintKind};
 use crate::text::{Dimension, Measured, PartShape};
-
-/// Something with a name and expressions, which others can use.
-#[derive(Clone, Debug)]
-pub(super) struct DescribedItem {
-    pub(super) kind: ItemKind,
-    pub(super) name: String,
-    pub(super) place: SourcePlace,
-    pub(super) fields: Vec<(&'static str, FileExpression)>,
-    pub(super) links: Vec<ItemLink>,
-}
-
-/// What an item is, with its number among its kind.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum ItemKind {
-    Input,
-    Rate(usize),
-    Definition(usize),
-    /// A frame, and the axis that it turns about.
-    Frame(usize, usize),
-    Point(usize),
-    Law(usize, LawKind),
-    Constraint(usize, ConstraintKind),
-}
-
-/// What a law is, with its number among forces or among contacts.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum LawKind {
-    Spring(usize),
-    Felt(usize),
-    Force(usize),
-    Contact(usize),
-    Bearing(usize),
-}
-
-/// The name of another item.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct ItemLink {
-    pub(super) kind: LinkKind,
-    pub(super) name: String,
-    pub(super) place: SourcePlace,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum LinkKind {
-    Frame,
-    Point,
-}
-
-impl DescribedItem {
-    pub(super) fn field(&self, name: &str) -> Option<&FileExpression> {
-        self.fields.iter().find(|(known, _)| *known == name).map(|(_, field)| field)
-    }
-}
 
 /// The numbers of items by what they are.
 struct ItemIndex {

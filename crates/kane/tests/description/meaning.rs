@@ -1,4 +1,5 @@
 //! What expressions come to, against numbers found by hand.
+#![expect(clippy::float_cmp, reason = "these values are exact")]
 
 use kane::graph::{Node, Place};
 use kane::mechanism::Mechanism;

@@ -1,4 +1,5 @@
 //! Units, and what expressions make of them.
+#![expect(clippy::float_cmp, reason = "these values are exact")]
 
 use kane::text::{Dimension, unit};
 

@@ -3,6 +3,7 @@
 use models::{Described, ModelEntry};
 use pode::{Motion, State as _};
 
+use super::source::CurveSource;
 use super::track::{Columns, DecimatedCurve};
 use super::unit;
 
@@ -14,17 +15,6 @@ pub(super) enum PanelKind {
     Guards,
     /// Coordinates and the input.
     Coordinates,
-}
-
-/// Where a curve's values come from.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum CurveSource {
-    Input,
-    /// An entry of the state.
-    State(usize),
-    Output(usize),
-    /// The guard of this name, in the modes that have it.
-    Guard(&'static str),
 }
 
 /// A curve of the picture, and the values that it has had.

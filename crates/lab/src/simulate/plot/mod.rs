@@ -9,6 +9,7 @@ mod draw;
 mod epoch;
 mod mark;
 mod picture;
+mod source;
 mod track;
 mod unit;
 

@@ -2,7 +2,7 @@
 
 use models::ModelEntry;
 
-use super::curve::CurveSource;
+use super::source::CurveSource;
 
 /// The unit of a curve of a model; none if the model has no such signal.
 pub(super) fn of(model: &ModelEntry, source: CurveSource) -> Option<&'static str> {

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use super::super::curve::{CurveSource, PanelKind, SignalCurve};
+use super::super::curve::{PanelKind, SignalCurve};
 use super::super::picture::Picture;
+use super::super::source::CurveSource;
 use super::super::track::TrackPoint;
 use super::super::unit::quantity;
 use super::level;

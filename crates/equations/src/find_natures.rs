@@ -1,0 +1,110 @@
+//! How natures are found: from Jacobians where the model rests.
+
+use pode::{EquationKind, Model as _, Motion, Nature, Part};
+
+use crate::jacobian_bound::{RADIANS, fastest_once};
+use crate::mode_number::ModeNumber;
+use crate::model::EquationModel;
+use crate::natures::{MAX_MODE_PARTS, ModeNature, ModeNatures};
+use crate::table::{FunctionId, Functions, ModeTable, PartTable};
+
+/// Travel of a key (m): at rest there and at rest above, rates are taken.
+const TRAVEL: f64 = 0.01;
+
+impl ModeNatures {
+    /// Finds the natures of all modes of `model`, whose constants are known.
+    pub(crate) fn of<F: Functions + Copy, const N: usize, const C: usize>(
+        model: &EquationModel<F, N, C>,
+    ) -> Self {
+        let mut natures = Self::default();
+        let mut next = 0;
+        let poses = [0.0, TRAVEL].map(|travel| {
+            let position = travel * model.input_per_metre();
+            let input = Motion { position, ..Motion::default() };
+            (model.at_rest(&input).1, input)
+        });
+        for (number, table) in (0..).zip(model.table().modes) {
+            let rates = Rates::of(model, ModeNumber(number), &poses);
+            let nature = Nature::new(model.kind(table.kind, table.loss), rates.whole);
+            let first = natures.add_parts(model, table, &rates, &mut next);
+            if let Some(mode) = natures.modes.get_mut(usize::from(number)) {
+                *mode = ModeNature { nature, longest_step: RADIANS / rates.whole, first };
+            }
+        }
+        natures
+    }
+
+    /// Adds the parts of a mode that has several, behind those before; returns where they begin.
+    fn add_parts<F: Functions + Copy, const N: usize, const C: usize>(
+        &mut self,
+        model: &EquationModel<F, N, C>,
+        table: &ModeTable,
+        rates: &Rates,
+        next: &mut usize,
+    ) -> usize {
+        let first = *next;
+        let places = self.parts.get_mut(first..first + table.parts.len());
+        let Some(places) = places.filter(|places| places.len() > 1) else { return MAX_MODE_PARTS };
+        for (at, (place, part)) in places.iter_mut().zip(table.parts).enumerate() {
+            let given = table.part_list.get(at).copied().unwrap_or(Part::WHOLE);
+            *place = model.part(given, part, rates.of_part(at));
+        }
+        *next = first + table.parts.len();
+        first
+    }
+}
+
+/// The fastest rates (rad/s) of a mode and of its parts.
+struct Rates {
+    whole: f64,
+    parts: [f64; pode::MAX_PARTS],
+}
+
+impl Rates {
+    /// The largest over the poses.
+    fn of<F: Functions + Copy, const N: usize, const C: usize>(
+        model: &EquationModel<F, N, C>,
+        mode: ModeNumber,
+        poses: &[([f64; N], Motion)],
+    ) -> Self {
+        let table = model.mode(mode);
+        let mut rates = Self { whole: 0.0, parts: [0.0; pode::MAX_PARTS] };
+        for (x, input) in poses {
+            let x = model.constrain(mode, x, input);
+            let rows = model.jacobian_rows(table.jacobian, &x, input);
+            let moving = table.parts.iter().fold(0, |all, part| all | part.entries);
+            rates.whole = rates.whole.max(fastest_once(&rows, moving));
+            for (rate, part) in rates.parts.iter_mut().zip(table.parts) {
+                *rate = rate.max(fastest_once(&rows, part.entries));
+            }
+        }
+        rates
+    }
+
+    fn of_part(&self, index: usize) -> f64 {
+        self.parts.get(index).copied().unwrap_or(self.whole)
+    }
+}
+
+impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+    /// The kind of equations with these values: conservative where nothing is lost.
+    fn kind(&self, kind: EquationKind, loss: Option<FunctionId>) -> EquationKind {
+        let lost = |loss| {
+            let [lost] = self.values(loss, &[0.0; N], &Motion::default());
+            lost
+        };
+        match (kind, loss) {
+            (EquationKind::Smooth, Some(loss)) if lost(loss) == 0.0 => EquationKind::Conservative,
+            _ => kind,
+        }
+    }
+
+    /// The part with its own nature, and with its own longest step where it may go ahead.
+    fn part(&self, part: Part, table: &PartTable, rate: f64) -> Part {
+        let own = part.with_nature(Nature::new(self.kind(table.kind, table.loss), rate));
+        match table.reads {
+            pode::Reads::State => own.with_longest_step(RADIANS / rate),
+            pode::Reads::StateAndInput => own,
+        }
+    }
+}
