@@ -14,14 +14,12 @@ pub mod assemble;
 mod bound;
 pub mod description;
 pub mod emit;
-pub mod graph;
 pub mod mechanics;
 pub mod mechanism;
 mod program;
 pub mod readable;
 pub mod system;
-pub mod tape;
-pub mod taylor;
 pub mod text;
 
+pub use expressions::{graph, tape, taylor};
 pub use program::{DerivedModel, derive_model};

@@ -7,13 +7,13 @@ use equations::table::{Arguments, Functions as _};
 use kane::emit;
 use kane::tape;
 
-use crate::common::example;
+use crate::common::{example, lever};
 use crate::emitted;
 
 const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/emitted/example.rs");
 
 fn text() -> String {
-    emit::rust(&example::TABLE, &example::functions(), "lever-with-hammer.toml")
+    emit::rust(&example::TABLE, &lever::functions(), "lever-with-hammer.toml")
 }
 
 /// `EMIT=1 cargo test -p kane` writes the file anew.
@@ -59,7 +59,7 @@ fn emitted_functions_give_the_tape_s_bits() {
         let state = [(0.37 * n).sin(), (0.73 * n).sin() * 0.9, (0.11 * n).sin() * 8.0, 3.0];
         let input = [(0.21 * n).sin(), 0.7, -2.0, 1.0];
         let given = Arguments { constants: &constants, state: &state, input: &input, extra: &[n] };
-        for (number, tape) in (0..).zip(example::functions()) {
+        for (number, tape) in (0..).zip(lever::functions()) {
             let expected = tape.evaluate(&tape::TapeArguments {
                 constants: &constants,
                 state: &state,

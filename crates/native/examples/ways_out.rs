@@ -4,18 +4,17 @@
 #![allow(clippy::print_stdout, reason = "a program for people")]
 #![allow(clippy::unwrap_used, reason = "a measurement that fails aloud")]
 
-#[path = "../../kane/tests/common/mod.rs"]
-mod common;
+// Its table has types of `contacts` as well.
 #[path = "../../kane/tests/emitted/example.rs"]
 mod emitted;
+#[path = "../../expressions/tests/common/lever.rs"]
+pub mod lever;
 
 use std::hint::black_box;
 use std::time::Instant;
 
 use equations::table::{Arguments, Functions};
-use kane::tape;
-
-use crate::common::example;
+use expressions::tape;
 
 const CONSTANTS: [f64; 8] = [0.4, 0.2, 0.03, 0.01, 6.2, 4e3, 1.0, 2.0];
 
@@ -33,7 +32,7 @@ fn time(mut call: impl FnMut(f64)) -> f64 {
 }
 
 fn main() {
-    let tapes = example::functions();
+    let tapes = lever::functions();
     let start = Instant::now();
     let native = native::compile(&tapes).unwrap();
     println!(

@@ -3,7 +3,7 @@
 use cranelift_codegen::ir::condcodes::FloatCC;
 use cranelift_codegen::ir::{InstBuilder as _, Value};
 use cranelift_frontend::FunctionBuilder;
-use kane::graph::{BinaryFunction, UnaryFunction};
+use expressions::graph::{BinaryFunction, UnaryFunction};
 
 /// `positive` where `condition` > 0, else `other`.
 pub(crate) fn select(

@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use cranelift_jit::JITModule;
 use equations::table::{Arguments, FunctionId, Functions};
-use kane::tape::{ArgumentCounts, Tape};
+use expressions::tape::{ArgumentCounts, Tape};
 
 /// Addresses of constants, state, input, extra and out.
 type Code = unsafe extern "C" fn(*const f64, *const f64, *const f64, *const f64, *mut f64);

@@ -4,7 +4,7 @@ use cranelift_codegen::ir::{AbiParam, Signature, types::F64};
 use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{FuncId, Module as _};
 use equations::functions;
-use kane::graph::{BinaryFunction, UnaryFunction};
+use expressions::graph::{BinaryFunction, UnaryFunction};
 use pode::math;
 
 use crate::NativeError;

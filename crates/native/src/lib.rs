@@ -18,7 +18,7 @@ use cranelift_codegen::{Context, ir};
 use cranelift_frontend::FunctionBuilderContext;
 use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{FuncId, Linkage, Module as _, ModuleError};
-use kane::tape::Tape;
+use expressions::tape::Tape;
 
 use self::call::Entry;
 use self::functions::Callees;

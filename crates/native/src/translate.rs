@@ -8,8 +8,8 @@ use cranelift_codegen::ir::{
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Module as _};
-use kane::graph::UnaryFunction;
-use kane::tape::{AngleGroup, AngleValues, Argument, Instruction, Tape, TapeSlot};
+use expressions::graph::UnaryFunction;
+use expressions::tape::{AngleGroup, AngleValues, Argument, Instruction, Tape, TapeSlot};
 
 use crate::arithmetic;
 use crate::functions::Callees;

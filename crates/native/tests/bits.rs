@@ -1,12 +1,12 @@
 //! The same bits as the tape gives.
 
 use equations::table::{Arguments, Functions as _};
-use kane::graph::Graph;
-use kane::tape::{self, Instruction, Tape, TapeSlot};
+use expressions::graph::Graph;
+use expressions::tape::{self, Instruction, Tape, TapeSlot};
 use native::{NativeError, compile};
 use proptest::prelude::*;
 
-use crate::common::{example, layout, trees, values};
+use crate::common::{layout, lever, trees, values};
 
 /// Bits, with one kind of what is not a number.
 fn bits(all: &[f64]) -> Vec<u64> {
@@ -42,7 +42,7 @@ const CONSTANTS: [f64; 8] = [0.4, 0.2, 0.03, 0.01, 6.2, 4e3, 1.0, 2.0];
 
 #[test]
 fn a_whole_model_gives_the_tapes_bits() {
-    let tapes = example::functions();
+    let tapes = lever::functions();
     let native = compile(&tapes).unwrap();
     assert_eq!(native.len(), tapes.len());
     for n in 0..500_u32 {
@@ -66,7 +66,7 @@ fn a_whole_model_gives_the_tapes_bits() {
 
 #[test]
 fn short_arguments_give_no_number_and_read_nothing() {
-    let native = compile(&example::functions()).unwrap();
+    let native = compile(&lever::functions()).unwrap();
     let given = Arguments { constants: &CONSTANTS[..3], state: &[], input: &[0.0; 4], extra: &[] };
     let mut out = [0.0; 4];
     native.call(1, &given, &mut out);
@@ -93,7 +93,7 @@ fn a_tape_that_is_no_straight_line_is_refused() {
 
 #[test]
 fn copies_keep_the_code_alive_on_other_threads() {
-    let native = compile(&example::functions()).unwrap();
+    let native = compile(&lever::functions()).unwrap();
     let copy = native.clone();
     drop(native);
     let threads: Vec<_> = (0..4_u32)

@@ -1,6 +1,6 @@
 //! Machine code against the tapes that it was made of.
 
-#[path = "../../kane/tests/common/mod.rs"]
+#[path = "../../expressions/tests/common/mod.rs"]
 mod common;
 
 mod bits;

@@ -25,7 +25,6 @@ pub(super) struct ModeContext<'a> {
 /// One mode while its table is made.
 pub(super) struct ModeBuilder<'a> {
     pub(super) context: &'a ModeContext<'a>,
-    pub(super) number: usize,
     pub(super) name: &'a str,
     pub(super) equations: &'a ModeEquations,
     pub(super) state: StateOfMode<'a>,
@@ -57,7 +56,7 @@ pub(super) fn mode(
     let name = context.mechanism.modes.get(number).map_or("", |mode| mode.name.as_str());
     let state = StateOfMode::new(graph, context.places, equations);
     let follows_input = state.slaved.iter().any(|it| is_of_input(graph, *it));
-    let builder = ModeBuilder { context, number, name, equations, state, follows_input };
+    let builder = ModeBuilder { context, name, equations, state, follows_input };
     let motion = motion(graph, functions, &builder)?;
     let forces = forces(graph, functions, &builder)?;
     let (guards, guard_specs) = guards::guards(graph, functions, &builder)?;

@@ -14,8 +14,9 @@ use contacts::{ContactSpec, FrictionSpec};
 use equations::functions;
 use equations::table::{
     Arguments, BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom,
-    FunctionId, Functions, GuardTable, Material, ModeTable, ModelTable, NamedQuantity, OutlineTable,
-    ParameterTable, PresetTable, RequirementTable, RestTable, RestingTable, SpringTable, WayTable,
+    FunctionId, Functions, GuardTable, Material, ModeTable, ModelTable, NamedQuantity,
+    OutlineTable, ParameterTable, PresetTable, RequirementTable, RestTable, RestingTable,
+    SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 

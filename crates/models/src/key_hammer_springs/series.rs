@@ -1,6 +1,6 @@
-//! Taylor series of model B, written by `kane::taylor` from its equations; not by hand.
+//! Taylor series of model B, written by `expressions::taylor` from its equations; not by hand.
 //!
-//! `UPDATE=1 cargo test -p kane --test all taylor` writes it again.
+//! `UPDATE=1 cargo test -p expressions --test all taylor` writes it again.
 
 #![expect(clippy::pedantic, reason = "generated")]
 

@@ -1,8 +1,10 @@
 //! Expressions that share their parts, and their derivatives.
 #![expect(clippy::unwrap_used, reason = "helpers of tests, outside #[test]")]
 
-use kane::graph::{BinaryFunction, Graph, Node, Place, Substitution, Tangent, UnaryFunction};
-use kane::tape::Tape;
+use expressions::graph::{
+    BinaryFunction, Graph, Node, Place, Substitution, Tangent, UnaryFunction,
+};
+use expressions::tape::Tape;
 use proptest::prelude::*;
 
 use crate::common::{SYMBOLS, Tree, layout, trees, values};

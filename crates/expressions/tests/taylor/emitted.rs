@@ -1,4 +1,4 @@
-//! Written by `UPDATE=1 cargo test -p kane --test all taylor`; not by hand.
+//! Written by `UPDATE=1 cargo test -p expressions --test all taylor`; not by hand.
 
 #![expect(clippy::pedantic, unused_variables, reason = "generated")]
 

@@ -1,8 +1,10 @@
 //! Tapes against evaluation by recursion.
 #![expect(clippy::unwrap_used, reason = "helpers of tests, outside #[test]")]
 
-use kane::graph::{Graph, Node, Place};
-use kane::tape::{Argument, ArgumentLayout, Instruction, Tape, TapeArguments, constant_parts};
+use expressions::graph::{Graph, Node, Place};
+use expressions::tape::{
+    Argument, ArgumentLayout, Instruction, Tape, TapeArguments, constant_parts,
+};
 use proptest::prelude::*;
 
 use crate::common::{SYMBOLS, layout, trees, values};

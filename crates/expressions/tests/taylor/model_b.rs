@@ -1,8 +1,8 @@
 //! The paper's model B as a graph, by hand, and the series in the crate `models` that comes of it.
 
-use kane::graph::{Graph, Node, Place, UnaryFunction};
-use kane::tape::{Argument, ArgumentLayout, Tape};
-use kane::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
+use expressions::graph::{Graph, Node, Place, UnaryFunction};
+use expressions::tape::{Argument, ArgumentLayout, Tape};
+use expressions::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
 use models::key_hammer_springs::Mode;
 use models::{Described as _, KeyHammerSprings};
 use pode::series::{Expansion, INPUT_TERMS};
@@ -111,9 +111,9 @@ impl ModelB {
 /// The file of the crate `models`.
 fn file() -> String {
     let mut text = String::from(
-        "//! Taylor series of model B, written by `kane::taylor` from its equations; not by hand.\n\
+        "//! Taylor series of model B, written by `expressions::taylor` from its equations; not by hand.\n\
          //!\n\
-         //! `UPDATE=1 cargo test -p kane --test all taylor` writes it again.\n\n\
+         //! `UPDATE=1 cargo test -p expressions --test all taylor` writes it again.\n\n\
          #![expect(clippy::pedantic, reason = \"generated\")]\n\n\
          use pode::series::lanes::{SeriesLanes, SeriesPair};\n\
          use pode::series::rows::PER_ORDER;\n\

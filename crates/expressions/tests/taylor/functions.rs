@@ -1,9 +1,11 @@
 //! Every function along x = t: its series against the function itself, against exact derivatives
 //! of the graph, and the emitted form against the interpreted one.
 
-use kane::graph::{BinaryFunction as Two, Graph, Node, Place, Tangent, UnaryFunction as One};
-use kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
-use kane::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
+use expressions::graph::{
+    BinaryFunction as Two, Graph, Node, Place, Tangent, UnaryFunction as One,
+};
+use expressions::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
+use expressions::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Motion, math};
 
@@ -169,7 +171,7 @@ fn file() -> String {
     let mut along = Along::new();
     let nodes = along.functions();
     let mut text = String::from(
-        "//! Written by `UPDATE=1 cargo test -p kane --test all taylor`; not by hand.\n\n\
+        "//! Written by `UPDATE=1 cargo test -p expressions --test all taylor`; not by hand.\n\n\
          #![expect(clippy::pedantic, unused_variables, reason = \"generated\")]\n\n\
          use equations::functions;\n\
          use pode::series::lanes::{SeriesLanes, SeriesPair};\n\
