@@ -38,7 +38,7 @@ static KNOWN: Mutex<Vec<KnownVersion>> = Mutex::new(Vec::new());
 pub enum MissingModel {
     /// There is no such thing: what is wrong, and what to do.
     Unknown {
-        /// What is wrong.
+        /// What is wrong with it.
         message: String,
         /// What to do about it.
         help: String,

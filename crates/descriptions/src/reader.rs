@@ -11,7 +11,7 @@ use equations::table::{Functions, ModelTable};
 pub struct ReadModel {
     /// All of the model but its arithmetic.
     pub table: &'static ModelTable,
-    /// Its arithmetic.
+    /// Its arithmetic, by number.
     pub functions: &'static dyn Functions,
     /// The files that it was read from, the description itself and what it is based on: while none
     /// of them changes, it is not read again.

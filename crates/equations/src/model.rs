@@ -26,7 +26,7 @@ pub struct EquationModel<F, const N: usize, const C: usize> {
 pub enum DoesNotFit {
     /// More entries of the state.
     States(usize),
-    /// More constants.
+    /// More constants than there is room for.
     Constants(usize),
     /// More than [`MAX_MODES`] modes.
     Modes(usize),

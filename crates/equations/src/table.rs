@@ -72,7 +72,7 @@ pub struct ModelTable {
     pub drawing: DrawingTable,
 }
 
-/// A named quantity.
+/// A quantity with its name and unit.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NamedQuantity {
     pub name: &'static str,
@@ -84,7 +84,7 @@ pub struct NamedQuantity {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ParameterTable {
     pub name: &'static str,
-    /// Name for people.
+    /// Name for people, on sliders.
     pub title: &'static str,
     pub unit: &'static str,
     pub range: (f64, f64),
@@ -109,7 +109,7 @@ pub struct RequirementTable {
     pub margin: FunctionId,
 }
 
-/// A structural mode.
+/// A structural mode: its functions by number, and how it ends.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ModeTable {
     pub name: &'static str,
@@ -131,7 +131,7 @@ pub struct ModeTable {
     pub readout: FunctionId,
     /// To the readout's slopes by the input's position and by its rate, along the constraints.
     pub slopes: FunctionId,
-    /// To all outputs.
+    /// To the values of all outputs.
     pub outputs: FunctionId,
     /// To energy (J), supplied and dissipated power (W), without contacts.
     pub balance: FunctionId,
@@ -187,7 +187,7 @@ impl ModeTable {
 pub struct Freedom {
     /// Generalised coordinates of its mechanics.
     pub n: u8,
-    /// Constraints among them.
+    /// Constraints among these coordinates.
     pub m: u8,
     /// Independent speeds, n − m.
     pub p: u8,
@@ -231,7 +231,7 @@ pub struct GuardTable {
 pub struct WayTable {
     /// To a number that is positive where this way is taken; none is always.
     pub when: Option<FunctionId>,
-    /// The next mode.
+    /// The number of the next mode.
     pub to: u8,
     /// To the state after it, and behind it the impulse on the input; none keeps the state.
     pub reset: Option<FunctionId>,

@@ -17,7 +17,7 @@ use crate::graph::{Graph, Node};
 /// A mechanism, or a system of plain equations, in the modes that it has.
 #[derive(Clone, Debug, Default)]
 pub struct Mechanism {
-    /// All expressions below.
+    /// Holds all expressions below.
     pub graph: Graph,
     /// Name in scenes and on the command line.
     pub name: String,
@@ -94,7 +94,7 @@ pub struct InputSpec {
     pub per_metre: Option<Node>,
 }
 
-/// A coordinate.
+/// A coordinate with its unit and range.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Coordinate {
     pub name: String,
@@ -105,16 +105,16 @@ pub struct Coordinate {
     pub rate: Node,
 }
 
-/// A generalised speed.
+/// A generalised speed with its unit and range.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Speed {
     pub name: String,
     pub unit: String,
-    /// Range of motion.
+    /// Range over which bounds and rates are taken.
     pub range: (f64, f64),
 }
 
-/// Axes that move.
+/// Axes that move in another frame.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ReferenceFrame {
     pub name: String,
@@ -126,7 +126,7 @@ pub struct ReferenceFrame {
     pub turn: Option<(usize, Node)>,
 }
 
-/// A rigid body.
+/// A rigid body on a frame.
 #[derive(Clone, PartialEq, Debug)]
 pub struct RigidBody {
     pub name: String,
@@ -195,19 +195,19 @@ pub struct Constraint {
 /// What a constraint ties.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ConstraintKind {
-    /// Places.
+    /// It ties places.
     Holonomic,
-    /// Speeds only, as rolling does.
+    /// It ties speeds only, as rolling does.
     Nonholonomic,
 }
 
-/// A structural configuration.
+/// A structural configuration: what holds and acts, and what ends it.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Mode {
     pub name: String,
     /// Constraints that hold, by their numbers.
     pub constraints: Vec<usize>,
-    /// Forces that act.
+    /// Forces that act, by their numbers.
     pub forces: Vec<usize>,
     /// Contacts that can close.
     pub contacts: Vec<usize>,
@@ -247,7 +247,7 @@ pub struct Guard {
 pub struct GuardBranch {
     /// Positive where this way is taken.
     pub when: Option<Node>,
-    /// The next mode.
+    /// The number of the next mode.
     pub to: usize,
     /// Coordinates and speeds that the reset map changes, over the state before.
     pub set: Vec<(Target, Node)>,

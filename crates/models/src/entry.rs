@@ -142,7 +142,7 @@ pub struct ModeEntry {
     pub name: &'static str,
     /// Generalised coordinates of its mechanics. `[GC93]` table 1.
     pub n: u8,
-    /// Constraints among them.
+    /// Constraints among these coordinates.
     pub m: u8,
     /// Degrees of freedom, n − m.
     pub p: u8,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::forms::{Form, FormId, Forms};
+use super::forms::{FormId, Forms, TapeForm};
 
 /// FactorPairs within factors are looked for this deep.
 const DEEPEST: u8 = 12;
@@ -34,12 +34,12 @@ impl Forms {
         let lengths = self
             .all
             .iter()
-            .map(|form| if let Form::Sum(_, terms) = form { terms.len() } else { 0 });
+            .map(|form| if let TapeForm::Sum(_, terms) = form { terms.len() } else { 0 });
         let lengths = lengths.filter(|it| *it <= MOST_TERMS);
         let work: usize = lengths.map(|it| it * it).sum();
         let longest = if work <= MOST_WORK { MOST_TERMS } else { SHORT };
         for id in 0..uses.len() {
-            let Form::Sum(number, terms) = &self.all[id] else { continue };
+            let TapeForm::Sum(number, terms) = &self.all[id] else { continue };
             if terms.len() > longest {
                 continue;
             }
@@ -50,14 +50,14 @@ impl Forms {
             if most_common(&monomials).is_some() {
                 let number = *number;
                 let terms = self.factored(monomials, DEEPEST);
-                self.all[id] = Form::Sum(number, terms);
+                self.all[id] = TapeForm::Sum(number, terms);
             }
         }
     }
 
     /// The factors of a product that is used once; anything else is its own only factor.
     fn factors_of(&self, term: FormId, uses: u32) -> Vec<(FormId, i32)> {
-        if let (Form::Product(factors), 1) = (&self.all[term], uses) {
+        if let (TapeForm::Product(factors), 1) = (&self.all[term], uses) {
             return factors.clone();
         }
         vec![(term, 1)]
@@ -92,16 +92,16 @@ impl Forms {
         let (numbers, inner): (Vec<_>, Vec<_>) = inner.into_iter().partition(|it| it.1.is_empty());
         let number = numbers.iter().map(|it| it.0).sum();
         let inner = self.factored(inner, depth - 1);
-        let sum = self.push(Form::Sum(number, inner));
+        let sum = self.push(TapeForm::Sum(number, inner));
         let mut factors = vec![outer, (sum, 1)];
         factors.sort_unstable();
-        (self.push(Form::Product(factors)), 1.0)
+        (self.push(TapeForm::Product(factors)), 1.0)
     }
 
     fn term(&mut self, (factor, factors): Monomial) -> (FormId, f64) {
         match factors.as_slice() {
             [(only, 1)] => (*only, factor),
-            _ => (self.push(Form::Product(factors)), factor),
+            _ => (self.push(TapeForm::Product(factors)), factor),
         }
     }
 }

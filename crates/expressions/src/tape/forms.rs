@@ -10,7 +10,7 @@ pub(super) type FormId = usize;
 
 /// One value, made of others.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum Form {
+pub(super) enum TapeForm {
     Number(f64),
     Argument(Argument),
     /// A number, and forms times a factor each, in the order of the forms.
@@ -24,7 +24,7 @@ pub(super) enum Form {
     Select([FormId; 3]),
 }
 
-impl Form {
+impl TapeForm {
     /// Shows each operand to `see`.
     pub(super) fn operands(&self, mut see: impl FnMut(FormId)) {
         match self {
@@ -41,7 +41,7 @@ impl Form {
 /// All values of a tape.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Forms {
-    pub(super) all: Vec<Form>,
+    pub(super) all: Vec<TapeForm>,
     pub(super) outputs: Vec<FormId>,
     /// The forms of nodes.
     pub(super) ids: HashMap<Node, FormId>,
@@ -60,7 +60,7 @@ impl Forms {
         let mut forms = Self::default();
         for node in needed(graph, layout, outputs) {
             let form = match layout.ready.get(&node) {
-                Some(argument) => Form::Argument(*argument),
+                Some(argument) => TapeForm::Argument(*argument),
                 None => form(graph, layout, &forms.ids, node)?,
             };
             let id = forms.push(form);
@@ -70,7 +70,7 @@ impl Forms {
         Ok(forms)
     }
 
-    pub(super) fn push(&mut self, form: Form) -> FormId {
+    pub(super) fn push(&mut self, form: TapeForm) -> FormId {
         self.all.push(form);
         self.all.len() - 1
     }
@@ -110,20 +110,22 @@ fn form(
     layout: &ArgumentLayout,
     ids: &HashMap<Node, FormId>,
     node: Node,
-) -> Result<Form, Place> {
+) -> Result<TapeForm, Place> {
     let id = |it: &Node| ids[it];
     Ok(match graph.operation(node) {
-        NodeOperation::Number(bits) => Form::Number(f64::from_bits(*bits)),
-        NodeOperation::Symbol(place) => Form::Argument(*layout.places.get(place).ok_or(*place)?),
+        NodeOperation::Number(bits) => TapeForm::Number(f64::from_bits(*bits)),
+        NodeOperation::Symbol(place) => {
+            TapeForm::Argument(*layout.places.get(place).ok_or(*place)?)
+        }
         NodeOperation::Sum(number, terms) => {
             let terms = terms.iter().map(|(it, by)| (id(it), f64::from_bits(*by))).collect();
-            Form::Sum(f64::from_bits(*number), terms)
+            TapeForm::Sum(f64::from_bits(*number), terms)
         }
         NodeOperation::Product(factors) => {
-            Form::Product(factors.iter().map(|(it, by)| (id(it), *by)).collect())
+            TapeForm::Product(factors.iter().map(|(it, by)| (id(it), *by)).collect())
         }
-        NodeOperation::Unary(function, x) => Form::Unary(*function, id(x)),
-        NodeOperation::Binary(function, x, y) => Form::Binary(*function, id(x), id(y)),
-        NodeOperation::Select(all) => Form::Select(all.map(|it| id(&it))),
+        NodeOperation::Unary(function, x) => TapeForm::Unary(*function, id(x)),
+        NodeOperation::Binary(function, x, y) => TapeForm::Binary(*function, id(x), id(y)),
+        NodeOperation::Select(all) => TapeForm::Select(all.map(|it| id(&it))),
     })
 }

@@ -1,6 +1,6 @@
 //! From the graph to a tape.
 
-use super::forms::{Form, FormId, Forms};
+use super::forms::{FormId, Forms, TapeForm};
 use super::order;
 use super::{ArgumentLayout, Instruction, Tape, TapeSlot, writer::TapeWriter};
 use crate::graph::{Graph, Node, Place};
@@ -44,33 +44,33 @@ impl Lowering {
         self.slots[id].unwrap_or_default()
     }
 
-    fn form(&mut self, form: &Form) -> TapeSlot {
+    fn form(&mut self, form: &TapeForm) -> TapeSlot {
         match form {
-            Form::Number(value) => self.writer.number(*value),
-            Form::Argument(argument) => self.writer.push(Instruction::Argument(*argument)),
-            Form::Sum(number, terms) => {
+            TapeForm::Number(value) => self.writer.number(*value),
+            TapeForm::Argument(argument) => self.writer.push(Instruction::Argument(*argument)),
+            TapeForm::Sum(number, terms) => {
                 let terms: Vec<_> = terms.iter().map(|(it, by)| (self.slot(*it), *by)).collect();
                 self.writer.sum(*number, &terms)
             }
-            Form::Product(factors) => {
+            TapeForm::Product(factors) => {
                 let factors: Vec<_> =
                     factors.iter().map(|(it, by)| (self.slot(*it), *by)).collect();
                 self.writer.product(&factors)
             }
-            Form::Inverse(x) => {
+            TapeForm::Inverse(x) => {
                 let x = self.slot(*x);
                 let one = self.writer.number(1.0);
                 self.writer.push(Instruction::Divide(one, x))
             }
-            Form::Unary(function, x) => {
+            TapeForm::Unary(function, x) => {
                 let x = self.slot(*x);
                 self.writer.push(Instruction::Unary(*function, x))
             }
-            Form::Binary(function, x, y) => {
+            TapeForm::Binary(function, x, y) => {
                 let (x, y) = (self.slot(*x), self.slot(*y));
                 self.writer.push(Instruction::Binary(*function, x, y))
             }
-            Form::Select(all) => {
+            TapeForm::Select(all) => {
                 let [condition, positive, other] = all.map(|it| self.slot(it));
                 self.writer.push(Instruction::Select(condition, positive, other))
             }

@@ -1,6 +1,6 @@
 //! The order in which forms are written.
 
-use super::forms::{Form, FormId, Forms};
+use super::forms::{FormId, Forms, TapeForm};
 use crate::graph::UnaryFunction;
 
 /// Returns the forms that the outputs need, operands first.
@@ -26,7 +26,7 @@ fn angles(forms: &Forms, reached: &[FormId]) -> Vec<FormId> {
         let form = &forms.all[*id];
         let mut level = 0;
         form.operands(|operand| level = level.max(levels[operand]));
-        if let Form::Unary(UnaryFunction::Sin | UnaryFunction::Cos, angle) = form {
+        if let TapeForm::Unary(UnaryFunction::Sin | UnaryFunction::Cos, angle) = form {
             angles.push((level, *angle));
             level += 1;
         }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::forms::{Form, FormId, Forms};
+use super::forms::{FormId, Forms, TapeForm};
 use super::{Argument, ArgumentLayout};
 use crate::graph::{Graph, Node, NodeOperation, Place};
 
@@ -79,7 +79,7 @@ impl Forms {
         });
         let mut owners: BTreeMap<FormId, Vec<FormId>> = BTreeMap::new();
         for (id, form) in self.all.iter().enumerate() {
-            if matches!(form, Form::Sum(..) | Form::Product(_)) {
+            if matches!(form, TapeForm::Sum(..) | TapeForm::Product(_)) {
                 form.operands(|operand| owners.entry(operand).or_default().push(id));
             }
         }
@@ -88,7 +88,7 @@ impl Forms {
             let mut first = None;
             part.operands(|operand| first = first.or(Some(operand)));
             let candidates = first.and_then(|it| owners.get(&it)).cloned().unwrap_or_default();
-            let ready = self.push(Form::Argument(argument));
+            let ready = self.push(TapeForm::Argument(argument));
             for owner in candidates {
                 let left = without(&self.all[owner], &part);
                 self.all[owner] =
@@ -98,16 +98,16 @@ impl Forms {
     }
 
     /// A ready sum or product in terms of forms; none if some of it is no form.
-    fn part(&self, operation: &NodeOperation) -> Option<Form> {
+    fn part(&self, operation: &NodeOperation) -> Option<TapeForm> {
         let id = |node: &Node| self.ids.get(node).copied();
         match operation {
             NodeOperation::Sum(0, terms) => {
                 let terms = terms.iter().map(|(it, by)| Some((id(it)?, f64::from_bits(*by))));
-                Some(Form::Sum(0.0, terms.collect::<Option<_>>()?))
+                Some(TapeForm::Sum(0.0, terms.collect::<Option<_>>()?))
             }
             NodeOperation::Product(factors) => {
                 let factors = factors.iter().map(|(it, by)| Some((id(it)?, *by)));
-                Some(Form::Product(factors.collect::<Option<_>>()?))
+                Some(TapeForm::Product(factors.collect::<Option<_>>()?))
             }
             NodeOperation::Number(_)
             | NodeOperation::Symbol(_)
@@ -120,9 +120,9 @@ impl Forms {
 }
 
 /// What is left of a form without `part`, and the factor with which the part was in it.
-fn without(form: &Form, part: &Form) -> Option<(Form, f64)> {
+fn without(form: &TapeForm, part: &TapeForm) -> Option<(TapeForm, f64)> {
     match (form, part) {
-        (Form::Product(all), Form::Product(part)) => {
+        (TapeForm::Product(all), TapeForm::Product(part)) => {
             let mut left = all.clone();
             for (base, exponent) in part {
                 let it = left.iter_mut().find(|it| it.0 == *base)?;
@@ -130,9 +130,9 @@ fn without(form: &Form, part: &Form) -> Option<(Form, f64)> {
                 it.1 -= if fits { *exponent } else { return None };
             }
             left.retain(|it| it.1 != 0);
-            Some((Form::Product(left), 1.0))
+            Some((TapeForm::Product(left), 1.0))
         }
-        (Form::Sum(number, all), Form::Sum(_, part)) => {
+        (TapeForm::Sum(number, all), TapeForm::Sum(_, part)) => {
             let (first, of_part) = *part.first()?;
             let scale = all.iter().find(|it| it.0 == first)?.1 / of_part;
             let mut left = all.clone();
@@ -141,24 +141,24 @@ fn without(form: &Form, part: &Form) -> Option<(Form, f64)> {
                 let is_exact = (scale * factor).to_bits() == left[at].1.to_bits();
                 left.remove(if is_exact { at } else { return None });
             }
-            Some((Form::Sum(*number, left), scale))
+            Some((TapeForm::Sum(*number, left), scale))
         }
         _ => None,
     }
 }
 
 /// A form with one more factor or term.
-fn with((form, scale): (Form, f64), ready: FormId) -> Form {
+fn with((form, scale): (TapeForm, f64), ready: FormId) -> TapeForm {
     let mut form = form;
     match &mut form {
-        Form::Product(factors) => factors.push((ready, 1)),
-        Form::Sum(_, terms) => terms.push((ready, scale)),
-        Form::Number(_)
-        | Form::Argument(_)
-        | Form::Inverse(_)
-        | Form::Unary(..)
-        | Form::Binary(..)
-        | Form::Select(_) => {}
+        TapeForm::Product(factors) => factors.push((ready, 1)),
+        TapeForm::Sum(_, terms) => terms.push((ready, scale)),
+        TapeForm::Number(_)
+        | TapeForm::Argument(_)
+        | TapeForm::Inverse(_)
+        | TapeForm::Unary(..)
+        | TapeForm::Binary(..)
+        | TapeForm::Select(_) => {}
     }
     form
 }

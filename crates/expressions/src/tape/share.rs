@@ -8,7 +8,7 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
-use super::forms::{Form, FormId, Forms};
+use super::forms::{FormId, Forms, TapeForm};
 
 /// Sums and products of more parts are left alone; fewer where there are very many of them.
 const MOST_PARTS: [usize; 5] = [64, 32, 16, 8, 4];
@@ -26,16 +26,16 @@ impl Forms {
     pub(super) fn share_inverses(&mut self) {
         let mut divisions: BTreeMap<FormId, u32> = BTreeMap::new();
         for form in &self.all {
-            let Form::Product(factors) = form else { continue };
+            let TapeForm::Product(factors) = form else { continue };
             for (base, _) in factors.iter().filter(|it| it.1 < 0) {
                 *divisions.entry(*base).or_default() += 1;
             }
         }
         divisions.retain(|_, count| *count > 1);
         let inverses: BTreeMap<FormId, FormId> =
-            divisions.into_keys().map(|base| (base, self.push(Form::Inverse(base)))).collect();
+            divisions.into_keys().map(|base| (base, self.push(TapeForm::Inverse(base)))).collect();
         for form in &mut self.all {
-            let Form::Product(factors) = form else { continue };
+            let TapeForm::Product(factors) = form else { continue };
             factors.iter_mut().filter(|it| it.1 < 0).for_each(|it| with_inverse(it, &inverses));
             factors.sort_unstable();
         }
@@ -121,37 +121,38 @@ fn with_inverse(factor: &mut (FormId, i32), inverses: &BTreeMap<FormId, FormId>)
 /// What pairs of parts are, in sums or in products.
 trait Pairs {
     /// How many parts a form has that can be in pairs.
-    fn parts(&self, form: &Form) -> usize;
+    fn parts(&self, form: &TapeForm) -> usize;
 
-    fn pairs(&self, form: &Form) -> Vec<FormPair>;
+    /// Returns the pairs of terms that another form may have as well.
+    fn pairs(&self, form: &TapeForm) -> Vec<FormPair>;
 
     /// The form that a pair becomes.
-    fn form(&self, pair: FormPair) -> Form;
+    fn form(&self, pair: FormPair) -> TapeForm;
 
     /// Puts `part` in the place of the pair.
-    fn replace(&self, form: &mut Form, pair: FormPair, part: FormId);
+    fn replace(&self, form: &mut TapeForm, pair: FormPair, part: FormId);
 }
 
 /// Pairs of factors above the fraction line.
 struct FactorPairs;
 
 impl Pairs for FactorPairs {
-    fn parts(&self, form: &Form) -> usize {
-        if let Form::Product(factors) = form { factors.len() } else { 0 }
+    fn parts(&self, form: &TapeForm) -> usize {
+        if let TapeForm::Product(factors) = form { factors.len() } else { 0 }
     }
 
-    fn pairs(&self, form: &Form) -> Vec<FormPair> {
-        let Form::Product(factors) = form else { return Vec::new() };
+    fn pairs(&self, form: &TapeForm) -> Vec<FormPair> {
+        let TapeForm::Product(factors) = form else { return Vec::new() };
         let above: Vec<FormId> = factors.iter().filter(|it| it.1 > 0).map(|it| it.0).collect();
         of_list(&above, |x, y| Some((x, y, 0)))
     }
 
-    fn form(&self, (x, y, _): FormPair) -> Form {
-        Form::Product(vec![(x, 1), (y, 1)])
+    fn form(&self, (x, y, _): FormPair) -> TapeForm {
+        TapeForm::Product(vec![(x, 1), (y, 1)])
     }
 
-    fn replace(&self, form: &mut Form, (x, y, _): FormPair, part: FormId) {
-        let Form::Product(factors) = form else { return };
+    fn replace(&self, form: &mut TapeForm, (x, y, _): FormPair, part: FormId) {
+        let TapeForm::Product(factors) = form else { return };
         let exponent = |of: FormId| factors.iter().find(|it| it.0 == of).map_or(0, |it| it.1);
         let both = exponent(x).min(exponent(y));
         for it in factors.iter_mut().filter(|it| it.0 == x || it.0 == y) {
@@ -166,12 +167,12 @@ impl Pairs for FactorPairs {
 struct TermPairs;
 
 impl Pairs for TermPairs {
-    fn parts(&self, form: &Form) -> usize {
-        if let Form::Sum(_, terms) = form { terms.len() } else { 0 }
+    fn parts(&self, form: &TapeForm) -> usize {
+        if let TapeForm::Sum(_, terms) = form { terms.len() } else { 0 }
     }
 
-    fn pairs(&self, form: &Form) -> Vec<FormPair> {
-        let Form::Sum(_, terms) = form else { return Vec::new() };
+    fn pairs(&self, form: &TapeForm) -> Vec<FormPair> {
+        let TapeForm::Sum(_, terms) = form else { return Vec::new() };
         let factors: BTreeMap<FormId, f64> = terms.iter().copied().collect();
         let ids: Vec<FormId> = terms.iter().map(|it| it.0).collect();
         of_list(&ids, |x, y| {
@@ -182,12 +183,12 @@ impl Pairs for TermPairs {
         })
     }
 
-    fn form(&self, (x, y, ratio): FormPair) -> Form {
-        Form::Sum(0.0, vec![(x, 1.0), (y, f64::from_bits(ratio))])
+    fn form(&self, (x, y, ratio): FormPair) -> TapeForm {
+        TapeForm::Sum(0.0, vec![(x, 1.0), (y, f64::from_bits(ratio))])
     }
 
-    fn replace(&self, form: &mut Form, (x, y, _): FormPair, part: FormId) {
-        let Form::Sum(_, terms) = form else { return };
+    fn replace(&self, form: &mut TapeForm, (x, y, _): FormPair, part: FormId) {
+        let TapeForm::Sum(_, terms) = form else { return };
         let factor = terms.iter().find(|it| it.0 == x).map_or(0.0, |it| it.1);
         terms.retain(|it| it.0 != x && it.0 != y);
         terms.push((part, factor));

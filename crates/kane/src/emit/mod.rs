@@ -127,7 +127,8 @@ fn import(path: &str, names: &[&str]) -> String {
         return line;
     }
     let names: Vec<String> = names.iter().map(|it| (*it).to_owned()).collect();
-    let lines = layout::filled(&names, 4);
+    // rustfmt keeps the last column of imports free.
+    let lines = layout::filled(&names, 5);
     format!("use {path}::{{\n    {},\n}};\n", lines.join(",\n    "))
 }
 

@@ -13,6 +13,7 @@ use super::number;
 
 /// What can be written as a constant expression.
 pub(super) trait Constant {
+    /// Returns it as a constant expression.
     fn literal(&self) -> Literal;
 }
 

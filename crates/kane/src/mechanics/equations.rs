@@ -16,7 +16,7 @@ use crate::system::{GuardEquations, ModeEquations};
 pub(super) struct ModeScope<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) inertia: &'a InertiaTerms,
-    /// Of all modes.
+    /// The motion in each mode.
     pub(super) motions: &'a [ModeMotion],
     pub(super) number: usize,
     pub(super) state: &'a [Place],
@@ -51,7 +51,7 @@ impl ModeScope<'_> {
         &self.mechanism.modes[self.number]
     }
 
-    /// Returns the equations.
+    /// Returns the equations of all modes.
     pub(super) fn equations(
         &self,
         graph: &mut Graph,

@@ -11,11 +11,11 @@ use crate::mechanism::Mechanism;
 /// Inertia and weight of all bodies, over all speeds; the input's rate is the last.
 #[derive(Debug)]
 pub(super) struct InertiaTerms {
-    /// Generalised masses.
+    /// Generalised masses, row by row.
     pub(super) mass: Vec<Vec<Node>>,
     /// Generalised inertia forces at constant speeds, with the sign of mass × acceleration.
     pub(super) bias: Vec<Node>,
-    /// Generalised weight.
+    /// Generalised force of the weight.
     pub(super) weight: Vec<Node>,
     /// Kinetic energy and that of gravity (J).
     pub(super) energy: Node,
@@ -78,7 +78,7 @@ struct Partial {
     velocity: FrameVector,
     /// Along the body's axes.
     rotation: Components,
-    /// Times the inertia.
+    /// The vector times the inertia.
     momentum: Components,
 }
 

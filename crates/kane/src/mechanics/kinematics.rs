@@ -10,7 +10,7 @@ use crate::mechanism::Mechanism;
 pub(super) struct BodyMotion {
     pub(super) position: FrameVector,
     pub(super) velocity: FrameVector,
-    /// Angular velocity.
+    /// Angular velocity (rad/s).
     pub(super) rotation: FrameVector,
     /// Accelerations while every speed and the input's rate stay as they are.
     pub(super) acceleration: FrameVector,

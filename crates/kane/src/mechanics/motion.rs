@@ -37,11 +37,11 @@ pub(super) struct ModeMotion {
 
 /// What a generalised force on the speeds, without other forces, does to the motion.
 pub(super) struct Response {
-    /// Of all speeds.
+    /// The rates of all speeds.
     pub(super) accelerations: Vec<Node>,
     /// On what drives the input.
     pub(super) driving: Option<Node>,
-    /// By the constraints.
+    /// The constraints' forces, by their numbers.
     pub(super) reactions: BTreeMap<usize, Node>,
 }
 

@@ -22,7 +22,7 @@ use crate::system::Way;
 pub(super) struct ResetScope<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) inertia: &'a InertiaTerms,
-    /// Of all modes.
+    /// The motion in each mode.
     pub(super) motions: &'a [ModeMotion],
     pub(super) from: usize,
     pub(super) state: &'a [Place],

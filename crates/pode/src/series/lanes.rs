@@ -16,7 +16,7 @@ impl SeriesPair {
         Self(f64x2::new([one, other]))
     }
 
-    /// Both coefficients.
+    /// Both coefficients, as they stand.
     #[expect(clippy::inline_always, reason = "one instruction")]
     #[inline(always)]
     pub fn both(self) -> [f64; 2] {

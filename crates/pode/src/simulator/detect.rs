@@ -50,7 +50,7 @@ pub(super) struct Suspicion {
 pub(super) enum Verdict {
     /// It has no root for certain.
     Clear,
-    /// It may cross.
+    /// It may cross in the step.
     Candidate,
     /// It does not seem to.
     Unlikely,

@@ -23,7 +23,7 @@ enum SeriesStage {
     Ahead,
     /// Its series is known.
     Expanded,
-    /// There is none.
+    /// There is no series here.
     Singular,
     /// It was taken along its series, over this part of the scale.
     Taken(f64),
