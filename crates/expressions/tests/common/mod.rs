@@ -165,6 +165,10 @@ impl Tree {
             }
             Self::Binary(function, x, y) => {
                 let (x, y) = (x.evaluate(symbols)?, y.evaluate(symbols)?);
+                // On the negative axis the angle has the sign of a zero, which sums do not keep.
+                if *function == BinaryFunction::Atan2 && x.value == 0.0 && y.value <= 0.0 {
+                    return None;
+                }
                 let by_x = x.through(|x| function.of(x, y.value))?;
                 let by_y = y.through(|y| function.of(x.value, y))?;
                 Bounded { value: by_x.value, error: by_x.error + by_y.error }.tame()

@@ -83,7 +83,7 @@ pub(super) fn filled(elements: &[String], indent: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for element in elements {
         match lines.last_mut() {
-            Some(line) if indent + line.len() + 2 + element.len() < WIDTH => {
+            Some(line) if indent + line.len() + 2 + element.len() + 1 < WIDTH => {
                 line.push_str(", ");
                 line.push_str(element);
             }
