@@ -4,7 +4,7 @@ use pode::series::rows::{self, Falling, Rising};
 use pode::series::{INPUT_TERMS, MOST_ORDER};
 
 use super::recursion::Recursion;
-use super::rules::Rule;
+use super::rules::TermRule;
 use crate::tape::{Arguments, Slot, Tape};
 
 /// The recursion of a tape, as a function.
@@ -17,7 +17,7 @@ pub struct TapeSeries {
 
 /// What a series is about.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Start<'a> {
+pub struct SeriesStart<'a> {
     pub constants: &'a [f64],
     pub state: &'a [f64],
     /// Coefficients of the input's position in units of `scale`; those that are missing are zero.
@@ -26,7 +26,7 @@ pub struct Start<'a> {
     pub scale: f64,
 }
 
-impl Start<'_> {
+impl SeriesStart<'_> {
     /// The coefficient `k` of the rate number `rate` of the input.
     fn input(&self, rate: usize, k: usize) -> f64 {
         let position = self.input.get(k + rate).copied().unwrap_or(0.0);
@@ -67,7 +67,7 @@ impl TapeSeries {
     }
 
     /// Returns the coefficients up to `order`: by entry of the state, then by guard.
-    pub fn expand(&self, start: &Start<'_>, order: usize) -> Vec<Vec<f64>> {
+    pub fn expand(&self, start: &SeriesStart<'_>, order: usize) -> Vec<Vec<f64>> {
         let order = order.min(MOST_ORDER).min(INPUT_TERMS - 4);
         let (entries, guards) = self.recursion.outputs();
         let mut out: Vec<Vec<f64>> = start.state.iter().map(|it| vec![*it]).collect();
@@ -92,8 +92,8 @@ impl TapeSeries {
         if k > 0 && self.recursion.is_constant(slot) { 0.0 } else { known.order[slot.index()] }
     }
 
-    fn begin(&self, start: &Start<'_>) -> Coefficients {
-        let Start { constants, state, .. } = *start;
+    fn begin(&self, start: &SeriesStart<'_>) -> Coefficients {
+        let SeriesStart { constants, state, .. } = *start;
         let arguments = Arguments { constants, state, input: start.inputs(), extra: &[] };
         let values = self.start.evaluate(&arguments);
         let count = values.len();
@@ -110,13 +110,19 @@ impl TapeSeries {
     }
 
     /// The coefficients of order `k` of all values.
-    fn advance(&self, start: &Start<'_>, state: &[Vec<f64>], known: &mut Coefficients, k: usize) {
+    fn advance(
+        &self,
+        start: &SeriesStart<'_>,
+        state: &[Vec<f64>],
+        known: &mut Coefficients,
+        k: usize,
+    ) {
         for (slot, rule) in self.recursion.rules.iter().enumerate() {
-            let value = if let Rule::State(index) = *rule {
+            let value = if let TermRule::State(index) = *rule {
                 state[usize::from(index)][k]
-            } else if let Rule::Input(rate) = *rule {
+            } else if let TermRule::Input(rate) = *rule {
                 start.input(rate.into(), k)
-            } else if *rule == Rule::Constant {
+            } else if *rule == TermRule::Constant {
                 continue;
             } else {
                 self.term(*rule, slot, known, k)
@@ -125,34 +131,34 @@ impl TapeSeries {
         }
     }
 
-    fn term(&self, rule: Rule, slot: usize, known: &Coefficients, k: usize) -> f64 {
+    fn term(&self, rule: TermRule, slot: usize, known: &Coefficients, k: usize) -> f64 {
         let first = |it: Slot| known.rising[it.index()].at(0);
         let now = |it: Slot| self.output(known, it, k);
         let up = |it: Slot| &known.rising[it.index()];
         let down = |it: Slot| &known.falling[it.index()];
         match rule {
-            Rule::Constant | Rule::State(_) | Rule::Input(_) => 0.0,
-            Rule::Add(x, y) => now(x) + now(y),
-            Rule::Subtract(x, y) => now(x) - now(y),
-            Rule::Negate(x) => -now(x),
-            Rule::Scale(by, x) => first(by) * now(x),
-            Rule::Product(x, y) => rows::product(up(x), down(y), k),
-            Rule::Square(x) => rows::square(up(x), down(x), k),
-            Rule::Quotient(x, y) => {
+            TermRule::Constant | TermRule::State(_) | TermRule::Input(_) => 0.0,
+            TermRule::Add(x, y) => now(x) + now(y),
+            TermRule::Subtract(x, y) => now(x) - now(y),
+            TermRule::Negate(x) => -now(x),
+            TermRule::Scale(by, x) => first(by) * now(x),
+            TermRule::Product(x, y) => rows::product(up(x), down(y), k),
+            TermRule::Square(x) => rows::square(up(x), down(x), k),
+            TermRule::Quotient(x, y) => {
                 rows::quotient(now(x), up(y), &known.falling[slot], 1.0 / first(y), k)
             }
-            Rule::Over(x, by) => now(x) / first(by),
-            Rule::Driven { slope, of } => rows::driven(&known.rate[of.index()], down(slope), k),
-            Rule::Root(x) => {
+            TermRule::Over(x, by) => now(x) / first(by),
+            TermRule::Driven { slope, of } => rows::driven(&known.rate[of.index()], down(slope), k),
+            TermRule::Root(x) => {
                 let (up, down) = (&known.rising[slot], &known.falling[slot]);
                 rows::root(now(x), up, down, 0.5 / up.at(0), k)
             }
-            Rule::Power(x, exponent) => {
+            TermRule::Power(x, exponent) => {
                 let rows = (up(x), &known.rate[x.index()]);
                 rows::power(first(exponent), rows, &known.falling[slot], 1.0 / first(x), k)
             }
-            Rule::Magnitude(x) => now(x) * equations::functions::sign(first(x)),
-            Rule::Choice(condition, x, y) => now(if first(condition) > 0.0 { x } else { y }),
+            TermRule::Magnitude(x) => now(x) * equations::functions::sign(first(x)),
+            TermRule::Choice(condition, x, y) => now(if first(condition) > 0.0 { x } else { y }),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Functions and their slopes, which are series too.
 
-use super::rules::Rule;
+use super::rules::TermRule;
 use super::writing::{Writing, slot_of};
 use crate::graph::{BinaryFunction, UnaryFunction};
 use crate::tape::{Instruction, Slot};
@@ -10,7 +10,7 @@ impl Writing {
         use UnaryFunction as F;
         let value = Instruction::Unary(function, x);
         if self.is_constant(x) || function == F::Sign {
-            return self.push(value, Rule::Constant);
+            return self.push(value, TermRule::Constant);
         }
         let known = self.instructions.iter().position(|it| *it == value);
         if let Some(at) = known {
@@ -39,7 +39,7 @@ impl Writing {
                 self.driven(function, x, slope)
             }
             F::Sqrt => self.root(x),
-            F::Abs | F::Sign => self.push(value, Rule::Magnitude(x)),
+            F::Abs | F::Sign => self.push(value, TermRule::Magnitude(x)),
             F::Asin | F::Acos => self.arc(function, x),
         }
     }
@@ -48,7 +48,7 @@ impl Writing {
     fn sine_or_cosine(&mut self, function: UnaryFunction, x: Slot) -> Slot {
         let sine = self.driven(UnaryFunction::Sin, x, self.next(1));
         let cosine = self.driven(UnaryFunction::Cos, x, self.next(1));
-        self.push(Instruction::Negate(sine), Rule::Negate(sine));
+        self.push(Instruction::Negate(sine), TermRule::Negate(sine));
         if function == UnaryFunction::Sin { sine } else { cosine }
     }
 
@@ -78,7 +78,7 @@ impl Writing {
     pub(super) fn binary(&mut self, function: BinaryFunction, x: Slot, y: Slot) -> Slot {
         let value = Instruction::Binary(function, x, y);
         if self.is_constant(x) && self.is_constant(y) {
-            return self.push(value, Rule::Constant);
+            return self.push(value, TermRule::Constant);
         }
         match function {
             BinaryFunction::Min | BinaryFunction::Max => {
@@ -88,10 +88,10 @@ impl Writing {
             }
             BinaryFunction::Hypot => {
                 let square = self.sum_of_squares(x, y);
-                self.push(value, Rule::Root(square))
+                self.push(value, TermRule::Root(square))
             }
             BinaryFunction::Atan2 => self.angle(value, x, y),
-            BinaryFunction::Power if self.is_constant(y) => self.push(value, Rule::Power(x, y)),
+            BinaryFunction::Power if self.is_constant(y) => self.push(value, TermRule::Power(x, y)),
             BinaryFunction::Power => {
                 let log = self.unary(UnaryFunction::Ln, x);
                 let exponent = self.multiply(y, log);
@@ -115,17 +115,17 @@ impl Writing {
             if self.is_constant(of) { zero } else { self.integral(slope, of) }
         };
         let [rising, falling] = [part(by_y, y), part(by_x, x)];
-        self.push(value, Rule::Subtract(rising, falling))
+        self.push(value, TermRule::Subtract(rising, falling))
     }
 
     /// ∫ slope dx from the start on: 0 there.
     fn integral(&mut self, slope: Slot, of: Slot) -> Slot {
-        self.push(Instruction::Number(0.0), Rule::Driven { slope, of })
+        self.push(Instruction::Number(0.0), TermRule::Driven { slope, of })
     }
 
     pub(super) fn choice(&mut self, [condition, x, y]: [Slot; 3]) -> Slot {
         let value = Instruction::Select(condition, x, y);
         // What is chosen may change even where both are constant: not along a step.
-        self.unless_constant(&[x, y], value, Rule::Choice(condition, x, y))
+        self.unless_constant(&[x, y], value, TermRule::Choice(condition, x, y))
     }
 }

@@ -12,6 +12,6 @@ mod rules;
 mod writing;
 
 pub use emit::{SeriesNames, emit};
-pub use evaluate::{Start, TapeSeries};
+pub use evaluate::{SeriesStart, TapeSeries};
 pub use recursion::Recursion;
-pub use rules::Rule;
+pub use rules::TermRule;

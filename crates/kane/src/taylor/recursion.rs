@@ -1,6 +1,6 @@
 //! From a tape to the recursion of its coefficients.
 
-use super::rules::Rule;
+use super::rules::TermRule;
 use super::writing::Writing;
 use crate::tape::{Slot, Tape};
 
@@ -12,7 +12,7 @@ pub struct Recursion {
     /// Values at the start; the outputs are the derivative's entries, and the guards.
     pub tape: Tape,
     /// How each value goes on.
-    pub rules: Vec<Rule>,
+    pub rules: Vec<TermRule>,
     /// How many outputs are entries of the derivative; those after them are guards.
     pub entries: usize,
 }
@@ -33,7 +33,7 @@ impl Recursion {
 
     /// Returns whether the value at `slot` stays as it is.
     pub fn is_constant(&self, slot: Slot) -> bool {
-        self.rules[slot.index()] == Rule::Constant
+        self.rules[slot.index()] == TermRule::Constant
     }
 
     /// The slots whose coefficients `outputs` depend on, in order.
@@ -59,7 +59,7 @@ impl Recursion {
                 continue;
             }
             let rule = self.rules[slot.index()];
-            if let Rule::Driven { of, .. } = rule {
+            if let TermRule::Driven { of, .. } = rule {
                 waiting.push(of);
             } else {
                 rule.operands(|operand| waiting.push(operand));
@@ -70,7 +70,7 @@ impl Recursion {
 
     /// The operand itself, or the slot whose row stands for it where it is only a slope.
     fn slope_or(&self, of: Slot, operand: Slot) -> Slot {
-        let Rule::Driven { slope, .. } = self.rules[of.index()] else { return operand };
+        let TermRule::Driven { slope, .. } = self.rules[of.index()] else { return operand };
         if slope == operand { self.slope(slope).0 } else { operand }
     }
 
@@ -81,7 +81,7 @@ impl Recursion {
 
     /// The row of a slope, and whether it counts with the opposite sign.
     pub(super) fn slope(&self, slope: Slot) -> (Slot, bool) {
-        let Rule::Negate(positive) = self.rules[slope.index()] else { return (slope, false) };
+        let TermRule::Negate(positive) = self.rules[slope.index()] else { return (slope, false) };
         (positive, true)
     }
 }

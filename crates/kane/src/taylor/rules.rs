@@ -4,7 +4,7 @@ use crate::tape::Slot;
 
 /// How the coefficient of order k ≥ 1 of a value follows; that of order 0 is its value.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Rule {
+pub enum TermRule {
     /// It stays as it is: a number, a parameter, or what is made of them alone.
     Constant,
     /// An entry of the state.
@@ -38,7 +38,7 @@ pub enum Rule {
     Choice(Slot, Slot, Slot),
 }
 
-impl Rule {
+impl TermRule {
     /// Shows each operand whose coefficients count.
     pub(super) fn operands(self, mut see: impl FnMut(Slot)) {
         match self {

@@ -1,6 +1,6 @@
 //! Writes a tape once more, each value with its rule.
 
-use super::rules::Rule;
+use super::rules::TermRule;
 use crate::graph::UnaryFunction;
 use crate::tape::{Argument, Instruction, Slot};
 
@@ -8,13 +8,13 @@ use crate::tape::{Argument, Instruction, Slot};
 #[derive(Default)]
 pub(super) struct Writing {
     pub(super) instructions: Vec<Instruction>,
-    pub(super) rules: Vec<Rule>,
+    pub(super) rules: Vec<TermRule>,
     /// Where the values of the given tape stand.
     pub(super) places: Vec<Slot>,
 }
 
 impl Writing {
-    pub(super) fn push(&mut self, instruction: Instruction, rule: Rule) -> Slot {
+    pub(super) fn push(&mut self, instruction: Instruction, rule: TermRule) -> Slot {
         // What has been written is not written twice.
         let known = self.instructions.iter().zip(&self.rules);
         if let Some(at) = known.into_iter().position(|it| it == (&instruction, &rule)) {
@@ -26,24 +26,24 @@ impl Writing {
     }
 
     pub(super) fn is_constant(&self, slot: Slot) -> bool {
-        self.rules[slot.index()] == Rule::Constant
+        self.rules[slot.index()] == TermRule::Constant
     }
 
     pub(super) fn number(&mut self, value: f64) -> Slot {
-        self.push(Instruction::Number(value), Rule::Constant)
+        self.push(Instruction::Number(value), TermRule::Constant)
     }
 
     /// Writes an instruction of the given tape.
     pub(super) fn instruction(&mut self, given: Instruction) -> Slot {
         let at = |slot: Slot| self.places[slot.index()];
         match given {
-            Instruction::Number(_) => self.push(given, Rule::Constant),
+            Instruction::Number(_) => self.push(given, TermRule::Constant),
             Instruction::Argument(argument) => self.push(given, of_argument(argument)),
             Instruction::Add(x, y) => self.add(at(x), at(y)),
             Instruction::Subtract(x, y) => self.subtract(at(x), at(y)),
             Instruction::Negate(x) => {
                 let x = at(x);
-                self.unless_constant(&[x], Instruction::Negate(x), Rule::Negate(x))
+                self.unless_constant(&[x], Instruction::Negate(x), TermRule::Negate(x))
             }
             Instruction::Multiply(x, y) => self.multiply(at(x), at(y)),
             Instruction::Divide(x, y) => self.divide(at(x), at(y)),
@@ -57,33 +57,34 @@ impl Writing {
         &mut self,
         operands: &[Slot],
         value: Instruction,
-        rule: Rule,
+        rule: TermRule,
     ) -> Slot {
         let is_constant = operands.iter().all(|slot| self.is_constant(*slot));
-        self.push(value, if is_constant { Rule::Constant } else { rule })
+        self.push(value, if is_constant { TermRule::Constant } else { rule })
     }
 
     pub(super) fn add(&mut self, x: Slot, y: Slot) -> Slot {
-        self.unless_constant(&[x, y], Instruction::Add(x, y), Rule::Add(x, y))
+        self.unless_constant(&[x, y], Instruction::Add(x, y), TermRule::Add(x, y))
     }
 
     pub(super) fn subtract(&mut self, x: Slot, y: Slot) -> Slot {
-        self.unless_constant(&[x, y], Instruction::Subtract(x, y), Rule::Subtract(x, y))
+        self.unless_constant(&[x, y], Instruction::Subtract(x, y), TermRule::Subtract(x, y))
     }
 
     pub(super) fn multiply(&mut self, x: Slot, y: Slot) -> Slot {
         let rule = match (self.is_constant(x), self.is_constant(y)) {
-            (true, true) => Rule::Constant,
-            (true, false) => Rule::Scale(x, y),
-            (false, true) => Rule::Scale(y, x),
-            (false, false) if x == y => Rule::Square(x),
-            (false, false) => Rule::Product(x, y),
+            (true, true) => TermRule::Constant,
+            (true, false) => TermRule::Scale(x, y),
+            (false, true) => TermRule::Scale(y, x),
+            (false, false) if x == y => TermRule::Square(x),
+            (false, false) => TermRule::Product(x, y),
         };
         self.push(Instruction::Multiply(x, y), rule)
     }
 
     pub(super) fn divide(&mut self, x: Slot, y: Slot) -> Slot {
-        let rule = if self.is_constant(y) { Rule::Over(x, y) } else { Rule::Quotient(x, y) };
+        let rule =
+            if self.is_constant(y) { TermRule::Over(x, y) } else { TermRule::Quotient(x, y) };
         self.unless_constant(&[x, y], Instruction::Divide(x, y), rule)
     }
 
@@ -95,7 +96,7 @@ impl Writing {
 
     pub(super) fn root(&mut self, x: Slot) -> Slot {
         let value = Instruction::Unary(UnaryFunction::Sqrt, x);
-        self.unless_constant(&[x], value, Rule::Root(x))
+        self.unless_constant(&[x], value, TermRule::Root(x))
     }
 
     /// The next place but `ahead`, for a slope that is written after what it is the slope of.
@@ -105,15 +106,15 @@ impl Writing {
 
     /// A function of `x` that changes with `slope` times the rate of x.
     pub(super) fn driven(&mut self, function: UnaryFunction, x: Slot, slope: Slot) -> Slot {
-        self.push(Instruction::Unary(function, x), Rule::Driven { slope, of: x })
+        self.push(Instruction::Unary(function, x), TermRule::Driven { slope, of: x })
     }
 }
 
-const fn of_argument(argument: Argument) -> Rule {
+const fn of_argument(argument: Argument) -> TermRule {
     match argument {
-        Argument::State(index) => Rule::State(index),
-        Argument::Input(index) => Rule::Input(index),
-        Argument::Constant(_) | Argument::Extra(_) => Rule::Constant,
+        Argument::State(index) => TermRule::State(index),
+        Argument::Input(index) => TermRule::Input(index),
+        Argument::Constant(_) | Argument::Extra(_) => TermRule::Constant,
     }
 }
 

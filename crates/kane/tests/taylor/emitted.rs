@@ -3,7 +3,7 @@
 #![expect(clippy::pedantic, unused_variables, reason = "generated")]
 
 use equations::functions;
-use pode::series::lanes::{Lanes, Pair};
+use pode::series::lanes::{LanePair, ProductLanes};
 use pode::series::rows::PER_ORDER;
 
 use super::{Expansion, INPUT_TERMS, Motion, math};
@@ -35,7 +35,7 @@ pub(super) fn functions0(
     let v20 = math::sqrt(v9);
     let per18 = 1.0 / v9;
     let per20 = 0.5 / v20;
-    let mut lanes0 = Lanes::<6>::ZERO;
+    let mut lanes0 = ProductLanes::<6>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v13];
     out.guards[0][0] = v10;
@@ -72,7 +72,7 @@ pub(super) fn functions0(
         out.guards[3][k] = w17;
         out.guards[4][k] = w19;
         out.guards[5][k] = w20;
-        lanes0.enter(k, [Pair::new(w0, k as f64 * w0), Pair::new(k as f64 * w0, k as f64 * w9), Pair::new(k as f64 * w9, k as f64 * w9), Pair::new(w14, k as f64 * w9), Pair::new(w9, k as f64 * w9), Pair::new(w20, 0.0)], [Pair::new(w0, w3), Pair::new(w2, w11), Pair::new(w10, w16), Pair::new(w14, w17), Pair::new(w18, w18), Pair::new(w20, 0.0)]);
+        lanes0.enter(k, [LanePair::new(w0, k as f64 * w0), LanePair::new(k as f64 * w0, k as f64 * w9), LanePair::new(k as f64 * w9, k as f64 * w9), LanePair::new(w14, k as f64 * w9), LanePair::new(w9, k as f64 * w9), LanePair::new(w20, 0.0)], [LanePair::new(w0, w3), LanePair::new(w2, w11), LanePair::new(w10, w16), LanePair::new(w14, w17), LanePair::new(w18, w18), LanePair::new(w20, 0.0)]);
     }
     out.known_guards = 6;
     let k = out.order;
@@ -126,7 +126,7 @@ pub(super) fn functions1(
     let v18 = functions::softplus_square_area(v9);
     let v19 = 1.0_f64;
     let sign10 = functions::sign(v9);
-    let mut lanes0 = Lanes::<5>::ZERO;
+    let mut lanes0 = ProductLanes::<5>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v19];
     out.guards[0][0] = v10;
@@ -162,7 +162,7 @@ pub(super) fn functions1(
         out.guards[3][k] = w12;
         out.guards[4][k] = w16;
         out.guards[5][k] = w18;
-        lanes0.enter(k, [Pair::new(w0, k as f64 * w0), Pair::new(k as f64 * w0, k as f64 * w9), Pair::new(w12, k as f64 * w9), Pair::new(k as f64 * w9, w15), Pair::new(k as f64 * w9, 0.0)], [Pair::new(w0, w3), Pair::new(w2, w14), Pair::new(w12, w12), Pair::new(w15, w15), Pair::new(w17, 0.0)]);
+        lanes0.enter(k, [LanePair::new(w0, k as f64 * w0), LanePair::new(k as f64 * w0, k as f64 * w9), LanePair::new(w12, k as f64 * w9), LanePair::new(k as f64 * w9, w15), LanePair::new(k as f64 * w9, 0.0)], [LanePair::new(w0, w3), LanePair::new(w2, w14), LanePair::new(w12, w12), LanePair::new(w15, w15), LanePair::new(w17, 0.0)]);
     }
     out.known_guards = 6;
     let k = out.order;
@@ -231,8 +231,8 @@ pub(super) fn functions2(
     let per22 = 1.0 / v12;
     let per23 = 1.0 / v12;
     let per30 = 1.0 / v12;
-    let mut lanes0 = Lanes::<5>::ZERO;
-    let mut lanes1 = Lanes::<5>::ZERO;
+    let mut lanes0 = ProductLanes::<5>::ZERO;
+    let mut lanes1 = ProductLanes::<5>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v13];
     out.guards[0][0] = v18;
@@ -277,8 +277,8 @@ pub(super) fn functions2(
         out.guards[3][k] = w23;
         out.guards[4][k] = w28;
         out.guards[5][k] = w30;
-        lanes0.enter(k, [Pair::new(w0, k as f64 * w0), Pair::new(k as f64 * w0, w3), Pair::new(w16, w16), Pair::new(k as f64 * w3, w16), Pair::new(k as f64 * w3, 0.0)], [Pair::new(w0, w6), Pair::new(w5, w3), Pair::new(w16, w17), Pair::new(w17, w20), Pair::new(w20, 0.0)]);
-        lanes1.enter(k, [Pair::new(w12, w12), Pair::new(w5, w0), Pair::new(w12, w26), Pair::new(w25, w12), Pair::new(k as f64 * w12, 0.0)], [Pair::new(w22, w23), Pair::new(w5, w24), Pair::new(w12, w12), Pair::new(w27, w30), Pair::new(w30, 0.0)]);
+        lanes0.enter(k, [LanePair::new(w0, k as f64 * w0), LanePair::new(k as f64 * w0, w3), LanePair::new(w16, w16), LanePair::new(k as f64 * w3, w16), LanePair::new(k as f64 * w3, 0.0)], [LanePair::new(w0, w6), LanePair::new(w5, w3), LanePair::new(w16, w17), LanePair::new(w17, w20), LanePair::new(w20, 0.0)]);
+        lanes1.enter(k, [LanePair::new(w12, w12), LanePair::new(w5, w0), LanePair::new(w12, w26), LanePair::new(w25, w12), LanePair::new(k as f64 * w12, 0.0)], [LanePair::new(w22, w23), LanePair::new(w5, w24), LanePair::new(w12, w12), LanePair::new(w27, w30), LanePair::new(w30, 0.0)]);
     }
     out.known_guards = 6;
     let k = out.order;
@@ -354,8 +354,8 @@ pub(super) fn functions3(
     let per27 = 0.5 / v27;
     let is29 = v28 > 0.0;
     let is30 = v28 > 0.0;
-    let mut lanes0 = Lanes::<4>::ZERO;
-    let mut lanes1 = Lanes::<4>::ZERO;
+    let mut lanes0 = ProductLanes::<4>::ZERO;
+    let mut lanes1 = ProductLanes::<4>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v12];
     out.guards[0][0] = v11;
@@ -401,8 +401,8 @@ pub(super) fn functions3(
         out.guards[3][k] = w27;
         out.guards[4][k] = w29;
         out.guards[5][k] = w30;
-        lanes0.enter(k, [Pair::new(w0, k as f64 * w0), Pair::new(k as f64 * w0, w10), Pair::new(k as f64 * w10, w10), Pair::new(k as f64 * w10, w3)], [Pair::new(w0, w4), Pair::new(w3, w11), Pair::new(w11, w13), Pair::new(w13, w14)]);
-        lanes1.enter(k, [Pair::new(k as f64 * w15, w10), Pair::new(w3, w19), Pair::new(w19, k as f64 * w3), Pair::new(k as f64 * w10, w27)], [Pair::new(w16, w10), Pair::new(w3, w20), Pair::new(w21, w20), Pair::new(w21, w27)]);
+        lanes0.enter(k, [LanePair::new(w0, k as f64 * w0), LanePair::new(k as f64 * w0, w10), LanePair::new(k as f64 * w10, w10), LanePair::new(k as f64 * w10, w3)], [LanePair::new(w0, w4), LanePair::new(w3, w11), LanePair::new(w11, w13), LanePair::new(w13, w14)]);
+        lanes1.enter(k, [LanePair::new(k as f64 * w15, w10), LanePair::new(w3, w19), LanePair::new(w19, k as f64 * w3), LanePair::new(k as f64 * w10, w27)], [LanePair::new(w16, w10), LanePair::new(w3, w20), LanePair::new(w21, w20), LanePair::new(w21, w27)]);
     }
     out.known_guards = 6;
     let k = out.order;
@@ -466,7 +466,7 @@ pub(super) fn functions4(
     let per15 = 1.0 / v13;
     let is19 = v3 > 0.0;
     let is20 = v0 > 0.0;
-    let mut lanes0 = Lanes::<3>::ZERO;
+    let mut lanes0 = ProductLanes::<3>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v21];
     out.guards[0][0] = v18;
@@ -495,7 +495,7 @@ pub(super) fn functions4(
         out.guards[0][k] = w18;
         out.guards[1][k] = w19;
         out.guards[2][k] = w20;
-        lanes0.enter(k, [Pair::new(w0, k as f64 * w0), Pair::new(k as f64 * w0, w10), Pair::new(w13, k as f64 * w10)], [Pair::new(w0, w4), Pair::new(w3, w10), Pair::new(w15, w15)]);
+        lanes0.enter(k, [LanePair::new(w0, k as f64 * w0), LanePair::new(k as f64 * w0, w10), LanePair::new(w13, k as f64 * w10)], [LanePair::new(w0, w4), LanePair::new(w3, w10), LanePair::new(w15, w15)]);
     }
     out.known_guards = 3;
     let k = out.order;

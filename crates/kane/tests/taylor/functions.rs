@@ -3,7 +3,7 @@
 
 use kane::graph::{BinaryFunction as Two, Graph, Node, Place, Tangent, UnaryFunction as One};
 use kane::tape::{Argument, Arguments, Layout, Tape};
-use kane::taylor::{Recursion, SeriesNames, Start, TapeSeries, emit};
+use kane::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Motion, math};
 
@@ -98,7 +98,7 @@ impl Along {
 
     /// The series of `nodes` in x − X, up to `order`.
     fn series(&self, nodes: &[Node], order: usize) -> Vec<Vec<f64>> {
-        let start = Start { constants: &[P], state: &[X], input: &[], scale: 1.0 };
+        let start = SeriesStart { constants: &[P], state: &[X], input: &[], scale: 1.0 };
         TapeSeries::new(&self.tape(nodes), 1).expand(&start, order).split_off(1)
     }
 }
@@ -153,7 +153,7 @@ fn the_input_and_its_rates_are_series_too() {
         input.push(term);
         term *= 2.0 * scale / f64::from(k + 1);
     }
-    let start = Start { constants: &[P], state: &[X], input: &input, scale };
+    let start = SeriesStart { constants: &[P], state: &[X], input: &input, scale };
     let series = TapeSeries::new(&along.tape(&[rate, product]), 1).expand(&start, 18);
     let (mut first, mut second) = (2.0, 4.0);
     for k in 0_u8..18 {
@@ -172,7 +172,7 @@ fn file() -> String {
         "//! Written by `UPDATE=1 cargo test -p kane --test all taylor`; not by hand.\n\n\
          #![expect(clippy::pedantic, unused_variables, reason = \"generated\")]\n\n\
          use equations::functions;\n\
-         use pode::series::lanes::{Lanes, Pair};\n\
+         use pode::series::lanes::{LanePair, ProductLanes};\n\
          use pode::series::rows::PER_ORDER;\n\
          \n\
          use super::{Expansion, INPUT_TERMS, Motion, math};\n",

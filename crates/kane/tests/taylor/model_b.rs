@@ -2,7 +2,7 @@
 
 use kane::graph::{Graph, Node, Place, UnaryFunction};
 use kane::tape::{Argument, Layout, Tape};
-use kane::taylor::{Recursion, SeriesNames, Start, TapeSeries, emit};
+use kane::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
 use models::key_hammer_springs::Mode;
 use models::{Described as _, KeyHammerSprings};
 use pode::series::{Expansion, INPUT_TERMS};
@@ -115,7 +115,7 @@ fn file() -> String {
          //!\n\
          //! `UPDATE=1 cargo test -p kane --test all taylor` writes it again.\n\n\
          #![expect(clippy::pedantic, reason = \"generated\")]\n\n\
-         use pode::series::lanes::{Lanes, Pair};\n\
+         use pode::series::lanes::{LanePair, ProductLanes};\n\
          use pode::series::rows::PER_ORDER;\n\
          use pode::series::{Expansion, INPUT_TERMS};\n\
          use pode::{Motion, math};\n",
@@ -215,7 +215,7 @@ fn the_emitted_series_is_the_interpreted_one_to_rounding() {
     ];
     let scale = 0.03;
     for mode in [Mode::B1, Mode::B2] {
-        let start = Start { constants: &constants, state: &STATE, input: &INPUT, scale };
+        let start = SeriesStart { constants: &constants, state: &STATE, input: &INPUT, scale };
         let series = TapeSeries::new(&ModelB::new().tape(mode), 4).expand(&start, 20);
         let out = expanded(mode, 20, scale);
         for k in 0..=20 {

@@ -4,7 +4,7 @@
 
 #![expect(clippy::pedantic, reason = "generated")]
 
-use pode::series::lanes::{Lanes, Pair};
+use pode::series::lanes::{LanePair, ProductLanes};
 use pode::series::rows::PER_ORDER;
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Motion, math};
@@ -71,7 +71,7 @@ pub(super) fn coupled(
     let v56 = v55 - v52;
     let per49 = 1.0 / v48;
     let per52 = 1.0 / v48;
-    let mut lanes0 = Lanes::<7>::ZERO;
+    let mut lanes0 = ProductLanes::<7>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v22, by * v23, by * v53, by * v56];
     out.guards[0][0] = v36;
@@ -128,7 +128,7 @@ pub(super) fn coupled(
         out.terms[k + 1] = [by * w22, by * w23, by * w53, by * w56];
         out.guards[0][k] = w36;
         out.guards[1][k] = w37;
-        lanes0.enter(k, [Pair::new(k as f64 * w10, k as f64 * w10), Pair::new(k as f64 * w11, k as f64 * w11), Pair::new(k as f64 * w18, k as f64 * w18), Pair::new(w20, w19), Pair::new(w46, w42), Pair::new(w48, w50), Pair::new(w48, 0.0)], [Pair::new(w13, w12), Pair::new(w16, w15), Pair::new(w20, w19), Pair::new(w20, w36), Pair::new(w41, w20), Pair::new(w49, w45), Pair::new(w52, 0.0)]);
+        lanes0.enter(k, [LanePair::new(k as f64 * w10, k as f64 * w10), LanePair::new(k as f64 * w11, k as f64 * w11), LanePair::new(k as f64 * w18, k as f64 * w18), LanePair::new(w20, w19), LanePair::new(w46, w42), LanePair::new(w48, w50), LanePair::new(w48, 0.0)], [LanePair::new(w13, w12), LanePair::new(w16, w15), LanePair::new(w20, w19), LanePair::new(w20, w36), LanePair::new(w41, w20), LanePair::new(w49, w45), LanePair::new(w52, 0.0)]);
     }
     out.known_guards = 2;
     let k = out.order;
@@ -193,7 +193,7 @@ pub(super) fn apart(
     let v36 = v7 - v8;
     let v37 = v33 + v34;
     let v38 = v37 - v35;
-    let mut lanes0 = Lanes::<3>::ZERO;
+    let mut lanes0 = ProductLanes::<3>::ZERO;
     let by = out.scale * PER_ORDER[1];
     out.terms[1] = [by * v20, by * v21, by * v30, by * v32];
     out.guards[0][0] = v38;
@@ -234,7 +234,7 @@ pub(super) fn apart(
         out.terms[k + 1] = [by * w20, by * w21, by * w30, by * w32];
         out.guards[0][k] = w38;
         out.guards[1][k] = w36;
-        lanes0.enter(k, [Pair::new(k as f64 * w8, k as f64 * w8), Pair::new(k as f64 * w13, k as f64 * w13), Pair::new(k as f64 * w9, k as f64 * w9)], [Pair::new(w11, w10), Pair::new(w15, w14), Pair::new(w18, w17)]);
+        lanes0.enter(k, [LanePair::new(k as f64 * w8, k as f64 * w8), LanePair::new(k as f64 * w13, k as f64 * w13), LanePair::new(k as f64 * w9, k as f64 * w9)], [LanePair::new(w11, w10), LanePair::new(w15, w14), LanePair::new(w18, w17)]);
     }
     out.known_guards = 2;
     let k = out.order;

@@ -6,9 +6,9 @@ use super::TERMS;
 
 /// The coefficients of two lanes.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Pair(f64x2);
+pub struct LanePair(f64x2);
 
-impl Pair {
+impl LanePair {
     /// The coefficients of the first lane and of the second.
     #[expect(clippy::inline_always, reason = "one instruction")]
     #[inline(always)]
@@ -16,7 +16,7 @@ impl Pair {
         Self(f64x2::new([one, other]))
     }
 
-    /// Both coefficients.
+    /// Returns the coefficients of both lanes, in order.
     #[expect(clippy::inline_always, reason = "one instruction")]
     #[inline(always)]
     pub fn both(self) -> [f64; 2] {
@@ -30,22 +30,22 @@ impl Pair {
 /// whatever the products are. Rows are written as they are read, since a processor cannot hand on
 /// two numbers that were written one by one before both are in its cache.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Lanes<const PAIRS: usize> {
-    first: [[Pair; PAIRS]; TERMS],
-    second: [[Pair; PAIRS]; TERMS],
+pub struct ProductLanes<const PAIRS: usize> {
+    first: [[LanePair; PAIRS]; TERMS],
+    second: [[LanePair; PAIRS]; TERMS],
 }
 
-impl<const PAIRS: usize> Lanes<PAIRS> {
-    /// Lanes without coefficients.
+impl<const PAIRS: usize> ProductLanes<PAIRS> {
+    /// ProductLanes without coefficients.
     pub const ZERO: Self = Self {
-        first: [[Pair(f64x2::ZERO); PAIRS]; TERMS],
-        second: [[Pair(f64x2::ZERO); PAIRS]; TERMS],
+        first: [[LanePair(f64x2::ZERO); PAIRS]; TERMS],
+        second: [[LanePair(f64x2::ZERO); PAIRS]; TERMS],
     };
 
     /// Enters the coefficients of order `k` of all first and of all second factors.
     #[expect(clippy::inline_always, reason = "what is entered stays in registers")]
     #[inline(always)]
-    pub fn enter(&mut self, k: usize, first: [Pair; PAIRS], second: [Pair; PAIRS]) {
+    pub fn enter(&mut self, k: usize, first: [LanePair; PAIRS], second: [LanePair; PAIRS]) {
         if let (Some(a), Some(b)) = (self.first.get_mut(k), self.second.get_mut(k)) {
             (*a, *b) = (first, second);
         }
@@ -54,8 +54,8 @@ impl<const PAIRS: usize> Lanes<PAIRS> {
     /// Σ a(j) b(k − j) for j from 1 to k − 1, in every lane.
     #[expect(clippy::inline_always, reason = "a few products, asked for thousands of times")]
     #[inline(always)]
-    pub fn inner(&self, k: usize) -> [Pair; PAIRS] {
-        let mut sums = [Pair(f64x2::ZERO); PAIRS];
+    pub fn inner(&self, k: usize) -> [LanePair; PAIRS] {
+        let mut sums = [LanePair(f64x2::ZERO); PAIRS];
         let (Some(first), Some(second)) = (self.first.get(1..k), self.second.get(1..k)) else {
             return sums;
         };

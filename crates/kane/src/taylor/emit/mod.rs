@@ -6,9 +6,9 @@ mod values;
 
 use pode::series::MOST_GUARDS;
 
-use super::lanes::{Lane, lanes};
+use super::lanes::{ProductLane, lanes};
 use super::recursion::Recursion;
-use super::rules::Rule;
+use super::rules::TermRule;
 use crate::tape::{Argument, Instruction, Slot};
 
 /// The names in an emitted series.
@@ -24,7 +24,7 @@ pub struct SeriesNames<'a> {
 
 /// Returns the function that expands `recursion`, as Rust.
 ///
-/// It asks for `pode::series::{Expansion, INPUT_TERMS}`, `pode::series::lanes::{Lanes, Pair}`,
+/// It asks for `pode::series::{Expansion, INPUT_TERMS}`, `pode::series::lanes::{LanePair, ProductLanes}`,
 /// `pode::series::rows::PER_ORDER`, `pode::{math, Motion}` and `equations::functions`, as far as
 /// they occur. Of the guards the first [`MOST_GUARDS`] have their series.
 pub fn emit(recursion: &Recursion, names: &SeriesNames<'_>) -> String {
@@ -40,7 +40,7 @@ pub fn emit(recursion: &Recursion, names: &SeriesNames<'_>) -> String {
 struct Writing<'a> {
     recursion: &'a Recursion,
     is_live: Vec<bool>,
-    lanes: Vec<Lane>,
+    lanes: Vec<ProductLane>,
     text: String,
 }
 
@@ -72,7 +72,7 @@ impl<'a> Writing<'a> {
     }
 
     fn reads_input(&self) -> bool {
-        self.recursion.rules.iter().any(|rule| matches!(rule, Rule::Input(_)))
+        self.recursion.rules.iter().any(|rule| matches!(rule, TermRule::Input(_)))
     }
 
     fn reads_constants(&self) -> bool {

@@ -3,8 +3,8 @@
 use super::Writing;
 use super::values::input_of;
 use crate::tape::Slot;
-use crate::taylor::lanes::{Factor, Lane};
-use crate::taylor::rules::Rule;
+use crate::taylor::lanes::{LaneFactor, ProductLane};
+use crate::taylor::rules::TermRule;
 
 impl Writing<'_> {
     /// The outputs' coefficients of order `k`.
@@ -57,7 +57,7 @@ impl Writing<'_> {
     /// The coefficients of order k of the values in `wanted`.
     fn terms(&mut self, depth: usize, wanted: &[bool]) {
         let reads_state = (0..wanted.len())
-            .any(|at| wanted[at] && matches!(self.recursion.rules[at], Rule::State(_)));
+            .any(|at| wanted[at] && matches!(self.recursion.rules[at], TermRule::State(_)));
         if reads_state {
             self.line(depth, "let x = out.terms[k];");
         }
@@ -73,11 +73,11 @@ impl Writing<'_> {
     }
 
     /// As many lanes at a time as fit into the registers of a common processor.
-    pub(super) fn groups(&self) -> Vec<Vec<Lane>> {
+    pub(super) fn groups(&self) -> Vec<Vec<ProductLane>> {
         const MOST: usize = 14;
         let count = self.lanes.len().div_ceil(MOST).max(1);
         let size = self.lanes.len().div_ceil(count).max(1);
-        self.lanes.chunks(size).map(<[Lane]>::to_vec).collect()
+        self.lanes.chunks(size).map(<[ProductLane]>::to_vec).collect()
     }
 
     /// What the orders before k add to a value's coefficient: the lane of that number.
@@ -96,11 +96,11 @@ impl Writing<'_> {
     /// Enters this order into the lanes.
     fn enter(&mut self, depth: usize) {
         for (group, lanes) in self.groups().into_iter().enumerate() {
-            let list = |of: fn(&Lane) -> Factor| {
+            let list = |of: fn(&ProductLane) -> LaneFactor| {
                 let list: Vec<_> = lanes.iter().map(|lane| of(lane).text()).collect();
                 let pair = |pair: &[String]| match pair {
-                    [one, other] => format!("Pair::new({one}, {other})"),
-                    rest => format!("Pair::new({}, 0.0)", rest.concat()),
+                    [one, other] => format!("LanePair::new({one}, {other})"),
+                    rest => format!("LanePair::new({}, 0.0)", rest.concat()),
                 };
                 list.chunks(2).map(pair).collect::<Vec<_>>().join(", ")
             };
@@ -115,38 +115,40 @@ impl Writing<'_> {
         let e = self.sum(at, 0);
         let is_constant = |slot: Slot| self.recursion.is_constant(slot);
         Some(match self.recursion.rules[at] {
-            Rule::Constant => return None,
-            Rule::State(index) => format!("x[{index}]"),
-            Rule::Input(rate) => input_of(rate),
-            Rule::Add(x, y) if is_constant(x) => now(y),
-            Rule::Add(x, y) if is_constant(y) => now(x),
-            Rule::Add(x, y) => format!("{} + {}", now(x), now(y)),
-            Rule::Subtract(x, y) if is_constant(x) => format!("-{}", now(y)),
-            Rule::Subtract(x, y) if is_constant(y) => now(x),
-            Rule::Subtract(x, y) => format!("{} - {}", now(x), now(y)),
-            Rule::Negate(x) => format!("-{}", now(x)),
-            Rule::Scale(by, x) => format!("v{} * {}", by.0, now(x)),
-            Rule::Product(x, y) => format!("{e} + v{0} * w{1} + w{0} * v{1}", x.0, y.0),
-            Rule::Square(x) => format!("{e} + 2.0 * v{0} * w{0}", x.0),
-            Rule::Quotient(x, y) => {
+            TermRule::Constant => return None,
+            TermRule::State(index) => format!("x[{index}]"),
+            TermRule::Input(rate) => input_of(rate),
+            TermRule::Add(x, y) if is_constant(x) => now(y),
+            TermRule::Add(x, y) if is_constant(y) => now(x),
+            TermRule::Add(x, y) => format!("{} + {}", now(x), now(y)),
+            TermRule::Subtract(x, y) if is_constant(x) => format!("-{}", now(y)),
+            TermRule::Subtract(x, y) if is_constant(y) => now(x),
+            TermRule::Subtract(x, y) => format!("{} - {}", now(x), now(y)),
+            TermRule::Negate(x) => format!("-{}", now(x)),
+            TermRule::Scale(by, x) => format!("v{} * {}", by.0, now(x)),
+            TermRule::Product(x, y) => format!("{e} + v{0} * w{1} + w{0} * v{1}", x.0, y.0),
+            TermRule::Square(x) => format!("{e} + 2.0 * v{0} * w{0}", x.0),
+            TermRule::Quotient(x, y) => {
                 format!("({} - {e} - v{at} * w{}) * per{at}", now(x), y.0)
             }
-            Rule::Over(x, _) => format!("{} * per{at}", now(x)),
-            Rule::Driven { slope, of } => {
+            TermRule::Over(x, _) => format!("{} * per{at}", now(x)),
+            TermRule::Driven { slope, of } => {
                 let (slope, is_negative) = self.recursion.slope(slope);
                 let (open, close) = if is_negative { ("-(", ")") } else { ("", "") };
                 format!("{open}{e} * per_k + w{} * v{}{close}", of.0, slope.0)
             }
-            Rule::Root(x) => format!("({} - {e}) * per{at}", now(x)),
-            Rule::Power(x, by) => format!(
+            TermRule::Root(x) => format!("({} - {e}) * per{at}", now(x)),
+            TermRule::Power(x, by) => format!(
                 "((v{0} + 1.0) * {2} * per_k - {e} \
                  + v{0} * v{at} * w{1}) * per{at}",
                 by.0,
                 x.0,
                 self.sum(at, 1)
             ),
-            Rule::Magnitude(x) => format!("sign{at} * {}", now(x)),
-            Rule::Choice(_, x, y) => format!("if is{at} {{ {} }} else {{ {} }}", now(x), now(y)),
+            TermRule::Magnitude(x) => format!("sign{at} * {}", now(x)),
+            TermRule::Choice(_, x, y) => {
+                format!("if is{at} {{ {} }} else {{ {} }}", now(x), now(y))
+            }
         })
     }
 }

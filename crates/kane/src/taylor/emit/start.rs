@@ -4,13 +4,13 @@ use super::Writing;
 use super::values::{operands, start_of};
 use crate::graph::UnaryFunction;
 use crate::tape::Instruction;
-use crate::taylor::rules::Rule;
+use crate::taylor::rules::TermRule;
 
 impl Writing<'_> {
     /// Values at the start, the rows that begin with them, and the first rates.
     pub(super) fn start(&mut self) {
         self.line(1, "let x = out.terms[0];");
-        if self.recursion.rules.iter().any(|rule| matches!(rule, Rule::Input(1..))) {
+        if self.recursion.rules.iter().any(|rule| matches!(rule, TermRule::Input(1..))) {
             self.line(1, "let per_scale = 1.0 / out.scale;");
         }
         let is_read = self.is_read_at_start();
@@ -24,8 +24,10 @@ impl Writing<'_> {
             self.prepare(at);
         }
         for (group, lanes) in self.groups().into_iter().enumerate() {
-            let line =
-                format!("let mut lanes{group} = Lanes::<{}>::ZERO;", lanes.len().div_ceil(2));
+            let line = format!(
+                "let mut lanes{group} = ProductLanes::<{}>::ZERO;",
+                lanes.len().div_ceil(2)
+            );
             self.line(1, &line);
         }
         self.outputs(1, "0", "1");
@@ -41,8 +43,8 @@ impl Writing<'_> {
         }
         for at in self.live() {
             let kept = match self.recursion.rules[at] {
-                Rule::Scale(by, _) | Rule::Power(_, by) | Rule::Over(_, by) => by,
-                Rule::Choice(condition, ..) => condition,
+                TermRule::Scale(by, _) | TermRule::Power(_, by) | TermRule::Over(_, by) => by,
+                TermRule::Choice(condition, ..) => condition,
                 _ => continue,
             };
             is_read[kept.index()] = true;
@@ -76,15 +78,15 @@ impl Writing<'_> {
     #[expect(clippy::wildcard_enum_match_arm, reason = "all other rules keep nothing of the start")]
     fn prepare(&mut self, at: usize) {
         match self.recursion.rules[at] {
-            Rule::Quotient(_, y) | Rule::Over(_, y) => {
+            TermRule::Quotient(_, y) | TermRule::Over(_, y) => {
                 self.line(1, &format!("let per{at} = 1.0 / v{};", y.0));
             }
-            Rule::Power(x, _) => self.line(1, &format!("let per{at} = 1.0 / v{};", x.0)),
-            Rule::Root(_) => self.line(1, &format!("let per{at} = 0.5 / v{at};")),
-            Rule::Magnitude(x) => {
+            TermRule::Power(x, _) => self.line(1, &format!("let per{at} = 1.0 / v{};", x.0)),
+            TermRule::Root(_) => self.line(1, &format!("let per{at} = 0.5 / v{at};")),
+            TermRule::Magnitude(x) => {
                 self.line(1, &format!("let sign{at} = functions::sign(v{});", x.0));
             }
-            Rule::Choice(condition, ..) => {
+            TermRule::Choice(condition, ..) => {
                 self.line(1, &format!("let is{at} = v{} > 0.0;", condition.0));
             }
             _ => {}

@@ -9,7 +9,7 @@ use crate::stepper::{Control, EndDerivative, Memory};
 pub struct TaylorMemory<S> {
     pub(super) expansion: Expansion<S>,
     pub(super) substitute: Control<EndDerivative<S>>,
-    stage: Stage,
+    stage: StepStage,
     /// How far the present step may reach (s).
     reach: f64,
     /// Length of the last step that was not cut short (s); infinite before the first.
@@ -18,7 +18,7 @@ pub struct TaylorMemory<S> {
 
 /// Where a step stands.
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum Stage {
+enum StepStage {
     /// Nothing is known of it.
     Ahead,
     /// Its series is known.
@@ -34,7 +34,7 @@ impl<S: State> Default for TaylorMemory<S> {
         Self {
             expansion: Expansion::EMPTY,
             substitute: Control::default(),
-            stage: Stage::Ahead,
+            stage: StepStage::Ahead,
             reach: f64::INFINITY,
             scale: f64::INFINITY,
         }
@@ -45,22 +45,22 @@ impl<S: State> TaylorMemory<S> {
     /// The step has been expanded, and may be as long as `reach` (s); or it has no series.
     pub(super) fn expand(&mut self, reach: Option<f64>) {
         (self.stage, self.reach) = match reach {
-            Some(reach) => (Stage::Expanded, reach),
-            None => (Stage::Singular, self.substitute.reach()),
+            Some(reach) => (StepStage::Expanded, reach),
+            None => (StepStage::Singular, self.substitute.reach()),
         };
         self.scale = self.reach;
     }
 
     pub(super) const fn is_prepared(&self) -> bool {
-        matches!(self.stage, Stage::Expanded | Stage::Singular)
+        matches!(self.stage, StepStage::Expanded | StepStage::Singular)
     }
 
     /// Takes the step of `h` (s) along its series if there is one: the part of the scale that it
     /// is.
     pub(super) fn take(&mut self, h: f64) -> Option<f64> {
-        let is_expanded = self.stage == Stage::Expanded;
+        let is_expanded = self.stage == StepStage::Expanded;
         let ratio = h / self.expansion.scale;
-        self.stage = if is_expanded { Stage::Taken(ratio) } else { Stage::Ahead };
+        self.stage = if is_expanded { StepStage::Taken(ratio) } else { StepStage::Ahead };
         is_expanded.then_some(ratio)
     }
 
@@ -71,7 +71,7 @@ impl<S: State> TaylorMemory<S> {
 
     /// The guards along the step just taken.
     pub(super) const fn guards(&self) -> Option<GuardSeries<'_>> {
-        let Stage::Taken(ratio) = self.stage else { return None };
+        let StepStage::Taken(ratio) = self.stage else { return None };
         Some(GuardSeries {
             terms: &self.expansion.guards,
             known: self.expansion.known_guards,
@@ -84,7 +84,7 @@ impl<S: State> TaylorMemory<S> {
 impl<S: State> Memory for TaylorMemory<S> {
     #[inline]
     fn restart(&mut self) {
-        self.stage = Stage::Ahead;
+        self.stage = StepStage::Ahead;
         self.substitute.restart();
     }
 
