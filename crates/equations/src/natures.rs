@@ -5,7 +5,7 @@ use pode::{EquationKind, Nature, Part};
 use crate::mode_number::ModeNumber;
 use crate::table::ModeTable;
 
-/// Most modes of one [`EquationModel`].
+/// Most modes of one [`EquationModel`](crate::EquationModel).
 pub const MAX_MODES: usize = 32;
 
 /// Most parts of all modes that have several; what is more has the nature of its mode.

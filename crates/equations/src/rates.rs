@@ -1,6 +1,6 @@
 //! The longest step of a mode that stiffens, by the state at hand.
 
-use pode::{Model as _, Motion, State};
+use pode::{Model as _, Motion, State as _};
 
 use crate::jacobian_bound::{RADIANS, fastest};
 use crate::mode_number::ModeNumber;

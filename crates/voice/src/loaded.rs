@@ -1,5 +1,6 @@
 //! Voices of a model that was read from a file, beside those of the same model of the program.
 
+// Its mistakes are those of the crate `diagnostics`.
 #[path = "../../descriptions/tests/ball/mod.rs"]
 mod ball;
 
