@@ -32,7 +32,8 @@ fn every_performance_is_read_without_leaving_a_note_out_and_is_embedded() {
 
 #[test]
 fn no_file_in_configs_is_of_an_unknown_kind() {
-    let known = ["README.md", "instruments", "performances", "scenes", "service"].map(String::from);
+    let known = ["README.md", "instruments", "models", "performances", "scenes", "service"]
+        .map(String::from);
     let folders = fs::read_dir(configs()).expect("configs/").filter_map(Result::ok);
     let found: BTreeSet<_> =
         folders.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();

@@ -6,6 +6,7 @@ mod architecture;
 mod bad_boards;
 mod bad_input;
 mod configs;
+mod descriptions;
 mod faults;
 mod late_samples;
 #[path = "stage/letoff.rs"]

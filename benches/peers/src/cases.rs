@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::entry::Entry;
 use crate::peers;
-use crate::peers::{Ours, Written};
+use crate::peers::{Driven, Ours, Written};
 use crate::problem::Problem;
 use crate::problems::{Ball, Block, BlockMode, Cradle};
 use crate::reference::{self, Reference};
@@ -75,23 +75,46 @@ fn ball() -> Case {
     }
 }
 
-/// A case of model B.
-fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case, String> {
-    let (problem, t_end, reference) = reference::model_b(file)?;
-    let bells = problem.bells;
-    // Only the position: nothing else of the input enters where b1 is zero, and the peers
-    // compute nothing else.
-    let input = move |t: f64| {
-        let position = bells.iter().fold(0.0, |sum, [a, tc, per_w]| {
+/// The stroke of model B: height (rad), time (s) and 1/width (1/s) of each bell.
+///
+/// Only the position: nothing else of the input enters where b1 is zero, and the peers compute
+/// nothing else. Its series is what the peers with a series of their own make of the same formula.
+#[derive(Clone, Copy)]
+struct Bells([[f64; 3]; 3]);
+
+impl Driven<Motion> for Bells {
+    #[inline]
+    fn at(&self, t: f64) -> Motion {
+        let position = self.0.iter().fold(0.0, |sum, [a, tc, per_w]| {
             let z = (t - tc) * per_w;
             sum + a * (-z * z).exp()
         });
         Motion { position, ..Motion::default() }
-    };
+    }
+
+    #[inline]
+    fn series(&self, t: f64, dt: f64, out: &mut [Motion]) -> bool {
+        let mut terms = [0.0; INPUT_TERMS];
+        let count = out.len().min(INPUT_TERMS);
+        for [a, tc, per_w] in self.0 {
+            add_bell(&mut terms[..count], a, (t - tc) * per_w, dt * per_w);
+        }
+        for (out, position) in out.iter_mut().zip(terms) {
+            *out = Motion { position, ..Motion::default() };
+        }
+        true
+    }
+}
+
+/// A case of model B.
+fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case, String> {
+    let (problem, t_end, reference) = reference::model_b(file)?;
+    let input = Bells(problem.bells);
     let model = model(file)?;
-    let ours = Ours { model, input, start: model.at_rest(&input(0.0)) };
+    let ours = Ours { model, input, start: model.at_rest(&input.at(0.0)) };
     let mut entries = peers::entries::<4, 2, 5, _>(problem, t_end);
     entries.extend(peers::ours(ours, t_end));
+    entries.extend(peers::expanded(ours, t_end));
     Ok(Case { name, summary, t_end, reference, entries, parameters: problem.lines(t_end) })
 }
 

@@ -18,6 +18,7 @@ use pode::{
     Polynomial, Signal as _,
 };
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 use models::{Described as _, KeyHammerSprings, ReducedGrand};
 
@@ -48,8 +49,8 @@ impl<const N: usize> Motions<N> {
         Enclosure { h: self.h, start: self.start, moves, speeds, bends, input }
     }
 
-    /// How far a guard goes and bends, as it is seen; none where it is no number.
-    fn seen<M>(&self, model: &M, mode: M::Mode, id: GuardId) -> Option<[f64; 3]>
+    /// What a guard is at each look.
+    fn values<M>(&self, model: &M, mode: M::Mode, id: GuardId) -> Vec<f64>
     where
         M: Guarded<State = [f64; N], Input = Motion>,
     {
@@ -59,7 +60,15 @@ impl<const N: usize> Motions<N> {
             let x = model.constrain(mode, &self.orbit.at(tau), &input);
             model.guard(mode, id, &x, &input).value
         };
-        let values: Vec<f64> = (0..=LOOKS).map(at).collect();
+        (0..=LOOKS).map(at).collect()
+    }
+
+    /// How far a guard goes and bends, as it is seen; none where it is no number.
+    fn seen<M>(&self, model: &M, mode: M::Mode, id: GuardId) -> Option<[f64; 3]>
+    where
+        M: Guarded<State = [f64; N], Input = Motion>,
+    {
+        let values = self.values(model, mode, id);
         let square = (LOOKS * LOOKS) as f64;
         let moved = values.iter().map(|value| (value - values[0]).abs()).fold(0.0, f64::max);
         let second = |w: &[f64]| square * (w[2] - 2.0 * w[1] + w[0]).abs();
@@ -72,13 +81,14 @@ impl<const N: usize> Motions<N> {
 /// What is put on a stack of expressions, by its number and a constant.
 type Code = (u8, f64);
 
-/// An expression from a list of codes: a stack machine that always has operands.
-fn expression(draft: &mut Draft, codes: &[Code]) -> Node {
+/// An expression from a list of codes: a stack machine that always has operands. What each code
+/// gives is larger and smaller in turn by the fraction `shake`.
+fn expression(draft: &mut Draft, codes: &[Code], shake: f64) -> Node {
     let symbols: Vec<Node> = draft.same().into_iter().chain(draft.input()).collect();
     let parameter = draft.parameter("p");
     let graph = draft.graph();
     let mut stack = vec![symbols[0], symbols[1]];
-    for (code, number) in codes {
+    for (index, (code, number)) in codes.iter().enumerate() {
         let top = stack.pop().unwrap_or(parameter);
         let node = match code {
             0..=9 => {
@@ -91,7 +101,8 @@ fn expression(draft: &mut Draft, codes: &[Code]) -> Node {
                 two_of(graph, code - 40, [below, top], parameter)
             }
         };
-        stack.push(node);
+        let by = if index % 2 == 0 { 1.0 + shake } else { 1.0 - shake };
+        stack.push(graph.scale(node, by));
     }
     let terms: Vec<_> = stack.into_iter().map(|node| (node, 1.0)).collect();
     graph.sum(&terms)
@@ -158,8 +169,13 @@ fn two_of(graph: &mut Graph, code: u8, [x, y]: [Node; 2], parameter: Node) -> No
 
 /// A model whose only guard is the expression.
 fn guarded(codes: &[Code]) -> Described<4, 2048> {
+    shaken(codes, 0.0)
+}
+
+/// The same with each of its parts off by a fraction.
+fn shaken(codes: &[Code], shake: f64) -> Described<4, 2048> {
     let mut draft = Draft::new(&[("p", 0.7)], &["x", "y"]);
-    let value = expression(&mut draft, codes);
+    let value = expression(&mut draft, codes, shake);
     let zero = draft.graph().constant(0.0);
     let same = draft.same();
     let mode = draft.mode("only", &[zero; 4]);
@@ -181,30 +197,107 @@ fn step() -> impl Strategy<Value = Motions<4>> {
     })
 }
 
+/// How far rounding may put the values of an expression off over a step: what small errors of all
+/// its parts make of them. It is 1e-11 for asin(cos(1e-5)), each of which is good to 1e-16.
+fn rounding(codes: &[Code], step: &Motions<4>) -> f64 {
+    let only = (ModeNumber(0), GuardId(0));
+    let exact = step.values(&guarded(codes), only.0, only.1);
+    let mut most = 0.0_f64;
+    for shake in [4.0 * f64::EPSILON, -4.0 * f64::EPSILON] {
+        let off = step.values(&shaken(codes, shake), only.0, only.1);
+        most = exact.iter().zip(off).map(|(exact, off)| (exact - off).abs()).fold(most, f64::max);
+    }
+    most
+}
+
+/// Checks that an expression goes and bends no further over a step than `model`'s bound of it.
+fn check(
+    model: &Described<4, 2048>,
+    codes: &[Code],
+    step: &Motions<4>,
+) -> Result<(), TestCaseError> {
+    let Some([moved, bent, size]) = step.seen(model, ModeNumber(0), GuardId(0)) else {
+        return Ok(());
+    };
+    // Beyond this it is mostly rounding: 1/softplus(−34), whose value has but one digit.
+    if size > 1e6 {
+        return Ok(());
+    }
+    let bound = model.guard_bound(ModeNumber(0), GuardId(0), &step.enclosure());
+    let square = (LOOKS * LOOKS) as f64;
+    let is_within = |off: f64| {
+        moved <= bound.moves * (1.0 + 1e-9) + off
+            && bent <= bound.bend * (1.0 + 1e-9) + 4.0 * square * off
+    };
+    let off = 1e-12 * (1.0 + size);
+    prop_assert!(
+        is_within(off) || is_within(off + rounding(codes, step)),
+        "{moved:e}, {bent:e}, {bound:?} {codes:?} {:?} {:?}",
+        step.orbit,
+        step.input
+    );
+    Ok(())
+}
+
+/// Lists of codes of expressions.
+fn expressions() -> impl Strategy<Value = Vec<Code>> {
+    prop::collection::vec((0_u8..60, -2.0..2.0_f64), 1..14)
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
+    // The same cases in each run.
+    #![proptest_config(ProptestConfig {
+        cases: 512,
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(1994),
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn no_expression_goes_or_bends_further_than_its_bound(
-        codes in prop::collection::vec((0_u8..60, -2.0..2.0_f64), 1..14),
+        codes in expressions(),
         steps in prop::collection::vec(step(), 4),
     ) {
         let model = guarded(&codes);
         for step in steps {
-            let Some([moved, bent, size]) = step.seen(&model, ModeNumber(0), GuardId(0)) else {
-                continue;
-            };
-            // Beyond this it is mostly rounding: 1/softplus(−34), whose value has but one digit.
-            if size > 1e6 {
-                continue;
-            }
-            let bound = model.guard_bound(ModeNumber(0), GuardId(0), &step.enclosure());
-            let rounding = 1e-12 * (1.0 + size);
-            prop_assert!(moved <= bound.moves * (1.0 + 1e-9) + rounding, "{moved:e}, {bound:?} {codes:?} {:?} {:?}", step.orbit, step.input);
-            let rounding = rounding * 4.0 * (LOOKS * LOOKS) as f64;
-            prop_assert!(bent <= bound.bend * (1.0 + 1e-9) + rounding, "{bent:e}, {bound:?} {codes:?} {:?} {:?}", step.orbit, step.input);
+            check(&model, &codes, &step)?;
         }
     }
+}
+
+proptest! {
+    #[test]
+    #[ignore = "other cases in each run, as many as PROPTEST_CASES says"]
+    fn no_other_expression_goes_or_bends_further_than_its_bound(
+        codes in expressions(),
+        steps in prop::collection::vec(step(), 4),
+    ) {
+        let model = guarded(&codes);
+        for step in steps {
+            check(&model, &codes, &step)?;
+        }
+    }
+}
+
+/// x + asin(cos(u)) is x + π/2 − u, whose values have no rounding to speak of, for a u of 1e-5.
+#[test]
+fn the_bound_of_an_angle_near_its_end_is_that_of_the_angle() {
+    let angle = [(18, 0.0), (0, 0.0), (21, 0.0), (26, 0.0), (49, 0.0)];
+    let turned = [angle.as_slice(), &[(11, 0.0), (22, 0.0)]].concat();
+    let less = [angle.as_slice(), &[(30, -1.0)]].concat();
+    let mut terms = [[0.0; 4]; 4];
+    (terms[0][0], terms[2][0]) = (-0.986_917_480_247_106_5, -5.764_345_029_859_998e-4);
+    let step = Motions::new(0.01, terms, [0.0; 4]);
+    let only = (ModeNumber(0), GuardId(0));
+    let [moved, bent, _] = step.seen(&guarded(&less), only.0, only.1).unwrap();
+    let bound = guarded(&turned).guard_bound(only.0, only.1, &step.enclosure());
+    assert!(moved <= bound.moves && bound.moves < 1.001 * moved, "{moved:e}, {bound:?}");
+    assert!(bent <= bound.bend && bound.bend < 1.001 * bent, "{bent:e}, {bound:?}");
+    // What is seen of the other is off by its rounding, which is known.
+    let [_, rough, _] = step.seen(&guarded(&turned), only.0, only.1).unwrap();
+    let off = 4.0 * (LOOKS * LOOKS) as f64 * rounding(&turned, &step);
+    assert!((rough - bent).abs() > 1e-8 && (rough - bent).abs() < off, "{rough:e}, {off:e}");
+    check(&guarded(&turned), &turned, &step).unwrap();
 }
 
 /// The middle of a list.

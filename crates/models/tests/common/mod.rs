@@ -15,6 +15,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use models::Described;
+use pode::series::{INPUT_TERMS, add_bell};
 use pode::stepper::Stepper;
 use pode::{Event, Limits, Motion, Piece, Signal, Simulator, Watch};
 use serde_json::Value;
@@ -176,6 +177,31 @@ impl<M: Described> Watch<M> for Trace<M> {
     }
 }
 
+/// The exact input over one tick of `h` (s), with its series where it has one.
+struct CaseTick<'a> {
+    case: &'a Case,
+    tick: f64,
+    h: f64,
+}
+
+impl Signal<Motion> for CaseTick<'_> {
+    fn at(&self, theta: f64) -> Motion {
+        self.case.input((self.tick + theta) * self.h)
+    }
+
+    fn series(&self, theta: f64, span: f64, out: &mut [Motion]) -> bool {
+        let (t, dt) = ((self.tick + theta) * self.h, span * self.h);
+        let mut terms = [0.0; INPUT_TERMS];
+        for [height, tc, w] in &self.case.terms {
+            add_bell(&mut terms, *height, (t - tc) / w, dt / w);
+        }
+        for (out, position) in out.iter_mut().zip(terms) {
+            *out = Motion { position, ..Motion::default() };
+        }
+        matches!(self.case.shape, Shape::Bells)
+    }
+}
+
 /// Runs `case` with ticks of `h` (s) and the exact input.
 pub fn run<M: Described + Default, T: Stepper>(case: &Case, stepper: T, h: f64) -> Trace<M> {
     let model: M = case.model();
@@ -191,7 +217,7 @@ pub fn run<M: Described + Default, T: Stepper>(case: &Case, stepper: T, h: f64) 
     };
     let ticks = (case.t_end / h).round() as u64;
     for tick in 0..ticks {
-        let signal = |theta: f64| case.input((tick as f64 + theta) * h);
+        let signal = CaseTick { case, tick: tick as f64, h };
         let done = simulator.advance(h, &signal, &mut trace);
         assert_eq!(done.advance, pode::Advance::Completed, "tick {tick}");
         trace.ends.push((simulator.mode(), *simulator.state()));

@@ -33,7 +33,7 @@ struct Stretch {
 }
 
 /// What the coefficients of a piece say.
-enum Verdict {
+enum StretchVerdict {
     Positive,
     FallsOnce,
     Unknown,
@@ -44,9 +44,9 @@ pub(crate) fn first_fall(guard: &GuardPolynomial, band: f64) -> Fall {
     let order = guard.order;
     let whole = Stretch { terms: bernstein(guard), from: 0.0, width: 1.0 };
     match whole.verdict(order, band) {
-        Verdict::Positive => Fall::None,
-        Verdict::FallsOnce => Fall::Within(0.0, 1.0),
-        Verdict::Unknown => by_halving(whole, order, band),
+        StretchVerdict::Positive => Fall::None,
+        StretchVerdict::FallsOnce => Fall::Within(0.0, 1.0),
+        StretchVerdict::Unknown => by_halving(whole, order, band),
     }
 }
 
@@ -61,14 +61,14 @@ fn by_halving(whole: Stretch, order: usize, band: f64) -> Fall {
         let Some(index) = usize::checked_sub(count, 1) else { return Fall::None };
         let now = waiting[index];
         match now.verdict(order, band) {
-            Verdict::Positive => count = index,
-            Verdict::FallsOnce => return Fall::Within(now.from, now.from + now.width),
-            Verdict::Unknown if count < DEPTH => {
+            StretchVerdict::Positive => count = index,
+            StretchVerdict::FallsOnce => return Fall::Within(now.from, now.from + now.width),
+            StretchVerdict::Unknown if count < DEPTH => {
                 let [left, right] = now.halves(order);
                 (waiting[index], waiting[count]) = (right, left);
                 count += 1;
             }
-            Verdict::Unknown => return Fall::Open,
+            StretchVerdict::Unknown => return Fall::Open,
         }
     }
     if count == 0 { Fall::None } else { Fall::Open }
@@ -92,17 +92,17 @@ fn bernstein(guard: &GuardPolynomial) -> [f64; TERMS] {
 }
 
 impl Stretch {
-    fn verdict(&self, order: usize, band: f64) -> Verdict {
+    fn verdict(&self, order: usize, band: f64) -> StretchVerdict {
         let terms = self.terms.get(..=order).unwrap_or(&self.terms);
-        let [first, .., last] = terms else { return Verdict::Unknown };
+        let [first, .., last] = terms else { return StretchVerdict::Unknown };
         let least = terms.iter().fold(f64::INFINITY, |least: f64, term| least.min(*term));
         let changes = terms.windows(2).filter(|pair| (pair[0] > 0.0) != (pair[1] > 0.0)).count();
         if least > band {
-            Verdict::Positive
+            StretchVerdict::Positive
         } else if changes == 1 && *first > band && *last < -band {
-            Verdict::FallsOnce
+            StretchVerdict::FallsOnce
         } else {
-            Verdict::Unknown
+            StretchVerdict::Unknown
         }
     }
 

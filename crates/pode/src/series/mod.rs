@@ -8,11 +8,13 @@
 //! [`rows`] has what one more order of a product, a quotient or a sine takes; the crate `kane`
 //! writes such a series for any tape.
 
+mod bell;
 mod falls;
 mod guards;
 pub mod lanes;
 pub mod rows;
 
+pub use bell::add_bell;
 pub(crate) use falls::{Fall, first_fall};
 pub(crate) use guards::GuardPolynomial;
 pub use guards::GuardSeries;

@@ -7,10 +7,10 @@
 //! # References
 //! `[JZ05]` proposition 2.1: the rules.
 
-use super::TERMS;
+use super::INPUT_TERMS;
 
 /// Length of a row: a multiple of four.
-const ROW: usize = TERMS.next_multiple_of(4);
+const ROW: usize = INPUT_TERMS.next_multiple_of(4);
 
 /// 1/k, for k from 1 on; a division takes four times as long as a product.
 pub const PER_ORDER: [f64; ROW] = {

@@ -1,7 +1,7 @@
 //! Guards of which the method knows the series: looked for as polynomials, not evaluated.
 
 use super::Simulator;
-use super::detect::Verdict;
+use super::detect::GuardVerdict;
 use crate::crossing::{Crossing, GuardSpan};
 use crate::epoch::Stand;
 use crate::guard::GuardSpec;
@@ -33,7 +33,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         guard: &GuardPolynomial,
         (index, spec): (usize, &GuardSpec),
         h: f64,
-    ) -> Result<Verdict, Fault> {
+    ) -> Result<GuardVerdict, Fault> {
         let slot = &mut self.guards[index];
         let sums = guard.sums(h);
         if !sums.start.is_finite() || !sums.end.is_finite() {
@@ -43,7 +43,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         (slot.bend, slot.curvature) = (f64::INFINITY, f64::INFINITY);
         let band = spec.band() + sums.rest;
         if slot.stand == Stand::Armed && sums.start.value + sums.falls > band {
-            return Ok(Verdict::Clear);
+            return Ok(GuardVerdict::Clear);
         }
         let is_falling = match slot.stand {
             Stand::Armed => first_fall(guard, band) != Fall::None,
@@ -56,7 +56,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             | Stand::Unwatched => true,
         };
         slot.bend = if slot.stand == Stand::Armed { guard.bend() } else { f64::INFINITY };
-        Ok(if is_falling { Verdict::Candidate } else { Verdict::Clear })
+        Ok(if is_falling { GuardVerdict::Candidate } else { GuardVerdict::Clear })
     }
 
     /// The first crossing of a guard that starts positive, or leaves zero: its polynomial says

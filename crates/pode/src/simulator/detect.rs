@@ -47,7 +47,7 @@ pub(super) struct Suspicion {
 
 /// What a guard's ends tell of it.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Verdict {
+pub(super) enum GuardVerdict {
     /// It has no root for certain.
     Clear,
     /// It may cross in the step.
@@ -59,11 +59,11 @@ pub(super) enum Verdict {
 impl Suspicion {
     /// Adds what is known of the guard at the place `index`.
     #[inline]
-    pub(super) const fn take(&mut self, index: usize, verdict: Verdict) {
+    pub(super) const fn take(&mut self, index: usize, verdict: GuardVerdict) {
         match verdict {
-            Verdict::Clear => {}
-            Verdict::Candidate => self.candidates |= 1 << index,
-            Verdict::Unlikely => self.certainty = Certainty::Unknown,
+            GuardVerdict::Clear => {}
+            GuardVerdict::Candidate => self.candidates |= 1 << index,
+            GuardVerdict::Unlikely => self.certainty = Certainty::Unknown,
         }
     }
 }
@@ -109,7 +109,10 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
                 self.guards[index].curvature = f64::INFINITY;
             }
             let is_candidate = span.may_cross() || span.stand == Stand::Spent;
-            found.take(index, if is_candidate { Verdict::Candidate } else { Verdict::Unlikely });
+            found.take(
+                index,
+                if is_candidate { GuardVerdict::Candidate } else { GuardVerdict::Unlikely },
+            );
         }
         Ok(found)
     }

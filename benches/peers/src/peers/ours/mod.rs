@@ -11,7 +11,7 @@ pub(crate) use written::Written;
 
 use std::hint::black_box;
 
-use pode::stepper::{BogackiShampine, Controlled, Dop853, Exact, Rk4, Stepper, Tolerance};
+use pode::stepper::{BogackiShampine, Controlled, Dop853, Exact, Rk4, Stepper, Taylor, Tolerance};
 use pode::{Limits, Model, Resets};
 
 use crate::entry::{Entry, Run, STEPS, Setting, tolerances};
@@ -29,11 +29,46 @@ pub(crate) struct Ours<M: Model, I> {
     pub(crate) start: (M::Mode, M::State),
 }
 
+/// What drives a model, at any time.
+pub(crate) trait Driven<T> {
+    /// The input at `t` (s).
+    fn at(&self, t: f64) -> T;
+
+    /// Writes its power series in units of `dt` (s); `false` where it has none.
+    fn series(&self, _t: f64, _dt: f64, _out: &mut [T]) -> bool {
+        false
+    }
+}
+
+impl<T, F: Fn(f64) -> T> Driven<T> for F {
+    #[inline]
+    fn at(&self, t: f64) -> T {
+        self(t)
+    }
+}
+
+/// Rows of a model that knows its Taylor series, as its input does.
+pub(crate) fn expanded<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> Vec<Entry>
+where
+    M: Resets<State = [f64; N]> + Copy + 'static,
+    I: Driven<M::Input> + Copy + 'static,
+{
+    let row = |tolerance| Entry {
+        code: CODE,
+        method: "Taylor",
+        setting: Setting::Best("sweep"),
+        knob: tolerance,
+        note: "one tick, steps by the tolerance; the series is emitted from the equations",
+        run: run(ours, Taylor::to(Tolerance::both(tolerance)), offline(), t_end, t_end),
+    };
+    tolerances(15).map(row).collect()
+}
+
 /// All rows.
 pub(crate) fn entries<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Fn(f64) -> M::Input + Copy + 'static,
+    I: Driven<M::Input> + Copy + 'static,
 {
     let ticks = STEPS.into_iter().flat_map(|h| by_tick(ours, t_end, h));
     let tolerances = tolerances(13).flat_map(|tolerance| by_tolerance(ours, t_end, tolerance));
@@ -48,7 +83,7 @@ where
 fn by_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, h: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Fn(f64) -> M::Input + Copy + 'static,
+    I: Driven<M::Input> + Copy + 'static,
 {
     let entry = |method, run| Entry {
         code: CODE,
@@ -75,7 +110,7 @@ where
 fn by_tolerance<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64, tolerance: f64) -> Vec<Entry>
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Fn(f64) -> M::Input + Copy + 'static,
+    I: Driven<M::Input> + Copy + 'static,
 {
     let method = Controlled { method: Dop853, tolerance: Tolerance::both(tolerance) };
     vec![Entry {
@@ -93,7 +128,7 @@ where
 fn one_tick<const N: usize, M, I>(ours: Ours<M, I>, t_end: f64) -> [Entry; 2]
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Fn(f64) -> M::Input + Copy + 'static,
+    I: Driven<M::Input> + Copy + 'static,
 {
     let entry = |method, note, run| Entry {
         code: CODE,
@@ -131,7 +166,7 @@ fn run<const N: usize, M, I, T>(
 ) -> Run
 where
     M: Resets<State = [f64; N]> + Copy + 'static,
-    I: Fn(f64) -> M::Input + Copy + 'static,
+    I: Driven<M::Input> + Copy + 'static,
     T: Stepper + 'static,
 {
     Box::new(move |log| ticks::run(&black_box(ours), (stepper, limits), h, black_box(t_end), log))

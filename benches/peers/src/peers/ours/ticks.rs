@@ -3,8 +3,27 @@
 use pode::stepper::Stepper;
 use pode::{Advance, Event, EventCause, Limits, Model, Piece, Resets, Signal, Simulator, Watch};
 
-use super::Ours;
+use super::{Driven, Ours};
 use crate::log::Log;
+
+/// The input over one tick of `h` (s).
+struct OfTick<'a, I> {
+    input: &'a I,
+    tick: f64,
+    h: f64,
+}
+
+impl<T, I: Driven<T>> Signal<T> for OfTick<'_, I> {
+    #[inline]
+    fn at(&self, theta: f64) -> T {
+        self.input.at((self.tick + theta) * self.h)
+    }
+
+    #[inline]
+    fn series(&self, theta: f64, span: f64, out: &mut [T]) -> bool {
+        self.input.series((self.tick + theta) * self.h, span * self.h, out)
+    }
+}
 
 /// Writes events into the log, and wanted states if it looks `INSIDE` the steps.
 struct Scribe<'a, const INSIDE: bool> {
@@ -50,7 +69,7 @@ pub(super) fn run<const N: usize, M, I, T>(
 ) -> Result<(), String>
 where
     M: Resets<State = [f64; N]> + Copy,
-    I: Fn(f64) -> M::Input,
+    I: Driven<M::Input>,
     T: Stepper,
 {
     if log.wants_states() {
@@ -70,7 +89,7 @@ fn follow<const INSIDE: bool, const N: usize, M, I, T>(
 ) -> Result<(), String>
 where
     M: Resets<State = [f64; N]> + Copy,
-    I: Fn(f64) -> M::Input,
+    I: Driven<M::Input>,
     T: Stepper,
 {
     let (mode, state) = ours.start;
@@ -80,7 +99,7 @@ where
     let mut evaluations = 0;
     let ticks = (0_u32..).map(f64::from).take_while(|tick| (tick + 0.5) * h < t_end);
     for tick in ticks {
-        let signal = |theta: f64| (ours.input)((tick + theta) * h);
+        let signal = OfTick { input: &ours.input, tick, h };
         let done = simulator.advance(h, &signal, &mut scribe);
         evaluations += u64::from(done.work.derivatives);
         if done.advance != Advance::Completed {
