@@ -50,7 +50,10 @@ fn checking_it_says_the_same_and_for_programs_too() {
     let folder = folder("checked");
     fs::write(folder.join("mistakes.toml"), MISTAKES).expect("a file");
     let said = run(&folder, &["check", "mistakes.toml"]);
-    assert_eq!((said.code, said.lines().len()), (Some(2), 7), "{said:?}");
+    // How many there are, and each with its line and a caret under the place.
+    assert_eq!((said.code, said.lines().len()), (Some(2), 1 + 6 * 3), "{said:?}");
+    let carets = said.lines().iter().filter(|line| line.trim() == "^").count();
+    assert_eq!(carets, 6, "{said:?}");
     check_words(&said, &["1 file is wrong", "mistakes.toml:2:11: ", "mistakes.toml:14:9: "]);
     let said = run(&folder, &["check", "--json", "mistakes.toml"]);
     assert_eq!(said.code, Some(2), "{said:?}");
