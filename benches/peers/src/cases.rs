@@ -3,6 +3,7 @@
 use std::fs;
 
 use models::{BouncingBall, Described, KeyHammerSprings, key_hammer_springs};
+use pode::series::{INPUT_TERMS, add_bell};
 use pode::{Motion, Resets};
 use serde_json::Value;
 
