@@ -46,11 +46,12 @@ impl Part {
         Self { entries, ..Self::WHOLE }
     }
 
-    /// The entries of all `parts` as one.
+    /// The entries of all `parts` of a state with `length` entries as one.
     #[inline]
-    pub(crate) fn union(parts: &[Self]) -> Self {
+    pub(crate) fn union(parts: &[Self], length: usize) -> Self {
         let entries = parts.iter().fold(0, |sum, part| sum | part.entries);
-        Self { entries, ..Self::WHOLE }
+        let union = Self { entries, ..Self::WHOLE };
+        if union.count(length) as usize == length { Self::WHOLE } else { union }
     }
 
     /// The same with equations of another nature than the mode as a whole.

@@ -12,7 +12,7 @@ use pode::{
 use crate::common::close;
 
 /// Two oscillators that do not touch each other, slow (1 rad/s) and fast (30 rad/s), the fast one
-/// driven: coordinates, then speeds.
+/// driven: coordinates, then speeds, each with three that rest, so that parts are stepped apart.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     parts: &'static [Part],
@@ -22,23 +22,24 @@ const SLOW: f64 = 1.0;
 const FAST: f64 = 30.0;
 const WHOLE: [Part; 1] = [Part::WHOLE];
 const APART: [Part; 2] =
-    [Part::of(&[0, 2]).with_nature(Nature::new(EquationKind::Linear, SLOW)), Part::of(&[1, 3])];
+    [Part::of(&[0, 5]).with_nature(Nature::new(EquationKind::Linear, SLOW)), Part::of(&[1, 6])];
 
 impl Model for Pair {
     type Mode = ();
-    type State = [f64; 4];
+    type State = [f64; 10];
     type Input = Motion;
-    const COORDS: usize = 2;
+    const COORDS: usize = 5;
 
     fn parts(&self, (): ()) -> &[Part] {
         self.parts
     }
 
-    fn derivative(&self, (): (), x: &[f64; 4], s: &Motion) -> [f64; 4] {
-        [x[2], x[3], -SLOW * SLOW * x[0], FAST * FAST * (s.position - x[1])]
+    fn derivative(&self, (): (), x: &[f64; 10], s: &Motion) -> [f64; 10] {
+        let (slow, fast) = (-SLOW * SLOW * x[0], FAST * FAST * (s.position - x[1]));
+        [x[5], x[6], 0.0, 0.0, 0.0, slow, fast, 0.0, 0.0, 0.0]
     }
 
-    fn readout(&self, (): (), x: &[f64; 4], _: &Motion) -> f64 {
+    fn readout(&self, (): (), x: &[f64; 10], _: &Motion) -> f64 {
         x[1]
     }
 
@@ -52,20 +53,21 @@ impl Guarded for Pair {
         &[]
     }
 
-    fn guard(&self, (): (), _: GuardId, _: &[f64; 4], _: &Motion) -> GuardValue {
+    fn guard(&self, (): (), _: GuardId, _: &[f64; 10], _: &Motion) -> GuardValue {
         GuardValue::default()
     }
 }
 
 impl Resets for Pair {
-    fn reset(&self, (): (), _: GuardId, x: &[f64; 4], _: &Motion) -> Reset<Self> {
+    fn reset(&self, (): (), _: GuardId, x: &[f64; 10], _: &Motion) -> Reset<Self> {
         Reset::to((), *x)
     }
 }
 
 /// State and work after 100 ticks of 1 ms, from rest of the fast one.
-fn after<T: Stepper>(parts: &'static [Part], stepper: T) -> ([f64; 4], Work) {
-    let start = [1.0, 0.0, 0.0, 0.0];
+fn after<T: Stepper>(parts: &'static [Part], stepper: T) -> ([f64; 10], Work) {
+    let mut start = [0.0; 10];
+    start[0] = 1.0;
     let mut pair = Simulator::new(Pair { parts }, stepper, Limits::default(), (), start);
     let mut work = Work::default();
     for tick in 0..100 {
@@ -93,8 +95,16 @@ fn parts_apart_go_where_they_go_together() {
             };
             close(format_args!("{}, entry {index}", method.name()), *other, *one, tolerance);
         }
-        assert_eq!(work.rates, 2 * work.derivatives, "{}: half of the entries", method.name());
+        let entries = if method.steps_apart(10) { 2 } else { 4 };
+        assert_eq!(work.rates, entries * work.derivatives, "{}: its entries only", method.name());
     }
+}
+
+#[test]
+fn parts_are_stepped_together_where_that_costs_less() {
+    assert!(!Rk4.steps_apart(4) && Rk4.steps_apart(10), "an evaluation costs more than a step");
+    assert!(Exact.steps_apart(4), "each part has a method of its own");
+    assert!(!Controlled::<Dop853>::default().steps_apart(10), "one length is controlled");
 }
 
 #[test]
@@ -110,7 +120,7 @@ fn each_part_takes_the_method_that_its_own_nature_asks_for() {
 
 #[test]
 fn what_is_in_no_part_is_not_integrated() {
-    const FAST_ONLY: [Part; 1] = [Part::of(&[1, 3])];
+    const FAST_ONLY: [Part; 1] = [Part::of(&[1, 6])];
     let (state, work) = after(&FAST_ONLY, Rk4);
     close("the slow one", state[0], 1.0, 0.0);
     close("the fast one", state[1], after(&WHOLE, Rk4).0[1], 1e-14);
@@ -120,7 +130,7 @@ fn what_is_in_no_part_is_not_integrated() {
 #[test]
 fn a_slow_part_takes_one_step_for_three_of_the_others() {
     const SLOWLY: [Part; 2] =
-        [Part::of(&[0, 2]).of_state().with_longest_step(1.0), Part::of(&[1, 3])];
+        [Part::of(&[0, 5]).of_state().with_longest_step(1.0), Part::of(&[1, 6])];
     let (state, work) = after(&SLOWLY, Rk4);
     // 34 of its own steps beside 100: 4 derivatives each.
     assert_eq!((work.derivatives, work.pieces), (4 * (100 + 34), 100));
@@ -139,7 +149,8 @@ fn a_mode_without_degrees_of_freedom_takes_no_derivative_with_any_method() {
         let (state, work) = after(&[], method);
         let zero = (work.derivatives, work.rates, work.jacobians);
         assert_eq!(zero, (0, 0, 0), "{name}");
-        assert_eq!(state.map(f64::to_bits), [1.0_f64, 0.0, 0.0, 0.0].map(f64::to_bits), "{name}");
+        assert_eq!(state[0].to_bits(), 1.0_f64.to_bits(), "{name}");
+        assert!(state[1..].iter().all(|it| it.to_bits() == 0), "{name}");
     }
     let (_, work) = after(&[], Controlled::<Dop853>::default());
     assert_eq!((work.derivatives, work.pieces), (0, 100));

@@ -43,7 +43,9 @@ fn perform(task: Task) -> Result<(), Error> {
         Task::Demo { forwarded } => demo::play(forwarded),
         Task::Test => test::run(),
         Task::GuestMidi => guest_midi::guest().run().map(drop),
-        Task::GuestBoards(form) => guest_boards::guest(form).run().map(drop),
+        Task::GuestBoards(form) => {
+            guest_boards::guest(form, guest::TriedProgram::Release).run().map(drop)
+        }
         Task::Oracle => oracle::run(),
         Task::Peers(options) => peers::run(&options),
         Task::Help => {

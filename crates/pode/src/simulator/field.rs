@@ -84,6 +84,18 @@ impl<'a, M: Model, S: Signal<M::Input>> ModeField<'a, M, S> {
         }
     }
 
+    /// The model's Jacobian for the entries of all parts, zero for the others.
+    fn jacobian_of_all(&self, x: &M::State, input: &M::Input) -> <M::State as State>::Matrix {
+        let matrix = self.model.jacobian(self.mode, x, input);
+        <M::State as State>::Matrix::from_columns(|index| {
+            if !self.part.has(index) {
+                return M::State::ZERO;
+            }
+            let column = matrix.apply(&M::State::ZERO.with_entry(index, 1.0));
+            M::State::ZERO.with_entries(&column, &self.part)
+        })
+    }
+
     /// The derivative of the part's entries by themselves, zero for the others.
     fn jacobian_of_part(&self, x: &M::State, input: &M::Input) -> <M::State as State>::Matrix {
         let rates = |x: &M::State| self.rates(x, input);
@@ -134,6 +146,8 @@ impl<M: Model, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
         let input = self.input(tau);
         if self.part.is_whole() {
             self.model.jacobian(self.mode, x, &input)
+        } else if self.index == TOGETHER {
+            self.jacobian_of_all(x, &input)
         } else {
             self.jacobian_of_part(x, &input)
         }

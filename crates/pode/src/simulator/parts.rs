@@ -127,6 +127,14 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         ModeField::new(self.model, (self.mode, index, part), self.signal, theta, self.input)
     }
 
+    /// All parts as one, where the method takes several of this mode together.
+    #[inline]
+    fn union(&self) -> Option<Part> {
+        let (parts, length) = (self.model.parts(self.mode), M::State::ZERO.entries().len());
+        let is_apart = parts.len() < 2 || self.stepper.steps_apart(length);
+        if is_apart { None } else { Some(Part::union(parts, length)) }
+    }
+
     /// Steps all parts from `x0`, one after another, and counts their evaluations; a step that one
     /// of them refuses is refused by all. Returns the input at the end as well.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
@@ -139,8 +147,8 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
     ) -> (Taken<M, T>, M::Input) {
         let mut end = None;
         let parts = self.model.parts(self.mode);
-        if T::IS_EXPANDED && parts.len() > 1 {
-            return self.take_together(&Part::union(parts), x0, memories, work);
+        if let Some(whole) = self.union() {
+            return self.take_together(&whole, x0, memories, work);
         }
         let mut whole: Option<Taken<M, T>> = None;
         for (index, (part, memory)) in parts.iter().zip(memories.iter_mut()).enumerate() {
@@ -181,7 +189,7 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         let part = match self.model.parts(self.mode) {
             [] => return,
             [only] => (0, *only),
-            several => (TOGETHER, Part::union(several)),
+            several => (TOGETHER, Part::union(several, M::State::ZERO.entries().len())),
         };
         let mut field = self.field(part, self.theta.1);
         let [memory, ..] = memories;
@@ -232,6 +240,12 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         dense: &mut T::Dense<M::State>,
         work: &mut Work,
     ) {
+        if let Some(whole) = self.union() {
+            let mut field = self.field((TOGETHER, whole), self.theta.1);
+            let [memory, ..] = memories;
+            self.stepper.refine(&mut field, &memory.method, dense, self.h);
+            return field.count(work);
+        }
         for (index, (part, memory)) in self.model.parts(self.mode).iter().zip(memories).enumerate()
         {
             let mut field = self.field((index, *part), self.theta.1);

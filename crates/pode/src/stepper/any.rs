@@ -294,6 +294,12 @@ macro_rules! any {
                 }
             }
 
+            fn steps_apart(&self, entries: usize) -> bool {
+                match self {
+                    $(Self::$name(stepper) => stepper.steps_apart(entries)),+
+                }
+            }
+
             fn aims(&self, nature: &Nature) -> bool {
                 match self {
                     $(Self::$name(stepper) => stepper.aims(nature)),+

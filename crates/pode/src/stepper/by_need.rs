@@ -206,6 +206,12 @@ impl Stepper for ByNeed {
         }
     }
 
+    /// Each part gets the method that its nature asks for.
+    #[inline]
+    fn steps_apart(&self, _entries: usize) -> bool {
+        true
+    }
+
     #[inline]
     fn aims(&self, nature: &Nature) -> bool {
         self.choice(nature, f64::INFINITY).method == NeededMethod::Rk4

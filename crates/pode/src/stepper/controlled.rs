@@ -140,6 +140,12 @@ impl<T: Stepper> Stepper for Controlled<T> {
         step
     }
 
+    /// One step length is controlled for all parts.
+    #[inline]
+    fn steps_apart(&self, _entries: usize) -> bool {
+        false
+    }
+
     fn aims(&self, nature: &Nature) -> bool {
         self.method.aims(nature)
     }

@@ -68,6 +68,12 @@ impl Stepper for Exact {
         Rk4.step(field, x0, &mut (), h).map(FlowOrCubic::Cubic)
     }
 
+    /// Each part gets the method that its nature asks for.
+    #[inline]
+    fn steps_apart(&self, _entries: usize) -> bool {
+        true
+    }
+
     #[inline]
     fn aims(&self, nature: &Nature) -> bool {
         !nature.is_linear() && Rk4.aims(nature)

@@ -109,8 +109,7 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     const REFINEMENT: u32 = 0;
     /// Most evaluations of the Jacobian in one step.
     const JACOBIANS: u32 = 0;
-    /// Whether it expands the solution before it knows how long its step is, all parts of a mode
-    /// as one.
+    /// Whether it expands the solution before it knows how long its step is.
     const IS_EXPANDED: bool = false;
     /// Its name on the command line.
     const NAME: &'static str;
@@ -176,6 +175,18 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     /// hands some modes on.
     fn name_in(&self, _nature: &Nature) -> &'static str {
         Self::NAME
+    }
+
+    /// Whether the parts of a mode, in a state with `entries` entries, are stepped apart.
+    ///
+    /// A part's step does arithmetic with the whole state, and its dense output is merged with the
+    /// others': 1.5 times the time of one step for all of the paper's key and hammer. It pays where
+    /// evaluations cost more, or where each part gets a method of its own.
+    #[inline]
+    fn steps_apart(&self, entries: usize) -> bool {
+        /// Most entries of a state whose derivative costs less than a step beside it.
+        const SMALL: usize = 8;
+        entries > SMALL
     }
 
     /// Longest step (s) in a mode of this `nature`, where the model itself asks for `own`.

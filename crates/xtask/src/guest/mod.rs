@@ -46,6 +46,31 @@ pub(crate) struct GuestCheck {
     pub files: Vec<(&'static str, Vec<u8>)>,
     /// How long everything may take.
     pub time_limit: Duration,
+    /// Which `letoff` plays.
+    pub program: TriedProgram,
+}
+
+/// Which build of `letoff` is tried in a guest.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum TriedProgram {
+    /// The one that the tests have built: it is optimised, and checks its arithmetic.
+    OfTheTests,
+    /// The one that users run, which is built first.
+    Release,
+}
+
+impl TriedProgram {
+    /// Its path below the folder `target`, built if need be.
+    fn obtain(self, target: &Path) -> Result<PathBuf, Error> {
+        match self {
+            Self::OfTheTests => Ok(target.join("debug/letoff")),
+            Self::Release => {
+                apt::install_missing()?;
+                command::run(&mut cargo(["build", "--release", "--package", "cli"]))?;
+                Ok(target.join("release/letoff"))
+            }
+        }
+    }
 }
 
 impl GuestCheck {
@@ -65,10 +90,8 @@ impl GuestCheck {
                 return Ok(Done::Skipped(error.to_string()));
             }
         };
-        apt::install_missing()?;
-        command::run(&mut cargo(["build", "--release", "--package", "cli"]))?;
-        let initrd =
-            image::make(&folder.join(self.name), self, &kernel, &target.join("release/letoff"))?;
+        let program = self.program.obtain(&target)?;
+        let initrd = image::make(&folder.join(self.name), self, &kernel, &program)?;
         let machine = VirtualMachine { kernel: kernel.image, initrd, time_limit: self.time_limit };
         let verdict = machine.boot()?;
         println!("\n{}: {verdict}", self.plays_on);

@@ -9,7 +9,7 @@ mod conformance;
 use std::time::Duration;
 
 use crate::guest::tools::Tool;
-use crate::guest::{GuestCheck, SCENE, piece};
+use crate::guest::{GuestCheck, SCENE, TriedProgram, piece};
 
 /// What sets buses up, disturbs them, and reads reports.
 pub(crate) const PROGRAMS: [Tool; 7] = [
@@ -35,8 +35,8 @@ pub(crate) enum CheckScope {
     Full,
 }
 
-/// The guest with eight boards.
-pub(crate) fn guest(form: CheckScope) -> GuestCheck {
+/// The guest with eight boards, on which `program` plays.
+pub(crate) fn guest(form: CheckScope, program: TriedProgram) -> GuestCheck {
     let (word, minutes) = match form {
         CheckScope::Short => ("short", 15),
         CheckScope::Full => ("full", 60),
@@ -60,5 +60,6 @@ pub(crate) fn guest(form: CheckScope) -> GuestCheck {
             ("usb.sh", include_str!("usb.sh").into()),
         ],
         time_limit: Duration::from_mins(minutes),
+        program,
     }
 }

@@ -100,6 +100,12 @@ impl Stepper for Taylor {
         memory.guards()
     }
 
+    /// One expansion serves all parts.
+    #[inline]
+    fn steps_apart(&self, _entries: usize) -> bool {
+        false
+    }
+
     /// A step may be longer than what resolves the motion for methods of low order; but not so
     /// long that it does not see what the input does.
     fn longest_step(&self, _nature: &Nature, own: f64) -> f64 {
