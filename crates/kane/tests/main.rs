@@ -25,4 +25,5 @@ mod plain_equations;
 mod readable;
 mod shipped;
 mod small_models;
+mod spring_wall;
 mod touching;
