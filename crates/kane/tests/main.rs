@@ -9,6 +9,7 @@ mod builder;
 mod by_hand;
 mod closed_forms;
 mod common;
+mod conserved;
 mod contacts;
 mod derived;
 mod description;
