@@ -7,6 +7,7 @@ mod beside_hand_written;
 mod bounds;
 mod builder;
 mod by_hand;
+mod certain_steps;
 mod closed_forms;
 mod common;
 mod conserved;
