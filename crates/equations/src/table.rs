@@ -4,7 +4,7 @@
 //! the program runs it is made once and kept.
 
 use contacts::ContactSpec;
-use pode::{Enclosure, EquationKind, Fires, GuardSpec, Part, Reads};
+use pode::{Enclosure, EquationKind, Fires, GuardSpec, Motion, Part, Reads};
 
 /// The number of a function of a model.
 pub type FunctionId = u16;
@@ -387,9 +387,18 @@ impl EnclosureLayout {
         3
     }
 
-    /// Returns the bounds and the length as they stand in `extra`.
+    /// Returns the place of the input's position at the start of the step, of a state with two
+    /// entries or more.
+    pub const fn input_start() -> usize {
+        Self::STRIDE + 3
+    }
+
+    /// Returns the bounds, the length and the input's start as they stand in `extra`.
     #[inline]
-    pub fn numbers<const N: usize, I>(over: &Enclosure<[f64; N], I>) -> [[f64; 4]; N] {
-        core::array::from_fn(|i| [over.moves[i], over.speeds[i], over.bends[i], over.h])
+    pub fn numbers<const N: usize>(over: &Enclosure<[f64; N], Motion>) -> [[f64; 4]; N] {
+        core::array::from_fn(|i| {
+            let step = if i == 1 { over.input_start.position } else { over.h };
+            [over.moves[i], over.speeds[i], over.bends[i], step]
+        })
     }
 }

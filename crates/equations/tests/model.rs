@@ -99,6 +99,7 @@ fn without_a_bound_nothing_is_known_of_a_step() {
         moves: [0.0; 2],
         speeds: [0.0; 2],
         bends: [0.0; 2],
+        input_start: still(0.0),
         input: None,
     };
     let bound = swing::<2>(&[]).guard_bound(SWING, GuardId(3), &over);

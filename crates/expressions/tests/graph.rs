@@ -158,6 +158,19 @@ fn many_pairs_of_squares_become_their_number() {
 
 /// x ↦ √(x² + c), again and again: after n times √(x² + n c), with the slope x/√(x² + n c).
 /// Neither building, derivative, substitution nor evaluation may go down the stack.
+/// A sum of this many terms is a part of its own in another sum.
+#[test]
+fn odd_and_even_functions_of_a_long_sum_have_one_sign() {
+    let mut graph = Graph::new();
+    let terms = (0..60).map(|at| graph.symbol(Place::Parameter(at))).collect::<Vec<_>>();
+    let [minus, plus] = [-1.0, 1.0]
+        .map(|factor| graph.sum(&terms.iter().map(|it| (*it, factor)).collect::<Vec<_>>()));
+    let [sine, other] = [minus, plus].map(|it| graph.unary(UnaryFunction::Sin, it));
+    assert_eq!(sine, graph.negate(other));
+    let [cosine, other] = [minus, plus].map(|it| graph.unary(UnaryFunction::Cos, it));
+    assert_eq!(cosine, other);
+}
+
 #[test]
 fn deep_chains_do_not_overflow_the_stack() {
     const DEPTH: u32 = 100_000;

@@ -45,8 +45,8 @@ impl<const N: usize> Motions<N> {
 
     fn enclosure(&self) -> Enclosure<[f64; N], Motion> {
         let DenseBounds { moves, speeds, bends } = self.orbit.bounds().unwrap();
-        let input = self.input.bound(0.0, 1.0);
-        Enclosure { h: self.h, start: self.start, moves, speeds, bends, input }
+        let (input_start, input) = (self.input.at(0.0), self.input.bound(0.0, 1.0));
+        Enclosure { h: self.h, start: self.start, moves, speeds, bends, input_start, input }
     }
 
     /// What a guard is at each look.

@@ -91,7 +91,8 @@ fn follow<M: Playable>(
 ) -> Found {
     let DenseBounds { moves, speeds, bends } = step.orbit.bounds().expect("a polynomial's");
     let input = step.input.bound(0.0, 1.0);
-    let over = Enclosure { h: step.h, start, moves, speeds, bends, input };
+    let input_start = step.input.at(0.0);
+    let over = Enclosure { h: step.h, start, moves, speeds, bends, input_start, input };
     let bound = model.guard_bound(mode, guard.id, &over);
     let at = |tau: f64| {
         let input = step.input.at(tau);

@@ -26,6 +26,8 @@ pub struct Enclosure<S, I> {
     pub speeds: S,
     /// Bound of |d²x/dτ²|.
     pub bends: S,
+    /// Input at the start of the step.
+    pub input_start: I,
     /// Largest magnitudes of the input and its rates over the step (unit/s, unit/s² and so on);
     /// `None` where the signal does not know them.
     pub input: Option<I>,

@@ -27,9 +27,10 @@ Chores of this workspace.
                                     and writes results.json and table.md, by default into
                                     benches/peers/results; a quarter of an hour, with
                                     --quick two minutes and into target/peers/results
-  cargo xtask oracle                derives random mechanisms here and with SymPy, which is
-                                    installed from PyPI into target/oracle, and compares
-                                    their accelerations; two minutes
+  cargo xtask oracle                derives random mechanisms and the built-in models here
+                                    and with SymPy, moves linkages here and with MuJoCo,
+                                    both installed from PyPI into target/oracle, and
+                                    compares accelerations, forces and motions; three minutes
   cargo xtask help                  prints this
 
 Example: cargo xtask demo -- --duration 5
@@ -47,7 +48,7 @@ pub(crate) enum Task {
     GuestMidi,
     /// Play boards over real drivers in a guest.
     GuestBoards(CheckScope),
-    /// Compare derived equations with SymPy's.
+    /// Compare derived equations with SymPy's, and motions with `MuJoCo`'s.
     Oracle,
     /// Measure other people's solvers beside ours.
     Peers(PeerOptions),

@@ -8,30 +8,30 @@ use crate::error::Error;
 use crate::peers;
 use crate::stage::Done;
 
-/// Where the tests of `kane` look for a Python with SymPy.
+/// Where the tests of `kane` look for a Python with SymPy and `MuJoCo`.
 const PYTHON: &str = "LETOFF_ORACLE_PYTHON";
 
-/// How many mechanisms they compare.
+/// How many random mechanisms they compare.
 const COUNT: &str = "LETOFF_ORACLE_MECHANISMS";
 
 /// What the Python needs, from the workspace's root.
 const REQUIREMENTS: &str = "crates/kane/tests/oracle/requirements.txt";
 
-/// How many mechanisms a short run compares: those of two and three bodies among them.
+/// How many random mechanisms a short run compares: those of two and three bodies among them.
 const SHORT: &str = "6";
 
-/// Compares all mechanisms.
+/// Compares all mechanisms and motions.
 ///
 /// # Errors
-/// Says what could not be installed, or that the equations are others.
+/// Says what could not be installed, or that the equations or motions are others.
 pub(crate) fn run() -> Result<(), Error> {
     command::run(&mut compare(&python()?))
 }
 
-/// Compares a few; skipped where SymPy cannot be had.
+/// Compares fewer random mechanisms; skipped where the other programs cannot be had.
 ///
 /// # Errors
-/// Says that the equations are others.
+/// Says that the equations or motions are others.
 pub(crate) fn short() -> Result<Done, Error> {
     match python() {
         Ok(python) => command::run(compare(&python).env(COUNT, SHORT)).map(|()| Done::All),
@@ -39,7 +39,7 @@ pub(crate) fn short() -> Result<Done, Error> {
     }
 }
 
-/// A Python with SymPy.
+/// A Python with SymPy and `MuJoCo`.
 fn python() -> Result<PathBuf, Error> {
     let work = root().join("target/oracle");
     std::fs::create_dir_all(&work).map_err(|cause| Error::file(&work, cause))?;

@@ -65,7 +65,7 @@ fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
         stage("tests, examples and benches", &test(&["--workspace", "--all-targets"])),
         stage("examples in the documentation", &test(&["--workspace", "--doc"])),
         Stage {
-            name: "equations of motion beside SymPy's",
+            name: "equations and motions beside SymPy's and MuJoCo's",
             work: StageWork::Chore(oracle::short),
             skipped: None,
         },

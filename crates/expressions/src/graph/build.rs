@@ -122,12 +122,15 @@ impl Graph {
             | UnaryFunction::SoftplusSquareArea
             | UnaryFunction::Acos => return None,
         };
-        let NodeOperation::Sum(_, terms) = self.operation(x) else { return None };
+        let NodeOperation::Sum(number, terms) = self.operation(x) else { return None };
         let is_negative = terms.first().is_some_and(|(_, factor)| f64::from_bits(*factor) < 0.0);
         if !is_negative {
             return None;
         }
-        let positive = self.negate(x);
+        // Term by term: a long sum would else become one negative term of another.
+        let opposite = terms.iter().map(|(node, factor)| (*node, -f64::from_bits(*factor)));
+        let (number, opposite) = (-f64::from_bits(*number), opposite.collect::<Vec<_>>());
+        let positive = self.sum_in_order(number, &opposite);
         let value = self.unary(function, positive);
         Some(if is_odd { self.negate(value) } else { value })
     }

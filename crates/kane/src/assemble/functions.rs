@@ -63,8 +63,10 @@ impl FunctionList {
                 layout.place(Place::Extra(number), Argument::Extra(number));
             }
         }
-        let step = u16::try_from(EnclosureLayout::step()).unwrap_or(u16::MAX);
-        layout.place(Place::Extra(step), Argument::Extra(step));
+        for number in [EnclosureLayout::step(), EnclosureLayout::input_start()] {
+            let number = u16::try_from(number).unwrap_or(u16::MAX);
+            layout.place(Place::Extra(number), Argument::Extra(number));
+        }
         layout.place(Place::Key, Argument::Extra(0));
         Self {
             layout,

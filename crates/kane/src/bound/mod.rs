@@ -6,8 +6,8 @@
 //! exact, so that what cancels in them is seen: hammer and key that go together move the gap
 //! between them by little.
 //!
-//! The largest magnitude of a derivative is its value at the centre, where each entry is at its
-//! start and the input is 0, and how far it can be from there: by the chain and product rules,
+//! The largest magnitude of a derivative is its value at the centre, where each entry and the input
+//! are at their start and the input's rates are 0, and how far it can be from there: by the chain and product rules,
 //! with every slope replaced by the largest over the step ([`range`]).
 
 mod corners;

@@ -15,7 +15,7 @@ use equations::table::EnclosureLayout;
 pub(super) struct Ranges {
     /// How far each place can be from its centre.
     spreads: HashMap<Place, Node>,
-    /// The expressions at the centre: with the input at 0.
+    /// The expressions at the centre: with the input at its start, and its rates at 0.
     at_centre: Substitution,
     known: HashMap<Node, Range>,
 }
@@ -31,8 +31,14 @@ impl Ranges {
         for place in inputs {
             spreads.insert(place, graph.symbol(place));
         }
-        let at_centre = Substitution::new(inputs.map(|place| (place, zero)));
-        Self { spreads, at_centre, known: HashMap::new() }
+        let mut centres = inputs.map(|place| (place, zero));
+        if state.len() > 1 {
+            centres[0].1 = extra(graph, EnclosureLayout::input_start());
+            let step = extra(graph, EnclosureLayout::step());
+            let rate = graph.symbol(Place::Input(1));
+            spreads.insert(Place::Input(0), graph.multiply(step, rate));
+        }
+        Self { spreads, at_centre: Substitution::new(centres), known: HashMap::new() }
     }
 
     /// Returns a bound of |`node`| over the step.
@@ -59,7 +65,10 @@ impl Ranges {
             NodeOperation::Number(_) => around(graph, centre, None),
             NodeOperation::Symbol(place) => {
                 let spread = self.spreads.get(&place).copied();
-                around(graph, centre, spread)
+                let range = around(graph, centre, spread);
+                // Of the input the largest magnitude is known.
+                let size = if place == Place::Input(0) { node } else { range.size };
+                Range { size, ..range }
             }
             NodeOperation::Sum(_, terms) => {
                 let spreads: Vec<_> = terms

@@ -45,7 +45,10 @@ use crate::mechanism::Mechanism;
 /// Longest description that is read (bytes).
 pub const LONGEST: usize = 1 << 20;
 
-/// Most coordinates, and most of every other kind of thing but expressions.
+/// Most coordinates, and most speeds of their own: a state has 64 entries at most.
+pub const MOST_COORDINATES: usize = 64;
+
+/// Most of every other kind of thing but expressions.
 pub const MOST_OF_A_KIND: usize = 256;
 
 /// Most expressions in a description.

@@ -13,7 +13,7 @@ use super::names::NameTable;
 use super::report::FindingList;
 use super::source::{DescriptionSource, SourcePlace};
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
-use super::{Description, MOST_OF_A_KIND};
+use super::{Description, MOST_COORDINATES, MOST_OF_A_KIND};
 use crate::graph::{Graph, Node, Substitution};
 use crate::mechanism::{Constraint, Force, Mechanism, MechanismContact};
 use crate::text::{Dependence, Measured};
@@ -154,9 +154,11 @@ impl MechanismReader {
                 TomlKind::List(items) => items.len(),
                 _ => 0,
             };
-            if count > MOST_OF_A_KIND {
+            let is_motion = matches!(entry.name.as_str(), "coordinates" | "speeds");
+            let most = if is_motion { MOST_COORDINATES } else { MOST_OF_A_KIND };
+            if count > most {
                 let message = format!("{} has {count} entries", quoted(&entry.name));
-                let help = format!("there are {MOST_OF_A_KIND} at most");
+                let help = format!("there are {most} at most");
                 self.report.say(entry.place, message, help);
                 is_too_many = true;
             }

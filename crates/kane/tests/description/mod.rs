@@ -1,8 +1,10 @@
 //! Descriptions: what is read, and what is said about mistakes.
 
+mod bad_input;
 mod bases;
 mod builtin;
 mod foreign;
+mod keys;
 mod limits;
 mod meaning;
 mod mistakes;

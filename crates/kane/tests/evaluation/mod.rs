@@ -1,10 +1,19 @@
 //! Values of derived equations, by their tapes.
 
+use std::path::Path;
+
+use equations::EquationModel;
+use kane::assemble::TapeFunctions;
 use kane::graph::{Node, Place};
+use kane::mechanism::Mechanism;
 use kane::system::EquationSystem;
 use kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
 
 use crate::builder::{MechanismBuilder, number};
+use crate::shipped::Folder;
+
+/// The model of a derived system, whose state has N entries.
+pub(crate) type Assembled<const N: usize> = EquationModel<&'static TapeFunctions, N, 256>;
 
 /// A derived system with the values of its parameters.
 pub(crate) struct Derived {
@@ -22,6 +31,57 @@ impl Derived {
             panic!("{}", lines.join("\n"))
         });
         Self { system, values }
+    }
+
+    /// Derives the description of the model of the program in this folder.
+    pub(crate) fn built_in(folder: &str, preset: usize) -> Self {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        Self::file(&root.join(format!("../models/src/{folder}/model.toml")), preset)
+    }
+
+    /// Derives a shipped description.
+    pub(crate) fn shipped(name: &str) -> Self {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        Self::file(&root.join(format!("../../configs/models/{name}.toml")), 0)
+    }
+
+    fn file(file: &Path, preset: usize) -> Self {
+        let text = std::fs::read_to_string(file).expect("a description");
+        Self::described(&text, preset)
+    }
+
+    /// Derives a description, with the values of a preset for key 40.
+    pub(crate) fn described(text: &str, preset: usize) -> Self {
+        let read = kane::description::read("described.toml", text, &Folder);
+        let mechanism = read.unwrap_or_else(|mistakes| panic!("{mistakes}")).mechanism;
+        let values = preset_values(&mechanism, preset);
+        let system = kane::mechanics::derive(mechanism);
+        let system = system.unwrap_or_else(|errors| panic!("{errors:?}"));
+        Self { system, values }
+    }
+
+    /// Gives a parameter another value.
+    pub(crate) fn set(&mut self, name: &str, value: f64) {
+        let index = self.parameter(name);
+        self.values[index] = value;
+    }
+
+    /// The value of a parameter.
+    pub(crate) fn value_of(&self, name: &str) -> f64 {
+        self.values[self.parameter(name)]
+    }
+
+    fn parameter(&self, name: &str) -> usize {
+        let mut parameters = self.system.mechanism.parameters.iter();
+        let index = parameters.position(|it| it.name == name);
+        index.unwrap_or_else(|| panic!("there is no parameter {name}"))
+    }
+
+    /// What the simulator runs.
+    pub(crate) fn model<const N: usize>(&self) -> Assembled<N> {
+        let program = self.system.clone().assemble().expect("a program");
+        let functions: &'static TapeFunctions = Box::leak(Box::new(program.functions));
+        EquationModel::new(program.table, functions, &self.values).expect("it fits")
     }
 
     /// The values of `nodes`, which are over state, parameters and input.
@@ -70,6 +130,15 @@ impl Derived {
         }
         Some(self.all(&equations.slaved, &state, input))
     }
+}
+
+/// The values of a preset for key 40.
+fn preset_values(mechanism: &Mechanism, preset: usize) -> Vec<f64> {
+    let mut layout = ArgumentLayout::default();
+    layout.place(Place::Key, Argument::Extra(0));
+    let preset = &mechanism.presets[preset];
+    let tape = Tape::lower(&mechanism.graph, &layout, &preset.values).expect("over the key");
+    tape.evaluate(&TapeArguments { extra: &[40.0], ..TapeArguments::default() })
 }
 
 /// Numbers in −1 ..= 1 that look random: xorshift.

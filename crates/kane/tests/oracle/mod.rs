@@ -1,39 +1,73 @@
-//! Random planar mechanisms, here and by SymPy's `KanesMethod`.
+//! Mechanisms here and by other programs: SymPy's `KanesMethod`, and the motions of `MuJoCo`.
 //!
-//! `cargo xtask oracle` installs SymPy and runs all of them, `cargo xtask test` a few. Without a
-//! Python that has it there is nothing to compare with, and the test says that it was skipped.
+//! `cargo xtask oracle` installs both and compares all, `cargo xtask test` a part. Without a Python
+//! that has them there is nothing to compare with, and the tests say that they were skipped.
+#![expect(clippy::print_stdout, reason = "what was compared is shown")]
 
+mod built_in;
+mod linkages;
 mod planar;
 
+use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
+
+use serde_json::Value;
 
 /// A Python that has what requirements.txt names.
 const PYTHON: &str = "LETOFF_ORACLE_PYTHON";
 
-/// How many mechanisms are compared.
+/// How many random mechanisms are compared.
 const COUNT: &str = "LETOFF_ORACLE_MECHANISMS";
 
 /// How many there are in all.
 const ALL: u64 = 20;
 
-#[test]
-fn accelerations_are_those_of_kanes_method_in_sympy() {
-    let Some(python) = std::env::var_os(PYTHON) else {
-        println!("skipped: no Python with SymPy ({PYTHON}); `cargo xtask oracle` installs it");
-        return;
-    };
-    let count = std::env::var(COUNT).ok().and_then(|it| it.parse().ok()).unwrap_or(ALL);
-    let mechanisms: Vec<_> = (0..count).map(planar::random).collect();
+/// The Python; without one says that nothing is compared.
+fn python() -> Option<OsString> {
+    let python = std::env::var_os(PYTHON);
+    if python.is_none() {
+        println!(
+            "skipped: no Python with SymPy and MuJoCo ({PYTHON}); `cargo xtask oracle` installs them"
+        );
+    }
+    python
+}
+
+/// Gives `cases` to a program of this folder, which compares them.
+fn compare(python: OsString, program: &str, cases: &[Value]) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("oracle");
     std::fs::create_dir_all(&folder).expect("a folder");
-    let file = folder.join("planar.json");
-    let text = serde_json::to_string_pretty(&mechanisms).expect("JSON");
+    let file = folder.join(program).with_extension("json");
+    let text = serde_json::to_string_pretty(cases).expect("JSON");
     std::fs::write(&file, text).expect("written");
-    let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracle/kanes_method.py");
+    let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracle").join(program);
     let output = Command::new(python).arg(program).arg(&file).output().expect("Python");
     println!("{}", String::from_utf8_lossy(&output.stdout));
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn accelerations_are_those_of_kanes_method_in_sympy() {
+    let Some(python) = python() else { return };
+    let count = std::env::var(COUNT).ok().and_then(|it| it.parse().ok()).unwrap_or(ALL);
+    let mechanisms: Vec<_> = (0..count).map(planar::random).collect();
+    compare(python, "kanes_method.py", &mechanisms);
+}
+
+#[test]
+fn built_in_models_are_those_of_kanes_method_in_sympy() {
+    let cases = built_in::cases();
+    assert_eq!(cases.len(), 2 * (2 + 2 + 3 + 2 + 11), "modes of the models, in two presets");
+    let Some(python) = python() else { return };
+    compare(python, "built_in.py", &cases);
+}
+
+#[test]
+fn free_linkages_move_as_in_mujoco() {
+    let cases = linkages::cases();
+    let Some(python) = python() else { return };
+    compare(python, "linkages.py", &cases);
 }
 
 /// Without any other program: the mechanisms are derived, and energy is conserved.

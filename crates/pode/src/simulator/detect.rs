@@ -158,7 +158,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     ) -> Option<Enclosure<M::State, M::Input>> {
         let DenseBounds { moves, speeds, bends } = taken.step.dense.bounds()?;
         let input = run.signal.bound(run.theta, taken.theta_end);
-        Some(Enclosure { h: taken.h, start: self.state, moves, speeds, bends, input })
+        let (h, start, input_start) = (taken.h, self.state, taken.input_start);
+        Some(Enclosure { h, start, moves, speeds, bends, input_start, input })
     }
 
     /// The earliest crossing of the candidates within the step, and whether none before it can

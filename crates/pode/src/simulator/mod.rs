@@ -61,6 +61,8 @@ struct TakenStep<M: Model, T: Stepper> {
     theta_end: f64,
     /// Its length (s).
     h: f64,
+    /// Input at its start.
+    input_start: M::Input,
     /// State and input at its end, what is slaved in place.
     end: M::State,
     input: M::Input,
@@ -280,6 +282,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             h,
             rest: run.rest(),
         };
+        let input_start = *input;
         let (step, input) = mode_step.take(&self.state, &mut self.memory, &mut run.work);
         if !step.is_accepted {
             return None;
@@ -288,7 +291,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             run.fail(Fault::State);
             return None;
         };
-        Some(TakenStep { step, theta_end, h, end, input, is_refined: false })
+        Some(TakenStep { step, theta_end, h, input_start, end, input, is_refined: false })
     }
 
     /// Has the method look ahead from the present state, under `input`.
