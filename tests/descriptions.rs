@@ -105,13 +105,13 @@ fn equations_and_rust_are_printed_and_a_first_file_is_written() {
     assert_eq!(said.code, Some(2), "a file that is there is left alone: {said:?}");
 }
 
-#[test]
-fn eighty_eight_keys_play_a_description() {
-    let folder = folder("descriptions-played");
-    let file = root().join("crates/models/src/key_hammer_springs/model.toml");
+/// Plays three seconds of a piece on all keys, each of them the model of a file below the root.
+fn play(name: &str, file: &str, preset: &str) {
+    let folder = folder(name);
+    let file = root().join(file);
     let scene = format!(
         "title = \"Described\"\ntick_hz = 1000\n[[keys]]\nrange = \"A0..C8\"\nmodel = {:?}\n\
-         preset = \"playable\"\n[midi]\noutput = \"none\"\n[pianist]\n\
+         preset = {preset:?}\n[midi]\noutput = \"none\"\n[pianist]\n\
          performance = \"beethoven-ode-to-joy\"\n",
         file.to_str().expect("a path")
     );
@@ -123,4 +123,14 @@ fn eighty_eight_keys_play_a_description() {
     let notes = &report["notes"];
     assert!(notes["played"].as_u64().is_some_and(|played| played > 0), "{notes}");
     assert_eq!((&notes["struck"], &notes["missed"]), (&notes["played"], &0.into()), "{notes}");
+}
+
+#[test]
+fn eighty_eight_keys_play_a_description() {
+    play("descriptions-played", "crates/models/src/key_hammer_springs/model.toml", "playable");
+}
+
+#[test]
+fn a_grand_action_sounds_where_its_hammers_meet_the_strings() {
+    play("descriptions-grand", "configs/models/grand-action.toml", "default");
 }

@@ -117,7 +117,7 @@ impl<M: ContactSystem> Guarded for WithContacts<M> {
         over: &Enclosure<M::State, M::Input>,
     ) -> GuardBound {
         match ContactGuard::of(guard) {
-            ContactGuard::Friction(_) => GuardBound::UNKNOWN,
+            ContactGuard::Friction(contact) => self.friction_bound(mode, contact, over),
             guard @ (ContactGuard::Gap(_) | ContactGuard::Structure(_)) => {
                 self.system.guard_bound(mode.structure, guard, over)
             }
@@ -148,6 +148,24 @@ impl<M: ContactSystem> Guarded for WithContacts<M> {
 }
 
 impl<M: ContactSystem> WithContacts<M> {
+    /// The bound of a friction's guard: of a slide the slip speed, in parts of its size. What holds
+    /// a stick depends on all that act with it, and nothing bounds it.
+    fn friction_bound(
+        &self,
+        mode: ContactMode<M::Structure>,
+        contact: usize,
+        over: &Enclosure<M::State, M::Input>,
+    ) -> GuardBound {
+        let spec = self.system.contacts().get(contact).and_then(|it| it.friction);
+        match (mode.contacts.state(contact), spec) {
+            (ContactState::SlideUp | ContactState::SlideDown, Some(spec)) => {
+                let guard = ContactGuard::Friction(contact);
+                self.system.guard_bound(mode.structure, guard, over).times(1.0 / spec.slip)
+            }
+            _ => GuardBound::UNKNOWN,
+        }
+    }
+
     /// The friction of `contact` in `mode`, if it has any.
     pub(super) fn friction<'a>(
         &'a self,

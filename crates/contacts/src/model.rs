@@ -10,6 +10,11 @@ impl<M: ContactSystem> Model for WithContacts<M> {
     type Input = M::Input;
     const COORDS: usize = M::COORDS;
 
+    #[inline]
+    fn coordinates(&self) -> usize {
+        self.system.coordinates()
+    }
+
     fn derivative(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> M::State {
         self.point(mode, x, input).motion().flow
     }
@@ -29,6 +34,10 @@ impl<M: ContactSystem> Model for WithContacts<M> {
 
     fn longest_step_at(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> f64 {
         self.system.longest_step_at(mode.structure, mode.contacts, x, input)
+    }
+
+    fn longest_projection(&self, mode: Self::Mode) -> f64 {
+        self.system.longest_projection(mode.structure)
     }
 
     fn constrain(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> M::State {

@@ -8,7 +8,7 @@ use pode::Reset;
 use pode::State;
 use pode::filippov::{Continued, Surface};
 use pode::{Enclosure, GuardBound};
-use pode::{GuardId, GuardSpec, GuardValue};
+use pode::{GuardId, GuardSpec, GuardValue, ReadoutSlopes};
 
 /// The largest friction forces of a closed contact (N, or N m).
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -41,6 +41,13 @@ pub trait ContactSystem: Sized {
 
     /// How many leading entries of the state are coordinates.
     const COORDS: usize;
+
+    /// Returns how many leading entries of the state are coordinates, where that is a matter of the
+    /// values of the system.
+    #[inline]
+    fn coordinates(&self) -> usize {
+        Self::COORDS
+    }
 
     /// Returns the contacts and bearings; their number may come from a file.
     fn contacts(&self) -> &[ContactSpec];
@@ -115,6 +122,18 @@ pub trait ContactSystem: Sized {
         0.0
     }
 
+    /// Returns the slopes of the readout with these contacts as they are; none where differences
+    /// are to be taken.
+    fn slopes(
+        &self,
+        _structure: Self::Structure,
+        _contacts: ContactSet,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> Option<ReadoutSlopes> {
+        None
+    }
+
     /// Returns the guards of all structural modes, with ids below 128 and priorities below 64:
     /// walls, latches, what ends a structure.
     fn structure_guards(&self) -> &[GuardSpec] {
@@ -174,8 +193,8 @@ pub trait ContactSystem: Sized {
         self.longest_step(structure, contacts)
     }
 
-    /// Bounds what a gap or a guard of the structure does along a computed orbit, as
-    /// [`Guarded::guard_bound`](pode::Guarded::guard_bound) does; nothing bounds a friction.
+    /// Bounds what a gap, a slip speed or a guard of the structure does along a computed orbit, as
+    /// [`Guarded::guard_bound`](pode::Guarded::guard_bound) does.
     fn guard_bound(
         &self,
         _structure: Self::Structure,
@@ -193,6 +212,12 @@ pub trait ContactSystem: Sized {
         _input: &Self::Input,
     ) -> Self::State {
         *x
+    }
+
+    /// How far an event that leads to `structure` may move a coordinate onto a constraint, in the
+    /// unit of that coordinate; farther is a fault.
+    fn longest_projection(&self, _structure: Self::Structure) -> f64 {
+        f64::INFINITY
     }
 
     /// A time (s) in which the motion changes little, and over which the rate of a holding

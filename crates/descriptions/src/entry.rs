@@ -85,15 +85,16 @@ fn mode_entry(table: &'static ModelTable, mode: &'static ModeTable) -> ModeEntry
             let next = next.and_then(name).filter(|next| !to.contains(next));
             to.extend(next);
         }
-        GuardEntry { name: guard.name, unit: "", to: keep(to) }
+        GuardEntry { name: guard.name, unit: guard.unit, to: keep(to) }
     });
     let stays = keep([mode.name]);
     let contacts =
         mode.contacts.iter().filter_map(|it| table.contacts.get(usize::from(it.contact)));
     let names = contacts.flat_map(|contact| {
-        [contact.gap.map(|_size| contact.name), contact.friction.map(|friction| friction.0)]
+        let gap = contact.gap.map(|_size| (contact.name, "m"));
+        [gap, contact.friction.map(|friction| (friction.0, ""))]
     });
-    let contacts = names.flatten().map(|name| GuardEntry { name, unit: "", to: stays });
+    let contacts = names.flatten().map(|(name, unit)| GuardEntry { name, unit, to: stays });
     let guards = keep(guards.chain(contacts));
     let equations::table::Freedom { n, m, p } = mode.freedom;
     ModeEntry { name: mode.name, n, m, p, guards }

@@ -57,8 +57,11 @@ static SOFT: ModelTable = ModelTable {
             jacobian: Some(PUSH_JACOBIAN),
             balance: Some(PUSH_BALANCE),
             slip: None,
+            slip_bound: None,
             limits: None,
             response: None,
+            slopes: None,
+            sounds: None,
         }],
         ..FLIGHT
     }],

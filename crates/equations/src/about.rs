@@ -41,6 +41,17 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         Some(speed)
     }
 
+    /// Returns the speed (m/s) of what strikes where `contact` closes from the state `before`; none
+    /// where it opens, or makes no sound.
+    pub fn contact_sounding(&self, contact: usize, before: &[f64; N]) -> Option<f64> {
+        let modes = self.table().modes.iter();
+        let mut tables =
+            modes.flat_map(|mode| mode.contacts).filter(|it| usize::from(it.contact) == contact);
+        let sounds = tables.find_map(|table| table.sounds)?;
+        let [speed] = self.values(sounds, before, &Motion::default());
+        (speed > 0.0).then_some(speed)
+    }
+
     /// Returns the conditions on the parameters that these values do not meet.
     pub fn unmet(&self) -> impl Iterator<Item = &'static RequirementTable> + '_ {
         let is_unmet = |it: &&RequirementTable| {
@@ -60,7 +71,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     }
 
     /// A number that the constants give.
-    fn of_constants(&self, function: FunctionId) -> f64 {
+    pub(crate) fn of_constants(&self, function: FunctionId) -> f64 {
         let [value] = self.values(function, &[0.0; N], &Motion::default());
         value
     }

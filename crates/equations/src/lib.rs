@@ -19,15 +19,21 @@ mod guards;
 mod jacobian_bound;
 mod mode_number;
 mod model;
+mod motion;
 mod natures;
+mod projection;
 mod rates;
+mod relax;
 mod rest;
+mod rows;
 mod softplus;
 mod structure;
+mod structure_balance;
 pub mod table;
 
 pub use mode_number::ModeNumber;
 pub use model::{DoesNotFit, EquationModel};
 pub use natures::MAX_MODES;
+pub use rest::RestPose;
 
 pub use softplus::{FAR_SOFTPLUS, Softplus};

@@ -1,10 +1,10 @@
 //! A model made of a table and of functions by number.
 
-use pode::{Model, Motion, Nature, Part, State};
+use pode::Motion;
 
-use crate::jacobian_bound::matrix;
 use crate::mode_number::ModeNumber;
 use crate::natures::{MAX_MODES, ModeNatures};
+use crate::rest::RestPose;
 use crate::table::{Arguments, FunctionId, Functions, ModeTable, ModelTable};
 
 /// A model whose equations are functions by number, with its constants in the object.
@@ -50,12 +50,22 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         functions: F,
         parameters: &[f64],
     ) -> Result<Self, DoesNotFit> {
+        let mut model = Self::without_natures(table, functions, parameters)?;
+        model.natures = ModeNatures::of(&model);
+        Ok(model)
+    }
+
+    /// The same with nothing known of its modes.
+    pub(crate) fn without_natures(
+        table: &'static ModelTable,
+        functions: F,
+        parameters: &[f64],
+    ) -> Result<Self, DoesNotFit> {
         const { assert!(N > 0 && N <= 64, "a part has a bit for each entry") };
         fits(table, (N, C))?;
         let natures = ModeNatures::default();
         let mut model = Self { table, functions, constants: [0.0; C], natures };
         model.constants = model.derived(parameters);
-        model.natures = ModeNatures::of(&model);
         Ok(model)
     }
 
@@ -81,6 +91,21 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
             *constant = value;
         }
         constants
+    }
+
+    /// Returns where the model rests with the values of a preset for a key, and with the input at 0.
+    ///
+    /// # Errors
+    /// As of [`Self::new`].
+    pub fn rest_of_preset(
+        table: &'static ModelTable,
+        functions: F,
+        (preset, key): (usize, u8),
+    ) -> Result<RestPose<N>, DoesNotFit> {
+        let mut values = [0.0; C];
+        Self::without_natures(table, functions, &[])?.preset(preset, key, &mut values);
+        let model = Self::without_natures(table, functions, &values)?;
+        Ok(model.rest_pose(&Motion::default()))
     }
 
     /// Writes the values of the parameters in the preset `index` for a key, 0 (A0) to 87 (C8).
@@ -197,85 +222,5 @@ fn fits(table: &ModelTable, room: (usize, usize)) -> Result<(), DoesNotFit> {
         Err(DoesNotFit::Modes(modes))
     } else {
         Ok(())
-    }
-}
-
-impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationModel<F, N, C> {
-    type Mode = ModeNumber;
-    type State = [f64; N];
-    type Input = Motion;
-    /// Which entries are coordinates is the table's to say; no method that asks for it is meant.
-    const COORDS: usize = N / 2;
-
-    #[inline]
-    fn derivative(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
-        let mut out = [0.0; N];
-        self.call(self.mode(mode).derivative, x, input, &mut out);
-        out
-    }
-
-    #[inline]
-    fn parts(&self, mode: ModeNumber) -> &[Part] {
-        self.natures.parts(mode, self.mode(mode))
-    }
-
-    #[inline]
-    fn derivative_of(
-        &self,
-        mode: ModeNumber,
-        index: usize,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> [f64; N] {
-        let mode = self.mode(mode);
-        let mut out = [0.0; N];
-        let function = mode.parts.get(index).map_or(mode.derivative, |part| part.derivative);
-        self.call(function, x, input, &mut out);
-        out
-    }
-
-    #[inline]
-    fn readout(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
-        let [readout] = self.values(self.mode(mode).readout, x, input);
-        readout
-    }
-
-    fn jacobian(
-        &self,
-        mode: ModeNumber,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> <[f64; N] as State>::Matrix {
-        matrix(&self.jacobian_rows(self.mode(mode).jacobian, x, input))
-    }
-
-    #[inline]
-    fn nature(&self, mode: ModeNumber) -> Nature {
-        self.natures.nature(mode)
-    }
-
-    #[inline]
-    fn longest_step(&self, mode: ModeNumber) -> f64 {
-        self.natures.longest_step(mode)
-    }
-
-    #[inline]
-    fn longest_step_at(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
-        let longest = self.natures.longest_step(mode);
-        if self.mode(mode).is_stiffening { self.step_at(mode, longest, x, input) } else { longest }
-    }
-
-    fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
-        let mode = self.mode(mode);
-        let mut x = *x;
-        if let Some(slaved) = mode.slaved {
-            let before = x;
-            self.call(slaved, &before, input, &mut x);
-        }
-        mode.projection.map_or(x, |projection| self.projected(projection, mode, x, input))
-    }
-
-    fn longest_projection(&self, mode: ModeNumber) -> f64 {
-        self.mode(mode).longest_projection
     }
 }

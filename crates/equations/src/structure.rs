@@ -2,17 +2,17 @@
 
 use contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactSpec, ContactSystem,
-    EnergeticContacts, FrictionForces, FrictionLimits, WithContacts,
+    FrictionForces, FrictionLimits, WithContacts,
 };
 use pode::filippov::Surface;
 use pode::{
     Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded as _, Model,
-    Motion, Nature, Reset,
+    Motion, Nature, ReadoutSlopes, Reset, Sloped,
 };
 
 use crate::mode_number::ModeNumber;
 use crate::model::EquationModel;
-use crate::rest::add_rows;
+use crate::rows::add_rows;
 use crate::table::{ContactModeTable, FunctionId, Functions};
 
 impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
@@ -23,7 +23,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     }
 
     /// A number of a closed contact's balance: readout, energy, supplied, dissipated.
-    fn contact_sum(
+    pub(crate) fn contact_sum(
         &self,
         (mode, closed): (ModeNumber, ContactIndices),
         number: usize,
@@ -36,7 +36,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     }
 
     /// What the friction forces add to the readout.
-    fn friction_readout(
+    pub(crate) fn friction_readout(
         &self,
         mode: ModeNumber,
         forces: &FrictionForces,
@@ -65,6 +65,11 @@ impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for Equa
     type State = [f64; N];
     type Input = Motion;
     const COORDS: usize = N / 2;
+
+    #[inline]
+    fn coordinates(&self) -> usize {
+        self.table().coordinates
+    }
 
     fn contacts(&self) -> &[ContactSpec] {
         self.table().contact_specs
@@ -138,6 +143,24 @@ impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for Equa
         Model::readout(self, mode, x, input)
             + self.contact_sum((mode, closed), 0, x, input)
             + self.friction_readout(mode, forces, x, input)
+    }
+
+    /// Those of the structure and of each closed contact; none where a friction is felt at the input.
+    fn slopes(
+        &self,
+        mode: ModeNumber,
+        contacts: ContactSet,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Option<ReadoutSlopes> {
+        let mut all = Sloped::slopes(self, mode, x, input);
+        for contact in contacts.closed() {
+            let slopes = self.contact(mode, contact)?.slopes?;
+            let [per_position, per_rate] = self.values(slopes, x, input);
+            all.per_position += per_position;
+            all.per_rate += per_rate;
+        }
+        Some(all)
     }
 
     fn structure_guards(&self) -> &[GuardSpec] {
@@ -224,7 +247,9 @@ impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for Equa
             ContactGuard::Structure(guard) => {
                 self.guard_table(mode, guard).and_then(|guard| guard.bound)
             }
-            ContactGuard::Friction(_) => None,
+            ContactGuard::Friction(contact) => {
+                self.contact(mode, contact).and_then(|contact| contact.slip_bound)
+            }
         };
         self.bound(bound, over)
     }
@@ -232,43 +257,8 @@ impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for Equa
     fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
         Model::constrain(self, mode, x, input)
     }
-}
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EnergeticContacts
-    for EquationModel<F, N, C>
-{
-    fn energy(
-        &self,
-        mode: ModeNumber,
-        closed: ContactIndices,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> f64 {
-        pode::Energetic::energy(self, mode, x, input)
-            + self.contact_sum((mode, closed), 1, x, input)
-    }
-
-    fn supplied(
-        &self,
-        mode: ModeNumber,
-        closed: ContactIndices,
-        forces: &FrictionForces,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> f64 {
-        pode::Energetic::supplied(self, mode, x, input)
-            + self.contact_sum((mode, closed), 2, x, input)
-            + self.friction_readout(mode, forces, x, input) * input.rate
-    }
-
-    fn dissipated(
-        &self,
-        mode: ModeNumber,
-        closed: ContactIndices,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> f64 {
-        pode::Energetic::dissipated(self, mode, x, input)
-            + self.contact_sum((mode, closed), 3, x, input)
+    fn longest_projection(&self, mode: ModeNumber) -> f64 {
+        Model::longest_projection(self, mode)
     }
 }

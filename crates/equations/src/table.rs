@@ -126,8 +126,9 @@ pub struct ModeTable {
     pub projection: Option<FunctionId>,
     /// How many constraints those are.
     pub projected: usize,
-    /// How far an event may move a coordinate onto the mode's constraints; farther is a fault.
-    pub longest_projection: f64,
+    /// From constants to how far an event may move a coordinate onto the mode's constraints, in the
+    /// coordinate's unit; farther is a fault. None lets it move any distance.
+    pub longest_projection: Option<FunctionId>,
     pub readout: FunctionId,
     /// To the readout's slopes by the input's position and by its rate, along the constraints.
     pub slopes: FunctionId,
@@ -166,7 +167,7 @@ impl ModeTable {
         slaved: None,
         projection: None,
         projected: 0,
-        longest_projection: f64::INFINITY,
+        longest_projection: None,
         readout: Self::NO_FUNCTION,
         slopes: Self::NO_FUNCTION,
         outputs: Self::NO_FUNCTION,
@@ -212,6 +213,8 @@ pub struct GuardTable {
     /// Its number in the model; guards of several modes with one name have one number.
     pub id: u8,
     pub name: &'static str,
+    /// SI unit of the guard; `""` where it is not known.
+    pub unit: &'static str,
     pub priority: u8,
     pub scale: f64,
     pub fires: Fires,
@@ -277,16 +280,25 @@ pub struct ContactModeTable {
     pub balance: Option<FunctionId>,
     /// To the slip speed, its rate by time alone, and its gradient by the state.
     pub slip: Option<FunctionId>,
+    /// From an enclosure to bounds of the slip speed's move and bend.
+    pub slip_bound: Option<FunctionId>,
     /// To stiction and kinetic friction.
     pub limits: Option<FunctionId>,
     /// To what 1 N of friction adds to the derivative, and behind it to the readout.
     pub response: Option<FunctionId>,
+    /// To what it adds to the readout's slopes by the input's position and by its rate; none where
+    /// its friction is felt at the input.
+    pub slopes: Option<FunctionId>,
+    /// To the speed of what strikes where it closes (m/s), 0 where it opens.
+    pub sounds: Option<FunctionId>,
 }
 
 /// Where a model rests.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RestTable {
     pub mode: u8,
+    /// Other modes at rest, each where a function of the constants is positive; the first counts.
+    pub instead: &'static [(FunctionId, u8)],
     /// To the state to start from.
     pub state: FunctionId,
     /// Whether that is improved to the equilibrium.

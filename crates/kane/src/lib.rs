@@ -18,6 +18,7 @@ pub mod mechanics;
 pub mod mechanism;
 mod program;
 pub mod readable;
+mod rest_check;
 pub mod system;
 pub mod text;
 

@@ -14,6 +14,11 @@ pub use pode::Fires;
 
 use crate::graph::{Graph, Node};
 
+/// Most modes of a mechanism, those that rigid contacts make included.
+pub const fn most_modes() -> usize {
+    equations::MAX_MODES
+}
+
 /// A mechanism, or a system of plain equations, in the modes that it has.
 #[derive(Clone, Debug, Default)]
 pub struct Mechanism {
@@ -40,6 +45,9 @@ pub struct Mechanism {
     pub contacts: Vec<MechanismContact>,
     pub constraints: Vec<Constraint>,
     pub modes: Vec<Mode>,
+    /// Configurations of rigid contacts that are left out, since their constraints depend on one
+    /// another.
+    pub left_out: Vec<String>,
     pub outputs: Vec<MechanismOutput>,
     /// Generalised force on what drives the input, where it is stated; else it is derived.
     pub readout: Option<Node>,
@@ -165,6 +173,8 @@ pub struct MechanismContact {
     /// The force while it is closed; its stretch is −gap.
     pub force: Option<Force>,
     pub friction: Option<DryFriction>,
+    /// Speed of what strikes where it closes (m/s), over the state.
+    pub sounds: Option<Node>,
 }
 
 /// Dry friction that sticks.
@@ -205,6 +215,8 @@ pub enum ConstraintKind {
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Mode {
     pub name: String,
+    /// Whether rigid contacts made it of another one, whose closed contacts are constraints here.
+    pub is_configuration: bool,
     /// Constraints that hold, by their numbers.
     pub constraints: Vec<usize>,
     /// Forces that act, by their numbers.
@@ -221,6 +233,8 @@ pub struct Mode {
     pub energy: Option<Node>,
     pub dissipated: Option<Node>,
     pub readout: Option<Node>,
+    /// How far an event may move a coordinate onto the constraints, over the parameters.
+    pub longest_projection: Option<Node>,
     pub guards: Vec<Guard>,
 }
 
@@ -229,6 +243,8 @@ pub struct Mode {
 pub struct Guard {
     /// Its name; guards of several modes with one name are one.
     pub name: String,
+    /// SI unit of its value; empty where it is not known.
+    pub unit: String,
     /// Positive while the mode is valid.
     pub value: Node,
     /// Typical size of its terms, in its own unit.
@@ -296,6 +312,8 @@ pub struct Rest {
     pub coordinates: Vec<Option<Node>>,
     /// Whether the guess is what is meant: a ball that starts in the air.
     pub is_start: bool,
+    /// File, line and column where it is stated; none without.
+    pub place: Option<(String, usize, usize)>,
 }
 
 /// When the key lifts a damper, and what sounds at all.

@@ -5,6 +5,7 @@ use diagnostics::{Diagnostic, Diagnostics};
 use crate::assemble::Program;
 use crate::description::{Bases, Description, read};
 use crate::mechanics::{DerivationError, derive};
+use crate::rest_check;
 use crate::system::EquationSystem;
 
 /// A description, the equations that were derived from it, and their program.
@@ -19,7 +20,7 @@ pub struct DerivedModel {
 /// in mistakes and is given to `bases`.
 ///
 /// # Errors
-/// All mistakes of the file; of the derivation, those of all modes.
+/// All mistakes of the file; of the derivation, those of all modes; a `[rest]` that is none.
 pub fn derive_model(
     name: &str,
     text: &str,
@@ -33,6 +34,9 @@ pub fn derive_model(
         let help = "describe a smaller model, or leave out what it does not need";
         Diagnostics::new(vec![at(name, None, error.to_string(), help)])
     })?;
+    if let Some(mistake) = rest_check::check(&description.mechanism, &program, &system.state) {
+        return Err(Diagnostics::new(vec![mistake]));
+    }
     Ok(DerivedModel { description, system, program })
 }
 

@@ -58,6 +58,8 @@ pub struct ContactEquations {
     /// What 1 N of normal force adds to the derivative, and to the readout.
     pub normal_response: Vec<Node>,
     pub normal_readout: Option<Node>,
+    /// Speed of what strikes where it closes (m/s).
+    pub sounds: Option<Node>,
     pub friction: Option<FrictionEquations>,
 }
 
@@ -79,6 +81,8 @@ pub struct FrictionEquations {
 #[derive(Clone, Debug)]
 pub struct GuardEquations {
     pub name: String,
+    /// SI unit of its value; empty where it is not known.
+    pub unit: String,
     pub value: Node,
     /// Its rate along the motion.
     pub rate: Node,

@@ -39,6 +39,7 @@ fn with_contact() -> Derived {
         scale: 1.0,
         force: Some(force),
         friction: Some(friction),
+        sounds: None,
     });
     m.mode("free", &[]);
     m.output("a''", "a''");

@@ -125,6 +125,7 @@ fn ball() -> EquationSystem {
         is_free: vec![true, true],
         readout: Some(zero),
         guards: vec![GuardEquations {
+            unit: String::new(),
             name: "floor".to_owned(),
             value: y,
             rate: v,

@@ -88,7 +88,7 @@ pub use reached::ReachedMaximum;
 #[cfg(feature = "std")]
 pub use recorder::{RecordedEvent, RunRecorder, Sample};
 pub use simulator::{RunOutcome, Simulator};
-pub use slopes::{ReadoutSlopes, Sloped};
+pub use slopes::{ReadoutSlopes, Sloped, differenced_slopes};
 pub use state::{Factors, Matrix, State};
 pub use stepper::{Field, Step, Stepper};
 pub use watch::{Event, EventCause, Piece, Silent, Watch};

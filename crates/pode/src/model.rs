@@ -24,6 +24,13 @@ pub trait Model {
     /// How many leading entries of the state are coordinates.
     const COORDS: usize;
 
+    /// Returns how many leading entries of the state are coordinates, where that is a matter of the
+    /// values of the model, as it is where the model was read from a file.
+    #[inline]
+    fn coordinates(&self) -> usize {
+        Self::COORDS
+    }
+
     /// Returns the derivative of `x` in `mode`. `[GC93]` eq. 6.
     fn derivative(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> Self::State;
 

@@ -19,18 +19,28 @@ pub struct ReadoutSlopes {
 pub trait Sloped: Model<Input = Motion> {
     /// The slopes in `mode` at `x`; by central differences unless a model knows better.
     fn slopes(&self, mode: Self::Mode, x: &Self::State, input: &Motion) -> ReadoutSlopes {
-        /// Part of the input's size by which it is moved; forces are all but linear in it.
-        const PART: f64 = 1e-6;
-        let readout = |input: &Motion| self.readout(mode, &self.constrain(mode, x, input), input);
-        let slope = |size: f64, moved: &dyn Fn(f64) -> Motion| {
-            let by = PART * (1e-2 + size.abs());
-            (readout(&moved(by)) - readout(&moved(-by))) / (2.0 * by)
-        };
-        let position = |by: f64| Motion { position: input.position + by, ..*input };
-        let rate = |by: f64| Motion { rate: input.rate + by, ..*input };
-        ReadoutSlopes {
-            per_position: slope(input.position, &position),
-            per_rate: slope(input.rate, &rate),
-        }
+        differenced_slopes(self, mode, x, input)
+    }
+}
+
+/// The slopes of a model's readout by central differences.
+pub fn differenced_slopes<M: Model<Input = Motion> + ?Sized>(
+    model: &M,
+    mode: M::Mode,
+    x: &M::State,
+    input: &Motion,
+) -> ReadoutSlopes {
+    /// Part of the input's size by which it is moved; forces are all but linear in it.
+    const PART: f64 = 1e-6;
+    let readout = |input: &Motion| model.readout(mode, &model.constrain(mode, x, input), input);
+    let slope = |size: f64, moved: &dyn Fn(f64) -> Motion| {
+        let by = PART * (1e-2 + size.abs());
+        (readout(&moved(by)) - readout(&moved(-by))) / (2.0 * by)
+    };
+    let position = |by: f64| Motion { position: input.position + by, ..*input };
+    let rate = |by: f64| Motion { rate: input.rate + by, ..*input };
+    ReadoutSlopes {
+        per_position: slope(input.position, &position),
+        per_rate: slope(input.rate, &rate),
     }
 }

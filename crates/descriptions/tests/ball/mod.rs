@@ -79,6 +79,7 @@ const fn guard(id: u8, name: &'static str, value: FunctionId) -> GuardTable {
     GuardTable {
         id,
         name,
+        unit: "",
         priority: 0,
         scale: 1.0,
         fires: Fires::WhileNegative,
@@ -166,7 +167,7 @@ pub static TABLE: ModelTable = ModelTable {
         quantity("ball_y", "m"),
         quantity("ball_angle", "rad"),
     ],
-    rest: RestTable { mode: 0, state: START, is_improved: false },
+    rest: RestTable { mode: 0, instead: &[], state: START, is_improved: false },
     damper: None,
     drawing: DrawingTable {
         numbers: PICTURE,

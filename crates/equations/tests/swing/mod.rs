@@ -92,6 +92,7 @@ const MODE: ModeTable = ModeTable {
     guards: &[GuardTable {
         id: 3,
         name: "stop",
+        unit: "",
         priority: 0,
         scale: 1.0,
         fires: Fires::WhileNegative,
@@ -132,7 +133,7 @@ pub static TABLE: ModelTable = ModelTable {
     contact_specs: &[],
     guard_specs: &[STOP],
     outputs: &[quantity("angle"), quantity("F"), quantity("sum")],
-    rest: RestTable { mode: 0, state: REST, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: REST, is_improved: true },
     damper: None,
     drawing: DrawingTable { numbers: DRAWING, count: 5, bodies: &[], springs: &[] },
 };

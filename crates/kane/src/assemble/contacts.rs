@@ -1,7 +1,7 @@
 //! What contacts and bearings do in one mode.
 
 use contacts::{ContactSpec, FrictionSpec};
-use equations::table::{ContactModeTable, ContactTable};
+use equations::table::{ContactModeTable, ContactTable, FunctionId};
 
 use super::builder::ModeBuilder;
 use super::functions::FunctionList;
@@ -60,10 +60,19 @@ fn contact(
         slip: None,
         limits: None,
         response: None,
+        slip_bound: None,
+        slopes: None,
+        sounds: None,
     };
     if let Some(gap) = contact.gap {
         table.gap = Some(builder.add(graph, functions, &format!("{name}_gap"), &gap)?);
         table.bound = Some(guards::bound(graph, functions, builder, (name, gap[0]))?);
+        if let Some(speed) = contact.sounds {
+            let (closing, zero) = (graph.negate(gap[1]), graph.constant(0.0));
+            let speed = graph.select(closing, speed, zero);
+            table.sounds =
+                Some(builder.add(graph, functions, &format!("{name}_sounds"), &[speed])?);
+        }
     }
     if let Some(normal) = contact.normal {
         self::normal(graph, functions, builder, (name, contact), (normal, &mut table))?;
@@ -71,7 +80,25 @@ fn contact(
     if let Some(friction) = &contact.friction {
         self::friction(graph, functions, builder, (name, friction), &mut table)?;
     }
+    if contact.friction.as_ref().is_none_or(|friction| graph.is_zero(friction.readout)) {
+        table.slopes = Some(slopes(graph, functions, builder, (name, contact))?);
+    }
     Ok(table)
+}
+
+/// What a closed contact adds to the slopes of the readout.
+fn slopes(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, contact): (&str, &ContactEquations),
+) -> Result<FunctionId, AssemblyError> {
+    let zero = graph.constant(0.0);
+    let force = contact.normal.map_or(zero, |normal| normal[0]);
+    let readout = graph.multiply(contact.normal_readout.unwrap_or(zero), force);
+    let slopes =
+        [0, 1].map(|rate| builder.state.direction(graph, Place::Input(rate)).of(graph, readout));
+    builder.add(graph, functions, &format!("{name}_slopes"), &slopes)
 }
 
 /// The normal force of a closed contact: what it adds to the derivative, and to the balance.
@@ -111,6 +138,8 @@ fn friction(
     let response = [friction.response.as_slice(), &[friction.readout]].concat();
     let limits = [friction.stiction, friction.kinetic];
     table.slip = Some(builder.add(graph, functions, &format!("{name}_slip"), &slip)?);
+    let bound = guards::bound(graph, functions, builder, (&format!("{name}_slip"), friction.slip))?;
+    table.slip_bound = Some(bound);
     table.limits = Some(builder.add(graph, functions, &format!("{name}_limits"), &limits)?);
     table.response = Some(builder.add(graph, functions, &format!("{name}_response"), &response)?);
     Ok(())

@@ -51,6 +51,7 @@ fn guard(
     Ok(GuardTable {
         id: builder.context.numbers.number(guard),
         name: leak::text(name),
+        unit: leak::text(&guard.unit),
         priority: guard.priority,
         scale: guard.scale,
         fires: guard.fires,

@@ -39,6 +39,7 @@ pub(super) fn mode(
         guard_specs: leak::list(guard_specs as Vec<GuardSpec>),
         contacts,
         freedom: freedom(context.mechanism, number),
+        longest_projection: longest_projection(graph, functions, context.mechanism, number)?,
         ..motion
     })
 }
@@ -127,6 +128,19 @@ fn forces(
         outputs: builder.add(graph, functions, "outputs", &equations.outputs)?,
         balance: builder.add(graph, functions, "balance", &balance)?,
     })
+}
+
+/// How far an event may move a coordinate onto the mode's constraints, where that is stated.
+fn longest_projection(
+    graph: &Graph,
+    functions: &mut FunctionList,
+    mechanism: &Mechanism,
+    number: usize,
+) -> Result<Option<FunctionId>, AssemblyError> {
+    let Some(mode) = mechanism.modes.get(number) else { return Ok(None) };
+    let label = format!("{}_longest_projection", mode.name);
+    let function = |node| functions.add_whole(graph, &label, &[node]);
+    mode.longest_projection.map(function).transpose()
 }
 
 /// How many coordinates, constraints and independent speeds a mode has.

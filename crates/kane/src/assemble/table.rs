@@ -146,8 +146,14 @@ fn rest(
         mechanism.rest.coordinates.get(usize::from(*number)).copied().flatten().unwrap_or(zero)
     };
     let guess: Vec<_> = state.iter().map(guess).collect();
+    let number = |mode: usize| u8::try_from(mode).unwrap_or(u8::MAX);
+    let mut instead = Vec::new();
+    for (when, mode) in &mechanism.rest.instead {
+        instead.push((functions.add_whole(graph, "rest_when", &[*when])?, number(*mode)));
+    }
     Ok(RestTable {
-        mode: u8::try_from(mechanism.rest.mode).unwrap_or(u8::MAX),
+        mode: number(mechanism.rest.mode),
+        instead: leak::list(instead),
         state: functions.add_whole(graph, "rest", &guess)?,
         is_improved: !mechanism.rest.is_start,
     })

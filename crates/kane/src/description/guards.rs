@@ -82,9 +82,10 @@ impl MechanismReader {
             sounds.and_then(|it| self.mode_value("sounds", &it, reach, Dimension::SPEED, mode));
         let (name, place) = named?;
         let scale = scale.unwrap_or(1.0);
+        let unit = value?.dimension.to_string();
         let value = value?.node;
         let name = name.to_owned();
-        Some((Guard { name, value, scale, priority, fires, branches, sounds }, place))
+        Some((Guard { name, unit, value, scale, priority, fires, branches, sounds }, place))
     }
 
     fn guard_value(&mut self, file: &FileExpression, mode: usize) -> Option<Measured> {

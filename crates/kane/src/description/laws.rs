@@ -148,6 +148,10 @@ impl MechanismReader {
         let gap = self.value(item.field("gap")?, POSE)?;
         self.fits("gap", item.field("gap")?, gap, Dimension::LENGTH).then_some(())?;
         let (force, dimension) = self.felt(item, "gap")?;
+        let sounds = match item.field("sounds") {
+            Some(file) => Some(self.node("sounds", file, STATE, Dimension::SPEED)?),
+            None => None,
+        };
         let scale = self.contact_scales.iter().find(|(contact, _)| *contact == at);
         let contact = MechanismContact {
             name: item.name.clone(),
@@ -155,6 +159,7 @@ impl MechanismReader {
             scale: scale.map_or(1e-3, |(_, scale)| *scale),
             force: Some(force.clone()),
             friction: None,
+            sounds,
         };
         self.built_contacts.push((at, contact));
         Some((force, dimension))
@@ -168,7 +173,14 @@ impl MechanismReader {
         let dimension = Dimension::POWER.over(slip.dimension);
         self.names.laws.set(index, (LawPlace::Contact(at), dimension));
         let name = item.name.clone();
-        let contact = MechanismContact { name, gap: None, scale: 1.0, force: None, friction: None };
+        let contact = MechanismContact {
+            name,
+            gap: None,
+            scale: 1.0,
+            force: None,
+            friction: None,
+            sounds: None,
+        };
         self.built_contacts.push((at, contact));
     }
 
@@ -250,7 +262,7 @@ pub(super) const fn law_keys(kind: LawKind) -> &'static [&'static str] {
         LawKind::Spring(_) => &["stretch", "length", "stiffness", "damping"],
         LawKind::Felt(_) => &["compression", "stiffness", "exponent", "damping"],
         LawKind::Force(_) => &["stretch", "force", "energy"],
-        LawKind::Contact(_) => &["gap", "stiffness", "exponent", "damping"],
+        LawKind::Contact(_) => &["gap", "stiffness", "exponent", "damping", "sounds"],
         LawKind::Bearing(_) => &[],
     }
 }

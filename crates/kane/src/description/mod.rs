@@ -1,12 +1,14 @@
 //! A description in TOML, read into a [`Mechanism`] with all its mistakes at once.
 //!
 //! [`read`] is the door. In the order in which a file passes: `toml_tree` and `bases` make one
-//! tree, `declare` collects every name with its expressions, `order` sorts what is built from
-//! what, `geometry`, `laws` and `modes` build nodes, `checks` looks at the numbers.
+//! tree, `rigid` writes out what rigid contacts mean, `declare` collects every name with its
+//! expressions, `order` sorts what is built from what, `geometry`, `laws` and `modes` build nodes,
+//! `checks` looks at the numbers.
 
 mod bases;
 mod caret;
 mod checks;
+mod configurations;
 mod declare;
 mod declare_geometry;
 mod drawing;
@@ -30,7 +32,9 @@ mod reader;
 mod report;
 mod resolve;
 mod rest;
+mod rigid;
 mod source;
+mod toml_making;
 mod toml_tree;
 mod world_frame;
 

@@ -5,7 +5,7 @@ use diagnostics::{choice, quoted};
 use super::items::FileExpression;
 use super::key_reader::KeyReader;
 use super::names::SymbolKind;
-use super::reader::{MOTION, MechanismReader, POSE, STATE};
+use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
 use super::source::SourcePlace;
 use super::toml_tree::TomlEntry;
 use crate::graph::Node;
@@ -63,8 +63,10 @@ impl MechanismReader {
             }
             let acting = self.in_mode(&forces);
             self.forces_in_modes.push(acting);
+            let name = entry.name.clone();
+            let is_configuration = name.contains(super::configurations::JOINT);
             let mut mode =
-                Mode { name: entry.name.clone(), constraints, forces, contacts, ..Mode::default() };
+                Mode { name, is_configuration, constraints, forces, contacts, ..Mode::default() };
             self.mode_equations(&mut keys, number, &mut mode);
             mode.readout = self.readout(&mut keys, Some(number));
             mode.guards = self.guards(&mut keys, number);
@@ -140,6 +142,9 @@ impl MechanismReader {
         };
         mode.energy = extra("energy", Dimension::ENERGY, STATE);
         mode.dissipated = extra("dissipated", Dimension::POWER, STATE.and(Dependence::FORCES));
+        if let Some(file) = self.field(keys, "longest_projection") {
+            mode.longest_projection = self.value(&file, CONSTANT).map(|it| it.node);
+        }
     }
 
     /// Returns the number of the coordinate that an entry is named after.

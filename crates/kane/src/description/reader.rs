@@ -11,6 +11,7 @@ use super::items::{DescribedItem, FileExpression, FrictionText, ParameterText};
 use super::key_reader::KeyReader;
 use super::names::NameTable;
 use super::report::FindingList;
+use super::rigid;
 use super::source::{DescriptionSource, SourcePlace};
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use super::{Description, MOST_COORDINATES, MOST_OF_A_KIND};
@@ -90,6 +91,7 @@ impl MechanismReader {
     ) -> Result<Description, Diagnostics> {
         let mut doc = String::new();
         if let Some(tree) = bases::merged(&mut self.report, source, bases) {
+            let tree = rigid::written_out(&mut self.report, &tree).unwrap_or(tree);
             self.names.is_broken = self.report.is_broken;
             doc = self.all(&tree);
         }

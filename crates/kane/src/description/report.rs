@@ -67,6 +67,13 @@ impl FindingList {
         Some(lines.position(&source.text, place.offset))
     }
 
+    /// Returns the file with line and column, from 1.
+    pub(super) fn file_position(&self, place: SourcePlace) -> Option<(String, usize, usize)> {
+        let (line, column) = self.position(place)?;
+        let (source, _) = self.sources.get(place.source)?;
+        Some((source.name.clone(), line, column))
+    }
+
     /// Returns "line 3", or "other.toml:3", for a message that points at a second place.
     pub(super) fn describe(&self, place: SourcePlace, from: SourcePlace) -> String {
         let (line, column) = self.position(place).unwrap_or((1, 1));

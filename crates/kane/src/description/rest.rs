@@ -21,6 +21,7 @@ impl MechanismReader {
         {
             self.rest_mode(&mut keys, &mut rest);
             rest.is_start = keys.is_set(&mut self.report, "start");
+            rest.place = self.report.file_position(entry.place);
             let others: Vec<_> = keys.others().collect();
             for entry in others {
                 self.rest_entry(entry, &mut rest);

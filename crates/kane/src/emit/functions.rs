@@ -51,6 +51,10 @@ impl FunctionPurposes {
         self.set(table.derive_constants, "derived_constants", "What follows from the parameters.");
         self.set(table.input_per_metre, "input_per_metre", "Input per metre of key-front travel.");
         self.set(table.rest.state, "rest", "The state to start from.");
+        for (at, (when, _)) in table.rest.instead.iter().enumerate() {
+            let doc = "Is positive where it rests in another mode.";
+            self.set(*when, &format!("rest_when_{at}"), doc);
+        }
         if table.drawing.count > 0 {
             self.set(table.drawing.numbers, "drawing", "The numbers of the drawing.");
         }
@@ -118,7 +122,14 @@ impl FunctionPurposes {
             "What is added to readout and powers by the closed",
         );
         set(contact.slip, "slip", "The slip, its rate by time alone and its gradient:");
+        set(contact.slip_bound, "slip_bound", "Bounds of the slip's move and bend:");
+        set(
+            contact.slopes,
+            "contact_slopes",
+            "What is added to the readout's slopes by the closed",
+        );
         set(contact.limits, "limits", "Stiction and kinetic friction:");
         set(contact.response, "response", "What 1 N of friction adds at");
+        set(contact.sounds, "contact_speed", "The speed of what strikes at");
     }
 }

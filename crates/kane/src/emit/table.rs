@@ -64,7 +64,7 @@ structures! {
     }
     Freedom { n, m, p }
     PartTable { entries, derivative, kind, loss, reads }
-    GuardTable { id, name, priority, scale, fires, reads, value, bound, ways, sounds }
+    GuardTable { id, name, unit, priority, scale, fires, reads, value, bound, ways, sounds }
     WayTable { when, to, reset, resting }
     RestingTable { to, state, meeting }
     GuardSpec { id, name, priority, scale, fires, reads }
@@ -72,9 +72,10 @@ structures! {
     FrictionSpec { name, force, slip, slack }
     ContactTable { name, gap, friction }
     ContactModeTable {
-        contact, gap, bound, normal, jacobian, balance, slip, limits, response,
+        contact, gap, bound, normal, jacobian, balance, slip, slip_bound, limits, response, slopes,
+        sounds,
     }
-    RestTable { mode, state, is_improved }
+    RestTable { mode, instead, state, is_improved }
     DamperTable { lift, fall, softest_tone }
     DrawingTable { numbers, count, bodies, springs }
     BodyTable { name, output, outlines }

@@ -47,6 +47,7 @@ impl ContactScope<'_> {
             normal: self.normal(graph, forms, contact),
             normal_response,
             normal_readout,
+            sounds: contact.sounds.map(|it| forms.value(graph, it)),
             friction: contact.friction.as_ref().map(|it| self.friction(graph, forms, it)),
         }
     }

@@ -176,6 +176,7 @@ impl ModeScope<'_> {
         };
         GuardEquations {
             name: guard.name.clone(),
+            unit: guard.unit.clone(),
             value: forms.value(graph, guard.value),
             rate: forms.rate(graph, guard.value),
             scale: guard.scale,

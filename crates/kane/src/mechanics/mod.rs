@@ -14,6 +14,7 @@ mod explicit;
 mod generalised;
 mod inertia;
 mod kinematics;
+mod left_out;
 mod linear;
 mod mass_factor;
 mod motion;
@@ -43,7 +44,12 @@ use numeric::NumericPose;
 pub fn derive(mut mechanism: Mechanism) -> Result<EquationSystem, Vec<DerivationError>> {
     let mut graph = std::mem::take(&mut mechanism.graph);
     poses::add(&mut graph, &mut mechanism);
-    let mut system = derived(&mut graph, mechanism)?;
+    let result = derived(&mut graph, mechanism.clone()).or_else(|errors| {
+        let Some(gone) = left_out::dependent(&mechanism, &errors) else { return Err(errors) };
+        left_out::leave_out(&mut mechanism, &gone);
+        derived(&mut graph, mechanism)
+    });
+    let mut system = result?;
     system.mechanism.graph = graph;
     Ok(system)
 }

@@ -54,11 +54,23 @@ struct EquationWriter<'a> {
     notation: Notation,
     written: HashMap<Node, WrittenPart>,
     definitions: Vec<Equation>,
+    /// The names of sums, by their number and terms.
+    sums: HashMap<SumTerms, WrittenPart>,
 }
+
+/// The number of a sum, and its terms with their factors.
+type SumTerms = (u64, Vec<(Node, u64)>);
 
 impl<'a> EquationWriter<'a> {
     fn new(graph: &'a Graph, names: &'a SymbolNames, notation: Notation) -> Self {
-        Self { graph, names, notation, written: HashMap::new(), definitions: Vec::new() }
+        Self {
+            graph,
+            names,
+            notation,
+            written: HashMap::new(),
+            definitions: Vec::new(),
+            sums: HashMap::new(),
+        }
     }
 
     fn text(&self, node: Node) -> String {
@@ -78,15 +90,38 @@ impl<'a> EquationWriter<'a> {
         for node in reached {
             let mut size = 0_u64;
             self.graph.operation(node).operands(|it| size = size.saturating_add(sizes[&it] + 1));
+            if let Some(written) = self.negated(node) {
+                self.written.insert(node, written);
+                sizes.insert(node, 1);
+                continue;
+            }
             let mut written = self.one(node);
             if is_named(size, uses[&node]) {
                 let name = self.notation.name(&format!("z{}", self.definitions.len() + 1));
                 self.definitions.push(Equation { left: name.text.clone(), right: written.text });
+                self.remember_sum(node, &name);
                 (written, size) = (name, 0);
             }
             self.written.insert(node, written);
             sizes.insert(node, size);
         }
+    }
+
+    /// Remembers what a sum is called.
+    fn remember_sum(&mut self, node: Node, name: &WrittenPart) {
+        if let NodeOperation::Sum(number, terms) = self.graph.operation(node) {
+            self.sums.insert((*number, terms.to_vec()), name.clone());
+        }
+    }
+
+    /// A sum whose terms are those of one that has a name, with the opposite signs.
+    fn negated(&self, node: Node) -> Option<WrittenPart> {
+        let NodeOperation::Sum(number, terms) = self.graph.operation(node) else { return None };
+        // Of −0 there is none: the graph has 0.
+        let opposite = |bits: u64| (0.0 - f64::from_bits(bits)).to_bits();
+        let terms = terms.iter().map(|(node, by)| (*node, opposite(*by))).collect();
+        let name = self.sums.get(&(opposite(*number), terms))?;
+        Some(WrittenPart { text: format!("-{}", name.text), tightness: Tightness::Sum })
     }
 
     fn of(&self, node: Node) -> WrittenPart {

@@ -213,6 +213,7 @@ impl MechanismBuilder {
     pub(crate) fn guard(&mut self, mode: usize, name: &str, value: &str, to: usize) -> &mut Guard {
         let value = self.e(value);
         self.it.modes[mode].guards.push(Guard {
+            unit: String::new(),
             name: name.to_owned(),
             value,
             scale: 1.0,

@@ -133,6 +133,7 @@ impl Draft {
 /// A guard that fires while it is negative.
 pub fn guard(name: &str, [value, rate]: [Node; 2], way: Way) -> GuardEquations {
     GuardEquations {
+        unit: String::new(),
         name: name.to_owned(),
         value,
         rate,

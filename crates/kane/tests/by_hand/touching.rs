@@ -30,10 +30,18 @@ pub fn falling() -> Program {
         normal: Some([push, energy, zero]),
         normal_response: vec![zero, per_mass],
         normal_readout: None,
+        sounds: None,
         friction: None,
     });
     let name = "spring".to_owned();
-    let contact = MechanismContact { name, gap: Some(y), scale: 0.01, force: None, friction: None };
+    let contact = MechanismContact {
+        name,
+        gap: Some(y),
+        scale: 0.01,
+        force: None,
+        friction: None,
+        sounds: None,
+    };
     draft.mechanism.contacts.push(contact);
     draft.program()
 }
@@ -64,6 +72,7 @@ pub fn drawn() -> Program {
         normal: None,
         normal_response: Vec::new(),
         normal_readout: None,
+        sounds: None,
         friction: Some(FrictionEquations {
             slip: v,
             gradient: vec![zero, one],
@@ -76,8 +85,9 @@ pub fn drawn() -> Program {
     });
     let (name, scales) = ("bearing".to_owned(), (2.0, 0.1));
     let friction = DryFriction { name: name.clone(), slip: v, stiction, kinetic, scales };
+    let friction = Some(friction);
     let contact =
-        MechanismContact { name, gap: None, scale: 1.0, force: None, friction: Some(friction) };
+        MechanismContact { name, gap: None, scale: 1.0, force: None, friction, sounds: None };
     draft.mechanism.contacts.push(contact);
     draft.program()
 }

@@ -30,7 +30,7 @@ const MODE: ModeTable = ModeTable {
     slaved: None,
     projection: None,
     projected: 0,
-    longest_projection: 1e-3,
+    longest_projection: Some(7),
     readout: 2,
     slopes: 3,
     outputs: 4,
@@ -42,6 +42,7 @@ const MODE: ModeTable = ModeTable {
     guards: &[GuardTable {
         id: 0,
         name: "release",
+        unit: "",
         priority: 0,
         scale: 1.0,
         fires: Fires::OnCrossing,
@@ -108,7 +109,7 @@ pub static TABLE: ModelTable = ModelTable {
     contact_specs: &[STRING],
     guard_specs: &[RELEASE],
     outputs: &[NamedQuantity { name: "F", unit: "N" }],
-    rest: RestTable { mode: 0, state: 7, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 7, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {
         numbers: 8,
@@ -135,6 +136,9 @@ const CONTACT: ContactModeTable = ContactModeTable {
     jacobian: Some(5),
     balance: None,
     slip: None,
+    slip_bound: None,
     limits: None,
     response: None,
+    slopes: None,
+    sounds: None,
 };

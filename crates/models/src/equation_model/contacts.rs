@@ -135,11 +135,15 @@ impl<F: CataloguedFunctions, const N: usize, const C: usize> Playable
         self.system().input_per_metre()
     }
 
-    /// Guards of the structure sound; contacts that close do not.
+    /// Guards of the structure sound, and contacts that close.
     fn sounding(&self, guard: GuardId, before: &[f64; N]) -> Option<Sounding> {
         match ContactGuard::of(guard) {
             ContactGuard::Structure(guard) => Playable::sounding(self.system(), guard, before),
-            ContactGuard::Gap(_) | ContactGuard::Friction(_) => None,
+            ContactGuard::Gap(contact) => {
+                let speed = self.system().contact_sounding(contact, before);
+                speed.map(|speed| Sounding { speed })
+            }
+            ContactGuard::Friction(_) => None,
         }
     }
 

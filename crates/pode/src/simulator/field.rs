@@ -111,7 +111,7 @@ impl<'a, M: Model, S: Signal<M::Input>> ModeField<'a, M, S> {
 impl<M: Model, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
     #[inline]
     fn coords(&self) -> usize {
-        M::COORDS
+        self.model.coordinates()
     }
 
     #[inline]

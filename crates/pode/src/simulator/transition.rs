@@ -132,7 +132,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// How far a coordinate of the present state is from where `mode` constrains it to be, at most.
     fn projection(&self, mode: M::Mode, input: &M::Input) -> f64 {
         let constrained = self.model.constrain(mode, &self.state, input);
-        let pairs = self.state.entries().iter().zip(constrained.entries()).take(M::COORDS);
+        let pairs =
+            self.state.entries().iter().zip(constrained.entries()).take(self.model.coordinates());
         pairs.map(|(is, should_be)| (should_be - is).abs()).fold(0.0, f64::max)
     }
 

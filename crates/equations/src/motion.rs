@@ -1,0 +1,93 @@
+//! A table's model as `pode` steps it.
+
+use pode::{Model, Motion, Nature, Part, State};
+
+use crate::jacobian_bound::matrix;
+use crate::mode_number::ModeNumber;
+use crate::model::EquationModel;
+use crate::table::Functions;
+
+impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationModel<F, N, C> {
+    type Mode = ModeNumber;
+    type State = [f64; N];
+    type Input = Motion;
+    /// What the table says counts: [`Model::coordinates`].
+    const COORDS: usize = N / 2;
+
+    #[inline]
+    fn coordinates(&self) -> usize {
+        self.table().coordinates
+    }
+
+    #[inline]
+    fn derivative(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
+        let mut out = [0.0; N];
+        self.call(self.mode(mode).derivative, x, input, &mut out);
+        out
+    }
+
+    #[inline]
+    fn parts(&self, mode: ModeNumber) -> &[Part] {
+        self.natures().parts(mode, self.mode(mode))
+    }
+
+    #[inline]
+    fn derivative_of(
+        &self,
+        mode: ModeNumber,
+        index: usize,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> [f64; N] {
+        let mode = self.mode(mode);
+        let mut out = [0.0; N];
+        let function = mode.parts.get(index).map_or(mode.derivative, |part| part.derivative);
+        self.call(function, x, input, &mut out);
+        out
+    }
+
+    #[inline]
+    fn readout(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
+        let [readout] = self.values(self.mode(mode).readout, x, input);
+        readout
+    }
+
+    fn jacobian(
+        &self,
+        mode: ModeNumber,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> <[f64; N] as State>::Matrix {
+        matrix(&self.jacobian_rows(self.mode(mode).jacobian, x, input))
+    }
+
+    #[inline]
+    fn nature(&self, mode: ModeNumber) -> Nature {
+        self.natures().nature(mode)
+    }
+
+    #[inline]
+    fn longest_step(&self, mode: ModeNumber) -> f64 {
+        self.natures().longest_step(mode)
+    }
+
+    #[inline]
+    fn longest_step_at(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
+        let longest = self.natures().longest_step(mode);
+        if self.mode(mode).is_stiffening { self.step_at(mode, longest, x, input) } else { longest }
+    }
+
+    fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
+        let mode = self.mode(mode);
+        let mut x = *x;
+        if let Some(slaved) = mode.slaved {
+            let before = x;
+            self.call(slaved, &before, input, &mut x);
+        }
+        mode.projection.map_or(x, |projection| self.projected(projection, mode, x, input))
+    }
+
+    fn longest_projection(&self, mode: ModeNumber) -> f64 {
+        self.mode(mode).longest_projection.map_or(f64::INFINITY, |limit| self.of_constants(limit))
+    }
+}

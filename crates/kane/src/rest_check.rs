@@ -1,0 +1,132 @@
+//! Whether a mechanism rests where its description says so.
+
+use diagnostics::Diagnostic;
+use equations::table::{Functions as _, ModelTable};
+use equations::{EquationModel, ModeNumber};
+
+use crate::assemble::{Program, TapeFunctions};
+use crate::graph::Place;
+use crate::mechanism::Mechanism;
+
+/// The keys at the ends of the compass, on which presets are looked at.
+const KEYS: [u8; 2] = [0, 87];
+
+/// What is wrong with a pose at rest.
+struct RestingFault {
+    mode: ModeNumber,
+    /// The entry of the state that it is about.
+    entry: usize,
+    kind: FaultKind,
+}
+
+/// What is wrong with an entry.
+enum FaultKind {
+    /// It changes so fast (its unit / s), where nothing should.
+    Moves(f64),
+    /// It rests there, out of its range.
+    OutOfRange(f64),
+}
+
+/// Returns the first preset and key on which the mechanism does not rest, as a mistake of its
+/// `[rest]`; none where nothing is stated, or where it says that it starts there.
+pub(crate) fn check(
+    mechanism: &Mechanism,
+    program: &Program,
+    state: &[Place],
+) -> Option<Diagnostic> {
+    let (file, line, column) = mechanism.rest.place.clone()?;
+    if mechanism.rest.is_start {
+        return None;
+    }
+    let ranges: Vec<_> = state.iter().map_while(|place| range(mechanism, *place)).collect();
+    let presets = 0..program.table.presets.len();
+    let mut cases = presets.flat_map(|preset| KEYS.map(|key| (preset, key)));
+    let (message, help) = cases.find_map(|case| {
+        let fault = fault(program.table, &program.functions, &ranges, case)?;
+        Some(said(program.table, &fault, case))
+    })?;
+    Some(Diagnostic { file, line: Some(line), column: Some(column), message, help })
+}
+
+/// The range of a coordinate.
+fn range(mechanism: &Mechanism, place: Place) -> Option<(f64, f64)> {
+    let Place::Coordinate(number) = place else { return None };
+    mechanism.coordinates.get(usize::from(number)).map(|it| it.range)
+}
+
+/// What does not rest; none for a model that is larger than what is looked at.
+fn fault(
+    table: &'static ModelTable,
+    functions: &TapeFunctions,
+    ranges: &[(f64, f64)],
+    case: (usize, u8),
+) -> Option<RestingFault> {
+    if case.1 > 0 && !is_graded(table, functions, case.0) {
+        return None;
+    }
+    match (table.states.len(), table.constants) {
+        (..=12, ..=256) => fault_of::<12, 256>(table, functions, ranges, case),
+        _ => fault_of::<32, 2048>(table, functions, ranges, case),
+    }
+}
+
+fn fault_of<const N: usize, const C: usize>(
+    table: &'static ModelTable,
+    functions: &TapeFunctions,
+    ranges: &[(f64, f64)],
+    case: (usize, u8),
+) -> Option<RestingFault> {
+    let pose =
+        EquationModel::<&TapeFunctions, N, C>::rest_of_preset(table, functions, case).ok()?;
+    let of = |entry, kind| RestingFault { mode: pose.mode, entry, kind };
+    if let Some((entry, rate)) = pose.imbalance {
+        return Some(of(entry, FaultKind::Moves(rate)));
+    }
+    let mut places = pose.state.iter().zip(ranges).enumerate();
+    places.find_map(|(entry, (value, (low, high)))| {
+        let is_inside = low <= value && value <= high;
+        (!is_inside).then(|| of(entry, FaultKind::OutOfRange(*value)))
+    })
+}
+
+/// Whether the values of a preset are different for the last key.
+fn is_graded(table: &ModelTable, functions: &TapeFunctions, preset: usize) -> bool {
+    let values = |key: u8| {
+        let mut values = vec![0.0; table.parameters.len()];
+        let arguments = equations::table::Arguments {
+            constants: &[],
+            state: &[],
+            input: &[0.0; 4],
+            extra: &[f64::from(key)],
+        };
+        if let Some(preset) = table.presets.get(preset) {
+            functions.call(preset.values, &arguments, &mut values);
+        }
+        values
+    };
+    let [first, last] = KEYS.map(values);
+    first != last
+}
+
+/// What to say of it, and what to do.
+fn said(table: &ModelTable, fault: &RestingFault, (preset, key): (usize, u8)) -> (String, String) {
+    let preset = table.presets.get(preset).map_or("", |preset| preset.name);
+    let mode = table.modes.get(usize::from(fault.mode.0)).map_or("", |mode| mode.name);
+    let (name, unit) = table.states.get(fault.entry).map_or(("", ""), |it| (it.name, it.unit));
+    let case = format!("mode \"{mode}\", preset \"{preset}\", key {key}");
+    match fault.kind {
+        FaultKind::Moves(rate) => (
+            format!(
+                "nothing holds {name} at rest: it changes by {rate:.3} {unit} per second ({case})"
+            ),
+            "give what holds it a spring or a contact, or a pose nearer to the equilibrium; if it \
+             starts there and moves, write start = true"
+                .to_owned(),
+        ),
+        FaultKind::OutOfRange(value) => (
+            format!("it rests at {name} = {value:.4} {unit}, out of its range ({case})"),
+            "hold it where it should rest, give a pose nearer to that, or widen the range"
+                .to_owned(),
+        ),
+    }
+}
