@@ -3,12 +3,14 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
+use keyboard::KeyRange;
 use models::Preset;
 use models::catalogue::ModelEntry;
 use serde::Serialize;
 
 use super::document;
 use super::embedded::INSTRUMENTS;
+use super::keys::OTHER_VALUES;
 use super::needs::Needs;
 use super::read::TableReader;
 use super::report::MistakeList;
@@ -27,7 +29,8 @@ pub struct Instrument {
     pub doc: String,
     /// The settings with which it is stable.
     pub needs: Needs,
-    pub(super) voicing: Voicing,
+    /// The model, the preset, and what differs from it.
+    pub voicing: Voicing,
 }
 
 impl Instrument {
@@ -102,6 +105,9 @@ impl Instrument {
             return None;
         };
         voicing.read_parameters(report, reader);
+        if let Some(unmet) = voicing.unmet(KeyRange::ALL.numbers()) {
+            report.say(reader.place, unmet, OTHER_VALUES);
+        }
         Some(Self { name: source.name.clone(), title, doc, needs, voicing })
     }
 }

@@ -53,4 +53,5 @@ pub use needs::{Needs, Unmet};
 pub use render::{EstimatorName, InputReconstruction, Render};
 pub use scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
 pub use source::Override;
+pub use voicing::Voicing;
 pub use write::written;
