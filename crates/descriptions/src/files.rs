@@ -68,13 +68,18 @@ impl FileContents {
         Self(self.0.iter().map(now).collect())
     }
 
+    /// Returns whether the files say what they said.
+    pub fn is_current(&self) -> bool {
+        self.0.iter().all(|(path, before)| read_bytes(path).ok() == *before)
+    }
+
     /// Returns whether a file cannot be read that could be `before`.
     pub fn lacks_one_of(&self, before: &Self) -> bool {
         self.0.iter().zip(&before.0).any(|(now, before)| now.1.is_none() && before.1.is_some())
     }
 
     /// Returns the absolute path and the text of each file that could be read.
-    pub(crate) fn texts(&self) -> Vec<(PathBuf, String)> {
+    pub fn texts(&self) -> Vec<(PathBuf, String)> {
         let text = |(path, bytes): &(PathBuf, Option<Vec<u8>>)| {
             let text = String::from_utf8_lossy(bytes.as_deref()?).into_owned();
             Some((absolute(path), text))

@@ -16,14 +16,13 @@ pub struct DescriptionVersion {
     /// Its number among those that this process has read, from 1.
     pub number: u32,
     pub entry: &'static ModelEntry,
-    /// The absolute paths and texts of its files, the description first, then its bases.
-    pub files: Arc<[(PathBuf, String)]>,
+    /// What stood in its files, the description first, then its bases.
+    pub contents: Arc<FileContents>,
 }
 
 /// A version, and the file that it was read from by whichever path.
 struct KnownVersion {
     place: PathBuf,
-    contents: FileContents,
     version: DescriptionVersion,
 }
 
@@ -111,9 +110,9 @@ pub fn try_load(path: &Path) -> (FileContents, Result<&'static ModelEntry, Diagn
     let files = DescriptionFiles::default();
     let place = path.canonicalize().unwrap_or_else(|_unknown| absolute(path));
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    let is_same = |it: &&KnownVersion| it.place == place && it.contents.now() == it.contents;
+    let is_same = |it: &&KnownVersion| it.place == place && it.version.contents.is_current();
     if let Some(same) = known.iter().find(is_same) {
-        return (same.contents.clone(), Ok(same.version.entry));
+        return (FileContents::clone(&same.version.contents), Ok(same.version.entry));
     }
     let entry = read(path, &files);
     let contents = files.into_contents();
@@ -122,8 +121,8 @@ pub fn try_load(path: &Path) -> (FileContents, Result<&'static ModelEntry, Diagn
         Err(mistakes) => return (contents, Err(mistakes)),
     };
     let number = u32::try_from(known.len() + 1).unwrap_or(u32::MAX);
-    let version = DescriptionVersion { number, entry, files: contents.texts().into() };
-    known.push(KnownVersion { place, contents: contents.clone(), version });
+    let version = DescriptionVersion { number, entry, contents: Arc::new(contents.clone()) };
+    known.push(KnownVersion { place, version });
     (contents, Ok(entry))
 }
 
