@@ -1,7 +1,7 @@
 //! From a path to an entry of the catalogue, each version once.
 
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use diagnostics::{Diagnostic, Diagnostics, choice, quoted};
 use models::catalogue::{self, ModelEntry};
@@ -109,17 +109,18 @@ pub fn load_model(path: &Path) -> Result<&'static ModelEntry, Diagnostics> {
 pub fn try_load(path: &Path) -> (FileContents, Result<&'static ModelEntry, Diagnostics>) {
     let files = DescriptionFiles::default();
     let place = path.canonicalize().unwrap_or_else(|_unknown| absolute(path));
-    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let is_same = |it: &&KnownVersion| it.place == place && it.version.contents.is_current();
-    if let Some(same) = known.iter().find(is_same) {
+    if let Some(same) = known().iter().find(is_same) {
         return (FileContents::clone(&same.version.contents), Ok(same.version.entry));
     }
+    // Nobody who asks for a version waits until another one is derived.
     let entry = read(path, &files);
     let contents = files.into_contents();
     let entry = match entry {
         Ok(entry) => entry,
         Err(mistakes) => return (contents, Err(mistakes)),
     };
+    let mut known = known();
     let number = u32::try_from(known.len() + 1).unwrap_or(u32::MAX);
     let version = DescriptionVersion { number, entry, contents: Arc::new(contents.clone()) };
     known.push(KnownVersion { place, version });
@@ -128,8 +129,11 @@ pub fn try_load(path: &Path) -> (FileContents, Result<&'static ModelEntry, Diagn
 
 /// Returns the version of a description that `entry` is; none of a model of the program.
 pub fn version_of(entry: &ModelEntry) -> Option<DescriptionVersion> {
-    let known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    known.iter().find(|it| it.version.entry.is(entry)).map(|it| it.version.clone())
+    known().iter().find(|it| it.version.entry.is(entry)).map(|it| it.version.clone())
+}
+
+fn known() -> MutexGuard<'static, Vec<KnownVersion>> {
+    KNOWN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Reads, derives and registers the description at `path`.

@@ -12,8 +12,9 @@ use kane::readable::{Notation, mode_equations, system_equations};
 use kane::{DerivedModel, derive_model};
 
 use self::bases::FileBases;
-use super::Failure;
+use super::{Failure, ask};
 use diagnostics::{choice, quoted};
+use host::control::Request;
 use models::descriptions::description;
 
 /// Makes this program read descriptions of models.
@@ -37,6 +38,8 @@ pub enum ModelCommand {
     Emit(EmitArgs),
     /// Writes a description to start from.
     New(NewArgs),
+    /// Lets the running host read a description, and play it.
+    Load(LoadArgs),
 }
 
 /// What `letoff model derive` takes.
@@ -84,6 +87,19 @@ pub struct NewArgs {
     pub from: String,
 }
 
+/// What `letoff model load` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Examples:
+  letoff model load my-action.toml               the keys that play it go on with what it says now
+  letoff model load my-action.toml --keys C4..B4")]
+pub struct LoadArgs {
+    /// The description.
+    pub file: PathBuf,
+    /// Which keys, as `C4..B5` or `60..83`; those that play it without.
+    #[arg(long)]
+    pub keys: Option<String>,
+}
+
 /// Does what was asked with a description.
 pub(super) fn run(args: &ModelArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match &args.command {
@@ -95,7 +111,15 @@ pub(super) fn run(args: &ModelArgs, out: &mut dyn Write) -> Result<(), Failure> 
             Ok(out.write_all(rust.as_bytes())?)
         }
         ModelCommand::New(args) => new(args, out),
+        ModelCommand::Load(args) => load(args, out),
     }
+}
+
+/// Asks the running host, which may stand in another folder.
+fn load(args: &LoadArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let path = std::path::absolute(&args.file).unwrap_or_else(|_unknown| args.file.clone());
+    let description = path.display().to_string();
+    ask::ask(&Request::Load { description, keys: args.keys.clone() }, Failure::Usage, out)
 }
 
 fn print_equations(args: &DeriveArgs, out: &mut dyn Write) -> Result<(), Failure> {
