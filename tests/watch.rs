@@ -133,8 +133,8 @@ impl<'a> Running<'a> {
     }
 }
 
-/// Rows of a key: position (m), the voice's force and the force sent (N).
-fn rows(folder: &Path, key: u8) -> Vec<[f64; 3]> {
+/// Rows of a key: tick, position (m), the voice's force and the force sent (N).
+fn rows(folder: &Path, key: u8) -> Vec<[f64; 4]> {
     let text = fs::read_to_string(folder.join(format!("export/key-{key}.csv"))).expect("its rows");
     let mut lines = text.lines();
     let names: Vec<_> = lines.next().expect("a header").split(',').collect();
@@ -142,7 +142,7 @@ fn rows(folder: &Path, key: u8) -> Vec<[f64; 3]> {
         let found = names.iter().position(|it| it.starts_with(name));
         found.unwrap_or_else(|| panic!("no {name} in {names:?}"))
     };
-    let columns = ["position", "force", "sent"].map(column);
+    let columns = ["tick", "position", "force", "sent"].map(column);
     let number = |text: &str| text.parse().expect("a number");
     lines
         .map(|line| {
@@ -152,30 +152,21 @@ fn rows(folder: &Path, key: u8) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// Stiffnesses (N/m) at which a pressed key rested, in the order of time, each once.
-fn rests(rows: &[[f64; 3]]) -> Vec<f64> {
-    let mut rests: Vec<f64> = Vec::new();
-    for pair in rows.windows(50) {
-        let positions = pair.iter().map(|row| row[0]);
-        let (low, high) = positions.fold((f64::MAX, f64::MIN), |(low, high), it| {
-            (low.min(it), high.max(it))
-        });
-        let [position, force, _] = pair[49];
-        if high - low > 3e-6 || position < 1e-3 {
-            continue;
-        }
-        let stiffness = force / position;
-        if rests.last().is_none_or(|last| (last / stiffness - 1.0).abs() > 0.02) {
-            rests.push(stiffness);
-        }
-    }
-    rests
+/// Stiffnesses (N/m) at which a pressed key rested, in the order of time: there are no rows while
+/// nothing changes.
+fn rests(rows: &[[f64; 4]]) -> Vec<f64> {
+    let next = rows.iter().skip(1).map(|row| row[0]).chain([f64::INFINITY]);
+    let rests = rows.iter().zip(next).filter(|(row, next)| 200.0 < next - row[0] && 1e-3 < row[1]);
+    rests.map(|([_, position, force, _], _)| force / position).collect()
 }
 
 #[track_caller]
 fn check_near(found: &[f64], wanted: &[f64]) {
     let near = |(found, wanted): (&f64, &f64)| (found / wanted - 1.0).abs() < 0.01;
-    assert!(found.len() == wanted.len() && found.iter().zip(wanted).all(near), "{found:?}, {wanted:?}");
+    assert!(
+        found.len() == wanted.len() && found.iter().zip(wanted).all(near),
+        "{found:?}, {wanted:?}"
+    );
 }
 
 /// Replaces a file as editors do: another one is put into its place.
@@ -244,7 +235,7 @@ fn a_description_that_is_saved_plays_on_with_its_new_forces_and_a_wrong_one_chan
     check_near(&rests(&all[1]), &wanted(OTHER_BASE));
     // The forces differ by more than a newton where the key stands; in a tick the force that is
     // sent changes by a twentieth of it, and by what the key moves.
-    let steps = all[0].windows(2).map(|pair| (pair[1][2] - pair[0][2]).abs());
+    let steps = all[0].windows(2).map(|pair| (pair[1][3] - pair[0][3]).abs());
     let largest = steps.fold(0.0, f64::max);
     let travel = 2.0 / felt(SPRINGS[0], BASE);
     let jump = travel * (felt(SPRINGS[1], BASE) - felt(SPRINGS[0], BASE));

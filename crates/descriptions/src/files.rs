@@ -64,7 +64,8 @@ impl FileContents {
     /// Returns what stands in the same files now.
     #[must_use]
     pub fn now(&self) -> Self {
-        let now = |(path, _before): &(PathBuf, Option<Vec<u8>>)| (path.clone(), read_bytes(path).ok());
+        let now =
+            |(path, _before): &(PathBuf, Option<Vec<u8>>)| (path.clone(), read_bytes(path).ok());
         Self(self.0.iter().map(now).collect())
     }
 

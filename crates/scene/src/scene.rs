@@ -14,8 +14,8 @@ use super::quantity::Quantity;
 use super::read::{self, TableReader};
 use super::render::{self, Render, TICK_HZ};
 use super::report::{Location, MistakeList};
-use super::voicing::Voicing;
 use super::source::{Override, SourceError, SourceText, no_file, refuse};
+use super::voicing::Voicing;
 use diagnostics::Diagnostics;
 use diagnostics::{choice, quoted};
 

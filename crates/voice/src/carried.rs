@@ -35,7 +35,8 @@ pub(crate) fn carried<M: Playable>(
     for (index, place) in state.as_mut().iter_mut().enumerate() {
         let wanted = (states.get(index), state_units.get(index));
         let others = entry.states.iter().zip(entry.state_units);
-        let same = others.zip(seen.state).find(|((name, unit), _)| (Some(*name), Some(*unit)) == wanted);
+        let same =
+            others.zip(seen.state).find(|((name, unit), _)| (Some(*name), Some(*unit)) == wanted);
         if let Some((_, value)) = same.filter(|(_, value)| value.is_finite()) {
             *place = value;
         }

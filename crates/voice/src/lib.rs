@@ -22,6 +22,6 @@ mod loaded;
 pub mod rendered_key;
 
 pub use audit::{AuditCell, AuditReport};
-pub use carried::KeyMemory;
 pub use builder::{AnyVoice, BuildError, VoiceBuilder};
+pub use carried::KeyMemory;
 pub use rendered_key::{RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};

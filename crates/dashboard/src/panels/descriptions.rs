@@ -33,7 +33,8 @@ impl super::View for View {
                 ui.weak("Only models of the program play, and none that a file describes.");
             }
             let newest_first = catalogue.descriptions.iter().rev();
-            let asked = newest_first.filter_map(|it| description_ui(ui, it, &state.store, catalogue));
+            let asked =
+                newest_first.filter_map(|it| description_ui(ui, it, &state.store, catalogue));
             asked.last()
         });
         if let Some(request) = area.inner.or(opened) {

@@ -74,7 +74,8 @@ impl Tuner {
     pub fn take(&mut self, update: &Update) {
         if let Update::Catalogue(catalogue) = update {
             let models = catalogue.models.iter().cloned();
-            self.models = models.map(|model| ((model.name.clone(), model.version), model)).collect();
+            self.models =
+                models.map(|model| ((model.name.clone(), model.version), model)).collect();
         }
         if let Update::Voice(voice) = update
             && let Some(key) = number::key(voice.key)

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use descriptions::unmet;
 use keyboard::{KeyIndex, KeyRange};
-use models::catalogue::ModelEntry;
 use models::Parameter;
+use models::catalogue::ModelEntry;
 use telemetry::request::Change;
 use telemetry::stream::ParameterSetting;
 
@@ -85,7 +85,8 @@ impl CurrentVoices {
             }
             let voice = if is_version { self.next_version(key, model) } else { None };
             let anew = || Some(NewVoice::anew(&Voicing::of_model(model)?, key, model.name));
-            let voice = voice.or_else(anew).ok_or_else(|| format!("{} has no preset", model.name))?;
+            let voice =
+                voice.or_else(anew).ok_or_else(|| format!("{} has no preset", model.name))?;
             if let Some(why) = unmet_on(key, &voice.voice) {
                 return Err(why);
             }
@@ -128,7 +129,8 @@ impl CurrentVoices {
     fn note_changes(&mut self, key: usize, voice: &KeyVoice) {
         let before = self.keys[key].as_ref().map_or(&[][..], |before| &before.values);
         let values = voice.model.parameters.iter().zip(voice.values.iter().zip(before));
-        let is_other = |(_, (now, before)): &(&Parameter, (&f64, &f64))| now.to_bits() != before.to_bits();
+        let is_other =
+            |(_, (now, before)): &(&Parameter, (&f64, &f64))| now.to_bits() != before.to_bits();
         let changed = values.filter(is_other).map(|(it, (now, _before))| (it.name, *now));
         self.changed[key].extend(changed);
     }

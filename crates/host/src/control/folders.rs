@@ -73,8 +73,7 @@ impl Folders {
     fn file(&self, name: &str) -> Option<String> {
         let folder = self.instruments.as_deref()?;
         let file = file_in(folder, name)?;
-        let file =
-            if has_ending(&file, "toml") { file } else { file.with_added_extension("toml") };
+        let file = if has_ending(&file, "toml") { file } else { file.with_added_extension("toml") };
         // Where a symbolic link leads may be anywhere.
         let file = fs::canonicalize(file).ok().filter(|file| file.is_file())?;
         let is_inside = file.starts_with(fs::canonicalize(folder).ok()?);

@@ -72,7 +72,8 @@ impl RequestHandler {
         self.put_in(&mut playing, voices, Some(catalogue), who).map_err(LoadError::Refused)?;
         *self.states() = states;
         let version = observe::version(model);
-        let text = format!("{n} keys play version {version} of {} ({path})", model.name);
+        let keys = if n == 0 { "the same keys".to_owned() } else { format!("{n} keys") };
+        let text = format!("{keys} play version {version} of {} ({path})", model.name);
         self.tell(&text, who);
         Ok(text)
     }

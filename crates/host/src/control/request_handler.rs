@@ -70,9 +70,7 @@ impl RequestHandler {
             Request::UseInstrument { instrument, keys } => {
                 self.switch(instrument, keys.as_deref(), who)?
             }
-            Request::Load { description, keys } => {
-                self.load(description, keys.as_deref(), who)?
-            }
+            Request::Load { description, keys } => self.load(description, keys.as_deref(), who)?,
             Request::Stop {} => return self.stop(who),
             Request::Press { key, newtons } => {
                 self.run.press(*key, *newtons, by)?;
@@ -207,7 +205,8 @@ impl RequestHandler {
             }
             Request::Load { description, keys } => {
                 let plays = plays(&self.playing(), &description);
-                let file = if plays { description } else { self.folders.description(&description)? };
+                let file =
+                    if plays { description } else { self.folders.description(&description)? };
                 Request::Load { description: file, keys }
             }
             Request::Record { file: Some(file) } => {

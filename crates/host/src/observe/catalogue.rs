@@ -50,8 +50,9 @@ pub fn version(entry: &ModelEntry) -> u32 {
 fn description(entry: &ModelEntry) -> Option<Description> {
     let version = version_of(entry)?;
     let texts = version.contents.texts().into_iter();
-    let file = |(path, text): (PathBuf, String)| {
-        DescriptionFile { path: path.display().to_string(), text }
+    let file = |(path, text): (PathBuf, String)| DescriptionFile {
+        path: path.display().to_string(),
+        text,
     };
     Some(Description {
         version: version.number,

@@ -70,9 +70,7 @@ impl Backend for Synthetic {
             Request::Identify { .. }
             | Request::Load { .. }
             | Request::Record { .. }
-            | Request::Where {} => {
-                Err("a synthetic host has neither boards nor files".to_owned())
-            }
+            | Request::Where {} => Err("a synthetic host has neither boards nor files".to_owned()),
         }
     }
 
