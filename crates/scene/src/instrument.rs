@@ -10,7 +10,6 @@ use serde::Serialize;
 
 use super::document;
 use super::embedded::INSTRUMENTS;
-use super::keys::OTHER_VALUES;
 use super::needs::Needs;
 use super::read::TableReader;
 use super::report::MistakeList;
@@ -105,9 +104,7 @@ impl Instrument {
             return None;
         };
         voicing.read_parameters(report, reader);
-        if let Some(unmet) = voicing.unmet(KeyRange::ALL.numbers()) {
-            report.say(reader.place, unmet, OTHER_VALUES);
-        }
+        voicing.refuse_unmet(report, reader.place, KeyRange::ALL);
         Some(Self { name: source.name.clone(), title, doc, needs, voicing })
     }
 }

@@ -28,9 +28,6 @@ impl KeyVoice {
     }
 }
 
-/// The remedy for values that a model does not allow together.
-pub(super) const OTHER_VALUES: &str = "choose other parameters, or another preset";
-
 /// Reads the key ranges; one entry per key, none where it is silent.
 ///
 /// Refuses instruments that are not stable `in_loop`, if there is one, and values that do not go
@@ -61,8 +58,8 @@ pub(super) fn read(
         let Some((range, voicing)) = read else { continue };
         refuse_namesake(report, node.place, voicing.model, &models);
         models.push(voicing.model);
-        if let Some(unmet) = voicing.unmet(range.numbers()).filter(|_| in_loop.is_some()) {
-            report.say(node.place, unmet, OTHER_VALUES);
+        if in_loop.is_some() {
+            voicing.refuse_unmet(report, node.place, range);
         }
         for key in range.numbers() {
             voices[usize::from(key)] = Some(voicing.clone());

@@ -1,7 +1,7 @@
 //! The voices of a range of keys: a model, a preset, and the parameters that differ from it.
 
 use descriptions::{MissingModel, find_model, unmet};
-use keyboard::KeyIndex;
+use keyboard::{KeyIndex, KeyRange};
 use models::catalogue::ModelEntry;
 use models::{Parameter, Preset};
 
@@ -70,15 +70,21 @@ impl Voicing {
         [graded.bass, graded.treble].into_iter().all(|it| quantity.allows(it)).then_some(graded)
     }
 
-    /// Returns the first condition on its parameters that the model states and the values do not
-    /// meet on one of `keys`, in a sentence.
-    pub(super) fn unmet(&self, keys: impl Iterator<Item = u8>) -> Option<String> {
-        let on_key = |key| {
-            let condition = *unmet(self.model, &self.values(key)).first()?;
+    /// Reports the first condition on its parameters that the model states and the values do not
+    /// meet on one of `keys`.
+    pub(super) fn refuse_unmet(
+        &self,
+        report: &mut MistakeList<'_>,
+        place: Location,
+        keys: KeyRange,
+    ) {
+        let on_key = |key| Some((key, *unmet(self.model, &self.values(key)).first()?));
+        if let Some((key, condition)) = keys.numbers().find_map(on_key) {
             let key = KeyIndex::new(key).map_or_else(String::new, |key| key.to_string());
-            Some(format!("{} needs {condition}, which does not hold on {key}", self.model.name))
-        };
-        keys.filter_map(on_key).next()
+            let name = self.model.name;
+            let message = format!("{name} needs {condition}, which does not hold on {key}");
+            report.say(place, message, "choose other parameters, or another preset");
+        }
     }
 
     /// Returns one value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).

@@ -32,9 +32,11 @@ impl super::View for View {
             if catalogue.descriptions.is_empty() {
                 ui.weak("Only models of the program play, and none that a file describes.");
             }
-            let newest_first = catalogue.descriptions.iter().rev();
+            let store = &state.store;
+            let plays = |it: &&Description| 0 < keys_of(it, store);
+            let newest_first = catalogue.descriptions.iter().rev().filter(plays);
             let asked =
-                newest_first.filter_map(|it| description_ui(ui, it, &state.store, catalogue));
+                newest_first.filter_map(|it| description_ui(ui, it, store, catalogue));
             asked.last()
         });
         if let Some(request) = area.inner.or(opened) {
@@ -95,10 +97,14 @@ fn description_ui(
     clicked.inner.then_some(Request::Load { description, keys: None })
 }
 
+/// Returns on how many keys a version plays.
+fn keys_of(it: &Description, store: &Store) -> usize {
+    store.voices().filter(|(_key, voice)| voice.version == it.version).count()
+}
+
 /// Returns in a sentence which version plays where, and since when.
 fn standing(it: &Description, store: &Store, catalogue: &Catalogue) -> String {
-    let plays = |version: u32| version == it.version;
-    let n = store.voices().filter(|(_key, voice)| plays(voice.version)).count();
+    let n = keys_of(it, store);
     let since = match it.since.saturating_sub(catalogue.began) {
         0 => "from the beginning".to_owned(),
         ns => format!("since {:.1} s", ns as f64 * 1e-9),

@@ -9,6 +9,7 @@ use models::catalogue::ModelEntry;
 use telemetry::request::Change;
 use telemetry::stream::ParameterSetting;
 
+use super::description_states::known_path;
 use super::new_voice::{NewVoice, VoiceHandover};
 use crate::observe::instrument_of;
 use diagnostics::{choice, quoted};
@@ -156,6 +157,12 @@ impl CurrentVoices {
         let voice = self.keys.get(usize::from(key))?.as_ref()?;
         let index = voice.model.parameters.iter().position(|it| it.name == wanted)?;
         Some(setting_of(key, &wanted, *voice.values.get(index)?))
+    }
+
+    /// Returns whether a description that plays was read from `file`.
+    pub(super) fn plays(&self, file: &str) -> bool {
+        let path = known_path(file);
+        self.described().iter().any(|model| model.file == Some(path.as_str()))
     }
 
     fn apply(&self, change: &Change, voices: &mut BTreeMap<u8, KeyVoice>) -> Result<(), String> {

@@ -13,7 +13,6 @@ use models::catalogue::ModelEntry;
 use telemetry::{Log, Update, log};
 
 use super::RequestHandler;
-use super::current_voices::CurrentVoices;
 use super::description_states::{DescriptionStates, known_path};
 use crate::observe::{self, TelemetryMessage};
 
@@ -121,12 +120,6 @@ impl RequestHandler {
         states.complete(&mut catalogue.descriptions);
         TelemetryMessage::Catalogue(Box::new(catalogue))
     }
-}
-
-/// Returns whether a description that plays was read from `file`.
-pub(super) fn plays(playing: &CurrentVoices, file: &str) -> bool {
-    let path = known_path(file);
-    playing.described().iter().any(|model| model.file == Some(path.as_str()))
 }
 
 /// Returns the time (ns since 1970).

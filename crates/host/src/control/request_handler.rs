@@ -15,7 +15,6 @@ use voice::VoiceBuilder;
 
 use super::current_voices::CurrentVoices;
 use super::description_states::DescriptionStates;
-use super::load::plays;
 use super::new_voice::{NewVoice, VoiceHandover};
 use super::{Answer, Answers, FingerOwner, Folders, RunHandle};
 use crate::observe::{self, Origin, TelemetryMessage};
@@ -204,7 +203,7 @@ impl RequestHandler {
                 Request::UseInstrument { instrument: self.folders.instrument(&instrument)?, keys }
             }
             Request::Load { description, keys } => {
-                let plays = plays(&self.playing(), &description);
+                let plays = self.playing().plays(&description);
                 let file =
                     if plays { description } else { self.folders.description(&description)? };
                 Request::Load { description: file, keys }
