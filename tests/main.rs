@@ -18,5 +18,6 @@ mod references;
 mod rooms;
 mod sources;
 mod stage;
+mod watch;
 mod wording;
 mod work;

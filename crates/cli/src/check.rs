@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::model::with_carets;
 use super::{Failure, print_json};
 use scene::check_file;
 
@@ -38,7 +37,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
     if wrong.is_empty() {
         return Ok(());
     }
-    let texts: Vec<_> = wrong.iter().map(with_carets).collect();
+    let texts: Vec<_> = wrong.iter().map(descriptions::rendered).collect();
     Err(Failure::Usage(format!("{} wrong:\n{}", files(wrong.len()), texts.join("\n"))))
 }
 

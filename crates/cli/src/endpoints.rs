@@ -6,9 +6,10 @@ use std::time::Duration;
 use telemetry::stream::{Closer, Publisher};
 use tokio::task::JoinHandle;
 
-use super::{Failure, streaming, tell};
+use super::{Failure, streaming, system, tell};
 use host::control::{
-    Answers, Clients, ControlServer, RequestHandler, RunHandle, StreamSink, serve, socket_path,
+    Answers, Clients, ControlServer, DescriptionWatch, RequestHandler, RunHandle, StreamSink,
+    serve, socket_path,
 };
 use host::session::RunSession;
 use scene::{LinksConfig, Scene};
@@ -18,6 +19,7 @@ use scene::{LinksConfig, Scene};
 pub(super) struct Endpoints {
     clients: Clients,
     stream: Option<ServedStream>,
+    requests: Option<Arc<RequestHandler>>,
 }
 
 /// A stream that is served.
@@ -44,7 +46,16 @@ impl Endpoints {
         let requests = RequestHandler::new(scene.clone(), Arc::clone(handle), folders);
         let requests = Arc::new(requests);
         let stream = wanted.map(|wanted| stream(wanted, &requests)).transpose()?.flatten();
-        Ok(Self { clients: listen(requests), stream })
+        Ok(Self { clients: listen(Arc::clone(&requests)), stream, requests: Some(requests) })
+    }
+
+    /// Watches the descriptions that play, until what is returned is dropped.
+    ///
+    /// # Errors
+    /// If the system gives no thread.
+    pub(super) fn watch(&self) -> Result<Option<DescriptionWatch>, Failure> {
+        let requests = self.requests.as_ref().map(Arc::clone);
+        requests.map(DescriptionWatch::start).transpose().map_err(system)
     }
 
     /// Streams the telemetry of `session`.

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use clap::{Args, Subcommand};
-use descriptions::{MissingModel, find_model};
+use descriptions::find_model;
 use models::catalogue;
 use serde::Serialize;
 
@@ -184,14 +184,8 @@ fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {
     let Some(name) = model else {
         return Ok(catalogue::ENTRIES.iter().copied().map(ModelInfo::from).collect());
     };
-    let entry = find_model(name, Path::new("")).map_err(|missing| match missing {
-        MissingModel::Unknown { .. } => {
-            let names: Vec<_> = catalogue::ENTRIES.iter().map(|it| it.name).collect();
-            let names = names.join(", ");
-            Failure::Usage(format!("there is no model `{name}`: choose one of {names}"))
-        }
-        MissingModel::Wrong(diagnostics) => Failure::Usage(diagnostics.to_string()),
-    })?;
+    let entry = find_model(name, Path::new(""));
+    let entry = entry.map_err(|missing| Failure::Usage(missing.rendered()))?;
     Ok(vec![entry.into()])
 }
 

@@ -26,6 +26,7 @@ use scene::{LinksConfig, Override, Scene};
   letoff run                                  the default scene, until its piece is over
   letoff run --duration 30 --json             half a minute, with a report for a program
   letoff run bach --virtual-time --midi bach-played.mid
+  letoff run my-scene.toml --watch            plays descriptions anew when they are saved
   letoff run --set tick_hz=4000 --set keys.0.instrument=grand-reduced
   letoff run --link serial:/dev/ttyACM0 --link can:can0 --performance none")]
 pub struct RunArgs {
@@ -51,6 +52,10 @@ pub struct RunArgs {
     /// programs leave behind if none is given.
     #[arg(long, value_name = "FOLDER|none")]
     pub black_box: Option<PathBuf>,
+    /// Reads descriptions of models again when they are saved: keys that play them go on with the
+    /// new version, and with the one before if it is wrong.
+    #[arg(long, conflicts_with = "virtual_time")]
+    pub watch: bool,
     /// To whom it tells what it does.
     #[command(flatten)]
     pub stream: StreamArgs,
@@ -184,6 +189,7 @@ async fn host(
         session.observe(Box::new(if has_boards { sink.naming_boards() } else { sink }));
     }
     endpoints.observe(&session);
+    let _watch = if args.watch { endpoints.watch()? } else { None };
     let counters = session.counters();
     let line = live::StatusLine::new(session.tick_hz(), session.ticks());
     log.draw_above(line.bar());

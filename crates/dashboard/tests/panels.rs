@@ -6,7 +6,9 @@ use dashboard::{Pane, SavedWindow};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use telemetry::{Catalogue, Model, Request, Signal, Update, signal};
+use telemetry::{
+    Catalogue, Description, DescriptionFile, Model, Request, Signal, Update, Voice, signal,
+};
 
 use crate::common::{Behind, TestWindow, open, open_with};
 
@@ -257,6 +259,40 @@ fn an_instrument_is_used_for_a_typed_range() {
     window.harness.get_by_role_and_label(Role::Button, "spring-wall").click();
     window.settle();
     assert_eq!(window.asked().last(), Some(&expected(None)));
+}
+
+#[test]
+fn a_description_shows_its_mistakes_and_is_read_again_or_opened() {
+    let mut window = open(Pane::Descriptions, Behind::Live);
+    assert!(window.says("Only models of the program play"));
+    let file = DescriptionFile { path: "/home/me/feel.toml".into(), text: String::new() };
+    let mistakes = "/home/me/feel.toml:6:7: there is no \"kk\"; write \"k\"\n  kk\n  ^";
+    let description = Description {
+        version: 2,
+        model: "feel".into(),
+        files: vec![file],
+        since: 3_000_000_000,
+        watched: true,
+        mistakes: mistakes.into(),
+    };
+    let catalogue =
+        Catalogue { descriptions: vec![description], tick_hz: 1000, ..Catalogue::default() };
+    window.harness.state_mut().take(0, Update::Catalogue(catalogue));
+    let voice = Voice { key: 39, model: "feel".into(), version: 2, ..Voice::default() };
+    window.harness.state_mut().take(0, Update::Voice(voice));
+    window.settle();
+    assert!(window.says("version 2 plays on 1 key since 3.0 s; its files are watched"));
+    assert!(window.says("this version plays on:") && window.says("there is no \"kk\""));
+    window.click("Reload");
+    let load = |description: &str, keys: Option<&str>| Request::Load {
+        description: description.into(),
+        keys: keys.map(str::to_owned),
+    };
+    assert_eq!(window.asked().last(), Some(&load("/home/me/feel.toml", None)));
+    write(&mut window, "file", "other.toml");
+    write(&mut window, "on keys", "C4..B5");
+    window.click("Open");
+    assert_eq!(window.asked().last(), Some(&load("other.toml", Some("C4..B5"))));
 }
 
 #[test]

@@ -9,16 +9,27 @@
 //! [`install`]s a [`DescriptionReader`], so that nothing that reads scenes waits for a code
 //! generator when it is compiled.
 //!
+//! [`try_load`] says which files a description was made of, so that it can be read again when one of
+//! them changes, and [`version_of`] what stood in them, so that a recording can contain it. What a
+//! recording contains is read again after [`keep_file`], without the disk.
+//!
 //! Models are leaked on purpose: see [`models::registry`].
 //!
 //! # What is not here
 //! The language of descriptions, mechanics, and code: crates `kane` and `native`.
 
 mod entry;
+mod files;
 mod load;
 mod reader;
 mod register;
+mod unmet;
 
-pub use load::{MissingModel, find_model, is_path, load_model};
+pub use files::{DescriptionFiles, FileContents, keep_file};
+pub use load::{
+    DescriptionVersion, MissingModel, find_model, is_path, load_model, rendered, try_load,
+    unknown_model, version_of,
+};
 pub use reader::{DescriptionReader, ReadModel, install};
 pub use register::{NotRegistered, register_model};
+pub use unmet::unmet;

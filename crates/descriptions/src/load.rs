@@ -1,36 +1,32 @@
 //! From a path to an entry of the catalogue, each version once.
 
-use std::fs::File;
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use diagnostics::{Diagnostic, Diagnostics, choice, quoted};
 use models::catalogue::{self, ModelEntry};
 
+use crate::files::{DescriptionFiles, FileContents, absolute, text_of};
 use crate::reader::reader;
 use crate::register::register_model;
 
-/// Longest file that is read (bytes).
-const LONGEST: u64 = 1 << 18;
-
 /// A version of a description, with what stood in its files.
+#[derive(Clone, Debug)]
+pub struct DescriptionVersion {
+    /// Its number among those that this process has read, from 1.
+    pub number: u32,
+    pub entry: &'static ModelEntry,
+    /// What stood in its files, the description first, then its bases.
+    pub contents: Arc<FileContents>,
+}
+
+/// A version, and the file that it was read from by whichever path.
 struct KnownVersion {
-    path: PathBuf,
-    files: Vec<(PathBuf, Vec<u8>)>,
-    entry: &'static ModelEntry,
+    place: PathBuf,
+    version: DescriptionVersion,
 }
 
-impl KnownVersion {
-    /// Whether its files say what they said when it was read.
-    fn is_current(&self) -> bool {
-        let is_same =
-            |(path, bytes): &(PathBuf, Vec<u8>)| read_bytes(path).is_ok_and(|now| now == *bytes);
-        self.files.iter().all(is_same)
-    }
-}
-
-/// The versions that were read, the newest of each path.
+/// The versions that were read, the oldest first.
 static KNOWN: Mutex<Vec<KnownVersion>> = Mutex::new(Vec::new());
 
 /// Why there is no model.
@@ -45,6 +41,26 @@ pub enum MissingModel {
     },
     /// The description is there, and all this is wrong with it.
     Wrong(Diagnostics),
+}
+
+impl MissingModel {
+    /// Returns what is wrong and what to do, each mistake of a description with its line and a
+    /// caret.
+    pub fn rendered(&self) -> String {
+        match self {
+            Self::Unknown { message, help } => format!("{message}; {help}"),
+            Self::Wrong(mistakes) => rendered(mistakes),
+        }
+    }
+}
+
+/// Returns the mistakes, each with the line that it is about and a caret under the place.
+pub fn rendered(mistakes: &Diagnostics) -> String {
+    let text_of = |file: &str| {
+        let of_program = models::descriptions::description(file).map(str::to_owned);
+        of_program.or_else(|| text_of(file))
+    };
+    diagnostics::rendered(mistakes, &text_of).trim_end().to_owned()
 }
 
 /// Whether `wanted` is meant as the path of a description rather than as a name.
@@ -66,28 +82,64 @@ pub fn find_model(wanted: &str, folder: &Path) -> Result<&'static ModelEntry, Mi
     if is_path(wanted) {
         return load_model(&folder.join(wanted)).map_err(MissingModel::Wrong);
     }
+    Err(unknown_model(wanted))
+}
+
+/// Returns that there is no model called `wanted`, and which there are.
+pub fn unknown_model(wanted: &str) -> MissingModel {
     let names = catalogue::ENTRIES.iter().map(|entry| entry.name);
-    Err(MissingModel::Unknown {
+    MissingModel::Unknown {
         message: format!("there is no model {}", quoted(wanted)),
         help: format!("{}, or a path to a description of yours", choice(wanted, names)),
-    })
+    }
 }
 
 /// Returns the model that the file at `path` describes, and puts it into the catalogue.
 ///
-/// A file that has not changed since it was read is the same model; one that has is a new version.
+/// A file that says what it said in any earlier version is that version; one that says something
+/// else is a new one.
 ///
 /// # Errors
 /// All that is wrong with the description.
 pub fn load_model(path: &Path) -> Result<&'static ModelEntry, Diagnostics> {
-    let refuse = |(message, help): (String, &str)| refusal(path, message, help);
-    let bytes = read_bytes(path).map_err(refuse)?;
-    let place = path.canonicalize().unwrap_or_else(|_unknown| path.to_owned());
-    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    let same = known.iter().find(|version| version.path == place && version.is_current());
-    if let Some(version) = same {
-        return Ok(version.entry);
+    try_load(path).1
+}
+
+/// Does the same, and returns the files that were read, too, right or wrong.
+pub fn try_load(path: &Path) -> (FileContents, Result<&'static ModelEntry, Diagnostics>) {
+    let files = DescriptionFiles::default();
+    let place = path.canonicalize().unwrap_or_else(|_unknown| absolute(path));
+    let is_same = |it: &&KnownVersion| it.place == place && it.version.contents.is_current();
+    if let Some(same) = known().iter().find(is_same) {
+        return (FileContents::clone(&same.version.contents), Ok(same.version.entry));
     }
+    // Nobody who asks for a version waits until another one is derived.
+    let entry = read(path, &files);
+    let contents = files.into_contents();
+    let entry = match entry {
+        Ok(entry) => entry,
+        Err(mistakes) => return (contents, Err(mistakes)),
+    };
+    let mut known = known();
+    let number = u32::try_from(known.len() + 1).unwrap_or(u32::MAX);
+    let version = DescriptionVersion { number, entry, contents: Arc::new(contents.clone()) };
+    known.push(KnownVersion { place, version });
+    (contents, Ok(entry))
+}
+
+/// Returns the version of a description that `entry` is; none of a model of the program.
+pub fn version_of(entry: &ModelEntry) -> Option<DescriptionVersion> {
+    known().iter().find(|it| it.version.entry.is(entry)).map(|it| it.version.clone())
+}
+
+fn known() -> MutexGuard<'static, Vec<KnownVersion>> {
+    KNOWN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Reads, derives and registers the description at `path`.
+fn read(path: &Path, files: &DescriptionFiles) -> Result<&'static ModelEntry, Diagnostics> {
+    let refuse = |(message, help): (String, &str)| refusal(path, message, help);
+    let bytes = files.read_or_help(path).map_err(refuse)?;
     let Some(reader) = reader() else {
         let message = "this program cannot read descriptions of models".to_owned();
         return Err(refuse((message, "name a model of the program")));
@@ -96,15 +148,9 @@ pub fn load_model(path: &Path) -> Result<&'static ModelEntry, Diagnostics> {
         let message = format!("byte {} is not UTF-8", error.valid_up_to());
         refuse((message, "save the file as UTF-8 text"))
     })?;
-    let model = reader.read(path, text)?;
-    let entry = register_model(model.table, model.functions, Some(&place))
-        .map_err(|large| refuse((large.to_string(), "describe a smaller model")))?;
-    let contents = |path: PathBuf| read_bytes(&path).ok().map(|bytes| (path, bytes));
-    let mut files: Vec<_> = model.files.into_iter().filter_map(contents).collect();
-    files.push((place.clone(), bytes));
-    known.retain(|version| version.path != place);
-    known.push(KnownVersion { path: place, files, entry });
-    Ok(entry)
+    let model = reader.read(path, text, files)?;
+    register_model(model.table, model.functions, Some(&absolute(path)))
+        .map_err(|large| refuse((large.to_string(), "describe a smaller model")))
 }
 
 /// The diagnostics of a file of which nothing else is known.
@@ -116,22 +162,4 @@ fn refusal(path: &Path, message: String, help: &str) -> Diagnostics {
         message,
         help: help.to_owned(),
     }])
-}
-
-fn read_bytes(path: &Path) -> Result<Vec<u8>, (String, &'static str)> {
-    let failed = |error: std::io::Error| {
-        if error.kind() == std::io::ErrorKind::NotFound {
-            ("there is no such file".to_owned(), "correct the path")
-        } else {
-            (format!("the file cannot be read, {error}"), "make it readable")
-        }
-    };
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(failed)?;
-    file.take(LONGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
-    if bytes.len() as u64 > LONGEST {
-        let message = format!("the file is longer than {} KiB", LONGEST / 1024);
-        return Err((message, "this is no description, choose another"));
-    }
-    Ok(bytes)
 }

@@ -1,39 +1,41 @@
 //! Who makes a table and functions of a description.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::OnceLock;
 
 use diagnostics::Diagnostics;
 use equations::table::{Functions, ModelTable};
 
+use crate::files::DescriptionFiles;
+
 /// What was read from a description, kept until the program ends.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 pub struct ReadModel {
     /// All of the model but its arithmetic.
     pub table: &'static ModelTable,
     /// Its arithmetic, by number.
     pub functions: &'static dyn Functions,
-    /// The files that it was read from, the description itself and what it is based on: while none
-    /// of them changes, it is not read again.
-    pub files: Vec<PathBuf>,
 }
 
 impl std::fmt::Debug for ReadModel {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("ReadModel")
-            .field("table", &self.table.name)
-            .field("files", &self.files)
-            .finish_non_exhaustive()
+        f.debug_struct("ReadModel").field("table", &self.table.name).finish_non_exhaustive()
     }
 }
 
 /// Makes a table and functions of a description.
 pub trait DescriptionReader: Send + Sync {
-    /// Reads the description at `path`, whose contents are `text`.
+    /// Reads the description at `path`, whose contents are `text`; what it is based on is read
+    /// through `files`, so that it is known which files it is made of.
     ///
     /// # Errors
     /// All that is wrong with it.
-    fn read(&self, path: &Path, text: &str) -> Result<ReadModel, Diagnostics>;
+    fn read(
+        &self,
+        path: &Path,
+        text: &str,
+        files: &DescriptionFiles,
+    ) -> Result<ReadModel, Diagnostics>;
 }
 
 static READER: OnceLock<&'static dyn DescriptionReader> = OnceLock::new();

@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::Path;
 
-use descriptions::{MissingModel, find_model, install, load_model};
+use descriptions::{
+    MissingModel, find_model, install, keep_file, load_model, rendered, try_load, version_of,
+};
 use models::catalogue;
 
 use crate::ball::BallReader;
@@ -26,6 +28,34 @@ fn a_file_is_one_model_until_it_changes() {
     fs::write(&path, "nothing").unwrap();
     let wrong = load_model(&path).unwrap_err().to_string();
     assert!(wrong.ends_with("my-ball.toml:1:1: this is no ball; begin with [modes]"), "{wrong}");
+}
+
+#[test]
+fn versions_keep_what_stood_in_their_files_and_are_read_again_without_the_disk() {
+    install(&BallReader);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("kept-ball.toml");
+    fs::write(&path, "[modes]").unwrap();
+    let (contents, first) = try_load(&path);
+    let first = first.unwrap();
+    assert!(contents.is_current());
+    fs::write(&path, "no ball").unwrap();
+    assert!(!contents.is_current() && !contents.now().lacks_one_of(&contents));
+    let (wrong, mistakes) = try_load(&path);
+    assert!(wrong.is_current() && wrong == contents.now());
+    let shown = rendered(&mistakes.unwrap_err());
+    assert!(shown.ends_with("begin with [modes]\n  no ball\n  ^"), "{shown}");
+    fs::write(&path, "[modes]").unwrap();
+    assert!(load_model(&path).unwrap().is(first), "the version that it was");
+    fs::remove_file(&path).unwrap();
+    assert!(contents.now().lacks_one_of(&contents));
+    assert!(load_model(&path).is_err());
+    let version = version_of(first).unwrap();
+    for (path, text) in version.contents.texts() {
+        keep_file(&path, &text);
+    }
+    assert!(load_model(&path).is_ok());
+    assert!(version_of(catalogue::built_in("spring-wall").unwrap()).is_none());
 }
 
 #[test]

@@ -57,6 +57,10 @@ pub trait Described:
     /// Writes the outputs, forces first, for files and plots.
     fn outputs(&self, mode: Self::Mode, x: &Self::State, input: &Motion, out: &mut [f64]);
 
+    /// Tells each condition on the parameters that these values do not meet, as people read it:
+    /// `string > trip`.
+    fn unmet(&self, _tell: &mut dyn FnMut(&'static str)) {}
+
     /// At rest under a constant input, or where the parameters say that it starts: a
     /// `y0` above 0 is a drop.
     fn at_rest(&self, input: &Motion) -> (Self::Mode, Self::State);

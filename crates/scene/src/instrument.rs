@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
+use keyboard::KeyRange;
 use models::Preset;
 use models::catalogue::ModelEntry;
 use serde::Serialize;
@@ -27,7 +28,8 @@ pub struct Instrument {
     pub doc: String,
     /// The settings with which it is stable.
     pub needs: Needs,
-    pub(super) voicing: Voicing,
+    /// The model, the preset, and what differs from it.
+    pub voicing: Voicing,
 }
 
 impl Instrument {
@@ -102,6 +104,7 @@ impl Instrument {
             return None;
         };
         voicing.read_parameters(report, reader);
+        voicing.refuse_unmet(report, reader.place, KeyRange::ALL);
         Some(Self { name: source.name.clone(), title, doc, needs, voicing })
     }
 }

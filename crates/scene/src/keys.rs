@@ -21,14 +21,22 @@ pub struct KeyVoice {
     pub values: Vec<f64>,
 }
 
+impl KeyVoice {
+    /// Returns the voice of `key` that `voicing` says.
+    pub fn new(voicing: &Voicing, key: u8) -> Self {
+        Self { model: voicing.model, values: voicing.values(key) }
+    }
+}
+
 /// Reads the key ranges; one entry per key, none where it is silent.
 ///
-/// Refuses instruments that are not stable `in_loop`, if there is one.
+/// Refuses instruments that are not stable `in_loop`, if there is one, and values that do not go
+/// together.
 pub(super) fn read(
     report: &mut MistakeList<'_>,
     reader: &mut TableReader<'_>,
     in_loop: Option<LoopSettings<'_>>,
-) -> Vec<Option<KeyVoice>> {
+) -> Vec<Option<Voicing>> {
     let mut voices = vec![None; KEYS];
     let Some(entry) = reader.take("keys") else {
         let help = "add [[keys]] with a range and an instrument";
@@ -50,9 +58,11 @@ pub(super) fn read(
         let Some((range, voicing)) = read else { continue };
         refuse_namesake(report, node.place, voicing.model, &models);
         models.push(voicing.model);
+        if in_loop.is_some() {
+            voicing.refuse_unmet(report, node.place, range);
+        }
         for key in range.numbers() {
-            let voice = KeyVoice { model: voicing.model, values: voicing.values(key) };
-            voices[usize::from(key)] = Some(voice);
+            voices[usize::from(key)] = Some(voicing.clone());
         }
     }
     voices

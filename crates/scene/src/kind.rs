@@ -66,6 +66,12 @@ impl FileKind {
     }
 }
 
+/// Returns whether the file at `path` is the description of a model, by what stands in it.
+pub fn is_description(path: &Path) -> bool {
+    let source = SourceText::read(path);
+    source.is_ok_and(|source| kind_of(&source) == Ok(FileKind::Model))
+}
+
 /// Checks the scene, the instrument or the description of a model at `path`, whichever it is by
 /// what stands in it.
 ///

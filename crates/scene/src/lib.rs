@@ -45,7 +45,7 @@ mod tests;
 pub use embedded::{performances, scenes};
 pub use instrument::{Instrument, InstrumentInfo, instruments};
 pub use keys::KeyVoice;
-pub use kind::{FileKind, check_file};
+pub use kind::{FileKind, check_file, is_description};
 pub use links::{
     BoardBus, Boards, FORCES, LinksConfig, SAMPLES, overrides as link_overrides, period_us,
 };
@@ -53,4 +53,5 @@ pub use needs::{Needs, Unmet};
 pub use render::{EstimatorName, InputReconstruction, Render};
 pub use scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
 pub use source::Override;
+pub use voicing::Voicing;
 pub use write::written;

@@ -15,6 +15,7 @@ use super::read::{self, TableReader};
 use super::render::{self, Render, TICK_HZ};
 use super::report::{Location, MistakeList};
 use super::source::{Override, SourceError, SourceText, no_file, refuse};
+use super::voicing::Voicing;
 use diagnostics::Diagnostics;
 use diagnostics::{choice, quoted};
 
@@ -38,6 +39,8 @@ pub struct Scene {
     pub render: Render,
     /// The voice of each of the 88 keys; none where it is silent.
     pub keys: Vec<Option<KeyVoice>>,
+    /// Where the values of each voice come from.
+    pub voicings: Vec<Option<Voicing>>,
     /// The links to the keys.
     pub links: LinksConfig,
     pub midi: Midi,
@@ -183,11 +186,15 @@ impl Scene {
             Stability::Required => Some(LoopSettings { tick_hz, render: &render }),
             Stability::Recorded => None,
         };
-        let keys = keys::read(report, reader, in_loop);
+        let voicings = keys::read(report, reader, in_loop);
+        let voice = |(key, voicing): (u8, &Option<Voicing>)| {
+            voicing.as_ref().map(|voicing| KeyVoice::new(voicing, key))
+        };
+        let keys = (0..).zip(&voicings).map(voice).collect();
         let links = links::read(report, reader, rate);
         let midi = read_midi(report, reader);
         let performance = read_pianist(report, reader);
-        Self { name, title, tick_hz, lanes, render, keys, links, midi, performance }
+        Self { name, title, tick_hz, lanes, render, keys, voicings, links, midi, performance }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The voices of a range of keys: a model, a preset, and the parameters that differ from it.
 
-use descriptions::{MissingModel, find_model};
-use keyboard::KeyIndex;
+use descriptions::{MissingModel, find_model, unmet};
+use keyboard::{KeyIndex, KeyRange};
 use models::catalogue::ModelEntry;
 use models::{Parameter, Preset};
 
@@ -32,10 +32,11 @@ impl Graded {
     }
 }
 
-/// A model with a value for each of its parameters on each key.
+/// A model with a value for each of its parameters on each key: those of a preset, and what
+/// differs from it.
 #[derive(Clone, Debug)]
-pub(super) struct Voicing {
-    pub(super) model: &'static ModelEntry,
+pub struct Voicing {
+    pub model: &'static ModelEntry,
     pub(super) preset: &'static Preset,
     /// The values that differ from the preset, by parameter.
     changed: Vec<Option<Graded>>,
@@ -46,8 +47,48 @@ impl Voicing {
         Self { model, preset, changed: Vec::new() }
     }
 
+    /// Returns `model` with its first preset; none if it has no presets.
+    pub fn of_model(model: &'static ModelEntry) -> Option<Self> {
+        model.presets.first().map(|preset| Self::new(model, preset))
+    }
+
+    /// Returns the same for another version of the model: the preset of that name, or else the
+    /// first, and what differs from it, by the names of parameters that allow these values.
+    pub fn following(&self, model: &'static ModelEntry) -> Option<Self> {
+        let called = |it: &&Preset| it.name == self.preset.name;
+        let preset = model.presets.iter().find(called).or_else(|| model.presets.first())?;
+        let changed = model.parameters.iter().map(|it| self.changed_in(it)).collect();
+        Some(Self { model, preset, changed })
+    }
+
+    /// Returns what differs from the preset in the parameter that is called as `wanted` is.
+    fn changed_in(&self, wanted: &Parameter) -> Option<Graded> {
+        let same = |it: &Parameter| it.name == wanted.name && it.unit == wanted.unit;
+        let index = self.model.parameters.iter().position(same)?;
+        let graded = (*self.changed.get(index)?)?;
+        let quantity = Quantity { unit: wanted.unit, range: wanted.range };
+        [graded.bass, graded.treble].into_iter().all(|it| quantity.allows(it)).then_some(graded)
+    }
+
+    /// Reports the first condition on its parameters that the model states and the values do not
+    /// meet on one of `keys`.
+    pub(super) fn refuse_unmet(
+        &self,
+        report: &mut MistakeList<'_>,
+        place: Location,
+        keys: KeyRange,
+    ) {
+        let on_key = |key| Some((key, *unmet(self.model, &self.values(key)).first()?));
+        if let Some((key, condition)) = keys.numbers().find_map(on_key) {
+            let key = KeyIndex::new(key).map_or_else(String::new, |key| key.to_string());
+            let name = self.model.name;
+            let message = format!("{name} needs {condition}, which does not hold on {key}");
+            report.say(place, message, "choose other parameters, or another preset");
+        }
+    }
+
     /// Returns one value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
-    pub(super) fn values(&self, key: u8) -> Vec<f64> {
+    pub fn values(&self, key: u8) -> Vec<f64> {
         let value = |index: usize| match self.changed.get(index) {
             Some(Some(graded)) => graded.at(key),
             _ => (self.preset.value)(index, key),

@@ -97,6 +97,21 @@ impl<V> Slot<V> {
 }
 
 impl<V: Voice> Slot<V> {
+    /// Puts `voice` in, which goes on where the old one is, and hands the old one out.
+    ///
+    /// Its force is fresh. It begins at rest if it cannot take over, and if the old one failed or
+    /// has not begun.
+    ///
+    /// # Real-time
+    /// As [`Voice::take_over`].
+    pub fn succeed(&mut self, mut voice: V) -> V {
+        let is_going = !(self.fresh || self.lockout.muted);
+        self.retuned = is_going && voice.take_over(&self.voice);
+        let old = self.replace(voice);
+        self.fresh = !self.retuned;
+        old
+    }
+
     /// Gives the voice other `values`; says whether it took them, which a voice of another model
     /// and one that panicked do not.
     ///
@@ -349,6 +364,16 @@ mod tests {
             self.ticks = 0;
         }
 
+        fn take_over(&mut self, before: &dyn Voice) -> bool {
+            let ticks = before.memory().and_then(|it| it.downcast_ref::<u32>());
+            self.ticks = ticks.copied().unwrap_or(0);
+            ticks.is_some()
+        }
+
+        fn memory(&self) -> Option<&dyn core::any::Any> {
+            Some(&self.ticks)
+        }
+
         fn retune(&mut self, values: &ModelValues) -> bool {
             let is_mine = values.model() == "tunable";
             if is_mine {
@@ -376,6 +401,26 @@ mod tests {
         assert_eq!(slot.voice.ticks, 4, "it was not put at rest");
         slot.tick(4, &at(0.0), &mut turn);
         assert!(!turn.fresh);
+    }
+
+    #[test]
+    fn a_voice_that_succeeds_another_goes_on_where_it_is_unless_that_has_not_begun_or_failed() {
+        let mut slot = Slot::new(3, Tunable { value: 1.0, ticks: 0 });
+        let mut turn = VoiceOutput::default();
+        let next = || Tunable { value: 2.0, ticks: 70 };
+        slot.succeed(next());
+        slot.tick(0, &at(0.0), &mut turn);
+        assert_eq!((slot.voice.ticks, turn.fresh), (1, true), "at rest");
+        slot.tick(1, &at(0.0), &mut turn);
+        let old = slot.succeed(next());
+        slot.tick(2, &at(0.0), &mut turn);
+        assert_eq!((old.ticks, slot.voice.ticks, turn.fresh), (2, 3, true));
+        slot.tick(3, &at(0.0), &mut turn);
+        assert!(!turn.fresh);
+        slot.lockout.muted = true;
+        slot.succeed(next());
+        slot.tick(4, &at(0.0), &mut turn);
+        assert_eq!((turn.fault, slot.voice.ticks), (None, 1), "at rest");
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! One key's running simulation, as the scheduler sees it.
 
+use core::any::Any;
+
 use crate::motion::{KeyEvent, KeySample, KeySlope, Moment};
 use crate::observation::{FollowedKeys, VoiceObservation};
 use crate::values::ModelValues;
@@ -38,6 +40,20 @@ pub trait Voice {
     /// Arithmetic on the values; no heap, lock or clock.
     fn retune(&mut self, _values: &ModelValues) -> bool {
         false
+    }
+
+    /// Goes on where `before` is, the voice whose place it takes; says whether it could, which one
+    /// that knows nothing of the other cannot.
+    ///
+    /// # Real-time
+    /// Copies what both have by the same names; no heap, lock or clock.
+    fn take_over(&mut self, _before: &dyn Voice) -> bool {
+        false
+    }
+
+    /// Returns what the voice that takes its place needs beyond what is observed of it.
+    fn memory(&self) -> Option<&dyn Any> {
+        None
     }
 }
 

@@ -14,6 +14,13 @@ pub enum Request {
         instrument: String,
         keys: Option<String>,
     },
+    /// Reads the description of a model and lets its newest version play.
+    Load {
+        /// The file of the description.
+        description: String,
+        /// The keys, as `C4..B5`; without, those that play another version of it.
+        keys: Option<String>,
+    },
     /// Takes the force off all keys from the next tick on, and ends the run.
     Stop {},
     /// Presses a key with its simulated finger; a force of zero releases it.

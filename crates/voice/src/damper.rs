@@ -19,6 +19,12 @@ impl DamperTracker {
         Self { damper, lifted: position > damper.lift, position }
     }
 
+    /// Returns the same place on the string or off it, with the heights of `damper`.
+    #[must_use]
+    pub const fn with_damper(self, damper: Damper) -> Self {
+        Self { damper, ..self }
+    }
+
     /// Follows the key to `position` (m) at the start of `tick`, in ticks of `period` (s); returns
     /// when it left the string or fell back on it since the tick before.
     pub fn follow(&mut self, tick: u64, position: f64, period: f64) -> Option<(Moment, KeyEvent)> {

@@ -90,6 +90,29 @@ impl InputPath {
         Self { estimator, continuation, scale, h, last, tick: None, since: 0.0 }
     }
 
+    /// Returns a path that goes on from the same samples, for a model whose input is `scale` per
+    /// metre.
+    #[must_use]
+    pub fn with_scale(self, scale: f64) -> Self {
+        let mut continuation = self.continuation;
+        if let Continuation::Samples(kind, reconstructor) = &mut continuation
+            && scale.to_bits() != self.scale.to_bits()
+        {
+            *reconstructor = Reconstructor::new(*kind, self.last.position * scale, self.h);
+        }
+        Self { continuation, scale, ..self }
+    }
+
+    /// Returns the input at the newest sample.
+    pub fn newest(&self) -> pode::Motion {
+        pode::Motion {
+            position: self.last.position * self.scale,
+            rate: self.last.velocity * self.scale,
+            acceleration: self.last.acceleration * self.scale,
+            jerk: 0.0,
+        }
+    }
+
     /// Puts the key at rest at `position` (m) from the next tick on; returns the input there.
     pub fn reset(&mut self, position: f64) -> pode::Motion {
         self.estimator.reset(position);

@@ -9,10 +9,12 @@
 //! | [`input`] | from a key's samples to the motion of the model's input |
 //! | [`damper`] | when the key lifts and drops its damper |
 //! | [`audit`] | where a voice publishes its energy audit |
+//! | `carried` | what of a voice goes on in the one that takes its place |
 //! | [`builder`] | from a scene's values to a voice |
 
 pub mod audit;
 pub mod builder;
+mod carried;
 pub mod damper;
 pub mod input;
 #[cfg(test)]
@@ -21,4 +23,5 @@ pub mod rendered_key;
 
 pub use audit::{AuditCell, AuditReport};
 pub use builder::{AnyVoice, BuildError, VoiceBuilder};
+pub use carried::KeyMemory;
 pub use rendered_key::{RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};

@@ -101,3 +101,42 @@ fn values_of_another_version_are_refused() {
     assert!(!voice.retune(&values(new)), "a newer version may have other parameters");
     assert!(voice.retune(&values(old)));
 }
+
+#[test]
+fn a_voice_of_another_version_goes_on_where_the_old_one_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = scene(folder.path());
+    fs::write(folder.path().join("my-ball.toml"), "[modes]\n[rest]\n# another\n").unwrap();
+    let path = folder.path().join("scene.toml");
+    let second = Scene::load(&path.to_string_lossy(), &[]).unwrap();
+    let [old, new] = [&first, &second].map(|scene| scene.keys[0].as_ref().unwrap());
+    assert!(!old.model.is(new.model));
+    let builder = VoiceBuilder::new(&first).unwrap();
+    let mut voices = [old, old].map(|it| builder.voice(it, Arc::default()).unwrap());
+    let mut seen = [[0.0; 2]; 2];
+    for voice in &mut voices {
+        voice.reset(&KeySample::fresh(0.0));
+    }
+    for tick in 0..600_u64 {
+        if tick == 217 {
+            let mut next = builder.voice(new, Arc::default()).unwrap();
+            assert!(next.take_over(voices[1].as_ref()));
+            voices[1] = next;
+        }
+        let sample = KeySample::fresh(1e-3 * (0.01 * tick as f64).sin());
+        for (voice, seen) in voices.iter_mut().zip(&mut seen) {
+            let mut turn = VoiceOutput::default();
+            voice.tick(tick, &sample, &mut turn);
+            assert_eq!(turn.fault, None, "tick {tick}");
+            let mut observed = VoiceObservation::default();
+            voice.observe(&mut observed);
+            *seen = [observed.snapshot.state[0], observed.snapshot.input[1]];
+        }
+        // The ball's height, and how fast the key is known to move.
+        let near = |index: usize| (seen[0][index] - seen[1][index]).abs() < 1e-12;
+        assert!(near(0) && near(1), "tick {tick}: {seen:?}");
+    }
+    let other = KeyVoice { model: catalogue::built_in("spring-wall").unwrap(), values: vec![] };
+    let mut other = builder.voice(&other, Arc::default()).unwrap();
+    assert!(other.take_over(voices[0].as_ref()), "another model begins at rest where the key is");
+}

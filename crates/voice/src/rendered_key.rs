@@ -1,5 +1,6 @@
 //! A pode model as the scheduler's voice: sample in, force out.
 
+use std::any::Any;
 use std::sync::Arc;
 
 use haptics::{EnergyBound, ForceGate, PassivityObserver};
@@ -15,6 +16,7 @@ use scheduler::values::ModelValues;
 use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
 
 use crate::audit::AuditCell;
+use crate::carried::{KeyMemory, carried};
 use crate::damper::DamperTracker;
 use crate::input::{Followed, InputPath};
 
@@ -28,9 +30,8 @@ pub trait RehearsableVoice: Voice + Send {
 #[derive(Clone, Debug)]
 pub struct RenderedKey<M: Playable, T: Stepper> {
     simulator: Simulator<M, T>,
-    input: InputPath,
+    memory: KeyMemory,
     gate: ForceGate,
-    damper: DamperTracker,
     rest: RestDetector,
     auditor: Auditor<M>,
     passivity: PassivityObserver,
@@ -84,18 +85,17 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let (mode, state) = model.at_rest(&Motion::default());
         let damper = DamperTracker::new(model.damper(), 0.0);
         let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit()), h);
-        let coordinates = model.entry().coordinates;
+        let entry = model.entry();
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
-            input,
+            memory: KeyMemory { entry, input, damper },
             gate,
-            damper,
             rest: RestDetector::new(h),
             auditor: Auditor::default(),
             passivity,
             cell,
             h,
-            coordinates,
+            coordinates: entry.coordinates,
             slopes,
             revision,
             signal: Cubic::ballistic(0.0, 0.0, 0.0, h),
@@ -132,8 +132,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
 
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let is_passive = self.passivity.is_passive(tick, sample.position);
-        let Followed { signal, position, late } = self.input.follow(tick, sample);
-        let damped = self.damper.follow(tick, position, self.h);
+        let Followed { signal, position, late } = self.memory.input.follow(tick, sample);
+        let damped = self.memory.damper.follow(tick, position, self.h);
         if let Some((at, event)) = damped {
             turn.events.push(at, event);
         }
@@ -182,7 +182,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
     fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.switches.clear();
         if let Some(force) = self.rest.force_at(sample.position) {
-            self.input.go_on(tick, sample);
+            self.memory.input.go_on(tick, sample);
             (turn.force, turn.idle) = (force, true);
         } else if sample.position.is_finite() && sample.taken.is_finite() {
             self.advance(tick, sample, turn);
@@ -204,10 +204,10 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
     }
 
     fn reset(&mut self, sample: &KeySample) {
-        let input = self.input.reset(sample.position);
+        let input = self.memory.input.reset(sample.position);
         let (mode, state) = self.simulator.model().at_rest(&input);
         self.simulator.place(mode, state);
-        self.damper = DamperTracker::new(self.simulator.model().damper(), sample.position);
+        self.memory.damper = DamperTracker::new(self.simulator.model().damper(), sample.position);
         self.passivity.reset();
         self.rest = RestDetector::new(self.h);
     }
@@ -224,6 +224,27 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.rest = RestDetector::new(self.h);
         self.passivity.reset();
         true
+    }
+
+    fn take_over(&mut self, before: &dyn Voice) -> bool {
+        let memory = before.memory().and_then(|it| it.downcast_ref::<KeyMemory>());
+        let Some(&KeyMemory { entry, input, damper }) = memory else { return false };
+        let mut seen = VoiceObservation::default();
+        before.observe(&mut seen);
+        let model = self.simulator.model();
+        let input = input.with_scale(model.input_per_metre());
+        let newest = input.newest();
+        let rest = model.at_rest(&Motion { position: newest.position, ..Motion::default() });
+        let (mode, state) = carried(model, rest, (entry, &seen.snapshot));
+        let state = model.constrain(mode, &state, &newest);
+        self.memory.damper = damper.with_damper(model.damper());
+        self.memory.input = input;
+        self.simulator.place(mode, state);
+        true
+    }
+
+    fn memory(&self) -> Option<&dyn Any> {
+        Some(&self.memory)
     }
 }
 

@@ -7,14 +7,15 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueEnum};
-use kane::description::DescriptionSource;
+use descriptions::{DescriptionFiles, MissingModel};
 use kane::readable::{Notation, mode_equations, system_equations};
 use kane::{DerivedModel, derive_model};
 
 use self::bases::FileBases;
-use super::Failure;
-use diagnostics::{Diagnostics, choice, quoted};
-use models::descriptions::{DESCRIPTIONS, description};
+use super::{Failure, ask};
+use diagnostics::{choice, quoted};
+use host::control::Request;
+use models::descriptions::description;
 
 /// Makes this program read descriptions of models.
 pub(super) fn install() {
@@ -37,6 +38,8 @@ pub enum ModelCommand {
     Emit(EmitArgs),
     /// Writes a description to start from.
     New(NewArgs),
+    /// Lets the running host read a description, and play it.
+    Load(LoadArgs),
 }
 
 /// What `letoff model derive` takes.
@@ -84,6 +87,19 @@ pub struct NewArgs {
     pub from: String,
 }
 
+/// What `letoff model load` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Examples:
+  letoff model load my-action.toml               the keys that play it go on with what it says now
+  letoff model load my-action.toml --keys C4..B4")]
+pub struct LoadArgs {
+    /// The description.
+    pub file: PathBuf,
+    /// Which keys, as `C4..B5` or `60..83`; those that play it without.
+    #[arg(long)]
+    pub keys: Option<String>,
+}
+
 /// Does what was asked with a description.
 pub(super) fn run(args: &ModelArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match &args.command {
@@ -95,7 +111,15 @@ pub(super) fn run(args: &ModelArgs, out: &mut dyn Write) -> Result<(), Failure> 
             Ok(out.write_all(rust.as_bytes())?)
         }
         ModelCommand::New(args) => new(args, out),
+        ModelCommand::Load(args) => load(args, out),
     }
+}
+
+/// Asks the running host, which may stand in another folder.
+fn load(args: &LoadArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let path = std::path::absolute(&args.file).unwrap_or_else(|_unknown| args.file.clone());
+    let description = path.display().to_string();
+    ask::ask(&Request::Load { description, keys: args.keys.clone() }, Failure::Usage, out)
 }
 
 fn print_equations(args: &DeriveArgs, out: &mut dyn Write) -> Result<(), Failure> {
@@ -120,47 +144,27 @@ fn print_equations(args: &DeriveArgs, out: &mut dyn Write) -> Result<(), Failure
 
 /// The model of the program called `wanted`, or that of the file there.
 fn derived(wanted: &str) -> Result<DerivedModel, Failure> {
-    let bases = FileBases::default();
-    let (name, text) = match description(wanted) {
-        Some(text) => (wanted.to_owned(), text.to_owned()),
-        None if descriptions::is_path(wanted) => (wanted.to_owned(), file_text(wanted)?),
-        None => {
-            let help = choice(wanted, DESCRIPTIONS.map(|(name, _text)| name));
-            let message = format!("there is no model {}", quoted(wanted));
-            return Err(Failure::Usage(format!("{message}; {help}, or a path to a description")));
-        }
+    let files = DescriptionFiles::default();
+    let wrong = |missing: MissingModel| Failure::Usage(missing.rendered());
+    let text = match description(wanted) {
+        Some(text) => text.to_owned(),
+        None if descriptions::is_path(wanted) => file_text(wanted, &files)?,
+        None => return Err(wrong(descriptions::unknown_model(wanted))),
     };
-    derive_model(&name, &text, &bases)
-        .map_err(|diagnostics| Failure::Usage(with_carets(&diagnostics)))
+    derive_model(wanted, &text, &FileBases(&files))
+        .map_err(|diagnostics| wrong(MissingModel::Wrong(diagnostics)))
 }
 
-fn file_text(path: &str) -> Result<String, Failure> {
-    let bytes = std::fs::read(path).map_err(|error| {
-        Failure::Usage(format!("{path} cannot be read, {error}; correct the path"))
-    })?;
+fn file_text(path: &str, files: &DescriptionFiles) -> Result<String, Failure> {
+    let bytes = files.read(Path::new(path));
+    let bytes = bytes.map_err(|why| Failure::Usage(format!("{path}: {why}; correct the path")))?;
     String::from_utf8(bytes)
         .map_err(|_error| Failure::Usage(format!("{path} is not UTF-8; save it as UTF-8 text")))
 }
 
-/// The mistakes, each with the line that it is about and a caret under the place.
-pub(super) fn with_carets(mistakes: &Diagnostics) -> String {
-    let mut sources: Vec<DescriptionSource> = Vec::new();
-    for mistake in mistakes.as_slice() {
-        if sources.iter().any(|source| source.name == mistake.file) {
-            continue;
-        }
-        let text = description(&mistake.file).map(str::to_owned);
-        if let Some(text) = text.or_else(|| std::fs::read_to_string(&mistake.file).ok()) {
-            sources.push(DescriptionSource { name: mistake.file.clone(), text });
-        }
-    }
-    kane::description::rendered(mistakes, &sources).trim_end().to_owned()
-}
-
 fn new(args: &NewArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let Some(text) = description(&args.from) else {
-        let help = choice(&args.from, DESCRIPTIONS.map(|(name, _text)| name));
-        return Err(Failure::Usage(format!("there is no model {}; {help}", quoted(&args.from))));
+        return Err(Failure::Usage(descriptions::unknown_model(&args.from).rendered()));
     };
     let file: &Path = &args.file;
     let refused = |error: std::io::Error| {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use descriptions::{DescriptionReader, ReadModel};
+use descriptions::{DescriptionFiles, DescriptionReader, ReadModel};
 use diagnostics::{Diagnostic, Diagnostics};
 use kane::derive_model;
 
@@ -13,10 +13,14 @@ use super::bases::FileBases;
 pub(super) struct CompilingReader;
 
 impl DescriptionReader for CompilingReader {
-    fn read(&self, path: &Path, text: &str) -> Result<ReadModel, Diagnostics> {
+    fn read(
+        &self,
+        path: &Path,
+        text: &str,
+        files: &DescriptionFiles,
+    ) -> Result<ReadModel, Diagnostics> {
         let name = path.display().to_string();
-        let bases = FileBases::default();
-        let model = derive_model(&name, text, &bases)?;
+        let model = derive_model(&name, text, &FileBases(files))?;
         let functions = native::compile(model.program.tapes()).map_err(|error| {
             Diagnostics::new(vec![Diagnostic {
                 file: name,
@@ -30,7 +34,6 @@ impl DescriptionReader for CompilingReader {
             table: model.program.table,
             // Kept until the program ends, as the table is: a voice may play it until then.
             functions: Box::leak(Box::new(functions)),
-            files: bases.into_files(),
         })
     }
 }

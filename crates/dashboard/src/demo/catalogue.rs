@@ -36,6 +36,7 @@ pub(super) fn catalogue(began: u64) -> Catalogue {
         modes: vec!["B1 on the key".into(), "B2 in flight".into()],
         signals: signals.clone(),
         parameters: action::parameters(),
+        version: 0,
     };
     let wall = Model {
         name: WALL.into(),
@@ -43,6 +44,7 @@ pub(super) fn catalogue(began: u64) -> Catalogue {
         modes: vec!["free".into(), "in the wall".into()],
         signals,
         parameters: action::parameters(),
+        version: 0,
     };
     Catalogue {
         run: "2026-11-22 09:00:00".into(),
@@ -56,6 +58,7 @@ pub(super) fn catalogue(began: u64) -> Catalogue {
         instruments: instruments(),
         fingers: true,
         scene_text: scene_text(),
+        descriptions: Vec::new(),
     }
 }
 
@@ -99,6 +102,7 @@ pub(super) fn voice(key: u8, revision: u32, instrument: &str, values: &DemoValue
         writer: "scene".into(),
         drawing: Some(drawing()),
         kept: true,
+        version: 0,
     }
 }
 

@@ -13,6 +13,7 @@ impl Demo {
             Request::UseInstrument { instrument, keys } => {
                 self.use_instrument(&instrument, keys.as_deref())
             }
+            Request::Load { description, .. } => Err(format!("There is no {description} here.")),
             Request::Stop {} => {
                 self.is_stopped = true;
                 let text = "No force on any key.".to_owned();

@@ -3,6 +3,7 @@
 //! The list below makes [`Pane`], the menu, and [`Panels`]; a new panel is a line in it.
 
 mod deadlines;
+mod descriptions;
 mod faults;
 mod instruments;
 mod keyboard;
@@ -81,6 +82,7 @@ panels! {
     Phase: phase, "Force and travel";
     Tuning: tuning, "Tuning";
     Instruments: instruments, "Instruments";
+    Descriptions: descriptions, "Descriptions";
     Deadlines: deadlines, "Deadlines";
     Links: links, "Links";
     Midi: midi, "MIDI";

@@ -187,9 +187,12 @@ impl Store {
         self.catalogue.as_ref()?.models.iter().find(|model| model.name == name)
     }
 
-    /// Returns the model that plays a key.
+    /// Returns the model that plays a key, in the version that plays it.
     pub fn model_of(&self, key: u8) -> Option<&Model> {
-        self.model(&self.voice(key)?.model)
+        let voice = self.voice(key)?;
+        let mut models = self.catalogue.as_ref()?.models.iter();
+        let found = models.find(|it| it.name == voice.model && it.version == voice.version);
+        found.or_else(|| self.model(&voice.model))
     }
 
     /// Returns the parameters of a key's model.

@@ -37,6 +37,8 @@ pub struct SavedTuning {
 #[derive(Clone, Debug)]
 struct KeyInstrument {
     model: String,
+    /// The version of the model's description.
+    version: u32,
     instrument: String,
     values: Vec<f64>,
     revision: u32,
@@ -56,7 +58,8 @@ struct PendingValues {
 pub struct Tuner {
     /// What is remembered from one start to the next.
     pub kept: SavedTuning,
-    models: BTreeMap<String, Model>,
+    /// By their names and the versions of their descriptions.
+    models: BTreeMap<(String, u32), Model>,
     played: BTreeMap<u8, KeyInstrument>,
     /// Values that were asked for and not yet answered, by key and parameter.
     wanted: BTreeMap<u8, BTreeMap<String, f64>>,
@@ -71,7 +74,8 @@ impl Tuner {
     pub fn take(&mut self, update: &Update) {
         if let Update::Catalogue(catalogue) = update {
             let models = catalogue.models.iter().cloned();
-            self.models = models.map(|model| (model.name.clone(), model)).collect();
+            self.models =
+                models.map(|model| ((model.name.clone(), model.version), model)).collect();
         }
         if let Update::Voice(voice) = update
             && let Some(key) = number::key(voice.key)
@@ -82,6 +86,7 @@ impl Tuner {
             }
             let played = KeyInstrument {
                 model: voice.model.clone(),
+                version: voice.version,
                 instrument: voice.instrument.clone(),
                 values: voice.values.clone(),
                 revision: voice.revision,
@@ -103,7 +108,8 @@ impl Tuner {
     }
 
     fn at(&self, key: u8, name: &str) -> Option<(usize, &Parameter)> {
-        let model = self.models.get(&self.played.get(&key)?.model)?;
+        let played = self.played.get(&key)?;
+        let model = self.models.get(&(played.model.clone(), played.version))?;
         let is_it = |(_, parameter): &(usize, &Parameter)| parameter.name == name;
         model.parameters.iter().enumerate().find(is_it)
     }
@@ -260,7 +266,8 @@ impl Tuner {
 
     fn values(&self) -> SlotValues {
         let of_key = |(key, played): (&u8, &KeyInstrument)| {
-            let parameters = self.models.get(&played.model).map(|model| &model.parameters);
+            let model = self.models.get(&(played.model.clone(), played.version));
+            let parameters = model.map(|model| &model.parameters);
             let names = parameters.into_iter().flatten().map(|it| it.name.clone());
             let values = names.filter_map(|name| {
                 let value = self.value(*key, &name)?;

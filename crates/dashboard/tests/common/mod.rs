@@ -229,6 +229,7 @@ impl TestWindow {
             | Request::Stop {}
             | Request::Press { .. }
             | Request::Identify { .. }
+            | Request::Load { .. }
             | Request::Scene {}
             | Request::Where {}
             | Request::Record { .. } => None,

@@ -8,7 +8,7 @@
 
 use std::path::Path;
 
-use descriptions::{DescriptionReader, ReadModel};
+use descriptions::{DescriptionFiles, DescriptionReader, ReadModel};
 use diagnostics::{Diagnostic, Diagnostics};
 use equations::table::{
     Arguments, BodyTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable, Material,
@@ -199,9 +199,14 @@ pub static TABLE: ModelTable = ModelTable {
 pub struct BallReader;
 
 impl DescriptionReader for BallReader {
-    fn read(&self, path: &Path, text: &str) -> Result<ReadModel, Diagnostics> {
+    fn read(
+        &self,
+        path: &Path,
+        text: &str,
+        _files: &DescriptionFiles,
+    ) -> Result<ReadModel, Diagnostics> {
         if text.starts_with("[modes") {
-            return Ok(ReadModel { table: &TABLE, functions: &Ball, files: Vec::new() });
+            return Ok(ReadModel { table: &TABLE, functions: &Ball });
         }
         Err(Diagnostics::new(vec![Diagnostic {
             file: path.display().to_string(),

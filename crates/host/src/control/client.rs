@@ -110,6 +110,7 @@ const fn command(request: &Request) -> &'static str {
     match request {
         Request::Stop {} => "letoff stop",
         Request::UseInstrument { .. } => "letoff instruments use NAME",
+        Request::Load { .. } => "letoff model load FILE",
         Request::Where {}
         | Request::Set { .. }
         | Request::Press { .. }

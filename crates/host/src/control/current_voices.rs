@@ -2,13 +2,18 @@
 
 use std::collections::BTreeMap;
 
+use descriptions::unmet;
+use keyboard::{KeyIndex, KeyRange};
 use models::Parameter;
+use models::catalogue::ModelEntry;
 use telemetry::request::Change;
 use telemetry::stream::ParameterSetting;
 
+use super::description_states::known_path;
+use super::new_voice::{NewVoice, VoiceHandover};
 use crate::observe::instrument_of;
 use diagnostics::{choice, quoted};
-use scene::KeyVoice;
+use scene::{KeyVoice, Scene, Voicing};
 
 /// The voice that plays on each key.
 #[derive(Clone, Debug)]
@@ -16,24 +21,30 @@ pub(super) struct CurrentVoices {
     pub(super) keys: Vec<Option<KeyVoice>>,
     /// The names of their instruments, as far as they are known.
     pub(super) instruments: Vec<Option<String>>,
+    /// Where their values came from first.
+    voicings: Vec<Option<Voicing>>,
+    /// What was changed of these values since, by the names of parameters.
+    changed: Vec<BTreeMap<&'static str, f64>>,
 }
 
 /// Most mistakes that one answer names.
 const MOST_TOLD: usize = 5;
 
 impl CurrentVoices {
-    /// Returns the voices with which a scene begins.
-    pub(super) fn new(keys: Vec<Option<KeyVoice>>) -> Self {
+    /// Returns the voices with which `scene` begins.
+    pub(super) fn new(scene: &Scene) -> Self {
+        let keys = scene.keys.clone();
         let of = |(key, voice): (u8, &Option<KeyVoice>)| instrument_of(key, voice.as_ref()?);
         let instruments = (0..).zip(&keys).map(of).collect();
-        Self { keys, instruments }
+        let changed = vec![BTreeMap::new(); keys.len()];
+        Self { keys, instruments, voicings: scene.voicings.clone(), changed }
     }
 
     /// Returns the voices of all keys that `changes` touch, with their new values.
     ///
     /// # Errors
     /// What is wrong with any of them, in a sentence each.
-    pub(super) fn changed(&self, changes: &[Change]) -> Result<BTreeMap<u8, KeyVoice>, String> {
+    pub(super) fn changed(&self, changes: &[Change]) -> Result<BTreeMap<u8, NewVoice>, String> {
         let mut voices = BTreeMap::new();
         let mut wrong = Vec::new();
         for change in changes {
@@ -41,23 +52,93 @@ impl CurrentVoices {
                 wrong.push(why);
             }
         }
+        wrong.extend(voices.iter().filter_map(|(key, voice)| unmet_on(*key, voice)));
         let more = wrong.len().saturating_sub(MOST_TOLD);
         wrong.truncate(MOST_TOLD);
         if 0 < more {
             wrong.push(format!("and {more} more"));
         }
-        if wrong.is_empty() { Ok(voices) } else { Err(wrong.join("; ")) }
+        if !wrong.is_empty() {
+            return Err(wrong.join("; "));
+        }
+        let values = |voice| NewVoice { voice, handover: VoiceHandover::Values };
+        Ok(voices.into_iter().map(|(key, voice)| (key, values(voice))).collect())
     }
 
-    /// Takes note that `voices` play; of `instrument`, or of the one that was there.
-    pub(super) fn put_in(&mut self, voices: BTreeMap<u8, KeyVoice>, instrument: Option<&str>) {
-        for (key, voice) in voices {
-            let key = usize::from(key);
-            self.keys[key] = Some(voice);
-            if let Some(name) = instrument {
-                self.instruments[key] = Some(name.to_owned());
+    /// Returns the voices of the keys that `model` is to play: of `keys`, or else of those that
+    /// play another version of its description.
+    ///
+    /// Where a version follows another one, values that were changed meanwhile stay as they are.
+    ///
+    /// # Errors
+    /// A condition of the model that the values do not meet, or that it has no presets.
+    pub(super) fn loaded(
+        &self,
+        model: &'static ModelEntry,
+        keys: Option<KeyRange>,
+    ) -> Result<BTreeMap<u8, NewVoice>, String> {
+        let mut voices = BTreeMap::new();
+        for (key, playing) in (0..).zip(&self.keys) {
+            let Some(playing) = playing.as_ref().filter(|it| !it.model.is(model)) else { continue };
+            let is_version = playing.model.file.is_some() && playing.model.file == model.file;
+            if !keys.map_or(is_version, |keys| keys.numbers().contains(&key)) {
+                continue;
             }
+            let voice = if is_version { self.next_version(key, model) } else { None };
+            let anew = || Some(NewVoice::anew(&Voicing::of_model(model)?, key, model.name));
+            let voice =
+                voice.or_else(anew).ok_or_else(|| format!("{} has no preset", model.name))?;
+            if let Some(why) = unmet_on(key, &voice.voice) {
+                return Err(why);
+            }
+            voices.insert(key, voice);
         }
+        Ok(voices)
+    }
+
+    /// Returns the voice of `key` for another version of its model.
+    fn next_version(&self, key: u8, model: &'static ModelEntry) -> Option<NewVoice> {
+        let index = usize::from(key);
+        let voicing = self.voicings.get(index)?.as_ref()?.following(model)?;
+        let mut voice = KeyVoice::new(&voicing, key);
+        let changed = self.changed.get(index)?;
+        for (place, parameter) in voice.values.iter_mut().zip(model.parameters) {
+            let value = changed.get(parameter.name).filter(|it| refuse(parameter, **it).is_ok());
+            *place = value.copied().unwrap_or(*place);
+        }
+        Some(NewVoice { voice, handover: VoiceHandover::Version(voicing) })
+    }
+
+    /// Takes note that `voices` play.
+    pub(super) fn put_in(&mut self, voices: BTreeMap<u8, NewVoice>) {
+        for (key, NewVoice { voice, handover }) in voices {
+            let key = usize::from(key);
+            match handover {
+                VoiceHandover::Values => self.note_changes(key, &voice),
+                VoiceHandover::Anew(voicing, name) => {
+                    self.voicings[key] = Some(voicing);
+                    self.instruments[key] = Some(name);
+                    self.changed[key].clear();
+                }
+                VoiceHandover::Version(voicing) => self.voicings[key] = Some(voicing),
+            }
+            self.keys[key] = Some(voice);
+        }
+    }
+
+    /// Notes which values of a key are other ones in `voice`.
+    fn note_changes(&mut self, key: usize, voice: &KeyVoice) {
+        let before = self.keys[key].as_ref().map_or(&[][..], |before| &before.values);
+        let values = voice.model.parameters.iter().zip(voice.values.iter().zip(before));
+        let is_other =
+            |(_, (now, before)): &(&Parameter, (&f64, &f64))| now.to_bits() != before.to_bits();
+        let changed = values.filter(is_other).map(|(it, (now, _before))| (it.name, *now));
+        self.changed[key].extend(changed);
+    }
+
+    /// Returns the models that play and were read from files, each once.
+    pub(super) fn described(&self) -> Vec<&'static ModelEntry> {
+        crate::observe::described(self.keys.iter().flatten().map(|voice| voice.model))
     }
 
     /// Returns the value of each parameter of each voice, in the order of keys.
@@ -76,6 +157,12 @@ impl CurrentVoices {
         let voice = self.keys.get(usize::from(key))?.as_ref()?;
         let index = voice.model.parameters.iter().position(|it| it.name == wanted)?;
         Some(setting_of(key, &wanted, *voice.values.get(index)?))
+    }
+
+    /// Returns whether a description that plays was read from `file`.
+    pub(super) fn plays(&self, file: &str) -> bool {
+        let path = known_path(file);
+        self.described().iter().any(|model| model.file == Some(path.as_str()))
     }
 
     fn apply(&self, change: &Change, voices: &mut BTreeMap<u8, KeyVoice>) -> Result<(), String> {
@@ -101,6 +188,13 @@ pub(super) fn setting_of(key: u8, parameter: &str, value: f64) -> ParameterSetti
     ParameterSetting { name: change.name(), value }
 }
 
+/// Returns which condition of the model the values of `voice` do not meet, in a sentence.
+fn unmet_on(key: u8, voice: &KeyVoice) -> Option<String> {
+    let condition = *unmet(voice.model, &voice.values).first()?;
+    let key = KeyIndex::new(key).map_or_else(String::new, |key| key.to_string());
+    Some(format!("{} needs {condition}, which does not hold on {key}", voice.model.name))
+}
+
 /// Refuses what is no value of `parameter`.
 fn refuse(parameter: &Parameter, value: f64) -> Result<(), String> {
     let Parameter { name, unit, range: (low, high), .. } = parameter;
@@ -113,10 +207,9 @@ fn refuse(parameter: &Parameter, value: f64) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use scene::Scene;
 
     fn playing() -> CurrentVoices {
-        CurrentVoices::new(Scene::load("default", &[]).expect("the default scene").keys)
+        CurrentVoices::new(&Scene::load("default", &[]).expect("the default scene"))
     }
 
     fn change(key: u8, parameter: &str, value: f64) -> Change {
@@ -129,7 +222,7 @@ mod tests {
         let voices = playing().changed(&changes).expect("good changes");
         assert_eq!(voices.keys().copied().collect::<Vec<_>>(), [3, 4]);
         let value = |key: u8, name: &str| {
-            let voice = &voices[&key];
+            let voice = &voices[&key].voice;
             let index = voice.model.parameters.iter().position(|it| it.name == name);
             voice.values[index.expect("a parameter")]
         };

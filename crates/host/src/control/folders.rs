@@ -46,22 +46,38 @@ impl Folders {
         if embedded.iter().any(|it| it == name) {
             return Ok(name.to_owned());
         }
-        let folder = self.instruments.as_deref();
-        let found = folder.and_then(|folder| {
-            let file = file_in(folder, name)?;
-            let file =
-                if has_ending(&file, "toml") { file } else { file.with_added_extension("toml") };
-            // Where a symbolic link leads may be anywhere.
-            let file = fs::canonicalize(file).ok().filter(|file| file.is_file())?;
-            file.starts_with(fs::canonicalize(folder).ok()?).then_some(file)
-        });
-        found.map(|file| file.display().to_string()).ok_or_else(|| {
-            let own = folder.map_or_else(String::new, |folder| {
+        self.file(name).ok_or_else(|| {
+            let own = self.instruments.as_deref().map_or_else(String::new, |folder| {
                 format!(", or a file in {} on the host's machine", folder.display())
             });
             let (wanted, choice) = (quoted(name), choice(name, &embedded));
             format!("there is no instrument {wanted} for clients: {choice}{own}")
         })
+    }
+
+    /// Returns the path of the description that a client calls `name`, among the instruments.
+    ///
+    /// # Errors
+    /// If there is none that a client may use, in a sentence with nothing of any file.
+    pub(super) fn description(&self, name: &str) -> Result<String, String> {
+        self.file(name).ok_or_else(|| {
+            let place = self.instruments.as_deref().map_or_else(
+                || "this host has no folder of them: give it --instruments FOLDER".to_owned(),
+                |folder| format!("they are in {} on the host's machine", folder.display()),
+            );
+            format!("there is no description {} for clients: {place}", quoted(name))
+        })
+    }
+
+    /// Returns the path of the file called `name` in the folder of instruments.
+    fn file(&self, name: &str) -> Option<String> {
+        let folder = self.instruments.as_deref()?;
+        let file = file_in(folder, name)?;
+        let file = if has_ending(&file, "toml") { file } else { file.with_added_extension("toml") };
+        // Where a symbolic link leads may be anywhere.
+        let file = fs::canonicalize(file).ok().filter(|file| file.is_file())?;
+        let is_inside = file.starts_with(fs::canonicalize(folder).ok()?);
+        is_inside.then(|| file.display().to_string())
     }
 }
 
@@ -122,6 +138,11 @@ mod tests {
         for foreign in ["/etc/passwd", "../mine.toml", "link.toml", "no", "Cargo.toml"] {
             let refused = folders.instrument(foreign).expect_err(foreign);
             assert!(refused.contains("no instrument") && !refused.contains("root:"), "{refused}");
+        }
+        assert_eq!(folders.description("mine.toml"), Ok(mine.display().to_string()));
+        for foreign in ["/etc/passwd", "../mine.toml", "link.toml", "spring-wall"] {
+            let refused = folders.description(foreign).expect_err(foreign);
+            assert!(refused.contains("no description") && !refused.contains("root:"), "{refused}");
         }
         assert!(Folders::default().instrument("mine").is_err());
         assert!(Folders::default().recording("a.mcap").is_err());

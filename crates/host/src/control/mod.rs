@@ -9,21 +9,29 @@
 //! instrument, an array of values for other parameters. [`RunHandle`] sends it to the run. The
 //! tick puts it in between two ticks, and safety blends the new force in.
 //!
+//! A description that is saved while it plays, or asked for, is read, checked, derived and compiled
+//! on the same side (`load`, `watch`): if it is right, voices of the new version go on where those
+//! of the old one are, and if it is wrong nothing changes but what is told of it.
+//!
 //! `letoff stop` comes the same way: the run ends with the next tick, and boards are stopped.
 //! The socket listens before the rehearsal, so that a host that only prepares is stopped too.
 
 mod client;
 mod current_voices;
+mod description_states;
 mod emergency;
 mod fingers;
 mod folders;
 mod key_port;
+mod load;
+mod new_voice;
 mod place;
 mod request_handler;
 mod run_handle;
 mod server;
 mod stream_sink;
 mod voice_port;
+mod watch;
 
 pub use client::{ControlError, send, send_within};
 pub use emergency::{BoardsTold, EmergencyStop};
@@ -35,6 +43,7 @@ pub use request_handler::RequestHandler;
 pub use run_handle::RunHandle;
 pub use server::{Answers, Clients, ControlServer, serve};
 pub use stream_sink::StreamSink;
+pub use watch::DescriptionWatch;
 
 pub use telemetry::{Reply, Request};
 

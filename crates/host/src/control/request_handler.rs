@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 use std::net::SocketAddr;
+use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use realtime::pool::VoiceChange;
-use scene::{Instrument, KeyVoice, Scene, written};
+use realtime::pool::{BoxedVoice, VoiceChange};
+use scene::{Instrument, KeyVoice, Scene, is_description, written};
 use scheduler::values::ModelValues;
 use telemetry::request::Change;
 use telemetry::stream::{Backend, ParameterSetting, Who};
@@ -13,9 +14,14 @@ use telemetry::{Event, Reply, Request, Update, event};
 use voice::VoiceBuilder;
 
 use super::current_voices::CurrentVoices;
+use super::description_states::DescriptionStates;
+use super::new_voice::{NewVoice, VoiceHandover};
 use super::{Answer, Answers, FingerOwner, Folders, RunHandle};
 use crate::observe::{self, Origin, TelemetryMessage};
 use keyboard::KeyRange;
+
+/// All keys of a keyboard, as a range is typed.
+const ALL_KEYS: &str = "A0..C8";
 
 /// Answers requests to the host that runs a scene.
 ///
@@ -23,11 +29,13 @@ use keyboard::KeyRange;
 /// ([`Backend`]), which name files in certain folders only.
 #[derive(Debug)]
 pub struct RequestHandler {
-    scene: Scene,
-    run: Arc<RunHandle>,
+    pub(super) scene: Scene,
+    pub(super) run: Arc<RunHandle>,
     folders: Folders,
     /// The voices as they were changed last; each change is made on top of those before.
     playing: Mutex<CurrentVoices>,
+    /// The descriptions that were read while they play; locked after the voices.
+    states: Mutex<DescriptionStates>,
     /// The stream's address and token.
     stream: OnceLock<(String, Option<String>)>,
 }
@@ -36,8 +44,8 @@ impl RequestHandler {
     /// Answers for the host that runs `scene` behind `run`; clients of the stream name files in
     /// `folders`.
     pub fn new(scene: Scene, run: Arc<RunHandle>, folders: Folders) -> Self {
-        let playing = Mutex::new(CurrentVoices::new(scene.keys.clone()));
-        Self { scene, run, folders, playing, stream: OnceLock::new() }
+        let playing = Mutex::new(CurrentVoices::new(&scene));
+        Self { scene, run, folders, playing, states: Mutex::default(), stream: OnceLock::new() }
     }
 
     /// Answers from now on that the host streams at `address`, to clients that give `token`.
@@ -61,6 +69,7 @@ impl RequestHandler {
             Request::UseInstrument { instrument, keys } => {
                 self.switch(instrument, keys.as_deref(), who)?
             }
+            Request::Load { description, keys } => self.load(description, keys.as_deref(), who)?,
             Request::Stop {} => return self.stop(who),
             Request::Press { key, newtons } => {
                 self.run.press(*key, *newtons, by)?;
@@ -104,6 +113,9 @@ impl RequestHandler {
     }
 
     fn switch(&self, name: &str, keys: Option<&str>, who: &str) -> Result<String, String> {
+        if is_description(Path::new(name)) {
+            return self.load(name, keys.or(Some(ALL_KEYS)), who);
+        }
         let instrument = Instrument::load(name).map_err(|it| it.to_string())?;
         let Scene { tick_hz, render, .. } = &self.scene;
         if let Some(unmet) = instrument.needs.unmet(&instrument.name, *tick_hz, render) {
@@ -112,54 +124,61 @@ impl RequestHandler {
         let range = keys.map_or(Ok(KeyRange::ALL), KeyRange::parse).map_err(|it| it.to_string())?;
         let mut playing = self.playing();
         let sounding = range.numbers().filter(|key| playing.keys[usize::from(*key)].is_some());
-        let voice = |key| KeyVoice { model: instrument.model(), values: instrument.values(key) };
+        let voice = |key| NewVoice::anew(&instrument.voicing, key, &instrument.name);
         let voices: BTreeMap<_, _> = sounding.map(|key| (key, voice(key))).collect();
         let n = voices.len();
-        self.put_in(&mut playing, voices, Some(&instrument.name), who)?;
+        self.put_in(&mut playing, voices, None, who)?;
         let text = format!("{n} keys are now {}", instrument.name);
         self.tell(&text, who);
         Ok(text)
     }
 
-    /// Sends `voices` to their keys: as voices of `instrument`, or else as other values of the
-    /// models that play there.
-    fn put_in(
+    /// Sends `voices` to their keys, after `catalogue`, if there is another one.
+    pub(super) fn put_in(
         &self,
         playing: &mut CurrentVoices,
-        voices: BTreeMap<u8, KeyVoice>,
-        instrument: Option<&str>,
+        voices: BTreeMap<u8, NewVoice>,
+        catalogue: Option<TelemetryMessage>,
         who: &str,
     ) -> Result<(), String> {
         let mut changes = Vec::new();
-        let mut messages = Vec::new();
-        for (key, voice) in &voices {
+        let mut messages: Vec<_> = catalogue.into_iter().collect();
+        for (key, new) in &voices {
             let index = usize::from(*key);
             let revision = self.run.new_revision();
-            let change = match instrument {
-                Some(_) => self.replacement(voice, revision)?,
-                None => retuning(voice, revision)?,
-            };
-            changes.push((index, change));
+            changes.push((index, self.change(new, revision)?));
             // Values that are changed are still that instrument's.
-            let source = instrument.or(playing.instruments[index].as_deref());
-            let kept = instrument.is_none();
-            let origin = Origin { revision, instrument: source, writer: who, kept };
-            messages.push(observe::voice(*key, voice, origin));
+            let (instrument, kept) = match &new.handover {
+                VoiceHandover::Anew(_voicing, name) => (Some(name), false),
+                VoiceHandover::Values | VoiceHandover::Version(_) => {
+                    (playing.instruments[index].as_ref(), true)
+                }
+            };
+            let instrument = instrument.map(String::as_str);
+            let origin = Origin { revision, instrument, writer: who, kept };
+            messages.push(observe::voice(*key, &new.voice, origin));
         }
         self.run.send(changes, messages)?;
-        playing.put_in(voices, instrument);
+        playing.put_in(voices);
         Ok(())
     }
 
-    /// Builds `voice` as a whole.
-    fn replacement(&self, voice: &KeyVoice, revision: u32) -> Result<VoiceChange, String> {
-        let builder = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
-        let built = builder.numbered(voice, self.run.new_cell(), revision);
-        Ok(VoiceChange::Replace(built.map_err(|error| error.to_string())?))
+    /// Builds what the voice of a key becomes.
+    fn change(&self, new: &NewVoice, revision: u32) -> Result<VoiceChange, String> {
+        let built = || {
+            let builder = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
+            let built = builder.numbered(&new.voice, self.run.new_cell(), revision);
+            built.map(|voice| voice as BoxedVoice).map_err(|error| error.to_string())
+        };
+        match &new.handover {
+            VoiceHandover::Values => retuning(&new.voice, revision),
+            VoiceHandover::Anew(..) => built().map(VoiceChange::Replace),
+            VoiceHandover::Version(_) => built().map(VoiceChange::Succeed),
+        }
     }
 
     /// Sends to telemetry that `who` did something.
-    fn tell(&self, text: &str, who: &str) {
+    pub(super) fn tell(&self, text: &str, who: &str) {
         let event = Event {
             kind: event::Kind::Change.into(),
             key: observe::NO_KEY,
@@ -169,8 +188,12 @@ impl RequestHandler {
         self.run.tell(TelemetryMessage::Update(Box::new(Update::Event(event))));
     }
 
-    fn playing(&self) -> MutexGuard<'_, CurrentVoices> {
+    pub(super) fn playing(&self) -> MutexGuard<'_, CurrentVoices> {
         self.playing.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub(super) fn states(&self) -> MutexGuard<'_, DescriptionStates> {
+        self.states.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Returns `request` with the paths of the files that a client of the stream may name.
@@ -178,6 +201,12 @@ impl RequestHandler {
         Ok(match request {
             Request::UseInstrument { instrument, keys } => {
                 Request::UseInstrument { instrument: self.folders.instrument(&instrument)?, keys }
+            }
+            Request::Load { description, keys } => {
+                let plays = self.playing().plays(&description);
+                let file =
+                    if plays { description } else { self.folders.description(&description)? };
+                Request::Load { description: file, keys }
             }
             Request::Record { file: Some(file) } => {
                 Request::Record { file: Some(self.folders.recording(&file)?) }

@@ -1,30 +1,70 @@
 //! The catalogue of signals and parameters, as a message.
 
+use std::path::PathBuf;
+
+use descriptions::version_of;
 use models::catalogue::{self, ModelEntry};
 use scheduler::motion::KEYS;
-use telemetry::{Catalogue, Instrument, Model, Parameter};
+use telemetry::{Catalogue, Description, DescriptionFile, Instrument, Model, Parameter};
 
 use super::model_probe::{modes, signals};
 use scene::{self, LinksConfig, Scene};
 
-/// Returns the catalogue of a host that runs `scene`; when it began is not known yet.
-pub fn catalogue(scene: &Scene) -> Catalogue {
+/// Returns the catalogue of a host that runs `scene` and plays the models of `described`, which
+/// are no part of the program; when it began is not known yet.
+pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue {
+    let models = catalogue::ENTRIES.iter().chain(described);
     Catalogue {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: scene.name.clone(),
         tick_hz: scene.tick_hz,
         force_limit: scene.render.force_limit,
         slew_limit: scene.render.slew_limit,
-        models: catalogue::entries().map(model).collect(),
+        models: models.map(|entry| model(entry)).collect(),
         instruments: instruments(),
         fingers: scene.links == LinksConfig::Simulated,
         scene_text: scene::written(scene),
+        descriptions: described.iter().filter_map(|entry| description(entry)).collect(),
         ..Catalogue::default()
     }
 }
 
+/// Returns those of `models` that were read from files, each once.
+pub fn described(models: impl Iterator<Item = &'static ModelEntry>) -> Vec<&'static ModelEntry> {
+    let mut described: Vec<&'static ModelEntry> = Vec::new();
+    for model in models.filter(|model| model.file.is_some()) {
+        if !described.iter().any(|known| known.is(model)) {
+            described.push(model);
+        }
+    }
+    described
+}
+
+/// Returns the number of the version of a description that `entry` is; 0 of a model of the
+/// program.
+pub fn version(entry: &ModelEntry) -> u32 {
+    version_of(entry).map_or(0, |version| version.number)
+}
+
+/// Returns the version of a description that `entry` is, with the text of its files.
+fn description(entry: &ModelEntry) -> Option<Description> {
+    let version = version_of(entry)?;
+    let texts = version.contents.texts().into_iter();
+    let file = |(path, text): (PathBuf, String)| DescriptionFile {
+        path: path.display().to_string(),
+        text,
+    };
+    Some(Description {
+        version: version.number,
+        model: entry.name.to_owned(),
+        files: texts.map(file).collect(),
+        ..Description::default()
+    })
+}
+
 fn model(entry: &ModelEntry) -> Model {
     Model {
+        version: version(entry),
         name: entry.name.to_owned(),
         summary: entry.summary.to_owned(),
         modes: modes(entry),
@@ -64,7 +104,7 @@ mod tests {
     #[test]
     fn instruments_have_a_value_for_each_parameter_on_each_key() {
         let scene = Scene::load("default", &[]).expect("the default scene");
-        let catalogue = catalogue(&scene);
+        let catalogue = catalogue(&scene, &[]);
         assert!(!catalogue.instruments.is_empty());
         for it in &catalogue.instruments {
             let model = catalogue.models.iter().find(|model| model.name == it.model);

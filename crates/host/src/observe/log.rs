@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use firmware_protocol::key::KeyIndex;
 use telemetry::event::Kind;
-use telemetry::{Event, Links, Topic, Update};
+use telemetry::{Event, Links, Topic, Update, Voice};
 
 use super::telemetry_thread::{Attention, MessageSink};
 
@@ -20,6 +20,8 @@ pub struct LogSink {
     limit: RateLimit,
     /// Keys whose values were changed since then, by whom.
     changed: BTreeMap<String, BTreeSet<u32>>,
+    /// The version of the model that each key played last.
+    versions: BTreeMap<u32, u32>,
     since: u64,
     /// Whether boards are still to be named.
     is_naming: bool,
@@ -35,7 +37,7 @@ impl LogSink {
     /// Hands lines to `line`.
     pub fn new(line: LogLine) -> Self {
         let (limit, changed) = (RateLimit::default(), BTreeMap::new());
-        Self { line, limit, changed, since: 0, is_naming: false }
+        Self { line, limit, changed, versions: BTreeMap::new(), since: 0, is_naming: false }
     }
 
     /// Returns the same, which names each board once; those that are simulated need it not.
@@ -49,6 +51,11 @@ impl LogSink {
         if self.limit.has_room(at, subject) {
             (self.line)(text);
         }
+    }
+
+    /// Notes which version of a model `voice` is of; says whether it is another one than before.
+    fn is_new_version(&mut self, voice: &Voice) -> bool {
+        self.versions.insert(voice.key, voice.version) != Some(voice.version) && 0 < voice.version
     }
 
     fn event(&mut self, at: u64, event: &Event) {
@@ -108,7 +115,7 @@ impl MessageSink for LogSink {
         match update {
             Update::Log(log) => self.say(at, Subject::Clients, log.text.clone()),
             Update::Event(event) => self.event(at, event),
-            Update::Voice(voice) if voice.kept => {
+            Update::Voice(voice) if !self.is_new_version(voice) && voice.kept => {
                 if self.changed.is_empty() {
                     self.since = at;
                 }
@@ -234,7 +241,7 @@ impl RateLimit {
 mod tests {
     use super::*;
     use std::sync::mpsc;
-    use telemetry::{Log, Voice};
+    use telemetry::Log;
 
     const SECOND: u64 = 1_000_000_000;
 

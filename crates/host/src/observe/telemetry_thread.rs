@@ -69,6 +69,8 @@ pub enum TelemetryMessage {
     /// A voice that may be put in from now on, and what to see it with.
     Voice(Box<Voice>, Option<Box<dyn ModelProbe>>),
     Update(Box<Update>),
+    /// What there is to see and to change now.
+    Catalogue(Box<Catalogue>),
     /// Where lines and boards are seen.
     Links(Box<LinksWatch>),
     /// One more who takes messages.
@@ -80,6 +82,7 @@ impl std::fmt::Debug for TelemetryMessage {
         match self {
             Self::Voice(voice, _probe) => f.debug_tuple("Voice").field(voice).finish(),
             Self::Update(update) => f.debug_tuple("Update").field(update).finish(),
+            Self::Catalogue(_catalogue) => f.write_str("Catalogue(..)"),
             Self::Links(links) => f.debug_tuple("Links").field(links).finish(),
             Self::Sink(_sink) => f.write_str("Sink(..)"),
         }
@@ -186,14 +189,21 @@ impl TelemetryThread {
     }
 
     /// Ticks count from `began` (ns since 1970).
-    pub fn begin(&mut self, began: u64, mut catalogue: Catalogue) {
+    pub fn begin(&mut self, began: u64, catalogue: Catalogue) {
         self.time.0 = began;
-        catalogue.began = began;
-        catalogue.run = format!("{began}-{}", catalogue.version);
         // Before anybody is welcome: what is told of voices means nothing without it.
-        self.latched.insert(None, Update::Catalogue(catalogue));
+        self.catalogue(catalogue);
         self.hear();
         self.follow();
+    }
+
+    /// Tells all who are there, and will tell those who come, what there is.
+    fn catalogue(&mut self, mut catalogue: Catalogue) {
+        catalogue.began = self.time.0;
+        catalogue.run = format!("{}-{}", catalogue.began, catalogue.version);
+        let catalogue = Update::Catalogue(catalogue);
+        self.give(&catalogue);
+        self.latched.insert(None, catalogue);
     }
 
     /// Tells the tick which keys are followed.
@@ -291,6 +301,7 @@ impl TelemetryThread {
                     self.give(&voice);
                     self.latched.insert(Some(key), voice);
                 }
+                TelemetryMessage::Catalogue(catalogue) => self.catalogue(*catalogue),
                 TelemetryMessage::Update(update) => {
                     self.give(&update);
                     self.pedals.extend(Some(*update).filter(is_pedal));

@@ -2,7 +2,7 @@
 
 use telemetry::Voice;
 
-use super::{TelemetryMessage, probe};
+use super::{TelemetryMessage, probe, version};
 use scene::{Instrument, KeyVoice};
 
 /// The origin of a voice.
@@ -31,6 +31,7 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage 
         writer: origin.writer.to_owned(),
         drawing: probe.as_ref().map(|probe| probe.drawing()),
         kept: origin.kept,
+        version: version(voice.model),
     };
     TelemetryMessage::Voice(Box::new(message), probe)
 }

@@ -120,7 +120,9 @@ impl ReplaySlot {
         let values = ModelValues::new(model.name, revision, values).filter(|_| recorded.kept);
         if !values.is_some_and(|values| self.slot.retune(&values)) {
             let voice = PanicGuard::new(build(scene, recorded, revision)?);
-            let _old = self.slot.replace(voice);
+            // What keeps a state and is no voice of the same model is one of another version.
+            let put_in = if recorded.kept { Slot::succeed } else { Slot::replace };
+            let _old = put_in(&mut self.slot, voice);
         }
         Ok(())
     }

@@ -13,6 +13,7 @@ mod compare;
 mod feed;
 mod lanes;
 mod run;
+mod versions;
 
 pub use compare::ReplayDifference;
 pub use run::{MissingTicks, Replayed, replay};

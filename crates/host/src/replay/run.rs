@@ -2,7 +2,6 @@
 
 use std::sync::mpsc;
 
-use models::catalogue;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::time::{Nanos, Period, Timetable};
 use serde::Serialize;
@@ -13,6 +12,7 @@ use super::ReplayError;
 use super::compare::{Comparison, ReplayDifference, Said};
 use super::feed::{Arm, Feed, ticks};
 use super::lanes::{RecordedVoice, ReplayBus, ReplayLanes};
+use super::versions::RecordedVersions;
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use crate::adapters::tick_recorder::TickRecorder;
 use crate::midi_thread::MidiDispatcher;
@@ -91,6 +91,7 @@ pub fn replay(
 
 struct Replay {
     scene: Scene,
+    versions: RecordedVersions,
     scheduler: Box<scheduler::tick::Scheduler>,
     timetable: Timetable,
     feed: Feed,
@@ -153,6 +154,8 @@ const RING: usize = 1 << 16;
 impl Replay {
     #[expect(clippy::large_stack_frames, reason = "once, at set-up, on its way to the heap")]
     fn begin(catalogue: &Catalogue) -> Result<Box<Self>, ReplayError> {
+        let mut versions = RecordedVersions::default();
+        versions.learn(catalogue)?;
         let scene = Scene::from_text("recording", catalogue.scene_text.clone())
             .map_err(|wrong| ReplayError::Scene(wrong.to_string()))?;
         let period = Period::from_hz(scene.tick_hz)
@@ -193,6 +196,7 @@ impl Replay {
             bus: ReplayBus { samples: [KeySample::default(); KEYS] },
             lanes: ReplayLanes::new(scene.clone()),
             scene,
+            versions,
             watchers: Watchers { publisher, recorder: tap },
             pump,
             desk,
@@ -263,8 +267,8 @@ impl Replay {
                 self.pump.pump();
                 self.comparison.window(self.last, &self.said);
             }
-            Update::Catalogue(_)
-            | Update::Overview(_)
+            Update::Catalogue(catalogue) => self.versions.learn(catalogue)?,
+            Update::Overview(_)
             | Update::State(..)
             | Update::Deadlines(_)
             | Update::Links(_)
@@ -277,9 +281,7 @@ impl Replay {
 
     /// Learns of a voice, and tells the pump, so that it sees with the same probes.
     fn voice(&mut self, message: &Voice) -> Result<(), ReplayError> {
-        let model = catalogue::find(&message.model).ok_or_else(|| {
-            ReplayError::Voice(format!("there is no model {:?} in this version", message.model))
-        })?;
+        let model = self.versions.model(message)?;
         let played = KeyVoice { model, values: message.values.clone() };
         let origin = Origin {
             revision: message.revision,

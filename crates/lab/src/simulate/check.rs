@@ -173,6 +173,10 @@ impl<M: Playable> Start<M> {
     ) -> Option<Self> {
         let entry = model.entry();
         let model = model.with_values(&parameters(entry, args, mistakes)?);
+        let name = entry.name;
+        model.unmet(&mut |condition| {
+            mistakes.push(SimulateMistake::Unmet { model: name, condition })
+        });
         let s = input.at(0.0);
         let (rest_mode, rest) = model.at_rest(&s);
         let given = named_values("--initial", "state", &args.initial, entry.states, mistakes);

@@ -64,8 +64,15 @@ impl SimulateError {
 #[non_exhaustive]
 pub enum SimulateMistake {
     /// A description with mistakes.
-    #[error(transparent)]
+    #[error("{}", descriptions::rendered(.0))]
     Description(Diagnostics),
+    /// Values of parameters that do not go together.
+    #[error("{model} needs {condition}, which does not hold: choose other parameters")]
+    Unmet {
+        model: &'static str,
+        /// As the description writes it.
+        condition: &'static str,
+    },
     /// A name that is not among those that there are.
     #[error("there is no {what} `{name}`{}; there are {}", suggestion(name, known), known.join(", "))]
     Unknown {

@@ -102,6 +102,10 @@ impl<F: CataloguedFunctions, const N: usize, const C: usize> Described
         self.system().outputs(mode.structure, x, input, out);
     }
 
+    fn unmet(&self, tell: &mut dyn FnMut(&'static str)) {
+        Described::unmet(self.system(), tell);
+    }
+
     /// What overlaps at rest is closed, and what has friction sticks.
     fn at_rest(&self, input: &Motion) -> (ContactMode<ModeNumber>, [f64; N]) {
         let system = self.system();

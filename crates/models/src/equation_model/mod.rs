@@ -88,6 +88,10 @@ impl<F: CataloguedFunctions, const N: usize, const C: usize> Described for Equat
         self.outputs(mode, x, input, out);
     }
 
+    fn unmet(&self, tell: &mut dyn FnMut(&'static str)) {
+        Self::unmet(self).for_each(|condition| tell(condition.text));
+    }
+
     fn at_rest(&self, input: &Motion) -> (ModeNumber, [f64; N]) {
         self.at_rest(input)
     }

@@ -1,5 +1,6 @@
 //! A voice whose panic is caught: only its own key is lost.
 
+use std::any::Any;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -61,6 +62,17 @@ impl Voice for PanicGuard {
         let outcome = catch_unwind(AssertUnwindSafe(|| self.voice.retune(values)));
         self.panicked = outcome.is_err();
         outcome.unwrap_or(false)
+    }
+
+    fn take_over(&mut self, before: &dyn Voice) -> bool {
+        // As in `tick`.
+        let outcome = catch_unwind(AssertUnwindSafe(|| self.voice.take_over(before)));
+        self.panicked |= outcome.is_err();
+        outcome.unwrap_or(false)
+    }
+
+    fn memory(&self) -> Option<&dyn Any> {
+        if self.panicked { None } else { self.voice.memory() }
     }
 }
 

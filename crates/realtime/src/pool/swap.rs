@@ -62,6 +62,8 @@ struct QueuedChange {
 pub enum VoiceChange {
     /// Another voice takes its place, at rest where the key is.
     Replace(BoxedVoice),
+    /// Another voice takes its place and goes on where it is, as far as both have the same state.
+    Succeed(BoxedVoice),
     /// It keeps its state and gets other values for its model.
     Retune(ModelValues),
 }
@@ -70,6 +72,7 @@ impl fmt::Debug for VoiceChange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Replace(_) => f.write_str("Replace(..)"),
+            Self::Succeed(_) => f.write_str("Succeed(..)"),
             Self::Retune(values) => f.debug_tuple("Retune").field(values).finish(),
         }
     }
@@ -172,6 +175,10 @@ impl QueuedChange {
             VoiceChange::Replace(voice) => {
                 let voice = PanicGuard::new(voice);
                 Some(if let Some(slot) = slot { slot.replace(voice) } else { voice })
+            }
+            VoiceChange::Succeed(voice) => {
+                let voice = PanicGuard::new(voice);
+                Some(if let Some(slot) = slot { slot.succeed(voice) } else { voice })
             }
             VoiceChange::Retune(values) => {
                 // A voice that does not take them has panicked, and stays at the safe force.

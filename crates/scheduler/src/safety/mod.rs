@@ -18,6 +18,19 @@
 //! a voice's own gate does not know what was sent instead of its force. The way to zero has
 //! its own time, [`FADE`].
 //!
+//! # A voice that takes the place of another
+//!
+//! Values, voices and versions of models change while a key is held. The transfer is bumpless
+//! `[PVH96]`: with F₀ the force sent last and F the new voice's, tick k of `n` sends
+//! F₀ + (F − F₀) k/n, so that what the two differ by, F₀ − F, decays to zero in a straight line
+//! over [`FADE`]. In a tick it changes what is sent by at most |F₀ − F|/n, and by k/n of what the
+//! voice itself changes.
+//!
+//! What is sent differs from a force of the new voice by at most |F₀ − F|, for a [`FADE`] only, so
+//! the blend can give the finger at most |F₀ − F| times the travel in that time: 3 mJ for 1 N and
+//! 3 mm. That is once for each change, and no rate; the voice's own watch over passivity `[HR02]`
+//! begins anew with the change, as the energy that is stored under other values is another one.
+//!
 //! How large a force may be is not decided here: the voice has passed its own force gate.
 //! NaN never passes.
 

@@ -67,9 +67,10 @@ impl Backend for Synthetic {
             Request::Press { key, newtons } => Ok(done(format!("key {key} feels {newtons} N"))),
             Request::Scene {} => Ok(Reply::Scene { toml: "tick_hz = 1000\n".to_owned() }),
             Request::Stop {} => Ok(done("no force on any key".to_owned())),
-            Request::Identify { .. } | Request::Record { .. } | Request::Where {} => {
-                Err("a synthetic host has neither boards nor files".to_owned())
-            }
+            Request::Identify { .. }
+            | Request::Load { .. }
+            | Request::Record { .. }
+            | Request::Where {} => Err("a synthetic host has neither boards nor files".to_owned()),
         }
     }
 

@@ -243,6 +243,9 @@ pub struct Voice {
     /// Whether the model's state was kept, rather than put at rest.
     #[prost(bool, tag = "8")]
     pub kept: bool,
+    /// The version of the model's description: see Description; 0 of a model of the program.
+    #[prost(uint32, tag = "9")]
+    pub version: u32,
 }
 /// A mechanism seen from the side, drawn to scale: x to the right, y up \[m\].
 #[derive(Clone, PartialEq, ::prost::Message)]
@@ -367,7 +370,7 @@ pub struct Coil {
     #[prost(uint32, repeated, tag = "8")]
     pub modes: ::prost::alloc::vec::Vec<u32>,
 }
-/// Topic `/catalogue`: what there is to see and to change.
+/// Topic `/catalogue`: what there is to see and to change; told again when a description is read.
 #[derive(Clone, PartialEq, ::prost::Message)]
 pub struct Catalogue {
     /// Which run: when it began, and by which version.
@@ -397,6 +400,38 @@ pub struct Catalogue {
     /// The scene as a file, with which a recording is run again.
     #[prost(string, tag = "11")]
     pub scene_text: ::prost::alloc::string::String,
+    /// The descriptions of models that play and are no part of the program.
+    #[prost(message, repeated, tag = "12")]
+    pub descriptions: ::prost::alloc::vec::Vec<Description>,
+}
+/// A version of a model's description that plays, whole: a recording needs no other file.
+#[derive(Clone, PartialEq, ::prost::Message)]
+pub struct Description {
+    /// Counts the versions that the host has read; voices and models name it.
+    #[prost(uint32, tag = "1")]
+    pub version: u32,
+    #[prost(string, tag = "2")]
+    pub model: ::prost::alloc::string::String,
+    /// The file that it was read from, and files that it is based on.
+    #[prost(message, repeated, tag = "3")]
+    pub files: ::prost::alloc::vec::Vec<DescriptionFile>,
+    /// Since when it plays, in nanoseconds since 1970; 0 since the beginning.
+    #[prost(uint64, tag = "4")]
+    pub since: u64,
+    /// Whether the files are watched, and read again when they are saved.
+    #[prost(bool, tag = "5")]
+    pub watched: bool,
+    /// What is wrong with what stands in the files now, for people; empty if it is this version.
+    #[prost(string, tag = "6")]
+    pub mistakes: ::prost::alloc::string::String,
+}
+/// A file of a description.
+#[derive(Clone, PartialEq, Eq, Hash, ::prost::Message)]
+pub struct DescriptionFile {
+    #[prost(string, tag = "1")]
+    pub path: ::prost::alloc::string::String,
+    #[prost(string, tag = "2")]
+    pub text: ::prost::alloc::string::String,
 }
 /// A model.
 #[derive(Clone, PartialEq, ::prost::Message)]
@@ -411,6 +446,9 @@ pub struct Model {
     pub signals: ::prost::alloc::vec::Vec<Signal>,
     #[prost(message, repeated, tag = "5")]
     pub parameters: ::prost::alloc::vec::Vec<Parameter>,
+    /// The version of its description: see Description; 0 of a model of the program.
+    #[prost(uint32, tag = "6")]
+    pub version: u32,
 }
 /// Something that a model gives to look at.
 #[derive(Clone, PartialEq, Eq, Hash, ::prost::Message)]

@@ -72,7 +72,7 @@ pub fn export_csv(
 /// A key's table, and whose columns it has.
 struct KeyTable {
     table: CsvTable,
-    model: String,
+    header: Vec<String>,
     /// How many tables the key has.
     number: u32,
 }
@@ -80,8 +80,8 @@ struct KeyTable {
 struct CsvTables {
     folder: PathBuf,
     catalogue: Catalogue,
-    /// Models by their names.
-    models: BTreeMap<String, Rc<Model>>,
+    /// Models by their names and versions.
+    models: BTreeMap<(String, u32), Rc<Model>>,
     /// The model of each key's revisions.
     revisions: BTreeMap<(u32, u32), Rc<Model>>,
     /// The model of each key now.
@@ -120,11 +120,16 @@ impl CsvTables {
 
     /// Notes the model of each voice: a voice may be told after its first rows.
     fn note_revisions(&mut self, recording: &Recording) {
-        for message in recording.read(0, u64::MAX, &BTreeSet::from([Topic::Voices])) {
-            // What is damaged is said when its rows are read.
-            if let Ok((_, Update::Voice(voice))) = message {
-                let model = self.named(&voice.model);
-                self.revisions.insert((voice.key, voice.revision), model);
+        let topics = BTreeSet::from([Topic::Catalogue, Topic::Voices]);
+        for message in recording.read(0, u64::MAX, &topics) {
+            match message {
+                Ok((_, Update::Catalogue(catalogue))) => self.models.extend(models(&catalogue)),
+                Ok((_, Update::Voice(voice))) => {
+                    let model = self.model_of(&voice);
+                    self.revisions.insert((voice.key, voice.revision), model);
+                }
+                // What is damaged is said when its rows are read.
+                Ok(_) | Err(_) => {}
             }
         }
     }
@@ -139,7 +144,7 @@ impl CsvTables {
 
     /// Notes that the key of `voice` is played by it from now on.
     fn note(&mut self, voice: &Voice) {
-        let model = self.named(&voice.model);
+        let model = self.model_of(voice);
         self.current.insert(voice.key, model);
     }
 
@@ -176,8 +181,9 @@ impl CsvTables {
 
     /// Returns the key's table with the columns of `model`.
     fn key_table(&mut self, key: u32, model: &Model) -> Result<&mut KeyTable, ExportError> {
+        let header = header(model);
         let number = match self.keys.get(&key) {
-            Some(table) if table.model == model.name => None,
+            Some(table) if table.header == header => None,
             Some(table) => Some(table.number + 1),
             None => Some(1),
         };
@@ -186,9 +192,8 @@ impl CsvTables {
                 1 => format!("key-{key}.csv"),
                 _ => format!("key-{key}-{number}.csv"),
             };
-            let table = CsvTable::create(self.folder.join(name), &header(model))?;
-            let model = model.name.clone();
-            let old = self.keys.insert(key, KeyTable { table, model, number });
+            let table = CsvTable::create(self.folder.join(name), &header)?;
+            let old = self.keys.insert(key, KeyTable { table, header, number });
             self.close(old.map(|old| old.table))?;
         }
         let nothing = || ExportError::Exists(self.folder.clone());
@@ -236,10 +241,11 @@ impl CsvTables {
         self.revisions.get(&(key, revision)).map_or_else(Rc::default, Rc::clone)
     }
 
-    /// Returns the model called `name`; one without signals if the catalogue does not have it.
-    fn named(&self, name: &str) -> Rc<Model> {
-        let nameless = || Rc::new(Model { name: name.to_owned(), ..Model::default() });
-        self.models.get(name).map_or_else(nameless, Rc::clone)
+    /// Returns the model of `voice`; one without signals if no catalogue has it.
+    fn model_of(&self, voice: &Voice) -> Rc<Model> {
+        let name = || voice.model.clone();
+        let nameless = || Rc::new(Model { name: name(), ..Model::default() });
+        self.models.get(&(name(), voice.version)).map_or_else(nameless, Rc::clone)
     }
 }
 
@@ -247,7 +253,7 @@ fn start(recording: &Recording) -> u64 {
     recording.span().map_or(0, |(first, _)| first)
 }
 
-fn models(catalogue: &Catalogue) -> BTreeMap<String, Rc<Model>> {
+fn models(catalogue: &Catalogue) -> BTreeMap<(String, u32), Rc<Model>> {
     let models = catalogue.models.iter();
-    models.map(|model| (model.name.clone(), Rc::new(model.clone()))).collect()
+    models.map(|model| ((model.name.clone(), model.version), Rc::new(model.clone()))).collect()
 }

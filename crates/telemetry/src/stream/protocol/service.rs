@@ -14,12 +14,20 @@ pub enum Service {
     Identify,
     Scene,
     Record,
+    Load,
 }
 
 impl Service {
     /// Every service, in the order of their numbers.
-    pub const ALL: [Self; 6] =
-        [Self::UseInstrument, Self::Stop, Self::Press, Self::Identify, Self::Scene, Self::Record];
+    pub const ALL: [Self; 7] = [
+        Self::UseInstrument,
+        Self::Stop,
+        Self::Press,
+        Self::Identify,
+        Self::Scene,
+        Self::Record,
+        Self::Load,
+    ];
 
     /// Returns the service by which `request` travels; none if it is of parameters.
     pub const fn of(request: &Request) -> Option<Self> {
@@ -32,6 +40,7 @@ impl Service {
             Request::Identify { .. } => Some(Self::Identify),
             Request::Scene {} => Some(Self::Scene),
             Request::Record { .. } => Some(Self::Record),
+            Request::Load { .. } => Some(Self::Load),
         }
     }
 
@@ -44,6 +53,7 @@ impl Service {
             Self::Identify => 4,
             Self::Scene => 5,
             Self::Record => 6,
+            Self::Load => 7,
         }
     }
 
@@ -61,6 +71,7 @@ impl Service {
             Self::Identify => "identify",
             Self::Scene => "scene",
             Self::Record => "record",
+            Self::Load => "load",
         }
     }
 
@@ -135,6 +146,16 @@ impl Service {
                     "file": {"type": ["string", "null"], "description": "ends without"},
                 }),
                 json!([]),
+            ),
+            Self::Load => (
+                json!({
+                    "description": {"type": "string", "description": "its file"},
+                    "keys": {
+                        "type": ["string", "null"],
+                        "description": "as C4..B5; without, those that play it",
+                    },
+                }),
+                json!(["description"]),
             ),
         };
         json!({
@@ -212,6 +233,7 @@ mod tests {
             Request::Identify { line: 1, board: 2 },
             Request::Scene {},
             Request::Record { file: Some("a.mcap".to_owned()) },
+            Request::Load { description: "a.toml".to_owned(), keys: None },
         ]
     }
 

@@ -33,7 +33,9 @@ impl Role {
     pub const fn for_service(service: Service) -> Self {
         match service {
             Service::Stop => Self::Viewer,
-            Service::UseInstrument | Service::Press | Service::Identify => Self::Tuner,
+            Service::UseInstrument | Service::Load | Service::Press | Service::Identify => {
+                Self::Tuner
+            }
             Service::Scene | Service::Record => Self::Owner,
         }
     }

@@ -1,0 +1,64 @@
+//! What became of the descriptions that were read while the host runs.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use descriptions::{FileContents, version_of};
+use models::catalogue::ModelEntry;
+use telemetry::Description;
+
+/// What became of descriptions, by their files.
+#[derive(Clone, Debug, Default)]
+pub(super) struct DescriptionStates {
+    files: BTreeMap<String, ReadDescription>,
+    /// Since when versions play that the scene did not begin with (ns since 1970).
+    since: BTreeMap<u32, u64>,
+    pub(super) is_watched: bool,
+}
+
+/// What stood in the files of a description when they were read last, and what is wrong with it.
+#[derive(Clone, Debug)]
+struct ReadDescription {
+    contents: FileContents,
+    mistakes: String,
+}
+
+impl DescriptionStates {
+    /// Notes that the description at `file` was read, and what is wrong with it.
+    pub(super) fn note_read(&mut self, file: &str, contents: FileContents, mistakes: &str) {
+        let read = ReadDescription { contents, mistakes: mistakes.to_owned() };
+        self.files.insert(file.to_owned(), read);
+    }
+
+    /// Notes that `model` plays since `now` (ns since 1970).
+    pub(super) fn note_playing(&mut self, model: &ModelEntry, now: u64) {
+        if let Some(version) = version_of(model) {
+            self.since.insert(version.number, now);
+        }
+    }
+
+    /// Returns what stood in the files of the description of `model` when they were read last.
+    pub(super) fn contents(&self, model: &ModelEntry) -> Option<FileContents> {
+        match self.files.get(model.file?) {
+            Some(read) => Some(read.contents.clone()),
+            None => Some(FileContents::clone(&version_of(model)?.contents)),
+        }
+    }
+
+    /// Writes what is known of each of `descriptions`.
+    pub(super) fn complete(&self, descriptions: &mut [Description]) {
+        for description in descriptions {
+            let path = description.files.first().map_or("", |file| file.path.as_str());
+            let read = self.files.get(path);
+            description.mistakes = read.map_or_else(String::new, |read| read.mistakes.clone());
+            description.since = self.since.get(&description.version).copied().unwrap_or(0);
+            description.watched = self.is_watched;
+        }
+    }
+}
+
+/// Returns the path by which the file `name` is known.
+pub(super) fn known_path(name: &str) -> String {
+    let path = std::path::absolute(name).unwrap_or_else(|_unknown| Path::new(name).to_owned());
+    path.display().to_string()
+}

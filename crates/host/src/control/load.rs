@@ -1,0 +1,129 @@
+//! Descriptions that are read while the host plays: their newest versions take over.
+//!
+//! Nothing of it is in the tick: a description is read, checked, derived and compiled on the
+//! thread that asks for it, and so are the voices built. What is wrong changes nothing.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use descriptions::{FileContents, rendered, try_load};
+use keyboard::KeyRange;
+use models::catalogue::ModelEntry;
+use telemetry::{Log, Update, log};
+
+use super::RequestHandler;
+use super::description_states::{DescriptionStates, known_path};
+use crate::observe::{self, TelemetryMessage};
+
+/// Why a description does not play.
+#[derive(Debug)]
+enum LoadError {
+    /// This is wrong with it, or with the values that it would play with.
+    Mistakes(String),
+    /// It cannot be put in now.
+    Refused(String),
+}
+
+impl RequestHandler {
+    /// Reads the description at `file` and lets its newest version play: on `keys`, or else on
+    /// those that play another version of it.
+    ///
+    /// # Errors
+    /// All that is wrong with it, with lines and carets, or why it cannot be put in now.
+    pub(super) fn load(&self, file: &str, keys: Option<&str>, who: &str) -> Result<String, String> {
+        let range = keys.map(KeyRange::parse).transpose().map_err(|it| it.to_string())?;
+        let path = known_path(file);
+        let (contents, read) = try_load(Path::new(&path));
+        let read = read.map_err(|mistakes| LoadError::Mistakes(rendered(&mistakes)));
+        let played = read.and_then(|model| self.play(model, (range, &path, &contents), who));
+        match played {
+            Ok(text) => Ok(text),
+            Err(LoadError::Refused(why)) => Err(why),
+            Err(LoadError::Mistakes(mistakes)) => {
+                self.note_mistakes(&path, contents, &mistakes);
+                Err(mistakes)
+            }
+        }
+    }
+
+    /// Lets `model` play, which was read from what `contents` says.
+    fn play(
+        &self,
+        model: &'static ModelEntry,
+        (range, path, contents): (Option<KeyRange>, &str, &FileContents),
+        who: &str,
+    ) -> Result<String, LoadError> {
+        let mut playing = self.playing();
+        let voices = playing.loaded(model, range).map_err(LoadError::Mistakes)?;
+        let n = voices.len();
+        let mut states = self.states().clone();
+        states.note_read(path, contents.clone(), "");
+        if 0 < n {
+            states.note_playing(model, now());
+        }
+        // Those that play until then are told of, too: a recording may begin in between.
+        let mut described = playing.described();
+        if !described.iter().any(|known| known.is(model)) {
+            described.push(model);
+        }
+        let catalogue = self.catalogue(&described, &states);
+        self.put_in(&mut playing, voices, Some(catalogue), who).map_err(LoadError::Refused)?;
+        *self.states() = states;
+        let version = observe::version(model);
+        let keys = if n == 0 { "the same keys".to_owned() } else { format!("{n} keys") };
+        let text = format!("{keys} play version {version} of {} ({path})", model.name);
+        self.tell(&text, who);
+        Ok(text)
+    }
+
+    /// Notes, and tells, what is wrong with the description at `path`; the old version plays on.
+    fn note_mistakes(&self, path: &str, contents: FileContents, mistakes: &str) {
+        let playing = self.playing();
+        if !playing.described().iter().any(|model| model.file == Some(path)) {
+            return;
+        }
+        let mut states = self.states();
+        states.note_read(path, contents, mistakes);
+        self.run.tell(self.catalogue(&playing.described(), &states));
+        let text = format!("{path} is wrong, and the version before it plays on:\n{mistakes}");
+        let entry = Log { level: log::Level::Error.into(), text };
+        self.run.tell(TelemetryMessage::Update(Box::new(Update::Log(entry))));
+    }
+
+    /// Tells from now on that descriptions are watched.
+    pub(super) fn begin_to_watch(&self) {
+        let playing = self.playing();
+        let mut states = self.states();
+        states.is_watched = true;
+        self.run.tell(self.catalogue(&playing.described(), &states));
+    }
+
+    /// Returns the files of the descriptions that play, each with what stood in them when they
+    /// were read last.
+    pub(super) fn described_files(&self) -> Vec<(&'static str, FileContents)> {
+        let described = self.playing().described();
+        let states = self.states();
+        let mut seen = BTreeSet::new();
+        let newest = described.into_iter().rev().filter_map(|model| Some((model.file?, model)));
+        let newest = newest.filter(|(file, _model)| seen.insert(*file));
+        newest.filter_map(|(file, model)| Some((file, states.contents(model)?))).collect()
+    }
+
+    /// Returns the message that tells what there is now, with the models of `described`.
+    fn catalogue(
+        &self,
+        described: &[&'static ModelEntry],
+        states: &DescriptionStates,
+    ) -> TelemetryMessage {
+        let mut catalogue = observe::catalogue(&self.scene, described);
+        states.complete(&mut catalogue.descriptions);
+        TelemetryMessage::Catalogue(Box::new(catalogue))
+    }
+}
+
+/// Returns the time (ns since 1970).
+fn now() -> u64 {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH);
+    now.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX))
+}

@@ -1,0 +1,75 @@
+//! Watches the descriptions that play, and loads one that was saved.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use descriptions::FileContents;
+
+use super::RequestHandler;
+
+/// Time between two looks; what is found twice is read, so that a file is not read while it is
+/// written.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// Who asks for a description that was saved.
+const WATCH: &str = "--watch";
+
+/// Watches the descriptions that the voices of a host play, and what they are based on, on a
+/// thread of its own; ends when it is dropped.
+///
+/// It compares what stands in the files: editors write into them, or put others into their
+/// places. A file that is not there for a moment changes nothing.
+#[derive(Debug)]
+pub struct DescriptionWatch {
+    stop: Arc<AtomicBool>,
+}
+
+impl DescriptionWatch {
+    /// Watches the descriptions that `handler` knows.
+    ///
+    /// # Errors
+    /// If the system gives no thread.
+    pub fn start(handler: Arc<RequestHandler>) -> std::io::Result<Self> {
+        let stop = Arc::new(AtomicBool::new(false));
+        let its_stop = Arc::clone(&stop);
+        handler.begin_to_watch();
+        thread::Builder::new().name("letoff-watch".into()).spawn(move || {
+            let mut found = FoundContents::default();
+            while !its_stop.load(Ordering::Acquire) {
+                thread::sleep(LOOK);
+                found.look(&handler);
+            }
+        })?;
+        Ok(Self { stop })
+    }
+}
+
+impl Drop for DescriptionWatch {
+    fn drop(&mut self) {
+        self.stop.store(true, Ordering::Release);
+    }
+}
+
+/// What was found in files at the last look, where it is not what was read.
+#[derive(Debug, Default)]
+struct FoundContents(BTreeMap<&'static str, FileContents>);
+
+impl FoundContents {
+    /// Looks at all files once, and has those read that were saved.
+    fn look(&mut self, handler: &RequestHandler) {
+        for (file, read) in handler.described_files() {
+            let now = read.now();
+            if now == read || now.lacks_one_of(&read) {
+                self.0.remove(file);
+            } else if self.0.get(file) == Some(&now) {
+                // What is wrong was told; what was refused now is tried again at the next look.
+                let _told = handler.load(file, None, WATCH);
+            } else {
+                self.0.insert(file, now);
+            }
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! Descriptions that are edited while the host plays them: `letoff run --watch`, and its recording
+//! run again without the files.
+
+use std::fs;
+use std::io::{BufRead as _, BufReader, Write as _};
+use std::os::unix::net::UnixStream;
+use std::path::Path;
+use std::process::Child;
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+
+use crate::letoff::{Said, end, folder, run, start};
+
+/// Longest wait for anything that the host says; builds may be going on beside.
+const PATIENCE: Duration = Duration::from_secs(90);
+
+/// Time in which a key comes to rest.
+const REST: Duration = Duration::from_millis(1500);
+
+/// C4 and C♯4, as keys are numbered.
+const KEYS: [u8; 2] = [39, 40];
+
+/// Stiffness of the base, and of the spring between key and mass at first and then (N/m).
+const BASE: f64 = 1200.0;
+const SPRINGS: [f64; 2] = [400.0, 800.0];
+
+/// What is set on the second key while it plays (N/m).
+const OTHER_BASE: f64 = 2400.0;
+
+/// A mass between two springs, of which the key presses one: `k` to the key, `base` to the ground.
+fn base() -> String {
+    format!(
+        r#"name = "feel"
+summary = "a mass between two springs"
+requires = ["base > 100 N/m"]
+
+[input]
+name = "s"
+unit = "m"
+per_metre = "1"
+
+[parameters]
+k = {{ value = "{} N/m", range = ["1 N/m", "100 kN/m"], doc = "key to mass" }}
+base = {{ value = "{BASE} N/m", range = ["1 N/m", "100 kN/m"], doc = "mass to ground" }}
+m = {{ value = "20 g", range = ["1 g", "1 kg"], doc = "mass" }}
+
+[coordinates]
+y = {{ unit = "m", range = ["-50 mm", "50 mm"], speed_range = ["-5 m/s", "5 m/s"] }}
+
+[frames]
+body = {{ in = "ground", origin = ["0 m", "y"] }}
+
+[bodies]
+body = {{ frame = "body", mass = "m" }}
+
+[springs]
+key = {{ stretch = "s - y", stiffness = "k", damping = "1 N*s/m" }}
+ground = {{ stretch = "y", stiffness = "base", damping = "5 N*s/m" }}
+
+[modes.playing]
+doc = "both springs act"
+
+[outputs]
+F = {{ unit = "N", value = "force(key)" }}
+
+[rest]
+mode = "playing"
+y = "s*k/(k + base)"
+"#,
+        SPRINGS[0]
+    )
+}
+
+/// The same with another spring to the key.
+fn stiffer() -> String {
+    format!("base = \"base.toml\"\n[parameters]\nk = {{ value = \"{} N/m\" }}\n", SPRINGS[1])
+}
+
+/// Stiffness that is felt at the key of a mass that is at rest: the springs one after the other.
+fn felt(spring: f64, base: f64) -> f64 {
+    spring * base / (spring + base)
+}
+
+/// A host that is running, and what it says.
+struct Running<'a> {
+    child: Child,
+    said: Receiver<String>,
+    folder: &'a Path,
+    heard: String,
+}
+
+impl<'a> Running<'a> {
+    fn start(folder: &'a Path, arguments: &[&str]) -> Self {
+        let mut child = start(folder, arguments);
+        let (tell, said) = channel();
+        let lines = BufReader::new(child.stderr.take().expect("its stderr")).lines();
+        std::thread::spawn(move || {
+            lines.map_while(Result::ok).try_for_each(|line| tell.send(line))
+        });
+        Self { child, said, folder, heard: String::new() }
+    }
+
+    /// Waits until a line says `text`.
+    #[track_caller]
+    fn wait_for(&mut self, text: &str) {
+        let until = Instant::now() + PATIENCE;
+        loop {
+            let left = until.saturating_duration_since(Instant::now());
+            let line = self.said.recv_timeout(left);
+            let line = line.unwrap_or_else(|_| panic!("nobody said {text:?}:\n{}", self.heard));
+            self.heard += &line;
+            self.heard += "\n";
+            if line.contains(text) {
+                return;
+            }
+        }
+    }
+
+    /// Asks over the control socket.
+    fn ask(&self, request: &str) -> String {
+        let stream = UnixStream::connect(self.folder.join("socket")).expect("the host listens");
+        (&stream).write_all(format!("{request}\n").as_bytes()).expect("it hears");
+        let mut answer = String::new();
+        BufReader::new(stream).read_line(&mut answer).expect("it answers");
+        answer
+    }
+
+    fn stop(mut self) -> (Said, String) {
+        self.ask(r#"{"service":"stop"}"#);
+        let rest = self.said.iter().collect::<Vec<_>>().join("\n");
+        self.heard += &rest;
+        (end(self.child), self.heard)
+    }
+}
+
+/// Rows of a key: tick, position (m), the voice's force and the force sent (N).
+fn rows(folder: &Path, key: u8) -> Vec<[f64; 4]> {
+    let text = fs::read_to_string(folder.join(format!("export/key-{key}.csv"))).expect("its rows");
+    let mut lines = text.lines();
+    let names: Vec<_> = lines.next().expect("a header").split(',').collect();
+    let column = |name: &str| {
+        let found = names.iter().position(|it| it.starts_with(name));
+        found.unwrap_or_else(|| panic!("no {name} in {names:?}"))
+    };
+    let columns = ["tick", "position", "force", "sent"].map(column);
+    let number = |text: &str| text.parse().expect("a number");
+    lines
+        .map(|line| {
+            let fields: Vec<_> = line.split(',').collect();
+            columns.map(|column| number(fields[column]))
+        })
+        .collect()
+}
+
+/// Stiffnesses (N/m) at which a pressed key rested, in the order of time: there are no rows while
+/// nothing changes.
+fn rests(rows: &[[f64; 4]]) -> Vec<f64> {
+    let next = rows.iter().skip(1).map(|row| row[0]).chain([f64::INFINITY]);
+    let rests = rows.iter().zip(next).filter(|(row, next)| 200.0 < next - row[0] && 1e-3 < row[1]);
+    rests.map(|([_, position, force, _], _)| force / position).collect()
+}
+
+#[track_caller]
+fn check_near(found: &[f64], wanted: &[f64]) {
+    let near = |(found, wanted): (&f64, &f64)| (found / wanted - 1.0).abs() < 0.01;
+    assert!(
+        found.len() == wanted.len() && found.iter().zip(wanted).all(near),
+        "{found:?}, {wanted:?}"
+    );
+}
+
+/// Replaces a file as editors do: another one is put into its place.
+fn save(file: &Path, text: &str) {
+    let beside = file.with_extension("new");
+    fs::write(&beside, text).expect("a file");
+    fs::rename(beside, file).expect("its place");
+}
+
+fn scene(folder: &Path) {
+    let scene = "tick_hz = 1000\nlanes = 1\n[[keys]]\nrange = \"C4..E4\"\nmodel = \"feel.toml\"\n";
+    fs::write(folder.join("scene.toml"), scene).expect("a scene");
+}
+
+#[test]
+fn a_description_that_is_saved_plays_on_with_its_new_forces_and_a_wrong_one_changes_nothing() {
+    let folder = folder("watched");
+    let _of_an_earlier_run = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    let (file, soft) = (folder.join("feel.toml"), base());
+    scene(&folder);
+    fs::write(folder.join("base.toml"), &soft).expect("a file");
+    fs::write(&file, &soft).expect("a file");
+    let arguments =
+        ["run", "scene.toml", "--watch", "--record", "a.mcap", "--listen", "none", "--json"];
+    let mut host = Running::start(&folder, &arguments);
+    host.wait_for("plays");
+    let set = format!(
+        r#"{{"service":"set","changes":[{{"key":40,"parameter":"base","value":{OTHER_BASE}}}]}}"#
+    );
+    assert!(host.ask(&set).contains("1 values on 1 keys"));
+    let unmet = host.ask(&set.replace("2400", "50"));
+    assert!(unmet.contains("feel needs base > 100 N/m, which does not hold on"), "{unmet}");
+    for key in KEYS {
+        let press = format!(r#"{{"service":"press","key":{key},"newtons":2.0}}"#);
+        assert!(host.ask(&press).contains("pressed"));
+    }
+    std::thread::sleep(REST);
+    // With a base: both files are read.
+    save(&file, &stiffer());
+    host.wait_for("5 keys play version 2 of feel");
+    std::thread::sleep(REST);
+    // One that is gone for a moment is no mistake, and no other version.
+    fs::remove_file(&file).expect("the file");
+    std::thread::sleep(Duration::from_millis(500));
+    save(&file, &format!("{}\n[springs]\nkey = {{ stiffness = \"kk\" }}\n", stiffer()));
+    host.wait_for("is wrong, and the version before it plays on");
+    host.wait_for("feel.toml:6:");
+    host.wait_for("^");
+    let still = host.ask(r#"{"service":"scene"}"#);
+    assert!(still.contains("feel.toml"), "{still}");
+    std::thread::sleep(REST);
+    save(&file, &soft);
+    // What was there before is the same version again.
+    host.wait_for("5 keys play version 1 of feel");
+    std::thread::sleep(REST);
+    let (said, heard) = host.stop();
+    assert_eq!(said.code, Some(0), "{said:?}\n{heard}");
+    assert_eq!(said.report()["faults"], 0, "{}", said.out);
+    assert!(!heard.contains("such file"), "{heard}");
+
+    assert_eq!(run(&folder, &["replay", "a.mcap", "--export", "export"]).code, Some(0));
+    let all = KEYS.map(|key| rows(&folder, key));
+    let wanted = |base| [SPRINGS[0], SPRINGS[1], SPRINGS[0]].map(|spring| felt(spring, base));
+    check_near(&rests(&all[0]), &wanted(BASE));
+    check_near(&rests(&all[1]), &wanted(OTHER_BASE));
+    // The forces differ by more than a newton where the key stands; in a tick the force that is
+    // sent changes by a twentieth of it, and by what the key moves.
+    let steps = all[0].windows(2).map(|pair| (pair[1][3] - pair[0][3]).abs());
+    let largest = steps.fold(0.0, f64::max);
+    let travel = 2.0 / felt(SPRINGS[0], BASE);
+    let jump = travel * (felt(SPRINGS[1], BASE) - felt(SPRINGS[0], BASE));
+    assert!(jump > 1.0 && largest < 0.2 * jump, "{largest} N in a tick, {jump} N between both");
+
+    // Nothing but the recording is left.
+    for file in ["feel.toml", "base.toml", "scene.toml"] {
+        fs::remove_file(folder.join(file)).expect("a file");
+    }
+    let replayed = run(&folder, &["replay", "a.mcap"]);
+    assert_eq!(replayed.code, Some(0), "{replayed:?}");
+    assert!(replayed.out.contains("are the same to the last bit"), "{replayed:?}");
+    assert!(!replayed.out.contains("could be compared"), "{replayed:?}");
+}
+
+#[test]
+fn values_that_a_model_does_not_allow_are_refused_wherever_they_are_given() {
+    let folder = folder("watched-unmet");
+    fs::write(folder.join("feel.toml"), base()).expect("a file");
+    let scene = "[[keys]]\nrange = \"C4..E4\"\nmodel = \"feel.toml\"\nparameters = { base = 50 }\n";
+    fs::write(folder.join("scene.toml"), scene).expect("a scene");
+    let said = run(&folder, &["check", "scene.toml"]);
+    let why = "feel needs base > 100 N/m, which does not hold on C4";
+    assert!(said.code == Some(2) && said.err.contains(why), "{said:?}");
+    let arguments = ["simulate", "feel.toml", "--set", "base=50", "--until", "0.1"];
+    let said = run(&folder, &arguments);
+    let why = "feel needs base > 100 N/m, which does not hold";
+    assert!(said.code == Some(2) && said.err.contains(why), "{said:?}");
+}
