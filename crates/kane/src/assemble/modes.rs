@@ -82,7 +82,7 @@ fn motion(
         jacobian: builder.add(graph, functions, "jacobian", &flat)?,
         kind,
         loss: loss.function(graph, functions, &format!("{}_loss", builder.name))?,
-        is_stiffening: is_stiffening(graph, &rows),
+        is_stiffening: is_stiffening(graph, &rows, builder.context.places),
         ..ModeTable::NOTHING
     })
 }

@@ -192,7 +192,7 @@ pub static TABLE: ModelTable = ModelTable {
             jacobian: 2,
             kind: EquationKind::Smooth,
             loss: Some(1),
-            is_stiffening: true,
+            is_stiffening: false,
             guards: &[
                 GuardTable {
                     id: 0,
@@ -487,8 +487,8 @@ fn derivative_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_k_dot = state[3];
     let s = input[0];
     let s_rate = input[1];
-    let (sin_theta_k, cos_theta_k) = math::sin_cos(theta_k);
-    let (sin_theta_h, cos_theta_h) = math::sin_cos(theta_h);
+    let ([sin_theta_k, sin_theta_h], [cos_theta_k, cos_theta_h]) =
+        math::sin_cos_of_two([theta_k, theta_h]);
     let v0 = L1 * sin_theta_k;
     let v1 = L4 - v0;
     let v2 = L1 * cos_theta_k;
@@ -542,8 +542,8 @@ fn jacobian_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_k = state[1];
     let theta_h_dot = state[2];
     let theta_k_dot = state[3];
-    let (sin_theta_k, cos_theta_k) = math::sin_cos(theta_k);
-    let (sin_theta_h, cos_theta_h) = math::sin_cos(theta_h);
+    let ([sin_theta_k, sin_theta_h], [cos_theta_k, cos_theta_h]) =
+        math::sin_cos_of_two([theta_k, theta_h]);
     let v0 = L1 * sin_theta_k;
     let v1 = L4 - v0;
     let v2 = L1 * cos_theta_k;
@@ -661,8 +661,8 @@ fn outputs_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_k_dot = state[3];
     let s = input[0];
     let s_rate = input[1];
-    let (sin_theta_k, cos_theta_k) = math::sin_cos(theta_k);
-    let (sin_theta_h, cos_theta_h) = math::sin_cos(theta_h);
+    let ([sin_theta_k, sin_theta_h], [cos_theta_k, cos_theta_h]) =
+        math::sin_cos_of_two([theta_k, theta_h]);
     let v0 = L1 * sin_theta_k;
     let v1 = L4 - v0;
     let v2 = L1 * cos_theta_k;
@@ -724,8 +724,8 @@ fn balance_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s_rate = input[1];
     let v0 = s - theta_k;
     let v1 = k1 * v0;
-    let (sin_theta_h, cos_theta_h) = math::sin_cos(theta_h);
-    let (sin_theta_k, cos_theta_k) = math::sin_cos(theta_k);
+    let ([sin_theta_h, sin_theta_k], [cos_theta_h, cos_theta_k]) =
+        math::sin_cos_of_two([theta_h, theta_k]);
     let v2 = L1 * cos_theta_k;
     let v3 = L3 - v2;
     let v4 = L1 * sin_theta_k;
@@ -990,8 +990,8 @@ fn outputs_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_k_dot = state[3];
     let s = input[0];
     let s_rate = input[1];
-    let (sin_theta_h, cos_theta_h) = math::sin_cos(theta_h);
-    let (sin_theta_k_theta_h, _) = math::sin_cos(theta_k - theta_h);
+    let ([sin_theta_h, sin_theta_k_theta_h], [cos_theta_h, _]) =
+        math::sin_cos_of_two([theta_h, theta_k - theta_h]);
     let v0 = L4 * cos_theta_h - L3 * sin_theta_h - L1 * sin_theta_k_theta_h;
     let (sin_theta_k, cos_theta_k) = math::sin_cos(theta_k);
     let v1 = L1 * cos_theta_k;
